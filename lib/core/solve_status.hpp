@@ -1,0 +1,30 @@
+// How a solve ended: mathematics that says no is a value, not an error.
+#pragma once
+
+#include <string_view>
+
+namespace kinestat {
+
+enum class SolveStatus {
+  solved,
+  underdetermined,  ///< too few known magnitudes
+  dependent,        ///< known magnitudes follow from each other
+  inconsistent      ///< known magnitudes contradict the equations
+};
+
+/// The word in reports.
+constexpr std::string_view word_of(SolveStatus status) {
+  switch (status) {
+    case SolveStatus::solved:
+      return "solved";
+    case SolveStatus::underdetermined:
+      return "indeterminate";
+    case SolveStatus::dependent:
+      return "dependent";
+    case SolveStatus::inconsistent:
+      return "inconsistent";
+  }
+  return "";
+}
+
+}  // namespace kinestat

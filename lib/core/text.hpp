@@ -1,0 +1,24 @@
+// Words for messages: lists of names and the nearest known name.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kinestat {
+
+/// "'a', 'b' and 'c'"; at most `limit` names, then "and 4 more". Empty for an empty list.
+std::string quoted_list(std::span<const std::string> names, std::size_t limit = 8);
+
+/// "a, b, c"; at most `limit` names, then "and 4 more".
+std::string plain_list(std::span<const std::string> names, std::size_t limit = 12);
+
+/// The candidate that a typist most likely meant, or an empty string: edit distance with
+/// transpositions at most a third of the word's length (at least 1), ties to the first.
+std::string nearest_name(std::string_view word, std::span<const std::string> candidates);
+
+/// "did you mean 'x'?" or empty, from nearest_name.
+std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
+
+}  // namespace kinestat

@@ -1,0 +1,43 @@
+// Every tolerance of the program: its name, what it is relative to, and why it has this size.
+#pragma once
+
+#include <limits>
+
+namespace kinestat {
+
+inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+/// A difference smaller than this share of its two terms is rounding and becomes an exact zero
+/// during elimination. A handful of operations precede each entry; 64 covers them.
+inline constexpr double kCancellation = 64 * kEpsilon;
+
+/// A pivot below this, in a matrix whose rows and columns are scaled to largest entry 1, counts as
+/// zero. Halfway between rounding (1e-16) and the flattest geometry that is drawn on purpose
+/// (1e-5).
+inline constexpr double kRankZero = 1e-10;
+
+/// A pivot is accepted if it is at least this share of the largest entry of its column: growth
+/// stays below 11 a step while the sparsest row may be chosen.
+inline constexpr double kPivotShare = 0.1;
+
+/// A column whose largest entry is smaller than this waits until no better one is left, so that the
+/// decision on the rank is taken last, on what really remains.
+inline constexpr double kPivotWaits = 1e-3;
+
+/// Equations that are surplus must hold to this share of the terms they sum.
+inline constexpr double kConsistency = 1e-9;
+
+/// The powers of a case must sum to zero within this share of the largest power.
+inline constexpr double kPowerBalance = 1e-9;
+
+/// In reports, a value below this share of the largest of its quantity is written as zero.
+inline constexpr double kReportZero = 64 * kEpsilon;
+
+/// An angular (or force) part below this share of the other part of a screw, measured with the
+/// mechanism's own length, makes the pitch infinite: a pure translation (or couple).
+inline constexpr double kInfinitePitch = 1e-12;
+
+/// An axis shorter than this (of components given as plain numbers) has no direction.
+inline constexpr double kZeroAxis = 1e-12;
+
+}  // namespace kinestat

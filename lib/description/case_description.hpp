@@ -1,0 +1,24 @@
+// A case as the user wrote it: known motions and actions.
+#pragma once
+
+#include <vector>
+
+#include "description/value.hpp"
+
+namespace kinestat {
+
+/// `target` is an actuator, or coupling.freedom, or coupling.action.
+struct Assignment {
+  Name target;
+  Value value;
+};
+
+struct CaseDescription {
+  Name label;
+  std::vector<Assignment> motions;
+  std::vector<Assignment> actions;
+  std::vector<Name> inputs;   ///< actuators
+  std::vector<Name> outputs;  ///< actuators
+};
+
+}  // namespace kinestat

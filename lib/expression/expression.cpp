@@ -1,0 +1,54 @@
+#include "expression/expression.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "expression/internal/parser.hpp"
+#include "expression/internal/scanner.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr std::size_t kLongestText = 4096;  // [bytes]
+
+ExpressionError too_long(std::string_view text) {
+  return {.offset = 0,
+          .length = static_cast<int>(std::min(text.size(), kLongestText)),
+          .code = "E0210",
+          .message = fmt::format("the expression is longer than {} bytes", kLongestText),
+          .hint = "divide it among parameters"};
+}
+
+Expression plain_number(std::string_view text, double value) {
+  std::vector<Node> nodes = {Node{.length = static_cast<int>(text.size()), .value = value}};
+  return {std::string(text), std::move(nodes), {}};
+}
+
+}  // namespace
+
+Expression::Expression(std::string text, std::vector<Node> nodes, std::vector<std::string> names)
+    : text_(std::move(text)), nodes_(std::move(nodes)), names_(std::move(names)) {}
+
+std::string_view Expression::text_of(const Node& node) const {
+  return std::string_view(text_).substr(static_cast<std::size_t>(node.offset),
+                                        static_cast<std::size_t>(node.length));
+}
+
+std::variant<Expression, ExpressionError> parse_expression(std::string_view text) {
+  if (text.size() > kLongestText) {
+    return too_long(text);
+  }
+  if (const auto value = read_plain_number(text)) {
+    return plain_number(text, *value);
+  }
+  auto tokens = scan(text);
+  if (auto* error = std::get_if<ExpressionError>(&tokens)) {
+    return std::move(*error);
+  }
+  return Parser(text, std::get<std::vector<Token>>(std::move(tokens))).parse();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,65 @@
+#include "expression/functions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "expression/units.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr auto kFunctions = std::to_array<FunctionName>({
+    {"sin", Function::sin, Arity::one},
+    {"cos", Function::cos, Arity::one},
+    {"tan", Function::tan, Arity::one},
+    {"asin", Function::asin, Arity::one},
+    {"acos", Function::acos, Arity::one},
+    {"atan", Function::atan, Arity::one},
+    {"atan2", Function::atan2, Arity::two},
+    {"sqrt", Function::sqrt, Arity::one},
+    {"abs", Function::abs, Arity::one},
+    {"exp", Function::exp, Arity::one},
+    {"log", Function::log, Arity::one},
+    {"ln", Function::ln, Arity::one},
+    {"log10", Function::log10, Arity::one},
+    {"min", Function::min, Arity::two_or_more},
+    {"max", Function::max, Arity::two_or_more},
+    {"floor", Function::floor, Arity::one},
+    {"ceil", Function::ceil, Arity::one},
+    {"round", Function::round, Arity::one},
+    {"mod", Function::mod, Arity::two},
+    {"gcd", Function::gcd, Arity::two_or_more},
+    {"hypot", Function::hypot, Arity::two_or_more},
+});
+
+std::vector<std::string> list_names() {
+  std::vector<std::string> names;
+  for (const FunctionName& row : kFunctions) {
+    names.emplace_back(row.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+const FunctionName* find_function(std::string_view name) {
+  const auto at = std::ranges::find(kFunctions, name, &FunctionName::name);
+  return at != kFunctions.end() ? &*at : nullptr;
+}
+
+std::string_view name_of(Function function) {
+  return std::ranges::find(kFunctions, function, &FunctionName::function)->name;
+}
+
+std::span<const std::string> function_names() {
+  static const std::vector<std::string> names = list_names();
+  return names;
+}
+
+bool is_reserved_name(std::string_view name) {
+  return name == "pi" || find_unit(name) != nullptr || find_function(name) != nullptr;
+}
+
+}  // namespace kinestat

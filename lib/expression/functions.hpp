@@ -1,0 +1,57 @@
+// The functions that expressions may call.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace kinestat {
+
+/// `ln` and `log` are both the natural logarithm. `mod` has the sign of the divisor, `round` takes
+/// halves away from zero, `gcd` is that of whole numbers.
+enum class Function {
+  sin,
+  cos,
+  tan,
+  asin,
+  acos,
+  atan,
+  atan2,
+  sqrt,
+  abs,
+  exp,
+  log,
+  ln,
+  log10,
+  min,
+  max,
+  floor,
+  ceil,
+  round,
+  mod,
+  gcd,
+  hypot
+};
+
+/// How many values a function takes.
+enum class Arity { one, two, two_or_more };
+
+struct FunctionName {
+  std::string_view name;
+  Function function = Function::sin;
+  Arity arity = Arity::one;
+};
+
+/// The function of that name, or null.
+const FunctionName* find_function(std::string_view name);
+
+/// "sin".
+std::string_view name_of(Function function);
+
+/// Every function's name, for messages.
+std::span<const std::string> function_names();
+
+/// True for names that parameters may not have: units, functions and constants.
+bool is_reserved_name(std::string_view name);
+
+}  // namespace kinestat

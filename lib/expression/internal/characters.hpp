@@ -1,0 +1,31 @@
+// Single characters of an expression: classes of ASCII and advice on those outside it.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "expression/expression_error.hpp"
+
+namespace kinestat {
+
+inline bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+inline bool is_name_start(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+inline bool is_name_part(char c) {
+  return is_name_start(c) || is_digit(c);
+}
+
+inline bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+/// The first character that is neither printable ASCII nor white space, named by its code point
+/// (E0308), with what to type instead where it is a common look-alike.
+std::optional<ExpressionError> find_foreign_character(std::string_view text);
+
+}  // namespace kinestat

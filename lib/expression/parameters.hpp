@@ -1,0 +1,85 @@
+// The named values of a mechanism file, which may use one another in any order.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/source.hpp"
+#include "expression/evaluate.hpp"
+#include "expression/expression.hpp"
+
+namespace kinestat {
+
+/// One entry of the section `parameters:`. Names are unique and not reserved (is_reserved_name).
+struct Parameter {
+  std::string name;
+  Expression value;
+  SourceRange name_where;
+  SourceRange value_where;
+};
+
+/// What is wrong with the value of one parameter.
+struct ParameterError {
+  int parameter = 0;  ///< index into the list that was evaluated
+  ExpressionError error;
+};
+
+/// The values of all parameters that have one, and which of them are referred to.
+class ParameterTable {
+ public:
+  ParameterTable() = default;
+  explicit ParameterTable(std::span<const Parameter> parameters);
+
+  /// The value in SI, or null if the name is unknown or its value is in error.
+  const Quantity* find(std::string_view name) const;
+
+  /// find for evaluate. The table must outlive it.
+  NameLookup lookup() const;
+
+  /// All names, in the order of the list, also those in error.
+  std::span<const std::string> names() const { return names_; }
+
+  /// Whether the expression uses a parameter whose value is in error: then it has no value either,
+  /// and nothing more is to be said about it.
+  bool is_failed(const Expression& expression) const;
+
+  /// Notes the names that an expression outside the table uses.
+  void mark_used(const Expression& expression);
+
+  /// The indices of those that no expression uses, in the order of the list. One that another
+  /// parameter uses counts as used.
+  std::vector<int> unused() const;
+
+  /// The index of a name, or -1.
+  int index_of(std::string_view name) const;
+
+  /// Gives a parameter its value, once all that it uses have theirs.
+  void set(int parameter, const Quantity& value);
+
+ private:
+  struct Entry {
+    Quantity value;
+    bool has_value = false;
+    bool is_used = false;
+  };
+
+  std::vector<std::string> names_;
+  std::vector<Entry> entries_;
+  std::map<std::string, int, std::less<>> index_;
+};
+
+/// The table and all that is wrong, ordered by parameter.
+struct ParameterValues {
+  ParameterTable table;
+  std::vector<ParameterError> errors;
+};
+
+/// Evaluates the parameters in the order in which they need each other. Errors: those of evaluate,
+/// and E0310 once for every circle, at its first parameter. Those that depend on a parameter in
+/// error have no value and no error of their own.
+ParameterValues evaluate_parameters(std::span<const Parameter> parameters);
+
+}  // namespace kinestat

@@ -1,0 +1,204 @@
+#include "expression/units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "expression/expression.hpp"
+#include "expression/internal/suggestion.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr Dimension kLength{1, 0, 0, 0};
+constexpr Dimension kMass{0, 1, 0, 0};
+constexpr Dimension kTime{0, 0, 1, 0};
+constexpr Dimension kAngle{0, 0, 0, 1};
+constexpr Dimension kAngularVelocity{0, 0, -1, 1};
+constexpr Dimension kForce{1, 1, -2, 0};
+constexpr Dimension kMoment{2, 1, -2, 0};
+constexpr Dimension kPower{2, 1, -3, 0};
+
+constexpr auto kUnits = std::to_array<Unit>({
+    {"m", {}, kLength},
+    {"mm", {1, 1000}, kLength},
+    {"um", {1, 1'000'000}, kLength},
+    {"cm", {1, 100}, kLength},
+    {"km", {1000}, kLength},
+    {"in", {254, 10'000}, kLength},  // exactly 25.4 mm
+    {"rad", {}, kAngle},
+    {"deg", {1, 180, 1}, kAngle},
+    {"rev", {2, 1, 1}, kAngle},
+    {"s", {}, kTime},
+    {"min", {60}, kTime},
+    {"h", {3600}, kTime},
+    {"kg", {}, kMass},
+    {"g", {1, 1000}, kMass},
+    {"N", {}, kForce},
+    {"kN", {1000}, kForce},
+    {"Nm", {}, kMoment},
+    {"rpm", {1, 30, 1}, kAngularVelocity},  // 2π/60 rad/s
+    {"W", {}, kPower},
+    {"kW", {1000}, kPower},
+});
+
+std::vector<std::string> list_names() {
+  std::vector<std::string> names;
+  for (const Unit& unit : kUnits) {
+    names.emplace_back(unit.name);
+  }
+  return names;
+}
+
+// Walks the nodes of an expression that may hold nothing but units.
+class UnitReader {
+ public:
+  explicit UnitReader(const Expression& expression) : expression_(expression) {}
+
+  std::variant<UnitExpression, ExpressionError> read();
+
+ private:
+  std::optional<UnitExpression> convert(const Node& node);
+  std::optional<UnitExpression> convert_number(const Node& node);
+  std::optional<UnitExpression> convert_power(const Node& node);
+  std::optional<UnitExpression> fail(const Node& node, std::string message, std::string hint = {});
+
+  const UnitExpression& part(int index) const { return parts_[static_cast<std::size_t>(index)]; }
+
+  const Expression& expression_;
+  std::vector<UnitExpression> parts_;  // one a node, in the order of the nodes
+  ExpressionError error_;
+};
+
+std::variant<UnitExpression, ExpressionError> UnitReader::read() {
+  for (const Node& node : expression_.nodes()) {
+    std::optional<UnitExpression> part = convert(node);
+    if (!part) {
+      return error_;
+    }
+    parts_.push_back(std::move(*part));
+  }
+  UnitExpression whole = parts_.back();
+  if (is_bare(whole.dimension)) {
+    fail(expression_.nodes().back(), "this is a number, not a unit", "write a unit such as mm");
+    return error_;
+  }
+  whole.text = expression_.text();
+  return whole;
+}
+
+std::optional<UnitExpression> UnitReader::convert(const Node& node) {
+  switch (node.kind) {
+    case NodeKind::number:
+      return convert_number(node);
+    case NodeKind::unit:
+      return UnitExpression{node.unit->scale, node.unit->dimension, {}};
+    case NodeKind::multiply:
+      return UnitExpression{part(node.left).scale * part(node.right).scale,
+                            part(node.left).dimension * part(node.right).dimension,
+                            {}};
+    case NodeKind::divide:
+      return UnitExpression{part(node.left).scale / part(node.right).scale,
+                            part(node.left).dimension / part(node.right).dimension,
+                            {}};
+    case NodeKind::power:
+      return convert_power(node);
+    case NodeKind::name: {
+      const std::string_view name = expression_.text_of(node);
+      return fail(node, fmt::format("unknown unit '{}'", name), unit_hint(name));
+    }
+    case NodeKind::pi:
+    case NodeKind::negate:
+    case NodeKind::add:
+    case NodeKind::subtract:
+    case NodeKind::function:
+      break;
+  }
+  return fail(
+      node, "a unit is made of unit names, '*', '/' and '^' only", "write for example N*mm");
+}
+
+// A number is the 1 of 1/s or an exponent, which the power then takes from the node itself.
+std::optional<UnitExpression> UnitReader::convert_number(const Node& node) {
+  const auto nodes = expression_.nodes();
+  const int index = static_cast<int>(&node - nodes.data());
+  const bool is_exponent = std::ranges::any_of(nodes, [index](const Node& other) {
+    return other.kind == NodeKind::power && other.right == index;
+  });
+  if (is_exponent || node.value == 1.0) {
+    return UnitExpression{};
+  }
+  return fail(node, "a unit carries no number", "write the unit alone, such as mm");
+}
+
+std::optional<UnitExpression> UnitReader::convert_power(const Node& node) {
+  constexpr double kLargestExponent = 9.0;
+  const Node& exponent = expression_.nodes()[static_cast<std::size_t>(node.right)];
+  const bool is_whole = exponent.kind == NodeKind::number &&
+                        exponent.value == std::floor(exponent.value) && exponent.value >= 1.0 &&
+                        exponent.value <= kLargestExponent;
+  if (!is_whole) {
+    return fail(exponent, "the exponent of a unit is a whole number from 1 to 9", "write s^2");
+  }
+  UnitExpression result;
+  for (int i = 0; i < static_cast<int>(exponent.value); ++i) {
+    result.scale = result.scale * part(node.left).scale;
+    result.dimension = result.dimension * part(node.left).dimension;
+  }
+  return result;
+}
+
+std::optional<UnitExpression> UnitReader::fail(const Node& node,
+                                               std::string message,
+                                               std::string hint) {
+  error_ = {.offset = node.offset,
+            .length = node.length,
+            .code = "E0308",
+            .message = std::move(message),
+            .hint = std::move(hint)};
+  return std::nullopt;
+}
+
+}  // namespace
+
+double UnitScale::to_si(double value) const {
+  return value * (numerator * std::pow(std::numbers::pi, pi_power)) / denominator;
+}
+
+double UnitScale::from_si(double value) const {
+  return value * denominator / (numerator * std::pow(std::numbers::pi, pi_power));
+}
+
+UnitScale operator*(const UnitScale& a, const UnitScale& b) {
+  return {a.numerator * b.numerator, a.denominator * b.denominator, a.pi_power + b.pi_power};
+}
+
+UnitScale operator/(const UnitScale& a, const UnitScale& b) {
+  return {a.numerator * b.denominator, a.denominator * b.numerator, a.pi_power - b.pi_power};
+}
+
+const Unit* find_unit(std::string_view name) {
+  const auto at = std::ranges::find(kUnits, name, &Unit::name);
+  return at != kUnits.end() ? &*at : nullptr;
+}
+
+std::span<const std::string> unit_names() {
+  static const std::vector<std::string> names = list_names();
+  return names;
+}
+
+std::variant<UnitExpression, ExpressionError> parse_unit(std::string_view text) {
+  auto parsed = parse_expression(text);
+  if (const auto* error = std::get_if<ExpressionError>(&parsed)) {
+    return *error;
+  }
+  return UnitReader(std::get<Expression>(parsed)).read();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,163 @@
+#include "io/atomic_file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <fcntl.h>
+#include <optional>
+#include <string_view>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "io/byte_scan.hpp"
+#include "io/internal/descriptor.hpp"
+#include "io/internal/temporary_file.hpp"
+
+namespace kinestat {
+
+namespace {
+
+void refuse(const std::string& path, std::string_view why, Diagnostics& found) {
+  found.error("E0152", {}, fmt::format("cannot write '{}': {}", printable(path), why));
+}
+
+void refuse(const std::string& path, int error, Diagnostics& found) {
+  refuse(path, std::generic_category().message(error), found);
+}
+
+bool begins_with(const std::string& path, std::string_view signature) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  std::string beginning(signature.size(), '\0');
+  std::size_t size = 0;
+  while (file.is_open() && size < beginning.size()) {
+    const ssize_t count = ::read(file.value(), beginning.data() + size, beginning.size() - size);
+    if (count <= 0) {
+      break;
+    }
+    size += static_cast<std::size_t>(count);
+  }
+  return !signature.empty() && size == signature.size() && beginning == signature;
+}
+
+// Read through a symbolic link, because that is what the user sees as the file.
+bool is_own(const OutputFile& file) {
+  struct stat status = {};
+  return ::stat(file.path.c_str(), &status) == 0 && S_ISREG(status.st_mode) &&
+         begins_with(file.path, file.signature);
+}
+
+// What stands at the target, if it may be replaced.
+std::optional<Present> find_present(const OutputFile& file,
+                                    Overwrite overwrite,
+                                    Diagnostics& found) {
+  struct stat status = {};
+  if (::lstat(file.path.c_str(), &status) != 0) {
+    if (errno != ENOENT) {
+      refuse(file.path, errno, found);
+      return {};
+    }
+    return Present::nothing;
+  }
+  if (!S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode)) {
+    refuse(file.path, S_ISDIR(status.st_mode) ? "it is a folder" : "it is no ordinary file", found);
+    return {};
+  }
+  if (overwrite == Overwrite::own_only && !is_own(file)) {
+    found.error(
+        "E0153",
+        {},
+        fmt::format("'{}' exists and was not written by this program", printable(file.path)),
+        "choose another name, or give --force to replace it");
+    return {};
+  }
+  return Present::file;
+}
+
+// All complaints about the targets, before anything is written.
+std::vector<TemporaryFile> plan_files(std::span<const OutputFile> files,
+                                      Overwrite overwrite,
+                                      Diagnostics& found) {
+  std::vector<TemporaryFile> plan;
+  plan.reserve(files.size());
+  for (const OutputFile& file : files) {
+    if (const auto present = find_present(file, overwrite, found)) {
+      plan.push_back(TemporaryFile(file.path, *present));
+    }
+  }
+  return plan;
+}
+
+// True when all stand in their places, and the folders know it.
+bool take_places(std::vector<TemporaryFile>& plan, Diagnostics& found) {
+  for (TemporaryFile& file : plan) {
+    if (const int error = file.take_place(); error != 0) {
+      refuse(file.target(), error, found);
+      return false;
+    }
+  }
+  for (const TemporaryFile& file : plan) {
+    if (const int error = sync_folder(folder_of(file.target())); error != 0) {
+      refuse(file.target(), error, found);
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool write_files(std::span<const OutputFile> files, Overwrite overwrite, Diagnostics& found) {
+  std::vector<TemporaryFile> plan = plan_files(files, overwrite, found);
+  if (plan.size() < files.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    if (const int error = plan[i].write(files[i].content); error != 0) {
+      refuse(plan[i].target(), error, found);
+      return false;
+    }
+  }
+  if (take_places(plan, found)) {
+    return true;
+  }
+  // Backwards, in case two of them have one target.
+  std::for_each(plan.rbegin(), plan.rend(), [](TemporaryFile& file) { file.give_back(); });
+  return false;
+}
+
+bool check_output_folder(const std::string& folder, Diagnostics& found) {
+  const std::string path = folder.empty() ? "." : folder;
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0) {
+    const int error = errno;
+    found.error(
+        "E0152",
+        {},
+        fmt::format(
+            "output folder '{}': {}", printable(path), std::generic_category().message(error)),
+        error == ENOENT ? fmt::format("mkdir -p '{}'", printable(path)) : "");
+    return false;
+  }
+  if (!S_ISDIR(status.st_mode)) {
+    found.error("E0152",
+                {},
+                fmt::format("output folder '{}' is not a folder", printable(path)),
+                "name a folder, or remove the file");
+    return false;
+  }
+  if (::faccessat(AT_FDCWD, path.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
+    found.error("E0152",
+                {},
+                fmt::format("output folder '{}' may not be written to: {}",
+                            printable(path),
+                            std::generic_category().message(errno)),
+                "choose another folder");
+    return false;
+  }
+  return true;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,34 @@
+// Files that are written whole or not at all.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/diagnostic.hpp"
+
+namespace kinestat {
+
+/// A file to be written.
+struct OutputFile {
+  std::string path;
+  std::string content;
+  std::string signature;  ///< how a file of this kind begins, by which our own one is recognised
+};
+
+enum class Overwrite {
+  own_only,  ///< a present file is replaced only if it begins with a signature that is not empty
+  force      ///< any present file is replaced, but no folder, device or pipe
+};
+
+/// Writes all files or none. Each is written and synced as a temporary in the folder of its target,
+/// with the mode that the umask leaves; then all take their places. When anything fails, the
+/// temporaries are removed and what was there before is there again. A symbolic link at the target
+/// is replaced, not followed. E0152 when the system refuses, E0153 for a foreign file; false iff an
+/// error was added. A process that writes near its file size limit must ignore SIGXFSZ.
+bool write_files(std::span<const OutputFile> files, Overwrite overwrite, Diagnostics& found);
+
+/// Asks, before anything is computed, whether files can be written into a folder: it exists, is a
+/// folder and may be written to (E0152). The empty path is the working folder.
+bool check_output_folder(const std::string& folder, Diagnostics& found);
+
+}  // namespace kinestat

@@ -1,0 +1,57 @@
+#include "io/fields.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+
+namespace kinestat {
+
+Fields::Fields(const YamlNode& node, SourceRange where, std::string what, Diagnostics& found)
+    : where_(where), what_(std::move(what)), found_(found) {
+  if (node.kind == YamlKind::mapping) {
+    node_ = &node;
+  } else {
+    found_.error("E0304",
+                 node.where,
+                 fmt::format("{} must be a mapping of keys to values", what_),
+                 "write {key: value, …} or indented lines 'key: value'");
+  }
+}
+
+const YamlNode* Fields::find(std::string_view key) {
+  known_.emplace_back(key);
+  return node_ == nullptr ? nullptr : node_->find(key);
+}
+
+const YamlNode* Fields::require(std::string_view key) {
+  const YamlNode* value = find(key);
+  if (value == nullptr && node_ != nullptr) {
+    found_.error("E0303",
+                 where_,
+                 fmt::format("{} lacks the key '{}'", what_, key),
+                 fmt::format("add '{}: …'", key));
+  }
+  return value;
+}
+
+void Fields::finish() {
+  if (node_ == nullptr) {
+    return;
+  }
+  for (const YamlEntry& entry : node_->entries) {
+    if (std::ranges::find(known_, entry.key) != known_.end()) {
+      continue;
+    }
+    const std::string guess = did_you_mean(entry.key, known_);
+    found_.error(
+        "E0302",
+        entry.key_where,
+        fmt::format("{} has no key '{}'", what_, entry.key),
+        fmt::format(
+            "{}{}known keys are {}", guess, guess.empty() ? "" : " ", plain_list(known_, 24)));
+  }
+}
+
+}  // namespace kinestat

@@ -1,0 +1,41 @@
+// One mapping of the file while it is read: which keys it may have, and what is wrong with it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/diagnostic.hpp"
+#include "io/yaml_tree.hpp"
+
+namespace kinestat {
+
+/// Every key that is asked for counts as known; finish() complains about all others.
+class Fields {
+ public:
+  /// `what` names the mapping in messages: "coupling 'a'". `where` is where a missing key is
+  /// reported. A node that is no mapping is an error; the fields are then empty.
+  Fields(const YamlNode& node, SourceRange where, std::string what, Diagnostics& found);
+
+  /// The value of the key, or null if it is absent.
+  const YamlNode* find(std::string_view key);
+
+  /// Likewise, but absence is an error.
+  const YamlNode* require(std::string_view key);
+
+  /// Complains about the keys that nobody asked for.
+  void finish();
+
+  const std::string& what() const { return what_; }
+
+  SourceRange where() const { return where_; }
+
+ private:
+  const YamlNode* node_ = nullptr;
+  SourceRange where_;
+  std::string what_;
+  Diagnostics& found_;
+  std::vector<std::string> known_;
+};
+
+}  // namespace kinestat

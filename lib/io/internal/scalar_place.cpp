@@ -1,0 +1,56 @@
+#include "io/internal/scalar_place.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "io/internal/scalar_end.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::size_t common_length(std::string_view a, std::string_view b) {
+  return static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
+}
+
+// Quotes included; the text stands one-to-one where nothing else is between them.
+void place_quoted(YamlNode& node, SourceMap& map, std::size_t begin) {
+  const std::size_t end = find_quote_end(map.text(), begin);
+  node.where = map.range(begin, end);
+  const std::string_view inside = std::string_view(map.text().all()).substr(begin + 1);
+  const bool is_whole = end == begin + node.text.size() + 2 && inside.starts_with(node.text);
+  if (is_whole && end <= map.line_end(begin)) {
+    node.text_column = node.where.column + 1;
+  }
+}
+
+// The first line of a folded text is what source and text have in common.
+void place_plain(YamlNode& node, SourceMap& map, std::size_t begin) {
+  const std::string_view source = std::string_view(map.text().all()).substr(begin);
+  const std::size_t shown = common_length(source, node.text);
+  const std::size_t last = source.substr(0, shown).find_last_not_of(" \t\r\n");
+  node.where = map.range(begin, begin + (last == std::string_view::npos ? 0 : last + 1));
+  if (shown == node.text.size() && begin + shown <= map.line_end(begin)) {
+    node.text_column = node.where.column;
+  }
+}
+
+}  // namespace
+
+YamlNode make_scalar(SourceMap& map, std::size_t begin, const std::string& value) {
+  YamlNode node;
+  node.kind = YamlKind::scalar;
+  node.text = value;
+  const char first = map.text()[begin];
+  node.quoted = is_one_of(first, "'\"|>");
+  if (!node.quoted) {
+    place_plain(node, map, begin);
+  } else if (first == '|' || first == '>') {
+    node.where = map.range(begin, map.text().skip_word(begin));
+  } else {
+    place_quoted(node, map, begin);
+  }
+  return node;
+}
+
+}  // namespace kinestat

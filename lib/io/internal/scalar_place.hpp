@@ -1,0 +1,15 @@
+// A scalar with its place in the source.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "io/internal/source_map.hpp"
+#include "io/yaml_tree.hpp"
+
+namespace kinestat {
+
+/// The node of a scalar that begins at the offset, behind its anchor, and reads as `value`.
+YamlNode make_scalar(SourceMap& map, std::size_t begin, const std::string& value);
+
+}  // namespace kinestat

@@ -1,0 +1,46 @@
+// From byte offsets in a text to lines and columns.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "core/source.hpp"
+#include "io/internal/yaml_text.hpp"
+
+namespace kinestat {
+
+/// True for every byte of UTF-8 text that is not the continuation of a character.
+inline bool is_character_start(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+}
+
+/// Owns a text without its byte order mark, and finds places in it. Offsets count bytes, columns
+/// count characters. Questions in rising order are cheap, also in one very long line.
+class SourceMap {
+ public:
+  /// Drops a leading byte order mark.
+  explicit SourceMap(std::string_view text);
+
+  const YamlText& text() const { return text_; }
+
+  /// From `begin` to before `end`, cut at the end of the line; at least one character long.
+  SourceRange range(std::size_t begin, std::size_t end);
+
+  /// One character.
+  SourceRange at(std::size_t offset) { return range(offset, offset + 1); }
+
+  /// The offset behind the last character of the line, without its line end.
+  std::size_t line_end(std::size_t offset) const;
+
+ private:
+  int line_of(std::size_t offset) const;
+  int column_of(std::size_t offset, std::size_t line_start);
+
+  YamlText text_;
+  std::vector<std::size_t> line_starts_;
+  std::size_t last_offset_ = 0;  // where column_of counted to before, and the column there
+  int last_column_ = 1;
+};
+
+}  // namespace kinestat

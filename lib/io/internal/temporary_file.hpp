@@ -1,0 +1,54 @@
+// A file beside its target that takes the target's place when it is complete.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace kinestat {
+
+/// The folder in which a path lies.
+std::string folder_of(const std::string& path);
+
+/// Syncs a folder, so that the names in it survive a crash; 0, or the error of the system.
+int sync_folder(const std::string& folder);
+
+/// What stood at the target when it was looked at.
+enum class Present { nothing, file };
+
+/// Is removed when it goes out of scope. Functions with a result answer 0 or the system's error.
+class TemporaryFile {
+ public:
+  TemporaryFile(std::string target, Present present)
+      : target_(std::move(target)), present_(present) {}
+
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  TemporaryFile(TemporaryFile&& other) noexcept;
+  TemporaryFile& operator=(TemporaryFile&&) = delete;
+  ~TemporaryFile();
+
+  const std::string& target() const { return target_; }
+
+  /// Creates it under a name that nobody can foresee, writes and syncs.
+  int write(std::string_view content);
+
+  /// Takes the target's place. A file that was there is kept under the temporary's name until the
+  /// end; one that has appeared meanwhile is an error.
+  int take_place();
+
+  /// Undoes take_place.
+  void give_back();
+
+ private:
+  enum class Place { nowhere, beside, exchanged, moved, moved_for_good };
+
+  int create();
+
+  std::string target_;
+  Present present_ = Present::nothing;
+  std::string path_;
+  Place place_ = Place::nowhere;
+};
+
+}  // namespace kinestat

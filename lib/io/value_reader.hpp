@@ -1,0 +1,61 @@
+// Single values of the file: names, numbers, words, points and directions.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/diagnostic.hpp"
+#include "description/coupling_description.hpp"
+#include "io/yaml_tree.hpp"
+
+namespace kinestat {
+
+/// Each answers empty iff it added an error. `what` names the value in messages.
+
+/// Any text on one scalar, e.g. a title.
+std::optional<std::string> read_text(const YamlNode& node,
+                                     std::string_view what,
+                                     Diagnostics& found);
+
+/// A reference to something declared elsewhere; its form is not checked.
+std::optional<Name> read_reference(const YamlNode& node, std::string_view what, Diagnostics& found);
+
+/// A list of references, or a single one.
+std::optional<std::vector<Name>> read_references(const YamlNode& node,
+                                                 std::string_view what,
+                                                 Diagnostics& found);
+
+/// Whether a declared name has the form [A-Za-z_][A-Za-z0-9_-]*; adds an error if not.
+bool check_name(const Name& name, std::string_view what, Diagnostics& found);
+
+/// A number or an expression, kept as typed.
+std::optional<Value> read_value(const YamlNode& node, std::string_view what, Diagnostics& found);
+
+/// A number without a unit, or an expression of such numbers (595/209).
+std::optional<double> read_number(const YamlNode& node, std::string_view what, Diagnostics& found);
+
+/// true or false.
+std::optional<bool> read_bool(const YamlNode& node, std::string_view what, Diagnostics& found);
+
+/// One of the given words: its index.
+std::optional<std::size_t> read_word(const YamlNode& node,
+                                     std::string_view what,
+                                     std::span<const std::string> words,
+                                     Diagnostics& found);
+
+/// [x, y] in the plane, [x, y, z] in space.
+std::optional<PointDescription> read_point(const YamlNode& node,
+                                           std::string_view what,
+                                           Space space,
+                                           Diagnostics& found);
+
+/// x, -y, z, … or a vector with as many components as the space has.
+std::optional<AxisDescription> read_axis(const YamlNode& node,
+                                         std::string_view what,
+                                         Space space,
+                                         Diagnostics& found);
+
+}  // namespace kinestat

@@ -1,0 +1,26 @@
+// The velocities of a mechanism in one case.
+#pragma once
+
+#include <vector>
+
+#include "core/solve_status.hpp"
+#include "math/rank.hpp"
+#include "network/counts.hpp"
+#include "network/primary_check.hpp"
+#include "screw/twist.hpp"
+
+namespace kinestat {
+
+/// Lists are parallel to those of the Topology; empty unless the status is solved.
+struct KinematicSolution {
+  SolveStatus status = SolveStatus::solved;
+  MotionCounts counts;
+  RankEvidence evidence;         ///< of the velocity system, whose rank is m + λ (n - 1)
+  double residual = 0.0;         ///< relative, of the velocity system
+  PrimaryCheck check;            ///< what is wrong with the primaries, if anything
+  std::vector<double> rates;     ///< of each freedom [rad/s or m/s]
+  std::vector<Twist> bodies;     ///< of each body relative to the ground
+  std::vector<Twist> couplings;  ///< of each coupling: head relative to tail
+};
+
+}  // namespace kinestat

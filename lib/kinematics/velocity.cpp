@@ -1,0 +1,57 @@
+#include "kinematics/velocity.hpp"
+
+#include "network/node_system.hpp"
+
+namespace kinestat {
+
+namespace {
+
+void fill(const Topology& topology,
+          const CoordinateBasis& basis,
+          const VecX& x,
+          KinematicSolution& solution) {
+  for (int f = 0; f < topology.freedom_count(); ++f) {
+    solution.rates.push_back(x[velocity_column(topology, basis, f)]);
+  }
+  for (int b = 0; b < topology.body_count(); ++b) {
+    solution.bodies.push_back(body_twist(x, basis, BodyId{b}));
+  }
+  for (const CouplingTopology& coupling : topology.couplings) {
+    solution.couplings.push_back(solution.bodies[static_cast<std::size_t>(coupling.head.value)] -
+                                 solution.bodies[static_cast<std::size_t>(coupling.tail.value)]);
+  }
+}
+
+}  // namespace
+
+KinematicSolution solve_velocity(const Mechanism& mechanism,
+                                 const CoordinateBasis& basis,
+                                 std::span<const Primary> primaries) {
+  const Topology& topology = mechanism.topology;
+  std::vector<int> columns;
+  std::vector<double> known;
+  for (const Primary& primary : primaries) {
+    columns.push_back(velocity_column(topology, basis, primary.index));
+    known.push_back(primary.value);
+  }
+  const Elimination elimination(velocity_system(topology, mechanism.geometry, basis), columns);
+  KinematicSolution solution;
+  solution.evidence = elimination.evidence();
+  solution.counts = motion_counts(mechanism, basis.order(), elimination.rank());
+  solution.check =
+      check_primaries(elimination, velocity_column(topology, basis, 0), topology.freedom_count());
+  if (!solution.check.dependences.empty()) {
+    solution.status = SolveStatus::dependent;
+    return solution;
+  }
+  if (solution.check.missing > 0) {
+    solution.status = SolveStatus::underdetermined;
+    return solution;
+  }
+  const EliminationSolution solved = elimination.solve(known, {});
+  solution.residual = solved.residual;
+  fill(topology, basis, solved.x, solution);
+  return solution;
+}
+
+}  // namespace kinestat

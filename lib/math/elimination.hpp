@@ -1,0 +1,90 @@
+// Gaussian elimination of a sparse system, with the rank decision taken on the way.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "math/equilibrate.hpp"
+#include "math/rank.hpp"
+
+namespace kinestat {
+
+/// A linear relation that the known unknowns must satisfy because the equations say so:
+/// sum of coefficient · x[column] = 0 (for a zero right-hand side).
+struct Relation {
+  std::vector<SparseEntry> terms;  ///< row unused; value = coefficient in the units of the matrix
+};
+
+/// Solution of A x = b with some of x known.
+struct EliminationSolution {
+  VecX x;                  ///< free columns are 0
+  double residual = 0.0;   ///< largest |A x - b| relative to the largest sum of terms, scaled rows
+  bool consistent = true;  ///< the surplus equations hold within kConsistency of their terms
+};
+
+/// Factors A once; solves for any right-hand side. Columns are pivoted in the order of their
+/// counts, rows by length among those with a sufficient entry (threshold Markowitz), after scaling
+/// by powers of two. The columns named last are pivoted after all others: what is then left in
+/// their rows are relations between them. So one elimination answers: the rank, whether a choice of
+/// known unknowns is independent and sufficient, and the solution.
+class Elimination {
+ public:
+  /// `last` holds the columns whose x is to be known; it may be empty.
+  Elimination(const SparseMatrix& matrix, std::span<const int> last);
+
+  int rank() const { return evidence_.rank; }
+
+  const RankEvidence& evidence() const { return evidence_; }
+
+  /// Columns outside `last` that no equation determines, ascending.
+  const std::vector<int>& free_columns() const { return free_columns_; }
+
+  /// One relation a pivot among the `last` columns; empty means that they are independent.
+  std::vector<Relation> relations() const;
+
+  /// Solves for the columns outside `last`, given x at the columns of `last` (in that order) and
+  /// the right-hand side (empty: zero).
+  EliminationSolution solve(std::span<const double> known, std::span<const double> rhs) const;
+
+  /// A basis of the solutions of A x = 0 with x = 0 at `last`: one vector a free column, 1 there.
+  std::vector<VecX> null_vectors() const;
+
+ private:
+  friend class Eliminator;
+
+  struct Cell {
+    int column = 0;
+    double value = 0.0;
+  };
+
+  struct Multiplier {
+    int row = 0;
+    int pivot_row = 0;
+    double value = 0.0;
+  };
+
+  struct Pivot {
+    int row = 0;
+    int column = 0;
+    double value = 0.0;
+  };
+
+  void back_substitute(std::span<const double> scaled_rhs, VecX& x) const;
+  double relative_residual(const VecX& x, std::span<const double> rhs) const;
+  bool surplus_rows_hold(const VecX& scaled_x,
+                         std::span<const double> right,
+                         std::span<const double> sizes) const;
+  void unscale(VecX& x) const;
+
+  SparseMatrix matrix_;
+  Scaling scaling_;
+  std::vector<int> last_;
+  std::vector<std::vector<Cell>> rows_;  ///< what is left of each row, pivots included
+  std::vector<Multiplier> multipliers_;  ///< in the order of their application
+  std::vector<Pivot> pivots_;            ///< of the columns outside last_
+  std::vector<Pivot> last_pivots_;       ///< of the columns of last_
+  std::vector<int> free_columns_;
+  RankEvidence evidence_;
+};
+
+}  // namespace kinestat

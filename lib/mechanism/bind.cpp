@@ -1,0 +1,169 @@
+#include "mechanism/bind.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "graph/components.hpp"
+#include "mechanism/internal/case_binder.hpp"
+#include "mechanism/internal/structure_binder.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::vector<std::string> body_names(const Topology& topology, const std::vector<int>& bodies) {
+  std::vector<std::string> names;
+  for (const int b : bodies) {
+    names.push_back(topology.bodies[static_cast<std::size_t>(b)].name);
+  }
+  return names;
+}
+
+bool check_connected(const Topology& topology, const Digraph& graph, Diagnostics& found) {
+  const std::vector<std::vector<int>> parts = find_components(graph);
+  if (parts.size() <= 1) {
+    return true;
+  }
+  std::string list;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    list += fmt::format("{}{{{}}}", i == 1 ? "" : ", ", plain_list(body_names(topology, parts[i])));
+  }
+  found.error("E0401",
+              topology.bodies[static_cast<std::size_t>(parts[1].front())].where,
+              fmt::format("the mechanism falls apart: nothing joins {} to the ground's part {{{}}}",
+                          list,
+                          plain_list(body_names(topology, parts[0]))),
+              "add the couplings that are missing, or remove these bodies");
+  return false;
+}
+
+// The given tree as edge numbers; complains about names that are no coupling.
+std::optional<std::vector<int>> find_branches(const MechanismDescription& description,
+                                              const Topology& topology,
+                                              Diagnostics& found) {
+  std::vector<int> branches;
+  std::vector<std::string> names;
+  for (const CouplingTopology& coupling : topology.couplings) {
+    names.push_back(coupling.name);
+  }
+  bool is_good = true;
+  for (const Name& name : *description.tree) {
+    const auto at = std::ranges::find(names, name.text);
+    branches.push_back(static_cast<int>(at - names.begin()));
+    if (at == names.end()) {
+      is_good = false;
+      found.error("E0313",
+                  name.where,
+                  fmt::format("the tree names coupling '{}', which is not declared", name.text),
+                  fmt::format("declared couplings are {}", plain_list(names)));
+    }
+  }
+  return is_good ? std::optional(std::move(branches)) : std::nullopt;
+}
+
+std::optional<SpanningTree> bind_tree(const MechanismDescription& description,
+                                      const Topology& topology,
+                                      const Digraph& graph,
+                                      Diagnostics& found) {
+  if (!description.tree) {
+    return find_spanning_tree(graph);
+  }
+  const auto branches = find_branches(description, topology, found);
+  if (!branches) {
+    return std::nullopt;
+  }
+  std::optional<SpanningTree> tree = find_spanning_tree(graph, *branches);
+  if (!tree) {
+    const std::size_t needed = topology.bodies.size() - 1;
+    found.error(
+        "E0402",
+        description.tree_where,
+        branches->size() == needed
+            ? "the couplings of the tree close a circuit"
+            : fmt::format("the tree has {} couplings; it needs {}, one for each moving body",
+                          branches->size(),
+                          needed),
+        "remove 'tree' to take the first couplings that close no circuit");
+  }
+  return tree;
+}
+
+// A planar order must hold every screw of its side.
+void check_order(const MechanismDescription& description,
+                 const Geometry& geometry,
+                 Diagnostics& found) {
+  const auto leaves_plane = [](const auto& screws) {
+    return std::ranges::any_of(screws, [](const auto& screw) {
+      const Vec6 c = screw.coordinates();
+      return c[0] != 0.0 || c[1] != 0.0 || c[5] != 0.0;
+    });
+  };
+  const auto refuse = [&](std::string_view side) {
+    found.error("E0305",
+                description.order_where,
+                fmt::format("the planar order cannot hold the {} of this mechanism", side),
+                "write minimal or spatial");
+  };
+  if (description.kinematic_order == OrderChoice::planar && leaves_plane(geometry.motions)) {
+    refuse("motions");
+  }
+  if (description.static_order == OrderChoice::planar && leaves_plane(geometry.actions)) {
+    refuse("actions");
+  }
+}
+
+bool bind_structure(const MechanismDescription& description,
+                    Space constraints,
+                    Evaluator& evaluator,
+                    Diagnostics& found,
+                    Mechanism& result) {
+  const int errors_before = found.error_count();
+  result.name = description.name;
+  result.space = description.space;
+  result.kinematic_order = description.kinematic_order;
+  result.static_order = description.static_order;
+  bind_bodies_and_couplings(description, constraints, evaluator, found, result);
+  if (found.error_count() != errors_before) {
+    return false;
+  }
+  check_order(description, result.geometry, found);
+  Digraph graph = result.topology.coupling_graph();
+  if (!check_connected(result.topology, graph, found)) {
+    return false;
+  }
+  std::optional<SpanningTree> tree = bind_tree(description, result.topology, graph, found);
+  if (tree) {
+    result.graph = make_coupling_graph(std::move(graph), *std::move(tree));
+  }
+  return found.error_count() == errors_before;
+}
+
+}  // namespace
+
+std::optional<Mechanism> bind(const MechanismDescription& description, Diagnostics& found) {
+  const int errors_before = found.error_count();
+  Evaluator evaluator(description, found);
+  Mechanism result;
+  const Space constraints =
+      description.static_order == OrderChoice::spatial ? Space::spatial : description.space;
+  if (!bind_structure(description, constraints, evaluator, found, result)) {
+    return std::nullopt;
+  }
+  result.cases = bind_cases(description, result.topology, evaluator, found);
+  evaluator.warn_of_unused();
+  return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;
+}
+
+std::optional<Mechanism> bind_in_space(const MechanismDescription& description,
+                                       Diagnostics& found) {
+  const int errors_before = found.error_count();
+  Evaluator evaluator(description, found);
+  Mechanism result;
+  bind_structure(description, Space::spatial, evaluator, found, result);
+  return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,28 @@
+// A case bound to numbers: what is known of the motions and actions.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/source.hpp"
+
+namespace kinestat {
+
+/// A known magnitude: of a freedom [rad/s or m/s] or of an action [N·m or N].
+struct Primary {
+  int index = 0;  ///< into Topology::freedoms or Topology::actions
+  double value = 0.0;
+  SourceRange where;
+};
+
+/// Inputs and outputs are indices of actuators; empty where the file does not say.
+struct Case {
+  std::string label;
+  std::vector<Primary> motions;
+  std::vector<Primary> actions;
+  std::vector<int> inputs;
+  std::vector<int> outputs;
+  SourceRange where;
+};
+
+}  // namespace kinestat

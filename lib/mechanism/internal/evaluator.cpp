@@ -1,0 +1,98 @@
+#include "mechanism/internal/evaluator.hpp"
+
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "core/tolerance.hpp"
+#include "expression/evaluate.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::vector<Parameter> parameters_of(const MechanismDescription& description) {
+  std::vector<Parameter> parameters;
+  for (const ParameterDescription& parameter : description.parameters) {
+    parameters.push_back({.name = parameter.name.text,
+                          .value = parameter.value.expression,
+                          .name_where = parameter.name.where,
+                          .value_where = parameter.value.where});
+  }
+  return parameters;
+}
+
+}  // namespace
+
+Evaluator::Evaluator(const MechanismDescription& description, Diagnostics& found)
+    : description_(description), found_(found) {
+  ParameterValues values = evaluate_parameters(parameters_of(description));
+  for (const ParameterError& problem : values.errors) {
+    const ParameterDescription& parameter =
+        description.parameters[static_cast<std::size_t>(problem.parameter)];
+    found_.error(problem.error.code,
+                 place_in(parameter.value, problem.error),
+                 problem.error.message,
+                 problem.error.hint);
+  }
+  table_ = std::move(values.table);
+}
+
+std::optional<double> Evaluator::number(const Value& value, QuantityKind kind) {
+  table_.mark_used(value.expression);
+  if (table_.is_failed(value.expression)) {
+    return std::nullopt;
+  }
+  const auto result =
+      evaluate_as(kind, value.expression, description_.units, table_.lookup(), table_.names());
+  if (const auto* error = std::get_if<ExpressionError>(&result)) {
+    found_.error(error->code, place_in(value, *error), error->message, error->hint);
+    return std::nullopt;
+  }
+  return std::get<double>(result);
+}
+
+std::optional<Vec3> Evaluator::vector(const std::vector<Value>& components, QuantityKind kind) {
+  Vec3 result = Vec3::Zero();
+  bool is_good = true;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const std::optional<double> coordinate = number(components[i], kind);
+    is_good = is_good && coordinate.has_value();
+    result[static_cast<Eigen::Index>(i)] = coordinate.value_or(0.0);
+  }
+  return is_good ? std::optional(result) : std::nullopt;
+}
+
+std::optional<Vec3> Evaluator::point(const PointDescription& point) {
+  return vector(point.coordinates, QuantityKind::length);
+}
+
+std::optional<Axis> Evaluator::axis(const AxisDescription& axis) {
+  if (axis.keyword != 0) {
+    return Axis{.direction = axis.sign * Vec3::Unit(axis.keyword - 'x'), .keyword = axis.keyword};
+  }
+  const std::optional<Vec3> components = vector(axis.components, QuantityKind::dimensionless);
+  if (!components) {
+    return std::nullopt;
+  }
+  if (components->norm() <= kZeroAxis) {
+    found_.error("E0314",
+                 axis.where,
+                 "a direction of zero length points nowhere",
+                 "write x, y, z, -x, … or a vector such as [1, 0, 0.5]");
+    return std::nullopt;
+  }
+  return Axis{.direction = components->normalized(), .keyword = 0};
+}
+
+void Evaluator::warn_of_unused() const {
+  for (const int i : table_.unused()) {
+    const Name& name = description_.parameters[static_cast<std::size_t>(i)].name;
+    found_.warning("W0301",
+                   name.where,
+                   fmt::format("parameter '{}' is never used", name.text),
+                   "use it or remove it");
+  }
+}
+
+}  // namespace kinestat

@@ -1,0 +1,328 @@
+#include "mechanism/internal/structure_binder.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "mechanism/internal/coupling_binder.hpp"
+
+namespace kinestat {
+
+namespace {
+
+template <class Items>
+std::vector<std::string> names_of(const Items& items) {
+  std::vector<std::string> names;
+  for (const auto& item : items) {
+    names.push_back(item.name);
+  }
+  return names;
+}
+
+// An actuator that waits for its freedom and action to be numbered.
+struct PendingActuator {
+  std::string name;
+  std::string freedom;
+  SourceRange where;
+};
+
+class StructureBinder {
+ public:
+  StructureBinder(const MechanismDescription& description,
+                  Space constraints,
+                  Evaluator& evaluator,
+                  Diagnostics& found,
+                  Mechanism& result)
+      : description_(description),
+        constraints_(constraints),
+        evaluator_(evaluator),
+        found_(found),
+        topology_(result.topology),
+        geometry_(result.geometry) {}
+
+  void run() {
+    bind_bodies();
+    for (const CouplingDescription& coupling : description_.couplings) {
+      declare(coupling.name);
+    }
+    for (const ActuatorDescription& actuator : description_.actuators) {
+      declare(actuator.name);
+      attach(actuator);
+    }
+    for (const CouplingDescription& coupling : description_.couplings) {
+      bind_coupling(coupling);
+    }
+    find_references();
+    find_length();
+  }
+
+ private:
+  void bind_bodies() {
+    add_body(description_.ground);
+    for (const BodyDescription& body : description_.bodies) {
+      if (body.name.text == description_.ground.text) {
+        continue;  // the ground may be listed, to give it attributes
+      }
+      if (body_ids_.contains(body.name.text)) {
+        auto& problem = found_.error("E0307",
+                                     body.name.where,
+                                     fmt::format("body '{}' is declared twice", body.name.text),
+                                     "give one of the two another name");
+        problem.notes.push_back(
+            {topology_.body(body_ids_.at(body.name.text)).where, "first declared here"});
+        continue;
+      }
+      add_body(body.name);
+    }
+  }
+
+  void add_body(const Name& name) {
+    body_ids_.emplace(name.text, BodyId{topology_.body_count()});
+    topology_.bodies.push_back({.name = name.text, .where = name.where});
+  }
+
+  // Couplings and actuators share one name space.
+  void declare(const Name& name) {
+    const auto [at, is_new] = declared_.emplace(name.text, name.where);
+    if (!is_new) {
+      auto& problem =
+          found_.error("E0307",
+                       name.where,
+                       fmt::format("'{}' is already the name of a coupling or actuator", name.text),
+                       "give one of the two another name");
+      problem.notes.push_back({at->second, "first declared here"});
+    }
+  }
+
+  void attach(const ActuatorDescription& actuator) {
+    const auto at = std::ranges::find(description_.couplings,
+                                      actuator.coupling.text,
+                                      [](const CouplingDescription& c) { return c.name.text; });
+    if (at == description_.couplings.end()) {
+      std::vector<std::string> names;
+      for (const CouplingDescription& coupling : description_.couplings) {
+        names.push_back(coupling.name.text);
+      }
+      unknown("E0313",
+              actuator.coupling,
+              fmt::format("actuator '{}' drives coupling '{}', which is not declared",
+                          actuator.name.text,
+                          actuator.coupling.text),
+              "couplings",
+              names);
+      return;
+    }
+    pending_[actuator.coupling.text].push_back(
+        {.name = actuator.name.text,
+         .freedom = actuator.freedom ? actuator.freedom->text : std::string(),
+         .where = actuator.freedom ? actuator.freedom->where : actuator.name.where});
+  }
+
+  void unknown(std::string_view code,
+               const Name& name,
+               std::string message,
+               std::string_view kind,
+               const std::vector<std::string>& declared) {
+    const std::string guess = did_you_mean(name.text, declared);
+    found_.error(code,
+                 name.where,
+                 std::move(message),
+                 fmt::format("declared {} are {}{}{}",
+                             kind,
+                             plain_list(declared),
+                             guess.empty() ? "" : "; ",
+                             guess));
+  }
+
+  std::optional<BodyId> find_body(const CouplingDescription& coupling, const Name& name) {
+    const auto at = body_ids_.find(name.text);
+    if (at != body_ids_.end()) {
+      return at->second;
+    }
+    unknown(
+        "E0312",
+        name,
+        fmt::format(
+            "coupling '{}' joins body '{}', which is not declared", coupling.name.text, name.text),
+        "bodies",
+        names_of(topology_.bodies));
+    return std::nullopt;
+  }
+
+  void bind_coupling(const CouplingDescription& coupling) {
+    const std::optional<BodyId> tail = find_body(coupling, coupling.tail);
+    const std::optional<BodyId> head = find_body(coupling, coupling.head);
+    if (tail && head && *tail == *head) {
+      found_.error(
+          "E0312",
+          coupling.head.where,
+          fmt::format(
+              "coupling '{}' joins body '{}' to itself", coupling.name.text, coupling.head.text),
+          "name two different bodies");
+      return;
+    }
+    const auto geometry = bind_geometry(coupling, description_.space, evaluator_, found_);
+    if (!tail || !head || !geometry) {
+      return;
+    }
+    CouplingScrews screws = coupling_screws(coupling.type, description_.space, *geometry);
+    if (constraints_ != description_.space) {
+      screws.constraints = coupling_screws(coupling.type, constraints_, *geometry).constraints;
+    }
+    keep_passive(coupling, screws, found_);
+    const CouplingId id{topology_.coupling_count()};
+    topology_.couplings.push_back({.name = coupling.name.text,
+                                   .type = coupling.type,
+                                   .tail = *tail,
+                                   .head = *head,
+                                   .first_freedom = topology_.freedom_count(),
+                                   .freedom_count = static_cast<int>(screws.freedoms.size()),
+                                   .first_action = topology_.action_count(),
+                                   .action_count = static_cast<int>(screws.constraints.size()),
+                                   .where = coupling.name.where});
+    geometry_.points.push_back(geometry->at);
+    add_screws(id, screws);
+    add_actuators(id, coupling, screws, geometry->at);
+  }
+
+  void add_screws(CouplingId id, const CouplingScrews& screws) {
+    for (const NamedTwist& freedom : screws.freedoms) {
+      topology_.freedoms.push_back(
+          {.coupling = id, .name = freedom.name, .is_rotation = freedom.is_rotation});
+      geometry_.motions.push_back(freedom.screw);
+    }
+    for (const NamedWrench& constraint : screws.constraints) {
+      topology_.actions.push_back({.coupling = id,
+                                   .name = constraint.name,
+                                   .is_couple = constraint.is_couple,
+                                   .actuator = -1});
+      geometry_.actions.push_back(constraint.screw);
+    }
+  }
+
+  // A clutch or brake is an actuator of its own name.
+  void add_actuators(CouplingId id,
+                     const CouplingDescription& coupling,
+                     const CouplingScrews& screws,
+                     const Vec3& at) {
+    std::vector<PendingActuator> pending;
+    if (coupling.type == CouplingType::clutch || coupling.type == CouplingType::brake) {
+      pending.push_back({.name = coupling.name.text, .freedom = {}, .where = coupling.name.where});
+    }
+    const auto declared = pending_.find(coupling.name.text);
+    if (declared != pending_.end()) {
+      pending.insert(pending.end(), declared->second.begin(), declared->second.end());
+    }
+    for (const PendingActuator& actuator : pending) {
+      const std::optional<std::size_t> which = choose_freedom(actuator, coupling, screws);
+      if (which) {
+        add_actuator(id, actuator, *which, internal_action(screws.freedoms[*which], at));
+      }
+    }
+  }
+
+  std::optional<std::size_t> choose_freedom(const PendingActuator& actuator,
+                                            const CouplingDescription& coupling,
+                                            const CouplingScrews& screws) {
+    const std::vector<std::string> names = names_of(screws.freedoms);
+    if (actuator.freedom.empty() && names.size() == 1) {
+      return 0;
+    }
+    const auto at = std::ranges::find(names, actuator.freedom);
+    if (at != names.end()) {
+      return static_cast<std::size_t>(at - names.begin());
+    }
+    const std::string message =
+        names.empty() ? fmt::format("coupling '{}' has no freedom to drive", coupling.name.text)
+        : actuator.freedom.empty()
+            ? fmt::format("coupling '{}' has several freedoms", coupling.name.text)
+            : fmt::format(
+                  "coupling '{}' has no freedom '{}'", coupling.name.text, actuator.freedom);
+    found_.error("E0313",
+                 actuator.where,
+                 message,
+                 names.empty() ? "choose another coupling"
+                               : fmt::format("add 'freedom:' with one of {}", plain_list(names)));
+    return std::nullopt;
+  }
+
+  void add_actuator(CouplingId id,
+                    const PendingActuator& actuator,
+                    std::size_t freedom,
+                    const NamedWrench& action) {
+    CouplingTopology& coupling = topology_.couplings.back();
+    const int index = static_cast<int>(topology_.actuators.size());
+    topology_.actuators.push_back({.name = actuator.name,
+                                   .freedom = coupling.first_freedom + static_cast<int>(freedom),
+                                   .action = topology_.action_count(),
+                                   .where = actuator.where});
+    topology_.actions.push_back(
+        {.coupling = id, .name = actuator.name, .is_couple = action.is_couple, .actuator = index});
+    geometry_.actions.push_back(action.screw);
+    ++coupling.action_count;
+  }
+
+  // The point given, else that of the first coupling of the body.
+  void find_references() {
+    geometry_.references.assign(topology_.bodies.size(), Vec3::Zero());
+    std::vector<bool> is_set(topology_.bodies.size(), false);
+    for (const BodyDescription& body : description_.bodies) {
+      const auto at = body_ids_.find(body.name.text);
+      if (!body.reference || at == body_ids_.end()) {
+        continue;
+      }
+      const std::optional<Vec3> point = evaluator_.point(*body.reference);
+      geometry_.references[static_cast<std::size_t>(at->second.value)] =
+          point.value_or(Vec3::Zero());
+      is_set[static_cast<std::size_t>(at->second.value)] = true;
+    }
+    for (std::size_t e = 0; e < topology_.couplings.size(); ++e) {
+      for (const BodyId body : {topology_.couplings[e].tail, topology_.couplings[e].head}) {
+        const auto b = static_cast<std::size_t>(body.value);
+        if (!is_set[b]) {
+          geometry_.references[b] = geometry_.points[e];
+          is_set[b] = true;
+        }
+      }
+    }
+  }
+
+  // The diagonal of the box around all points.
+  void find_length() {
+    if (geometry_.points.empty()) {
+      return;
+    }
+    Vec3 low = geometry_.points.front();
+    Vec3 high = low;
+    for (const Vec3& point : geometry_.points) {
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
+    const double diagonal = (high - low).norm();
+    geometry_.length = diagonal > 0.0 ? diagonal : 1.0;
+  }
+
+  const MechanismDescription& description_;
+  Space constraints_;
+  Evaluator& evaluator_;
+  Diagnostics& found_;
+  Topology& topology_;
+  Geometry& geometry_;
+  std::map<std::string, BodyId> body_ids_;
+  std::map<std::string, SourceRange> declared_;
+  std::map<std::string, std::vector<PendingActuator>> pending_;  ///< by coupling
+};
+
+}  // namespace
+
+void bind_bodies_and_couplings(const MechanismDescription& description,
+                               Space constraints,
+                               Evaluator& evaluator,
+                               Diagnostics& found,
+                               Mechanism& result) {
+  StructureBinder(description, constraints, evaluator, found, result).run();
+}
+
+}  // namespace kinestat

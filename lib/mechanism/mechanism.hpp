@@ -1,0 +1,28 @@
+// A mechanism ready for analysis: topology, geometry and cases.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "description/mechanism_description.hpp"
+#include "expression/file_units.hpp"
+#include "graph/cutsets.hpp"
+#include "mechanism/case.hpp"
+#include "mechanism/geometry.hpp"
+#include "mechanism/topology.hpp"
+
+namespace kinestat {
+
+/// Everything a pass may need; passes take the parts they use. The graph is connected.
+struct Mechanism {
+  std::string name;
+  Space space = Space::spatial;
+  Topology topology;
+  Geometry geometry;
+  CouplingGraph graph;
+  OrderChoice kinematic_order = OrderChoice::minimal;
+  OrderChoice static_order = OrderChoice::minimal;
+  std::vector<Case> cases;
+};
+
+}  // namespace kinestat

@@ -1,0 +1,30 @@
+// The degrees of freedom and of constraint in the minimal, the planar and the spatial order.
+#pragma once
+
+#include <optional>
+
+#include "math/rank.hpp"
+#include "network/counts.hpp"
+
+namespace kinestat {
+
+/// Both sides in one order.
+struct SideCounts {
+  MotionCounts motions;
+  std::optional<ActionCounts> actions;
+};
+
+/// Side by side, because a planar linkage is perfectly constrained in its plane and overconstrained
+/// in space. `planar` is empty where some motion or action leaves the plane.
+struct MobilityCounts {
+  SideCounts minimal;
+  std::optional<SideCounts> planar;
+  SideCounts spatial;
+  RankEvidence evidence;  ///< of the velocity system in the minimal order
+};
+
+/// Counts the mechanism as it stands. `in_space` is the same mechanism with the constraints that
+/// its couplings have in space; for a spatial mechanism the same object.
+MobilityCounts count_mobility(const Mechanism& mechanism, const Mechanism& in_space);
+
+}  // namespace kinestat

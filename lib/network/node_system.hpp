@@ -1,0 +1,31 @@
+// The sparse equations at bodies and couplings that the passes solve.
+#pragma once
+
+#include "math/sparse_matrix.hpp"
+#include "mechanism/geometry.hpp"
+#include "mechanism/topology.hpp"
+#include "screw/coordinate_basis.hpp"
+
+namespace kinestat {
+
+/// Velocities: for every coupling t_head - t_tail - Σ φ_i $_i = 0, in the coordinates of `basis`.
+/// Rows: order · e. Columns: the twists of bodies 1, 2, … (order each; the ground rests), then the
+/// freedoms. Its rank is order·(n - 1) + rank M_N.
+SparseMatrix velocity_system(const Topology& topology,
+                             const Geometry& geometry,
+                             const CoordinateBasis& basis);
+
+/// The column of a freedom in the velocity system.
+int velocity_column(const Topology& topology, const CoordinateBasis& basis, int freedom);
+
+/// The twist of a body from a solution of the velocity system; zero for the ground.
+Twist body_twist(const VecX& solution, const CoordinateBasis& basis, BodyId body);
+
+/// Equilibrium: for every body but the ground, the actions of couplings on it, tail on head
+/// positive, sum to zero (plus loads on the right). Rows: order · (n - 1). Columns: the actions.
+/// Its rank is rank A_N.
+SparseMatrix action_system(const Topology& topology,
+                           const Geometry& geometry,
+                           const CoordinateBasis& basis);
+
+}  // namespace kinestat

@@ -1,0 +1,32 @@
+// Whether a choice of primary magnitudes is right, and what to choose instead.
+#pragma once
+
+#include <vector>
+
+#include "math/elimination.hpp"
+
+namespace kinestat {
+
+/// A term of a relation between primary magnitudes.
+struct DependenceTerm {
+  int index = 0;  ///< freedom or action
+  double coefficient = 0.0;
+};
+
+/// What is wrong with the primary magnitudes of a case; all empty if nothing is.
+struct PrimaryCheck {
+  /// Relations that the primary magnitudes must satisfy: sum of coefficient · magnitude = 0.
+  std::vector<std::vector<DependenceTerm>> dependences;
+  /// Magnitudes that remain undetermined, ascending.
+  std::vector<int> undetermined;
+  /// How many more primaries are needed.
+  int missing = 0;
+  /// Up to five sets of magnitudes, each of which would complete the choice.
+  std::vector<std::vector<int>> completions;
+};
+
+/// Reads the check off an elimination whose last columns were the primaries. Magnitude i is column
+/// `first_column` + i; there are `count` of them.
+PrimaryCheck check_primaries(const Elimination& elimination, int first_column, int count);
+
+}  // namespace kinestat

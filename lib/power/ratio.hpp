@@ -1,0 +1,27 @@
+// Transmission ratios of a case with one input and one output.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "kinematics/kinematic_solution.hpp"
+#include "mechanism/mechanism.hpp"
+#include "statics/static_solution.hpp"
+
+namespace kinestat {
+
+/// Empty with a reason where the output rests or carries nothing.
+struct Ratios {
+  std::optional<double> ratio;         ///< i = rate of the input / rate of the output (eq. 5.1)
+  std::optional<double> torque_ratio;  ///< Γ = action of the input / of the output (eq. 5.2)
+  std::string reason;                  ///< why `ratio` is empty
+};
+
+/// Ratios of the case (Cazangi 2008, eqs. 5.1 and 5.2). `action` may be null: no torque ratio then.
+/// The case must name one input and one output, and `motion` must be solved.
+Ratios find_ratios(const Mechanism& mechanism,
+                   const Case& which,
+                   const KinematicSolution& motion,
+                   const StaticSolution* action);
+
+}  // namespace kinestat

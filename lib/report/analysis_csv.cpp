@@ -1,0 +1,172 @@
+#include "report/analysis_csv.hpp"
+
+#include <array>
+
+#include "report/csv.hpp"
+#include "report/numbers.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// The cells of a row that its table and place determine.
+struct Place {
+  std::string label;    ///< of the case
+  std::string pass;
+  std::string element;
+  std::string status;
+};
+
+class CsvWriter {
+ public:
+  CsvWriter(const Analysis& analysis, std::string& text) : analysis_(analysis), text_(text) {}
+
+  // Writes the numbers of a value and of all that it contains.
+  void add(const Place& place, const std::string& quantity, const Json& value) {
+    if (value.is_object()) {
+      for (const auto& [key, item] : value.items()) {
+        add(place, quantity.empty() ? key : quantity + "/" + key, item);
+      }
+    } else if (value.is_array()) {
+      for (std::size_t i = 0; i < value.size(); ++i) {
+        add(place, quantity + "/" + std::to_string(i), value[i]);
+      }
+    } else if (value.is_number() || value.is_null()) {
+      row(place, quantity, value);
+    }
+  }
+
+ private:
+  void row(const Place& place, const std::string& quantity, const Json& value) {
+    const std::string number = value.is_null()             ? ""
+                               : value.is_number_integer() ? std::to_string(value.get<long>())
+                                                           : format_exact(value.get<double>());
+    text_ += csv_line(std::array{analysis_.mechanism.name,
+                                 place.label,
+                                 place.pass,
+                                 place.element,
+                                 quantity,
+                                 number,
+                                 unit_of(place, quantity),
+                                 place.status});
+  }
+
+  std::string unit_of(const Place& place, const std::string& quantity) const {
+    const FileUnits& units = analysis_.description.units;
+    const std::string group = quantity.substr(0, quantity.find('/'));
+    const char last = quantity.empty() ? ' ' : quantity.back();
+    if (place.pass == "power") {
+      return group == "balance_residual" ? "" : units.text(QuantityKind::power);
+    }
+    if (group == "rate") {
+      return units.text(is_rotation(place.element) ? QuantityKind::angular_velocity
+                                                   : QuantityKind::velocity);
+    }
+    if (group == "action") {
+      return units.text(is_couple(place.element) ? QuantityKind::moment : QuantityKind::force);
+    }
+    if (group == "twist" || group == "wrench") {
+      const bool is_first_half = last < '3';
+      return units.text(group == "twist" ? (is_first_half ? QuantityKind::angular_velocity
+                                                          : QuantityKind::velocity)
+                                         : (is_first_half ? QuantityKind::moment
+                                                          : QuantityKind::force));
+    }
+    return simple_unit(units, quantity, group);
+  }
+
+  static std::string simple_unit(const FileUnits& units,
+                                 const std::string& quantity,
+                                 const std::string& group) {
+    if (group == "angular") {
+      return units.text(QuantityKind::angular_velocity);
+    }
+    if (group == "linear") {
+      return units.text(QuantityKind::velocity);
+    }
+    if (group == "moment" || group == "force") {
+      return units.text(group == "moment" ? QuantityKind::moment : QuantityKind::force);
+    }
+    const bool is_length = group == "at" || quantity.starts_with("screw/point") ||
+                           quantity.starts_with("screw/pitch");
+    return is_length ? units.text(QuantityKind::length) : "";
+  }
+
+  bool is_rotation(const std::string& freedom) const {
+    const Topology& topology = analysis_.mechanism.topology;
+    for (int f = 0; f < topology.freedom_count(); ++f) {
+      if (topology.freedom_name(f) == freedom) {
+        return topology.freedoms[static_cast<std::size_t>(f)].is_rotation;
+      }
+    }
+    return true;
+  }
+
+  bool is_couple(const std::string& action) const {
+    const Topology& topology = analysis_.mechanism.topology;
+    for (int a = 0; a < topology.action_count(); ++a) {
+      if (topology.action_name(a) == action) {
+        return topology.actions[static_cast<std::size_t>(a)].is_couple;
+      }
+    }
+    return true;
+  }
+
+  const Analysis& analysis_;
+  std::string& text_;
+};
+
+void add_elements(CsvWriter& writer, Place place, const Json& elements, const std::string& quantity) {
+  for (const auto& [name, value] : elements.items()) {
+    place.element = name;
+    writer.add(place, quantity, value);
+  }
+}
+
+void add_case(CsvWriter& writer, const Place& place, const Json& pass) {
+  if (place.pass == "kinematics") {
+    add_elements(writer, place, pass["freedoms"], "rate");
+    add_elements(writer, place, pass["bodies"], "");
+  } else if (place.pass == "statics") {
+    add_elements(writer, place, pass["actions"], "action");
+    add_elements(writer, place, pass["couplings"], "");
+  } else {
+    add_elements(writer, place, pass["couplings"], "into_head");
+    add_elements(writer, place, pass["supplied"], "supplied");
+    add_elements(writer, place, pass["actuators"], "actuator");
+    writer.add(place, "input", pass["input"]);
+    writer.add(place, "balance_residual", pass["balance_residual"]);
+  }
+}
+
+}  // namespace
+
+std::vector<CsvTable> analysis_csv(const Analysis& analysis, const Json& report) {
+  std::vector<CsvTable> tables;
+  tables.push_back({.pass = "mobility", .text = std::string(kCsvHeader)});
+  CsvWriter mobility(analysis, tables.back().text);
+  for (const char* order : {"minimal", "planar", "spatial"}) {
+    const Json& counts = report["mobility"][order];
+    if (!counts.is_null()) {
+      mobility.add({.label = "", .pass = "mobility", .element = order, .status = "solved"}, "", counts);
+    }
+  }
+  for (const char* pass : {"kinematics", "statics", "power"}) {
+    CsvTable table{.pass = pass, .text = std::string(kCsvHeader)};
+    CsvWriter writer(analysis, table.text);
+    bool has_rows = false;
+    for (const auto& [label, one] : report["cases"].items()) {
+      if (one.contains(pass)) {
+        has_rows = true;
+        const std::string status = one[pass]["status"];
+        add_case(writer, {.label = label, .pass = pass, .element = "", .status = status}, one[pass]);
+      }
+    }
+    if (has_rows) {
+      tables.push_back(std::move(table));
+    }
+  }
+  return tables;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,220 @@
+#include "report/analysis_json.hpp"
+
+#include "core/diagnostic.hpp"
+#include "report/in_units.hpp"
+#include "report/json_values.hpp"
+#include "report/mechanism_json.hpp"
+
+namespace kinestat {
+
+namespace {
+
+Json screw(const std::optional<ScrewAxis>& axis, const InUnits& in) {
+  if (!axis) {
+    return nullptr;
+  }
+  Json result;
+  result["direction"] = vector(axis->direction);
+  result["point"] = axis->point ? vector(in.length(*axis->point)) : Json(nullptr);
+  result["pitch"] = axis->pitch ? number(in.length(*axis->pitch)) : Json(nullptr);
+  return result;
+}
+
+Json evidence(const RankEvidence& rank) {
+  Json result;
+  result["method"] = rank.method;
+  result["rank"] = rank.rank;
+  result["smallest_pivot"] = number(rank.smallest_pivot);
+  result["largest_dropped"] = number(rank.largest_dropped);
+  result["gap"] = number(rank.gap());
+  return result;
+}
+
+Json side_json(const SideCounts& side) {
+  Json result;
+  result["order"] = side.motions.order;
+  result["gross_freedom"] = side.motions.gross_freedom;
+  result["rank"] = side.motions.rank;
+  result["net_freedom"] = side.motions.net_freedom;
+  result["net_constraint"] = side.motions.net_constraint;
+  if (!side.actions) {
+    result["statics"] = nullptr;
+    return result;
+  }
+  Json& statics = result["statics"];
+  statics["order"] = side.actions->order;
+  statics["gross_constraint"] = side.actions->gross_constraint;
+  statics["rank"] = side.actions->rank;
+  statics["net_constraint"] = side.actions->net_constraint;
+  statics["net_freedom"] = side.actions->net_freedom;
+  return result;
+}
+
+Json mobility_json(const MobilityCounts& counts) {
+  Json result;
+  result["minimal"] = side_json(counts.minimal);
+  result["planar"] = counts.planar ? side_json(*counts.planar) : Json(nullptr);
+  result["spatial"] = side_json(counts.spatial);
+  result["evidence"] = evidence(counts.evidence);
+  return result;
+}
+
+Json primary_json(const Mechanism& mechanism, const Case& which) {
+  Json result;
+  result["motion"] = Json::array();
+  for (const Primary& primary : which.motions) {
+    result["motion"].push_back(mechanism.topology.freedom_name(primary.index));
+  }
+  result["action"] = Json::array();
+  for (const Primary& primary : which.actions) {
+    result["action"].push_back(mechanism.topology.action_name(primary.index));
+  }
+  return result;
+}
+
+Json kinematics_json(const Mechanism& mechanism, const KinematicSolution& motion, const InUnits& in) {
+  const Topology& topology = mechanism.topology;
+  const bool is_solved = motion.status == SolveStatus::solved;
+  Json result;
+  result["status"] = word_of(motion.status);
+  result["order"] = motion.counts.order;
+  result["net_freedom"] = motion.counts.net_freedom;
+  result["freedoms"] = Json::object();
+  for (std::size_t f = 0; f < topology.freedoms.size(); ++f) {
+    result["freedoms"][topology.freedom_name(static_cast<int>(f))] =
+        is_solved ? number(in.rate(motion.rates[f], topology.freedoms[f].is_rotation))
+                  : Json(nullptr);
+  }
+  result["bodies"] = Json::object();
+  for (std::size_t b = 0; is_solved && b < topology.bodies.size(); ++b) {
+    const Twist& twist = motion.bodies[b];
+    const Vec3& at = mechanism.geometry.references[b];
+    Json& body = result["bodies"][topology.bodies[b].name];
+    body["twist"] = sixfold(in.angular(twist.angular), in.linear(twist.linear));
+    body["angular"] = vector(in.angular(twist.angular));
+    body["linear"] = vector(in.linear(velocity_at(twist, at)));
+    body["at"] = vector(in.length(at));
+    body["screw"] = screw(find_axis(in.snapped(twist), mechanism.geometry.length), in);
+  }
+  result["evidence"] = evidence(motion.evidence);
+  result["evidence"]["residual"] = is_solved ? number(motion.residual) : Json(nullptr);
+  return result;
+}
+
+Json wrench_json(const Mechanism& mechanism,
+                 std::size_t e,
+                 const std::optional<Wrench>& wrench,
+                 const InUnits& in) {
+  if (!wrench) {
+    return nullptr;
+  }
+  const Vec3& at = mechanism.geometry.points[e];
+  Json result;
+  result["wrench"] = sixfold(in.moment(wrench->moment), in.force(wrench->force));
+  result["moment"] = vector(in.moment(moment_at(*wrench, at)));
+  result["force"] = vector(in.force(wrench->force));
+  result["at"] = vector(in.length(at));
+  result["screw"] = screw(find_axis(in.snapped(*wrench), mechanism.geometry.length), in);
+  return result;
+}
+
+Json statics_json(const Mechanism& mechanism, const StaticSolution& action, const InUnits& in) {
+  const Topology& topology = mechanism.topology;
+  Json result;
+  result["status"] = word_of(action.status);
+  result["order"] = action.counts.order;
+  result["net_constraint"] = action.counts.net_constraint;
+  result["actions"] = Json::object();
+  for (std::size_t a = 0; a < topology.actions.size(); ++a) {
+    const std::optional<double> magnitude =
+        action.magnitudes.empty() ? std::nullopt : action.magnitudes[a];
+    result["actions"][topology.action_name(static_cast<int>(a))] =
+        magnitude ? number(in.action(*magnitude, topology.actions[a].is_couple)) : Json(nullptr);
+  }
+  result["undetermined"] = Json::array();
+  for (const int a : action.check.undetermined) {
+    result["undetermined"].push_back(topology.action_name(a));
+  }
+  result["couplings"] = Json::object();
+  for (std::size_t e = 0; e < action.wrenches.size(); ++e) {
+    result["couplings"][topology.couplings[e].name] =
+        wrench_json(mechanism, e, action.wrenches[e], in);
+  }
+  result["evidence"] = evidence(action.evidence);
+  result["evidence"]["residual"] =
+      action.wrenches.empty() ? Json(nullptr) : number(action.residual);
+  return result;
+}
+
+Json power_json(const Mechanism& mechanism, const PowerFlow& flow, const InUnits& in) {
+  const Topology& topology = mechanism.topology;
+  Json result;
+  result["status"] = flow.is_balanced ? "solved" : "inconsistent";
+  result["couplings"] = Json::object();
+  result["supplied"] = Json::object();
+  for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
+    result["couplings"][topology.couplings[e].name] = number(in.power(flow.into_head[e]));
+    result["supplied"][topology.couplings[e].name] = number(in.power(flow.supplied[e]));
+  }
+  result["actuators"] = Json::object();
+  for (std::size_t i = 0; i < topology.actuators.size(); ++i) {
+    result["actuators"][topology.actuators[i].name] = number(in.power(flow.actuators[i]));
+  }
+  result["input"] = number(in.power(flow.input));
+  result["balance_residual"] = number(flow.balance_residual);
+  return result;
+}
+
+Json case_json(const Mechanism& mechanism, const CaseAnalysis& one, const FileUnits& units) {
+  const InUnits in(units, find_zero_snap(one, mechanism.geometry.length));
+  Json result;
+  result["primary"] = primary_json(mechanism, one.which);
+  if (one.ratios) {
+    result["ratio"] = number(one.ratios->ratio);
+    result["torque_ratio"] = number(one.ratios->torque_ratio);
+    if (!one.ratios->reason.empty()) {
+      result["reason"] = one.ratios->reason;
+    }
+  }
+  if (one.motion) {
+    result["kinematics"] = kinematics_json(mechanism, *one.motion, in);
+  }
+  if (one.action) {
+    result["statics"] = statics_json(mechanism, *one.action, in);
+  }
+  if (one.power) {
+    result["power"] = power_json(mechanism, *one.power, in);
+  }
+  return result;
+}
+
+}  // namespace
+
+Json analysis_json(const Analysis& analysis) {
+  Json result = report_head(analysis.file, analysis.description);
+  result["graph"] = graph_json(analysis.mechanism, analysis.description.units);
+  result["mobility"] = mobility_json(analysis.mobility);
+  result["cases"] = Json::object();
+  for (const CaseAnalysis& one : analysis.cases) {
+    result["cases"][one.which.label] =
+        case_json(analysis.mechanism, one, analysis.description.units);
+  }
+  return result;
+}
+
+Json diagnostics_json(const Diagnostics& found) {
+  Json result = Json::array();
+  for (const Diagnostic& one : found.items()) {
+    Json entry;
+    entry["severity"] = one.severity == Severity::error ? "error" : "warning";
+    entry["code"] = one.code;
+    entry["line"] = one.where.line;
+    entry["column"] = one.where.column;
+    entry["message"] = one.message;
+    entry["hint"] = one.hint;
+    result.push_back(std::move(entry));
+  }
+  return result;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,113 @@
+#include "report/diagnostic_text.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace kinestat {
+
+namespace {
+
+constexpr int kMostShown = 20;
+constexpr std::size_t kLongestLine = 160;
+
+// The line of the file without its end; empty for a line that does not exist.
+std::string_view line_of(std::string_view text, int number) {
+  for (int i = 1; i < number; ++i) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) {
+      return {};
+    }
+    text.remove_prefix(end + 1);
+  }
+  std::string_view line = text.substr(0, text.find('\n'));
+  if (line.ends_with('\r')) {
+    line.remove_suffix(1);
+  }
+  if (number == 1 && line.starts_with("\xEF\xBB\xBF")) {
+    line.remove_prefix(3);
+  }
+  return line;
+}
+
+bool is_printable(std::string_view line) {
+  return std::ranges::none_of(line, [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 0x20U && c != '\t') || byte == 0x7FU;
+  });
+}
+
+// Spaces up to the column; tabs stay tabs so that the caret stands below its place.
+std::string indent_to(std::string_view line, int column) {
+  std::string result;
+  int at = 1;
+  for (const char c : line) {
+    if (at >= column) {
+      break;
+    }
+    if ((static_cast<unsigned char>(c) & 0xC0U) == 0x80U) {
+      continue;
+    }
+    result += c == '\t' ? '\t' : ' ';
+    ++at;
+  }
+  return result + std::string(static_cast<std::size_t>(std::max(0, column - at)), ' ');
+}
+
+std::string excerpt(const SourceFile& source, const SourceRange& where) {
+  const std::string_view line = line_of(source.text, where.line);
+  if (where.line == 0 || line.empty() || line.size() > kLongestLine || !is_printable(line)) {
+    return {};
+  }
+  return fmt::format("{:5} | {}\n      | {}{}\n",
+                     where.line,
+                     line,
+                     indent_to(line, where.column),
+                     std::string(static_cast<std::size_t>(std::clamp(where.length, 1, 100)), '^'));
+}
+
+std::string place(const SourceFile& source, const SourceRange& where) {
+  const std::string path = source.path == "-" ? "<stdin>" : source.path;
+  return where.line == 0 ? path : fmt::format("{}:{}:{}", path, where.line, where.column);
+}
+
+std::string text_of(const SourceFile& source, const Diagnostic& one) {
+  std::string text = fmt::format("{}: {}[{}]: {}\n",
+                                 place(source, one.where),
+                                 one.severity == Severity::error ? "error" : "warning",
+                                 one.code,
+                                 one.message);
+  text += excerpt(source, one.where);
+  for (const Note& note : one.notes) {
+    text += fmt::format("{}: note: {}\n", place(source, note.where), note.message);
+    text += excerpt(source, note.where);
+  }
+  if (!one.hint.empty()) {
+    text += fmt::format("  hint: {}\n", one.hint);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string diagnostics_text(const SourceFile& source, const Diagnostics& found) {
+  std::string text;
+  int errors = 0;
+  int warnings = 0;
+  for (const Diagnostic& one : found.items()) {
+    int& count = one.severity == Severity::error ? errors : warnings;
+    if (++count <= kMostShown) {
+      text += text_of(source, one);
+    }
+  }
+  if (errors > kMostShown) {
+    text += fmt::format("{}: {} more errors\n", place(source, {}), errors - kMostShown);
+  }
+  if (warnings > kMostShown) {
+    text += fmt::format("{}: {} more warnings\n", place(source, {}), warnings - kMostShown);
+  }
+  return text;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,40 @@
+#include "report/file_report.hpp"
+
+#include "report/analysis_csv.hpp"
+#include "report/analysis_json.hpp"
+#include "report/analysis_text.hpp"
+#include "report/published.hpp"
+
+namespace kinestat {
+
+std::string_view json_signature() {
+  return "{\n  \"kinestat\": {";
+}
+
+std::string_view csv_signature() {
+  return kCsvHeader;
+}
+
+FileReport make_report(const Analysis& analysis, const ReportForms& forms, Diagnostics& found) {
+  FileReport report;
+  const bool needs_json = forms.json || forms.csv || !analysis.description.published.empty();
+  if (needs_json) {
+    Json json = analysis_json(analysis);
+    check_published(json, analysis.description.published, found);
+    json["diagnostics"] = diagnostics_json(found);
+    if (forms.json) {
+      report.json = json.dump(forms.layout == Layout::pretty ? 2 : -1) + "\n";
+    }
+    if (forms.csv) {
+      for (CsvTable& table : analysis_csv(analysis, json)) {
+        report.csv.push_back({.pass = std::move(table.pass), .text = std::move(table.text)});
+      }
+    }
+  }
+  if (forms.text) {
+    report.text = analysis_text(analysis);
+  }
+  return report;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,44 @@
+// The report of one file in the forms asked for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/diagnostic.hpp"
+#include "report/analysis.hpp"
+
+namespace kinestat {
+
+/// One CSV table under the name of its pass.
+struct NamedTable {
+  std::string pass;
+  std::string text;
+};
+
+enum class Layout { pretty, one_line };
+
+/// Which forms are wanted; the others stay empty.
+struct ReportForms {
+  bool json = false;
+  bool csv = false;
+  bool text = false;
+  Layout layout = Layout::pretty;  ///< of the JSON
+};
+
+struct FileReport {
+  std::string json;
+  std::vector<NamedTable> csv;
+  std::string text;
+};
+
+/// What every JSON report of this program begins with; a file that begins otherwise is foreign.
+std::string_view json_signature();
+
+/// What every CSV table of this program begins with.
+std::string_view csv_signature();
+
+/// Checks the published values, whose errors are added to `found`, then writes the forms; the JSON
+/// carries all of `found`.
+FileReport make_report(const Analysis& analysis, const ReportForms& forms, Diagnostics& found);
+
+}  // namespace kinestat

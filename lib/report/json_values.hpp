@@ -1,0 +1,34 @@
+// Numbers and vectors as JSON: finite, never -0, null where there is no value.
+#pragma once
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/types.hpp"
+
+namespace kinestat {
+
+using Json = nlohmann::ordered_json;
+
+inline Json number(double value) {
+  return std::isfinite(value) ? Json(value == 0.0 ? 0.0 : value) : Json(nullptr);
+}
+
+inline Json number(const std::optional<double>& value) {
+  return value ? number(*value) : Json(nullptr);
+}
+
+inline Json vector(const Vec3& v) {
+  return Json::array({number(v.x()), number(v.y()), number(v.z())});
+}
+
+inline Json sixfold(const Vec3& first, const Vec3& second) {
+  Json result = vector(first);
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    result.push_back(number(second[i]));
+  }
+  return result;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,18 @@
+// Published values against the report.
+#pragma once
+
+#include <vector>
+
+#include "core/diagnostic.hpp"
+#include "description/mechanism_description.hpp"
+#include "report/json_values.hpp"
+
+namespace kinestat {
+
+/// Adds an error for every value that the report misses by more than its tolerance (E0901), and for
+/// every pointer that leads to no number (E0902).
+void check_published(const Json& report,
+                     const std::vector<PublishedValue>& published,
+                     Diagnostics& found);
+
+}  // namespace kinestat

@@ -1,0 +1,26 @@
+// A table of text with aligned columns.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace kinestat {
+
+/// The first column is aligned left, the others right; widths count characters, not bytes.
+class Table {
+ public:
+  explicit Table(std::vector<std::string> head);
+
+  void add(std::vector<std::string> row);
+
+  bool is_empty() const { return rows_.empty(); }
+
+  /// Every line begins with `indent`; no line ends with spaces.
+  std::string text(const std::string& indent) const;
+
+ private:
+  std::vector<std::string> head_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace kinestat

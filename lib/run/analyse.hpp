@@ -1,0 +1,32 @@
+// The main job: files through the passes they ask for, to reports.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "run/load.hpp"
+#include "run/outcome.hpp"
+#include "run/output.hpp"
+
+namespace kinestat {
+
+/// What goes to standard output.
+enum class StreamFormat { table, json, csv };
+
+struct AnalyseOptions {
+  std::vector<Override> overrides;  ///< of --set
+  StreamFormat format = StreamFormat::table;
+  OutputOptions output;
+  Strictness strictness = Strictness::normal;
+  bool is_quiet = false;   ///< no table on standard output
+  bool fail_fast = false;  ///< stop after the first file that fails
+};
+
+/// Analyses every file; one that fails does not stop the others. JSON of several files is one
+/// object a line.
+Outcome analyse_files(const std::vector<std::string>& paths, const AnalyseOptions& options);
+
+/// Reads and binds every file; says "ok" for each that is well-formed.
+Outcome check_files(const std::vector<std::string>& paths, const AnalyseOptions& options);
+
+}  // namespace kinestat

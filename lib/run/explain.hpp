@@ -1,0 +1,13 @@
+// What a diagnostic code means.
+#pragma once
+
+#include <string>
+
+#include "run/outcome.hpp"
+
+namespace kinestat {
+
+/// Title and paragraph of a code such as "E0312"; without a code, the list of all.
+Outcome explain(const std::string& code);
+
+}  // namespace kinestat

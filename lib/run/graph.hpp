@@ -1,0 +1,20 @@
+// The coupling graph of files, with the matrices of the method on request.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "run/analyse.hpp"
+
+namespace kinestat {
+
+enum class Matrices { none, all };
+
+/// One report a file on standard output. With all matrices, the partition is that of the case
+/// named, or of the first one.
+Outcome graph_files(const std::vector<std::string>& paths,
+                    Matrices matrices,
+                    const std::string& case_label,
+                    const AnalyseOptions& options);
+
+}  // namespace kinestat

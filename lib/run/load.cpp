@@ -1,0 +1,93 @@
+#include "run/load.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "io/mechanism_reader.hpp"
+#include "io/read_file.hpp"
+#include "io/yaml_tree.hpp"
+#include "mechanism/bind.hpp"
+
+namespace kinestat {
+
+namespace {
+
+void refuse(const Override& text, std::string message, std::string hint, Diagnostics& found) {
+  found.error("E0102", {}, fmt::format("--set '{}': {}", text, message), std::move(hint));
+}
+
+void apply(const Override& text, MechanismDescription& description, Diagnostics& found) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    refuse(text, "this is not NAME=VALUE", "write for example --set N1=24", found);
+    return;
+  }
+  const std::string name = text.substr(0, equals);
+  const auto parameter =
+      std::ranges::find(description.parameters, name, [](const ParameterDescription& p) {
+        return p.name.text;
+      });
+  if (parameter == description.parameters.end()) {
+    std::vector<std::string> names;
+    for (const ParameterDescription& one : description.parameters) {
+      names.push_back(one.name.text);
+    }
+    const std::string guess = did_you_mean(name, names);
+    refuse(text,
+           fmt::format("the file has no parameter '{}'", name),
+           names.empty() ? "its section 'parameters' is empty"
+                         : fmt::format("{}{}its parameters are {}",
+                                       guess,
+                                       guess.empty() ? "" : " ",
+                                       plain_list(names)),
+           found);
+    return;
+  }
+  auto parsed = parse_expression(text.substr(equals + 1));
+  if (const auto* error = std::get_if<ExpressionError>(&parsed)) {
+    refuse(text, error->message, error->hint, found);
+    return;
+  }
+  parameter->value.expression = std::get<Expression>(std::move(parsed));
+  parameter->value.text_column = 0;
+}
+
+}  // namespace
+
+std::optional<Loaded> load(const std::string& path,
+                           const std::vector<Override>& overrides,
+                           SourceFile& source,
+                           Diagnostics& found) {
+  const ReadLimits limits;
+  source.path = path;
+  std::optional<SourceFile> file = read_file(path, limits, found);
+  if (!file) {
+    return std::nullopt;
+  }
+  source = *std::move(file);
+  const std::optional<YamlNode> tree = read_yaml(source, limits, found);
+  if (!tree) {
+    return std::nullopt;
+  }
+  std::optional<MechanismDescription> description = read_mechanism(*tree, found);
+  if (!description) {
+    return std::nullopt;
+  }
+  for (const Override& text : overrides) {
+    apply(text, *description, found);
+  }
+  if (found.has_errors()) {
+    return std::nullopt;
+  }
+  std::optional<Mechanism> mechanism = bind(*description, found);
+  if (!mechanism) {
+    return std::nullopt;
+  }
+  return Loaded{.description = *std::move(description), .mechanism = *std::move(mechanism)};
+}
+
+}  // namespace kinestat

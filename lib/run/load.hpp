@@ -1,0 +1,29 @@
+// From a path to a mechanism, with every complaint about the file.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/diagnostic.hpp"
+#include "core/source.hpp"
+#include "mechanism/mechanism.hpp"
+
+namespace kinestat {
+
+/// A parameter given on the command line: NAME=VALUE.
+using Override = std::string;
+
+struct Loaded {
+  MechanismDescription description;
+  Mechanism mechanism;
+};
+
+/// Reads, applies the overrides and binds. `source` keeps the text for messages, also when the
+/// result is empty, which it is iff an error was added.
+std::optional<Loaded> load(const std::string& path,
+                           const std::vector<Override>& overrides,
+                           SourceFile& source,
+                           Diagnostics& found);
+
+}  // namespace kinestat

@@ -1,0 +1,32 @@
+// The files of a report in the folder that the user names.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/diagnostic.hpp"
+#include "io/atomic_file.hpp"
+#include "report/file_report.hpp"
+
+namespace kinestat {
+
+/// What to write where; an empty folder writes nothing.
+struct OutputOptions {
+  std::string folder;
+  Overwrite overwrite = Overwrite::own_only;
+};
+
+/// The name of the files of a report: the input's file name without its folder and ".yaml";
+/// "stdin" for standard input.
+std::string report_stem(const std::string& path);
+
+/// Complains about inputs whose reports would have the same name.
+bool check_distinct(const std::vector<std::string>& paths, Diagnostics& found);
+
+/// Writes <stem>.report.json and <stem>.<pass>.csv, all or none.
+bool write_report(const FileReport& report,
+                  const std::string& stem,
+                  const OutputOptions& options,
+                  Diagnostics& found);
+
+}  // namespace kinestat

@@ -1,0 +1,79 @@
+#include "run/solve_cases.hpp"
+
+#include <utility>
+
+#include "kinematics/velocity.hpp"
+#include "mechanism/bind.hpp"
+#include "network/bases.hpp"
+#include "statics/action.hpp"
+
+namespace kinestat {
+
+namespace {
+
+bool is_solved(const std::optional<KinematicSolution>& motion) {
+  return motion && motion->status == SolveStatus::solved;
+}
+
+bool is_solved(const std::optional<StaticSolution>& action) {
+  return action && action->status == SolveStatus::solved;
+}
+
+bool has_answer(const std::optional<StaticSolution>& action) {
+  return action && !action->magnitudes.empty();
+}
+
+MobilityCounts counts_of(const Loaded& loaded) {
+  if (loaded.mechanism.space == Space::spatial) {
+    return count_mobility(loaded.mechanism, loaded.mechanism);
+  }
+  // Its own complaints are those of the first binding, which had none.
+  Diagnostics ignored;
+  const std::optional<Mechanism> in_space = bind_in_space(loaded.description, ignored);
+  return count_mobility(loaded.mechanism, in_space.value_or(loaded.mechanism));
+}
+
+/// The coordinates of both sides are the same for every case.
+struct Bases {
+  CoordinateBasis motion;
+  CoordinateBasis action;
+};
+
+CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Case& which) {
+  CaseAnalysis result{.which = which, .motion = {}, .action = {}, .power = {}, .ratios = {}};
+  if (!which.motions.empty()) {
+    result.motion = solve_velocity(mechanism, bases.motion, which.motions);
+  }
+  if (!which.actions.empty()) {
+    result.action = solve_action(mechanism, bases.action, which.actions);
+  }
+  if (is_solved(result.motion) && is_solved(result.action)) {
+    result.power = find_power(mechanism, which, *result.motion, *result.action);
+  }
+  if (is_solved(result.motion) && which.inputs.size() == 1 && which.outputs.size() == 1) {
+    result.ratios = find_ratios(
+        mechanism, which, *result.motion, has_answer(result.action) ? &*result.action : nullptr);
+  }
+  return result;
+}
+
+}  // namespace
+
+Analysis solve_cases(std::string file, Loaded loaded) {
+  Analysis analysis{.file = std::move(file),
+                    .description = {},
+                    .mechanism = {},
+                    .mobility = counts_of(loaded),
+                    .cases = {}};
+  const Mechanism& mechanism = loaded.mechanism;
+  const Bases bases{.motion = motion_basis(mechanism.geometry, mechanism.kinematic_order),
+                    .action = action_basis(mechanism.geometry, mechanism.static_order)};
+  for (const Case& which : mechanism.cases) {
+    analysis.cases.push_back(solve_case(mechanism, bases, which));
+  }
+  analysis.description = std::move(loaded.description);
+  analysis.mechanism = std::move(loaded.mechanism);
+  return analysis;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,13 @@
+// Runs the passes that each case asks for, and nothing else.
+#pragma once
+
+#include "report/analysis.hpp"
+#include "run/load.hpp"
+
+namespace kinestat {
+
+/// A case that names motions has its velocities solved, one that names actions its statics; power
+/// and ratios where both sides, or an input and an output, are there. Counts are always taken.
+Analysis solve_cases(std::string file, Loaded loaded);
+
+}  // namespace kinestat

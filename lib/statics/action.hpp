@@ -1,0 +1,21 @@
+// Actions from primary actions by Davies' method.
+#pragma once
+
+#include <span>
+
+#include "mechanism/mechanism.hpp"
+#include "screw/coordinate_basis.hpp"
+#include "statics/static_solution.hpp"
+
+namespace kinestat {
+
+/// Solves A_N ψ = 0 for the secondary actions, given the primary ones (Cazangi 2008, sections 3.8.2
+/// and 3.9.2), on the equilibrium of the bodies, which has the same solutions. `basis` must hold
+/// all unit actions. The status is `inconsistent` if the primaries act on a freedom that nothing
+/// resists, `dependent` if they follow from each other, `underdetermined` (and then partly filled)
+/// if there are too few.
+[[nodiscard]] StaticSolution solve_action(const Mechanism& mechanism,
+                                          const CoordinateBasis& basis,
+                                          std::span<const Primary> primaries);
+
+}  // namespace kinestat

@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, and analyses mechanisms; reports go to reports/.
+# Usage: scripts/run.sh [OPTION | FILE]...   (default: the Ravigneaux train)
+# Options are those of `kinestat analyze`; the exit status is the program's.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=$root/build/release
+reports=$root/reports
+start=$(date +%s.%N)
+
+[[ $# -gt 0 ]] || set -- "$root/mechanisms/transmissions/ravigneaux.yaml"
+
+quietly() {  # the output of a command, only when it fails
+  local output
+  output=$("$@" 2>&1) || {
+    printf '%s\n' "$output" "run.sh: failed: $*" >&2
+    exit 4
+  }
+}
+
+"$root/scripts/setup.sh" build
+# Only the first time: test.sh adds the tests to the same folder, and they may stay.
+if [[ ! -f $build/build.ninja ]]; then
+  echo "run.sh: building for the first time, which takes some minutes" >&2
+  (cd "$root" && quietly cmake --preset release -DBUILD_TESTING=OFF)
+fi
+quietly cmake --build "$build" --target kinestat
+
+mkdir -p "$reports"
+status=0
+"$build/app/kinestat" analyze --out "$reports" "$@" || status=$?
+
+echo
+mapfile -t written < <(find "$reports" -type f -newermt "@$start" | sort)
+if [[ ${#written[@]} -gt 0 ]]; then
+  echo "Written:"
+  printf '  %s\n' "${written[@]}"
+else
+  echo "No report was written."
+fi
+exit "$status"

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that are missing; does nothing when all are there.
+# Usage: scripts/setup.sh [build|test|sanitize|bench|lint]...   (default: build test)
+set -euo pipefail
+
+build=(g++ cmake ninja-build ccache pkg-config libeigen3-dev libyaml-cpp-dev libcli11-dev
+  libfmt-dev nlohmann-json3-dev)
+test=("${build[@]}" libgtest-dev librapidcheck-dev python3 python3-jsonschema python3-yaml)
+sanitize=("${test[@]}" clang libclang-rt-14-dev)
+bench=("${build[@]}" liblapack-dev libblas-dev libbenchmark-dev)
+lint=(clang-format clang-tidy)
+
+stop() {
+  local status=$1
+  shift
+  printf 'setup.sh: %s\n' "$@" >&2
+  exit "$status"
+}
+
+wanted=()
+[[ $# -gt 0 ]] || set -- build test
+for part in "$@"; do
+  case $part in
+    build) wanted+=("${build[@]}") ;;
+    test) wanted+=("${test[@]}") ;;
+    sanitize) wanted+=("${sanitize[@]}") ;;
+    bench) wanted+=("${bench[@]}") ;;
+    lint) wanted+=("${lint[@]}") ;;
+    *) stop 2 "unknown part '$part'; parts are build, test, sanitize, bench, lint" ;;
+  esac
+done
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+  stop 4 "this is not a Debian system, so nothing was installed" \
+    "needed (names as in Debian 12): ${wanted[*]}" \
+    "with these in place, build by hand: cmake --preset release && cmake --build --preset release"
+fi
+
+# One query for all; a package that dpkg has never heard of is simply not listed.
+installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null || true)
+missing=()
+for package in "${wanted[@]}"; do
+  grep -qxF "installed $package" <<<"$installed" || missing+=("$package")
+done
+[[ ${#missing[@]} -gt 0 ]] || exit 0
+
+as_root=(env DEBIAN_FRONTEND=noninteractive)
+if [[ $(id -u) -ne 0 ]]; then
+  command -v sudo >/dev/null ||
+    stop 4 "these packages are missing, and installing needs root or sudo: ${missing[*]}" \
+      "as root: apt-get install --no-install-recommends ${missing[*]}"
+  as_root=(sudo "${as_root[@]}")
+fi
+
+echo "setup.sh: installing ${missing[*]}" >&2
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+{ "${as_root[@]}" apt-get update && "${as_root[@]}" apt-get install -y --no-install-recommends \
+  "${missing[@]}"; } >"$log" 2>&1 </dev/null || {
+  cat "$log" >&2
+  stop 4 "could not install ${missing[*]}"
+}
