@@ -14,12 +14,14 @@ namespace {
 
 bool check_parameter_name(const Name& name, Diagnostics& found) {
   if (is_reserved_name(name.text)) {
+    const bool is_unit = find_unit(name.text) != nullptr;
+    const bool is_function = find_function(name.text) != nullptr;
     found.error("E0306",
                 name.where,
-                fmt::format("a parameter cannot be named '{}', which is a unit, a function or a "
-                            "constant",
-                            name.text),
-                fmt::format("call it '{}_1' or by a longer word", name.text));
+                fmt::format("a parameter cannot be named '{}', which is {}",
+                            name.text,
+                            is_unit ? "a unit" : (is_function ? "a function" : "a constant")),
+                fmt::format("call it '{}_1', or by a longer word", name.text));
     return false;
   }
   if (name.text.find('-') != std::string::npos) {

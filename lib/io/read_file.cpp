@@ -63,7 +63,7 @@ bool is_regular(const std::string& path, const struct stat& status, Diagnostics&
 
 // All bytes up to one more than the limit, by which an excess is seen.
 std::optional<std::string> read_bytes(int descriptor, std::size_t limit, int& error) {
-  constexpr std::size_t kBlock = 64 * 1024;
+  constexpr std::size_t kBlock = std::size_t{1} << 16U;
   std::string text;
   while (text.size() <= limit) {
     const std::size_t begin = text.size();

@@ -12,10 +12,10 @@ namespace kinestat {
 
 /// How much of an input is accepted before it is refused. The defaults are far above any mechanism.
 struct ReadLimits {
-  std::size_t bytes = 1024 * 1024;  ///< of the file; also of the text that aliases repeat
-  int depth = 64;                   ///< nested lists and mappings, the root counted; at most 400
-  int nodes = 200000;               ///< values in the tree, expanded aliases counted
-  std::size_t scalar = 64 * 1024;   ///< bytes of one value
+  std::size_t bytes = std::size_t{1} << 20U;  ///< of the file; also of the text that aliases repeat
+  int depth = 64;      ///< nested lists and mappings, the root counted; at most 400
+  int nodes = 200000;  ///< values in the tree, expanded aliases counted
+  std::size_t scalar = std::size_t{1} << 16U;  ///< bytes of one value
 };
 
 /// The bytes of a file; "-" is standard input. Only regular files are read: a folder, a pipe or a

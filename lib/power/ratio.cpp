@@ -32,28 +32,64 @@ double largest_action(const StaticSolution& action) {
   return largest;
 }
 
+// The rate of all inputs, or empty if they differ.
+std::optional<double> common_rate(const Mechanism& mechanism,
+                                  const Case& which,
+                                  const KinematicSolution& motion) {
+  std::optional<double> common;
+  for (const int i : which.inputs) {
+    const int freedom = mechanism.topology.actuators[static_cast<std::size_t>(i)].freedom;
+    const double rate = motion.rates[static_cast<std::size_t>(freedom)];
+    if (common && !is_zero(rate - *common, largest_rate(motion))) {
+      return std::nullopt;
+    }
+    common = common.value_or(rate);
+  }
+  return common;
+}
+
+// The sum of the inputs' actions; empty if equilibrium does not determine one of them.
+std::optional<double> total_action(const Mechanism& mechanism,
+                                   const Case& which,
+                                   const StaticSolution& action) {
+  double sum = 0.0;
+  for (const int i : which.inputs) {
+    const int index = mechanism.topology.actuators[static_cast<std::size_t>(i)].action;
+    const std::optional<double> magnitude = action.magnitudes[static_cast<std::size_t>(index)];
+    if (!magnitude) {
+      return std::nullopt;
+    }
+    sum += *magnitude;
+  }
+  return sum;
+}
+
 }  // namespace
 
 Ratios find_ratios(const Mechanism& mechanism,
                    const Case& which,
                    const KinematicSolution& motion,
                    const StaticSolution* action) {
-  KINESTAT_EXPECTS(which.inputs.size() == 1 && which.outputs.size() == 1);
+  KINESTAT_EXPECTS(!which.inputs.empty() && which.outputs.size() == 1);
   KINESTAT_EXPECTS(motion.status == SolveStatus::solved);
   const auto& actuators = mechanism.topology.actuators;
-  const ActuatorTopology& input = actuators[static_cast<std::size_t>(which.inputs.front())];
   const ActuatorTopology& output = actuators[static_cast<std::size_t>(which.outputs.front())];
-  Ratios ratios;
+  const std::optional<double> fast = common_rate(mechanism, which, motion);
   const double slow = motion.rates[static_cast<std::size_t>(output.freedom)];
+  Ratios ratios;
+  if (!fast) {
+    ratios.reason = "the inputs have different rates";
+    return ratios;
+  }
   if (is_zero(slow, largest_rate(motion))) {
     ratios.reason = "output '" + output.name + "' is at rest";
   } else {
-    ratios.ratio = motion.rates[static_cast<std::size_t>(input.freedom)] / slow;
+    ratios.ratio = *fast / slow;
   }
   if (action == nullptr) {
     return ratios;
   }
-  const std::optional<double> in = action->magnitudes[static_cast<std::size_t>(input.action)];
+  const std::optional<double> in = total_action(mechanism, which, *action);
   const std::optional<double> out = action->magnitudes[static_cast<std::size_t>(output.action)];
   if (in && out && !is_zero(*out, largest_action(*action))) {
     ratios.torque_ratio = *in / *out;

@@ -1,4 +1,4 @@
-// Transmission ratios of a case with one input and one output.
+// Transmission ratios of a case with one output.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,8 @@ struct Ratios {
 };
 
 /// Ratios of the case (Cazangi 2008, eqs. 5.1 and 5.2). `action` may be null: no torque ratio then.
-/// The case must name one input and one output, and `motion` must be solved.
+/// Several inputs count as one if they have the same rate; their actions add up (both clutches of
+/// a direct gear). The case must name an input and one output, and `motion` must be solved.
 Ratios find_ratios(const Mechanism& mechanism,
                    const Case& which,
                    const KinematicSolution& motion,

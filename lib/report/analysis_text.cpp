@@ -79,55 +79,51 @@ std::string head_text(const Analysis& analysis) {
   if (!analysis.description.source.empty()) {
     text += fmt::format(" ({})", analysis.description.source);
   }
-  text += fmt::format("\n  {} bodies, {} couplings, {} circuits; tree {}; chords {}\n\n",
+  const int circuits = mechanism.graph.circuit_count();
+  text += fmt::format("\n  {} bodies, {} couplings, {} circuit{}; tree {}; chords {}\n\n",
                       topology.body_count(),
                       topology.coupling_count(),
-                      mechanism.graph.circuit_count(),
+                      circuits,
+                      circuits == 1 ? "" : "s",
                       fmt::join(coupling_names(topology, mechanism.graph.tree.branches), " "),
                       fmt::join(coupling_names(topology, mechanism.graph.tree.chords), " "));
   return text;
 }
 
-void add_counts(const char* name, const SideCounts& side, Table& table) {
-  const auto count = [](int value) { return std::to_string(value); };
-  std::vector<std::string> row = {name,
-                                  count(side.motions.order),
-                                  count(side.motions.gross_freedom),
-                                  count(side.motions.rank),
-                                  count(side.motions.net_freedom),
-                                  count(side.motions.net_constraint)};
-  if (side.actions) {
-    for (const int value : {side.actions->order,
-                            side.actions->gross_constraint,
-                            side.actions->rank,
-                            side.actions->net_constraint,
-                            side.actions->net_freedom}) {
-      row.push_back(count(value));
-    }
-  } else {
-    row.resize(11, "-");
+std::vector<std::string> count_row(const std::string& name, std::initializer_list<int> counts) {
+  std::vector<std::string> row = {name};
+  for (const int count : counts) {
+    row.push_back(std::to_string(count));
   }
-  table.add(std::move(row));
+  return row;
 }
 
-std::string mobility_text(const MobilityCounts& counts) {
-  Table table({"Mobility",
-               "order",
-               "freedoms F",
-               "rank m",
-               "net freedom F_N",
-               "redundant C_N",
-               "| statics: order",
-               "actions C",
-               "rank a",
-               "needed C_N",
-               "unresisted F_N"});
-  add_counts("spatial", counts.spatial, table);
-  if (counts.planar) {
-    add_counts("planar", *counts.planar, table);
+void add_motions(const char* name, const MotionCounts& c, Table& table) {
+  table.add(count_row(name, {c.order, c.gross_freedom, c.rank, c.net_freedom, c.net_constraint}));
+}
+
+void add_actions(const char* name, const std::optional<ActionCounts>& c, Table& table) {
+  if (c) {
+    table.add(
+        count_row(name, {c->order, c->gross_constraint, c->rank, c->net_constraint, c->net_freedom}));
   }
-  add_counts("minimal", counts.minimal, table);
-  return table.text("  ") + "\n";
+}
+
+// The spatial order leads: in the minimal one a planar linkage looks perfectly constrained.
+std::string mobility_text(const MobilityCounts& counts) {
+  Table motions(
+      {"Motions", "order", "freedoms F", "rank m", "net freedom F_N", "redundant C_N"});
+  Table actions(
+      {"Actions", "order", "actions C", "rank a", "to be known C_N", "unresisted F_N"});
+  add_motions("spatial", counts.spatial.motions, motions);
+  add_actions("spatial", counts.spatial.actions, actions);
+  if (counts.planar) {
+    add_motions("planar", counts.planar->motions, motions);
+    add_actions("planar", counts.planar->actions, actions);
+  }
+  add_motions("minimal", counts.minimal.motions, motions);
+  add_actions("minimal", counts.minimal.actions, actions);
+  return motions.text("  ") + "\n" + actions.text("  ") + "\n";
 }
 
 std::string known_text(const Topology& topology, const Case& which, const InUnits& in) {

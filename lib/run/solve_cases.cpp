@@ -50,7 +50,7 @@ CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Ca
   if (is_solved(result.motion) && is_solved(result.action)) {
     result.power = find_power(mechanism, which, *result.motion, *result.action);
   }
-  if (is_solved(result.motion) && which.inputs.size() == 1 && which.outputs.size() == 1) {
+  if (is_solved(result.motion) && !which.inputs.empty() && which.outputs.size() == 1) {
     result.ratios = find_ratios(
         mechanism, which, *result.motion, has_answer(result.action) ? &*result.action : nullptr);
   }

@@ -97,12 +97,12 @@ ScalarEnd find_plain_end(const YamlText& text, std::size_t begin, int indent, Co
       return {.offset = at};
     }
     at += text.line_break(at);
-    const std::size_t line_start = at;
-    const std::size_t first_column = line_start + static_cast<std::size_t>(indent);
+    const std::size_t first_column = at + static_cast<std::size_t>(indent);
+    const std::size_t tab = text.part(at, first_column).find_first_not_of(' ');
+    if (tab != std::string_view::npos && text[at + tab] == '\t') {
+      return {.offset = at + tab, .is_at_tab = true};
+    }
     while (text.is_blank(at) && !is_plain_end(text, at, context)) {
-      if (text[at] == '\t' && at < first_column) {
-        return {.offset = at, .is_at_tab = true};
-      }
       ++at;
     }
     if (text.line_break(at) == 0 && at < first_column) {

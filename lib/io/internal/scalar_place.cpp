@@ -53,4 +53,9 @@ YamlNode make_scalar(SourceMap& map, std::size_t begin, const std::string& value
   return node;
 }
 
+bool is_null_word(const YamlText& text, std::size_t at) {
+  const std::string_view word = text.part(at, text.skip_word(at));
+  return word == "~" || word == "null" || word == "Null" || word == "NULL";
+}
+
 }  // namespace kinestat

@@ -12,4 +12,7 @@ namespace kinestat {
 /// The node of a scalar that begins at the offset, behind its anchor, and reads as `value`.
 YamlNode make_scalar(SourceMap& map, std::size_t begin, const std::string& value);
 
+/// Whether a null is written out at the offset.
+bool is_null_word(const YamlText& text, std::size_t at);
+
 }  // namespace kinestat

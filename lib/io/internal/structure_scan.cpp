@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -17,11 +16,6 @@ namespace kinestat {
 namespace {
 
 constexpr std::size_t kNowhere = std::string::npos;
-
-struct Bracket {
-  char opening = '[';
-  std::size_t offset = 0;
-};
 
 class Scan {
  public:
@@ -67,7 +61,7 @@ class Scan {
   std::size_t key_start_ = kNowhere;  // where a key of this line may have begun
   bool is_after_json_ = false;        // behind a quote or bracket ':' needs no space
   int commas_ = 0;
-  std::vector<Bracket> brackets_;
+  std::vector<std::size_t> brackets_;  // offsets of the open ones
   BlockStack blocks_;
 };
 
@@ -159,7 +153,7 @@ Scan::Step Scan::open_bracket() {
     return Step::refused;
   }
   note_key_start();
-  brackets_.push_back({.opening = text_[at_], .offset = at_});
+  brackets_.push_back(at_);
   is_after_json_ = false;
   ++at_;
   return Step::go_on;
@@ -174,7 +168,7 @@ Scan::Step Scan::close_bracket() {
                  "remove it, or quote a text that begins with it");
     return Step::refused;
   }
-  if ((brackets_.back().opening == '[') != (closing == ']')) {
+  if ((text_[brackets_.back()] == '[') != (closing == ']')) {
     return refuse_open_bracket();
   }
   brackets_.pop_back();
@@ -183,17 +177,8 @@ Scan::Step Scan::close_bracket() {
   return Step::go_on;
 }
 
-// The innermost bracket is open where the text ends or another one closes.
 Scan::Step Scan::refuse_open_bracket() {
-  const char opening = brackets_.back().opening;
-  const char closing = opening == '[' ? ']' : '}';
-  Diagnostic& error = found_.error("E0204",
-                                   map_.at(brackets_.back().offset),
-                                   fmt::format("'{}' is not closed", opening),
-                                   fmt::format("add the '{}' that belongs to it", closing));
-  if (!text_.is_end(at_)) {
-    error.notes.push_back({map_.at(at_), fmt::format("'{}' stands here", text_[at_])});
-  }
+  report_open_bracket(map_, brackets_.back(), at_, found_);
   return Step::refused;
 }
 
@@ -302,10 +287,7 @@ Scan::Step Scan::block_scalar() {
 }
 
 Scan::Step Scan::refuse_tab(std::size_t tab) {
-  found_.error("E0203",
-               map_.at(tab),
-               "tab in the indentation",
-               "indent with spaces; most editors can replace all tabs at once");
+  report_tab(map_, tab, found_);
   return Step::refused;
 }
 

@@ -27,4 +27,37 @@ void report_open_quote(SourceMap& map, std::size_t quote, Diagnostics& found) {
                         : "add the closing \"; inside \"...\" a quote is written \\\"");
 }
 
+void report_open_bracket(SourceMap& map, std::size_t bracket, std::size_t end, Diagnostics& found) {
+  const char opening = map.text()[bracket];
+  Diagnostic& error =
+      found.error("E0204",
+                  map.at(bracket),
+                  fmt::format("'{}' is not closed", opening),
+                  fmt::format("add the '{}' that belongs to it", opening == '[' ? ']' : '}'));
+  if (!map.text().is_end(end)) {
+    error.notes.push_back({map.at(end), fmt::format("'{}' stands here", map.text()[end])});
+  }
+}
+
+void report_tab(SourceMap& map, std::size_t tab, Diagnostics& found) {
+  found.error("E0203",
+              map.at(tab),
+              "tab in the indentation",
+              "indent with spaces; most editors can replace all tabs at once");
+}
+
+void report_second_document(SourceMap& map, std::size_t begin, Diagnostics& found) {
+  if (map.text().is_document_mark(begin)) {
+    found.error("E0206",
+                map.range(begin, begin + 3),
+                "a second document begins here",
+                "one file describes one mechanism; remove '---' and what follows it");
+  } else {
+    found.error("E0204",
+                map.at(begin),
+                "this stands behind the end of the document",
+                "begin every key of the file in the same column");
+  }
+}
+
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// What both the scan of the structure and the builder of the tree may have to say.
+// What the scan of the structure and the builder of the tree may have to say.
 #pragma once
 
 #include "core/diagnostic.hpp"
@@ -15,5 +15,14 @@ void report_nodes(const ReadLimits& limits, SourceRange where, Diagnostics& foun
 
 /// Adds E0204 for the quote at the offset, which nothing closes.
 void report_open_quote(SourceMap& map, std::size_t quote, Diagnostics& found);
+
+/// Adds E0204 for the bracket at the offset, open where the text ends or, at `end`, another closes.
+void report_open_bracket(SourceMap& map, std::size_t bracket, std::size_t end, Diagnostics& found);
+
+/// Adds E0203 for a tab where columns count.
+void report_tab(SourceMap& map, std::size_t tab, Diagnostics& found);
+
+/// Adds E0206 for the document that begins at the offset; E0204 where no mark announces it.
+void report_second_document(SourceMap& map, std::size_t begin, Diagnostics& found);
 
 }  // namespace kinestat

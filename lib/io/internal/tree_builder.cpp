@@ -23,11 +23,6 @@ std::size_t offset_of(const YAML::Mark& mark) {
   return static_cast<std::size_t>(std::max(mark.pos, 0));
 }
 
-bool is_null_word(std::string_view source) {
-  return source.starts_with("~") || source.starts_with("null") || source.starts_with("Null") ||
-         source.starts_with("NULL");
-}
-
 }  // namespace
 
 TreeBuilder::TreeBuilder(SourceMap& map, const ReadLimits& limits, Diagnostics& found)
@@ -44,22 +39,10 @@ Diagnostic& TreeBuilder::refuse(std::string_view code,
 }
 
 void TreeBuilder::OnDocumentStart(const YAML::Mark& mark) {
-  if (++documents_ == 1) {
-    return;
+  if (++documents_ > 1) {
+    report_second_document(map_, offset_of(mark), found_);
+    throw Stop();
   }
-  const std::size_t at = offset_of(mark);
-  if (map_.text().is_document_mark(at)) {
-    refuse("E0206",
-           map_.range(at, at + 3),
-           "a second document begins here",
-           "one file describes one mechanism; remove '---' and what follows it");
-  } else {
-    refuse("E0204",
-           map_.at(at),
-           "this stands behind the end of the document",
-           "begin every key of the file in the same column");
-  }
-  throw Stop();
 }
 
 void TreeBuilder::OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) {
@@ -75,7 +58,7 @@ void TreeBuilder::OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) {
              fmt::format("'{}' has no ':' behind it", printable(frame.key.key)),
              "write 'key: value', or indent the line if it continues the value above");
     }
-    const bool is_written = is_null_word(std::string_view(map_.text().all()).substr(begin));
+    const bool is_written = is_null_word(map_.text(), begin);
     if (is_mapping) {
       where = frame.key.key_where;
     } else if (!is_written) {
@@ -149,25 +132,11 @@ void TreeBuilder::check_text(const YamlNode& node) {
   }
 }
 
-void TreeBuilder::OnSequenceStart(const YAML::Mark& mark,
-                                  const std::string&,
-                                  YAML::anchor_t anchor,
-                                  YAML::EmitterStyle::value style) {
-  start_collection(YamlKind::sequence, offset_of(mark), anchor, style);
-}
-
-void TreeBuilder::OnMapStart(const YAML::Mark& mark,
-                             const std::string&,
-                             YAML::anchor_t anchor,
-                             YAML::EmitterStyle::value style) {
-  start_collection(YamlKind::mapping, offset_of(mark), anchor, style);
-}
-
 void TreeBuilder::start_collection(YamlKind kind,
-                                   std::size_t mark,
+                                   const YAML::Mark& mark,
                                    YAML::anchor_t anchor,
                                    YAML::EmitterStyle::value style) {
-  const SourceRange where = map_.at(skip_properties(mark));
+  const SourceRange where = map_.at(skip_properties(offset_of(mark)));
   check_depth(1, where);
   const std::size_t part = add_part(kind, where, anchor);
   parts_[part].is_open = true;

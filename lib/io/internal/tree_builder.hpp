@@ -43,17 +43,22 @@ class TreeBuilder : public YAML::EventHandler {
                 const std::string& tag,
                 YAML::anchor_t anchor,
                 const std::string& value) override;
+
   void OnSequenceStart(const YAML::Mark& mark,
-                       const std::string& tag,
+                       const std::string&,
                        YAML::anchor_t anchor,
-                       YAML::EmitterStyle::value style) override;
+                       YAML::EmitterStyle::value style) override {
+    start_collection(YamlKind::sequence, mark, anchor, style);
+  }
 
   void OnSequenceEnd() override { end_collection(); }
 
   void OnMapStart(const YAML::Mark& mark,
-                  const std::string& tag,
+                  const std::string&,
                   YAML::anchor_t anchor,
-                  YAML::EmitterStyle::value style) override;
+                  YAML::EmitterStyle::value style) override {
+    start_collection(YamlKind::mapping, mark, anchor, style);
+  }
 
   void OnMapEnd() override { end_collection(); }
 
@@ -87,7 +92,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   std::size_t add_part(YamlKind kind, SourceRange where, YAML::anchor_t anchor);
   void start_collection(YamlKind kind,
-                        std::size_t mark,
+                        const YAML::Mark& mark,
                         YAML::anchor_t anchor,
                         YAML::EmitterStyle::value style);
   void end_collection();
@@ -99,7 +104,7 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t skip_properties(std::size_t mark);
   void count(int nodes, std::size_t bytes, SourceRange where);
   void check_depth(int height, SourceRange where);
-  YamlNode expand(std::size_t part) const;
+  YamlNode expand(std::size_t number) const;
   Diagnostic& refuse(std::string_view code,
                      SourceRange where,
                      std::string message,
