@@ -10,7 +10,7 @@ namespace kinestat {
 
 namespace {
 
-ActionCounts count_actions(const Mechanism& mechanism, const CoordinateBasis& basis) {
+ActionCounts count_in(const Mechanism& mechanism, const CoordinateBasis& basis) {
   const Elimination elimination(action_system(mechanism.topology, mechanism.geometry, basis), {});
   return action_counts(mechanism, basis.order(), elimination.rank());
 }
@@ -30,24 +30,27 @@ MotionCounts in_order(MotionCounts counts, int order, int circuit_count) {
 
 }  // namespace
 
-MobilityCounts count_mobility(const Mechanism& mechanism, const Mechanism& in_space) {
+MobilityCounts count_motions(const Mechanism& mechanism) {
   const CoordinateBasis motions = motion_basis(mechanism.geometry, OrderChoice::minimal);
-  const CoordinateBasis actions = action_basis(mechanism.geometry, OrderChoice::minimal);
   const Elimination velocity(velocity_system(mechanism.topology, mechanism.geometry, motions), {});
   const int l = mechanism.graph.circuit_count();
   MobilityCounts counts;
   counts.evidence = velocity.evidence();
   counts.minimal.motions = motion_counts(mechanism, motions.order(), velocity.rank());
-  counts.minimal.actions = count_actions(mechanism, actions);
   if (is_planar(motions)) {
     counts.planar = SideCounts{.motions = in_order(counts.minimal.motions, 3, l), .actions = {}};
-    if (is_planar(actions)) {
-      counts.planar->actions = count_actions(mechanism, planar_basis());
-    }
   }
   counts.spatial.motions = in_order(counts.minimal.motions, 6, l);
-  counts.spatial.actions = count_actions(in_space, spatial_basis());
   return counts;
+}
+
+void count_actions(const Mechanism& mechanism, const Mechanism& in_space, MobilityCounts& counts) {
+  const CoordinateBasis actions = action_basis(mechanism.geometry, OrderChoice::minimal);
+  counts.minimal.actions = count_in(mechanism, actions);
+  if (counts.planar && is_planar(actions)) {
+    counts.planar->actions = count_in(mechanism, planar_basis());
+  }
+  counts.spatial.actions = count_in(in_space, spatial_basis());
 }
 
 }  // namespace kinestat

@@ -11,7 +11,7 @@ namespace kinestat {
 /// Both sides in one order.
 struct SideCounts {
   MotionCounts motions;
-  std::optional<ActionCounts> actions;
+  std::optional<ActionCounts> actions;  ///< empty where nobody asked, or the order cannot hold them
 };
 
 /// Side by side, because a planar linkage is perfectly constrained in its plane and overconstrained
@@ -23,8 +23,11 @@ struct MobilityCounts {
   RankEvidence evidence;  ///< of the velocity system in the minimal order
 };
 
-/// Counts the mechanism as it stands. `in_space` is the same mechanism with the constraints that
-/// its couplings have in space; for a spatial mechanism the same object.
-MobilityCounts count_mobility(const Mechanism& mechanism, const Mechanism& in_space);
+/// Counts the motions, which need no more than one elimination for all orders.
+MobilityCounts count_motions(const Mechanism& mechanism);
+
+/// Adds the counts of the actions. `in_space` is the same mechanism with the constraints that its
+/// couplings have in space; for a spatial mechanism the same object.
+void count_actions(const Mechanism& mechanism, const Mechanism& in_space, MobilityCounts& counts);
 
 }  // namespace kinestat

@@ -127,12 +127,14 @@ std::string matrix_text(const LabelledMatrix& matrix) {
 
 std::string graph_text(const MechanismDescription& description, const Mechanism& mechanism) {
   const Topology& topology = mechanism.topology;
-  std::string text = fmt::format("{}\n  {} bodies, {} couplings: {} branches, {} chords\n\n",
+  const int chords = mechanism.graph.circuit_count();
+  std::string text = fmt::format("{}\n  {} bodies, {} couplings: {} in the tree, {} chord{}\n\n",
                                  description.name,
                                  topology.body_count(),
                                  topology.coupling_count(),
                                  mechanism.graph.cutset_count(),
-                                 mechanism.graph.circuit_count());
+                                 chords,
+                                 chords == 1 ? "" : "s");
   Table table({"Coupling", "type", "tail", "head", "part"});
   for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
     const CouplingTopology& coupling = topology.couplings[e];

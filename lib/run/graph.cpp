@@ -33,8 +33,41 @@ void add_side(std::vector<LabelledMatrix> side,
   }
 }
 
-std::vector<LabelledMatrix> all_matrices(const Mechanism& mechanism, const Case* which) {
+// A unit screw in the units of the file: what a rate (or magnitude) of 1 in its unit adds to each
+// coordinate in the coordinate's unit.
+Vec6 in_units(const Vec6& screw, double column_unit, double first_unit, double last_unit) {
+  Vec6 result = screw;
+  result.head<3>() *= column_unit / first_unit;
+  result.tail<3>() *= column_unit / last_unit;
+  return result;
+}
+
+// The geometry whose unit screws, as numbers, are those of the file's units.
+Geometry in_file_units(const Topology& topology, const Geometry& geometry, const FileUnits& units) {
+  Geometry result = geometry;
+  const double turn = units.factor(QuantityKind::angular_velocity);
+  const double slide = units.factor(QuantityKind::velocity);
+  for (std::size_t f = 0; f < result.motions.size(); ++f) {
+    const double column = topology.freedoms[f].is_rotation ? turn : slide;
+    result.motions[f] = Twist::from_coordinates(
+        in_units(geometry.motions[f].coordinates(), column, turn, slide));
+  }
+  const double moment = units.factor(QuantityKind::moment);
+  const double force = units.factor(QuantityKind::force);
+  for (std::size_t a = 0; a < result.actions.size(); ++a) {
+    const double column = topology.actions[a].is_couple ? moment : force;
+    result.actions[a] = Wrench::from_coordinates(
+        in_units(geometry.actions[a].coordinates(), column, moment, force));
+  }
+  result.length = geometry.length / units.factor(QuantityKind::length);
+  return result;
+}
+
+std::vector<LabelledMatrix> all_matrices(const Loaded& loaded, const Case* which) {
+  const Mechanism& mechanism = loaded.mechanism;
   const Topology& topology = mechanism.topology;
+  const Geometry geometry =
+      in_file_units(topology, mechanism.geometry, loaded.description.units);
   std::vector<std::string> motions;
   std::vector<std::string> actions;
   if (which != nullptr) {
@@ -47,15 +80,15 @@ std::vector<LabelledMatrix> all_matrices(const Mechanism& mechanism, const Case*
   }
   std::vector<LabelledMatrix> all = graph_matrices(topology, mechanism.graph);
   add_side(motion_matrices(topology,
-                           mechanism.geometry,
+                           geometry,
                            mechanism.graph,
-                           motion_basis(mechanism.geometry, mechanism.kinematic_order)),
+                           motion_basis(geometry, mechanism.kinematic_order)),
            motions,
            all);
   add_side(action_matrices(topology,
-                           mechanism.geometry,
+                           geometry,
                            mechanism.graph,
-                           action_basis(mechanism.geometry, mechanism.static_order)),
+                           action_basis(geometry, mechanism.static_order)),
            actions,
            all);
   return all;
@@ -97,7 +130,7 @@ void graph_file(const std::string& path,
           make_graph_report(path,
                             loaded->description,
                             loaded->mechanism,
-                            matrices == Matrices::all ? all_matrices(loaded->mechanism, which)
+                            matrices == Matrices::all ? all_matrices(*loaded, which)
                                                       : std::vector<LabelledMatrix>{},
                             {.json = options.format == StreamFormat::json,
                              .csv = options.format == StreamFormat::csv,

@@ -10,7 +10,7 @@ namespace kinestat {
 
 enum class Matrices { none, all };
 
-/// One report a file on standard output. With all matrices, the partition is that of the case
+/// One report a file on standard output, numbers in the units of the file. With all matrices, the partition is that of the case
 /// named, or of the first one.
 Outcome graph_files(const std::vector<std::string>& paths,
                     Matrices matrices,

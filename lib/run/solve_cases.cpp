@@ -1,7 +1,9 @@
 #include "run/solve_cases.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "core/contract.hpp"
 #include "kinematics/velocity.hpp"
 #include "mechanism/bind.hpp"
 #include "network/bases.hpp"
@@ -23,14 +25,27 @@ bool has_answer(const std::optional<StaticSolution>& action) {
   return action && !action->magnitudes.empty();
 }
 
+// Whether anybody asked for statics: a case, or a file without cases, which asks for the counts.
+bool wants_statics(const Mechanism& mechanism) {
+  return mechanism.cases.empty() ||
+         std::ranges::any_of(mechanism.cases, [](const Case& c) { return !c.actions.empty(); });
+}
+
 MobilityCounts counts_of(const Loaded& loaded) {
-  if (loaded.mechanism.space == Space::spatial) {
-    return count_mobility(loaded.mechanism, loaded.mechanism);
+  MobilityCounts counts = count_motions(loaded.mechanism);
+  if (!wants_statics(loaded.mechanism)) {
+    return counts;
   }
-  // Its own complaints are those of the first binding, which had none.
+  if (loaded.mechanism.space == Space::spatial) {
+    count_actions(loaded.mechanism, loaded.mechanism, counts);
+    return counts;
+  }
+  // It complains of nothing that the first binding did not, and that had no errors.
   Diagnostics ignored;
   const std::optional<Mechanism> in_space = bind_in_space(loaded.description, ignored);
-  return count_mobility(loaded.mechanism, in_space.value_or(loaded.mechanism));
+  KINESTAT_EXPECTS(in_space.has_value());
+  count_actions(loaded.mechanism, *in_space, counts);
+  return counts;
 }
 
 /// The coordinates of both sides are the same for every case.

@@ -18,6 +18,10 @@ struct Wrench {
     return result;
   }
 
+  static Wrench from_coordinates(const Vec6& c) {
+    return {.moment = c.head<3>(), .force = c.tail<3>()};
+  }
+
   friend Wrench operator+(const Wrench& a, const Wrench& b) {
     return {.moment = a.moment + b.moment, .force = a.force + b.force};
   }

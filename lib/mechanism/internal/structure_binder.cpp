@@ -7,6 +7,7 @@
 
 #include "core/text.hpp"
 #include "mechanism/internal/coupling_binder.hpp"
+#include "mechanism/internal/reference_points.hpp"
 
 namespace kinestat {
 
@@ -54,8 +55,9 @@ class StructureBinder {
     for (const CouplingDescription& coupling : description_.couplings) {
       bind_coupling(coupling);
     }
-    find_references();
-    find_length();
+    geometry_.references =
+        bind_reference_points(description_, topology_, geometry_.points, evaluator_);
+    geometry_.length = characteristic_length(geometry_.points);
   }
 
  private:
@@ -168,10 +170,11 @@ class StructureBinder {
       return;
     }
     CouplingScrews screws = coupling_screws(coupling.type, description_.space, *geometry);
-    if (constraints_ != description_.space) {
+    if (coupling.passive) {
+      keep_passive(coupling, screws, found_);  // all that it bears, in space too
+    } else if (constraints_ != description_.space) {
       screws.constraints = coupling_screws(coupling.type, constraints_, *geometry).constraints;
     }
-    keep_passive(coupling, screws, found_);
     const CouplingId id{topology_.coupling_count()};
     topology_.couplings.push_back({.name = coupling.name.text,
                                    .type = coupling.type,
@@ -262,46 +265,6 @@ class StructureBinder {
         {.coupling = id, .name = actuator.name, .is_couple = action.is_couple, .actuator = index});
     geometry_.actions.push_back(action.screw);
     ++coupling.action_count;
-  }
-
-  // The point given, else that of the first coupling of the body.
-  void find_references() {
-    geometry_.references.assign(topology_.bodies.size(), Vec3::Zero());
-    std::vector<bool> is_set(topology_.bodies.size(), false);
-    for (const BodyDescription& body : description_.bodies) {
-      const auto at = body_ids_.find(body.name.text);
-      if (!body.reference || at == body_ids_.end()) {
-        continue;
-      }
-      const std::optional<Vec3> point = evaluator_.point(*body.reference);
-      geometry_.references[static_cast<std::size_t>(at->second.value)] =
-          point.value_or(Vec3::Zero());
-      is_set[static_cast<std::size_t>(at->second.value)] = true;
-    }
-    for (std::size_t e = 0; e < topology_.couplings.size(); ++e) {
-      for (const BodyId body : {topology_.couplings[e].tail, topology_.couplings[e].head}) {
-        const auto b = static_cast<std::size_t>(body.value);
-        if (!is_set[b]) {
-          geometry_.references[b] = geometry_.points[e];
-          is_set[b] = true;
-        }
-      }
-    }
-  }
-
-  // The diagonal of the box around all points.
-  void find_length() {
-    if (geometry_.points.empty()) {
-      return;
-    }
-    Vec3 low = geometry_.points.front();
-    Vec3 high = low;
-    for (const Vec3& point : geometry_.points) {
-      low = low.cwiseMin(point);
-      high = high.cwiseMax(point);
-    }
-    const double diagonal = (high - low).norm();
-    geometry_.length = diagonal > 0.0 ? diagonal : 1.0;
   }
 
   const MechanismDescription& description_;
