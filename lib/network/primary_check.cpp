@@ -11,7 +11,6 @@ namespace kinestat {
 namespace {
 
 constexpr std::size_t kMostCompletions = 5;
-constexpr int kMostTries = 2000;
 
 // One row a magnitude, one column a motion (or self-stress) that is still possible.
 MatX possible(const Elimination& elimination, int first_column, int count) {
@@ -26,46 +25,50 @@ MatX possible(const Elimination& elimination, int first_column, int count) {
   return result;
 }
 
-// The next ascending choice of chosen.size() out of `count`; false after the last one.
-bool advance(std::vector<int>& chosen, int count) {
-  const int size = static_cast<int>(chosen.size());
-  for (int i = size - 1; i >= 0; --i) {
-    int& item = chosen[static_cast<std::size_t>(i)];
-    if (item < count - size + i) {
-      ++item;
-      for (int j = i + 1; j < size; ++j) {
-        chosen[static_cast<std::size_t>(j)] = chosen[static_cast<std::size_t>(j - 1)] + 1;
-      }
-      return true;
-    }
-  }
-  return false;
-}
+// Searches the choices that complete the primaries, those whose rows of the possible motions are a
+// basis, in lexicographic order. A beginning is kept only if its rows are independent and the
+// candidates after it can still complete it, so that no beginning is searched in vain.
+class CompletionSearch {
+ public:
+  CompletionSearch(const MatX& motions, const std::vector<int>& candidates)
+      : motions_(motions), candidates_(candidates) {}
 
-// A choice completes the primaries iff its rows of the possible motions are independent.
-std::vector<std::vector<int>> find_completions(const MatX& motions,
-                                               const std::vector<int>& candidates) {
-  std::vector<std::vector<int>> found;
-  const auto size = static_cast<std::size_t>(motions.cols());
-  std::vector<int> chosen(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    chosen[i] = static_cast<int>(i);
+  std::vector<std::vector<int>> run() {
+    extend(0);
+    return std::move(found_);
   }
-  const int count = static_cast<int>(candidates.size());
-  for (int tries = 0; tries < kMostTries && found.size() < kMostCompletions; ++tries) {
-    std::vector<int> rows;
-    for (const int i : chosen) {
-      rows.push_back(candidates[static_cast<std::size_t>(i)]);
+
+ private:
+  int rank_of(const std::vector<int>& rows) const {
+    return find_rank(motions_(rows, Eigen::all)).rank;
+  }
+
+  bool can_be_completed(std::size_t next) const {
+    std::vector<int> rows = chosen_;
+    rows.insert(
+        rows.end(), candidates_.begin() + static_cast<std::ptrdiff_t>(next), candidates_.end());
+    return rank_of(rows) == motions_.cols();
+  }
+
+  void extend(std::size_t next) {
+    if (static_cast<Eigen::Index>(chosen_.size()) == motions_.cols()) {
+      found_.push_back(chosen_);
+      return;
     }
-    if (find_rank(motions(rows, Eigen::all)).rank == motions.cols()) {
-      found.push_back(rows);
-    }
-    if (!advance(chosen, count)) {
-      break;
+    for (; found_.size() < kMostCompletions && can_be_completed(next); ++next) {
+      chosen_.push_back(candidates_[next]);
+      if (rank_of(chosen_) == static_cast<int>(chosen_.size())) {
+        extend(next + 1);
+      }
+      chosen_.pop_back();
     }
   }
-  return found;
-}
+
+  const MatX& motions_;
+  const std::vector<int>& candidates_;
+  std::vector<int> chosen_;
+  std::vector<std::vector<int>> found_;
+};
 
 }  // namespace
 
@@ -88,7 +91,7 @@ PrimaryCheck check_primaries(const Elimination& elimination, int first_column, i
       check.undetermined.push_back(i);
     }
   }
-  check.completions = find_completions(motions, check.undetermined);
+  check.completions = CompletionSearch(motions, check.undetermined).run();
   return check;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 // The cells of a row that its table and place determine.
 struct Place {
-  std::string label;    ///< of the case
+  std::string label;  ///< of the case
   std::string pass;
   std::string element;
   std::string status;
@@ -67,10 +67,10 @@ class CsvWriter {
     }
     if (group == "twist" || group == "wrench") {
       const bool is_first_half = last < '3';
-      return units.text(group == "twist" ? (is_first_half ? QuantityKind::angular_velocity
-                                                          : QuantityKind::velocity)
-                                         : (is_first_half ? QuantityKind::moment
-                                                          : QuantityKind::force));
+      return units.text(
+          group == "twist"
+              ? (is_first_half ? QuantityKind::angular_velocity : QuantityKind::velocity)
+              : (is_first_half ? QuantityKind::moment : QuantityKind::force));
     }
     return simple_unit(units, quantity, group);
   }
@@ -87,8 +87,8 @@ class CsvWriter {
     if (group == "moment" || group == "force") {
       return units.text(group == "moment" ? QuantityKind::moment : QuantityKind::force);
     }
-    const bool is_length = group == "at" || quantity.starts_with("screw/point") ||
-                           quantity.starts_with("screw/pitch");
+    const bool is_length =
+        group == "at" || quantity.starts_with("screw/point") || quantity.starts_with("screw/pitch");
     return is_length ? units.text(QuantityKind::length) : "";
   }
 
@@ -116,7 +116,10 @@ class CsvWriter {
   std::string& text_;
 };
 
-void add_elements(CsvWriter& writer, Place place, const Json& elements, const std::string& quantity) {
+void add_elements(CsvWriter& writer,
+                  Place place,
+                  const Json& elements,
+                  const std::string& quantity) {
   for (const auto& [name, value] : elements.items()) {
     place.element = name;
     writer.add(place, quantity, value);
@@ -148,7 +151,8 @@ std::vector<CsvTable> analysis_csv(const Analysis& analysis, const Json& report)
   for (const char* order : {"minimal", "planar", "spatial"}) {
     const Json& counts = report["mobility"][order];
     if (!counts.is_null()) {
-      mobility.add({.label = "", .pass = "mobility", .element = order, .status = "solved"}, "", counts);
+      mobility.add(
+          {.label = "", .pass = "mobility", .element = order, .status = "solved"}, "", counts);
     }
   }
   for (const char* pass : {"kinematics", "statics", "power"}) {
@@ -159,7 +163,8 @@ std::vector<CsvTable> analysis_csv(const Analysis& analysis, const Json& report)
       if (one.contains(pass)) {
         has_rows = true;
         const std::string status = one[pass]["status"];
-        add_case(writer, {.label = label, .pass = pass, .element = "", .status = status}, one[pass]);
+        add_case(
+            writer, {.label = label, .pass = pass, .element = "", .status = status}, one[pass]);
       }
     }
     if (has_rows) {

@@ -72,7 +72,9 @@ Json primary_json(const Mechanism& mechanism, const Case& which) {
   return result;
 }
 
-Json kinematics_json(const Mechanism& mechanism, const KinematicSolution& motion, const InUnits& in) {
+Json kinematics_json(const Mechanism& mechanism,
+                     const KinematicSolution& motion,
+                     const InUnits& in) {
   const Topology& topology = mechanism.topology;
   const bool is_solved = motion.status == SolveStatus::solved;
   Json result;

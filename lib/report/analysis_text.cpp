@@ -104,17 +104,15 @@ void add_motions(const char* name, const MotionCounts& c, Table& table) {
 
 void add_actions(const char* name, const std::optional<ActionCounts>& c, Table& table) {
   if (c) {
-    table.add(
-        count_row(name, {c->order, c->gross_constraint, c->rank, c->net_constraint, c->net_freedom}));
+    table.add(count_row(
+        name, {c->order, c->gross_constraint, c->rank, c->net_constraint, c->net_freedom}));
   }
 }
 
 // The spatial order leads: in the minimal one a planar linkage looks perfectly constrained.
 std::string mobility_text(const MobilityCounts& counts) {
-  Table motions(
-      {"Motions", "order", "freedoms F", "rank m", "net freedom F_N", "redundant C_N"});
-  Table actions(
-      {"Actions", "order", "actions C", "rank a", "to be known C_N", "unresisted F_N"});
+  Table motions({"Motions", "order", "freedoms F", "rank m", "net freedom F_N", "redundant C_N"});
+  Table actions({"Actions", "order", "actions C", "rank a", "to be known C_N", "unresisted F_N"});
   add_motions("spatial", counts.spatial.motions, motions);
   add_actions("spatial", counts.spatial.actions, actions);
   if (counts.planar) {
@@ -196,9 +194,7 @@ std::string motion_text(const Mechanism& mechanism,
   return freedoms_text(mechanism.topology, motion, in) + bodies_text(mechanism, motion, in);
 }
 
-std::string actuators_text(const Topology& topology,
-                           const CaseAnalysis& one,
-                           const InUnits& in) {
+std::string actuators_text(const Topology& topology, const CaseAnalysis& one, const InUnits& in) {
   if (topology.actuators.empty()) {
     return {};
   }
@@ -255,8 +251,8 @@ std::string action_text(const Mechanism& mechanism, const CaseAnalysis& one, con
   if (one.action->wrenches.empty()) {
     return fmt::format("  statics: {}\n\n", word_of(one.action->status));
   }
-  std::string text = actuators_text(mechanism.topology, one, in) +
-                     wrenches_text(mechanism, *one.action, in);
+  std::string text =
+      actuators_text(mechanism.topology, one, in) + wrenches_text(mechanism, *one.action, in);
   if (one.power) {
     text += power_text(*one.power, in);
   }

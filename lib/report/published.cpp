@@ -39,11 +39,10 @@ Target missing(const Json& at, const std::string& token, const std::string& path
   const std::string guess = did_you_mean(token, keys);
   return {.value = nullptr,
           .problem = fmt::format("'{}' has no '{}'", path.empty() ? "/" : path, token),
-          .hint = keys.empty() ? std::string()
-                               : fmt::format("{}{}there are {}",
-                                             guess,
-                                             guess.empty() ? "" : " ",
-                                             plain_list(keys))};
+          .hint = keys.empty()
+                      ? std::string()
+                      : fmt::format(
+                            "{}{}there are {}", guess, guess.empty() ? "" : " ", plain_list(keys))};
 }
 
 Target follow(const Json& report, std::string_view pointer) {
@@ -94,10 +93,11 @@ void check_published(const Json& report,
     if (target.value == nullptr) {
       found.error("E0902", one.pointer.where, target.problem, target.hint);
     } else if (!target.value->is_number()) {
-      found.error("E0902",
-                  one.pointer.where,
-                  fmt::format("'{}' is {}, not a number", one.pointer.text, target.value->type_name()),
-                  target.value->is_null() ? "the case has no answer there; see its status" : "");
+      found.error(
+          "E0902",
+          one.pointer.where,
+          fmt::format("'{}' is {}, not a number", one.pointer.text, target.value->type_name()),
+          target.value->is_null() ? "the case has no answer there; see its status" : "");
     } else if (const double value = target.value->get<double>();
                !(std::abs(value - one.is) <= one.tolerance)) {
       miss(one, value, found);

@@ -66,8 +66,8 @@ Outcome for_each_file(const std::vector<std::string>& paths,
                       const Job& job) {
   Outcome outcome;
   Diagnostics found;
-  if (!options.output.folder.empty() && !(check_distinct(paths, found) &&
-                                          check_output_folder(options.output.folder, found))) {
+  if (!options.output.folder.empty() &&
+      !(check_distinct(paths, found) && check_output_folder(options.output.folder, found))) {
     add_diagnostics({.path = "kinestat", .text = {}}, found, options.strictness, outcome);
     return outcome;
   }

@@ -49,10 +49,8 @@ std::string relation_text(const std::vector<DependenceTerm>& terms, const NameOf
     }
     const std::string sign = text.empty() ? "" : (share < 0 ? " - " : " + ");
     const bool is_one = std::abs(std::abs(share) - 1.0) <= kRankZero;
-    text += fmt::format("{}{}{}",
-                        sign,
-                        is_one ? "" : fmt::format("{:.6g} ", std::abs(share)),
-                        name(term.index));
+    text += fmt::format(
+        "{}{}{}", sign, is_one ? "" : fmt::format("{:.6g} ", std::abs(share)), name(term.index));
   }
   return text + " = 0";
 }
@@ -68,8 +66,8 @@ std::string relations_text(const PrimaryCheck& check, const NameOf& name) {
 SourceRange place_of_surplus(const std::vector<Primary>& primaries,
                              const PrimaryCheck& check,
                              SourceRange otherwise) {
-  const auto at = std::ranges::find(
-      primaries, check.dependences.front().front().index, &Primary::index);
+  const auto at =
+      std::ranges::find(primaries, check.dependences.front().front().index, &Primary::index);
   return at == primaries.end() ? otherwise : at->where;
 }
 
@@ -77,12 +75,11 @@ void add_motion_findings(const Topology& topology, const CaseAnalysis& one, Diag
   const KinematicSolution& motion = *one.motion;
   const NameOf name = [&](int i) { return topology.freedom_name(i); };
   if (motion.status == SolveStatus::dependent) {
-    const std::string more =
-        motion.check.missing > 0
-            ? fmt::format("give {} of these motions another place; {}",
-                          motion.check.dependences.size(),
-                          completions_text(motion.check, name))
-            : "remove one of these motions";
+    const std::string more = motion.check.missing > 0
+                                 ? fmt::format("give {} of these motions another place; {}",
+                                               motion.check.dependences.size(),
+                                               completions_text(motion.check, name))
+                                 : "remove one of these motions";
     found.error("E0502",
                 place_of_surplus(one.which.motions, motion.check, one.which.where),
                 fmt::format("case '{}': the known motions depend on each other: the couplings "

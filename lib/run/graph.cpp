@@ -15,9 +15,7 @@ namespace kinestat {
 namespace {
 
 void append(std::vector<LabelledMatrix> more, std::vector<LabelledMatrix>& all) {
-  all.insert(all.end(),
-             std::make_move_iterator(more.begin()),
-             std::make_move_iterator(more.end()));
+  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
 // The last of the matrices of a side is its network matrix: its echelon form and, for a case that
@@ -49,8 +47,8 @@ Geometry in_file_units(const Topology& topology, const Geometry& geometry, const
   const double slide = units.factor(QuantityKind::velocity);
   for (std::size_t f = 0; f < result.motions.size(); ++f) {
     const double column = topology.freedoms[f].is_rotation ? turn : slide;
-    result.motions[f] = Twist::from_coordinates(
-        in_units(geometry.motions[f].coordinates(), column, turn, slide));
+    result.motions[f] =
+        Twist::from_coordinates(in_units(geometry.motions[f].coordinates(), column, turn, slide));
   }
   const double moment = units.factor(QuantityKind::moment);
   const double force = units.factor(QuantityKind::force);
@@ -66,8 +64,7 @@ Geometry in_file_units(const Topology& topology, const Geometry& geometry, const
 std::vector<LabelledMatrix> all_matrices(const Loaded& loaded, const Case* which) {
   const Mechanism& mechanism = loaded.mechanism;
   const Topology& topology = mechanism.topology;
-  const Geometry geometry =
-      in_file_units(topology, mechanism.geometry, loaded.description.units);
+  const Geometry geometry = in_file_units(topology, mechanism.geometry, loaded.description.units);
   std::vector<std::string> motions;
   std::vector<std::string> actions;
   if (which != nullptr) {
@@ -79,16 +76,13 @@ std::vector<LabelledMatrix> all_matrices(const Loaded& loaded, const Case* which
     }
   }
   std::vector<LabelledMatrix> all = graph_matrices(topology, mechanism.graph);
-  add_side(motion_matrices(topology,
-                           geometry,
-                           mechanism.graph,
-                           motion_basis(geometry, mechanism.kinematic_order)),
-           motions,
-           all);
-  add_side(action_matrices(topology,
-                           geometry,
-                           mechanism.graph,
-                           action_basis(geometry, mechanism.static_order)),
+  add_side(
+      motion_matrices(
+          topology, geometry, mechanism.graph, motion_basis(geometry, mechanism.kinematic_order)),
+      motions,
+      all);
+  add_side(action_matrices(
+               topology, geometry, mechanism.graph, action_basis(geometry, mechanism.static_order)),
            actions,
            all);
   return all;
@@ -126,16 +120,15 @@ void graph_file(const std::string& path,
   if (const std::optional<Loaded> loaded = load(path, options.overrides, source, found)) {
     const Case* which = choose_case(loaded->mechanism.cases, case_label, found);
     if (!found.has_errors()) {
-      const FileReport report =
-          make_graph_report(path,
-                            loaded->description,
-                            loaded->mechanism,
-                            matrices == Matrices::all ? all_matrices(*loaded, which)
-                                                      : std::vector<LabelledMatrix>{},
-                            {.json = options.format == StreamFormat::json,
-                             .csv = options.format == StreamFormat::csv,
-                             .text = options.format == StreamFormat::table,
-                             .layout = Layout::pretty});
+      const FileReport report = make_graph_report(
+          path,
+          loaded->description,
+          loaded->mechanism,
+          matrices == Matrices::all ? all_matrices(*loaded, which) : std::vector<LabelledMatrix>{},
+          {.json = options.format == StreamFormat::json,
+           .csv = options.format == StreamFormat::csv,
+           .text = options.format == StreamFormat::table,
+           .layout = Layout::pretty});
       outcome.out += report.json + report.text;
       for (const NamedTable& table : report.csv) {
         outcome.out += table.text;

@@ -27,24 +27,22 @@ void apply(const Override& text, MechanismDescription& description, Diagnostics&
     return;
   }
   const std::string name = text.substr(0, equals);
-  const auto parameter =
-      std::ranges::find(description.parameters, name, [](const ParameterDescription& p) {
-        return p.name.text;
-      });
+  const auto parameter = std::ranges::find(
+      description.parameters, name, [](const ParameterDescription& p) { return p.name.text; });
   if (parameter == description.parameters.end()) {
     std::vector<std::string> names;
     for (const ParameterDescription& one : description.parameters) {
       names.push_back(one.name.text);
     }
     const std::string guess = did_you_mean(name, names);
-    refuse(text,
-           fmt::format("the file has no parameter '{}'", name),
-           names.empty() ? "its section 'parameters' is empty"
-                         : fmt::format("{}{}its parameters are {}",
-                                       guess,
-                                       guess.empty() ? "" : " ",
-                                       plain_list(names)),
-           found);
+    refuse(
+        text,
+        fmt::format("the file has no parameter '{}'", name),
+        names.empty()
+            ? "its section 'parameters' is empty"
+            : fmt::format(
+                  "{}{}its parameters are {}", guess, guess.empty() ? "" : " ", plain_list(names)),
+        found);
     return;
   }
   auto parsed = parse_expression(text.substr(equals + 1));

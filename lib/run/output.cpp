@@ -28,12 +28,11 @@ bool check_distinct(const std::vector<std::string>& paths, Diagnostics& found) {
     const auto [at, is_new] = seen.emplace(report_stem(path), path);
     if (!is_new) {
       is_good = false;
-      found.error("E0101",
-                  {},
-                  fmt::format("the reports of '{}' and '{}' would have the same name",
-                              at->second,
-                              path),
-                  "analyse them into different folders");
+      found.error(
+          "E0101",
+          {},
+          fmt::format("the reports of '{}' and '{}' would have the same name", at->second, path),
+          "analyse them into different folders");
     }
   }
   return is_good;

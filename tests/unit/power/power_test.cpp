@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+
+#include "power/power_flow.hpp"
+#include "power/ratio.hpp"
+
+namespace kinestat {
+namespace {
+
+// Two shafts on one housing with a gear of ratio 2 between them, as solved by hand: the first turns
+// at 1 rad/s under 100 N·m, the second at -0.5 rad/s against 200 N·m, radii 1 m and 2 m.
+struct TwoShafts {
+  Mechanism mechanism;
+  Case which{
+      .label = "drive", .motions = {}, .actions = {}, .inputs = {0}, .outputs = {1}, .where = {}};
+  KinematicSolution motion;
+  StaticSolution action;
+
+  TwoShafts() {
+    Topology& topology = mechanism.topology;
+    topology.bodies = {{.name = "housing", .where = {}},
+                       {.name = "in", .where = {}},
+                       {.name = "out", .where = {}}};
+    for (const int head : {1, 2}) {
+      topology.couplings.push_back({.name = head == 1 ? "a" : "b",
+                                    .type = CouplingType::revolute,
+                                    .tail = BodyId{0},
+                                    .head = BodyId{head},
+                                    .first_freedom = head - 1,
+                                    .freedom_count = 1,
+                                    .first_action = head - 1,
+                                    .action_count = 1,
+                                    .where = {}});
+      topology.freedoms.push_back(
+          {.coupling = CouplingId{head - 1}, .name = "wz", .is_rotation = true});
+      topology.actions.push_back({.coupling = CouplingId{head - 1},
+                                  .name = head == 1 ? "T_in" : "T_out",
+                                  .is_couple = true,
+                                  .actuator = head - 1});
+      topology.actuators.push_back({.name = head == 1 ? "T_in" : "T_out",
+                                    .freedom = head - 1,
+                                    .action = head - 1,
+                                    .where = {}});
+    }
+    topology.couplings.push_back({.name = "g",
+                                  .type = CouplingType::gear,
+                                  .tail = BodyId{1},
+                                  .head = BodyId{2},
+                                  .first_freedom = 2,
+                                  .freedom_count = 0,
+                                  .first_action = 2,
+                                  .action_count = 0,
+                                  .where = {}});
+    const Twist in = unit_rotation(Vec3::UnitZ(), Vec3::Zero());
+    const Twist out = -0.5 * unit_rotation(Vec3::UnitZ(), Vec3(0.0, 3.0, 0.0));
+    motion.rates = {1.0, -0.5};
+    motion.bodies = {{}, in, out};
+    motion.couplings = {in, out, out - in};
+    action.magnitudes = {100.0, 200.0};
+    const Wrench tooth = -100.0 * unit_force(Vec3::UnitX(), Vec3(0.0, 1.0, 0.0));
+    action.wrenches = {
+        100.0 * unit_couple(Vec3::UnitZ()), 200.0 * unit_couple(Vec3::UnitZ()), tooth};
+  }
+};
+
+TEST(PowerFlow, IntoTheHeadIsTheWrenchOnItsMotion) {
+  const TwoShafts shafts;
+
+  const PowerFlow flow = find_power(shafts.mechanism, shafts.which, shafts.motion, shafts.action);
+
+  EXPECT_EQ(flow.into_head[0], 100.0);
+  EXPECT_EQ(flow.into_head[1], -100.0);
+}
+
+TEST(PowerFlow, OfTheTeethGoesThroughWithoutLoss) {
+  const TwoShafts shafts;
+
+  const PowerFlow flow = find_power(shafts.mechanism, shafts.which, shafts.motion, shafts.action);
+
+  // -100 N along x on a point that moves with ω x r = -1 m/s along x.
+  EXPECT_DOUBLE_EQ(flow.into_head[2], 100.0);
+  EXPECT_NEAR(flow.supplied[2], 0.0, 1e-13);
+}
+
+TEST(PowerFlow, InputIsThatOfTheNamedActuatorsOrOfAllThatDrive) {
+  TwoShafts shafts;
+  EXPECT_EQ(find_power(shafts.mechanism, shafts.which, shafts.motion, shafts.action).input, 100.0);
+
+  shafts.which.inputs = {1};
+  EXPECT_EQ(find_power(shafts.mechanism, shafts.which, shafts.motion, shafts.action).input, -100.0);
+
+  shafts.which.inputs.clear();
+  EXPECT_EQ(find_power(shafts.mechanism, shafts.which, shafts.motion, shafts.action).input, 100.0);
+}
+
+TEST(PowerFlow, OfABrokenBalanceSaysSo) {
+  TwoShafts shafts;
+  EXPECT_TRUE(find_power(shafts.mechanism, shafts.which, shafts.motion, shafts.action).is_balanced);
+
+  shafts.action.wrenches[1] = 200.001 * unit_couple(Vec3::UnitZ());
+  const PowerFlow flow = find_power(shafts.mechanism, shafts.which, shafts.motion, shafts.action);
+
+  EXPECT_FALSE(flow.is_balanced);
+  EXPECT_NEAR(flow.balance_residual, 5e-6, 1e-8);
+}
+
+TEST(Ratios, AreInputOverOutput) {
+  const TwoShafts shafts;
+
+  const Ratios ratios = find_ratios(shafts.mechanism, shafts.which, shafts.motion, &shafts.action);
+
+  EXPECT_EQ(ratios.ratio, -2.0);
+  EXPECT_EQ(ratios.torque_ratio, 0.5);
+  EXPECT_EQ(ratios.reason, "");
+}
+
+TEST(Ratios, OfAnOutputAtRestHaveAReasonInstead) {
+  TwoShafts shafts;
+  shafts.motion.rates[1] = 0.0;
+
+  const Ratios ratios = find_ratios(shafts.mechanism, shafts.which, shafts.motion, nullptr);
+
+  EXPECT_FALSE(ratios.ratio);
+  EXPECT_EQ(ratios.reason, "output 'T_out' is at rest");
+}
+
+TEST(Ratios, OfSeveralInputsNeedOneRate) {
+  TwoShafts shafts;
+  shafts.which.inputs = {0, 1};
+
+  const Ratios ratios = find_ratios(shafts.mechanism, shafts.which, shafts.motion, &shafts.action);
+
+  EXPECT_FALSE(ratios.ratio);
+  EXPECT_FALSE(ratios.torque_ratio);
+  EXPECT_EQ(ratios.reason, "the inputs have different rates");
+}
+
+TEST(Ratios, OfInputsThatTurnTogetherAddTheirActions) {
+  TwoShafts shafts;
+  shafts.motion.rates = {1.0, 1.0};
+  shafts.which.inputs = {0, 1};
+
+  const Ratios ratios = find_ratios(shafts.mechanism, shafts.which, shafts.motion, &shafts.action);
+
+  EXPECT_EQ(ratios.ratio, 1.0);
+  EXPECT_EQ(ratios.torque_ratio, 1.5);
+}
+
+}  // namespace
+}  // namespace kinestat
