@@ -1,10 +1,11 @@
 // One sub-command each: add_x declares its options; what it does runs after parsing.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include <CLI/CLI.hpp>
 
 #include "run/analyse.hpp"
 

@@ -47,10 +47,10 @@ std::string unknown_word(const CLI::App& app) {
     const std::string name = word.substr(0, word.find('='));
     const std::string guess = did_you_mean(name, option_names(command));
     return message("unknown option '" + name + "'",
-                   guess.empty() ? "'kinestat" +
-                                       (&command == &app ? "" : " " + command.get_name()) +
-                                       " --help' lists the options"
-                                 : guess);
+                   guess.empty()
+                       ? "'kinestat" + (&command == &app ? "" : " " + command.get_name()) +
+                             " --help' lists the options"
+                       : guess);
   }
   if (&command != &app) {
     return message("'" + command.get_name() + "' has no use for '" + word + "'",
@@ -65,22 +65,27 @@ std::string unknown_word(const CLI::App& app) {
 }  // namespace
 
 void add_files(CLI::App& command, FileOptions& options) {
-  command.add_option("FILE", options.paths, "mechanism files; '-' is standard input")->required();
+  command.add_option("FILE", options.paths, "mechanism files; '-' is standard input")
+      ->required()
+      ->type_name("");
   command
-      .add_option("--set", options.analyse.overrides,
-                  "NAME=VALUE: gives a parameter another value; may be repeated")
+      .add_option("--set",
+                  options.analyse.overrides,
+                  "gives a parameter another value; may be repeated")
       ->expected(1)
-      ->take_all();
+      ->take_all()
+      ->type_name("NAME=VALUE");
 }
 
 void add_format(CLI::App& command, FileOptions& options) {
-  const std::map<std::string, StreamFormat> formats = {{"table", StreamFormat::table},
-                                                       {"json", StreamFormat::json},
-                                                       {"csv", StreamFormat::csv}};
+  const std::map<std::string, StreamFormat> formats = {
+      {"table", StreamFormat::table}, {"json", StreamFormat::json}, {"csv", StreamFormat::csv}};
   command
-      .add_option("--format", options.analyse.format,
+      .add_option("--format",
+                  options.analyse.format,
                   "what to print on standard output: table (default), json or csv")
-      ->transform(CLI::CheckedTransformer(formats));
+      ->transform(CLI::CheckedTransformer(formats).description(""))
+      ->type_name("FORMAT");
 }
 
 void add_strict(CLI::App& command, FileOptions& options) {
@@ -98,9 +103,9 @@ std::string usage_error(const CLI::ParseError& problem, const CLI::App& app) {
     return unknown_word(app);
   }
   if (dynamic_cast<const CLI::RequiredError*>(&problem) != nullptr) {
-    return message(&command == &app ? "a command is missing"
-                                    : "'" + command.get_name() + "' needs a file",
-                   help);
+    return message(
+        &command == &app ? "a command is missing" : "'" + command.get_name() + "' needs a file",
+        help);
   }
   // The texts of the parser are sentences such as "--set: 1 required TEXT missing".
   std::string text = problem.what();

@@ -46,14 +46,10 @@ Outcome parse_and_run(int argc, char** argv) {
   } catch (const CLI::CallForVersion& call) {
     return {.out = std::string(call.what()) + "\n", .err = {}, .status = ExitStatus::done};
   } catch (const CLI::CallForHelp&) {
-    const auto chosen = app.get_subcommands();
-    return {.out = chosen.empty() ? app.help() : chosen.front()->help(),
-            .err = {},
-            .status = ExitStatus::done};
+    return {.out = app.help(), .err = {}, .status = ExitStatus::done};
   } catch (const CLI::ParseError& problem) {
-    return {.out = {},
-            .err = kinestat::app::usage_error(problem, app),
-            .status = ExitStatus::usage};
+    return {
+        .out = {}, .err = kinestat::app::usage_error(problem, app), .status = ExitStatus::usage};
   }
   if (!job) {
     return {.out = {}, .err = app.help(), .status = ExitStatus::usage};

@@ -69,14 +69,14 @@ std::string nearest_name(std::string_view word, std::span<const std::string> can
   if (word.size() > kLongestWord) {
     return {};
   }
-  int best = std::max(1, static_cast<int>(word.size()) / 3) + 1;
+  int best = std::max(1, (static_cast<int>(word.size()) + 1) / 3) + 1;
   std::string nearest;
   for (const std::string& candidate : candidates) {
     if (candidate.size() > kLongestWord) {
       continue;
     }
     const int distance = lower(word) == lower(candidate) ? 0 : edit_distance(word, candidate);
-    if (distance < best) {
+    if (distance < best && distance < static_cast<int>(word.size())) {
       best = distance;
       nearest = candidate;
     }

@@ -15,7 +15,7 @@ std::string quoted_list(std::span<const std::string> names, std::size_t limit = 
 std::string plain_list(std::span<const std::string> names, std::size_t limit = 12);
 
 /// The candidate that a typist most likely meant, or an empty string: edit distance with
-/// transpositions at most a third of the word's length (at least 1), ties to the first.
+/// transpositions at most a third of the word's length (rounded, at least 1), ties to the first.
 std::string nearest_name(std::string_view word, std::span<const std::string> candidates);
 
 /// "did you mean 'x'?" or empty, from nearest_name.

@@ -15,6 +15,8 @@ struct Assignment {
 
 struct CaseDescription {
   Name label;
+  bool asks_motions = false;  ///< has the key `motion`, be it empty
+  bool asks_actions = false;  ///< has the key `action`, be it empty
   std::vector<Assignment> motions;
   std::vector<Assignment> actions;
   std::vector<Name> inputs;   ///< actuators

@@ -34,10 +34,12 @@ CaseDescription read_case(const YamlEntry& entry, Diagnostics& found) {
   result.label = {.text = entry.key, .where = entry.key_where};
   Fields fields(entry.value, entry.key_where, fmt::format("case '{}'", entry.key), found);
   const YamlNode* motion = fields.find("motion");
+  result.asks_motions = motion != nullptr;
   if (motion != nullptr) {
     result.motions = read_assignments(*motion, "'motion'", found);
   }
   const YamlNode* action = fields.find("action");
+  result.asks_actions = action != nullptr;
   if (action != nullptr) {
     result.actions = read_assignments(*action, "'action'", found);
   }

@@ -64,9 +64,6 @@ void read_geometry(Fields& fields, Space space, CouplingDescription& coupling, D
       coupling.axis = read_axis(*node, "the axis", may_be_vector ? space : Space::spatial, found);
     }
   }
-  if (coupling.type == CouplingType::gear) {
-    read_gear(fields, space, coupling, found);
-  }
   if (const YamlNode* node = fields.find("passive")) {
     coupling.passive = read_references(*node, "'passive'", found);
   }
@@ -91,9 +88,10 @@ std::optional<CouplingDescription> read_coupling(const YamlEntry& entry,
   }
   read_ends(fields, coupling, found);
   read_geometry(fields, space, coupling, found);
-  if (type != nullptr) {
-    fields.finish();
+  if (coupling.type == CouplingType::gear || type == nullptr) {
+    read_gear(fields, space, coupling, found);
   }
+  fields.finish();
   return found.error_count() == errors_before ? std::optional(std::move(coupling)) : std::nullopt;
 }
 

@@ -28,10 +28,7 @@ const YamlNode* Fields::find(std::string_view key) {
 const YamlNode* Fields::require(std::string_view key) {
   const YamlNode* value = find(key);
   if (value == nullptr && node_ != nullptr) {
-    found_.error("E0303",
-                 where_,
-                 fmt::format("{} lacks the key '{}'", what_, key),
-                 fmt::format("add '{}: …'", key));
+    missing_.emplace_back(key);
   }
   return value;
 }
@@ -41,17 +38,29 @@ void Fields::finish() {
     return;
   }
   for (const YamlEntry& entry : node_->entries) {
-    if (std::ranges::find(known_, entry.key) != known_.end()) {
-      continue;
+    if (std::ranges::find(known_, entry.key) == known_.end()) {
+      refuse(entry);
     }
-    const std::string guess = did_you_mean(entry.key, known_);
-    found_.error(
-        "E0302",
-        entry.key_where,
-        fmt::format("{} has no key '{}'", what_, entry.key),
-        fmt::format(
-            "{}{}known keys are {}", guess, guess.empty() ? "" : " ", plain_list(known_, 24)));
   }
+  for (const std::string& key : missing_) {
+    found_.error("E0303",
+                 where_,
+                 fmt::format("{} lacks the key '{}'", what_, key),
+                 fmt::format("add '{}: …'", key));
+  }
+}
+
+void Fields::refuse(const YamlEntry& entry) {
+  std::string guess = nearest_name(entry.key, missing_);
+  std::erase(missing_, guess);
+  if (guess.empty()) {
+    guess = nearest_name(entry.key, known_);
+  }
+  const std::string others = fmt::format("known keys are {}", plain_list(known_, 24));
+  found_.error("E0302",
+               entry.key_where,
+               fmt::format("{} has no key '{}'", what_, entry.key),
+               guess.empty() ? others : fmt::format("did you mean '{}'? {}", guess, others));
 }
 
 }  // namespace kinestat

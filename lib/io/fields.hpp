@@ -10,7 +10,8 @@
 
 namespace kinestat {
 
-/// Every key that is asked for counts as known; finish() complains about all others.
+/// Every key that is asked for counts as known; finish() complains about all others, and about
+/// required ones that are missing, unless an unknown key is a misspelling of one.
 class Fields {
  public:
   /// `what` names the mapping in messages: "coupling 'a'". `where` is where a missing key is
@@ -20,10 +21,10 @@ class Fields {
   /// The value of the key, or null if it is absent.
   const YamlNode* find(std::string_view key);
 
-  /// Likewise, but absence is an error.
+  /// Likewise, but absence is an error of finish().
   const YamlNode* require(std::string_view key);
 
-  /// Complains about the keys that nobody asked for.
+  /// Says everything that is wrong with the keys. To be called once, after all have been asked for.
   void finish();
 
   const std::string& what() const { return what_; }
@@ -31,11 +32,14 @@ class Fields {
   SourceRange where() const { return where_; }
 
  private:
+  void refuse(const YamlEntry& entry);
+
   const YamlNode* node_ = nullptr;
   SourceRange where_;
   std::string what_;
   Diagnostics& found_;
   std::vector<std::string> known_;
+  std::vector<std::string> missing_;
 };
 
 }  // namespace kinestat

@@ -45,7 +45,8 @@ std::optional<std::vector<Value>> read_components(const YamlNode& node,
                             what,
                             count,
                             space == Space::planar ? "planar" : "spatial"),
-                space == Space::planar ? "write [x, y]" : "write [x, y, z]");
+                fmt::format("write {}, with decimal points",
+                            space == Space::planar ? "[x, y]" : "[x, y, z]"));
     return std::nullopt;
   }
   std::vector<Value> values;

@@ -126,7 +126,7 @@ bool bind_structure(const MechanismDescription& description,
   result.kinematic_order = description.kinematic_order;
   result.static_order = description.static_order;
   bind_bodies_and_couplings(description, constraints, evaluator, found, result);
-  if (found.error_count() != errors_before) {
+  if (found.has_errors()) {  // those of the parameters too: their couplings are left out
     return false;
   }
   check_order(description, result.geometry, found);

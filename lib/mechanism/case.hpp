@@ -18,6 +18,8 @@ struct Primary {
 /// Inputs and outputs are indices of actuators; empty where the file does not say.
 struct Case {
   std::string label;
+  bool asks_motions = false;  ///< velocities are to be solved, even if none is known
+  bool asks_actions = false;  ///< actions are to be solved, even if none is known
   std::vector<Primary> motions;
   std::vector<Primary> actions;
   std::vector<int> inputs;

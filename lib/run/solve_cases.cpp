@@ -28,7 +28,7 @@ bool has_answer(const std::optional<StaticSolution>& action) {
 // Whether anybody asked for statics: a case, or a file without cases, which asks for the counts.
 bool wants_statics(const Mechanism& mechanism) {
   return mechanism.cases.empty() ||
-         std::ranges::any_of(mechanism.cases, [](const Case& c) { return !c.actions.empty(); });
+         std::ranges::any_of(mechanism.cases, [](const Case& c) { return c.asks_actions; });
 }
 
 MobilityCounts counts_of(const Loaded& loaded) {
@@ -56,10 +56,10 @@ struct Bases {
 
 CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Case& which) {
   CaseAnalysis result{.which = which, .motion = {}, .action = {}, .power = {}, .ratios = {}};
-  if (!which.motions.empty()) {
+  if (which.asks_motions) {
     result.motion = solve_velocity(mechanism, bases.motion, which.motions);
   }
-  if (!which.actions.empty()) {
+  if (which.asks_actions) {
     result.action = solve_action(mechanism, bases.action, which.actions);
   }
   if (is_solved(result.motion) && is_solved(result.action)) {

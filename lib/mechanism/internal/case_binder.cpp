@@ -29,6 +29,8 @@ class CaseBinder {
 
   Case bind(const CaseDescription& description) {
     Case result{.label = description.label.text,
+                .asks_motions = description.asks_motions,
+                .asks_actions = description.asks_actions,
                 .motions = bind_side(description.motions, Side::motion),
                 .actions = bind_side(description.actions, Side::action),
                 .inputs = bind_actuators(description.inputs),
