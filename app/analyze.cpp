@@ -10,9 +10,10 @@ void add_analyze(CLI::App& parent, Job& job) {
   add_format(*command, *options);
   add_strict(*command, *options);
   AnalyseOptions& analyse = options->analyse;
-  command->add_option("-o,--out",
-                      analyse.output.folder,
-                      "folder for <name>.report.json and the CSV tables; it must exist")
+  command
+      ->add_option("-o,--out",
+                   analyse.output.folder,
+                   "folder for <name>.report.json and the CSV tables; it must exist")
       ->type_name("FOLDER");
   command->add_flag_callback(
       "--force",

@@ -69,9 +69,8 @@ void add_files(CLI::App& command, FileOptions& options) {
       ->required()
       ->type_name("");
   command
-      .add_option("--set",
-                  options.analyse.overrides,
-                  "gives a parameter another value; may be repeated")
+      .add_option(
+          "--set", options.analyse.overrides, "gives a parameter another value; may be repeated")
       ->expected(1)
       ->take_all()
       ->type_name("NAME=VALUE");

@@ -24,9 +24,10 @@ void add_graph(CLI::App& parent, Job& job) {
                     options->matrices,
                     "also every matrix of the method: I, Q, B, B_M, M_D, M_N, Q_A, A_D, A_N, their "
                     "echelon forms and the partition of a case");
-  command->add_option("--case",
-                      options->case_label,
-                      "the case whose known magnitudes partition M_N and A_N; default the first")
+  command
+      ->add_option("--case",
+                   options->case_label,
+                   "the case whose known magnitudes partition M_N and A_N; default the first")
       ->type_name("LABEL");
   command->footer(
       "Examples:\n"

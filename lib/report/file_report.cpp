@@ -17,13 +17,17 @@ std::string_view csv_signature() {
 
 FileReport make_report(const Analysis& analysis, const ReportForms& forms, Diagnostics& found) {
   FileReport report;
-  const bool needs_json = forms.json || forms.csv || !analysis.description.published.empty();
+  const bool needs_json =
+      forms.json || forms.json_line || forms.csv || !analysis.description.published.empty();
   if (needs_json) {
     Json json = analysis_json(analysis);
     check_published(json, analysis.description.published, found);
     json["diagnostics"] = diagnostics_json(found);
     if (forms.json) {
-      report.json = json.dump(forms.layout == Layout::pretty ? 2 : -1) + "\n";
+      report.json = json.dump(2) + "\n";
+    }
+    if (forms.json_line) {
+      report.json_line = json.dump() + "\n";
     }
     if (forms.csv) {
       for (CsvTable& table : analysis_csv(analysis, json)) {

@@ -15,18 +15,17 @@ struct NamedTable {
   std::string text;
 };
 
-enum class Layout { pretty, one_line };
-
 /// Which forms are wanted; the others stay empty.
 struct ReportForms {
   bool json = false;
+  bool json_line = false;  ///< the same on one line, for several files on one stream
   bool csv = false;
   bool text = false;
-  Layout layout = Layout::pretty;  ///< of the JSON
 };
 
 struct FileReport {
   std::string json;
+  std::string json_line;
   std::vector<NamedTable> csv;
   std::string text;
 };

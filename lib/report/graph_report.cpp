@@ -155,13 +155,14 @@ FileReport make_graph_report(const std::string& file,
                              const std::vector<LabelledMatrix>& matrices,
                              const ReportForms& forms) {
   FileReport report;
-  if (forms.json) {
+  if (forms.json || forms.json_line) {
     Json json = report_head(file, description);
     json["graph"] = graph_json(mechanism, description.units);
     for (const LabelledMatrix& matrix : matrices) {
       json["graph"]["matrices"][matrix.symbol] = matrix_json(matrix);
     }
-    report.json = json.dump(forms.layout == Layout::pretty ? 2 : -1) + "\n";
+    report.json = forms.json ? json.dump(2) + "\n" : std::string();
+    report.json_line = forms.json_line ? json.dump() + "\n" : std::string();
   }
   if (forms.csv) {
     report.csv.push_back(

@@ -11,14 +11,23 @@
 
 namespace kinestat {
 
+ReportForms stream_forms(StreamFormat format, std::size_t file_count) {
+  const bool is_json = format == StreamFormat::json;
+  return {.json = is_json && file_count == 1,
+          .json_line = is_json && file_count > 1,
+          .csv = format == StreamFormat::csv,
+          .text = format == StreamFormat::table};
+}
+
 namespace {
 
 ReportForms forms_of(const AnalyseOptions& options, std::size_t file_count) {
-  const bool has_folder = !options.output.folder.empty();
-  return {.json = has_folder || options.format == StreamFormat::json,
-          .csv = has_folder || options.format == StreamFormat::csv,
-          .text = options.format == StreamFormat::table,
-          .layout = file_count > 1 && !has_folder ? Layout::one_line : Layout::pretty};
+  ReportForms forms = options.is_quiet ? ReportForms{} : stream_forms(options.format, file_count);
+  if (!options.output.folder.empty()) {
+    forms.json = true;
+    forms.csv = true;
+  }
+  return forms;
 }
 
 void add_to_stream(const FileReport& report, const AnalyseOptions& options, Outcome& outcome) {
@@ -30,7 +39,7 @@ void add_to_stream(const FileReport& report, const AnalyseOptions& options, Outc
       outcome.out += report.text;
       break;
     case StreamFormat::json:
-      outcome.out += report.json;
+      outcome.out += report.json_line.empty() ? report.json : report.json_line;
       break;
     case StreamFormat::csv:
       for (const NamedTable& table : report.csv) {

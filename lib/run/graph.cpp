@@ -114,6 +114,7 @@ void graph_file(const std::string& path,
                 Matrices matrices,
                 const std::string& case_label,
                 const AnalyseOptions& options,
+                std::size_t count,
                 Outcome& outcome) {
   SourceFile source;
   Diagnostics found;
@@ -125,11 +126,8 @@ void graph_file(const std::string& path,
           loaded->description,
           loaded->mechanism,
           matrices == Matrices::all ? all_matrices(*loaded, which) : std::vector<LabelledMatrix>{},
-          {.json = options.format == StreamFormat::json,
-           .csv = options.format == StreamFormat::csv,
-           .text = options.format == StreamFormat::table,
-           .layout = Layout::pretty});
-      outcome.out += report.json + report.text;
+          stream_forms(options.format, count));
+      outcome.out += report.json + report.json_line + report.text;
       for (const NamedTable& table : report.csv) {
         outcome.out += table.text;
       }
@@ -147,7 +145,7 @@ Outcome graph_files(const std::vector<std::string>& paths,
   Outcome outcome;
   for (const std::string& path : paths) {
     try {
-      graph_file(path, matrices, case_label, options, outcome);
+      graph_file(path, matrices, case_label, options, paths.size(), outcome);
     } catch (const ContractViolation& bug) {
       add_bug(path, bug.what(), outcome);
     }

@@ -10,8 +10,8 @@ namespace kinestat {
 
 enum class Matrices { none, all };
 
-/// One report a file on standard output, numbers in the units of the file. With all matrices, the partition is that of the case
-/// named, or of the first one.
+/// One report a file on standard output, numbers in the units of the file. With all matrices, the
+/// partition is that of the case named, or of the first one.
 Outcome graph_files(const std::vector<std::string>& paths,
                     Matrices matrices,
                     const std::string& case_label,

@@ -7,8 +7,8 @@
 namespace kinestat {
 
 /// A case that names motions has its velocities solved, one that names actions its statics; power
-/// and ratios where both sides, or an input and an output, are there. The motions are always counted,
-/// the actions if some case names any or if there are no cases.
+/// and ratios where both sides, or an input and an output, are there. The motions are always
+/// counted, the actions if some case names any or if there are no cases.
 Analysis solve_cases(std::string file, Loaded loaded);
 
 }  // namespace kinestat

@@ -11,6 +11,7 @@ program), ROOT (the repository), MECHANISMS, PATH and LC_ALL=C. Expectations, ea
   out_contains, err_contains    lines that must occur somewhere in the text
   files, no_files               patterns (**, *) that must, must not, match a file afterwards
   as_nobody     an empty file: run without root's rights
+  not_with_sanitizers    an empty file: CMake leaves the case out of builds with sanitizers
 
 In all text the folder reads `<tmp>` and the repository `<root>`. With --update (or UPDATE=1) the
 files status, out, out.json and err are rewritten; a case without any gets those that fit.
@@ -39,7 +40,7 @@ NOBODY = 65534
 ROOT = Path(__file__).resolve().parents[2]
 EXACT = {"status", "out", "out.json", "err"}
 ASSERTING = EXACT | {"out_contains", "err_contains"}
-EXPECTATIONS = ASSERTING | {"cmd", "files", "no_files", "as_nobody"}
+EXPECTATIONS = ASSERTING | {"cmd", "files", "no_files", "as_nobody", "not_with_sanitizers"}
 PASSED_ON = ("PATH", "ASAN_OPTIONS", "LSAN_OPTIONS", "UBSAN_OPTIONS")
 
 

@@ -1,0 +1,34 @@
+// Jobs timed in turn, so that whatever slows the machine slows all of them.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ratio_table.hpp"
+
+namespace kinestat::bench {
+
+struct Job {
+  std::string name;
+  std::function<void()> run;
+  std::optional<double> target;
+};
+
+struct Interleaved {
+  std::vector<Ratio> ratios;  ///< of every job to the unit
+  double unit_seconds = 0.0;  ///< median of the unit
+};
+
+/// In every round each job runs for a batch, long enough for the clock and short enough to be
+/// seldom interrupted, and is divided by batches of the unit right before and after it.
+Interleaved measure(const std::function<void()>& unit, const std::vector<Job>& jobs, int rounds);
+
+/// Makes the compiler believe that `value` is looked at.
+template <class T>
+void keep(const T& value) {
+  asm volatile("" : : "g"(&value) : "memory");
+}
+
+}  // namespace kinestat::bench

@@ -1,0 +1,147 @@
+// Times the whole program against an empty C++ process, run alternately.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
+#include <spawn.h>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "ratio_table.hpp"
+
+extern char** environ;
+
+namespace kinestat::bench {
+
+namespace {
+
+constexpr double kTarget = 10.0;
+
+struct Times {
+  double elapsed = 0.0;    ///< from before the start to after the end [s]
+  double processor = 0.0;  ///< user and system time of the process [s]
+};
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// Runs a program with its standard output discarded.
+class Program {
+ public:
+  explicit Program(std::vector<std::string> words) : words_(std::move(words)) {
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawn_file_actions_addopen(&actions_, 1, "/dev/null", O_WRONLY, 0);
+    for (std::string& word : words_) {
+      argv_.push_back(word.data());
+    }
+    argv_.push_back(nullptr);
+  }
+
+  ~Program() { posix_spawn_file_actions_destroy(&actions_); }
+
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  Times run() {
+    const auto start = std::chrono::steady_clock::now();
+    pid_t id = 0;
+    int status = 0;
+    rusage usage{};
+    const bool has_run =
+        posix_spawn(&id, argv_[0], &actions_, nullptr, argv_.data(), environ) == 0 &&
+        wait4(id, &status, 0, &usage) == id;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    if (!has_run || status != 0) {
+      throw std::runtime_error("this program failed: " + words_[0]);
+    }
+    return {.elapsed = elapsed.count(),
+            .processor = seconds(usage.ru_utime) + seconds(usage.ru_stime)};
+  }
+
+ private:
+  std::vector<std::string> words_;
+  std::vector<char*> argv_;
+  posix_spawn_file_actions_t actions_{};
+};
+
+struct Options {
+  int pairs = 300;
+  TableForm form = TableForm::text;
+};
+
+/// Adds the two ratios of one command line to the table.
+void measure(const std::string& name,
+             std::vector<std::string> words,
+             int pairs,
+             std::vector<Ratio>& table) {
+  Program empty({KINESTAT_EMPTY});
+  Program program(std::move(words));
+  std::vector<double> elapsed;
+  std::vector<double> processor;
+  for (int i = 0; i < 5; ++i) {
+    empty.run();
+    program.run();
+  }
+  for (int i = 0; i < pairs; ++i) {
+    const Times unit = empty.run();
+    const Times time = program.run();
+    elapsed.push_back(time.elapsed / unit.elapsed);
+    processor.push_back(time.processor / unit.processor);
+  }
+  table.push_back(make_ratio(name + ", elapsed", std::move(elapsed), kTarget));
+  table.push_back(make_ratio(name + ", processor", std::move(processor), {}));
+}
+
+Options read_options(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--csv") {
+      options.form = TableForm::csv;
+    } else if (word == "--pairs" && i + 1 < argc) {
+      options.pairs = std::max(1, std::atoi(argv[++i]));
+    } else {
+      throw std::runtime_error("usage: process_bench [--pairs N] [--csv]");
+    }
+  }
+  return options;
+}
+
+int run(int argc, char** argv) {
+  const Options options = read_options(argc, argv);
+  const std::string program = KINESTAT_PROGRAM;
+  const std::string file = KINESTAT_MECHANISM;
+  std::vector<Ratio> table;
+  measure("analyze --quiet", {program, "analyze", "--quiet", file}, options.pairs, table);
+  measure("analyze", {program, "analyze", file}, options.pairs, table);
+  measure("analyze --format json",
+          {program, "analyze", "--format", "json", file},
+          options.pairs,
+          table);
+  measure("--version", {program, "--version"}, options.pairs, table);
+  const std::string text = write_ratios(table, "empty C++ processes", options.form);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  return 0;
+}
+
+}  // namespace
+
+}  // namespace kinestat::bench
+
+int main(int argc, char** argv) {
+  try {
+    return kinestat::bench::run(argc, argv);
+  } catch (const std::exception& problem) {
+    std::fprintf(stderr, "process_bench: %s\n", problem.what());
+    return 1;
+  }
+}

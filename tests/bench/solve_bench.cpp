@@ -1,0 +1,345 @@
+// Times the solves of one case, and what surrounds them, in units of a dense solve by LAPACK.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "interleave.hpp"
+#include "io/mechanism_reader.hpp"
+#include "io/read_file.hpp"
+#include "io/yaml_tree.hpp"
+#include "kinematics/velocity.hpp"
+#include "mechanism/bind.hpp"
+#include "mobility/counts.hpp"
+#include "network/bases.hpp"
+#include "network/network_matrices.hpp"
+#include "network/node_system.hpp"
+#include "report/file_report.hpp"
+#include "run/analyse.hpp"
+#include "run/solve_cases.hpp"
+#include "statics/action.hpp"
+
+// Solves A X = B by Gaussian elimination with partial pivoting, in place.
+extern "C" void dgesv_(const int* n,
+                       const int* nrhs,
+                       double* A,
+                       const int* lda,
+                       int* pivots,
+                       double* B,
+                       const int* ldb,
+                       int* info);
+
+namespace kinestat::bench {
+
+namespace {
+
+constexpr const char* kCase = "M1";
+constexpr double kTarget = 2.0;
+constexpr double kAgreement = 1e-10;
+
+/// A_NS ψ_S = -A_NP ψ_P as the textbook writes it, solved by LAPACK: the unit D.
+class DenseStatics {
+ public:
+  DenseStatics(const Mechanism& mechanism, const CoordinateBasis& basis, const Case& which) {
+    const Topology& topology = mechanism.topology;
+    std::vector<std::string> primary;
+    for (const Primary& one : which.actions) {
+      primary.push_back(topology.action_name(one.index));
+    }
+    const LabelledMatrix A_N =
+        action_matrices(topology, mechanism.geometry, mechanism.graph, basis).back();
+    const std::vector<LabelledMatrix> parts = partition_of(A_N, primary);
+    A_NS_ = parts[0].value;
+    names_ = parts[0].columns;
+    VecX known(static_cast<Eigen::Index>(primary.size()));
+    for (Eigen::Index i = 0; i < known.size(); ++i) {
+      const auto place = std::ranges::find(primary, parts[1].columns[static_cast<std::size_t>(i)]);
+      known[i] = which.actions[static_cast<std::size_t>(place - primary.begin())].value;
+    }
+    right_ = -parts[1].value * known;
+    pivots_.resize(names_.size());
+  }
+
+  Eigen::Index size() const { return A_NS_.rows(); }
+
+  bool is_square() const { return A_NS_.rows() == A_NS_.cols(); }
+
+  /// The copies are part of D: LAPACK overwrites what it is given.
+  void copy() {
+    A_ = A_NS_;
+    x_ = right_;
+  }
+
+  void solve() {
+    copy();
+    const int n = static_cast<int>(size());
+    const int one = 1;
+    int info = 0;
+    dgesv_(&n, &one, A_.data(), &n, pivots_.data(), x_.data(), &n, &info);
+    if (info != 0) {
+      throw std::runtime_error("dgesv finds the statics singular");
+    }
+  }
+
+  /// Whether the passes of the program find the same magnitudes.
+  bool agrees(const Topology& topology, const StaticSolution& solution) {
+    solve();
+    const double largest = x_.cwiseAbs().maxCoeff();
+    for (int a = 0; a < topology.action_count(); ++a) {
+      const auto place = std::ranges::find(names_, topology.action_name(a));
+      if (place == names_.end()) {
+        continue;
+      }
+      const double magnitude =
+          solution.magnitudes.at(static_cast<std::size_t>(a)).value_or(std::nan(""));
+      if (!(std::abs(magnitude - x_[place - names_.begin()]) <= kAgreement * largest)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  MatX A_NS_;
+  VecX right_;
+  std::vector<std::string> names_;
+  MatX A_;
+  VecX x_;
+  std::vector<int> pivots_;
+};
+
+/// Everything that the jobs start from.
+struct Subject {
+  std::string path;
+  SourceFile source;
+  YamlNode tree;
+  Loaded loaded;
+  CoordinateBasis motion;
+  CoordinateBasis action;
+  Case which;
+};
+
+template <class T>
+T required(std::optional<T> value, const std::string& path) {
+  if (!value) {
+    throw std::runtime_error("this file cannot be read: " + path);
+  }
+  return *std::move(value);
+}
+
+Subject read_subject(const std::string& path) {
+  Diagnostics found;
+  Subject subject;
+  subject.path = path;
+  subject.source = required(read_file(path, {}, found), path);
+  subject.tree = required(read_yaml(subject.source, {}, found), path);
+  SourceFile source;
+  subject.loaded = required(load(path, {}, source, found), path);
+  const Mechanism& mechanism = subject.loaded.mechanism;
+  subject.motion = motion_basis(mechanism.geometry, mechanism.kinematic_order);
+  subject.action = action_basis(mechanism.geometry, mechanism.static_order);
+  const auto which = std::ranges::find(mechanism.cases, kCase, &Case::label);
+  if (which == mechanism.cases.end()) {
+    throw std::runtime_error(fmt::format("the file has no case '{}'", kCase));
+  }
+  subject.which = *which;
+  return subject;
+}
+
+KinematicSolution motion_of(const Subject& subject) {
+  return solve_velocity(subject.loaded.mechanism, subject.motion, subject.which.motions);
+}
+
+StaticSolution action_of(const Subject& subject) {
+  return solve_action(subject.loaded.mechanism, subject.action, subject.which.actions);
+}
+
+/// One linear system with the columns and values of its primaries.
+struct System {
+  SparseMatrix matrix;
+  std::vector<int> columns;
+  std::vector<double> known;
+};
+
+// The parts of one solve: scaling, factors, the check of the primaries, and the substitution.
+void add_parts(const std::string& name, const System& system, std::vector<Job>& jobs) {
+  jobs.push_back({"  find_scaling" + name, [&] { keep(find_scaling(system.matrix)); }, {}});
+  jobs.push_back(
+      {"  Elimination" + name, [&] { keep(Elimination(system.matrix, system.columns)); }, {}});
+  const Elimination factors(system.matrix, system.columns);
+  const int count = system.matrix.columns;
+  jobs.push_back(
+      {"  check_primaries" + name, [=] { keep(check_primaries(factors, 0, count)); }, {}});
+  jobs.push_back(
+      {"  Elimination::solve" + name, [=, &system] { keep(factors.solve(system.known, {})); }, {}});
+}
+
+struct Systems {
+  System velocity;
+  System action;
+};
+
+Systems systems_of(const Subject& subject) {
+  const Mechanism& mechanism = subject.loaded.mechanism;
+  const Topology& topology = mechanism.topology;
+  Systems systems;
+  systems.velocity.matrix = velocity_system(topology, mechanism.geometry, subject.motion);
+  systems.action.matrix = action_system(topology, mechanism.geometry, subject.action);
+  for (const Primary& primary : subject.which.motions) {
+    systems.velocity.columns.push_back(velocity_column(topology, subject.motion, primary.index));
+    systems.velocity.known.push_back(primary.value);
+  }
+  for (const Primary& primary : subject.which.actions) {
+    systems.action.columns.push_back(primary.index);
+    systems.action.known.push_back(primary.value);
+  }
+  return systems;
+}
+
+void add_solves(const Subject& subject, const Systems& systems, std::vector<Job>& jobs) {
+  const Mechanism& mechanism = subject.loaded.mechanism;
+  jobs.push_back({"one kinematic and one static solve",
+                  [&] {
+                    keep(motion_of(subject));
+                    keep(action_of(subject));
+                  },
+                  kTarget});
+  jobs.push_back({"solve_velocity", [&] { keep(motion_of(subject)); }, {}});
+  jobs.push_back(
+      {"  velocity_system",
+       [&] { keep(velocity_system(mechanism.topology, mechanism.geometry, subject.motion)); },
+       {}});
+  add_parts(" (velocity)", systems.velocity, jobs);
+  jobs.push_back({"solve_action", [&] { keep(action_of(subject)); }, {}});
+  jobs.push_back(
+      {"  action_system",
+       [&] { keep(action_system(mechanism.topology, mechanism.geometry, subject.action)); },
+       {}});
+  add_parts(" (action)", systems.action, jobs);
+}
+
+void add_reading(const Subject& subject, std::vector<Job>& jobs) {
+  jobs.push_back({"read_file",
+                  [&] {
+                    Diagnostics found;
+                    keep(read_file(subject.path, {}, found));
+                  },
+                  {}});
+  jobs.push_back({"read_yaml",
+                  [&] {
+                    Diagnostics found;
+                    keep(read_yaml(subject.source, {}, found));
+                  },
+                  {}});
+  jobs.push_back({"read_mechanism",
+                  [&] {
+                    Diagnostics found;
+                    keep(read_mechanism(subject.tree, found));
+                  },
+                  {}});
+  jobs.push_back({"bind",
+                  [&] {
+                    Diagnostics found;
+                    keep(bind(subject.loaded.description, found));
+                  },
+                  {}});
+}
+
+void add_report(const std::string& name,
+                const Analysis& analysis,
+                const ReportForms& forms,
+                std::vector<Job>& jobs) {
+  jobs.push_back({name,
+                  [&analysis, forms] {
+                    Diagnostics found;
+                    keep(make_report(analysis, forms, found));
+                  },
+                  {}});
+}
+
+void add_analysis(const Subject& subject, const Analysis& analysis, std::vector<Job>& jobs) {
+  const Mechanism& mechanism = subject.loaded.mechanism;
+  jobs.push_back({"motion_basis and action_basis",
+                  [&] {
+                    keep(motion_basis(mechanism.geometry, mechanism.kinematic_order));
+                    keep(action_basis(mechanism.geometry, mechanism.static_order));
+                  },
+                  {}});
+  jobs.push_back({"count_mobility", [&] { keep(count_mobility(mechanism, mechanism)); }, {}});
+  jobs.push_back(
+      {"solve_cases (all cases)", [&] { keep(solve_cases(subject.path, subject.loaded)); }, {}});
+  add_report("report, published values only", analysis, {}, jobs);
+  add_report("report, table", analysis, {.text = true}, jobs);
+  add_report("report, JSON", analysis, {.json = true}, jobs);
+  AnalyseOptions quiet;
+  quiet.is_quiet = true;
+  jobs.push_back({"analyse_files, quiet",
+                  [&subject, quiet] { keep(analyse_files({subject.path}, quiet)); },
+                  {}});
+}
+
+struct Options {
+  int rounds = 300;
+  TableForm form = TableForm::text;
+  std::string path = KINESTAT_MECHANISM;
+};
+
+Options read_options(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--csv") {
+      options.form = TableForm::csv;
+    } else if (word == "--rounds" && i + 1 < argc) {
+      options.rounds = std::max(1, std::atoi(argv[++i]));
+    } else {
+      throw std::runtime_error("usage: solve_bench [--rounds N] [--csv]");
+    }
+  }
+  return options;
+}
+
+int run(int argc, char** argv) {
+  const Options options = read_options(argc, argv);
+  const Subject subject = read_subject(options.path);
+  const Mechanism& mechanism = subject.loaded.mechanism;
+  DenseStatics dense(mechanism, subject.action, subject.which);
+  if (!dense.is_square() || !dense.agrees(mechanism.topology, action_of(subject))) {
+    throw std::runtime_error("solve_action and dgesv disagree");
+  }
+  const Systems systems = systems_of(subject);
+  const Analysis analysis = solve_cases(subject.path, subject.loaded);
+  std::vector<Job> jobs;
+  add_solves(subject, systems, jobs);
+  jobs.push_back({"copy of A_NS, part of D", [&] { dense.copy(); }, {}});
+  add_reading(subject, jobs);
+  add_analysis(subject, analysis, jobs);
+  const Interleaved result = measure([&] { dense.solve(); }, jobs, options.rounds);
+  std::string text = write_ratios(result.ratios, "D", options.form);
+  if (options.form == TableForm::text) {
+    text += fmt::format(
+        "D = dgesv of {0} x {0}, here {1:.1f} µs\n", dense.size(), 1e6 * result.unit_seconds);
+  }
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  return 0;
+}
+
+}  // namespace
+
+}  // namespace kinestat::bench
+
+int main(int argc, char** argv) {
+  try {
+    return kinestat::bench::run(argc, argv);
+  } catch (const std::exception& problem) {
+    std::fprintf(stderr, "solve_bench: %s\n", problem.what());
+    return 1;
+  }
+}

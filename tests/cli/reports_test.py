@@ -1,0 +1,235 @@
+#!/usr/bin/env python3
+"""The reports of every mechanism: strict JSON by the schema, and CSV that says the same."""
+
+from __future__ import annotations
+
+import argparse
+import copy
+import csv
+import io
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, Iterator
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "scripts"))
+import check_schemas  # noqa: E402  (scripts/check_schemas.py)
+
+PROGRAM = Path("kinestat")
+HEADER = ["mechanism", "case", "pass", "element", "quantity", "value", "unit", "status"]
+# Cases whose reports have states that no good mechanism has: null values among them.
+STATES = ["c66_parameter_never_used", "e0501_motions_missing", "e0602_no_equilibrium",
+          "w0601_actions_indeterminate"]
+# Where the CSV table of a pass finds its values: the quantity names the section.
+SECTIONS = {
+    "kinematics": {"rate": "freedoms", None: "bodies"},
+    "statics": {"action": "actions", None: "couplings"},
+    "power": {"into_head": "couplings", "supplied": "supplied", "actuator": "actuators"},
+}
+
+
+def files() -> list[Path]:
+    found = sorted((ROOT / "mechanisms").rglob("*.yaml"))
+    return found + [ROOT / "tests" / "cli" / name / "file.yaml" for name in STATES]
+
+
+@lru_cache(maxsize=None)
+def output(command: str, style: str, path: Path) -> bytes:
+    arguments = [command, "--format", style, *(["--matrices"] if command == "graph" else [])]
+    done = subprocess.run(
+        [PROGRAM, *arguments, str(path)], capture_output=True, check=False, timeout=120
+    )
+    return done.stdout
+
+
+def json_of(command: str, path: Path) -> Any:
+    return json.loads(output(command, "json", path))
+
+
+def rows_of(command: str, path: Path) -> list[list[str]]:
+    text = output(command, "csv", path).decode("utf-8")
+    return list(csv.reader(io.StringIO(text, newline=""), strict=True))
+
+
+def schema() -> Any:
+    return check_schemas.read_strictly(ROOT / "schemas" / "report.schema.json")
+
+
+def numbers(value: Any) -> Iterator[Any]:
+    """The numbers and nulls of a JSON value."""
+    if isinstance(value, (dict, list)):
+        for item in value.values() if isinstance(value, dict) else value:
+            yield from numbers(item)
+    elif value is None or isinstance(value, (int, float)):
+        yield value
+
+
+def at(value: Any, path: str) -> Any:
+    for token in filter(None, path.split("/")):
+        value = value[int(token)] if isinstance(value, list) else value[token]
+    return value
+
+
+def json_value(report: Any, row: dict[str, str]) -> Any:
+    """The value of the JSON report that a row of the CSV repeats."""
+    if row["pass"] == "mobility":
+        return at(report["mobility"][row["element"]], row["quantity"])
+    value = report["cases"][row["case"]][row["pass"]]
+    if not row["element"]:
+        return value[row["quantity"]]
+    sections = SECTIONS[row["pass"]]
+    if row["quantity"] in sections:
+        return value[sections[row["quantity"]]][row["element"]]
+    return at(value[sections[None]][row["element"]], row["quantity"])
+
+
+def repeated_values(report: Any) -> list[Any]:
+    """All numbers and nulls that the CSV must hold."""
+    found = []
+    for order in ("minimal", "planar", "spatial"):
+        counts = report["mobility"][order]
+        found += [] if counts is None else numbers(counts)
+    for case in report["cases"].values():
+        for name, sections in SECTIONS.items():
+            for section in sections.values() if name in case else []:
+                found += numbers(case[name][section])
+        if "power" in case:
+            found += [case["power"]["input"], case["power"]["balance_residual"]]
+    return found
+
+
+def objects(value: Any, where: str = "") -> Iterator[tuple[str, dict[str, Any]]]:
+    if isinstance(value, dict):
+        yield where, value
+    for key, item in (value.items() if isinstance(value, dict) else
+                      enumerate(value) if isinstance(value, list) else ()):
+        yield from objects(item, f"{where}/{key}")
+
+
+def undescribed(value: Any, where: str = "") -> Iterator[str]:
+    """Properties of the schema without a description."""
+    for key, item in value.items() if isinstance(value, dict) else ():
+        if key == "properties":
+            for name, entry in item.items():
+                if not entry.get("description", "").endswith("."):
+                    yield f"{where}/{name}"
+        yield from undescribed(item, f"{where}/{key}")
+    for i, item in enumerate(value) if isinstance(value, list) else ():
+        yield from undescribed(item, f"{where}/{i}")
+
+
+class Reports(unittest.TestCase):
+    def for_each(self) -> Iterator[Path]:
+        for path in files():
+            with self.subTest(str(path.relative_to(ROOT))):
+                yield path
+
+    def test_are_strict_json_by_the_schema(self) -> None:
+        for path in self.for_each():
+            for command in ("analyze", "graph"):
+                with tempfile.NamedTemporaryFile(suffix=".json") as file:
+                    Path(file.name).write_bytes(output(command, "json", path))
+                    self.assertEqual(check_schemas.check(Path(file.name), schema()), [], command)
+
+    def test_end_lines_with_lf_and_hold_no_minus_zero(self) -> None:
+        for path in self.for_each():
+            for command in ("analyze", "graph"):
+                for style in ("json", "csv", "table"):
+                    text = output(command, style, path)
+                    self.assertTrue(text.endswith(b"\n"), (command, style))
+                    self.assertNotIn(b"\r", text)
+                    self.assertNotRegex(text, rb"(?<![\w.])-0(\.0*)?(?![\w.])", (command, style))
+                    self.assertNotRegex(text, rb"(?i)(?<![\w])[+-]?(nan|inf|infinity)(?![\w])")
+
+    def test_write_the_csv_header_once(self) -> None:
+        for path in self.for_each():
+            rows = rows_of("analyze", path)
+            self.assertEqual(rows[0], HEADER)
+            self.assertEqual(rows.count(HEADER), 1)
+            self.assertEqual({len(row) for row in rows}, {len(HEADER)})
+
+    def test_have_the_same_values_in_csv_and_json(self) -> None:
+        for path in self.for_each():
+            report = json_of("analyze", path)
+            rows = [dict(zip(HEADER, row)) for row in rows_of("analyze", path)[1:]]
+            for row in rows:
+                value = json_value(report, row)
+                self.assertEqual(row["value"], "" if value is None else json.dumps(value), row)
+            self.assertEqual(len(rows), len(repeated_values(report)))
+
+    def test_name_mechanism_status_and_unit_in_the_csv(self) -> None:
+        for path in self.for_each():
+            report = json_of("analyze", path)
+            units = {"", *report["mechanism"]["units"].values()}
+            for row in (dict(zip(HEADER, row)) for row in rows_of("analyze", path)[1:]):
+                wanted = "solved"
+                if row["pass"] != "mobility":
+                    wanted = report["cases"][row["case"]][row["pass"]]["status"]
+                self.assertEqual(row["mechanism"], report["mechanism"]["name"])
+                self.assertEqual(row["status"], wanted, row)
+                self.assertIn(row["unit"], units, row)
+
+    def test_have_the_same_matrices_in_csv_and_json(self) -> None:
+        for path in self.for_each():
+            wanted = [["matrix", "row", "column", "value"]]
+            for symbol, matrix in json_of("graph", path)["graph"]["matrices"].items():
+                for label, values in zip(matrix["rows"], matrix["values"]):
+                    wanted += [[symbol, label, column, json.dumps(value)]
+                               for column, value in zip(matrix["columns"], values)]
+            self.assertEqual(rows_of("graph", path), wanted)
+
+    def test_write_whole_doubles_with_a_point(self) -> None:
+        for path in self.for_each():
+            for row in rows_of("graph", path)[1:]:
+                self.assertRegex(row[3], r"^-?\d+(\.\d+|(\.\d+)?e[+-]\d+)$")
+
+
+class Goldens(unittest.TestCase):
+    def test_exist_for_every_mechanism(self) -> None:
+        goldens = ROOT / "tests" / "golden"
+        for path in sorted((ROOT / "mechanisms").rglob("*.yaml")):
+            family, what = path.parent.name, path.stem
+            cmd = goldens / f"{family}_{what}" / "cmd"
+            line = f'"$KINESTAT" analyze --format json "$MECHANISMS/{family}/{what}.yaml"\n'
+            with self.subTest(cmd.parent.name):
+                self.assertTrue(cmd.is_file() and (cmd.parent / "out.json").is_file(),
+                                f"check the numbers against the source, write {line!r} to {cmd}, "
+                                f"then scripts/update_golden.sh {cmd.parent}")
+                self.assertEqual(cmd.read_text("utf-8"), line)
+
+
+class Schema(unittest.TestCase):
+    def test_describes_every_property(self) -> None:
+        self.assertEqual(list(undescribed(schema())), [])
+
+    def test_refuses_an_unknown_key_anywhere(self) -> None:
+        reports = [json_of("analyze", files()[0]), json_of("graph", files()[0])]
+        for report in reports:
+            for where, _ in list(objects(report)):
+                with self.subTest(where):
+                    changed = copy.deepcopy(report)
+                    dict(objects(changed))[where]["surprise"] = {"deep": 1}
+                    self.assertNotEqual(check_schemas.report_faults(changed, schema()), [])
+
+    def test_refuses_a_text_for_a_number(self) -> None:
+        report = json_of("analyze", files()[0])
+        text = json.dumps(report)
+        first = re.search(r'"balance_residual": [^,}]+', text)
+
+        changed = json.loads(text.replace(first[0], '"balance_residual": "small"'))
+
+        self.assertNotEqual(check_schemas.report_faults(changed, schema()), [])
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", type=Path, required=True)
+    known, others = parser.parse_known_args()
+    PROGRAM = known.program.resolve()
+    unittest.main(argv=[sys.argv[0], *others])

@@ -1,0 +1,106 @@
+#include "property/identities.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "network/node_system.hpp"
+#include "support/near.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Relative to the largest entry times the largest magnitude: a solution may be all zeros but for
+// magnitudes that occur in no equation, such as the freedom of a bridge of the graph.
+void expect_annulled(const MatX& N, const VecX& x) {
+  if (N.rows() > 0) {
+    const VecX sums = N * x;
+    EXPECT_LE(size_of(sums), kAgreement * size_of(N) * size_of(x));
+  }
+}
+
+}  // namespace
+
+void expect_orthogonal_graph(const CouplingGraph& graph) {
+  const MatXi product = graph.circuits * graph.cutsets.transpose();
+
+  EXPECT_TRUE(product.isZero());
+  EXPECT_EQ(graph.cutset_count(), graph.graph.vertex_count - 1);
+  EXPECT_EQ(graph.circuit_count(), graph.graph.edge_count() - graph.graph.vertex_count + 1);
+}
+
+void expect_equal_ranks(const NetworkCase& network) {
+  const Mechanism& mechanism = network.mechanism;
+  const int body_rank = network.order() * (mechanism.topology.body_count() - 1);
+  const Elimination velocity(velocity_system(mechanism.topology, mechanism.geometry, network.basis),
+                             {});
+  const Elimination action(action_system(mechanism.topology, mechanism.geometry, network.basis),
+                           {});
+
+  EXPECT_EQ(velocity.rank(), body_rank + find_rank(network.M_N).rank);
+  EXPECT_EQ(action.rank(), find_rank(network.A_N).rank);
+}
+
+void expect_complementary_counts(const NetworkCase& network) {
+  const int order = network.order();
+  const int F = static_cast<int>(network.M_N.cols());
+  const int C = static_cast<int>(network.A_P.cols());
+  const int k = network.mechanism.graph.cutset_count();
+  const int l = network.mechanism.graph.circuit_count();
+  const int m = find_rank(network.M_N).rank;
+  const int a = find_rank(network.A_P).rank;
+
+  EXPECT_EQ(F + C, order * network.mechanism.topology.coupling_count());
+  EXPECT_EQ(F - m, order * k - a) << "F_N from both sides";
+  EXPECT_EQ(C - a, order * l - m) << "C_N from both sides";
+  EXPECT_EQ((F - m) - (C - a), F - order * l);
+}
+
+VecX expect_solved_motions(const NetworkCase& network, const std::vector<Primary>& primaries) {
+  const KinematicSolution solution = solve_velocity(network.mechanism, network.basis, primaries);
+  if (solution.status != SolveStatus::solved) {
+    ADD_FAILURE() << "the motions are " << word_of(solution.status);
+    return VecX::Zero(network.M_N.cols());
+  }
+  const VecX rates = rates_of(solution);
+  const VecX expected = solve_partition(network.M_N, primaries);
+
+  EXPECT_EQ(solution.counts.net_freedom, static_cast<int>(primaries.size()));
+  EXPECT_LE(solution.residual, kAgreement);
+  expect_annulled(network.M_N, rates);
+  EXPECT_TRUE(is_near(rates, expected, kAgreement * size_of(expected)));
+  return rates;
+}
+
+VecX expect_solved_actions(const NetworkCase& network, const std::vector<Primary>& primaries) {
+  const StaticSolution solution = solve_action(network.mechanism, network.basis, primaries);
+  if (solution.status != SolveStatus::solved) {
+    ADD_FAILURE() << "the actions are " << word_of(solution.status);
+    return VecX::Zero(network.A_N.cols());
+  }
+  const VecX magnitudes = magnitudes_of(solution);
+  const VecX expected = solve_partition(network.A_N, primaries);
+
+  EXPECT_EQ(solution.counts.net_constraint, static_cast<int>(primaries.size()));
+  EXPECT_LE(solution.residual, kAgreement);
+  expect_annulled(network.A_N, magnitudes);
+  EXPECT_TRUE(is_near(magnitudes, expected, kAgreement * size_of(expected)));
+  return magnitudes;
+}
+
+double expect_balanced_power(const NetworkCase& network,
+                             const VecX& rates,
+                             const VecX& magnitudes) {
+  const Mat6X twists = coupling_twists(network.mechanism, rates);
+  const Mat6X wrenches = coupling_wrenches(network.mechanism, magnitudes);
+  const Mat6X terms = wrenches.cwiseProduct(twists);
+  // Of the magnitudes, not of the sums: actions may cancel within a coupling, as those of two
+  // actuators on one freedom.
+  const double size = size_of(magnitudes) * size_of(rates);
+
+  EXPECT_LE(std::abs(terms.sum()), kAgreement * size);
+  return size == 0.0 ? 0.0 : size_of(terms.colwise().sum()) / size;
+}
+
+}  // namespace kinestat

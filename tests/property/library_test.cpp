@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "network/bases.hpp"
+#include "property/identities.hpp"
+#include "run/load.hpp"
+#include "support/near.hpp"
+
+namespace kinestat {
+namespace {
+
+const std::filesystem::path kFolder = std::filesystem::path(KINESTAT_SOURCE_DIR) / "mechanisms";
+
+std::vector<std::string> list_files() {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kFolder)) {
+    if (entry.path().extension() == ".yaml") {
+      files.push_back(std::filesystem::relative(entry.path(), kFolder).string());
+    }
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+// gtest allows letters, digits and underscores.
+std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param;
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+class LibraryMechanism : public ::testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    SourceFile source;
+    Diagnostics found;
+    std::optional<Loaded> loaded = load((kFolder / GetParam()).string(), {}, source, found);
+    for (const Diagnostic& item : found.items()) {
+      ADD_FAILURE() << item.code << " in line " << item.where.line << ": " << item.message;
+    }
+    ASSERT_TRUE(loaded.has_value());
+    network_.emplace(make_network_case(std::move(loaded->mechanism)));
+  }
+
+  std::optional<NetworkCase> network_;
+};
+
+INSTANTIATE_TEST_SUITE_P(File, LibraryMechanism, ::testing::ValuesIn(list_files()), test_name);
+
+TEST_P(LibraryMechanism, HasCircuitsOrthogonalToCutsets) {
+  expect_orthogonal_graph(network_->mechanism.graph);
+}
+
+TEST_P(LibraryMechanism, HasTheSameRanksAsNodeSystemAndAsTextbookMatrices) {
+  expect_equal_ranks(*network_);
+}
+
+// Gears, clutches, brakes and couplings with `passive:` have no f + c = λ.
+TEST_P(LibraryMechanism, OfComplementaryCouplingsHasTheSameCountsFromBothSides) {
+  if (!couplings_are_complementary(network_->mechanism, network_->order())) {
+    GTEST_SKIP() << "a coupling is not complementary (gear, clutch, brake or 'passive:')";
+  }
+  expect_complementary_counts(*network_);
+}
+
+TEST_P(LibraryMechanism, HasMotionsThatSatisfyTheCircuitLaw) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    expect_solved_motions(*network_, choose_motions(*network_, random));
+  }
+}
+
+TEST_P(LibraryMechanism, HasActionsThatSatisfyTheCutsetLaw) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    expect_solved_actions(*network_, choose_actions(*network_, random));
+  }
+}
+
+TEST_P(LibraryMechanism, NeitherGainsNorLosesPower) {
+  Random random(1);
+  const VecX rates = expect_solved_motions(*network_, choose_motions(*network_, random));
+  const VecX magnitudes = expect_solved_actions(*network_, choose_actions(*network_, random));
+
+  expect_balanced_power(*network_, rates, magnitudes);
+}
+
+// The cases of the file rest on the same identities as random primaries.
+TEST_P(LibraryMechanism, HasCasesThatSatisfyTheLaws) {
+  for (const Case& which : network_->mechanism.cases) {
+    SCOPED_TRACE(which.label);
+    if (!which.motions.empty() &&
+        solve_velocity(network_->mechanism, network_->basis, which.motions).status ==
+            SolveStatus::solved) {
+      expect_solved_motions(*network_, which.motions);
+    }
+    if (!which.actions.empty() &&
+        solve_action(network_->mechanism, network_->basis, which.actions).status ==
+            SolveStatus::solved) {
+      expect_solved_actions(*network_, which.actions);
+    }
+  }
+}
+
+TEST_P(LibraryMechanism, MovesAlikeInTheMinimalOrder) {
+  Random random(1);
+  const std::vector<Primary> primaries = choose_motions(*network_, random);
+  const CoordinateBasis minimal = motion_basis(network_->mechanism.geometry, OrderChoice::minimal);
+
+  const KinematicSolution solution = solve_velocity(network_->mechanism, minimal, primaries);
+
+  ASSERT_EQ(solution.status, SolveStatus::solved);
+  const VecX expected = rates_of(solve_velocity(network_->mechanism, network_->basis, primaries));
+  EXPECT_TRUE(is_near(rates_of(solution), expected, kAgreement * size_of(expected)));
+}
+
+TEST(Library, HoldsTheMechanismsThatItsFolderNames) {
+  const std::vector<std::string> files = list_files();
+
+  EXPECT_GE(files.size(), 2U);
+  EXPECT_TRUE(std::ranges::binary_search(files, "planar/four_bar.yaml"));
+  EXPECT_TRUE(std::ranges::binary_search(files, "transmissions/ravigneaux.yaml"));
+}
+
+}  // namespace
+}  // namespace kinestat

@@ -1,0 +1,343 @@
+#include "math/elimination.hpp"
+
+#include <cmath>
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <gtest/gtest.h>
+
+#include "support/near.hpp"
+#include "support/random.hpp"
+
+namespace kinestat {
+namespace {
+
+/// Two solvers of a random system of 40 unknowns may differ by 1e-16 of rounding times a condition
+/// number of 1e6.
+constexpr double kTwoWays = 1e-10;
+
+SparseMatrix sparse(const MatX& dense) {
+  SparseMatrix matrix{.rows = static_cast<int>(dense.rows()),
+                      .columns = static_cast<int>(dense.cols()),
+                      .entries = {}};
+  for (int r = 0; r < matrix.rows; ++r) {
+    for (int c = 0; c < matrix.columns; ++c) {
+      matrix.add(r, c, dense(r, c));
+    }
+  }
+  return matrix;
+}
+
+MatX rows_of(std::initializer_list<std::initializer_list<double>> rows) {
+  MatX result(static_cast<Eigen::Index>(rows.size()),
+              static_cast<Eigen::Index>(rows.begin()->size()));
+  Eigen::Index r = 0;
+  for (const auto& row : rows) {
+    Eigen::Index c = 0;
+    for (const double value : row) {
+      result(r, c++) = value;
+    }
+    ++r;
+  }
+  return result;
+}
+
+// About three entries a row.
+MatX random_sparse(int rows, int columns, Random& random) {
+  MatX result = MatX::Zero(rows, columns);
+  for (int r = 0; r < rows; ++r) {
+    for (int i = 0; i < 3; ++i) {
+      result(r, random.whole(0, columns - 1)) = random.magnitude();
+    }
+  }
+  return result;
+}
+
+VecX random_vector(Eigen::Index size, Random& random) {
+  VecX result(size);
+  for (double& value : result) {
+    value = random.magnitude();
+  }
+  return result;
+}
+
+TEST(Elimination, OfNoEquationsLeavesEveryColumnFree) {
+  const Elimination elimination(SparseMatrix{.rows = 0, .columns = 3, .entries = {}}, {});
+
+  EXPECT_EQ(elimination.rank(), 0);
+  EXPECT_EQ(elimination.free_columns(), (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(elimination.evidence().smallest_pivot, 0.0);
+}
+
+TEST(Elimination, OfAZeroMatrixHasRankZero) {
+  const Elimination elimination(sparse(MatX::Zero(3, 2)), {});
+
+  EXPECT_EQ(elimination.rank(), 0);
+  EXPECT_EQ(elimination.free_columns(), (std::vector<int>{0, 1}));
+}
+
+TEST(Elimination, CountsADependentRowOnce) {
+  const Elimination elimination(sparse(rows_of({{1, 2, 3}, {4, 5, 6}, {7, 8, 9}})), {});
+
+  EXPECT_EQ(elimination.rank(), 2);
+}
+
+TEST(Elimination, DropsNothingButExactZerosWhereCancellationIsMereRounding) {
+  // Row 2 = 0.1 · row 0 + 0.3 · row 1, rounded.
+  const Elimination elimination(
+      sparse(rows_of({{1, 0, 0.7}, {0, 1, 0.9}, {0.1, 0.3, 0.1 * 0.7 + 0.3 * 0.9}})), {});
+
+  EXPECT_EQ(elimination.rank(), 2);
+  EXPECT_EQ(elimination.evidence().largest_dropped, 0.0);
+}
+
+TEST(Elimination, AddsEntriesAtTheSamePlace) {
+  SparseMatrix matrix{.rows = 1, .columns = 1, .entries = {}};
+  matrix.add(0, 0, 1.5);
+  matrix.add(0, 0, 2.5);
+
+  const EliminationSolution solution = Elimination(matrix, {}).solve({}, std::vector<double>{8.0});
+
+  EXPECT_EQ(solution.x[0], 2.0);
+}
+
+TEST(Elimination, CountsEntriesThatCancelAtTheSamePlaceAsZero) {
+  SparseMatrix matrix{.rows = 1, .columns = 1, .entries = {}};
+  matrix.add(0, 0, 1.5);
+  matrix.add(0, 0, -1.5);
+
+  EXPECT_EQ(Elimination(matrix, {}).rank(), 0);
+}
+
+TEST(Elimination, NamesTheColumnThatNoEquationDetermines) {
+  const Elimination elimination(sparse(rows_of({{1, 0, 1}, {0, 0, 2}})), {});
+
+  EXPECT_EQ(elimination.free_columns(), std::vector<int>{1});
+}
+
+TEST(Elimination, GivesOneNullVectorAFreeColumn) {
+  // x_0 + 2 x_1 + 3 x_2 = 0.
+  const MatX A = rows_of({{1, 2, 3}});
+
+  const std::vector<VecX> vectors = Elimination(sparse(A), {}).null_vectors();
+
+  ASSERT_EQ(vectors.size(), 2U);
+  EXPECT_TRUE(is_near(A * vectors[0], MatX::Zero(1, 1), kTight));
+  EXPECT_TRUE(is_near(A * vectors[1], MatX::Zero(1, 1), kTight));
+}
+
+TEST(Elimination, GivesNullVectorsThatVanishAtTheKnownColumns) {
+  const MatX A = rows_of({{1, 2, 3}});
+
+  const std::vector<VecX> vectors = Elimination(sparse(A), std::vector<int>{1}).null_vectors();
+
+  ASSERT_EQ(vectors.size(), 1U);
+  EXPECT_EQ(vectors[0][1], 0.0);
+  EXPECT_TRUE(is_near(A * vectors[0], MatX::Zero(1, 1), kTight));
+}
+
+TEST(Elimination, FindsNoRelationAmongIndependentKnownColumns) {
+  // x_2 = x_0 + x_1.
+  const Elimination elimination(sparse(rows_of({{1, 1, -1}})), std::vector<int>{0, 1});
+
+  EXPECT_TRUE(elimination.relations().empty());
+  EXPECT_EQ(elimination.rank(), 1);
+}
+
+TEST(Elimination, FindsTheRelationBetweenKnownColumns) {
+  // x_0 = 2 x_2 and x_2 = 3 x_1, so x_0 - 6 x_1 = 0.
+  const Elimination elimination(sparse(rows_of({{1, 0, -2}, {0, -3, 1}})), std::vector<int>{0, 1});
+
+  const std::vector<Relation> relations = elimination.relations();
+
+  ASSERT_EQ(relations.size(), 1U);
+  ASSERT_EQ(relations[0].terms.size(), 2U);
+  EXPECT_EQ(relations[0].terms[0].column, 0);
+  EXPECT_EQ(relations[0].terms[1].column, 1);
+  EXPECT_DOUBLE_EQ(relations[0].terms[1].value / relations[0].terms[0].value, -6.0);
+}
+
+TEST(Elimination, CountsRelationsAmongKnownColumnsInTheRank) {
+  const Elimination elimination(sparse(rows_of({{1, 0, -2}, {0, -3, 1}})), std::vector<int>{0, 1});
+
+  EXPECT_EQ(elimination.rank(), 2);
+}
+
+TEST(Elimination, SolvesForTheUnknownsFromTheKnownOnes) {
+  // x_0 = 2 x_2 and x_2 = 3 x_1, with x_1 = 5.
+  const Elimination elimination(sparse(rows_of({{1, 0, -2}, {0, -3, 1}})), std::vector<int>{1});
+
+  const EliminationSolution solution = elimination.solve(std::vector<double>{5.0}, {});
+
+  EXPECT_TRUE(is_near(solution.x, rows_of({{30}, {5}, {15}}), kTight));
+  EXPECT_TRUE(solution.consistent);
+  EXPECT_LE(solution.residual, kTight);
+}
+
+TEST(Elimination, SolvesForARightHandSideAndKnownUnknownsTogether) {
+  // x_0 + x_1 = 7 and x_1 - x_2 = 1, with x_2 = 3.
+  const Elimination elimination(sparse(rows_of({{1, 1, 0}, {0, 1, -1}})), std::vector<int>{2});
+
+  const EliminationSolution solution =
+      elimination.solve(std::vector<double>{3.0}, std::vector<double>{7.0, 1.0});
+
+  EXPECT_TRUE(is_near(solution.x, rows_of({{3}, {4}, {3}}), kTight));
+}
+
+TEST(Elimination, PutsKnownValuesInTheOrderInWhichTheyWereNamed) {
+  const Elimination elimination(sparse(rows_of({{1, 1, 1}})), std::vector<int>{2, 0});
+
+  const EliminationSolution solution = elimination.solve(std::vector<double>{5.0, 7.0}, {});
+
+  EXPECT_TRUE(is_near(solution.x, rows_of({{7}, {-12}, {5}}), kTight));
+}
+
+TEST(Elimination, AcceptsSurplusEquationsThatAgree) {
+  const Elimination elimination(sparse(rows_of({{1, 1}, {1, -1}, {3, 1}})), {});
+
+  const EliminationSolution solution = elimination.solve({}, std::vector<double>{3.0, 1.0, 7.0});
+
+  EXPECT_TRUE(solution.consistent);
+  EXPECT_TRUE(is_near(solution.x, rows_of({{2}, {1}}), kTight));
+}
+
+TEST(Elimination, SaysThatSurplusEquationsContradict) {
+  const Elimination elimination(sparse(rows_of({{1, 1}, {1, -1}, {3, 1}})), {});
+
+  EXPECT_FALSE(elimination.solve({}, std::vector<double>{3.0, 1.0, 7.001}).consistent);
+}
+
+TEST(Elimination, SaysThatKnownUnknownsContradict) {
+  // x_0 = x_2 = x_1.
+  const Elimination elimination(sparse(rows_of({{1, 0, -1}, {0, 1, -1}})), std::vector<int>{0, 1});
+
+  EXPECT_FALSE(elimination.solve(std::vector<double>{1.0, 2.0}, {}).consistent);
+}
+
+TEST(Elimination, SaysThatDependentKnownUnknownsMayAgree) {
+  const Elimination elimination(sparse(rows_of({{1, 0, -1}, {0, 1, -1}})), std::vector<int>{0, 1});
+
+  EXPECT_TRUE(elimination.solve(std::vector<double>{2.0, 2.0}, {}).consistent);
+}
+
+// An entry that cancels and is filled in again stands twice in the list of its column's rows; the
+// row may be reduced only once by the next pivot.
+TEST(Elimination, ReducesARowOnceWhereAnEntryWasLostAndRegained) {
+  Random random(1);
+  MatX A = MatX::Zero(60, 40);
+  for (int r = 0; r < 60; ++r) {
+    for (int i = 0; i < 6; ++i) {
+      A(r, random.whole(0, 39)) = random.chance(0.5) ? 1.0 : -1.0;
+    }
+  }
+
+  const Elimination elimination(sparse(A), {});
+
+  const Eigen::FullPivLU<MatX> lu(A);
+  EXPECT_EQ(elimination.rank(), static_cast<int>(lu.rank()));
+}
+
+class RandomSystems : public ::testing::TestWithParam<int> {};
+
+INSTANTIATE_TEST_SUITE_P(Seed, RandomSystems, ::testing::Range(0, 40));
+
+TEST_P(RandomSystems, HaveTheRankOfFullPivoting) {
+  Random random(static_cast<std::uint64_t>(GetParam()));
+  const MatX A = random_sparse(random.whole(5, 40), random.whole(5, 40), random);
+
+  const Elimination elimination(sparse(A), {});
+
+  const Eigen::FullPivLU<MatX> lu(A);
+  EXPECT_EQ(elimination.rank(), static_cast<int>(lu.rank()));
+}
+
+TEST_P(RandomSystems, OfEntriesOneHaveTheRankOfFullPivoting) {
+  Random random(static_cast<std::uint64_t>(GetParam()));
+  const MatX A =
+      random_sparse(random.whole(5, 40), random.whole(5, 40), random).array().sign().matrix();
+
+  const Elimination elimination(sparse(A), {});
+
+  const Eigen::FullPivLU<MatX> lu(A);
+  EXPECT_EQ(elimination.rank(), static_cast<int>(lu.rank()));
+}
+
+TEST_P(RandomSystems, HaveNullVectorsThatTheMatrixAnnuls) {
+  Random random(static_cast<std::uint64_t>(GetParam()));
+  const MatX A = random_sparse(20, 30, random);
+
+  const std::vector<VecX> vectors = Elimination(sparse(A), {}).null_vectors();
+
+  ASSERT_GE(vectors.size(), 10U);
+  for (const VecX& x : vectors) {
+    EXPECT_TRUE(is_near(A * x, VecX::Zero(20), kTwoWays * x.cwiseAbs().maxCoeff()));
+  }
+}
+
+// Known unknowns and a right-hand side that make the equations, 12 of which are surplus, agree.
+TEST_P(RandomSystems, AreSolvedLikeByQr) {
+  Random random(static_cast<std::uint64_t>(GetParam()));
+  MatX A(42, 34);
+  A << random_sparse(30, 34, random) + 3.0 * MatX::Identity(30, 34), MatX::Zero(12, 34);
+  A.bottomRows(12) = random_sparse(12, 30, random) * A.topRows(30);
+  const VecX x = random_vector(34, random);
+  const VecX right = A * x;
+  const std::vector<int> last = {33, 30, 32, 31};
+  const std::vector<double> known = {x[33], x[30], x[32], x[31]};
+  const std::vector<double> rhs(right.begin(), right.end());
+
+  const Elimination elimination(sparse(A), last);
+  const EliminationSolution solution = elimination.solve(known, rhs);
+
+  const VecX reduced = right - A.rightCols(4) * x.tail(4);
+  const MatX unknown = A.leftCols(30);
+  const Eigen::ColPivHouseholderQR<MatX> qr(unknown);
+  const VecX expected = qr.solve(reduced);
+  ASSERT_EQ(qr.rank(), 30);
+  EXPECT_TRUE(solution.consistent);
+  EXPECT_TRUE(is_near(solution.x.head(30), expected, kTwoWays * expected.cwiseAbs().maxCoeff()));
+  EXPECT_LE(solution.residual, kTwoWays);
+}
+
+TEST_P(RandomSystems, WithKnownUnknownsAndNoRightHandSideAreConsistent) {
+  Random random(static_cast<std::uint64_t>(GetParam()));
+  MatX A(42, 34);
+  A << random_sparse(30, 34, random) + 3.0 * MatX::Identity(30, 34), MatX::Zero(12, 34);
+  A.bottomRows(12) = random_sparse(12, 30, random) * A.topRows(30);
+
+  const Elimination elimination(sparse(A), std::vector<int>{30, 31, 32, 33});
+
+  ASSERT_TRUE(elimination.relations().empty());
+  EXPECT_TRUE(elimination.solve(std::vector<double>{1.0, -2.0, 0.5, 3.0}, {}).consistent);
+}
+
+// Units: every row and column times its own factor from 1e-9 to 1e9.
+TEST_P(RandomSystems, KeepRankAndSolutionWhenRowsAndColumnsAreScaled) {
+  Random random(static_cast<std::uint64_t>(GetParam()));
+  const MatX A = random_sparse(25, 30, random) + 3.0 * MatX::Identity(25, 30);
+  VecX rows(25);
+  VecX columns(30);
+  for (double& factor : rows) {
+    factor = std::pow(10.0, random.between(-9.0, 9.0));
+  }
+  for (double& factor : columns) {
+    factor = std::pow(10.0, random.between(-9.0, 9.0));
+  }
+  const std::vector<int> last = {25, 26, 27, 28, 29};
+  const std::vector<double> known = {1.0, 2.0, -1.0, 0.5, -2.0};
+  std::vector<double> scaled_known;
+  for (std::size_t i = 0; i < 5; ++i) {
+    scaled_known.push_back(known[i] / columns[last[i]]);
+  }
+
+  const Elimination plain(sparse(A), last);
+  const Elimination scaled(sparse(rows.asDiagonal() * A * columns.asDiagonal()), last);
+
+  const VecX expected = plain.solve(known, {}).x;
+  const VecX back = columns.cwiseProduct(scaled.solve(scaled_known, {}).x);
+  EXPECT_EQ(scaled.rank(), plain.rank());
+  EXPECT_TRUE(is_near(back, expected, kTwoWays * expected.cwiseAbs().maxCoeff()));
+}
+
+}  // namespace
+}  // namespace kinestat

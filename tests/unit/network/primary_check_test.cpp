@@ -1,0 +1,103 @@
+#include "network/primary_check.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kinestat {
+namespace {
+
+// x_0 = x_1, x_2 = x_3, …: one free magnitude a pair.
+SparseMatrix equal_pairs(int pair_count) {
+  SparseMatrix matrix{.rows = pair_count, .columns = 2 * pair_count, .entries = {}};
+  for (int i = 0; i < pair_count; ++i) {
+    matrix.add(i, 2 * i, 1.0);
+    matrix.add(i, 2 * i + 1, -1.0);
+  }
+  return matrix;
+}
+
+// x_0 + x_1 = 0, x_1 + x_2 = 0 and x_3 alone.
+SparseMatrix chain_and_free() {
+  SparseMatrix matrix{.rows = 2, .columns = 4, .entries = {}};
+  matrix.add(0, 0, 1.0);
+  matrix.add(0, 1, 1.0);
+  matrix.add(1, 1, 1.0);
+  matrix.add(1, 2, 1.0);
+  return matrix;
+}
+
+TEST(PrimaryCheck, FindsNothingWrongWithIndependentAndSufficientPrimaries) {
+  const Elimination elimination(chain_and_free(), std::vector<int>{1, 3});
+
+  const PrimaryCheck check = check_primaries(elimination, 0, 4);
+
+  EXPECT_EQ(check.missing, 0);
+  EXPECT_TRUE(check.dependences.empty());
+  EXPECT_TRUE(check.undetermined.empty());
+  EXPECT_TRUE(check.completions.empty());
+}
+
+TEST(PrimaryCheck, ListsEveryCompletionWhereOneMagnitudeIsMissing) {
+  const Elimination elimination(chain_and_free(), std::vector<int>{3});
+
+  const PrimaryCheck check = check_primaries(elimination, 0, 4);
+
+  EXPECT_EQ(check.missing, 1);
+  EXPECT_EQ(check.undetermined, (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(check.completions, (std::vector<std::vector<int>>{{0}, {1}, {2}}));
+}
+
+TEST(PrimaryCheck, LeavesDependentPairsOutOfTheCompletions) {
+  const Elimination elimination(chain_and_free(), {});
+
+  const PrimaryCheck check = check_primaries(elimination, 0, 4);
+
+  EXPECT_EQ(check.missing, 2);
+  EXPECT_EQ(check.completions, (std::vector<std::vector<int>>{{0, 3}, {1, 3}, {2, 3}}));
+}
+
+TEST(PrimaryCheck, NamesTheRelationBetweenDependentPrimaries) {
+  const Elimination elimination(chain_and_free(), std::vector<int>{0, 2, 3});
+
+  const PrimaryCheck check = check_primaries(elimination, 0, 4);
+
+  // x_0 - x_2 = 0, up to a factor.
+  ASSERT_EQ(check.dependences.size(), 1U);
+  ASSERT_EQ(check.dependences[0].size(), 2U);
+  EXPECT_EQ(check.dependences[0][0].index, 0);
+  EXPECT_EQ(check.dependences[0][1].index, 2);
+  EXPECT_EQ(check.dependences[0][1].coefficient, -check.dependences[0][0].coefficient);
+}
+
+TEST(PrimaryCheck, CountsMagnitudesFromTheFirstColumn) {
+  const Elimination elimination(chain_and_free(), {});
+
+  const PrimaryCheck check = check_primaries(elimination, 2, 2);
+
+  EXPECT_EQ(check.undetermined, (std::vector<int>{0, 1}));
+  EXPECT_EQ(check.completions, (std::vector<std::vector<int>>{{0, 1}}));
+}
+
+TEST(PrimaryCheck, ProposesAtMostFiveCompletions) {
+  const Elimination elimination(equal_pairs(3), {});
+
+  const PrimaryCheck check = check_primaries(elimination, 0, 6);
+
+  EXPECT_EQ(
+      check.completions,
+      (std::vector<std::vector<int>>{{0, 2, 4}, {0, 2, 5}, {0, 3, 4}, {0, 3, 5}, {1, 2, 4}}));
+}
+
+// Of the 40 million choices of 14 out of 28 only 16384 take one magnitude of each pair.
+TEST(PrimaryCheck, ProposesCompletionsWhereMostChoicesAreDependent) {
+  const Elimination elimination(equal_pairs(14), {});
+
+  const PrimaryCheck check = check_primaries(elimination, 0, 28);
+
+  EXPECT_EQ(check.missing, 14);
+  ASSERT_EQ(check.completions.size(), 5U);
+  EXPECT_EQ(check.completions[0],
+            (std::vector<int>{0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26}));
+}
+
+}  // namespace
+}  // namespace kinestat

@@ -1,0 +1,36 @@
+#include "report/json_values.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace kinestat {
+namespace {
+
+TEST(JsonNumber, KeepsThePointOfAWholeDouble) {
+  EXPECT_EQ(number(2.0).dump(), "2.0");
+}
+
+TEST(JsonNumber, WritesMinusZeroAsZero) {
+  EXPECT_EQ(number(-0.0).dump(), "0.0");
+}
+
+TEST(JsonNumber, IsNullForWhatIsNotFinite) {
+  EXPECT_TRUE(number(std::numeric_limits<double>::quiet_NaN()).is_null());
+  EXPECT_TRUE(number(std::numeric_limits<double>::infinity()).is_null());
+}
+
+TEST(JsonNumber, IsNullWithoutAValue) {
+  EXPECT_TRUE(number(std::optional<double>()).is_null());
+}
+
+TEST(JsonVector, HasThreeComponents) {
+  EXPECT_EQ(vector(Vec3(1.0, -0.0, 0.5)).dump(), "[1.0,0.0,0.5]");
+}
+
+TEST(JsonSixfold, PutsTheFirstVectorBeforeTheSecond) {
+  EXPECT_EQ(sixfold(Vec3(1, 2, 3), Vec3(4, 5, 6)).dump(), "[1.0,2.0,3.0,4.0,5.0,6.0]");
+}
+
+}  // namespace
+}  // namespace kinestat

@@ -1,0 +1,51 @@
+#include "run/outcome.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kinestat {
+namespace {
+
+TEST(StatusOf, IsDoneWithoutMessages) {
+  EXPECT_EQ(status_of(Diagnostics(), Strictness::strict), ExitStatus::done);
+}
+
+TEST(StatusOf, IsThatOfTheWorstCode) {
+  Diagnostics found;
+  found.error("E0602", {}, "no equilibrium");
+  found.error("E0901", {}, "missed");
+
+  EXPECT_EQ(status_of(found, Strictness::normal), ExitStatus::no_answer);
+}
+
+TEST(StatusOf, CountsWarningsOnlyWhenStrict) {
+  Diagnostics found;
+  found.warning("W0301", {}, "unused");
+
+  EXPECT_EQ(status_of(found, Strictness::normal), ExitStatus::done);
+  EXPECT_EQ(status_of(found, Strictness::strict), ExitStatus::check_failed);
+}
+
+TEST(AddDiagnostics, KeepsAWorseStatusOfAnEarlierFile) {
+  Outcome outcome;
+  outcome.status = ExitStatus::no_answer;
+  Diagnostics found;
+  found.error("E0901", {}, "missed");
+
+  add_diagnostics({.path = "m.yaml", .text = ""}, found, Strictness::normal, outcome);
+
+  EXPECT_EQ(outcome.status, ExitStatus::no_answer);
+  EXPECT_EQ(outcome.err, "m.yaml: error[E0901]: missed\n");
+}
+
+TEST(AddBug, NamesTheFileAndIsTheWorstStatus) {
+  Outcome outcome;
+  outcome.status = ExitStatus::no_answer;
+
+  add_bug("m.yaml", "a < b", outcome);
+
+  EXPECT_EQ(static_cast<int>(outcome.status), 70);
+  EXPECT_TRUE(outcome.err.starts_with("m.yaml: internal error: a < b\n")) << outcome.err;
+}
+
+}  // namespace
+}  // namespace kinestat
