@@ -39,6 +39,22 @@ std::string message(const std::string& what, const std::string& hint) {
   return "kinestat: error[E0101]: " + what + "\n  hint: " + hint + "\n";
 }
 
+// A value that an option does not take.
+class WrongValue : public CLI::ParseError {
+ public:
+  WrongValue(const std::string& option,
+             const std::string& value,
+             const std::vector<std::string>& words)
+      : CLI::ParseError(
+            "WrongValue", option + " cannot be '" + value + "'", CLI::ExitCodes::ValidationError),
+        hint_("it is one of " + plain_list(words)) {}
+
+  const std::string& hint() const { return hint_; }
+
+ private:
+  std::string hint_;
+};
+
 std::string unknown_word(const CLI::App& app) {
   const CLI::App& command = current(app);
   const std::vector<std::string> extras = command.remaining();
@@ -77,13 +93,18 @@ void add_files(CLI::App& command, FileOptions& options) {
 }
 
 void add_format(CLI::App& command, FileOptions& options) {
-  const std::map<std::string, StreamFormat> formats = {
-      {"table", StreamFormat::table}, {"json", StreamFormat::json}, {"csv", StreamFormat::csv}};
+  const auto choose = [&options](const std::string& word) {
+    const std::map<std::string, StreamFormat> formats = {
+        {"table", StreamFormat::table}, {"json", StreamFormat::json}, {"csv", StreamFormat::csv}};
+    const auto at = formats.find(word);
+    if (at == formats.end()) {
+      throw WrongValue("--format", word, {"table", "json", "csv"});
+    }
+    options.analyse.format = at->second;
+  };
   command
-      .add_option("--format",
-                  options.analyse.format,
-                  "what to print on standard output: table (default), json or csv")
-      ->transform(CLI::CheckedTransformer(formats).description(""))
+      .add_option_function<std::string>(
+          "--format", choose, "what to print on standard output: table (default), json or csv")
       ->type_name("FORMAT");
 }
 
@@ -100,6 +121,9 @@ std::string usage_error(const CLI::ParseError& problem, const CLI::App& app) {
       "'kinestat" + (&command == &app ? "" : " " + command.get_name()) + " --help' shows its use";
   if (dynamic_cast<const CLI::ExtrasError*>(&problem) != nullptr) {
     return unknown_word(app);
+  }
+  if (const auto* wrong = dynamic_cast<const WrongValue*>(&problem)) {
+    return message(problem.what(), wrong->hint());
   }
   if (dynamic_cast<const CLI::RequiredError*>(&problem) != nullptr) {
     return message(

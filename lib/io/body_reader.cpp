@@ -16,7 +16,8 @@ BodyDescription read_body(const YamlEntry& entry, Space space, Diagnostics& foun
   }
   Fields fields(entry.value, entry.key_where, fmt::format("body '{}'", entry.key), found);
   if (const YamlNode* node = fields.find("reference")) {
-    body.reference = read_point(*node, "the reference point", space, found);
+    body.reference =
+        read_point(*node, fmt::format("the reference point of {}", fields.what()), space, found);
   }
   fields.finish();
   return body;

@@ -1,78 +1,13 @@
 #include "io/byte_scan.hpp"
 
-#include <algorithm>
-#include <array>
-
 #include <fmt/format.h>
 
+#include "core/utf8.hpp"
 #include "io/internal/source_map.hpp"
 
 namespace kinestat {
 
 namespace {
-
-constexpr char32_t kDelete = 0x7F;
-constexpr char32_t kNextLine = 0x85;
-constexpr char32_t kLastC1 = 0x9F;
-constexpr char32_t kInnerOrderMark = 0xFEFF;
-
-unsigned char byte_at(std::string_view text, std::size_t at) {
-  return static_cast<unsigned char>(text[at]);
-}
-
-struct Character {
-  char32_t code = 0;
-  std::size_t size = 0;  // 0: not a character
-  bool is_truncated = false;
-};
-
-// Table 3-7 of the Unicode standard, by size: the smallest code point that needs so many bytes.
-constexpr std::array<char32_t, 5> kSmallest = {0, 0, 0x80, 0x800, 0x10000};
-
-std::size_t expected_size(unsigned char first) {
-  if (first < 0x80) {
-    return 1;
-  }
-  if (first >= 0xC2 && first < 0xE0) {
-    return 2;
-  }
-  if (first >= 0xE0 && first < 0xF0) {
-    return 3;
-  }
-  return first >= 0xF0 && first < 0xF5 ? 4 : 0;
-}
-
-Character read_character(std::string_view text, std::size_t at) {
-  const unsigned char first = byte_at(text, at);
-  const std::size_t size = expected_size(first);
-  if (size <= 1) {
-    return {.code = first, .size = size};
-  }
-  char32_t code = first & (0xFFU >> (size + 1));
-  for (std::size_t i = 1; i < size; ++i) {
-    if (at + i == text.size()) {
-      return {.code = first, .is_truncated = true};
-    }
-    const unsigned char next = byte_at(text, at + i);
-    if ((next & 0xC0U) != 0x80U) {
-      return {.code = first};
-    }
-    code = (code << 6U) | (next & 0x3FU);
-  }
-  const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
-  if (code < kSmallest[size] || code > 0x10FFFF || is_surrogate) {
-    return {.code = first};
-  }
-  return {.code = code, .size = size};
-}
-
-bool is_control(std::string_view text, std::size_t at, char32_t code) {
-  if (code == '\r') {
-    return at + 1 == text.size() || text[at + 1] != '\n';
-  }
-  const bool is_c0 = code < 0x20 && code != '\t' && code != '\n';
-  return is_c0 || (code >= kDelete && code <= kLastC1 && code != kNextLine);
-}
 
 // UTF-16 text begins with a mark, or its ASCII characters leave every second byte zero.
 bool looks_like_utf16(std::string_view text) {
@@ -126,25 +61,6 @@ SourceRange place(std::string_view text, std::size_t offset) {
 
 }  // namespace
 
-std::optional<BadCharacter> find_bad_character(std::string_view text) {
-  std::size_t at = 0;
-  while (at < text.size()) {
-    const Character next = read_character(text, at);
-    if (next.size == 0) {
-      const auto fault = next.is_truncated ? CharacterFault::truncated : CharacterFault::invalid;
-      return BadCharacter{.fault = fault, .offset = at, .code = next.code};
-    }
-    if (is_control(text, at, next.code)) {
-      return BadCharacter{.fault = CharacterFault::control, .offset = at, .code = next.code};
-    }
-    if (next.code == kInnerOrderMark || next.code == 0xFFFE || next.code == 0xFFFF) {
-      return BadCharacter{.fault = CharacterFault::forbidden, .offset = at, .code = next.code};
-    }
-    at += next.size;
-  }
-  return {};
-}
-
 bool scan_bytes(const SourceFile& source, Diagnostics& found) {
   if (looks_like_utf16(source.text)) {
     found.error("E0202", {}, "the file is UTF-16", "save it as UTF-8");
@@ -164,22 +80,6 @@ bool scan_bytes(const SourceFile& source, Diagnostics& found) {
               message(*bad, bad->offset + skipped),
               std::string(hint(*bad)));
   return false;
-}
-
-std::string printable(std::string_view bytes) {
-  std::string result;
-  std::size_t at = 0;
-  while (at < bytes.size()) {
-    const Character next = read_character(bytes, at);
-    const bool is_break = next.code == '\n' || next.code == '\t' || next.code == '\r';
-    const bool is_shown = next.size > 0 && !is_break && !is_control(bytes, at, next.code);
-    const std::size_t size = std::max<std::size_t>(next.size, 1);
-    for (std::size_t i = at; i < at + size; ++i) {
-      result += is_shown ? std::string(1, bytes[i]) : fmt::format("\\x{:02X}", byte_at(bytes, i));
-    }
-    at += size;
-  }
-  return result;
 }
 
 }  // namespace kinestat

@@ -54,7 +54,7 @@ void read_gear(Fields& fields, Space space, CouplingDescription& coupling, Diagn
 
 void read_geometry(Fields& fields, Space space, CouplingDescription& coupling, Diagnostics& found) {
   if (const YamlNode* node = fields.find("at")) {
-    coupling.at = read_point(*node, "the point", space, found);
+    coupling.at = read_point(*node, fmt::format("the point of {}", fields.what()), space, found);
   }
   if (coupling.type != CouplingType::rigid) {
     if (const YamlNode* node = fields.find("axis")) {

@@ -1,12 +1,37 @@
 #include "io/fields.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
 #include "core/text.hpp"
 
 namespace kinestat {
+
+namespace {
+
+// What to add where a key is missing.
+std::string example_of(std::string_view key) {
+  struct Example {
+    std::string_view key;
+    std::string_view text;
+  };
+
+  constexpr auto kExamples = std::to_array<Example>({
+      {"ground", "'ground: NAME', the body that stands still"},
+      {"bodies", "'bodies: [NAME, NAME, …]'; of a coupling 'bodies: [TAIL, HEAD]'"},
+      {"couplings", "'couplings:' and below it lines 'name: {type: …, bodies: […], …}'"},
+      {"type", "for example 'type: revolute'"},
+      {"coupling", "'coupling: NAME', the coupling that it drives"},
+      {"value", "'value: /cases/…', a JSON Pointer into the report"},
+      {"tolerance", "for example 'tolerance: 1e-3'"},
+  });
+  const auto at = std::ranges::find(kExamples, key, &Example::key);
+  return at != kExamples.end() ? std::string(at->text) : fmt::format("'{}: …'", key);
+}
+
+}  // namespace
 
 Fields::Fields(const YamlNode& node, SourceRange where, std::string what, Diagnostics& found)
     : where_(where), what_(std::move(what)), found_(found) {
@@ -33,12 +58,17 @@ const YamlNode* Fields::require(std::string_view key) {
   return value;
 }
 
+void Fields::ignore(std::string_view key) {
+  ignored_.emplace_back(key);
+}
+
 void Fields::finish() {
   if (node_ == nullptr) {
     return;
   }
   for (const YamlEntry& entry : node_->entries) {
-    if (std::ranges::find(known_, entry.key) == known_.end()) {
+    if (std::ranges::find(known_, entry.key) == known_.end() &&
+        std::ranges::find(ignored_, entry.key) == ignored_.end()) {
       refuse(entry);
     }
   }
@@ -46,7 +76,7 @@ void Fields::finish() {
     found_.error("E0303",
                  where_,
                  fmt::format("{} lacks the key '{}'", what_, key),
-                 fmt::format("add '{}: …'", key));
+                 fmt::format("add {}", example_of(key)));
   }
 }
 

@@ -24,6 +24,9 @@ class Fields {
   /// Likewise, but absence is an error of finish().
   const YamlNode* require(std::string_view key);
 
+  /// Lets a key stand without being listed among the known ones.
+  void ignore(std::string_view key);
+
   /// Says everything that is wrong with the keys. To be called once, after all have been asked for.
   void finish();
 
@@ -39,6 +42,7 @@ class Fields {
   std::string what_;
   Diagnostics& found_;
   std::vector<std::string> known_;
+  std::vector<std::string> ignored_;
   std::vector<std::string> missing_;
 };
 

@@ -1,5 +1,6 @@
 #include "io/mechanism_reader.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -36,18 +37,22 @@ void read_version(Fields& fields, Diagnostics& found) {
     found.error("E0301", fields.where(), "the format version is missing", hint);
     return;
   }
-  if (node->kind != YamlKind::scalar || node->text != std::to_string(kFormatVersion)) {
-    const bool is_number = node->kind == YamlKind::scalar && !node->text.empty() &&
-                           node->text.find_first_not_of("0123456789") == std::string::npos;
+  if (node->kind == YamlKind::scalar && node->text == std::to_string(kFormatVersion)) {
+    return;
+  }
+  const bool is_number = node->kind == YamlKind::scalar && !node->text.empty() &&
+                         node->text.find_first_not_of("0123456789") == std::string::npos;
+  if (is_number && node->text != "0") {
     found.error("E0301",
                 node->where,
-                is_number ? fmt::format("format version {} was made for another kinestat; this one "
-                                        "reads version {}",
-                                        node->text,
-                                        kFormatVersion)
-                          : "the format version is not a whole number",
-                hint);
+                fmt::format("format version {} was made for a newer kinestat; this one reads "
+                            "version {}",
+                            node->text,
+                            kFormatVersion),
+                "update kinestat, or rewrite the file in the older format");
+    return;
   }
+  found.error("E0301", node->where, "the format version is not a positive whole number", hint);
 }
 
 void read_head(Fields& fields, MechanismDescription& result, Diagnostics& found) {
@@ -86,21 +91,19 @@ void read_order(const YamlNode& node, MechanismDescription& result, Diagnostics&
   fields.finish();
 }
 
-void refuse_later_sections(Fields& fields, Diagnostics& found) {
-  for (const std::string_view section : kLater) {
-    if (const YamlNode* node = fields.find(section)) {
-      found.error("E0315",
-                  node->where,
-                  fmt::format("section '{}' is not analysed yet by this version", section),
-                  fmt::format("remove '{}', or keep it under 'x-{}' until then", section, section));
-    }
-  }
-}
-
-void forget_own_notes(const YamlNode& root, Fields& fields) {
+// Sections without an analysis are refused; the user's own notes are left alone.
+void pass_over(const YamlNode& root, Fields& fields, Diagnostics& found) {
   for (const YamlEntry& entry : root.entries) {
-    if (entry.key.starts_with("x-")) {
-      fields.find(entry.key);
+    const bool is_later = std::ranges::find(kLater, entry.key) != kLater.end();
+    if (is_later) {
+      found.error(
+          "E0315",
+          entry.key_where,
+          fmt::format("section '{}' is not analysed yet by this version", entry.key),
+          fmt::format("remove '{}', or keep it as 'x-{}' until then", entry.key, entry.key));
+    }
+    if (is_later || entry.key.starts_with("x-")) {
+      fields.ignore(entry.key);
     }
   }
 }
@@ -148,8 +151,7 @@ std::optional<MechanismDescription> read_mechanism(const YamlNode& root, Diagnos
   read_version(fields, found);
   read_head(fields, result, found);
   read_sections(fields, result, found);
-  refuse_later_sections(fields, found);
-  forget_own_notes(root, fields);
+  pass_over(root, fields, found);
   fields.finish();
   return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;
 }

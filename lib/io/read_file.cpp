@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "io/byte_scan.hpp"
+#include "core/utf8.hpp"
 #include "io/internal/descriptor.hpp"
 
 namespace kinestat {

@@ -45,8 +45,7 @@ std::optional<std::vector<Value>> read_components(const YamlNode& node,
                             what,
                             count,
                             space == Space::planar ? "planar" : "spatial"),
-                fmt::format("write {}, with decimal points",
-                            space == Space::planar ? "[x, y]" : "[x, y, z]"));
+                space == Space::planar ? "write [x, y]" : "write [x, y, z]");
     return std::nullopt;
   }
   std::vector<Value> values;

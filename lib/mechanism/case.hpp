@@ -12,6 +12,7 @@ namespace kinestat {
 struct Primary {
   int index = 0;  ///< into Topology::freedoms or Topology::actions
   double value = 0.0;
+  std::string given;  ///< how the file names it: an actuator, or coupling.freedom
   SourceRange where;
 };
 

@@ -240,19 +240,39 @@ std::string wrenches_text(const Mechanism& mechanism,
   return vector_table("Coupling", names, {force, moment});
 }
 
+// Every action by itself, "?" where equilibrium does not determine it.
+std::string actions_text(const Topology& topology,
+                         const StaticSolution& action,
+                         const InUnits& in) {
+  Table table({"Action", "magnitude", "unit"});
+  for (std::size_t a = 0; a < topology.actions.size(); ++a) {
+    const bool turns = topology.actions[a].is_couple;
+    const std::optional<double> magnitude = action.magnitudes[a];
+    table.add({topology.action_name(static_cast<int>(a)),
+               magnitude ? format_short(in.action(*magnitude, turns)) : "?",
+               in.units().text(turns ? QuantityKind::moment : QuantityKind::force)});
+  }
+  return fmt::format("  statics: {}\n\n", word_of(action.status)) + table.text("  ") + "\n";
+}
+
 std::string power_text(const PowerFlow& flow, const InUnits& in) {
-  return fmt::format("  input power {} {}, balance residual {}\n\n",
+  return fmt::format("  input power {} {}; {}\n\n",
                      format_short(in.power(flow.input)),
                      in.units().text(QuantityKind::power),
-                     format_short(flow.balance_residual));
+                     flow.is_balanced
+                         ? "the powers of all couplings sum to zero"
+                         : fmt::format("the powers of all couplings sum to {:.3g} of the largest",
+                                       flow.balance_residual));
 }
 
 std::string action_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
   if (one.action->wrenches.empty()) {
     return fmt::format("  statics: {}\n\n", word_of(one.action->status));
   }
-  std::string text =
-      actuators_text(mechanism.topology, one, in) + wrenches_text(mechanism, *one.action, in);
+  const bool is_solved = one.action->status == SolveStatus::solved;
+  std::string text = is_solved ? actuators_text(mechanism.topology, one, in) +
+                                     wrenches_text(mechanism, *one.action, in)
+                               : actions_text(mechanism.topology, *one.action, in);
   if (one.power) {
     text += power_text(*one.power, in);
   }

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/utf8.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -31,13 +33,6 @@ std::string_view line_of(std::string_view text, int number) {
   return line;
 }
 
-bool is_printable(std::string_view line) {
-  return std::ranges::none_of(line, [](char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return (byte < 0x20U && c != '\t') || byte == 0x7FU;
-  });
-}
-
 // Spaces up to the column; tabs stay tabs so that the caret stands below its place.
 std::string indent_to(std::string_view line, int column) {
   std::string result;
@@ -57,7 +52,7 @@ std::string indent_to(std::string_view line, int column) {
 
 std::string excerpt(const SourceFile& source, const SourceRange& where) {
   const std::string_view line = line_of(source.text, where.line);
-  if (where.line == 0 || line.empty() || line.size() > kLongestLine || !is_printable(line)) {
+  if (where.line == 0 || line.empty() || line.size() > kLongestLine || find_bad_character(line)) {
     return {};
   }
   return fmt::format("{:5} | {}\n      | {}{}\n",

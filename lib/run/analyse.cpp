@@ -107,7 +107,7 @@ Outcome check_files(const std::vector<std::string>& paths, const AnalyseOptions&
     SourceFile source;
     Diagnostics found;
     if (load(path, options.overrides, source, found)) {
-      outcome.out += fmt::format("{}: ok\n", path);
+      outcome.out += fmt::format("{}: ok\n", path == "-" ? "<stdin>" : path);
     }
     add_diagnostics(source, found, options.strictness, outcome);
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -14,53 +15,68 @@ namespace kinestat {
 
 namespace {
 
-using NameOf = std::function<std::string(int)>;
+// How the magnitudes of one side are shown: names as the file gives them, in the units of the file.
+struct Side {
+  std::function<std::string(int)> name;
+  std::function<double(int)> unit;  ///< SI per unit of the file
+  std::string_view key;             ///< "motion" or "action"
+};
 
-std::vector<std::string> names_of(const std::vector<int>& indices, const NameOf& name) {
+std::vector<std::string> names_of(const std::vector<int>& indices, const Side& side) {
   std::vector<std::string> names;
   for (const int i : indices) {
-    names.push_back(name(i));
+    names.push_back(side.name(i));
   }
   return names;
 }
 
-// "add one of: a.wz; b.wz", or sets in braces where several are missing.
-std::string completions_text(const PrimaryCheck& check, const NameOf& name) {
+// "add to 'motion:' for example a.wz or b.wz", or sets in braces where several are missing.
+std::string completions_text(const PrimaryCheck& check, const Side& side) {
   std::vector<std::string> sets;
   for (const std::vector<int>& set : check.completions) {
-    const std::string names = plain_list(names_of(set, name));
+    const std::string names = plain_list(names_of(set, side));
     sets.push_back(set.size() == 1 ? names : "{" + names + "}");
   }
   if (sets.empty()) {
     return {};
   }
-  return fmt::format("add {}{}",
-                     sets.size() == 1 ? "" : "one of ",
-                     fmt::join(sets, check.missing == 1 ? ", " : " or "));
+  return fmt::format("add to '{}:' {}{}",
+                     side.key,
+                     sets.size() == 1 ? "" : "for example ",
+                     fmt::join(sets, " or "));
 }
 
-// "a.wz - 2.5 b.wz = 0", scaled to a first coefficient of 1.
-std::string relation_text(const std::vector<DependenceTerm>& terms, const NameOf& name) {
+// "a.wz = 2.5 b.wz - c.wz", or "a.wz = 0", as numbers in the units of the file.
+std::string relation_text(const std::vector<DependenceTerm>& terms, const Side& side) {
+  const auto size = [&](const DependenceTerm& term) {
+    return term.coefficient * side.unit(term.index);
+  };
   std::string text;
-  for (const DependenceTerm& term : terms) {
-    const double share = term.coefficient / terms.front().coefficient;
-    if (std::abs(share) <= kRankZero) {
-      continue;
-    }
-    const std::string sign = text.empty() ? "" : (share < 0 ? " - " : " + ");
+  for (const DependenceTerm& term : std::span(terms).subspan(1)) {
+    const double share = -size(term) / size(terms.front());
     const bool is_one = std::abs(std::abs(share) - 1.0) <= kRankZero;
-    text += fmt::format(
-        "{}{}{}", sign, is_one ? "" : fmt::format("{:.6g} ", std::abs(share)), name(term.index));
+    text += text.empty() ? (share < 0 ? "-" : "") : (share < 0 ? " - " : " + ");
+    text += is_one ? "" : fmt::format("{:.6g} ", std::abs(share));
+    text += side.name(term.index);
   }
-  return text + " = 0";
+  return fmt::format("{} = {}", side.name(terms.front().index), text.empty() ? "0" : text);
 }
 
-std::string relations_text(const PrimaryCheck& check, const NameOf& name) {
+std::string relations_text(const PrimaryCheck& check, const Side& side) {
   std::vector<std::string> relations;
   for (const auto& terms : check.dependences) {
-    relations.push_back(relation_text(terms, name));
+    relations.push_back(relation_text(terms, side));
   }
   return fmt::format("{}", fmt::join(relations, " and "));
+}
+
+// "remove 'a' or 'b' from 'motion:'": any one that takes part in the first relation.
+std::string removal_text(const PrimaryCheck& check, const Side& side) {
+  std::vector<std::string> names;
+  for (const DependenceTerm& term : check.dependences.front()) {
+    names.push_back(fmt::format("'{}'", side.name(term.index)));
+  }
+  return fmt::format("remove {} from '{}:'", fmt::join(names, " or "), side.key);
 }
 
 SourceRange place_of_surplus(const std::vector<Primary>& primaries,
@@ -71,22 +87,52 @@ SourceRange place_of_surplus(const std::vector<Primary>& primaries,
   return at == primaries.end() ? otherwise : at->where;
 }
 
-void add_motion_findings(const Topology& topology, const CaseAnalysis& one, Diagnostics& found) {
+// The name that the case itself uses for a magnitude, or another.
+std::string name_in(const std::vector<Primary>& primaries, int index, std::string otherwise) {
+  const auto at = std::ranges::find(primaries, index, &Primary::index);
+  return at == primaries.end() ? otherwise : at->given;
+}
+
+Side motion_side(const Analysis& analysis, const Case& which) {
+  const Topology& topology = analysis.mechanism.topology;
+  const FileUnits& units = analysis.description.units;
+  return {.name = [&](int i) { return name_in(which.motions, i, topology.freedom_name(i)); },
+          .unit =
+              [&](int i) {
+                return units.factor(topology.freedoms[static_cast<std::size_t>(i)].is_rotation
+                                        ? QuantityKind::angular_velocity
+                                        : QuantityKind::velocity);
+              },
+          .key = "motion"};
+}
+
+Side action_side(const Analysis& analysis, const Case& which) {
+  const Topology& topology = analysis.mechanism.topology;
+  const FileUnits& units = analysis.description.units;
+  return {.name = [&](int i) { return name_in(which.actions, i, topology.action_name(i)); },
+          .unit =
+              [&](int i) {
+                return units.factor(topology.actions[static_cast<std::size_t>(i)].is_couple
+                                        ? QuantityKind::moment
+                                        : QuantityKind::force);
+              },
+          .key = "action"};
+}
+
+void add_motion_findings(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
   const KinematicSolution& motion = *one.motion;
-  const NameOf name = [&](int i) { return topology.freedom_name(i); };
+  const Side side = motion_side(analysis, one.which);
   if (motion.status == SolveStatus::dependent) {
-    const std::string more = motion.check.missing > 0
-                                 ? fmt::format("give {} of these motions another place; {}",
-                                               motion.check.dependences.size(),
-                                               completions_text(motion.check, name))
-                                 : "remove one of these motions";
     found.error("E0502",
                 place_of_surplus(one.which.motions, motion.check, one.which.where),
-                fmt::format("case '{}': the known motions depend on each other: the couplings "
+                fmt::format("case '{}' gives motions that depend on each other: the couplings "
                             "demand {}",
                             one.which.label,
-                            relations_text(motion.check, name)),
-                more);
+                            relations_text(motion.check, side)),
+                removal_text(motion.check, side) +
+                    (motion.check.missing > 0
+                         ? fmt::format(", and {}", completions_text(motion.check, side))
+                         : ""));
   } else if (motion.status == SolveStatus::underdetermined) {
     found.error("E0501",
                 one.which.where,
@@ -96,8 +142,8 @@ void add_motion_findings(const Topology& topology, const CaseAnalysis& one, Diag
                             one.which.motions.size(),
                             motion.counts.net_freedom,
                             motion.counts.net_freedom,
-                            plain_list(names_of(motion.check.undetermined, name))),
-                completions_text(motion.check, name));
+                            plain_list(names_of(motion.check.undetermined, side))),
+                completions_text(motion.check, side));
   }
 }
 
@@ -105,46 +151,51 @@ void add_motion_findings(const Topology& topology, const CaseAnalysis& one, Diag
 std::string unheld_text(const Analysis& analysis, const UnheldMotion& unheld) {
   const auto axis = find_axis(unheld.twist, analysis.mechanism.geometry.length);
   const std::string body = analysis.mechanism.topology.body(unheld.body).name;
-  const auto triple = [](const Vec3& v) {
+  const bool is_planar = analysis.mechanism.space == Space::planar;
+  const auto list = [&](const Vec3& v) {
     const auto tidy = [](double x) { return std::abs(x) <= kRankZero ? 0.0 : x; };
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", tidy(v.x()), tidy(v.y()), tidy(v.z()));
+    const std::string first = fmt::format("({:.6g}, {:.6g}", tidy(v.x()), tidy(v.y()));
+    return first + (is_planar ? ")" : fmt::format(", {:.6g})", tidy(v.z())));
   };
   if (!axis) {
     return fmt::format("body '{}' can move", body);
   }
   if (!axis->point) {
-    return fmt::format("body '{}' can slide along {}", body, triple(axis->direction));
+    return fmt::format("body '{}' can slide along {}", body, list(axis->direction));
   }
   const FileUnits& units = analysis.description.units;
-  const double scale = 1.0 / units.factor(QuantityKind::length);
-  return fmt::format("body '{}' can turn about the axis {} through {} {}",
-                     body,
-                     triple(axis->direction),
-                     triple(scale * *axis->point),
-                     units.text(QuantityKind::length));
+  const Vec3 point = *axis->point / units.factor(QuantityKind::length);
+  const std::string& unit = units.text(QuantityKind::length);
+  return is_planar
+             ? fmt::format("body '{}' can turn about the point {} {}", body, list(point), unit)
+             : fmt::format("body '{}' can turn about the axis {} through {} {}",
+                           body,
+                           list(axis->direction),
+                           list(point),
+                           unit);
 }
 
 void add_action_findings(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
   const StaticSolution& action = *one.action;
-  const Topology& topology = analysis.mechanism.topology;
-  const NameOf name = [&](int i) { return topology.action_name(i); };
+  const Side side = action_side(analysis, one.which);
   if (action.status == SolveStatus::inconsistent) {
-    found.error("E0602",
-                place_of_surplus(one.which.actions, action.check, one.which.where),
-                fmt::format("case '{}' has no equilibrium: it demands {}{}{}",
-                            one.which.label,
-                            relations_text(action.check, name),
-                            action.unheld ? "; nothing holds the load: " : "",
-                            action.unheld ? unheld_text(analysis, *action.unheld) : ""),
-                "leave open the action that holds this motion, or add what holds it");
+    found.error(
+        "E0602",
+        place_of_surplus(one.which.actions, action.check, one.which.where),
+        fmt::format("case '{}' has no equilibrium, which demands {}{}{}",
+                    one.which.label,
+                    relations_text(action.check, side),
+                    action.unheld ? "; nothing holds the load: " : "",
+                    action.unheld ? unheld_text(analysis, *action.unheld) : ""),
+        removal_text(action.check, side) + " so that it is solved, or add what holds this motion");
   } else if (action.status == SolveStatus::dependent) {
     found.error("E0601",
                 place_of_surplus(one.which.actions, action.check, one.which.where),
-                fmt::format("case '{}': the known actions depend on each other: equilibrium "
+                fmt::format("case '{}' gives actions that depend on each other: equilibrium "
                             "demands {}",
                             one.which.label,
-                            relations_text(action.check, name)),
-                "remove one of these actions");
+                            relations_text(action.check, side)),
+                removal_text(action.check, side));
   } else if (action.status == SolveStatus::underdetermined) {
     found.warning("W0601",
                   one.which.where,
@@ -153,8 +204,8 @@ void add_action_findings(const Analysis& analysis, const CaseAnalysis& one, Diag
                               one.which.label,
                               one.which.actions.size(),
                               action.counts.net_constraint,
-                              plain_list(names_of(action.check.undetermined, name))),
-                  completions_text(action.check, name));
+                              plain_list(names_of(action.check.undetermined, side))),
+                  completions_text(action.check, side));
   }
 }
 
@@ -163,7 +214,7 @@ void add_action_findings(const Analysis& analysis, const CaseAnalysis& one, Diag
 void add_findings(const Analysis& analysis, Diagnostics& found) {
   for (const CaseAnalysis& one : analysis.cases) {
     if (one.motion) {
-      add_motion_findings(analysis.mechanism.topology, one, found);
+      add_motion_findings(analysis, one, found);
     }
     if (one.action) {
       add_action_findings(analysis, one, found);

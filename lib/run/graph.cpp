@@ -106,7 +106,7 @@ const Case* choose_case(const std::vector<Case>& cases,
   found.error("E0101",
               {},
               fmt::format("--case: there is no case '{}'", label),
-              fmt::format("its cases are {}", plain_list(labels)));
+              fmt::format("its cases are {}", quoted_list(labels)));
   return nullptr;
 }
 

@@ -35,14 +35,12 @@ void apply(const Override& text, MechanismDescription& description, Diagnostics&
       names.push_back(one.name.text);
     }
     const std::string guess = did_you_mean(name, names);
-    refuse(
-        text,
-        fmt::format("the file has no parameter '{}'", name),
-        names.empty()
-            ? "its section 'parameters' is empty"
-            : fmt::format(
-                  "{}{}its parameters are {}", guess, guess.empty() ? "" : " ", plain_list(names)),
-        found);
+    refuse(text,
+           fmt::format("the file has no parameter '{}'", name),
+           names.empty()   ? "its section 'parameters' is empty"
+           : guess.empty() ? fmt::format("its parameters are {}", plain_list(names))
+                           : guess,
+           found);
     return;
   }
   auto parsed = parse_expression(text.substr(equals + 1));

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "io/byte_scan.hpp"
+#include "core/utf8.hpp"
 
 namespace kinestat {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/byte_scan.hpp"
+#include "core/utf8.hpp"
 
 namespace kinestat {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "io/byte_scan.hpp"
+#include "core/utf8.hpp"
 #include "io/internal/scalar_end.hpp"
 #include "io/internal/scalar_place.hpp"
 #include "io/internal/structure_words.hpp"

@@ -51,15 +51,18 @@ class CaseBinder {
       }
       const auto twin = std::ranges::find(primaries, *index, &Primary::index);
       if (twin != primaries.end()) {
-        auto& problem = found_.error("E0502",
-                                     assignment.target.where,
-                                     fmt::format("the motion '{}' is given twice",
-                                                 freedoms_[static_cast<std::size_t>(*index)]),
-                                     "keep one of the two");
+        auto& problem = found_.error(
+            side == Side::motion ? "E0502" : "E0601",
+            assignment.target.where,
+            fmt::format("'{}' is already given as '{}'", assignment.target.text, twin->given),
+            "keep one of the two");
         problem.notes.push_back({twin->where, "first given here"});
         continue;
       }
-      primaries.push_back({.index = *index, .value = *value, .where = assignment.target.where});
+      primaries.push_back({.index = *index,
+                           .value = *value,
+                           .given = assignment.target.text,
+                           .where = assignment.target.where});
     }
     return primaries;
   }

@@ -1,4 +1,5 @@
 #include "io/byte_scan.hpp"
+#include "core/utf8.hpp"
 
 #include <string>
 #include <string_view>
