@@ -185,9 +185,11 @@ class Eliminator {
     for (const Cell& cell : at(rows_, choice.row)) {
       --at(columns_, cell.column).count;
     }
+    // A row whose entry was lost and filled in again is listed twice; the second time it is 0.
     for (const int r : at(columns_, column).rows) {
-      if (r != choice.row) {
-        subtract(r, choice.row, column, value_at(r, column) / choice.value);
+      const double value = r == choice.row ? 0.0 : value_at(r, column);
+      if (value != 0.0) {
+        subtract(r, choice.row, column, value / choice.value);
       }
     }
     pivots.push_back({.row = choice.row, .column = column, .value = choice.value});
@@ -246,7 +248,8 @@ std::vector<Relation> Elimination::relations() const {
   for (const Pivot& pivot : last_pivots_) {
     Relation relation;
     for (const Cell& cell : at(rows_, pivot.row)) {
-      if (std::ranges::find(last_, cell.column) != last_.end()) {
+      const bool counts = std::abs(cell.value) > kRankZero;
+      if (counts && std::ranges::find(last_, cell.column) != last_.end()) {
         relation.terms.push_back({.row = 0,
                                   .column = cell.column,
                                   .value = cell.value / at(scaling_.columns, cell.column)});
@@ -291,7 +294,8 @@ double Elimination::relative_residual(const VecX& x, std::span<const double> rhs
 }
 
 // Rows without a pivot among the unknown columns: what is left of them must vanish, measured
-// against all that was summed into them.
+// against all that was summed into them. Entries that counted as zero for the rank are rounding,
+// and there is nothing in the row to measure them against.
 bool Elimination::surplus_rows_hold(const VecX& scaled_x,
                                     std::span<const double> right,
                                     std::span<const double> sizes) const {
@@ -306,7 +310,8 @@ bool Elimination::surplus_rows_hold(const VecX& scaled_x,
     double sum = right.empty() ? 0.0 : -right[r];
     double size = sizes.empty() ? 0.0 : sizes[r];
     for (const Cell& cell : rows_[r]) {
-      if (std::ranges::find(last_, cell.column) != last_.end()) {
+      const bool counts = std::abs(cell.value) > kRankZero;
+      if (counts && std::ranges::find(last_, cell.column) != last_.end()) {
         sum += cell.value * scaled_x[cell.column];
         size += std::abs(cell.value * scaled_x[cell.column]);
       }

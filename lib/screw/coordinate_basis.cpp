@@ -31,6 +31,9 @@ std::vector<int> nonzero_rows(const Mat6X& screws) {
 }  // namespace
 
 CoordinateBasis find_minimal_basis(const Mat6X& screws, ScrewKind kind, double length) {
+  if (screws.cols() == 0) {
+    return from_coordinates({});  // Eigen must not take a row of nothing
+  }
   std::vector<int> rows = nonzero_rows(screws);
   Vec6 scale = Vec6::Ones();
   scale.segment<3>(kind == ScrewKind::twist ? 3 : 0).setConstant(1.0 / length);

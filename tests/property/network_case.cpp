@@ -51,6 +51,13 @@ MatX passive_columns(const Topology& topology, const MatX& A_N) {
   return A_N(Eigen::all, passive);
 }
 
+Primary make_primary(int index, double value) {
+  Primary primary;
+  primary.index = index;
+  primary.value = value;
+  return primary;
+}
+
 // Adds random undetermined magnitudes one by one, at most three, then a completion.
 template <class Check>
 std::vector<Primary> choose_primaries(Random& random, const Check& check) {
@@ -62,7 +69,7 @@ std::vector<Primary> choose_primaries(Random& random, const Check& check) {
       return primaries;
     }
     const int index = random.one_of(found.undetermined);
-    primaries.push_back({.index = index, .value = random.magnitude(), .where = {}});
+    primaries.push_back(make_primary(index, random.magnitude()));
   }
   const PrimaryCheck found = check(primaries);
   if (found.missing == 0) {
@@ -73,7 +80,7 @@ std::vector<Primary> choose_primaries(Random& random, const Check& check) {
     return primaries;
   }
   for (const int index : random.one_of(found.completions)) {
-    primaries.push_back({.index = index, .value = random.magnitude(), .where = {}});
+    primaries.push_back(make_primary(index, random.magnitude()));
   }
   return primaries;
 }

@@ -82,9 +82,8 @@ TEST(PrimaryCheck, ProposesAtMostFiveCompletions) {
 
   const PrimaryCheck check = check_primaries(elimination, 0, 6);
 
-  EXPECT_EQ(
-      check.completions,
-      (std::vector<std::vector<int>>{{0, 2, 4}, {0, 2, 5}, {0, 3, 4}, {0, 3, 5}, {1, 2, 4}}));
+  EXPECT_EQ(check.completions,
+            (std::vector<std::vector<int>>{{0, 2, 4}, {0, 2, 5}, {0, 3, 4}, {0, 3, 5}, {1, 2, 4}}));
 }
 
 // Of the 40 million choices of 14 out of 28 only 16384 take one magnitude of each pair.
