@@ -10,6 +10,9 @@ void fill(const Topology& topology,
           const CoordinateBasis& basis,
           const VecX& x,
           KinematicSolution& solution) {
+  solution.rates.reserve(topology.freedoms.size());
+  solution.bodies.reserve(topology.bodies.size());
+  solution.couplings.reserve(topology.couplings.size());
   for (int f = 0; f < topology.freedom_count(); ++f) {
     solution.rates.push_back(x[velocity_column(topology, basis, f)]);
   }

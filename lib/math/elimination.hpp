@@ -30,7 +30,7 @@ struct EliminationSolution {
 class Elimination {
  public:
   /// `last` holds the columns whose x is to be known; it may be empty.
-  Elimination(const SparseMatrix& matrix, std::span<const int> last);
+  Elimination(SparseMatrix matrix, std::span<const int> last);
 
   int rank() const { return evidence_.rank; }
 

@@ -13,7 +13,7 @@ Json screw(const std::optional<ScrewAxis>& axis, const InUnits& in) {
   if (!axis) {
     return nullptr;
   }
-  Json result;
+  Json result = object_of(8);
   result["direction"] = vector(axis->direction);
   result["point"] = axis->point ? vector(in.length(*axis->point)) : Json(nullptr);
   result["pitch"] = axis->pitch ? number(in.length(*axis->pitch)) : Json(nullptr);
@@ -21,7 +21,7 @@ Json screw(const std::optional<ScrewAxis>& axis, const InUnits& in) {
 }
 
 Json evidence(const RankEvidence& rank) {
-  Json result;
+  Json result = object_of(8);
   result["method"] = rank.method;
   result["rank"] = rank.rank;
   result["smallest_pivot"] = number(rank.smallest_pivot);
@@ -31,7 +31,7 @@ Json evidence(const RankEvidence& rank) {
 }
 
 Json side_json(const SideCounts& side) {
-  Json result;
+  Json result = object_of(8);
   result["order"] = side.motions.order;
   result["gross_freedom"] = side.motions.gross_freedom;
   result["rank"] = side.motions.rank;
@@ -51,7 +51,7 @@ Json side_json(const SideCounts& side) {
 }
 
 Json mobility_json(const MobilityCounts& counts) {
-  Json result;
+  Json result = object_of(8);
   result["minimal"] = side_json(counts.minimal);
   result["planar"] = counts.planar ? side_json(*counts.planar) : Json(nullptr);
   result["spatial"] = side_json(counts.spatial);
@@ -60,7 +60,7 @@ Json mobility_json(const MobilityCounts& counts) {
 }
 
 Json primary_json(const Mechanism& mechanism, const Case& which) {
-  Json result;
+  Json result = object_of(8);
   result["motion"] = Json::array();
   for (const Primary& primary : which.motions) {
     result["motion"].push_back(mechanism.topology.freedom_name(primary.index));
@@ -77,17 +77,17 @@ Json kinematics_json(const Mechanism& mechanism,
                      const InUnits& in) {
   const Topology& topology = mechanism.topology;
   const bool is_solved = motion.status == SolveStatus::solved;
-  Json result;
+  Json result = object_of(8);
   result["status"] = word_of(motion.status);
   result["order"] = motion.counts.order;
   result["net_freedom"] = motion.counts.net_freedom;
-  result["freedoms"] = Json::object();
+  result["freedoms"] = object_of(topology.freedoms.size());
   for (std::size_t f = 0; f < topology.freedoms.size(); ++f) {
     result["freedoms"][topology.freedom_name(static_cast<int>(f))] =
         is_solved ? number(in.rate(motion.rates[f], topology.freedoms[f].is_rotation))
                   : Json(nullptr);
   }
-  result["bodies"] = Json::object();
+  result["bodies"] = object_of(topology.bodies.size());
   for (std::size_t b = 0; is_solved && b < topology.bodies.size(); ++b) {
     const Twist& twist = motion.bodies[b];
     const Vec3& at = mechanism.geometry.references[b];
@@ -111,7 +111,7 @@ Json wrench_json(const Mechanism& mechanism,
     return nullptr;
   }
   const Vec3& at = mechanism.geometry.points[e];
-  Json result;
+  Json result = object_of(8);
   result["wrench"] = sixfold(in.moment(wrench->moment), in.force(wrench->force));
   result["moment"] = vector(in.moment(moment_at(*wrench, at)));
   result["force"] = vector(in.force(wrench->force));
@@ -122,11 +122,11 @@ Json wrench_json(const Mechanism& mechanism,
 
 Json statics_json(const Mechanism& mechanism, const StaticSolution& action, const InUnits& in) {
   const Topology& topology = mechanism.topology;
-  Json result;
+  Json result = object_of(8);
   result["status"] = word_of(action.status);
   result["order"] = action.counts.order;
   result["net_constraint"] = action.counts.net_constraint;
-  result["actions"] = Json::object();
+  result["actions"] = object_of(topology.actions.size());
   for (std::size_t a = 0; a < topology.actions.size(); ++a) {
     const std::optional<double> magnitude =
         action.magnitudes.empty() ? std::nullopt : action.magnitudes[a];
@@ -137,7 +137,7 @@ Json statics_json(const Mechanism& mechanism, const StaticSolution& action, cons
   for (const int a : action.check.undetermined) {
     result["undetermined"].push_back(topology.action_name(a));
   }
-  result["couplings"] = Json::object();
+  result["couplings"] = object_of(topology.couplings.size());
   for (std::size_t e = 0; e < action.wrenches.size(); ++e) {
     result["couplings"][topology.couplings[e].name] =
         wrench_json(mechanism, e, action.wrenches[e], in);
@@ -150,15 +150,15 @@ Json statics_json(const Mechanism& mechanism, const StaticSolution& action, cons
 
 Json power_json(const Mechanism& mechanism, const PowerFlow& flow, const InUnits& in) {
   const Topology& topology = mechanism.topology;
-  Json result;
+  Json result = object_of(8);
   result["status"] = flow.is_balanced ? "solved" : "inconsistent";
-  result["couplings"] = Json::object();
-  result["supplied"] = Json::object();
+  result["couplings"] = object_of(topology.couplings.size());
+  result["supplied"] = object_of(topology.couplings.size());
   for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
     result["couplings"][topology.couplings[e].name] = number(in.power(flow.into_head[e]));
     result["supplied"][topology.couplings[e].name] = number(in.power(flow.supplied[e]));
   }
-  result["actuators"] = Json::object();
+  result["actuators"] = object_of(8);
   for (std::size_t i = 0; i < topology.actuators.size(); ++i) {
     result["actuators"][topology.actuators[i].name] = number(in.power(flow.actuators[i]));
   }
@@ -169,7 +169,7 @@ Json power_json(const Mechanism& mechanism, const PowerFlow& flow, const InUnits
 
 Json case_json(const Mechanism& mechanism, const CaseAnalysis& one, const FileUnits& units) {
   const InUnits in(units, find_zero_snap(one, mechanism.geometry.length));
-  Json result;
+  Json result = object_of(8);
   result["primary"] = primary_json(mechanism, one.which);
   if (one.ratios) {
     result["ratio"] = number(one.ratios->ratio);
@@ -196,7 +196,7 @@ Json analysis_json(const Analysis& analysis) {
   Json result = report_head(analysis.file, analysis.description);
   result["graph"] = graph_json(analysis.mechanism, analysis.description.units);
   result["mobility"] = mobility_json(analysis.mobility);
-  result["cases"] = Json::object();
+  result["cases"] = object_of(8);
   for (const CaseAnalysis& one : analysis.cases) {
     result["cases"][one.which.label] =
         case_json(analysis.mechanism, one, analysis.description.units);

@@ -8,7 +8,7 @@ namespace kinestat {
 namespace {
 
 Json mechanism_json(const std::string& file, const MechanismDescription& description) {
-  Json result;
+  Json result = object_of(8);
   result["name"] = description.name;
   result["source"] = description.source;
   result["file"] = file;
@@ -18,7 +18,7 @@ Json mechanism_json(const std::string& file, const MechanismDescription& descrip
       result["units"][std::string(key_of(kind))] = description.units.text(kind);
     }
   }
-  result["parameters"] = Json::object();
+  result["parameters"] = object_of(8);
   for (const ParameterDescription& parameter : description.parameters) {
     result["parameters"][parameter.name.text] = parameter.value.expression.text();
   }
@@ -28,7 +28,7 @@ Json mechanism_json(const std::string& file, const MechanismDescription& descrip
 Json coupling_json(const Mechanism& mechanism, std::size_t e, const InUnits& in) {
   const Topology& topology = mechanism.topology;
   const CouplingTopology& coupling = topology.couplings[e];
-  Json result;
+  Json result = object_of(8);
   result["name"] = coupling.name;
   result["type"] = word_of(coupling.type);
   result["bodies"] = {topology.body(coupling.tail).name, topology.body(coupling.head).name};
@@ -59,7 +59,7 @@ Json names(const Topology& topology, const std::vector<int>& edges) {
 Json graph_json(const Mechanism& mechanism, const FileUnits& units) {
   const InUnits in(units, ZeroSnap{});
   const Topology& topology = mechanism.topology;
-  Json result;
+  Json result = object_of(8);
   result["bodies"] = Json::array();
   for (std::size_t b = 0; b < topology.bodies.size(); ++b) {
     Json body;
@@ -77,7 +77,7 @@ Json graph_json(const Mechanism& mechanism, const FileUnits& units) {
 }
 
 Json report_head(const std::string& file, const MechanismDescription& description) {
-  Json result;
+  Json result = object_of(8);
   result["kinestat"]["version"] = kVersion;
   result["kinestat"]["report"] = kReportVersion;
   result["mechanism"] = mechanism_json(file, description);

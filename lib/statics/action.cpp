@@ -71,6 +71,7 @@ void fill(const Mechanism& mechanism, const VecX& x, StaticSolution& solution) {
       solution.magnitudes[static_cast<std::size_t>(a)] = x[a];
     }
   }
+  solution.wrenches.reserve(topology.couplings.size());
   for (const CouplingTopology& coupling : topology.couplings) {
     std::optional<Wrench> sum = Wrench{};
     for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
@@ -96,8 +97,8 @@ StaticSolution solve_action(const Mechanism& mechanism,
     columns.push_back(primary.index);
     known.push_back(primary.value);
   }
-  const SparseMatrix system = action_system(mechanism.topology, mechanism.geometry, basis);
-  const Elimination elimination(system, columns);
+  const Elimination elimination(action_system(mechanism.topology, mechanism.geometry, basis),
+                                columns);
   StaticSolution solution;
   solution.evidence = elimination.evidence();
   solution.counts = action_counts(mechanism, basis.order(), elimination.rank());
@@ -106,7 +107,8 @@ StaticSolution solve_action(const Mechanism& mechanism,
     const bool is_unheld = contradicts(solution.check, primaries);
     solution.status = is_unheld ? SolveStatus::inconsistent : SolveStatus::dependent;
     if (is_unheld) {
-      solution.unheld = find_unheld(system, basis, primaries);
+      solution.unheld = find_unheld(
+          action_system(mechanism.topology, mechanism.geometry, basis), basis, primaries);
     }
     return solution;
   }

@@ -1,11 +1,12 @@
 #include "io/byte_scan.hpp"
-#include "core/utf8.hpp"
 
 #include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include "core/utf8.hpp"
 
 namespace kinestat {
 namespace {
