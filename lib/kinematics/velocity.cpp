@@ -6,6 +6,14 @@ namespace kinestat {
 
 namespace {
 
+std::vector<double> rate_units(const Topology& topology, const CoordinateBasis& basis) {
+  std::vector<double> units;
+  for (int f = 0; f < topology.freedom_count(); ++f) {
+    units.push_back(rate_unit(topology, basis, f));
+  }
+  return units;
+}
+
 void fill(const Topology& topology,
           const CoordinateBasis& basis,
           const VecX& x,
@@ -14,7 +22,8 @@ void fill(const Topology& topology,
   solution.bodies.reserve(topology.bodies.size());
   solution.couplings.reserve(topology.couplings.size());
   for (int f = 0; f < topology.freedom_count(); ++f) {
-    solution.rates.push_back(x[velocity_column(topology, basis, f)]);
+    solution.rates.push_back(rate_unit(topology, basis, f) *
+                             x[velocity_column(topology, basis, f)]);
   }
   for (int b = 0; b < topology.body_count(); ++b) {
     solution.bodies.push_back(body_twist(x, basis, BodyId{b}));
@@ -35,14 +44,14 @@ KinematicSolution solve_velocity(const Mechanism& mechanism,
   std::vector<double> known;
   for (const Primary& primary : primaries) {
     columns.push_back(velocity_column(topology, basis, primary.index));
-    known.push_back(primary.value);
+    known.push_back(primary.value / rate_unit(topology, basis, primary.index));
   }
   const Elimination elimination(velocity_system(topology, mechanism.geometry, basis), columns);
   KinematicSolution solution;
   solution.evidence = elimination.evidence();
   solution.counts = motion_counts(mechanism, basis.order(), elimination.rank());
-  solution.check =
-      check_primaries(elimination, velocity_column(topology, basis, 0), topology.freedom_count());
+  solution.check = check_primaries(
+      elimination, velocity_column(topology, basis, 0), rate_units(topology, basis));
   if (!solution.check.dependences.empty()) {
     solution.status = SolveStatus::dependent;
     return solution;

@@ -48,9 +48,11 @@ void count_actions(const Mechanism& mechanism, const Mechanism& in_space, Mobili
   const CoordinateBasis actions = action_basis(mechanism.geometry, OrderChoice::minimal);
   counts.minimal.actions = count_in(mechanism, actions);
   if (counts.planar && is_planar(actions)) {
-    counts.planar->actions = count_in(mechanism, planar_basis());
+    counts.planar->actions =
+        count_in(mechanism, action_basis(mechanism.geometry, OrderChoice::planar));
   }
-  counts.spatial.actions = count_in(in_space, spatial_basis());
+  counts.spatial.actions =
+      count_in(in_space, action_basis(in_space.geometry, OrderChoice::spatial));
 }
 
 }  // namespace kinestat

@@ -10,10 +10,10 @@ CoordinateBasis basis_of(const std::vector<Screw>& screws,
                          OrderChoice order,
                          double length) {
   if (order == OrderChoice::planar) {
-    return planar_basis();
+    return planar_basis(kind, length);
   }
   if (order == OrderChoice::spatial) {
-    return spatial_basis();
+    return spatial_basis(kind, length);
   }
   Mat6X columns(6, static_cast<Eigen::Index>(screws.size()));
   for (std::size_t i = 0; i < screws.size(); ++i) {

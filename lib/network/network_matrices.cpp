@@ -60,7 +60,9 @@ LabelledMatrix unit_screws(const Expansion& side,
   const auto count = static_cast<Eigen::Index>(side.columns.size());
   MatX value(basis.order(), count);
   for (Eigen::Index c = 0; c < count; ++c) {
-    value.col(c) = basis.basis.transpose() * side.columns[static_cast<std::size_t>(c)].screw;
+    const Vec6& screw = side.columns[static_cast<std::size_t>(c)].screw;
+    value.col(c) = basis.is_made_of_coordinates() ? VecX(basis.basis.transpose() * screw)
+                                                  : basis.coordinates_of(screw);
   }
   return {.symbol = std::move(symbol),
           .meaning = std::move(meaning),

@@ -27,7 +27,8 @@ std::vector<LabelledMatrix> graph_matrices(const Topology& topology, const Coupl
 /// Columns are freedoms in the order of the graph's columns (branches, then chords): B_M, the
 /// circuits with each column repeated for every freedom (in series); M_D, the unit motions in the
 /// coordinates of the basis; M_N, which stacks M_D · diag(B_i) (eq. 3.29), its order·l rows named
-/// circuit.coordinate.
+/// circuit.coordinate. Entries are those of the geometry, whatever its units; only in an oblique
+/// basis do they count in the units of the basis.
 std::vector<LabelledMatrix> motion_matrices(const Topology& topology,
                                             const Geometry& geometry,
                                             const CouplingGraph& graph,

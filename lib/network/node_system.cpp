@@ -4,17 +4,22 @@ namespace kinestat {
 
 namespace {
 
-// Adds sign · (the screw's coordinates in the basis) as a column piece that begins at `row`.
+// Adds factor · (the screw's coordinates in the basis) as a column piece that begins at `at`.
 void add_screw(const Vec6& screw,
                const CoordinateBasis& basis,
-               double sign,
+               double factor,
                SparseEntry at,
                SparseMatrix& to) {
+  if (basis.is_made_of_coordinates()) {
+    for (int i = 0; i < basis.order(); ++i) {
+      const int c = basis.coordinates[static_cast<std::size_t>(i)];
+      to.add(at.row + i, at.column, factor * screw[c] / basis.unit[c]);
+    }
+    return;
+  }
+  const VecX coordinates = basis.coordinates_of(screw);
   for (int i = 0; i < basis.order(); ++i) {
-    const double coordinate = basis.is_made_of_coordinates()
-                                  ? screw[basis.coordinates[static_cast<std::size_t>(i)]]
-                                  : basis.basis.col(i).dot(screw);
-    to.add(at.row + i, at.column, sign * coordinate);
+    to.add(at.row + i, at.column, factor * coordinates[i]);
   }
 }
 
@@ -41,7 +46,7 @@ SparseMatrix velocity_system(const Topology& topology,
       const Vec6 screw = geometry.motions[static_cast<std::size_t>(f)].coordinates();
       const SparseEntry at{
           .row = order * e, .column = velocity_column(topology, basis, f), .value = 0.0};
-      add_screw(screw, basis, -1.0, at, system);
+      add_screw(screw, basis, -rate_unit(topology, basis, f), at, system);
     }
   }
   return system;
@@ -51,12 +56,22 @@ int velocity_column(const Topology& topology, const CoordinateBasis& basis, int 
   return basis.order() * (topology.body_count() - 1) + freedom;
 }
 
+double rate_unit(const Topology& topology, const CoordinateBasis& basis, int freedom) {
+  const bool turns = topology.freedoms[static_cast<std::size_t>(freedom)].is_rotation;
+  return turns ? 1.0 : basis.length_unit(ScrewKind::twist);
+}
+
+double action_unit(const Topology& topology, const CoordinateBasis& basis, int action) {
+  const bool turns = topology.actions[static_cast<std::size_t>(action)].is_couple;
+  return turns ? basis.length_unit(ScrewKind::wrench) : 1.0;
+}
+
 Twist body_twist(const VecX& solution, const CoordinateBasis& basis, BodyId body) {
   if (body.value == 0 || basis.order() == 0) {
     return {};
   }
   const Eigen::Index first = basis.order() * (body.value - 1);
-  return Twist::from_coordinates(basis.basis * solution.segment(first, basis.order()));
+  return Twist::from_coordinates(basis.screw_of(solution.segment(first, basis.order())));
 }
 
 SparseMatrix action_system(const Topology& topology,
@@ -69,13 +84,14 @@ SparseMatrix action_system(const Topology& topology,
   for (const CouplingTopology& coupling : topology.couplings) {
     for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
       const Vec6 screw = geometry.actions[static_cast<std::size_t>(a)].coordinates();
+      const double unit = action_unit(topology, basis, a);
       if (coupling.head.value > 0) {
         const int row = order * (coupling.head.value - 1);
-        add_screw(screw, basis, 1.0, {.row = row, .column = a, .value = 0.0}, system);
+        add_screw(screw, basis, unit, {.row = row, .column = a, .value = 0.0}, system);
       }
       if (coupling.tail.value > 0) {
         const int row = order * (coupling.tail.value - 1);
-        add_screw(screw, basis, -1.0, {.row = row, .column = a, .value = 0.0}, system);
+        add_screw(screw, basis, -unit, {.row = row, .column = a, .value = 0.0}, system);
       }
     }
   }

@@ -8,6 +8,9 @@
 
 namespace kinestat {
 
+/// Unknowns count in the units of the basis: angular velocities and forces in SI, what holds a
+/// length in the mechanism's size. So the numbers, and with them the rank, do not depend on it.
+
 /// Velocities: for every coupling t_head - t_tail - Σ φ_i $_i = 0, in the coordinates of `basis`.
 /// Rows: order · e. Columns: the twists of bodies 1, 2, … (order each; the ground rests), then the
 /// freedoms. Its rank is order·(n - 1) + rank M_N.
@@ -18,7 +21,10 @@ SparseMatrix velocity_system(const Topology& topology,
 /// The column of a freedom in the velocity system.
 int velocity_column(const Topology& topology, const CoordinateBasis& basis, int freedom);
 
-/// The twist of a body from a solution of the velocity system; zero for the ground.
+/// SI per unit of the unknown of a freedom: 1 for a rotation, the length unit for a translation.
+double rate_unit(const Topology& topology, const CoordinateBasis& basis, int freedom);
+
+/// The twist of a body [SI] from a solution of the velocity system; zero for the ground.
 Twist body_twist(const VecX& solution, const CoordinateBasis& basis, BodyId body);
 
 /// Equilibrium: for every body but the ground, the actions of couplings on it, tail on head
@@ -27,5 +33,8 @@ Twist body_twist(const VecX& solution, const CoordinateBasis& basis, BodyId body
 SparseMatrix action_system(const Topology& topology,
                            const Geometry& geometry,
                            const CoordinateBasis& basis);
+
+/// SI per unit of the unknown of an action: 1 for a force, the length unit for a couple.
+double action_unit(const Topology& topology, const CoordinateBasis& basis, int action);
 
 }  // namespace kinestat

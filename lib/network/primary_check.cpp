@@ -72,12 +72,17 @@ class CompletionSearch {
 
 }  // namespace
 
-PrimaryCheck check_primaries(const Elimination& elimination, int first_column, int count) {
+PrimaryCheck check_primaries(const Elimination& elimination,
+                             int first_column,
+                             std::span<const double> units) {
   PrimaryCheck check;
+  const int count = static_cast<int>(units.size());
   for (const Relation& relation : elimination.relations()) {
     std::vector<DependenceTerm> terms;
     for (const SparseEntry& term : relation.terms) {
-      terms.push_back({.index = term.column - first_column, .coefficient = term.value});
+      const int index = term.column - first_column;
+      terms.push_back(
+          {.index = index, .coefficient = term.value / units[static_cast<std::size_t>(index)]});
     }
     check.dependences.push_back(std::move(terms));
   }

@@ -1,6 +1,7 @@
 // Whether a choice of primary magnitudes is right, and what to choose instead.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "math/elimination.hpp"
@@ -15,7 +16,7 @@ struct DependenceTerm {
 
 /// What is wrong with the primary magnitudes of a case; all empty if nothing is.
 struct PrimaryCheck {
-  /// Relations that the primary magnitudes must satisfy: sum of coefficient · magnitude = 0.
+  /// Relations that the primary magnitudes must satisfy: sum of coefficient · magnitude [SI] = 0.
   std::vector<std::vector<DependenceTerm>> dependences;
   /// Magnitudes that remain undetermined, ascending.
   std::vector<int> undetermined;
@@ -26,7 +27,9 @@ struct PrimaryCheck {
 };
 
 /// Reads the check off an elimination whose last columns were the primaries. Magnitude i is column
-/// `first_column` + i; there are `count` of them.
-PrimaryCheck check_primaries(const Elimination& elimination, int first_column, int count);
+/// `first_column` + i, which counts in `units`[i] (SI).
+PrimaryCheck check_primaries(const Elimination& elimination,
+                             int first_column,
+                             std::span<const double> units);
 
 }  // namespace kinestat

@@ -31,7 +31,7 @@ class CsvWriter {
       for (std::size_t i = 0; i < value.size(); ++i) {
         add(place, quantity + "/" + std::to_string(i), value[i]);
       }
-    } else if (!quantity.empty() && (value.is_number() || value.is_null())) {
+    } else if (value.is_number() || value.is_null()) {
       row(place, quantity, value);
     }
   }

@@ -103,20 +103,19 @@ Json kinematics_json(const Mechanism& mechanism,
   return result;
 }
 
+// A wrench that equilibrium does not determine is null, part by part.
 Json wrench_json(const Mechanism& mechanism,
                  std::size_t e,
                  const std::optional<Wrench>& wrench,
                  const InUnits& in) {
-  if (!wrench) {
-    return nullptr;
-  }
   const Vec3& at = mechanism.geometry.points[e];
   Json result = object_of(8);
-  result["wrench"] = sixfold(in.moment(wrench->moment), in.force(wrench->force));
-  result["moment"] = vector(in.moment(moment_at(*wrench, at)));
-  result["force"] = vector(in.force(wrench->force));
+  result["wrench"] = wrench ? sixfold(in.moment(wrench->moment), in.force(wrench->force)) : Json();
+  result["moment"] = wrench ? vector(in.moment(moment_at(*wrench, at))) : Json();
+  result["force"] = wrench ? vector(in.force(wrench->force)) : Json();
   result["at"] = vector(in.length(at));
-  result["screw"] = screw(find_axis(in.snapped(*wrench), mechanism.geometry.length), in);
+  result["screw"] =
+      wrench ? screw(find_axis(in.snapped(*wrench), mechanism.geometry.length), in) : Json();
   return result;
 }
 

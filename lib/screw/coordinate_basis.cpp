@@ -1,6 +1,7 @@
 #include "screw/coordinate_basis.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "math/orthonormal.hpp"
 
@@ -8,13 +9,22 @@ namespace kinestat {
 
 namespace {
 
-CoordinateBasis from_coordinates(std::vector<int> coordinates) {
+// The size of a mechanism as a power of two: numbers in this unit are not rounded.
+Vec6 units_for(ScrewKind kind, double length) {
+  Vec6 unit = Vec6::Ones();
+  const double power = std::exp2(std::round(std::log2(length)));
+  unit.segment<3>(kind == ScrewKind::twist ? 3 : 0).setConstant(power);
+  return unit;
+}
+
+CoordinateBasis from_coordinates(std::vector<int> coordinates, const Vec6& unit) {
   CoordinateBasis result;
   result.basis = Mat6X::Zero(6, static_cast<Eigen::Index>(coordinates.size()));
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
     result.basis(coordinates[i], static_cast<Eigen::Index>(i)) = 1.0;
   }
   result.coordinates = std::move(coordinates);
+  result.unit = unit;
   return result;
 }
 
@@ -31,29 +41,28 @@ std::vector<int> nonzero_rows(const Mat6X& screws) {
 }  // namespace
 
 CoordinateBasis find_minimal_basis(const Mat6X& screws, ScrewKind kind, double length) {
+  const Vec6 unit = units_for(kind, length);
   if (screws.cols() == 0) {
-    return from_coordinates({});  // Eigen must not take a row of nothing
+    return from_coordinates({}, unit);  // Eigen must not take a row of nothing
   }
   std::vector<int> rows = nonzero_rows(screws);
-  Vec6 scale = Vec6::Ones();
-  scale.segment<3>(kind == ScrewKind::twist ? 3 : 0).setConstant(1.0 / length);
-  const Mat6X scaled = scale.asDiagonal() * screws;
-  const MatX span = orthonormal_range(scaled);
+  const Mat6X in_units = unit.cwiseInverse().asDiagonal() * screws;
+  const MatX span = orthonormal_range(in_units);
   if (span.cols() == static_cast<Eigen::Index>(rows.size())) {
-    return from_coordinates(std::move(rows));
+    return from_coordinates(std::move(rows), unit);
   }
   CoordinateBasis result;
-  const Mat6X in_metres = scale.cwiseInverse().asDiagonal() * span;
-  result.basis = orthonormal_range(in_metres);
+  result.basis = span;
+  result.unit = unit;
   return result;
 }
 
-CoordinateBasis planar_basis() {
-  return from_coordinates({2, 3, 4});
+CoordinateBasis planar_basis(ScrewKind kind, double length) {
+  return from_coordinates({2, 3, 4}, units_for(kind, length));
 }
 
-CoordinateBasis spatial_basis() {
-  return from_coordinates({0, 1, 2, 3, 4, 5});
+CoordinateBasis spatial_basis(ScrewKind kind, double length) {
+  return from_coordinates({0, 1, 2, 3, 4, 5}, units_for(kind, length));
 }
 
 std::vector<std::string> row_names(const CoordinateBasis& basis, ScrewKind kind) {

@@ -16,7 +16,7 @@ namespace kinestat {
 /// A motion of the bodies that the actions cannot hold against the load.
 struct UnheldMotion {
   BodyId body;  ///< the one that moves most
-  Twist twist;  ///< its motion, scaled to a largest component of 1
+  Twist twist;  ///< its motion; only the axis and the pitch mean something
 };
 
 /// Lists are parallel to those of the Topology. An empty magnitude is not determined by

@@ -7,7 +7,7 @@ program), ROOT (the repository), MECHANISMS, PATH and LC_ALL=C. Expectations, ea
   status        exit status (0 when absent)
   out, err      the text of stdout, stderr, exactly
   out.json      stdout as JSON, one or more documents: numbers compared with tolerance, keys in
-                order, the values of keys named `version` ignored
+                order, the values of keys named `version` or `evidence` ignored
   out_contains, err_contains    lines that must occur somewhere in the text
   files, no_files               patterns (**, *) that must, must not, match a file afterwards
   as_nobody     an empty file: run without root's rights
@@ -172,7 +172,7 @@ def object_differences(expected: Pairs, actual: Pairs, at: str) -> Iterator[str]
         yield f"{at}: expected the keys {wanted}, got {got}"
         return
     for (key, value), (_, other) in zip(expected, actual):
-        if key != "version":
+        if key not in ("version", "evidence"):
             name = key.replace("~", "~0").replace("/", "~1")
             yield from differences(value, other, f"{at}/{name}")
 

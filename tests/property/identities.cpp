@@ -33,10 +33,10 @@ void expect_orthogonal_graph(const CouplingGraph& graph) {
 void expect_equal_ranks(const NetworkCase& network) {
   const Mechanism& mechanism = network.mechanism;
   const int body_rank = network.order() * (mechanism.topology.body_count() - 1);
-  const Elimination velocity(velocity_system(mechanism.topology, mechanism.geometry, network.basis),
-                             {});
-  const Elimination action(action_system(mechanism.topology, mechanism.geometry, network.basis),
-                           {});
+  const Elimination velocity(
+      velocity_system(mechanism.topology, mechanism.geometry, network.twist_basis), {});
+  const Elimination action(
+      action_system(mechanism.topology, mechanism.geometry, network.wrench_basis), {});
 
   EXPECT_EQ(velocity.rank(), body_rank + find_rank(network.M_N).rank);
   EXPECT_EQ(action.rank(), find_rank(network.A_N).rank);
@@ -58,7 +58,8 @@ void expect_complementary_counts(const NetworkCase& network) {
 }
 
 VecX expect_solved_motions(const NetworkCase& network, const std::vector<Primary>& primaries) {
-  const KinematicSolution solution = solve_velocity(network.mechanism, network.basis, primaries);
+  const KinematicSolution solution =
+      solve_velocity(network.mechanism, network.twist_basis, primaries);
   if (solution.status != SolveStatus::solved) {
     ADD_FAILURE() << "the motions are " << word_of(solution.status);
     return VecX::Zero(network.M_N.cols());
@@ -74,7 +75,7 @@ VecX expect_solved_motions(const NetworkCase& network, const std::vector<Primary
 }
 
 VecX expect_solved_actions(const NetworkCase& network, const std::vector<Primary>& primaries) {
-  const StaticSolution solution = solve_action(network.mechanism, network.basis, primaries);
+  const StaticSolution solution = solve_action(network.mechanism, network.wrench_basis, primaries);
   if (solution.status != SolveStatus::solved) {
     ADD_FAILURE() << "the actions are " << word_of(solution.status);
     return VecX::Zero(network.A_N.cols());

@@ -6,6 +6,7 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
+#include "network/bases.hpp"
 #include "network/network_matrices.hpp"
 #include "network/node_system.hpp"
 
@@ -111,15 +112,18 @@ bool is_clear(const RankEvidence& evidence) {
 NetworkCase make_network_case(Mechanism mechanism) {
   const bool is_planar =
       mechanism.space == Space::planar && mechanism.static_order != OrderChoice::spatial;
-  const CoordinateBasis basis = is_planar ? planar_basis() : spatial_basis();
+  const OrderChoice order = is_planar ? OrderChoice::planar : OrderChoice::spatial;
+  const CoordinateBasis twist_basis = motion_basis(mechanism.geometry, order);
+  const CoordinateBasis wrench_basis = action_basis(mechanism.geometry, order);
   const Topology& topology = mechanism.topology;
-  const auto motions = motion_matrices(topology, mechanism.geometry, mechanism.graph, basis);
-  const auto actions = action_matrices(topology, mechanism.geometry, mechanism.graph, basis);
+  const auto motions = motion_matrices(topology, mechanism.geometry, mechanism.graph, twist_basis);
+  const auto actions = action_matrices(topology, mechanism.geometry, mechanism.graph, wrench_basis);
   const MatX A_N = in_file_order(actions.back(), action_names(topology));
   MatX M_N = in_file_order(motions.back(), freedom_names(topology));
   MatX A_P = passive_columns(topology, A_N);
   return {.mechanism = std::move(mechanism),
-          .basis = basis,
+          .twist_basis = twist_basis,
+          .wrench_basis = wrench_basis,
           .M_N = std::move(M_N),
           .A_N = A_N,
           .A_P = std::move(A_P)};
@@ -138,26 +142,36 @@ bool couplings_are_complementary(const Mechanism& mechanism, int order) {
 
 std::vector<Primary> choose_motions(const NetworkCase& network, Random& random) {
   const Topology& topology = network.mechanism.topology;
-  const SparseMatrix system = velocity_system(topology, network.mechanism.geometry, network.basis);
-  const int first = velocity_column(topology, network.basis, 0);
+  const SparseMatrix system =
+      velocity_system(topology, network.mechanism.geometry, network.twist_basis);
+  const int first = velocity_column(topology, network.twist_basis, 0);
+  std::vector<double> rate_units;
+  for (int f = 0; f < topology.freedom_count(); ++f) {
+    rate_units.push_back(rate_unit(topology, network.twist_basis, f));
+  }
   return choose_primaries(random, [&](const std::vector<Primary>& primaries) {
     std::vector<int> columns;
     for (const Primary& primary : primaries) {
       columns.push_back(first + primary.index);
     }
-    return check_primaries(Elimination(system, columns), first, topology.freedom_count());
+    return check_primaries(Elimination(system, columns), first, rate_units);
   });
 }
 
 std::vector<Primary> choose_actions(const NetworkCase& network, Random& random) {
   const Topology& topology = network.mechanism.topology;
-  const SparseMatrix system = action_system(topology, network.mechanism.geometry, network.basis);
+  const SparseMatrix system =
+      action_system(topology, network.mechanism.geometry, network.wrench_basis);
+  std::vector<double> action_units;
+  for (int a = 0; a < topology.action_count(); ++a) {
+    action_units.push_back(action_unit(topology, network.wrench_basis, a));
+  }
   return choose_primaries(random, [&](const std::vector<Primary>& primaries) {
     std::vector<int> columns;
     for (const Primary& primary : primaries) {
       columns.push_back(primary.index);
     }
-    return check_primaries(Elimination(system, columns), 0, topology.action_count());
+    return check_primaries(Elimination(system, columns), 0, action_units);
   });
 }
 
@@ -213,8 +227,19 @@ VecX action_magnitudes(const Mechanism& mechanism,
       }
     }
     if (passive.cols() > 0) {
-      const Eigen::ColPivHouseholderQR<MatX> qr(passive);
-      result.segment(coupling.first_action, passive.cols()) = qr.solve(rest);
+      // In units of the mechanism's length, so that the least squares weigh moments and forces
+      // alike.
+      const double length = mechanism.geometry.length;
+      VecX units = VecX::Ones(passive.cols());
+      for (Eigen::Index c = 0; c < units.size(); ++c) {
+        const auto a = static_cast<std::size_t>(coupling.first_action + c);
+        units[c] = topology.actions[a].is_couple ? length : 1.0;
+      }
+      passive.topRows<3>() /= length;
+      rest.head<3>() /= length;
+      const Eigen::ColPivHouseholderQR<MatX> qr(passive * units.asDiagonal());
+      result.segment(coupling.first_action, passive.cols()) =
+          units.cwiseProduct(VecX(qr.solve(rest)));
     }
   }
   return result;

@@ -28,12 +28,13 @@ bool is_clear(const RankEvidence& evidence);
 /// matrices, whose columns are brought to the order of the Topology.
 struct NetworkCase {
   Mechanism mechanism;
-  CoordinateBasis basis;
+  CoordinateBasis twist_basis;
+  CoordinateBasis wrench_basis;
   MatX M_N;  ///< λ l x F
   MatX A_N;  ///< λ k x C, internal actions included
   MatX A_P;  ///< the columns of A_N of the passive constraints
 
-  int order() const { return basis.order(); }
+  int order() const { return twist_basis.order(); }
 };
 
 NetworkCase make_network_case(Mechanism mechanism);

@@ -33,8 +33,8 @@ class RandomNetworks : public ::testing::TestWithParam<int> {
       if (HasFatalFailure()) {
         return;
       }
-      const auto motion = solve_velocity(in_numbers.mechanism, in_numbers.basis, {});
-      const auto action = solve_action(in_numbers.mechanism, in_numbers.basis, {});
+      const auto motion = solve_velocity(in_numbers.mechanism, in_numbers.twist_basis, {});
+      const auto action = solve_action(in_numbers.mechanism, in_numbers.wrench_basis, {});
       if (!is_clear(motion.evidence) || !is_clear(action.evidence)) {
         ++skipped;
         continue;

@@ -13,7 +13,7 @@ double rate(const Mechanism& mechanism, const KinematicSolution& solution, std::
 }
 
 KinematicSolution solve(const Mechanism& mechanism, const std::vector<Primary>& primaries) {
-  return solve_velocity(mechanism, planar_basis(), primaries);
+  return solve_velocity(mechanism, planar_basis(ScrewKind::twist, 1.0), primaries);
 }
 
 // The instant centre of the rod is (14, 56/3), above the slider on the line of the crank.

@@ -35,7 +35,10 @@ LabelledMatrix ravigneaux_motions() {
 
 LabelledMatrix ravigneaux_actions() {
   const Mechanism mechanism = ravigneaux();
-  return action_matrices(mechanism.topology, mechanism.geometry, mechanism.graph, spatial_basis())
+  return action_matrices(mechanism.topology,
+                         mechanism.geometry,
+                         mechanism.graph,
+                         spatial_basis(ScrewKind::wrench, 1.0))
       .back();
 }
 
@@ -93,9 +96,11 @@ TEST(MotionNetwork, OfTheRavigneauxTrainHasTheHeightsOfTheAxesInItsTranslations)
 TEST(MotionNetwork, OfASliderCrankIsItsLoopEquation) {
   const Mechanism mechanism = mechanism_of(kSliderCrank);
 
-  const LabelledMatrix M_N =
-      motion_matrices(mechanism.topology, mechanism.geometry, mechanism.graph, planar_basis())
-          .back();
+  const LabelledMatrix M_N = motion_matrices(mechanism.topology,
+                                             mechanism.geometry,
+                                             mechanism.graph,
+                                             planar_basis(ScrewKind::twist, 1.0))
+                                 .back();
 
   // Circuit d against a, b, c; a rotation at (x, y) has wz = 1, vx = y, vy = -x.
   MatX expected(3, 4);
@@ -114,9 +119,11 @@ TEST(ActionNetwork, OfABarIsItsEquilibrium) {
       "  a: {type: revolute, bodies: [base, bar], at: [1, 2]}\n"
       "  b: {type: revolute, bodies: [bar, base], at: [4, 0]}\n");
 
-  const LabelledMatrix A_N =
-      action_matrices(mechanism.topology, mechanism.geometry, mechanism.graph, planar_basis())
-          .back();
+  const LabelledMatrix A_N = action_matrices(mechanism.topology,
+                                             mechanism.geometry,
+                                             mechanism.graph,
+                                             planar_basis(ScrewKind::wrench, 1.0))
+                                 .back();
 
   // A force at (x, y): along x it has the moment -y, along y the moment x.
   MatX expected(3, 4);
@@ -128,9 +135,11 @@ TEST(ActionNetwork, OfABarIsItsEquilibrium) {
 
 TEST(Partition, SplitsTheColumnsBySecondaryAndPrimaryMagnitudes) {
   const Mechanism mechanism = mechanism_of(kSliderCrank);
-  const LabelledMatrix M_N =
-      motion_matrices(mechanism.topology, mechanism.geometry, mechanism.graph, planar_basis())
-          .back();
+  const LabelledMatrix M_N = motion_matrices(mechanism.topology,
+                                             mechanism.geometry,
+                                             mechanism.graph,
+                                             planar_basis(ScrewKind::twist, 1.0))
+                                 .back();
 
   const std::vector<LabelledMatrix> parts = partition_of(M_N, {"b.wz"});
 

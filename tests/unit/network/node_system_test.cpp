@@ -22,7 +22,8 @@ TEST(VelocitySystem, SaysThatHeadMinusTailIsTheSumOfTheFreedoms) {
   const Mechanism mechanism = slider();
 
   const MatX system =
-      velocity_system(mechanism.topology, mechanism.geometry, planar_basis()).dense();
+      velocity_system(mechanism.topology, mechanism.geometry, planar_basis(ScrewKind::twist, 1.0))
+          .dense();
 
   // Columns: wz, vx, vy of the block, a.vx, b.wz. The block is the head of a and the tail of b.
   MatX expected(6, 5);
@@ -38,7 +39,9 @@ TEST(VelocitySystem, SaysThatHeadMinusTailIsTheSumOfTheFreedoms) {
 TEST(ActionSystem, SaysThatTheActionsOnTheBodyCancel) {
   const Mechanism mechanism = slider();
 
-  const MatX system = action_system(mechanism.topology, mechanism.geometry, planar_basis()).dense();
+  const MatX system =
+      action_system(mechanism.topology, mechanism.geometry, planar_basis(ScrewKind::wrench, 1.0))
+          .dense();
 
   // Columns: a.Ry, a.Tz, b.Rx, b.Ry; rows Tz, Fx, Fy.
   MatX expected(3, 4);
@@ -51,18 +54,20 @@ TEST(ActionSystem, SaysThatTheActionsOnTheBodyCancel) {
 TEST(VelocitySystem, HasItsFreedomsBehindTheTwistsOfTheMovingBodies) {
   const Mechanism mechanism = slider();
 
-  EXPECT_EQ(velocity_column(mechanism.topology, planar_basis(), 1), 4);
+  EXPECT_EQ(velocity_column(mechanism.topology, planar_basis(ScrewKind::twist, 1.0), 1), 4);
 }
 
 TEST(BodyTwist, OfTheGroundIsZero) {
   EXPECT_TRUE(is_near(
-      body_twist(VecX::Ones(5), planar_basis(), BodyId{0}).coordinates(), Vec6::Zero(), 0.0));
+      body_twist(VecX::Ones(5), planar_basis(ScrewKind::twist, 1.0), BodyId{0}).coordinates(),
+      Vec6::Zero(),
+      0.0));
 }
 
 TEST(BodyTwist, IsPutTogetherFromTheCoordinatesOfTheBasis) {
   const VecX solution = (VecX(5) << 7, 8, 9, 0, 0).finished();
 
-  const Twist twist = body_twist(solution, planar_basis(), BodyId{1});
+  const Twist twist = body_twist(solution, planar_basis(ScrewKind::twist, 1.0), BodyId{1});
 
   EXPECT_EQ(twist.angular, Vec3(0.0, 0.0, 7.0));
   EXPECT_EQ(twist.linear, Vec3(8.0, 9.0, 0.0));
@@ -71,7 +76,8 @@ TEST(BodyTwist, IsPutTogetherFromTheCoordinatesOfTheBasis) {
 TEST(MotionCounts, OfASliderCrankComeFromTheRankOfItsSystem) {
   const Mechanism mechanism = mechanism_of(kSliderCrank);
   const Elimination elimination(
-      velocity_system(mechanism.topology, mechanism.geometry, planar_basis()), {});
+      velocity_system(mechanism.topology, mechanism.geometry, planar_basis(ScrewKind::twist, 1.0)),
+      {});
 
   const MotionCounts counts = motion_counts(mechanism, 3, elimination.rank());
 
@@ -83,7 +89,8 @@ TEST(MotionCounts, OfASliderCrankComeFromTheRankOfItsSystem) {
 TEST(ActionCounts, OfASliderCrankComeFromTheRankOfItsSystem) {
   const Mechanism mechanism = mechanism_of(kSliderCrank);
   const Elimination elimination(
-      action_system(mechanism.topology, mechanism.geometry, planar_basis()), {});
+      action_system(mechanism.topology, mechanism.geometry, planar_basis(ScrewKind::wrench, 1.0)),
+      {});
 
   const ActionCounts counts = action_counts(mechanism, 3, elimination.rank());
 

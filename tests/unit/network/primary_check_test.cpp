@@ -28,7 +28,7 @@ SparseMatrix chain_and_free() {
 TEST(PrimaryCheck, FindsNothingWrongWithIndependentAndSufficientPrimaries) {
   const Elimination elimination(chain_and_free(), std::vector<int>{1, 3});
 
-  const PrimaryCheck check = check_primaries(elimination, 0, 4);
+  const PrimaryCheck check = check_primaries(elimination, 0, std::vector<double>(4, 1.0));
 
   EXPECT_EQ(check.missing, 0);
   EXPECT_TRUE(check.dependences.empty());
@@ -39,7 +39,7 @@ TEST(PrimaryCheck, FindsNothingWrongWithIndependentAndSufficientPrimaries) {
 TEST(PrimaryCheck, ListsEveryCompletionWhereOneMagnitudeIsMissing) {
   const Elimination elimination(chain_and_free(), std::vector<int>{3});
 
-  const PrimaryCheck check = check_primaries(elimination, 0, 4);
+  const PrimaryCheck check = check_primaries(elimination, 0, std::vector<double>(4, 1.0));
 
   EXPECT_EQ(check.missing, 1);
   EXPECT_EQ(check.undetermined, (std::vector<int>{0, 1, 2}));
@@ -49,7 +49,7 @@ TEST(PrimaryCheck, ListsEveryCompletionWhereOneMagnitudeIsMissing) {
 TEST(PrimaryCheck, LeavesDependentPairsOutOfTheCompletions) {
   const Elimination elimination(chain_and_free(), {});
 
-  const PrimaryCheck check = check_primaries(elimination, 0, 4);
+  const PrimaryCheck check = check_primaries(elimination, 0, std::vector<double>(4, 1.0));
 
   EXPECT_EQ(check.missing, 2);
   EXPECT_EQ(check.completions, (std::vector<std::vector<int>>{{0, 3}, {1, 3}, {2, 3}}));
@@ -58,7 +58,7 @@ TEST(PrimaryCheck, LeavesDependentPairsOutOfTheCompletions) {
 TEST(PrimaryCheck, NamesTheRelationBetweenDependentPrimaries) {
   const Elimination elimination(chain_and_free(), std::vector<int>{0, 2, 3});
 
-  const PrimaryCheck check = check_primaries(elimination, 0, 4);
+  const PrimaryCheck check = check_primaries(elimination, 0, std::vector<double>(4, 1.0));
 
   // x_0 - x_2 = 0, up to a factor.
   ASSERT_EQ(check.dependences.size(), 1U);
@@ -71,7 +71,7 @@ TEST(PrimaryCheck, NamesTheRelationBetweenDependentPrimaries) {
 TEST(PrimaryCheck, CountsMagnitudesFromTheFirstColumn) {
   const Elimination elimination(chain_and_free(), {});
 
-  const PrimaryCheck check = check_primaries(elimination, 2, 2);
+  const PrimaryCheck check = check_primaries(elimination, 2, std::vector<double>(2, 1.0));
 
   EXPECT_EQ(check.undetermined, (std::vector<int>{0, 1}));
   EXPECT_EQ(check.completions, (std::vector<std::vector<int>>{{0, 1}}));
@@ -80,7 +80,7 @@ TEST(PrimaryCheck, CountsMagnitudesFromTheFirstColumn) {
 TEST(PrimaryCheck, ProposesAtMostFiveCompletions) {
   const Elimination elimination(equal_pairs(3), {});
 
-  const PrimaryCheck check = check_primaries(elimination, 0, 6);
+  const PrimaryCheck check = check_primaries(elimination, 0, std::vector<double>(6, 1.0));
 
   EXPECT_EQ(check.completions,
             (std::vector<std::vector<int>>{{0, 2, 4}, {0, 2, 5}, {0, 3, 4}, {0, 3, 5}, {1, 2, 4}}));
@@ -90,7 +90,7 @@ TEST(PrimaryCheck, ProposesAtMostFiveCompletions) {
 TEST(PrimaryCheck, ProposesCompletionsWhereMostChoicesAreDependent) {
   const Elimination elimination(equal_pairs(14), {});
 
-  const PrimaryCheck check = check_primaries(elimination, 0, 28);
+  const PrimaryCheck check = check_primaries(elimination, 0, std::vector<double>(28, 1.0));
 
   EXPECT_EQ(check.missing, 14);
   ASSERT_EQ(check.completions.size(), 5U);

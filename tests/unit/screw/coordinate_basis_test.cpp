@@ -70,7 +70,7 @@ TEST(CoordinateBasis, OfNoScrewsIsEmpty) {
 TEST(CoordinateBasis, OfAllSixUnitScrewsIsTheSpatialOne) {
   const CoordinateBasis basis = find_minimal_basis(Mat6X::Identity(6, 6), ScrewKind::wrench, 1.0);
 
-  EXPECT_EQ(basis.coordinates, spatial_basis().coordinates);
+  EXPECT_EQ(basis.coordinates, spatial_basis(ScrewKind::twist, 1.0).coordinates);
   EXPECT_EQ(row_names(basis, ScrewKind::wrench),
             (std::vector<std::string>{"Tx", "Ty", "Tz", "Fx", "Fy", "Fz"}));
 }
@@ -85,9 +85,9 @@ TEST(CoordinateBasis, DoesNotDependOnTheSizeOfTheMechanism) {
 }
 
 TEST(CoordinateBasis, OfThePlaneIsWzVxVyAndTzFxFy) {
-  EXPECT_EQ(row_names(planar_basis(), ScrewKind::twist),
+  EXPECT_EQ(row_names(planar_basis(ScrewKind::twist, 1.0), ScrewKind::twist),
             (std::vector<std::string>{"wz", "vx", "vy"}));
-  EXPECT_EQ(row_names(planar_basis(), ScrewKind::wrench),
+  EXPECT_EQ(row_names(planar_basis(ScrewKind::twist, 1.0), ScrewKind::wrench),
             (std::vector<std::string>{"Tz", "Fx", "Fy"}));
 }
 

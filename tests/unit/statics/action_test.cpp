@@ -19,7 +19,7 @@ double magnitude(const Mechanism& mechanism,
 }
 
 StaticSolution solve(const Mechanism& mechanism, const std::vector<Primary>& primaries) {
-  return solve_action(mechanism, planar_basis(), primaries);
+  return solve_action(mechanism, planar_basis(ScrewKind::twist, 1.0), primaries);
 }
 
 // A bar on two supports, both fixed: one horizontal force too many.
@@ -152,7 +152,7 @@ TEST(UnheldMotion, IsThatOfTheBodyThatIsPushed) {
 
   const StaticSolution solution = solve_action(
       sliders,
-      spatial_basis(),
+      spatial_basis(ScrewKind::twist, 1.0),
       std::vector<Primary>{known_action(sliders, "p", 0.0), known_action(sliders, "q", 2.0)});
 
   EXPECT_EQ(solution.status, SolveStatus::inconsistent);
