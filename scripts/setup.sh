@@ -5,9 +5,9 @@ set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config libeigen3-dev libyaml-cpp-dev libcli11-dev
   libfmt-dev nlohmann-json3-dev)
-test=("${build[@]}" libgtest-dev librapidcheck-dev python3 python3-jsonschema python3-yaml)
+test=("${build[@]}" libgtest-dev python3 python3-jsonschema)
 sanitize=("${test[@]}" clang libclang-rt-14-dev)
-bench=("${build[@]}" liblapack-dev libblas-dev libbenchmark-dev)
+bench=("${build[@]}" liblapack-dev libblas-dev)
 lint=(clang-format clang-tidy)
 
 stop() {
