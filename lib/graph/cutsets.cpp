@@ -1,18 +1,10 @@
 #include "graph/cutsets.hpp"
 
-#include <utility>
-
 #include "core/contract.hpp"
 
 namespace kinestat {
 
 namespace {
-
-std::vector<int> branches_then_chords(const SpanningTree& tree) {
-  std::vector<int> columns = tree.branches;
-  columns.insert(columns.end(), tree.chords.begin(), tree.chords.end());
-  return columns;
-}
 
 // Brings a +1 or -1 of column c to row c and clears the rest of the column. Entries stay -1, 0 or
 // 1, because an incidence matrix is totally unimodular.
@@ -35,22 +27,22 @@ void reduce_column(MatXi& rows, Eigen::Index c) {
 
 }  // namespace
 
-CouplingGraph make_coupling_graph(Digraph graph, SpanningTree tree) {
-  CouplingGraph result;
-  result.columns = branches_then_chords(tree);
-  const Eigen::Index k = static_cast<Eigen::Index>(tree.branches.size());
-  const Eigen::Index l = static_cast<Eigen::Index>(tree.chords.size());
-  MatXi rows = incidence(graph)(Eigen::all, result.columns);
+MatXi cutset_matrix(const CouplingGraph& graph) {
+  const Eigen::Index k = graph.cutset_count();
+  MatXi rows = incidence(graph.graph)(Eigen::all, graph.columns);
   for (Eigen::Index c = 0; c < k; ++c) {
     reduce_column(rows, c);
   }
-  result.cutsets = rows.topRows(k);
-  result.circuits = MatXi::Zero(l, k + l);
-  result.circuits.leftCols(k) = -result.cutsets.rightCols(l).transpose();
-  result.circuits.rightCols(l) = MatXi::Identity(l, l);
-  result.graph = std::move(graph);
-  result.tree = std::move(tree);
-  return result;
+  return rows.topRows(k);
+}
+
+MatXi circuit_matrix(const MatXi& cutsets) {
+  const Eigen::Index k = cutsets.rows();
+  const Eigen::Index l = cutsets.cols() - k;
+  MatXi circuits(l, k + l);
+  circuits.leftCols(k) = -cutsets.rightCols(l).transpose();
+  circuits.rightCols(l) = MatXi::Identity(l, l);
+  return circuits;
 }
 
 }  // namespace kinestat

@@ -1,28 +1,16 @@
-// The fundamental cut-sets and circuits of a graph as integer matrices.
+// The fundamental cut-sets and circuits of a graph as integer matrices, for display and for tests.
 #pragma once
 
-#include <vector>
-
-#include "graph/spanning_tree.hpp"
+#include "graph/coupling_graph.hpp"
 
 namespace kinestat {
 
-/// The coupling graph with its tree and both matrices. Columns of both: branches, then chords, as
-/// `columns` lists them; rows of Q: one cut-set a branch; rows of B: one circuit a chord.
-struct CouplingGraph {
-  Digraph graph;
-  SpanningTree tree;
-  std::vector<int> columns;  ///< edge numbers, branches first
-  MatXi cutsets;             ///< Q = [I | Q_c], k x e
-  MatXi circuits;            ///< B = [B_b | I], l x e
+/// Q = [I | Q_c], k x e: one row a branch, columns as the graph lists them, by row reduction of the
+/// incidence matrix (Cazangi 2008, eq. 4.2). Dense: it costs k² e.
+MatXi cutset_matrix(const CouplingGraph& graph);
 
-  int cutset_count() const { return static_cast<int>(tree.branches.size()); }
-
-  int circuit_count() const { return static_cast<int>(tree.chords.size()); }
-};
-
-/// Q by row reduction of the incidence matrix, B by orthogonality: B_b = -Q_cᵀ
-/// (Cazangi 2008, eqs. 4.2, 4.4 and 4.7). `tree` must be a spanning tree of `graph`.
-CouplingGraph make_coupling_graph(Digraph graph, SpanningTree tree);
+/// B = [B_b | I], l x e: one row a chord, from Q by orthogonality, B_b = -Q_cᵀ
+/// (Cazangi 2008, eqs. 4.4 and 4.7). `cutsets` is Q of the same graph.
+MatXi circuit_matrix(const MatXi& cutsets);
 
 }  // namespace kinestat

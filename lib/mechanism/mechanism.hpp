@@ -6,7 +6,7 @@
 
 #include "description/mechanism_description.hpp"
 #include "expression/file_units.hpp"
-#include "graph/cutsets.hpp"
+#include "graph/coupling_graph.hpp"
 #include "mechanism/case.hpp"
 #include "mechanism/geometry.hpp"
 #include "mechanism/topology.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "graph/cutsets.hpp"
 #include "math/echelon.hpp"
 
 namespace kinestat {
@@ -26,7 +27,7 @@ struct Column {
 // How one side (motions or actions) expands the graph.
 struct Expansion {
   std::vector<Column> columns;
-  const MatXi& edges;  ///< B or Q
+  MatXi edges;  ///< B or Q
   std::vector<std::string> edge_rows;
   std::vector<std::string> coordinates;
 };
@@ -103,6 +104,7 @@ std::vector<LabelledMatrix> graph_matrices(const Topology& topology, const Coupl
     bodies.push_back(body.name);
   }
   const std::vector<std::string> columns = edge_names(topology, graph.columns);
+  const MatXi cutsets = cutset_matrix(graph);
   return {{.symbol = "I",
            .meaning = "incidence: +1 at the tail, -1 at the head",
            .value = incidence(graph.graph).cast<double>(),
@@ -110,12 +112,12 @@ std::vector<LabelledMatrix> graph_matrices(const Topology& topology, const Coupl
            .columns = edge_names(topology, file_order)},
           {.symbol = "Q",
            .meaning = "fundamental cut-sets, one a branch",
-           .value = graph.cutsets.cast<double>(),
+           .value = cutsets.cast<double>(),
            .rows = edge_names(topology, graph.tree.branches),
            .columns = columns},
           {.symbol = "B",
            .meaning = "fundamental circuits, one a chord",
-           .value = graph.circuits.cast<double>(),
+           .value = circuit_matrix(cutsets).cast<double>(),
            .rows = edge_names(topology, graph.tree.chords),
            .columns = columns}};
 }
@@ -125,7 +127,7 @@ std::vector<LabelledMatrix> motion_matrices(const Topology& topology,
                                             const CouplingGraph& graph,
                                             const CoordinateBasis& basis) {
   Expansion side{.columns = {},
-                 .edges = graph.circuits,
+                 .edges = circuit_matrix(cutset_matrix(graph)),
                  .edge_rows = edge_names(topology, graph.tree.chords),
                  .coordinates = row_names(basis, ScrewKind::twist)};
   for (std::size_t c = 0; c < graph.columns.size(); ++c) {
@@ -148,7 +150,7 @@ std::vector<LabelledMatrix> action_matrices(const Topology& topology,
                                             const CouplingGraph& graph,
                                             const CoordinateBasis& basis) {
   Expansion side{.columns = {},
-                 .edges = graph.cutsets,
+                 .edges = cutset_matrix(graph),
                  .edge_rows = edge_names(topology, graph.tree.branches),
                  .coordinates = row_names(basis, ScrewKind::wrench)};
   for (std::size_t c = 0; c < graph.columns.size(); ++c) {

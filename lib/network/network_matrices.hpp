@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "graph/cutsets.hpp"
+#include "graph/coupling_graph.hpp"
 #include "mechanism/geometry.hpp"
 #include "mechanism/topology.hpp"
 #include "screw/coordinate_basis.hpp"

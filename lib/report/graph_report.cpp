@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "graph/cutsets.hpp"
 #include "report/csv.hpp"
 #include "report/mechanism_json.hpp"
 #include "report/numbers.hpp"
@@ -86,19 +87,18 @@ std::string signed_sum(const Topology& topology,
 
 std::string sums_text(const Mechanism& mechanism) {
   const CouplingGraph& graph = mechanism.graph;
+  const MatXi cutsets = cutset_matrix(graph);
+  const MatXi circuits = circuit_matrix(cutsets);
   std::string text = "Cut-sets\n";
   for (std::size_t i = 0; i < graph.tree.branches.size(); ++i) {
-    text += signed_sum(mechanism.topology,
-                       graph,
-                       graph.cutsets,
-                       static_cast<Eigen::Index>(i),
-                       graph.tree.branches[i]);
+    text += signed_sum(
+        mechanism.topology, graph, cutsets, static_cast<Eigen::Index>(i), graph.tree.branches[i]);
   }
   text += "\nCircuits\n";
   for (std::size_t i = 0; i < graph.tree.chords.size(); ++i) {
     text += signed_sum(mechanism.topology,
                        graph,
-                       graph.circuits,
+                       circuits,
                        static_cast<Eigen::Index>(i),
                        graph.tree.chords[i]);
   }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "graph/cutsets.hpp"
 #include "network/node_system.hpp"
 #include "support/near.hpp"
 
@@ -23,7 +24,7 @@ void expect_annulled(const MatX& N, const VecX& x) {
 }  // namespace
 
 void expect_orthogonal_graph(const CouplingGraph& graph) {
-  const MatXi product = graph.circuits * graph.cutsets.transpose();
+  const MatXi product = circuit_matrix(cutset_matrix(graph)) * cutset_matrix(graph).transpose();
 
   EXPECT_TRUE(product.isZero());
   EXPECT_EQ(graph.cutset_count(), graph.graph.vertex_count - 1);
