@@ -96,11 +96,8 @@ std::string sums_text(const Mechanism& mechanism) {
   }
   text += "\nCircuits\n";
   for (std::size_t i = 0; i < graph.tree.chords.size(); ++i) {
-    text += signed_sum(mechanism.topology,
-                       graph,
-                       circuits,
-                       static_cast<Eigen::Index>(i),
-                       graph.tree.chords[i]);
+    text += signed_sum(
+        mechanism.topology, graph, circuits, static_cast<Eigen::Index>(i), graph.tree.chords[i]);
   }
   return text + "\n";
 }
