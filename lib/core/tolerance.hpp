@@ -37,6 +37,10 @@ inline constexpr double kReportZero = 64 * kEpsilon;
 /// mechanism's own length, makes the pitch infinite: a pure translation (or couple).
 inline constexpr double kInfinitePitch = 1e-12;
 
+/// Screws are written about the world origin while that is no further from the mechanism than this
+/// many of its sizes; beyond, its distance would drown the geometry.
+inline constexpr double kFarOrigin = 8.0;
+
 /// An axis shorter than this (of components given as plain numbers) has no direction.
 inline constexpr double kZeroAxis = 1e-12;
 

@@ -11,7 +11,8 @@
 
 namespace kinestat {
 
-/// Lists are parallel to those of the Topology; empty unless the status is solved.
+/// Lists are parallel to those of the Topology; empty unless the status is solved. Twists are
+/// written about the origin of the Geometry.
 struct KinematicSolution {
   SolveStatus status = SolveStatus::solved;
   MotionCounts counts;

@@ -10,7 +10,7 @@ namespace kinestat {
 /// Sizes refer to the matrix after equilibration, where the largest entries are about 1.
 struct RankEvidence {
   int rank = 0;
-  double smallest_pivot = 0.0;   ///< the last pivot that counted; 0 if there is none
+  double smallest_pivot = 0.0;   ///< of those that counted; 0 if there is none
   double largest_dropped = 0.0;  ///< the largest entry that counted as zero; 0 if none was left
   std::string_view method;       ///< "sparse elimination" or "column-pivoted QR"
 

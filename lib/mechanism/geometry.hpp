@@ -7,13 +7,15 @@
 
 namespace kinestat {
 
-/// World frame, SI units. Each list is parallel to one of the Topology.
+/// World frame, SI units. Each list is parallel to one of the Topology. Screws are written about
+/// `origin`: the world origin, unless the mechanism stands far away from it.
 struct Geometry {
   std::vector<Twist> motions;    ///< unit screw of each freedom: head relative to tail
   std::vector<Wrench> actions;   ///< unit screw of each action: of tail on head
-  std::vector<Vec3> points;      ///< the point of each coupling [m]; the origin if it has none
+  std::vector<Vec3> points;      ///< of each coupling [m]; the origin if it has no point of its own
   std::vector<Vec3> references;  ///< of each body, where its velocity is reported [m]
-  double length = 1.0;           ///< characteristic length [m]: the largest distance between points
+  Vec3 origin = Vec3::Zero();    ///< [m]
+  double length = 1.0;           ///< size [m]: the diagonal of the box around all points
 };
 
 }  // namespace kinestat

@@ -21,6 +21,11 @@ bool is_planar(const CoordinateBasis& basis) {
          (basis.is_made_of_coordinates() || basis.order() == 0);
 }
 
+// A planar mechanism whose statics are not written in space.
+bool is_planar_static(const Mechanism& mechanism) {
+  return mechanism.space == Space::planar && mechanism.static_order != OrderChoice::spatial;
+}
+
 // rank M_N does not depend on the order, as long as it holds all motions.
 MotionCounts in_order(MotionCounts counts, int order, int circuit_count) {
   counts.order = order;
@@ -37,7 +42,7 @@ MobilityCounts count_motions(const Mechanism& mechanism) {
   MobilityCounts counts;
   counts.evidence = velocity.evidence();
   counts.minimal.motions = motion_counts(mechanism, motions.order(), velocity.rank());
-  if (is_planar(motions)) {
+  if (mechanism.space == Space::planar || is_planar(motions)) {
     counts.planar = SideCounts{.motions = in_order(counts.minimal.motions, 3, l), .actions = {}};
   }
   counts.spatial.motions = in_order(counts.minimal.motions, 6, l);
@@ -47,7 +52,7 @@ MobilityCounts count_motions(const Mechanism& mechanism) {
 void count_actions(const Mechanism& mechanism, const Mechanism& in_space, MobilityCounts& counts) {
   const CoordinateBasis actions = action_basis(mechanism.geometry, OrderChoice::minimal);
   counts.minimal.actions = count_in(mechanism, actions);
-  if (counts.planar && is_planar(actions)) {
+  if (counts.planar && (is_planar_static(mechanism) || is_planar(actions))) {
     counts.planar->actions =
         count_in(mechanism, action_basis(mechanism.geometry, OrderChoice::planar));
   }

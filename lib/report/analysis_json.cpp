@@ -9,13 +9,22 @@ namespace kinestat {
 
 namespace {
 
-Json screw(const std::optional<ScrewAxis>& axis, const InUnits& in) {
+Json sixfold_of(const Twist& twist, const InUnits& in) {
+  return sixfold(in.angular(twist.angular), in.linear(twist.linear));
+}
+
+Json sixfold_of(const Wrench& wrench, const InUnits& in) {
+  return sixfold(in.moment(wrench.moment), in.force(wrench.force));
+}
+
+// `origin` is the point about which the screw was written.
+Json screw(const std::optional<ScrewAxis>& axis, const Vec3& origin, const InUnits& in) {
   if (!axis) {
     return nullptr;
   }
   Json result = object_of(8);
   result["direction"] = vector(axis->direction);
-  result["point"] = axis->point ? vector(in.length(*axis->point)) : Json(nullptr);
+  result["point"] = axis->point ? vector(in.length(Vec3(*axis->point + origin))) : Json(nullptr);
   result["pitch"] = axis->pitch ? number(in.length(*axis->pitch)) : Json(nullptr);
   return result;
 }
@@ -91,12 +100,13 @@ Json kinematics_json(const Mechanism& mechanism,
   for (std::size_t b = 0; is_solved && b < topology.bodies.size(); ++b) {
     const Twist& twist = motion.bodies[b];
     const Vec3& at = mechanism.geometry.references[b];
+    const Vec3& origin = mechanism.geometry.origin;
     Json& body = result["bodies"][topology.bodies[b].name];
-    body["twist"] = sixfold(in.angular(twist.angular), in.linear(twist.linear));
+    body["twist"] = sixfold_of(about_world(twist, origin), in);
     body["angular"] = vector(in.angular(twist.angular));
-    body["linear"] = vector(in.linear(velocity_at(twist, at)));
+    body["linear"] = vector(in.linear(velocity_at(twist, at - origin)));
     body["at"] = vector(in.length(at));
-    body["screw"] = screw(find_axis(in.snapped(twist), mechanism.geometry.length), in);
+    body["screw"] = screw(find_axis(in.snapped(twist), mechanism.geometry.length), origin, in);
   }
   result["evidence"] = evidence(motion.evidence);
   result["evidence"]["residual"] = is_solved ? number(motion.residual) : Json(nullptr);
@@ -109,13 +119,15 @@ Json wrench_json(const Mechanism& mechanism,
                  const std::optional<Wrench>& wrench,
                  const InUnits& in) {
   const Vec3& at = mechanism.geometry.points[e];
+  const Vec3& origin = mechanism.geometry.origin;
   Json result = object_of(8);
-  result["wrench"] = wrench ? sixfold(in.moment(wrench->moment), in.force(wrench->force)) : Json();
-  result["moment"] = wrench ? vector(in.moment(moment_at(*wrench, at))) : Json();
+  result["wrench"] = wrench ? sixfold_of(about_world(*wrench, origin), in) : Json();
+  result["moment"] = wrench ? vector(in.moment(moment_at(*wrench, at - origin))) : Json();
   result["force"] = wrench ? vector(in.force(wrench->force)) : Json();
   result["at"] = vector(in.length(at));
   result["screw"] =
-      wrench ? screw(find_axis(in.snapped(*wrench), mechanism.geometry.length), in) : Json();
+      wrench ? screw(find_axis(in.snapped(*wrench), mechanism.geometry.length), origin, in)
+             : Json();
   return result;
 }
 

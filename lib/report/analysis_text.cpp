@@ -179,7 +179,8 @@ std::string bodies_text(const Mechanism& mechanism,
     const Vec3& reference = mechanism.geometry.references[b];
     names.push_back(mechanism.topology.bodies[b].name);
     angular.rows.emplace_back(in.angular(motion.bodies[b].angular));
-    linear.rows.emplace_back(in.linear(velocity_at(motion.bodies[b], reference)));
+    linear.rows.emplace_back(
+        in.linear(velocity_at(motion.bodies[b], reference - mechanism.geometry.origin)));
     at.rows.emplace_back(in.length(reference));
   }
   return vector_table("Body", names, {angular, linear, at});
@@ -231,7 +232,8 @@ std::string wrenches_text(const Mechanism& mechanism,
     const std::optional<Wrench>& wrench = action.wrenches[e];
     if (wrench) {
       force.rows.emplace_back(in.force(wrench->force));
-      moment.rows.emplace_back(in.moment(moment_at(*wrench, mechanism.geometry.points[e])));
+      moment.rows.emplace_back(
+          in.moment(moment_at(*wrench, mechanism.geometry.points[e] - mechanism.geometry.origin)));
     } else {
       force.rows.emplace_back(std::nullopt);
       moment.rows.emplace_back(std::nullopt);

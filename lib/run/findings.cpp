@@ -164,7 +164,8 @@ std::string unheld_text(const Analysis& analysis, const UnheldMotion& unheld) {
     return fmt::format("body '{}' can slide along {}", body, list(axis->direction));
   }
   const FileUnits& units = analysis.description.units;
-  const Vec3 point = *axis->point / units.factor(QuantityKind::length);
+  const Vec3 point =
+      (*axis->point + analysis.mechanism.geometry.origin) / units.factor(QuantityKind::length);
   const std::string& unit = units.text(QuantityKind::length);
   return is_planar
              ? fmt::format("body '{}' can turn about the point {} {}", body, list(point), unit)

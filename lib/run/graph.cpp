@@ -43,19 +43,20 @@ Vec6 in_units(const Vec6& screw, double column_unit, double first_unit, double l
 // The geometry whose unit screws, as numbers, are those of the file's units.
 Geometry in_file_units(const Topology& topology, const Geometry& geometry, const FileUnits& units) {
   Geometry result = geometry;
+  result.origin.setZero();
   const double turn = units.factor(QuantityKind::angular_velocity);
   const double slide = units.factor(QuantityKind::velocity);
   for (std::size_t f = 0; f < result.motions.size(); ++f) {
     const double column = topology.freedoms[f].is_rotation ? turn : slide;
-    result.motions[f] =
-        Twist::from_coordinates(in_units(geometry.motions[f].coordinates(), column, turn, slide));
+    result.motions[f] = Twist::from_coordinates(in_units(
+        about_world(geometry.motions[f], geometry.origin).coordinates(), column, turn, slide));
   }
   const double moment = units.factor(QuantityKind::moment);
   const double force = units.factor(QuantityKind::force);
   for (std::size_t a = 0; a < result.actions.size(); ++a) {
     const double column = topology.actions[a].is_couple ? moment : force;
-    result.actions[a] = Wrench::from_coordinates(
-        in_units(geometry.actions[a].coordinates(), column, moment, force));
+    result.actions[a] = Wrench::from_coordinates(in_units(
+        about_world(geometry.actions[a], geometry.origin).coordinates(), column, moment, force));
   }
   result.length = geometry.length / units.factor(QuantityKind::length);
   return result;

@@ -1,5 +1,7 @@
 #include "screw/screw_axis.hpp"
 
+#include <cmath>
+
 #include "core/tolerance.hpp"
 
 namespace kinestat {
@@ -19,9 +21,11 @@ std::optional<ScrewAxis> axis_of(const Vec3& line, const Vec3& moment, double le
         .direction = moment.normalized(), .point = std::nullopt, .pitch = std::nullopt};
   }
   const double square = line.squaredNorm();
+  const double along = line.dot(moment);
+  const bool is_rounding = std::abs(along) <= kReportZero * line.norm() * moment_size;
   return ScrewAxis{.direction = line.normalized(),
                    .point = line.cross(moment) / square,
-                   .pitch = line.dot(moment) / square};
+                   .pitch = is_rounding ? 0.0 : along / square};
 }
 
 }  // namespace

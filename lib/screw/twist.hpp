@@ -51,4 +51,9 @@ inline Vec3 velocity_at(const Twist& twist, const Vec3& point) {
   return twist.linear + twist.angular.cross(point);
 }
 
+/// The same motion written about the world origin, given about `origin`: v_O = v - ω x origin.
+inline Twist about_world(const Twist& twist, const Vec3& origin) {
+  return {.angular = twist.angular, .linear = velocity_at(twist, -origin)};
+}
+
 }  // namespace kinestat

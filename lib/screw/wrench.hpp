@@ -47,6 +47,11 @@ inline Vec3 moment_at(const Wrench& wrench, const Vec3& point) {
   return wrench.moment - point.cross(wrench.force);
 }
 
+/// The same action written about the world origin, given about `origin`: T_O = T + origin x F.
+inline Wrench about_world(const Wrench& wrench, const Vec3& origin) {
+  return {.moment = moment_at(wrench, -origin), .force = wrench.force};
+}
+
 /// Power of an action on a motion [W]; zero means that the two are reciprocal.
 inline double power(const Wrench& wrench, const Twist& twist) {
   return wrench.moment.dot(twist.angular) + wrench.force.dot(twist.linear);

@@ -40,8 +40,8 @@ UnheldMotion greatest_motion(const VecX& motion,
   for (int b = 1; b <= motion.size() / basis.order(); ++b) {
     const VecX part = motion.segment(basis.order() * (b - 1), basis.order());
     const Twist twist = Twist::from_coordinates((basis.basis * part).cwiseQuotient(basis.unit));
-    const double size =
-        size_of(twist, geometry.references[static_cast<std::size_t>(b)], geometry.length);
+    const double size = size_of(
+        twist, geometry.references[static_cast<std::size_t>(b)] - geometry.origin, geometry.length);
     if (size > largest) {
       largest = size;
       greatest = {.body = BodyId{b}, .twist = (geometry.length / size) * twist};

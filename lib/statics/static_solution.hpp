@@ -20,7 +20,8 @@ struct UnheldMotion {
 };
 
 /// Lists are parallel to those of the Topology. An empty magnitude is not determined by
-/// equilibrium. Nothing is filled in where the status is dependent or inconsistent.
+/// equilibrium. Wrenches are written about the origin of the Geometry. Nothing is filled in where
+/// the status is dependent or inconsistent.
 struct StaticSolution {
   SolveStatus status = SolveStatus::solved;
   ActionCounts counts;

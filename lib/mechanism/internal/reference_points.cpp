@@ -1,28 +1,37 @@
 #include "mechanism/internal/reference_points.hpp"
 
 #include <algorithm>
+#include <string>
+
+#include "core/tolerance.hpp"
 
 namespace kinestat {
 
 std::vector<Vec3> bind_reference_points(const MechanismDescription& description,
                                         const Topology& topology,
-                                        const std::vector<Vec3>& points,
+                                        const Geometry& geometry,
                                         Evaluator& evaluator) {
-  std::vector<Vec3> references(topology.bodies.size(), Vec3::Zero());
+  std::vector<Vec3> references(topology.bodies.size(), geometry.origin);
   std::vector<bool> is_set(topology.bodies.size(), false);
   for (const BodyDescription& body : description.bodies) {
     const auto at = std::ranges::find(topology.bodies, body.name.text, &BodyTopology::name);
     if (body.reference && at != topology.bodies.end()) {
       const auto b = static_cast<std::size_t>(at - topology.bodies.begin());
-      references[b] = evaluator.point(*body.reference).value_or(Vec3::Zero());
+      references[b] = evaluator.point(*body.reference).value_or(geometry.origin);
       is_set[b] = true;
     }
   }
   for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
+    const std::string& name = topology.couplings[e].name;
+    const auto described = std::ranges::find(
+        description.couplings, name, [](const CouplingDescription& c) { return c.name.text; });
+    if (!described->at) {
+      continue;
+    }
     for (const BodyId body : {topology.couplings[e].tail, topology.couplings[e].head}) {
       const auto b = static_cast<std::size_t>(body.value);
       if (!is_set[b]) {
-        references[b] = points[e];
+        references[b] = geometry.points[e];
         is_set[b] = true;
       }
     }
@@ -30,9 +39,9 @@ std::vector<Vec3> bind_reference_points(const MechanismDescription& description,
   return references;
 }
 
-double characteristic_length(const std::vector<Vec3>& points) {
+Extent find_extent(const std::vector<Vec3>& points) {
   if (points.empty()) {
-    return 1.0;
+    return {};
   }
   Vec3 low = points.front();
   Vec3 high = low;
@@ -40,8 +49,14 @@ double characteristic_length(const std::vector<Vec3>& points) {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
+  const Vec3 centre = low + 0.5 * (high - low);
   const double diagonal = (high - low).norm();
-  return diagonal > 0.0 ? diagonal : 1.0;
+  Extent extent;
+  extent.length = diagonal > 0.0 ? diagonal : 1.0;
+  if (centre.norm() > kFarOrigin * extent.length) {
+    extent.origin = centre;
+  }
+  return extent;
 }
 
 }  // namespace kinestat

@@ -3,19 +3,25 @@
 
 #include <vector>
 
+#include "mechanism/geometry.hpp"
 #include "mechanism/internal/evaluator.hpp"
 #include "mechanism/topology.hpp"
 
 namespace kinestat {
 
-/// Of each body of the topology [m]: the point that its description gives, else the point of its
-/// first coupling. `points` are those of the couplings.
+/// Of each body of the topology [m]: the point that its description gives, else that of its first
+/// coupling that has one, else the origin of the geometry.
 std::vector<Vec3> bind_reference_points(const MechanismDescription& description,
                                         const Topology& topology,
-                                        const std::vector<Vec3>& points,
+                                        const Geometry& geometry,
                                         Evaluator& evaluator);
 
-/// The diagonal of the box around all points [m]; 1 if they coincide or there are none.
-double characteristic_length(const std::vector<Vec3>& points);
+/// How large a mechanism is and where it stands [m].
+struct Extent {
+  double length = 1.0;         ///< the diagonal of the box around all points; 1 if that is zero
+  Vec3 origin = Vec3::Zero();  ///< the world origin; the centre of the box if that is far away
+};
+
+Extent find_extent(const std::vector<Vec3>& points);
 
 }  // namespace kinestat

@@ -29,6 +29,14 @@ struct PendingActuator {
   SourceRange where;
 };
 
+// A coupling on its way from the description to its screws.
+struct Joint {
+  const CouplingDescription* description = nullptr;
+  BodyId tail;
+  BodyId head;
+  CouplingGeometry geometry;  ///< in the world
+};
+
 class StructureBinder {
  public:
   StructureBinder(const MechanismDescription& description,
@@ -52,12 +60,17 @@ class StructureBinder {
       declare(actuator.name);
       attach(actuator);
     }
+    std::vector<Joint> joints;
     for (const CouplingDescription& coupling : description_.couplings) {
-      bind_coupling(coupling);
+      if (const std::optional<Joint> joint = bind_joint(coupling)) {
+        joints.push_back(*joint);
+      }
     }
-    geometry_.references =
-        bind_reference_points(description_, topology_, geometry_.points, evaluator_);
-    geometry_.length = characteristic_length(geometry_.points);
+    place(joints);
+    for (const Joint& joint : joints) {
+      add_coupling(joint);
+    }
+    geometry_.references = bind_reference_points(description_, topology_, geometry_, evaluator_);
   }
 
  private:
@@ -153,7 +166,8 @@ class StructureBinder {
     return std::nullopt;
   }
 
-  void bind_coupling(const CouplingDescription& coupling) {
+  // What a coupling joins and where it is; empty if an error was added.
+  std::optional<Joint> bind_joint(const CouplingDescription& coupling) {
     const std::optional<BodyId> tail = find_body(coupling, coupling.tail);
     const std::optional<BodyId> head = find_body(coupling, coupling.head);
     if (tail && head && *tail == *head) {
@@ -163,31 +177,57 @@ class StructureBinder {
           fmt::format(
               "coupling '{}' joins body '{}' to itself", coupling.name.text, coupling.head.text),
           "name two different bodies");
-      return;
+      return std::nullopt;
     }
     const auto geometry = bind_geometry(coupling, description_.space, evaluator_, found_);
     if (!tail || !head || !geometry) {
-      return;
+      return std::nullopt;
     }
-    CouplingScrews screws = coupling_screws(coupling.type, description_.space, *geometry);
+    return Joint{.description = &coupling, .tail = *tail, .head = *head, .geometry = *geometry};
+  }
+
+  // The size of the mechanism, and where its screws are written; a coupling without a point of its
+  // own acts there.
+  void place(std::vector<Joint>& joints) {
+    std::vector<Vec3> points;
+    for (const Joint& joint : joints) {
+      if (joint.description->at) {
+        points.push_back(joint.geometry.at);
+      }
+    }
+    const Extent extent = find_extent(points);
+    geometry_.length = extent.length;
+    geometry_.origin = extent.origin;
+    for (Joint& joint : joints) {
+      if (!joint.description->at) {
+        joint.geometry.at = extent.origin;
+      }
+    }
+  }
+
+  void add_coupling(const Joint& joint) {
+    const CouplingDescription& coupling = *joint.description;
+    CouplingGeometry local = joint.geometry;
+    local.at -= geometry_.origin;
+    CouplingScrews screws = coupling_screws(coupling.type, description_.space, local);
     if (coupling.passive) {
       keep_passive(coupling, screws, found_);  // all that it bears, in space too
     } else if (constraints_ != description_.space) {
-      screws.constraints = coupling_screws(coupling.type, constraints_, *geometry).constraints;
+      screws.constraints = coupling_screws(coupling.type, constraints_, local).constraints;
     }
     const CouplingId id{topology_.coupling_count()};
     topology_.couplings.push_back({.name = coupling.name.text,
                                    .type = coupling.type,
-                                   .tail = *tail,
-                                   .head = *head,
+                                   .tail = joint.tail,
+                                   .head = joint.head,
                                    .first_freedom = topology_.freedom_count(),
                                    .freedom_count = static_cast<int>(screws.freedoms.size()),
                                    .first_action = topology_.action_count(),
                                    .action_count = static_cast<int>(screws.constraints.size()),
                                    .where = coupling.name.where});
-    geometry_.points.push_back(geometry->at);
+    geometry_.points.push_back(joint.geometry.at);
     add_screws(id, screws);
-    add_actuators(id, coupling, screws, geometry->at);
+    add_actuators(id, coupling, screws, local.at);
   }
 
   void add_screws(CouplingId id, const CouplingScrews& screws) {
