@@ -35,15 +35,19 @@ std::vector<Relation> Elimination::relations() const {
   return result;
 }
 
+// A sum that is mere rounding of its own terms is an exact zero; a small one is kept as it is.
 void Elimination::back_substitute(std::span<const double> scaled_rhs, VecX& x) const {
   for (auto pivot = pivots_.rbegin(); pivot != pivots_.rend(); ++pivot) {
     double sum = scaled_rhs.empty() ? 0.0 : scaled_rhs[static_cast<std::size_t>(pivot->row)];
+    double size = std::abs(sum);
     for (const Cell& cell : at(rows_, pivot->row)) {
       if (cell.column != pivot->column) {
-        sum -= cell.value * x[cell.column];
+        const double term = cell.value * x[cell.column];
+        sum -= term;
+        size += std::abs(term);
       }
     }
-    x[pivot->column] = sum / pivot->value;
+    x[pivot->column] = std::abs(sum) <= kCancellation * size ? 0.0 : sum / pivot->value;
   }
 }
 

@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::size_t kMostCompletions = 5;
 
+// Beyond this many missing times candidates, a hint is not worth the search.
+constexpr std::size_t kLongestSearch = 40000;
+
 // One row a magnitude, one column a motion (or self-stress) that is still possible.
 MatX possible(const Elimination& elimination, int first_column, int count) {
   const std::vector<VecX> vectors = elimination.null_vectors();
@@ -96,7 +99,9 @@ PrimaryCheck check_primaries(const Elimination& elimination,
       check.undetermined.push_back(i);
     }
   }
-  check.completions = CompletionSearch(motions, check.undetermined).run();
+  if (static_cast<std::size_t>(check.missing) * check.undetermined.size() <= kLongestSearch) {
+    check.completions = CompletionSearch(motions, check.undetermined).run();
+  }
   return check;
 }
 

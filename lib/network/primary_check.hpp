@@ -22,7 +22,8 @@ struct PrimaryCheck {
   std::vector<int> undetermined;
   /// How many more primaries are needed.
   int missing = 0;
-  /// Up to five sets of magnitudes, each of which would complete the choice.
+  /// Up to five sets of magnitudes, each of which would complete the choice; none if very many
+  /// are missing.
   std::vector<std::vector<int>> completions;
 };
 

@@ -1,6 +1,5 @@
 #include "power/ratio.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/contract.hpp"
@@ -10,28 +9,6 @@ namespace kinestat {
 
 namespace {
 
-// The largest magnitude of the rates (or actions) of the same kind as the two compared: what counts
-// as zero is measured against it.
-bool is_zero(double value, double largest) {
-  return std::abs(value) <= kReportZero * largest;
-}
-
-double largest_rate(const KinematicSolution& motion) {
-  double largest = 0.0;
-  for (const double rate : motion.rates) {
-    largest = std::max(largest, std::abs(rate));
-  }
-  return largest;
-}
-
-double largest_action(const StaticSolution& action) {
-  double largest = 0.0;
-  for (const std::optional<double>& magnitude : action.magnitudes) {
-    largest = std::max(largest, std::abs(magnitude.value_or(0.0)));
-  }
-  return largest;
-}
-
 // The rate of all inputs, or empty if they differ.
 std::optional<double> common_rate(const Mechanism& mechanism,
                                   const Case& which,
@@ -40,7 +17,7 @@ std::optional<double> common_rate(const Mechanism& mechanism,
   for (const int i : which.inputs) {
     const int freedom = mechanism.topology.actuators[static_cast<std::size_t>(i)].freedom;
     const double rate = motion.rates[static_cast<std::size_t>(freedom)];
-    if (common && !is_zero(rate - *common, largest_rate(motion))) {
+    if (common && !(std::abs(rate - *common) <= kCancellation * std::abs(*common))) {
       return std::nullopt;
     }
     common = common.value_or(rate);
@@ -81,7 +58,7 @@ Ratios find_ratios(const Mechanism& mechanism,
     ratios.reason = "the inputs have different rates";
     return ratios;
   }
-  if (is_zero(slow, largest_rate(motion))) {
+  if (slow == 0.0) {
     ratios.reason = "output '" + output.name + "' is at rest";
   } else {
     ratios.ratio = *fast / slow;
@@ -91,7 +68,7 @@ Ratios find_ratios(const Mechanism& mechanism,
   }
   const std::optional<double> in = total_action(mechanism, which, *action);
   const std::optional<double> out = action->magnitudes[static_cast<std::size_t>(output.action)];
-  if (in && out && !is_zero(*out, largest_action(*action))) {
+  if (in && out && *out != 0.0) {
     ratios.torque_ratio = *in / *out;
   }
   return ratios;

@@ -24,11 +24,15 @@ class InUnits {
 
   double length(double v) const { return of(QuantityKind::length, v, 0.0); }
 
-  /// Of a freedom.
-  double rate(double v, bool is_rotation) const { return is_rotation ? angular(v) : linear(v); }
+  /// Of a freedom. The solver has already made zeros of what is rounding, so nothing else is.
+  double rate(double v, bool is_rotation) const {
+    return of(is_rotation ? QuantityKind::angular_velocity : QuantityKind::velocity, v, 0.0);
+  }
 
-  /// Of an action.
-  double action(double v, bool is_couple) const { return is_couple ? moment(v) : force(v); }
+  /// Of an action; likewise.
+  double action(double v, bool is_couple) const {
+    return of(is_couple ? QuantityKind::moment : QuantityKind::force, v, 0.0);
+  }
 
   Vec3 angular(const Vec3& v) const {
     return v.unaryExpr([this](double x) { return angular(x); });
