@@ -173,8 +173,9 @@ constexpr auto kCodes = std::to_array<Code>({
      "Some of the motions given follow from others, so that they are surplus or contradict them."},
     {"E0503",
      no_answer,
-     "velocities have no solution",
-     "The equations of the circuits contradict each other at this position."},
+     "velocities are too large",
+     "A velocity is beyond what a double holds (about 1e308). The answer is proportional to the "
+     "known motions, so smaller ones show it."},
     {"E0601",
      wrong_input,
      "primary actions depend on each other",
@@ -184,6 +185,11 @@ constexpr auto kCodes = std::to_array<Code>({
      "equilibrium has no solution",
      "A load acts along a freedom that nothing resists. The message names the body and the motion "
      "that cannot be held."},
+    {"E0603",
+     no_answer,
+     "actions are too large",
+     "An action is beyond what a double holds (about 1e308). The answer is proportional to the "
+     "known actions, so smaller ones show it."},
     {"E0701",
      no_answer,
      "power balance is violated",

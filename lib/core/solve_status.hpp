@@ -9,7 +9,8 @@ enum class SolveStatus {
   solved,
   underdetermined,  ///< too few known magnitudes
   dependent,        ///< known magnitudes follow from each other
-  inconsistent      ///< known magnitudes contradict the equations
+  inconsistent,     ///< known magnitudes contradict the equations
+  overflow          ///< the answer is too large for a number
 };
 
 /// The word in reports.
@@ -23,6 +24,8 @@ constexpr std::string_view word_of(SolveStatus status) {
       return "dependent";
     case SolveStatus::inconsistent:
       return "inconsistent";
+    case SolveStatus::overflow:
+      return "overflow";
   }
   return "";
 }

@@ -1,5 +1,8 @@
 #include "kinematics/velocity.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "network/node_system.hpp"
 
 namespace kinestat {
@@ -34,6 +37,12 @@ void fill(const Topology& topology,
   }
 }
 
+bool is_finite(const KinematicSolution& solution) {
+  return std::ranges::all_of(solution.rates, [](double rate) { return std::isfinite(rate); }) &&
+         std::ranges::all_of(solution.bodies,
+                             [](const Twist& twist) { return twist.coordinates().allFinite(); });
+}
+
 }  // namespace
 
 KinematicSolution solve_velocity(const Mechanism& mechanism,
@@ -63,6 +72,9 @@ KinematicSolution solve_velocity(const Mechanism& mechanism,
   const EliminationSolution solved = elimination.solve(known, {});
   solution.residual = solved.residual;
   fill(topology, basis, solved.x, solution);
+  if (!is_finite(solution)) {
+    solution.status = SolveStatus::overflow;
+  }
   return solution;
 }
 

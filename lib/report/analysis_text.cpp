@@ -121,7 +121,7 @@ std::string mobility_text(const MobilityCounts& counts) {
   }
   add_motions("minimal", counts.minimal.motions, motions);
   add_actions("minimal", counts.minimal.actions, actions);
-  return motions.text("  ") + "\n" + actions.text("  ") + "\n";
+  return motions.text("  ") + "\n" + (actions.is_empty() ? "" : actions.text("  ") + "\n");
 }
 
 std::string known_text(const Topology& topology, const Case& which, const InUnits& in) {
@@ -142,7 +142,8 @@ std::string known_text(const Topology& topology, const Case& which, const InUnit
                                 format_short(in.action(primary.value, turns)),
                                 unit(turns ? QuantityKind::moment : QuantityKind::force)));
   }
-  return fmt::format("  known: {}\n", fmt::join(parts, ", "));
+  return fmt::format("  known: {}\n",
+                     parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", ")));
 }
 
 std::string ratio_text(const Ratios& ratios) {

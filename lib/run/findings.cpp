@@ -133,6 +133,11 @@ void add_motion_findings(const Analysis& analysis, const CaseAnalysis& one, Diag
                     (motion.check.missing > 0
                          ? fmt::format(", and {}", completions_text(motion.check, side))
                          : ""));
+  } else if (motion.status == SolveStatus::overflow) {
+    found.error("E0503",
+                one.which.where,
+                fmt::format("case '{}': velocities are too large for a number", one.which.label),
+                "give smaller motions; the answer is proportional to them");
   } else if (motion.status == SolveStatus::underdetermined) {
     found.error("E0501",
                 one.which.where,
@@ -197,6 +202,11 @@ void add_action_findings(const Analysis& analysis, const CaseAnalysis& one, Diag
                             one.which.label,
                             relations_text(action.check, side)),
                 removal_text(action.check, side));
+  } else if (action.status == SolveStatus::overflow) {
+    found.error("E0603",
+                one.which.where,
+                fmt::format("case '{}': actions are too large for a number", one.which.label),
+                "give smaller actions; the answer is proportional to them");
   } else if (action.status == SolveStatus::underdetermined) {
     found.warning("W0601",
                   one.which.where,

@@ -113,6 +113,15 @@ void fill(const Mechanism& mechanism,
   }
 }
 
+bool is_finite(const StaticSolution& solution) {
+  return std::ranges::all_of(
+             solution.magnitudes,
+             [](const std::optional<double>& m) { return std::isfinite(m.value_or(0.0)); }) &&
+         std::ranges::all_of(solution.wrenches, [](const std::optional<Wrench>& wrench) {
+           return wrench.value_or(Wrench{}).coordinates().allFinite();
+         });
+}
+
 }  // namespace
 
 StaticSolution solve_action(const Mechanism& mechanism,
@@ -142,6 +151,11 @@ StaticSolution solve_action(const Mechanism& mechanism,
   const EliminationSolution solved = elimination.solve(known, {});
   solution.residual = solved.residual;
   fill(mechanism, basis, solved.x, solution);
+  if (!is_finite(solution)) {
+    solution.status = SolveStatus::overflow;
+    solution.magnitudes.clear();
+    solution.wrenches.clear();
+  }
   return solution;
 }
 

@@ -15,8 +15,6 @@ PROGRAM = Path("kinestat")
 
 # Codes that no file and no command line brings about, each with its reason.
 NOT_PROVOKED = {
-    "E0503": "no pass says it: the velocities of a position whose known motions are independent "
-             "always have a solution",
     "E0701": "guards against wrong numbers: the powers of a solved case sum to zero by its own "
              "equations",
 }
