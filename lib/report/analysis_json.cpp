@@ -4,6 +4,7 @@
 #include "report/in_units.hpp"
 #include "report/json_values.hpp"
 #include "report/mechanism_json.hpp"
+#include "report/ratio_in_units.hpp"
 
 namespace kinestat {
 
@@ -183,8 +184,8 @@ Json case_json(const Mechanism& mechanism, const CaseAnalysis& one, const FileUn
   Json result = object_of(8);
   result["primary"] = primary_json(mechanism, one.which);
   if (one.ratios) {
-    result["ratio"] = number(one.ratios->ratio);
-    result["torque_ratio"] = number(one.ratios->torque_ratio);
+    result["ratio"] = number(ratio_in_units(one, mechanism, units).value);
+    result["torque_ratio"] = number(torque_ratio_in_units(one, mechanism, units).value);
     if (!one.ratios->reason.empty()) {
       result["reason"] = one.ratios->reason;
     }

@@ -6,6 +6,7 @@
 
 #include "report/in_units.hpp"
 #include "report/numbers.hpp"
+#include "report/ratio_in_units.hpp"
 #include "report/table.hpp"
 
 namespace kinestat {
@@ -146,11 +147,18 @@ std::string known_text(const Topology& topology, const Case& which, const InUnit
                      parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", ")));
 }
 
-std::string ratio_text(const Ratios& ratios) {
-  std::string text = ratios.ratio ? fmt::format("  ratio {}", format_short(*ratios.ratio))
-                                  : fmt::format("  no ratio: {}", ratios.reason);
-  if (ratios.torque_ratio) {
-    text += fmt::format(", torque ratio {}", format_short(*ratios.torque_ratio));
+std::string ratio_text(const CaseAnalysis& one,
+                       const Mechanism& mechanism,
+                       const FileUnits& units) {
+  const RatioInUnits ratio = ratio_in_units(one, mechanism, units);
+  const RatioInUnits torque = torque_ratio_in_units(one, mechanism, units);
+  const auto shown = [](const RatioInUnits& r) {
+    return format_short(*r.value) + (r.unit.empty() ? "" : " " + r.unit);
+  };
+  std::string text = ratio.value ? fmt::format("  ratio {}", shown(ratio))
+                                 : fmt::format("  no ratio: {}", one.ratios->reason);
+  if (torque.value) {
+    text += fmt::format(", {} ratio {}", torque.unit.empty() ? "torque" : "action", shown(torque));
   }
   return text + "\n";
 }
@@ -292,7 +300,7 @@ std::string analysis_text(const Analysis& analysis) {
     text += fmt::format("Case {}\n", one.which.label);
     text += known_text(mechanism.topology, one.which, in);
     if (one.ratios) {
-      text += ratio_text(*one.ratios);
+      text += ratio_text(one, mechanism, analysis.description.units);
     }
     text += "\n";
     if (one.motion) {

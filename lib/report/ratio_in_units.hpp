@@ -1,0 +1,27 @@
+// Ratios of a case in the units of the file.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "report/analysis.hpp"
+
+namespace kinestat {
+
+/// A ratio and its unit; the unit is empty where input and output are of one kind.
+struct RatioInUnits {
+  std::optional<double> value;
+  std::string unit;  ///< for example "rad/s per mm/s"
+};
+
+/// i, in the rate unit of the input per that of the output. The case must have ratios.
+RatioInUnits ratio_in_units(const CaseAnalysis& one,
+                            const Mechanism& mechanism,
+                            const FileUnits& units);
+
+/// Γ, in the action unit of the input per that of the output. The case must have ratios.
+RatioInUnits torque_ratio_in_units(const CaseAnalysis& one,
+                                   const Mechanism& mechanism,
+                                   const FileUnits& units);
+
+}  // namespace kinestat
