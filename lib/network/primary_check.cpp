@@ -20,12 +20,30 @@ MatX possible(const Elimination& elimination, int first_column, int count) {
   const std::vector<VecX> vectors = elimination.null_vectors();
   MatX result(count, static_cast<Eigen::Index>(vectors.size()));
   for (std::size_t j = 0; j < vectors.size(); ++j) {
-    const VecX part = vectors[j].segment(first_column, count);
-    const double largest = part.size() == 0 ? 0.0 : part.cwiseAbs().maxCoeff();
-    result.col(static_cast<Eigen::Index>(j)) =
-        (part.array().abs() <= kRankZero * largest).select(0.0, part);
+    result.col(static_cast<Eigen::Index>(j)) = vectors[j].segment(first_column, count);
   }
   return result;
+}
+
+// Without the entries that are too small beside the largest to build a choice on.
+MatX clear_part(const MatX& motions) {
+  MatX result = motions;
+  for (Eigen::Index j = 0; j < result.cols(); ++j) {
+    const VecX column = result.col(j);
+    const double largest = column.size() == 0 ? 0.0 : column.cwiseAbs().maxCoeff();
+    result.col(j) = (column.array().abs() <= kRankZero * largest).select(0.0, column);
+  }
+  return result;
+}
+
+std::vector<int> rows_in_use(const MatX& motions) {
+  std::vector<int> rows;
+  for (int i = 0; i < static_cast<int>(motions.rows()); ++i) {
+    if (!motions.row(i).isZero(0.0)) {
+      rows.push_back(i);
+    }
+  }
+  return rows;
 }
 
 // Searches the choices that complete the primaries, those whose rows of the possible motions are a
@@ -94,13 +112,11 @@ PrimaryCheck check_primaries(const Elimination& elimination,
     return check;
   }
   const MatX motions = possible(elimination, first_column, count);
-  for (int i = 0; i < count; ++i) {
-    if (!motions.row(i).isZero(0.0)) {
-      check.undetermined.push_back(i);
-    }
-  }
-  if (static_cast<std::size_t>(check.missing) * check.undetermined.size() <= kLongestSearch) {
-    check.completions = CompletionSearch(motions, check.undetermined).run();
+  const MatX clear = clear_part(motions);
+  check.undetermined = rows_in_use(motions);
+  check.candidates = rows_in_use(clear);
+  if (static_cast<std::size_t>(check.missing) * check.candidates.size() <= kLongestSearch) {
+    check.completions = CompletionSearch(clear, check.candidates).run();
   }
   return check;
 }

@@ -18,8 +18,11 @@ struct DependenceTerm {
 struct PrimaryCheck {
   /// Relations that the primary magnitudes must satisfy: sum of coefficient · magnitude [SI] = 0.
   std::vector<std::vector<DependenceTerm>> dependences;
-  /// Magnitudes that remain undetermined, ascending.
+  /// Magnitudes that remain undetermined, ascending; also those that move so little that it may be
+  /// rounding: rather no value than a wrong one.
   std::vector<int> undetermined;
+  /// Those of them that are large enough to be chosen as primaries.
+  std::vector<int> candidates;
   /// How many more primaries are needed.
   int missing = 0;
   /// Up to five sets of magnitudes, each of which would complete the choice; none if very many

@@ -66,10 +66,10 @@ std::vector<Primary> choose_primaries(Random& random, const Check& check) {
   std::vector<Primary> primaries;
   for (int i = 0; i < kOneByOne; ++i) {
     const PrimaryCheck found = check(primaries);
-    if (found.undetermined.empty()) {
+    if (found.candidates.empty()) {
       return primaries;
     }
-    const int index = random.one_of(found.undetermined);
+    const int index = random.one_of(found.candidates);
     primaries.push_back(make_primary(index, random.magnitude()));
   }
   const PrimaryCheck found = check(primaries);
