@@ -174,9 +174,9 @@ void add_parts(const std::string& name, const System& system, std::vector<Job>& 
   jobs.push_back(
       {"  Elimination" + name, [&] { keep(Elimination(system.matrix, system.columns)); }, {}});
   const Elimination factors(system.matrix, system.columns);
-  const int count = system.matrix.columns;
+  const std::vector<double> units(static_cast<std::size_t>(system.matrix.columns), 1.0);
   jobs.push_back(
-      {"  check_primaries" + name, [=] { keep(check_primaries(factors, 0, count)); }, {}});
+      {"  check_primaries" + name, [=] { keep(check_primaries(factors, 0, units)); }, {}});
   jobs.push_back(
       {"  Elimination::solve" + name, [=, &system] { keep(factors.solve(system.known, {})); }, {}});
 }
