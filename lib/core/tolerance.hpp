@@ -30,6 +30,14 @@ inline constexpr double kConsistency = 1e-9;
 /// The powers of a case must sum to zero within this share of the largest power.
 inline constexpr double kPowerBalance = 1e-9;
 
+/// A magnitude is affine in the free parameters if it is met at other points of them to this share
+/// of its largest term; a function that bends shows far more at the steps that are probed.
+inline constexpr double kAffine = 1e-9;
+
+/// Two values of a condition count as equal if they differ by at most this share of the larger one:
+/// some thousand roundings, and still far below what anybody types on purpose.
+inline constexpr double kSameValue = 1e-12;
+
 /// In reports, a value below this share of the largest of its quantity is written as zero.
 inline constexpr double kReportZero = 64 * kEpsilon;
 

@@ -1,26 +1,14 @@
 #include "expression/expression.hpp"
 
-#include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
-
+#include "expression/internal/limits.hpp"
 #include "expression/internal/parser.hpp"
 #include "expression/internal/scanner.hpp"
 
 namespace kinestat {
 
 namespace {
-
-constexpr std::size_t kLongestText = 4096;  // [bytes]
-
-ExpressionError too_long(std::string_view text) {
-  return {.offset = 0,
-          .length = static_cast<int>(std::min(text.size(), kLongestText)),
-          .code = "E0210",
-          .message = fmt::format("the expression is longer than {} bytes", kLongestText),
-          .hint = "divide it among parameters"};
-}
 
 Expression plain_number(std::string_view text, double value) {
   std::vector<Node> nodes = {Node{.length = static_cast<int>(text.size()), .value = value}};
@@ -38,8 +26,8 @@ std::string_view Expression::text_of(const Node& node) const {
 }
 
 std::variant<Expression, ExpressionError> parse_expression(std::string_view text) {
-  if (text.size() > kLongestText) {
-    return too_long(text);
+  if (auto error = find_too_long(text, "expression")) {
+    return std::move(*error);
   }
   if (const auto value = read_plain_number(text)) {
     return plain_number(text, *value);

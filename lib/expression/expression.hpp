@@ -70,8 +70,9 @@ class Expression {
 };
 
 /// Reads an expression of numbers, names, units, functions, pi, + - * / ^ and parentheses.
-/// A unit directly after a number binds closest: 1/2 mm is 1/(2 mm), 1 rad/s is (1 rad)/s and
-/// 2 mm^2 is 2*(mm^2). -2^2 is -(2^2); ^ groups to the right.
+/// A unit directly after a number or a parenthesis binds closest: 1/2 mm is 1/(2 mm), so that the
+/// half is written (1/2) mm; 1 rad/s is (1 rad)/s and 2 mm^2 is 2*(mm^2). -2^2 is -(2^2); ^ groups
+/// to the right. Where such a divisor makes the dimension wrong, evaluation says how to write it.
 /// Errors: E0308 for the form, E0311 for a function that does not exist, E0210 above 4096 bytes or
 /// 64 levels of nesting.
 std::variant<Expression, ExpressionError> parse_expression(std::string_view text);

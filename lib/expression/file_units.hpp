@@ -24,7 +24,10 @@ class FileUnits {
   /// The unit as text, "N*mm"; empty for dimensionless.
   const std::string& text(QuantityKind kind) const { return unit(kind).text; }
 
-  /// SI per unit. A lead counts in metres per turn.
+  /// The size of the unit in SI. A lead counts in metres per turn.
+  const UnitScale& scale(QuantityKind kind) const { return unit(kind).scale; }
+
+  /// SI per unit.
   double factor(QuantityKind kind) const { return unit(kind).scale.factor(); }
 
   /// A number in the file's unit, in SI.

@@ -58,8 +58,13 @@ std::span<const std::string> function_names() {
   return names;
 }
 
+bool is_condition_word(std::string_view word) {
+  return word == "and" || word == "or" || word == "not";
+}
+
 bool is_reserved_name(std::string_view name) {
-  return name == "pi" || find_unit(name) != nullptr || find_function(name) != nullptr;
+  return name == "pi" || is_condition_word(name) || find_unit(name) != nullptr ||
+         find_function(name) != nullptr;
 }
 
 }  // namespace kinestat

@@ -51,7 +51,11 @@ std::string_view name_of(Function function);
 /// Every function's name, for messages.
 std::span<const std::string> function_names();
 
-/// True for names that parameters may not have: units, functions and constants.
+/// True for and, or, not.
+bool is_condition_word(std::string_view word);
+
+/// True for names that parameters may not have: units, functions, constants and the words of
+/// conditions.
 bool is_reserved_name(std::string_view name);
 
 }  // namespace kinestat

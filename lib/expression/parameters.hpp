@@ -13,6 +13,8 @@
 
 namespace kinestat {
 
+struct Dual;
+
 /// One entry of the section `parameters:`. Names are unique and not reserved (is_reserved_name).
 struct Parameter {
   std::string name;
@@ -27,27 +29,33 @@ struct ParameterError {
   ExpressionError error;
 };
 
-/// The values of all parameters that have one, and which of them are referred to.
-class ParameterTable {
+/// The values of all parameters that have one, and which of them are referred to. For the types of
+/// number see BasicQuantity.
+template <class Number>
+class BasicParameterTable {
  public:
-  ParameterTable() = default;
-  explicit ParameterTable(std::span<const Parameter> parameters);
+  BasicParameterTable() = default;
+  explicit BasicParameterTable(std::span<const Parameter> parameters);
 
   /// The value in SI, or null if the name is unknown or its value is in error.
-  const Quantity* find(std::string_view name) const;
+  const BasicQuantity<Number>* find(std::string_view name) const;
 
   /// find for evaluate. The table must outlive it.
-  NameLookup lookup() const;
+  BasicNameLookup<Number> lookup() const;
 
   /// All names, in the order of the list, also those in error.
   std::span<const std::string> names() const { return names_; }
 
   /// Whether the expression uses a parameter whose value is in error: then it has no value either,
   /// and nothing more is to be said about it.
-  bool is_failed(const Expression& expression) const;
+  bool is_failed(const Expression& expression) const { return is_failed(expression.names()); }
+
+  bool is_failed(std::span<const std::string> used) const;
 
   /// Notes the names that an expression outside the table uses.
-  void mark_used(const Expression& expression);
+  void mark_used(const Expression& expression) { mark_used(expression.names()); }
+
+  void mark_used(std::span<const std::string> used);
 
   /// The indices of those that no expression uses, in the order of the list. One that another
   /// parameter uses counts as used.
@@ -57,11 +65,11 @@ class ParameterTable {
   int index_of(std::string_view name) const;
 
   /// Gives a parameter its value, once all that it uses have theirs.
-  void set(int parameter, const Quantity& value);
+  void set(int parameter, const BasicQuantity<Number>& value);
 
  private:
   struct Entry {
-    Quantity value;
+    BasicQuantity<Number> value;
     bool has_value = false;
     bool is_used = false;
   };
@@ -71,15 +79,26 @@ class ParameterTable {
   std::map<std::string, int, std::less<>> index_;
 };
 
+using ParameterTable = BasicParameterTable<double>;
+
 /// The table and all that is wrong, ordered by parameter.
-struct ParameterValues {
-  ParameterTable table;
+template <class Number>
+struct BasicParameterValues {
+  BasicParameterTable<Number> table;
   std::vector<ParameterError> errors;
 };
 
+using ParameterValues = BasicParameterValues<double>;
+
 /// Evaluates the parameters in the order in which they need each other. Errors: those of evaluate,
 /// and E0310 once for every circle, at its first parameter. Those that depend on a parameter in
-/// error have no value and no error of their own.
-ParameterValues evaluate_parameters(std::span<const Parameter> parameters);
+/// error have no value and no error of their own. `Number` is double or Exact.
+template <class Number = double>
+BasicParameterValues<Number> evaluate_parameters(std::span<const Parameter> parameters);
+
+/// With derivatives: the one of index i is per SI unit of the parameter variables[i], as if that
+/// one had been given as a number, whatever parameters its own value uses.
+BasicParameterValues<Dual> evaluate_parameters(std::span<const Parameter> parameters,
+                                               std::span<const int> variables);
 
 }  // namespace kinestat

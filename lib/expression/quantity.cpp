@@ -71,15 +71,6 @@ std::string factor_text(std::string_view sign, std::string_view unit, int expone
                        : fmt::format("{}{}^{}", sign, unit, exponent);
 }
 
-// "kg*m^2/s": SI base units, divisors after the factors.
-std::string unit_text(const Dimension& d) {
-  const std::string above = factor_text("*", "kg", d.mass) + factor_text("*", "m", d.length) +
-                            factor_text("*", "s", d.time) + factor_text("*", "rad", d.angle);
-  const std::string below = factor_text("/", "kg", -d.mass) + factor_text("/", "m", -d.length) +
-                            factor_text("/", "s", -d.time) + factor_text("/", "rad", -d.angle);
-  return (above.empty() ? "1" : above.substr(1)) + below;
-}
-
 Dimension without_angle(Dimension dimension) {
   dimension.angle = 0;
   return dimension;
@@ -128,13 +119,22 @@ std::string_view example_of(QuantityKind kind) {
   return row_of(kind).example;
 }
 
+// Divisors after the factors.
+std::string si_unit_of(const Dimension& d) {
+  const std::string above = factor_text("*", "kg", d.mass) + factor_text("*", "m", d.length) +
+                            factor_text("*", "s", d.time) + factor_text("*", "rad", d.angle);
+  const std::string below = factor_text("/", "kg", -d.mass) + factor_text("/", "m", -d.length) +
+                            factor_text("/", "s", -d.time) + factor_text("/", "rad", -d.angle);
+  return (above.empty() ? "1" : above.substr(1)) + below;
+}
+
 std::string phrase_of(const Dimension& dimension) {
   for (const KindRow& row : kKinds) {
     if (row.dimension == dimension) {
       return std::string(row.phrase);
     }
   }
-  return "a quantity in " + unit_text(dimension);
+  return "a quantity in " + si_unit_of(dimension);
 }
 
 bool fits(const Dimension& dimension, QuantityKind kind) {

@@ -31,11 +31,15 @@ Dimension power(const Dimension& base, int exponent);
 /// True for a bare number: all exponents are zero.
 bool is_bare(const Dimension& dimension);
 
-/// A value in SI: metre, kilogram, second, radian.
-struct Quantity {
-  double value = 0.0;
+/// A value in SI: metre, kilogram, second, radian. `Number` is double, Dual (math/dual.hpp: with
+/// derivatives) or Exact (exact.hpp: with its exact value where it has one).
+template <class Number>
+struct BasicQuantity {
+  Number value{};
   Dimension dimension;
 };
+
+using Quantity = BasicQuantity<double>;
 
 /// What a place of a mechanism file expects. `pitch` is a length per radian, `lead` a length per
 /// turn; `stiffness` resists a translation, `angular_stiffness` a rotation.
@@ -80,6 +84,9 @@ std::string_view example_of(QuantityKind kind);
 
 /// A dimension in words for messages: "a length", "a bare number", "a quantity in kg*m^2/s".
 std::string phrase_of(const Dimension& dimension);
+
+/// The coherent SI unit of a dimension in base units: "kg*m^2/s", "1" for a bare number.
+std::string si_unit_of(const Dimension& dimension);
 
 /// Whether a value of this dimension may stand where the kind is expected, its radians counting as
 /// one. An angle must be an angle and an angular velocity an angle per time; elsewhere the exponent

@@ -138,8 +138,8 @@ Outcome apply_to_pair(Function function, const Quantity& a, const Quantity& b) {
                  .hint = "write both with a unit of the same kind, or both without"};
   }
   switch (function) {
-    case atan2:
-      return checked({std::atan2(a.value, b.value), kAngle});
+    case atan2:  // + 0.0: minus zero is zero, so that (0, -1) is at 180 deg, never at -180 deg
+      return checked({std::atan2(a.value + 0.0, b.value + 0.0), kAngle});
     case min:
       return Quantity{std::min(a.value, b.value), a.dimension};
     case max:

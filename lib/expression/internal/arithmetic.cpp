@@ -22,15 +22,14 @@ bool is_countable(const Dimension& d) {
          std::abs(d.time) <= kLargestExponent && std::abs(d.angle) <= kLargestExponent;
 }
 
-// The fault of joining different dimensions by addition or by such a word as 'compared'.
-Fault different(const Quantity& a, const Quantity& b, std::string_view joined) {
-  const bool has_bare = is_bare(a.dimension) || is_bare(b.dimension);
+}  // namespace
+
+Fault different(const Dimension& a, const Dimension& b, std::string_view joined) {
+  const bool has_bare = is_bare(a) || is_bare(b);
   return dimension_fault(
-      fmt::format("{} and {} cannot be {}", phrase_of(a.dimension), phrase_of(b.dimension), joined),
+      fmt::format("{} and {} cannot be {}", phrase_of(a), phrase_of(b), joined),
       has_bare ? "write a unit after the bare number" : "both must measure the same");
 }
-
-}  // namespace
 
 Outcome checked(const Quantity& result) {
   if (!std::isfinite(result.value)) {
@@ -46,14 +45,14 @@ Outcome checked(const Quantity& result) {
 
 Outcome add(const Quantity& a, const Quantity& b) {
   if (a.dimension != b.dimension) {
-    return different(a, b, "added");
+    return different(a.dimension, b.dimension, "added");
   }
   return checked({a.value + b.value, a.dimension});
 }
 
 Outcome subtract(const Quantity& a, const Quantity& b) {
   if (a.dimension != b.dimension) {
-    return different(a, b, "subtracted");
+    return different(a.dimension, b.dimension, "subtracted");
   }
   return checked({a.value - b.value, a.dimension});
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <variant>
 
+#include "expression/expression.hpp"
 #include "expression/functions.hpp"
 #include "expression/quantity.hpp"
 
@@ -20,6 +21,9 @@ struct Fault {
   Part part = Part::whole;
 };
 
+/// The fault of joining different dimensions by addition or by such a word as "compared".
+Fault different(const Dimension& a, const Dimension& b, std::string_view joined);
+
 /// A quantity that is finite, or the fault: E0309 for dimensions, E0316 for values.
 using Outcome = std::variant<Quantity, Fault>;
 
@@ -28,6 +32,14 @@ Outcome subtract(const Quantity& a, const Quantity& b);
 Outcome multiply(const Quantity& a, const Quantity& b);
 Outcome divide(const Quantity& a, const Quantity& b);
 Outcome raise(const Quantity& base, const Quantity& exponent);
+
+/// The value of a number, a unit or pi.
+Quantity leaf(const Node& node);
+
+/// The operation of a node on its operands; `right` is `left` where there is one. `unit` is the
+/// right operand if that is a unit alone: multiplying and dividing by it rounds once where possible
+/// (6 mm is the double nearest to 0.006).
+Outcome operate(const Node& node, const Quantity& left, const Quantity& right, const Unit* unit);
 
 /// A function of two values uses both, one of a single value ignores `b`.
 Outcome apply(Function function, const Quantity& a, const Quantity& b);

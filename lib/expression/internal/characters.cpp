@@ -21,24 +21,51 @@ struct Advice {
   std::string_view hint;
 };
 
+// In the order of the code points.
 constexpr auto kAdvice = std::to_array<Advice>({
     {0x00A0, "write an ordinary space"},
+    {0x00AD, "remove this invisible character"},
     {0x00B0, "write deg for degrees"},
+    {0x00B1, "write one value: a tolerance has no place here"},
     {0x00B2, "write ^2"},
     {0x00B3, "write ^3"},
     {0x00B5, "write um for micrometres"},
     {0x00B7, "write *"},
+    {0x00B9, "write ^1"},
+    {0x00BA, "write deg for degrees"},
+    {0x00BC, "write 1/4"},
+    {0x00BD, "write 1/2"},
+    {0x00BE, "write 3/4"},
     {0x00D7, "write *"},
     {0x00F7, "write /"},
     {0x03BC, "write um for micrometres"},
     {0x03C0, "write pi"},
     {0x2009, "write an ordinary space"},
     {0x200B, "remove this invisible character"},
-    {0x202F, "write an ordinary space"},
+    {0x2010, "write -"},
+    {0x2011, "write -"},
+    {0x2012, "write -"},
     {0x2013, "write -"},
+    {0x2014, "write -"},
+    {0x2018, "write names without quotes"},
+    {0x2019, "write names without quotes"},
+    {0x201C, "write names without quotes"},
+    {0x201D, "write names without quotes"},
+    {0x2022, "write *"},
+    {0x202F, "write an ordinary space"},
+    {0x2030, "write 5/1000 for 5 per mille"},
+    {0x2032, "write the unit by its name: 5/60 deg for minutes of arc"},
+    {0x2033, "write the unit by its name: 5 in for inches, 5/3600 deg for seconds of arc"},
+    {0x2044, "write /"},
+    {0x207B, "write ^ and the exponent, such as s^-1"},
     {0x2212, "write -"},
-    {0x221A, "write sqrt( )"},
     {0x2215, "write /"},
+    {0x2217, "write *"},
+    {0x221A, "write sqrt( )"},
+    {0x2220, "write the angle alone, such as 30 deg"},
+    {0x2260, "write !="},
+    {0x2264, "write <="},
+    {0x2265, "write >="},
     {0x22C5, "write *"},
     {0xFEFF, "remove this invisible character"},
 });
@@ -65,6 +92,10 @@ CodePoint decode(std::string_view text, std::size_t at) {
 }
 
 std::string hint_for(std::uint32_t value) {
+  constexpr std::uint32_t kFullWidth = 0xFEE0U;  // from an ASCII character to its wide form
+  if (value > kFullWidth + ' ' && value <= kFullWidth + '~') {
+    return fmt::format("write {}", static_cast<char>(value - kFullWidth));
+  }
   const auto* const known = std::ranges::find(kAdvice, value, &Advice::value);
   return known != kAdvice.end()
              ? std::string(known->hint)
@@ -99,6 +130,20 @@ ExpressionError foreign(std::string_view text, std::size_t at) {
 }
 
 }  // namespace
+
+std::string in_small_letters(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return result;
+}
+
+std::string without(std::string_view text, char unwanted) {
+  std::string result(text);
+  std::erase(result, unwanted);
+  return result;
+}
 
 std::optional<ExpressionError> find_foreign_character(std::string_view text) {
   const auto* const at =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "expression/expression_error.hpp"
@@ -23,6 +24,29 @@ inline bool is_name_part(char c) {
 inline bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
+
+/// Whether one of the characters stands at that place.
+inline bool has(std::string_view text, std::size_t at, std::string_view characters) {
+  return at < text.size() && characters.find(text[at]) != std::string_view::npos;
+}
+
+inline bool has_digit(std::string_view text, std::size_t at) {
+  return at < text.size() && is_digit(text[at]);
+}
+
+/// The first place from `at` on that is no digit.
+inline std::size_t skip_digits(std::string_view text, std::size_t at) {
+  while (has_digit(text, at)) {
+    ++at;
+  }
+  return at;
+}
+
+/// ASCII letters only.
+std::string in_small_letters(std::string_view text);
+
+/// The text with every `unwanted` left out.
+std::string without(std::string_view text, char unwanted);
 
 /// The first character that is neither printable ASCII nor white space, named by its code point
 /// (E0308), with what to type instead where it is a common look-alike.

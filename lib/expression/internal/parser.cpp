@@ -1,14 +1,15 @@
 #include "expression/internal/parser.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
+
+#include "expression/internal/limits.hpp"
 
 namespace kinestat {
 
 namespace {
-
-constexpr int kDeepestNesting = 64;
 
 NodeKind operation_of(char symbol) {
   switch (symbol) {
@@ -93,18 +94,20 @@ int Parser::parse_signs(int (Parser::*parse_operand)()) {
 
 int Parser::parse_measure() {
   const std::size_t first = at_;
-  const bool has_word = token().kind == TokenKind::number &&
-                        tokens_[at_ + 1].kind == TokenKind::name && !is_call(at_ + 1);
-  if (!has_word) {
+  const bool is_number = token().kind == TokenKind::number;
+  if (!is_number && !is_symbol(token(), "(")) {
     return parse_power();
   }
-  const int number = parse_number();
+  const int value = is_number ? parse_number() : parse_group();
+  if (value < 0 || token().kind != TokenKind::name || is_call(at_)) {
+    return value < 0 ? -1 : parse_raised(value, first);
+  }
   const Unit* unit = find_unit(text_of(token()));
   if (unit == nullptr) {
-    return fail_unit(tokens_[first], token());
+    return is_number ? fail_unit(tokens_[first], token()) : fail_leftover();
   }
   const int power = parse_raised(add_leaf({.kind = NodeKind::unit, .unit = unit}), at_ - 1);
-  return power < 0 ? -1 : add({.kind = NodeKind::multiply, .left = number, .right = power}, first);
+  return power < 0 ? -1 : add({.kind = NodeKind::multiply, .left = value, .right = power}, first);
 }
 
 int Parser::parse_power() {
@@ -153,9 +156,10 @@ int Parser::parse_word() {
     return add_leaf({.kind = NodeKind::pi});
   }
   if (find_function(word) != nullptr) {
-    return fail(token(),
-                fmt::format("the function '{}' has no values", word),
-                fmt::format("write {}( )", word));
+    return fail_function();
+  }
+  if (is_condition_word(word)) {
+    return fail_condition(token(), word, "joins conditions");
   }
   return add_leaf({.kind = NodeKind::name, .name = name_index(word)});
 }

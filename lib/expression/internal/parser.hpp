@@ -19,7 +19,7 @@ namespace kinestat {
 ///   sum      = product {("+" | "-") product}
 ///   product  = signed {("*" | "/") signed}
 ///   signed   = {"+" | "-"} measure
-///   measure  = number unit ["^" exponent] | power
+///   measure  = (number | "(" sum ")") unit ["^" exponent] | power
 ///   power    = atom ["^" exponent]
 ///   exponent = {"+" | "-"} power
 ///   atom     = number | unit | name | "pi" | function "(" sum {"," sum} ")" | "(" sum ")"
@@ -62,13 +62,16 @@ class Parser {
   int fail(const Token& where, std::string message, std::string hint = {});
   int fail_too_deep();
   int fail_missing_value();
+  int fail_function();
   int fail_unit(const Token& number, const Token& word);
+  int fail_condition(const Token& where, std::string_view word, std::string_view what);
   int fail_unknown_function();
   int fail_unclosed(const Token& opening);
   int fail_argument_count(const FunctionName& function, const Token& name, std::size_t count);
   int fail_leftover();
   int fail_comma();
   int fail_symbol(const Token& where);
+  std::string product_hint() const;
 
   std::string_view text_;
   std::vector<Token> tokens_;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "expression/internal/number_spellings.hpp"
 #include "expression/internal/parser.hpp"
 #include "expression/internal/suggestion.hpp"
 
@@ -21,6 +22,8 @@ constexpr auto kSymbolHints = std::to_array<SymbolHint>({
     {'=', "write the value alone: its name is the key before the colon"},
     {'.', "write * for a product and digits on both sides of a decimal point"},
     {'%', "write 0.05 for 5 percent, mod(a, b) for a remainder"},
+    {'|', "write abs( ) for an absolute value"},
+    {';', "write , between the values of a function"},
     {'[', "write ( ) around what belongs together"},
     {']', "write ( ) around what belongs together"},
     {'{', "write ( ) around what belongs together"},
@@ -28,6 +31,20 @@ constexpr auto kSymbolHints = std::to_array<SymbolHint>({
     {'\'', "write names without quotes"},
     {'"', "write names without quotes"},
 });
+
+// The hint for a symbol directly after a number, which shows what it was meant for.
+std::string hint_after_number(std::string_view number, char symbol) {
+  switch (symbol) {
+    case '%':
+      return fmt::format("write {}/100 for a percentage, mod(a, b) for a remainder", number);
+    case '\'':
+    case '"':
+      return fmt::format(
+          "write the unit by its name: {0} in for inches, {0}/60 deg for minutes of arc", number);
+    default:
+      return {};
+  }
+}
 
 }  // namespace
 
@@ -55,7 +72,9 @@ int Parser::fail_missing_value() {
   }
   if (token().kind == TokenKind::end) {
     const Token& before = tokens_[at_ - 1];
-    return fail(before, fmt::format("a value is missing after '{}'", text_of(before)));
+    return fail(before,
+                fmt::format("a value is missing after '{}'", text_of(before)),
+                fmt::format("write a number or a name behind '{}', or remove it", text_of(before)));
   }
   if (!is_symbol(token(), kKnownSymbols)) {
     return fail_symbol(token());
@@ -64,11 +83,34 @@ int Parser::fail_missing_value() {
       at_ > 0 && is_symbol(token(), "*") && is_symbol(tokens_[at_ - 1], "*");
   return fail(token(),
               fmt::format("a value is missing before '{}'", text_of(token())),
-              is_double_star ? "write ^ for a power" : "");
+              is_double_star ? "write ^ for a power"
+                             : fmt::format("write a number or a name before '{}'{}",
+                                           text_of(token()),
+                                           is_symbol(token(), "*/^") ? ", or remove it" : ""));
+}
+
+// A function's name without '(' behind it.
+int Parser::fail_function() {
+  const std::string_view name = text_of(token());
+  const Token& value = tokens_[at_ + 1];
+  const bool has_value = value.kind == TokenKind::number || value.kind == TokenKind::name;
+  const bool has_unit =
+      value.kind == TokenKind::number && find_unit(text_of(tokens_[at_ + 2])) != nullptr;
+  const Token& last = tokens_[at_ + (has_unit ? 2 : 1)];
+  const auto length = static_cast<std::size_t>(last.offset + last.length - value.offset);
+  return fail(token(),
+              fmt::format("the function '{}' has no values", name),
+              has_value ? fmt::format("write its value in parentheses: {}({})",
+                                      name,
+                                      text_.substr(static_cast<std::size_t>(value.offset), length))
+                        : fmt::format("write {}( )", name));
 }
 
 int Parser::fail_unit(const Token& number, const Token& word) {
   const std::string_view name = text_of(word);
+  if (is_condition_word(name)) {
+    return fail_condition(word, name, "joins conditions");
+  }
   if (is_reserved_name(name)) {
     return fail(word,
                 fmt::format("an operator is missing before '{}'", name),
@@ -84,7 +126,11 @@ int Parser::fail_unit(const Token& number, const Token& word) {
 
 int Parser::fail_unknown_function() {
   const std::string_view name = text_of(token());
-  fail(token(), fmt::format("unknown function '{}'", name), function_hint(name));
+  const std::string hint = function_hint(name);
+  const bool is_near = hint.starts_with("did");
+  fail(token(),
+       fmt::format("unknown function '{}'", name),
+       is_near ? hint : fmt::format("{}; for a product write {}*( )", hint, name));
   error_->code = "E0311";
   return -1;
 }
@@ -118,9 +164,33 @@ int Parser::fail_leftover() {
     return fail_symbol(token());
   }
   const std::string_view text = text_of(token());
-  return fail(token(),
-              fmt::format("an operator is missing before '{}'", text),
-              fmt::format("write * before '{}' for a product", text));
+  if (is_condition_word(text)) {
+    return fail_condition(token(), text, "joins conditions");
+  }
+  const bool may_be_misspelled = token().kind == TokenKind::name && !is_reserved_name(text);
+  const std::string near = may_be_misspelled ? unit_hint(text) : std::string();
+  return fail(
+      token(),
+      fmt::format("an operator is missing before '{}'", text),
+      near.starts_with("did") ? fmt::format("{}; {}", near, product_hint()) : product_hint());
+}
+
+// For two values side by side, of which the second is at the token.
+std::string Parser::product_hint() const {
+  const Token& before = tokens_[at_ - 1];
+  const std::string_view text = text_of(token());
+  if (before.kind == TokenKind::symbol) {
+    return fmt::format("write * before '{}' for a product", text);
+  }
+  const bool is_group = is_symbol(token(), "(");
+  return fmt::format("write {}*{} for a product", text_of(before), is_group ? "( )" : text);
+}
+
+// What belongs to a condition stands where a value is expected.
+int Parser::fail_condition(const Token& where, std::string_view word, std::string_view what) {
+  return fail(where,
+              fmt::format("'{}' {}, and this is the place of a value", word, what),
+              "write a number or an expression; conditions stand under 'require' only");
 }
 
 bool Parser::is_decimal_comma() const {
@@ -139,20 +209,29 @@ int Parser::fail_comma() {
   }
   const Token& before = tokens_[at_ - 1];
   const Token& after = tokens_[at_ + 1];
-  Token whole = before;
-  whole.length = after.offset + after.length - before.offset;
-  return fail(whole,
-              fmt::format("'{}' has a decimal comma", text_of(whole)),
-              fmt::format("write {}.{}", text_of(before), text_of(after)));
+  error_ = decimal_comma(text_, before.offset, after.offset + after.length);
+  return -1;
 }
 
 int Parser::fail_symbol(const Token& where) {
-  const char symbol = text_of(where)[0];
-  std::string_view hint = "operators are + - * / ^ and parentheses";
+  const std::size_t at = static_cast<std::size_t>(where.offset);
+  const bool has_equals = text_.substr(at + 1).starts_with('=');
+  const char symbol = text_[at];
+  if (symbol == '<' || symbol == '>' || (has_equals && (symbol == '=' || symbol == '!'))) {
+    Token comparison = where;
+    comparison.length += has_equals ? 1 : 0;
+    return fail_condition(comparison, text_of(comparison), "compares");
+  }
+  std::string hint = "operators are + - * / ^ and parentheses";
   for (const SymbolHint& row : kSymbolHints) {
     hint = row.symbol == symbol ? row.hint : hint;
   }
-  return fail(where, fmt::format("'{}' cannot stand in an expression", symbol), std::string(hint));
+  const bool follows_number = at_ > 0 && tokens_[at_ - 1].kind == TokenKind::number;
+  const std::string meant =
+      follows_number ? hint_after_number(text_of(tokens_[at_ - 1]), symbol) : std::string();
+  return fail(where,
+              fmt::format("'{}' cannot stand in an expression", symbol),
+              meant.empty() ? hint : meant);
 }
 
 }  // namespace kinestat

@@ -1,32 +1,18 @@
 #include "expression/internal/scanner.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
+#include <system_error>
 
 #include <fmt/format.h>
 
 #include "expression/internal/characters.hpp"
+#include "expression/internal/number_spellings.hpp"
 
 namespace kinestat {
 
 namespace {
-
-std::size_t skip_digits(std::string_view text, std::size_t at) {
-  while (at < text.size() && is_digit(text[at])) {
-    ++at;
-  }
-  return at;
-}
-
-bool has(std::string_view text, std::size_t at, std::string_view characters) {
-  return at < text.size() && characters.find(text[at]) != std::string_view::npos;
-}
-
-bool has_digit(std::string_view text, std::size_t at) {
-  return at < text.size() && is_digit(text[at]);
-}
 
 std::size_t skip_exponent(std::string_view text, std::size_t at) {
   const std::size_t sign = has(text, at + 1, "+-") ? 1 : 0;
@@ -43,84 +29,6 @@ std::size_t end_of_decimal(std::string_view text, std::size_t at) {
     return is_name_next ? at : after;
   }
   return skip_exponent(text, at);
-}
-
-// Everything that looks as if it belonged to a number: 0x1F, 1_000, 12:30, 1.2.3.
-std::size_t end_of_lookalike(std::string_view text, std::size_t at) {
-  while (at < text.size() && (is_name_part(text[at]) || has(text, at, ".:"))) {
-    ++at;
-  }
-  return at;
-}
-
-std::string without(std::string_view text, char unwanted) {
-  std::string result(text);
-  std::erase(result, unwanted);
-  return result;
-}
-
-std::string without_leading_zeros(std::string_view text) {
-  const std::size_t first = text.find_first_not_of('0');
-  const bool needs_zero = first == std::string_view::npos || text[first] == '.';
-  return (needs_zero ? "0" : "") + std::string(text.substr(std::min(first, text.size())));
-}
-
-ExpressionError number_error(std::size_t begin,
-                             std::size_t end,
-                             std::string message,
-                             std::string hint) {
-  return {.offset = static_cast<int>(begin),
-          .length = static_cast<int>(end - begin),
-          .code = "E0308",
-          .message = std::move(message),
-          .hint = std::move(hint)};
-}
-
-// The spellings of other notations, which must not be read as something else.
-std::optional<ExpressionError> find_foreign_number(std::string_view text,
-                                                   std::size_t begin,
-                                                   std::size_t end) {
-  const std::size_t wide = end_of_lookalike(text, begin);
-  const std::string_view word = text.substr(begin, wide - begin);
-  if (text[begin] == '0' && has(text, begin + 1, "xXbBoO")) {
-    return number_error(
-        begin, wide, fmt::format("'{}' is not a decimal", word), "write digits 0-9");
-  }
-  if (has(text, end, "_")) {
-    return number_error(begin,
-                        wide,
-                        fmt::format("'{}' groups its digits", word),
-                        fmt::format("write {}", without(word, '_')));
-  }
-  if (has(text, end, ":")) {
-    return number_error(begin,
-                        wide,
-                        fmt::format("'{}' looks like a time of day", word),
-                        "write one decimal, with a unit such as min where it is a time");
-  }
-  if (has(text, end, ".") && has_digit(text, end + 1)) {
-    return number_error(begin,
-                        wide,
-                        fmt::format("'{}' has more than one decimal point", word),
-                        "write a number as 1234.5");
-  }
-  if (text[begin] == '0' && has_digit(text, begin + 1)) {
-    const std::string_view number = text.substr(begin, end - begin);
-    return number_error(begin,
-                        end,
-                        fmt::format("'{}' begins with a zero", number),
-                        fmt::format("write {}", without_leading_zeros(number)));
-  }
-  return std::nullopt;
-}
-
-ExpressionError range_error(std::string_view literal, std::size_t begin, double value) {
-  const bool is_tiny = value == 0.0;
-  return number_error(
-      begin,
-      begin + literal.size(),
-      fmt::format("'{}' is {}", literal, is_tiny ? "too small (underflow)" : "out of range"),
-      is_tiny ? "write 0, or choose a smaller unit" : "numbers reach to about 1.8e308");
 }
 
 bool has_nonzero_digit(std::string_view literal) {
@@ -159,7 +67,7 @@ std::variant<Token, ExpressionError> scan_number(std::string_view text, std::siz
   double out_of_range = 0.0;
   const std::optional<double> value = to_double(literal, out_of_range);
   if (!value) {
-    return range_error(literal, begin, out_of_range);
+    return number_out_of_range(text, begin, end, out_of_range == 0.0);
   }
   return Token{.kind = TokenKind::number,
                .offset = static_cast<int>(begin),
@@ -167,24 +75,13 @@ std::variant<Token, ExpressionError> scan_number(std::string_view text, std::siz
                .value = *value};
 }
 
-std::string lower(std::string_view word) {
-  std::string result(word);
-  std::ranges::transform(result, result.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return result;
-}
-
 // YAML's .nan and .inf.
 std::optional<ExpressionError> find_special_value(std::string_view text, std::size_t begin) {
-  const std::string word = lower(text.substr(begin, 4));
+  const std::string word = in_small_letters(text.substr(begin, 4));
   if (word != ".nan" && word != ".inf") {
     return std::nullopt;
   }
-  return number_error(begin,
-                      begin + word.size(),
-                      fmt::format("'{}' is not a finite number", text.substr(begin, word.size())),
-                      "write a finite number");
+  return not_finite(text, begin, begin + word.size());
 }
 
 Token scan_name(std::string_view text, std::size_t begin) {
@@ -222,6 +119,12 @@ std::variant<std::vector<Token>, ExpressionError> scan(std::string_view text) {
     if (is_space(text[at])) {
       ++at;
       continue;
+    }
+    const bool follows_number = !tokens.empty() && tokens.back().kind == TokenKind::number;
+    if (follows_number && is_digit(text[at])) {
+      if (auto error = find_spaced_number(text, tokens.back().offset, at)) {
+        return std::move(*error);
+      }
     }
     auto scanned = scan_token(text, at);
     if (auto* error = std::get_if<ExpressionError>(&scanned)) {

@@ -30,6 +30,23 @@ constexpr auto kSpellings = std::to_array<Spelling>({
     {"kilowatt", "kW"},   {"mNm", "N*mm"},      {"Nmm", "N*mm"},       {"kNm", "kN*m"},
 });
 
+// Units of everyday use that are none here.
+constexpr auto kForeignUnits = std::to_array<Spelling>({
+    {"J", "1 N*m"},
+    {"kJ", "1 kN*m"},
+    {"mN", "0.001 N"},
+    {"MN", "1000 kN"},
+    {"kgf", "9.80665 N"},
+    {"Pa", "1 N/m^2"},
+    {"MPa", "1 N/mm^2"},
+    {"Hz", "1 rev/s"},
+    {"ms", "0.001 s"},
+    {"mrad", "0.001 rad"},
+    {"ft", "12 in"},
+    {"t", "1000 kg"},
+    {"MW", "1000 kW"},
+});
+
 // A unit written out, in the plural, or broken off after three letters or more.
 std::string_view spelled_unit(std::string_view word) {
   const auto* const row = std::ranges::find_if(kSpellings, [word](const Spelling& spelling) {
@@ -63,6 +80,10 @@ std::string near_word(std::string_view word, std::span<const std::string> words)
 std::string unit_hint(std::string_view word) {
   if (const std::string_view unit = spelled_unit(word); !unit.empty()) {
     return fmt::format("did you mean '{}'?", unit);
+  }
+  const auto* const foreign = std::ranges::find(kForeignUnits, word, &Spelling::word);
+  if (foreign != kForeignUnits.end()) {
+    return fmt::format("1 {} is {}", word, foreign->unit);
   }
   const std::string near = near_word(word, unit_names());
   return near.empty() ? fmt::format("units are {}", plain_list(unit_names(), kWholeList)) : near;

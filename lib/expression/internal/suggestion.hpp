@@ -7,7 +7,8 @@
 
 namespace kinestat {
 
-/// "did you mean 'deg'?", or the list of units when nothing is near.
+/// "did you mean 'deg'?", the size of a unit that is not known here ("1 ms is 0.001 s"), or the
+/// list of units when nothing is near.
 std::string unit_hint(std::string_view word);
 
 /// "did you mean 'N1'?" among the names given, then functions, units and pi; may be empty.

@@ -25,7 +25,7 @@ TEST_P(ReservedNames, AreNotForParameters) {
 
 INSTANTIATE_TEST_SUITE_P(Table,
                          ReservedNames,
-                         testing::Values("m", "N", "rpm", "sin", "min", "pi"));
+                         testing::Values("m", "N", "rpm", "sin", "min", "pi", "and", "or", "not"));
 
 TEST(Functions, OrdinaryNameIsNotReserved) {
   EXPECT_FALSE(is_reserved_name("N1"));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "expression/condition.hpp"
+
 namespace kinestat {
 namespace {
 
@@ -143,6 +145,25 @@ TEST(Parameters, ExpressionOnAFailedParameterIsFailed) {
   const auto user = parameters({{"user", "a + 1"}});
 
   EXPECT_TRUE(evaluate_parameters(list).table.is_failed(user[0].value));
+}
+
+TEST(Parameters, ConditionOnAFailedParameterIsFailed) {
+  const auto list = parameters({{"a", "1/0"}, {"b", "1"}});
+  const auto condition = parse_condition("b > 0 and a > 0");
+
+  const ParameterValues values = evaluate_parameters(list);
+
+  EXPECT_TRUE(values.table.is_failed(std::get<Condition>(condition).names()));
+}
+
+TEST(Parameters, ThoseOfAConditionAreMarked) {
+  const auto list = parameters({{"a", "1"}, {"b", "2"}});
+  const auto condition = parse_condition("not b == 2");
+  ParameterValues values = evaluate_parameters(list);
+
+  values.table.mark_used(std::get<Condition>(condition).names());
+
+  EXPECT_EQ(values.table.unused(), (std::vector<int>{0}));
 }
 
 TEST(Parameters, ExpressionOnAnUnknownNameIsNotFailed) {

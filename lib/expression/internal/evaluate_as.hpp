@@ -1,0 +1,109 @@
+// The functions of evaluate.hpp for any type of number; each type has one source that includes
+// this.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "core/contract.hpp"
+#include "expression/evaluate.hpp"
+#include "expression/internal/evaluation.hpp"
+#include "expression/internal/regroup.hpp"
+
+namespace kinestat {
+
+/// A number counted in a unit, in SI.
+template <class Number>
+Number in_si(const Number& count, const UnitScale& unit) {
+  if constexpr (std::same_as<Number, double>) {
+    return unit.to_si(count);
+  } else {
+    Number result = Carrier<Number>::to_si(count, unit);
+    result.value = unit.to_si(count.value);
+    return result;
+  }
+}
+
+template <class Number>
+std::variant<Number, ExpressionError> finite(Number number) {
+  const bool is_finite = std::isfinite(plain(BasicQuantity<Number>{number, {}}).value);
+  return is_finite ? std::variant<Number, ExpressionError>(std::move(number)) : out_of_range();
+}
+
+/// The hint for a dimension that does not fit, if the text regrouped has a value that `is_good`.
+template <class Number, class Check>
+void hint_at_grouping(const Expression& expression,
+                      const BasicNameLookup<Number>& lookup,
+                      ExpressionError& error,
+                      const Check& is_good) {
+  const std::optional<Expression> better = regrouped(expression);
+  if (error.code != "E0309" || !better) {
+    return;
+  }
+  const auto value = Evaluation<Number>(*better, lookup).run({});
+  if (std::holds_alternative<BasicQuantity<Number>>(value) &&
+      is_good(std::get<BasicQuantity<Number>>(value))) {
+    error.hint = regrouping_hint(*better);
+  }
+}
+
+template <class Number>
+std::variant<BasicQuantity<Number>, ExpressionError> evaluate(
+    const Expression& expression,
+    const std::type_identity_t<BasicNameLookup<Number>>& lookup,
+    std::span<const std::string> known) {
+  KINESTAT_EXPECTS(!expression.nodes().empty());
+  if constexpr (std::same_as<Number, double>) {
+    if (expression.is_number()) {
+      return Quantity{expression.nodes()[0].value, {}};
+    }
+  }
+  auto result = Evaluation<Number>(expression, lookup).run(known);
+  if (auto* error = std::get_if<ExpressionError>(&result)) {
+    hint_at_grouping<Number>(expression, lookup, *error, [](const auto&) { return true; });
+  }
+  return result;
+}
+
+template <class Number>
+std::variant<Number, ExpressionError> fit(const std::type_identity_t<BasicQuantity<Number>>& value,
+                                          QuantityKind kind,
+                                          const FileUnits& units) {
+  constexpr UnitScale kTurn{2.0, 1.0, 1};  // [rad]
+  if (is_bare(value.dimension)) {
+    return finite(in_si(value.value, units.scale(kind)));
+  }
+  if (!fits(value.dimension, kind)) {
+    return misfit(value.dimension, kind);
+  }
+  const bool is_per_radian = kind == QuantityKind::lead && value.dimension.angle == -1;
+  return finite(is_per_radian ? in_si(value.value, kTurn) : value.value);
+}
+
+template <class Number>
+std::variant<Number, ExpressionError> evaluate_as(
+    QuantityKind kind,
+    const Expression& expression,
+    const FileUnits& units,
+    const std::type_identity_t<BasicNameLookup<Number>>& lookup,
+    std::span<const std::string> known) {
+  auto value = evaluate<Number>(expression, lookup, known);
+  if (auto* error = std::get_if<ExpressionError>(&value)) {
+    return std::move(*error);
+  }
+  auto fitted = fit<Number>(std::get<BasicQuantity<Number>>(value), kind, units);
+  if (auto* error = std::get_if<ExpressionError>(&fitted)) {
+    error->length = static_cast<int>(expression.text().size());
+    hint_at_grouping<Number>(expression, lookup, *error, [&](const BasicQuantity<Number>& better) {
+      return std::holds_alternative<Number>(fit<Number>(better, kind, units));
+    });
+  }
+  return fitted;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,53 @@
+#include "expression/internal/evaluation_errors.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "expression/internal/characters.hpp"
+#include "expression/internal/suggestion.hpp"
+
+namespace kinestat {
+
+Fault unknown_name(std::string_view name) {
+  const std::string word = in_small_letters(name);
+  if (word == "nan" || word == "inf" || word == "infinity") {
+    return {.code = "E0308",
+            .message = fmt::format("'{}' is not a finite number", name),
+            .hint = "write a finite number"};
+  }
+  return {.code = "E0311", .message = fmt::format("unknown name '{}'", name), .hint = {}};
+}
+
+ExpressionError located(const Expression& expression,
+                        const Node& node,
+                        Fault fault,
+                        std::span<const std::string> known) {
+  const int part = fault.part == Fault::Part::left    ? node.left
+                   : fault.part == Fault::Part::right ? node.right
+                                                      : -1;
+  const Node& shown = part >= 0 ? expression.nodes()[static_cast<std::size_t>(part)] : node;
+  if (node.kind == NodeKind::name && fault.hint.empty()) {
+    fault.hint = name_hint(expression.text_of(node), known);
+  }
+  return {.offset = shown.offset,
+          .length = shown.length,
+          .code = fault.code,
+          .message = std::move(fault.message),
+          .hint = std::move(fault.hint)};
+}
+
+ExpressionError misfit(const Dimension& dimension, QuantityKind kind) {
+  return {.code = "E0309",
+          .message =
+              fmt::format("{} stands where {} is expected", phrase_of(dimension), phrase_of(kind)),
+          .hint = fmt::format("write {}", example_of(kind))};
+}
+
+ExpressionError out_of_range() {
+  return {.code = "E0316",
+          .message = "the value is out of range in SI units",
+          .hint = "write a smaller number"};
+}
+
+}  // namespace kinestat

@@ -1,0 +1,27 @@
+// What evaluation says about an expression that has no value at its place.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "expression/expression.hpp"
+#include "expression/internal/arithmetic.hpp"
+
+namespace kinestat {
+
+Fault unknown_name(std::string_view name);
+
+/// The fault at the part of the node that it names; of an unknown name with a suggestion.
+ExpressionError located(const Expression& expression,
+                        const Node& node,
+                        Fault fault,
+                        std::span<const std::string> known);
+
+/// A dimension where another one is expected.
+ExpressionError misfit(const Dimension& dimension, QuantityKind kind);
+
+/// A value that a unit of the file makes infinite.
+ExpressionError out_of_range();
+
+}  // namespace kinestat

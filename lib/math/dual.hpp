@@ -1,0 +1,67 @@
+// A number with its first derivatives with respect to chosen variables.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace kinestat {
+
+/// The functions below apply the chain rule. Where the function has a kink or a jump, they follow
+/// one rule each:
+/// - at a corner with two one-sided slopes, the mean of both: abs at 0, min and max of equal
+/// values,
+///   hypot at the origin (0, like abs);
+/// - where the derivative grows without bound, or the function jumps, there is none: sqrt at 0,
+///   asin and acos at ±1, a power of zero with an exponent below one, atan2 at the origin. It is
+///   NaN, and so is all that depends on it. A variable that does not take part keeps its zero.
+struct Dual {
+  double value = 0.0;
+  std::vector<double> derivatives;  ///< one a variable; an empty list stands for zeros
+};
+
+/// The variable of that index among `count`: its own derivative is one.
+Dual make_variable(double value, std::size_t index, std::size_t count);
+
+/// The derivative with respect to a variable.
+double derivative(const Dual& number, std::size_t variable);
+
+/// Whether all derivatives exist and are finite.
+bool is_differentiable(const Dual& number);
+
+/// The value of a function with the slope `by_a` towards a.
+Dual chain(double value, double by_a, const Dual& a);
+
+/// The value of a function with the slopes `by_a` towards a and `by_b` towards b.
+Dual chain(double value, double by_a, const Dual& a, double by_b, const Dual& b);
+
+Dual operator-(const Dual& a);
+Dual operator+(const Dual& a, const Dual& b);
+Dual operator-(const Dual& a, const Dual& b);
+Dual operator*(const Dual& a, const Dual& b);
+Dual operator/(const Dual& a, const Dual& b);
+
+Dual sin(const Dual& a);
+Dual cos(const Dual& a);
+Dual tan(const Dual& a);
+Dual asin(const Dual& a);
+Dual acos(const Dual& a);
+Dual atan(const Dual& a);
+
+/// The angle of the point (x, y).
+Dual atan2(const Dual& y, const Dual& x);
+
+Dual sqrt(const Dual& a);
+Dual abs(const Dual& a);
+Dual exp(const Dual& a);
+Dual log(const Dual& a);
+Dual log10(const Dual& a);
+
+/// A derivative towards the exponent exists only for a positive base, or 0 with a positive
+/// exponent.
+Dual pow(const Dual& base, const Dual& exponent);
+
+Dual min(const Dual& a, const Dual& b);
+Dual max(const Dual& a, const Dual& b);
+Dual hypot(const Dual& a, const Dual& b);
+
+}  // namespace kinestat

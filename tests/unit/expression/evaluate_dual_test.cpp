@@ -1,0 +1,170 @@
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "expression/evaluate.hpp"
+#include "expression/parameters.hpp"
+#include "math/dual.hpp"
+
+namespace kinestat {
+namespace {
+
+using DualQuantity = BasicQuantity<Dual>;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kTight = 1e-14;
+
+// x = 3, y = 4 m.
+const DualQuantity* lookup(std::string_view name) {
+  static const DualQuantity x{make_variable(3.0, 0, 2), {}};
+  static const DualQuantity y{make_variable(4.0, 1, 2), {1, 0, 0, 0}};
+  return name == "x" ? &x : name == "y" ? &y : nullptr;
+}
+
+DualQuantity evaluated(std::string_view text) {
+  const auto parsed = parse_expression(text);
+  auto result = evaluate<Dual>(std::get<Expression>(parsed), lookup);
+  if (const auto* error = std::get_if<ExpressionError>(&result)) {
+    ADD_FAILURE() << text << ": " << error->message;
+    return {};
+  }
+  return std::get<DualQuantity>(std::move(result));
+}
+
+struct DerivativeCase {
+  const char* name;
+  const char* text;
+  double by_x;
+  double by_y;
+};
+
+class Derivatives : public testing::TestWithParam<DerivativeCase> {};
+
+TEST_P(Derivatives, AreThoseOfTheTextbook) {
+  const Dual number = evaluated(GetParam().text).value;
+
+  EXPECT_NEAR(derivative(number, 0), GetParam().by_x, kTight);
+  EXPECT_NEAR(derivative(number, 1), GetParam().by_y, kTight);
+}
+
+// By hand, at x = 3 and y = 4 m.
+INSTANTIATE_TEST_SUITE_P(
+    Table,
+    Derivatives,
+    testing::Values(DerivativeCase{"constant", "2 mm + 1 in", 0, 0},
+                    DerivativeCase{"pi", "pi*x", kPi, 0},
+                    DerivativeCase{"sum", "2*x - x + 1", 1, 0},
+                    DerivativeCase{"product", "x*y", 4, 3},
+                    DerivativeCase{"quotient", "y/x", -4.0 / 9, 1.0 / 3},
+                    DerivativeCase{"negation", "-y", 0, -1},
+                    DerivativeCase{"unit_as_factor", "x*mm", 1e-3, 0},
+                    DerivativeCase{"unit_as_divisor", "y/mm", 0, 1000},
+                    DerivativeCase{"unit_of_a_group", "(2*x) cm", 0.02, 0},
+                    DerivativeCase{"power", "x^3", 27, 0},
+                    DerivativeCase{"power_with_variable_exponent", "2^x", 8 * std::log(2), 0},
+                    DerivativeCase{
+                        "sine_of_degrees", "sin(x*10 deg)", kPi / 18 * std::cos(kPi / 6), 0},
+                    DerivativeCase{"tangent", "tan(x*15 deg)", kPi / 6, 0},
+                    DerivativeCase{"arcsine", "asin(x/5)", 0.25, 0},
+                    DerivativeCase{"angle", "atan2(y, x*1 m)", -0.16, 0.12},
+                    DerivativeCase{"root", "sqrt(y*4 m)", 0, 0.5},
+                    DerivativeCase{"exponential", "exp(x - 3)", 1, 0},
+                    DerivativeCase{"logarithm", "ln(x)", 1.0 / 3, 0},
+                    DerivativeCase{"decimal_logarithm", "log10(x)", 1 / (3 * std::log(10)), 0},
+                    DerivativeCase{"hypotenuse", "hypot(x*1 m, y)", 0.6, 0.8},
+                    DerivativeCase{"minimum", "min(x*1 m, y)", 1, 0},
+                    DerivativeCase{"maximum", "max(x*1 m, y)", 0, 1},
+                    DerivativeCase{"remainder", "mod(20, x)", -6, 0},
+                    DerivativeCase{"remainder_of_the_variable", "mod(y, 3 m)", 0, 1}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(Kinks,
+                         Derivatives,
+                         testing::Values(DerivativeCase{"abs_at_zero", "abs(x - 3)", 0, 0},
+                                         DerivativeCase{"equal_values", "min(x, 3)", 0.5, 0},
+                                         DerivativeCase{"floor", "floor(x)", 0, 0},
+                                         DerivativeCase{"ceil", "ceil(x + 0.5)", 0, 0},
+                                         DerivativeCase{"round", "round(x)", 0, 0},
+                                         DerivativeCase{"gcd", "gcd(x, 6)", 0, 0}),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST(EvaluateDual, ValueIsThatOfDouble) {
+  EXPECT_EQ(evaluated("x*6 mm").value.value, 3.0 * 0.006);
+}
+
+TEST(EvaluateDual, DimensionIsKept) {
+  EXPECT_EQ(evaluated("y^2").dimension, (Dimension{2, 0, 0, 0}));
+}
+
+TEST(EvaluateDual, RootOfZeroHasNoDerivative) {
+  EXPECT_FALSE(is_differentiable(evaluated("sqrt(x - 3)").value));
+}
+
+TEST(EvaluateDual, ErrorIsThatOfDouble) {
+  const auto parsed = parse_expression("1/(x - 3)");
+
+  const auto result = evaluate<Dual>(std::get<Expression>(parsed), lookup);
+
+  EXPECT_EQ(std::get<ExpressionError>(result).message, "division by zero");
+}
+
+TEST(EvaluateDual, BareNumberTakesTheUnitOfTheFile) {
+  FileUnits units;
+  units.set(QuantityKind::length, "mm");
+  const auto parsed = parse_expression("2*x");
+
+  const auto result =
+      evaluate_as<Dual>(QuantityKind::length, std::get<Expression>(parsed), units, lookup);
+
+  EXPECT_NEAR(std::get<Dual>(result).value, 6e-3, kTight);
+  EXPECT_NEAR(derivative(std::get<Dual>(result), 0), 2e-3, kTight);
+}
+
+std::vector<Parameter> parameters(const std::vector<std::pair<std::string, std::string>>& lines) {
+  std::vector<Parameter> result;
+  for (const auto& [name, value] : lines) {
+    result.push_back({name, std::get<Expression>(parse_expression(value)), {}, {}});
+  }
+  return result;
+}
+
+TEST(EvaluateDual, ParametersPassTheirDerivativesOn) {
+  const auto list = parameters({{"area", "width*height"}, {"width", "2"}, {"height", "5"}});
+  const std::vector<int> variables = {2, 1};
+
+  const auto values = evaluate_parameters(list, variables);
+
+  const Dual& area = values.table.find("area")->value;
+  EXPECT_EQ(derivative(area, 0), 2.0);  // by height
+  EXPECT_EQ(derivative(area, 1), 5.0);  // by width
+}
+
+TEST(EvaluateDual, VariableCountsAsGivenWhateverItUses) {
+  const auto list = parameters({{"a", "3"}, {"b", "2*a"}, {"c", "a*b"}});
+  const std::vector<int> variables = {0, 1};
+
+  const auto values = evaluate_parameters(list, variables);
+
+  const Dual& c = values.table.find("c")->value;
+  EXPECT_EQ(derivative(values.table.find("b")->value, 0), 0.0);
+  EXPECT_EQ(derivative(c, 0), 6.0);
+  EXPECT_EQ(derivative(c, 1), 3.0);
+}
+
+TEST(EvaluateDual, ParameterErrorsAreThoseOfDouble) {
+  const auto list = parameters({{"a", "b"}, {"b", "a"}, {"c", "1/0"}});
+  const std::vector<int> variables = {2};
+
+  const auto values = evaluate_parameters(list, variables);
+
+  ASSERT_EQ(values.errors.size(), 2U);
+  EXPECT_EQ(values.errors[0].error.code, "E0310");
+  EXPECT_EQ(values.errors[1].error.code, "E0316");
+}
+
+}  // namespace
+}  // namespace kinestat
