@@ -48,9 +48,15 @@ class Diagnostics {
 
   int error_count() const { return error_count_; }
 
+  /// Whether a further error has a chance to be read. A hint that costs a search among many names
+  /// may be left out otherwise, so that a file full of mistakes is answered at once.
+  bool is_hint_worth_it() const { return error_count_ < kMostHints; }
+
   std::span<const Diagnostic> items() const { return items_; }
 
  private:
+  static constexpr int kMostHints = 100;
+
   std::vector<Diagnostic> items_;
   int error_count_ = 0;
 };

@@ -72,6 +72,13 @@ bool is_control(std::string_view text, std::size_t at, char32_t code) {
   return is_c0 || (code >= kDelete && code <= kLastC1 && code != kNextLine);
 }
 
+// Spaces and marks of format that leave no trace on the screen.
+bool is_invisible(char32_t code) {
+  return code <= 0x20 || (code >= kDelete && code <= 0xA0) || code == 0xAD ||
+         (code >= 0x2000 && code <= 0x200F) || (code >= 0x2028 && code <= 0x202F) ||
+         (code >= 0x2060 && code <= 0x206F) || code == kInnerOrderMark;
+}
+
 }  // namespace
 
 std::optional<BadCharacter> find_bad_character(std::string_view text) {
@@ -99,7 +106,8 @@ std::string printable(std::string_view bytes) {
   while (at < bytes.size()) {
     const Character next = read_character(bytes, at);
     const bool is_break = next.code == '\n' || next.code == '\t' || next.code == '\r';
-    const bool is_shown = next.size > 0 && !is_break && !is_control(bytes, at, next.code);
+    const bool is_shown = next.size > 0 && !is_break && !is_control(bytes, at, next.code) &&
+                          (next.code == ' ' || !is_invisible(next.code));
     const std::size_t size = std::max<std::size_t>(next.size, 1);
     for (std::size_t i = at; i < at + size; ++i) {
       result += is_shown ? std::string(1, bytes[i]) : fmt::format("\\x{:02X}", byte_at(bytes, i));
@@ -107,6 +115,21 @@ std::string printable(std::string_view bytes) {
     at += size;
   }
   return result;
+}
+
+std::string foreign_character(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const Character next = read_character(text, at);
+    const std::size_t size = std::max<std::size_t>(next.size, 1);
+    if (next.code >= kDelete || next.code < 0x20) {
+      const std::string point = fmt::format("U+{:04X}", static_cast<unsigned>(next.code));
+      return is_invisible(next.code) || next.size == 0
+                 ? point
+                 : fmt::format("'{}' ({})", text.substr(at, size), point);
+    }
+    at += size;
+  }
+  return {};
 }
 
 }  // namespace kinestat

@@ -31,4 +31,8 @@ std::optional<BadCharacter> find_bad_character(std::string_view text);
 /// The bytes as they can be shown in a message: what is no printable character stands as \xNN.
 std::string printable(std::string_view bytes);
 
+/// The first character outside printable ASCII, for messages in which it looks like another:
+/// "'а' (U+0430)", or "U+202E" alone for one that cannot be seen. Empty if there is none.
+std::string foreign_character(std::string_view text);
+
 }  // namespace kinestat

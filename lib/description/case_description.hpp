@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "description/load_description.hpp"
 #include "description/value.hpp"
 
 namespace kinestat {
@@ -19,8 +20,9 @@ struct CaseDescription {
   bool asks_actions = false;  ///< has the key `action`, be it empty
   std::vector<Assignment> motions;
   std::vector<Assignment> actions;
-  std::vector<Name> inputs;   ///< actuators
-  std::vector<Name> outputs;  ///< actuators
+  std::vector<LoadDescription> loads;  ///< beside those of the top level, or in their place
+  std::vector<Name> inputs;            ///< actuators
+  std::vector<Name> outputs;           ///< actuators
 };
 
 }  // namespace kinestat

@@ -11,12 +11,29 @@ struct Word {
   std::string_view word;
 };
 
-constexpr auto kWords = std::to_array<Word>({{CouplingType::revolute, "revolute"},
-                                             {CouplingType::prismatic, "prismatic"},
-                                             {CouplingType::gear, "gear"},
-                                             {CouplingType::clutch, "clutch"},
-                                             {CouplingType::brake, "brake"},
-                                             {CouplingType::rigid, "rigid"}});
+constexpr auto kWords = std::to_array<Word>({
+    {CouplingType::revolute, "revolute"},
+    {CouplingType::prismatic, "prismatic"},
+    {CouplingType::helical, "helical"},
+    {CouplingType::cylindrical, "cylindrical"},
+    {CouplingType::universal, "universal"},
+    {CouplingType::spherical, "spherical"},
+    {CouplingType::planar, "planar"},
+    {CouplingType::point_contact, "point_contact"},
+    {CouplingType::cam, "cam"},
+    {CouplingType::line_contact, "line_contact"},
+    {CouplingType::sphere_in_tube, "sphere_in_tube"},
+    {CouplingType::pin_in_slot, "pin_in_slot"},
+    {CouplingType::rigid, "rigid"},
+    {CouplingType::gear, "gear"},
+    {CouplingType::bevel_gear, "bevel_gear"},
+    {CouplingType::worm, "worm"},
+    {CouplingType::rack, "rack"},
+    {CouplingType::clutch, "clutch"},
+    {CouplingType::brake, "brake"},
+    {CouplingType::cable, "cable"},
+    {CouplingType::screws, "screws"},
+});
 
 }  // namespace
 

@@ -4,15 +4,40 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "description/friction_description.hpp"
+#include "description/screw_description.hpp"
 #include "description/value.hpp"
 
 namespace kinestat {
 
 enum class Space { planar, spatial };
 
-enum class CouplingType { revolute, prismatic, gear, clutch, brake, rigid };
+enum class CouplingType {
+  revolute,
+  prismatic,
+  helical,
+  cylindrical,
+  universal,
+  spherical,
+  planar,
+  point_contact,
+  cam,
+  line_contact,
+  sphere_in_tube,
+  pin_in_slot,
+  rigid,
+  gear,
+  bevel_gear,
+  worm,
+  rack,
+  clutch,
+  brake,
+  cable,
+  screws
+};
 
 /// The word of the file for a type.
 std::string_view word_of(CouplingType type);
@@ -23,19 +48,23 @@ std::optional<CouplingType> find_coupling_type(std::string_view word);
 /// All words, in the order of the enumeration.
 std::vector<std::string> coupling_type_words();
 
-/// A point [length]: two coordinates in the plane, three in space.
-struct PointDescription {
-  std::vector<Value> coordinates;
+/// Where a coupling is. Usually one point; a point for each body where the drawing shows the two
+/// apart, or a single number along the axis where `gears` places the bodies.
+struct CouplingPoint {
+  std::optional<PointDescription> point;
+  std::vector<std::pair<Name, PointDescription>> of_bodies;  ///< as drawn on each body
+  std::optional<Value> along_axis;
   SourceRange where;
 };
 
-/// A direction: `x`, `-z`, … or a vector of plain numbers.
-struct AxisDescription {
-  char keyword = 0;   ///< 'x', 'y', 'z', or 0: then `components` hold the vector
-  double sign = 1.0;  ///< of the keyword
-  std::vector<Value> components;
-  SourceRange where;
+/// Stiffness of one constraint: [N/m] of a force, [N·m/rad] of a couple.
+struct StiffnessDescription {
+  Name action;
+  Value value;
 };
+
+/// The direction in which a freewheel bears a torque.
+enum class OneWay { positive, negative };
 
 /// Edge tail -> head. Which geometry a type needs is checked when it is bound.
 struct CouplingDescription {
@@ -43,13 +72,29 @@ struct CouplingDescription {
   CouplingType type = CouplingType::revolute;
   Name tail;
   Name head;
-  std::optional<PointDescription> at;
+  std::optional<CouplingPoint> at;
   std::optional<AxisDescription> axis;
+  std::vector<AxisDescription> axes;              ///< of a universal: fixed in tail, in head
+  std::optional<AxisDescription> normal;          ///< of a planar coupling or a contact
+  std::optional<AxisDescription> line;            ///< of a line contact
+  std::optional<AxisDescription> slot;            ///< of a pin in a slot
+  std::optional<Value> pitch;                     ///< of a helical: length per radian
+  std::optional<Value> lead;                      ///< of a helical: length per turn
   std::optional<AxisDescription> tangent;         ///< of a gear
   std::optional<AxisDescription> line_of_action;  ///< of a gear, instead of tangent and angle
   std::optional<Value> pressure_angle;            ///< of a gear
+  std::optional<Value> helix_angle;               ///< of a gear
   bool internal = false;                          ///< of a gear: one of the two is a ring
-  std::optional<std::vector<Name>> passive;       ///< the constraints that it keeps
+  bool contact = false;  ///< of a gear: the contact of the teeth instead of a rolling pair
+  std::optional<ScrewDescription> screw;      ///< relative motion of a bevel gear, worm, rack
+  std::optional<PointDescription> from;       ///< of a cable: its end on the tail
+  std::optional<PointDescription> to;         ///< of a cable: its end on the head
+  std::vector<ScrewDescription> freedoms;     ///< of type screws
+  std::vector<ScrewDescription> constraints;  ///< of type screws
+  std::optional<OneWay> one_way;              ///< of a clutch or brake: a freewheel
+  std::optional<std::vector<Name>> passive;   ///< the constraints that it keeps
+  std::optional<FrictionDescription> friction;
+  std::vector<StiffnessDescription> stiffness;
 };
 
 }  // namespace kinestat

@@ -5,23 +5,35 @@
 #include <string>
 #include <vector>
 
+#include "description/body_description.hpp"
+#include "description/cable_description.hpp"
 #include "description/case_description.hpp"
 #include "description/coupling_description.hpp"
+#include "description/gear_description.hpp"
+#include "description/load_description.hpp"
+#include "description/loss_description.hpp"
+#include "description/motion_description.hpp"
+#include "description/shift_description.hpp"
+#include "description/sweep_description.hpp"
+#include "description/synthesis_description.hpp"
 #include "expression/file_units.hpp"
+#include "expression/parameters.hpp"
 
 namespace kinestat {
 
 /// How many coordinates a pass works in; minimal: only those that the screws of the mechanism need.
 enum class OrderChoice { minimal, planar, spatial };
 
+/// What to say of actions that equilibrium leaves open.
+enum class IndeterminateChoice { report, minimum_norm, stiffness };
+
+/// `h_z: {free: 0}` leaves the value open: reports give the dependence on it as well.
 struct ParameterDescription {
   Name name;
   Value value;
-};
-
-struct BodyDescription {
-  Name name;
-  std::optional<PointDescription> reference;  ///< default: the first coupling's point
+  bool is_free = false;
+  std::string set_by =
+      {};  ///< NAME=VALUE of the command line that replaced the value; empty if none did
 };
 
 /// An active coupling; `freedom` is needed where the coupling has several.
@@ -40,7 +52,8 @@ struct PublishedValue {
   SourceRange is_where;
 };
 
-/// One mechanism file. Sections that are absent are empty.
+/// One mechanism file. Sections that are absent are empty; a file may hold a synthesis task alone,
+/// and then has no bodies.
 struct MechanismDescription {
   std::string name;
   std::string source;
@@ -55,9 +68,28 @@ struct MechanismDescription {
   Name ground;
   std::vector<BodyDescription> bodies;
   std::vector<CouplingDescription> couplings;
+  std::optional<GearsDescription> gears;
+  std::vector<CableDescription> cables;
+  SourceRange cables_where;
   std::vector<ActuatorDescription> actuators;
+  std::vector<LoadDescription> loads;
+  SourceRange loads_where;
+  std::optional<PointDescription> gravity;  ///< vector [acceleration]
+  std::optional<LossDescription> losses;
+  IndeterminateChoice indeterminate = IndeterminateChoice::report;
+  SourceRange statics_where;
   std::vector<CaseDescription> cases;
+  std::optional<ShiftDescription> shift;
+  std::optional<MotionDescription> motion;
+  std::optional<SweepDescription> sweep;
+  std::optional<SynthesisDescription> synthesis;
   std::vector<PublishedValue> published;
+
+  /// False for a file that holds only a synthesis task.
+  bool has_mechanism() const { return !ground.text.empty(); }
 };
+
+/// The parameters as the expression module evaluates them.
+std::vector<Parameter> parameters_of(const MechanismDescription& description);
 
 }  // namespace kinestat

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/source.hpp"
 #include "expression/expression.hpp"
@@ -19,6 +20,20 @@ struct Value {
   Expression expression;
   SourceRange where;
   int text_column = 0;  ///< column where the expression's text begins on its line; 0: unknown
+};
+
+/// A point [length] or another vector: two coordinates in the plane, three in space.
+struct PointDescription {
+  std::vector<Value> coordinates;
+  SourceRange where;
+};
+
+/// A direction: `x`, `-z`, … or a vector of plain numbers.
+struct AxisDescription {
+  char keyword = 0;   ///< 'x', 'y', 'z', or 0: then `components` hold the vector
+  double sign = 1.0;  ///< of the keyword
+  std::vector<Value> components;
+  SourceRange where;
 };
 
 /// Where a part of a scalar's text stands in the file. `offset` and `length` count bytes of `text`;

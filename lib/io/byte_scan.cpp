@@ -9,6 +9,16 @@ namespace kinestat {
 
 namespace {
 
+using namespace std::string_view_literals;
+
+// Text of four bytes a character begins with a mark, or its ASCII characters leave three zero.
+bool looks_like_utf32(std::string_view text) {
+  if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv)) {
+    return true;
+  }
+  return text.size() >= 4 && (text.substr(0, 3) == "\0\0\0"sv || text.substr(1, 3) == "\0\0\0"sv);
+}
+
 // UTF-16 text begins with a mark, or its ASCII characters leave every second byte zero.
 bool looks_like_utf16(std::string_view text) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
@@ -62,8 +72,10 @@ SourceRange place(std::string_view text, std::size_t offset) {
 }  // namespace
 
 bool scan_bytes(const SourceFile& source, Diagnostics& found) {
-  if (looks_like_utf16(source.text)) {
-    found.error("E0202", {}, "the file is UTF-16", "save it as UTF-8");
+  const bool is_utf32 = looks_like_utf32(source.text);
+  if (is_utf32 || looks_like_utf16(source.text)) {
+    found.error(
+        "E0202", {}, fmt::format("the file is UTF-{}", is_utf32 ? 32 : 16), "save it as UTF-8");
     return false;
   }
   const std::string_view whole = source.text;

@@ -1,8 +1,13 @@
 #include "io/case_reader.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "core/utf8.hpp"
+#include "io/field_values.hpp"
 #include "io/fields.hpp"
+#include "io/load_reader.hpp"
 #include "io/value_reader.hpp"
 
 namespace kinestat {
@@ -29,7 +34,33 @@ std::vector<Assignment> read_assignments(const YamlNode& node,
   return assignments;
 }
 
-CaseDescription read_case(const YamlEntry& entry, Diagnostics& found) {
+// The actuators of `input` or `output`: one name or a list of them.
+std::vector<Name> read_ends(Fields& fields, std::string_view key, Diagnostics& found) {
+  const YamlNode* node = fields.find(key);
+  if (node != nullptr && node->kind == YamlKind::sequence && node->items.empty()) {
+    found.error("E0304",
+                node->where,
+                fmt::format("'{}' of {} is an empty list", key, fields.what()),
+                fmt::format("name an actuator, or remove '{}'", key));
+    return {};
+  }
+  return node == nullptr ? std::vector<Name>()
+                         : read_references(*node, fmt::format("'{}' of {}", key, fields.what()), found)
+                               .value_or(std::vector<Name>{});
+}
+
+// A ratio needs both; an input alone says whose power counts as input.
+void check_ends(const YamlEntry& entry, const CaseDescription& result, Diagnostics& found) {
+  const auto output = std::ranges::find(entry.value.entries, "output", &YamlEntry::key);
+  if (output != entry.value.entries.end() && entry.value.find("input") == nullptr) {
+    found.error("E0303",
+                output->key_where,
+                fmt::format("case '{}' names an output but no input", printable(result.label.text)),
+                "add 'input: NAME', an actuator, or remove 'output'");
+  }
+}
+
+CaseDescription read_case(const YamlEntry& entry, Space space, Diagnostics& found) {
   CaseDescription result;
   result.label = {.text = entry.key, .where = entry.key_where};
   Fields fields(entry.value, entry.key_where, fmt::format("case '{}'", entry.key), found);
@@ -43,25 +74,38 @@ CaseDescription read_case(const YamlEntry& entry, Diagnostics& found) {
   if (action != nullptr) {
     result.actions = read_assignments(*action, "'action'", found);
   }
-  if (entry.value.kind == YamlKind::mapping && motion == nullptr && action == nullptr) {
-    found.error("E0303",
-                entry.key_where,
-                fmt::format("case '{}' names neither motions nor actions", entry.key),
-                "add 'motion: {…}' for velocities, 'action: {…}' for forces, or both");
+  const YamlNode* loads = fields.find("loads");
+  if (loads != nullptr) {
+    result.loads = read_loads(*loads, space, found);
   }
-  if (const YamlNode* node = fields.find("input")) {
-    result.inputs = read_references(*node, "the input", found).value_or(std::vector<Name>{});
+  const bool is_empty = motion == nullptr && action == nullptr && loads == nullptr;
+  if (entry.value.kind == YamlKind::mapping && is_empty) {
+    found.error(
+        "E0303",
+        entry.key_where,
+        fmt::format("case '{}' names neither motions nor actions", entry.key),
+        "add 'motion: {…}' for velocities, 'action: {…}' or 'loads: {…}' for forces, or both");
   }
-  if (const YamlNode* node = fields.find("output")) {
-    result.outputs = read_references(*node, "the output", found).value_or(std::vector<Name>{});
-  }
+  result.inputs = read_ends(fields, "input", found);
+  result.outputs = read_ends(fields, "output", found);
+  check_ends(entry, result, found);
   fields.finish();
   return result;
 }
 
+// A key of a case that is indented like its label, which is then empty.
+const YamlEntry* find_misplaced_key(const YamlNode& node) {
+  const bool has_empty_label = std::ranges::any_of(
+      node.entries, [](const YamlEntry& entry) { return entry.value.kind == YamlKind::null; });
+  const auto at = std::ranges::find_if(node.entries, [](const YamlEntry& entry) {
+    return entry.key == "motion" || entry.key == "action" || entry.key == "loads";
+  });
+  return has_empty_label && at != node.entries.end() ? &*at : nullptr;
+}
+
 }  // namespace
 
-std::vector<CaseDescription> read_cases(const YamlNode& node, Diagnostics& found) {
+std::vector<CaseDescription> read_cases(const YamlNode& node, Space space, Diagnostics& found) {
   std::vector<CaseDescription> cases;
   if (node.kind != YamlKind::mapping) {
     found.error("E0304",
@@ -70,8 +114,15 @@ std::vector<CaseDescription> read_cases(const YamlNode& node, Diagnostics& found
                 "write cases: and below it indented lines 'label: {motion: {…}}'");
     return cases;
   }
+  if (const YamlEntry* key = find_misplaced_key(node)) {
+    found.error("E0304",
+                key->key_where,
+                fmt::format("'{}' stands beside the labels of the cases", key->key),
+                "a case is 'label:' with its keys below it, indented further");
+    return cases;
+  }
   for (const YamlEntry& entry : node.entries) {
-    cases.push_back(read_case(entry, found));
+    cases.push_back(read_case(entry, space, found));
   }
   return cases;
 }

@@ -1,23 +1,203 @@
 #include "io/coupling_reader.hpp"
 
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+
 #include <fmt/format.h>
 
+#include "io/coupling_point_reader.hpp"
 #include "io/fields.hpp"
+#include "io/friction_reader.hpp"
+#include "io/screw_reader.hpp"
 #include "io/value_reader.hpp"
 
 namespace kinestat {
 
 namespace {
 
-bool check_mapping(const YamlNode& node, std::string_view section, Diagnostics& found) {
-  if (node.kind == YamlKind::mapping) {
-    return true;
+using enum CouplingType;
+
+// Where a key is being read.
+struct Place {
+  std::string_view key;
+  const std::string& what;  ///< "coupling 'a'"
+  Space space = Space::spatial;
+  Diagnostics& found;
+
+  std::string of(std::string_view part) const { return fmt::format("the {} of {}", part, what); }
+};
+
+using ReadKey = void (*)(const YamlNode&, const Place&, CouplingDescription&);
+
+struct KeyRow {
+  std::string_view key;
+  std::initializer_list<CouplingType> types;  ///< that take it; empty: all
+  ReadKey read = nullptr;
+};
+
+void read_at(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
+  coupling.at = read_coupling_point(node, place.of("point"), place.space, place.found);
+}
+
+// A rotation axis of a planar mechanism is perpendicular to its plane.
+void read_turning_axis(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
+  coupling.axis = read_axis(node, place.of("axis"), Space::spatial, place.found);
+}
+
+void read_sliding_axis(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
+  coupling.axis = read_axis(node, place.of("axis"), place.space, place.found);
+}
+
+void read_axes(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
+  if (node.kind != YamlKind::sequence || node.items.size() != 2) {
+    place.found.error("E0304",
+                      node.where,
+                      fmt::format("{} must be two axes", place.of("axes")),
+                      "write axes: [x, z]: the first fixed in the tail, the second in the head");
+    return;
   }
-  found.error("E0304",
-              node.where,
-              fmt::format("'{}' must be a mapping of names", section),
-              fmt::format("write {}: and below it indented lines 'name: {{…}}'", section));
-  return false;
+  for (const YamlNode& item : node.items) {
+    if (auto axis = read_axis(item, place.of("axes"), place.space, place.found)) {
+      coupling.axes.push_back(*std::move(axis));
+    }
+  }
+}
+
+template <std::optional<AxisDescription> CouplingDescription::*member>
+void read_direction(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
+  coupling.*member = read_axis(node, place.of("direction"), place.space, place.found);
+}
+
+template <std::optional<Value> CouplingDescription::*member>
+void read_quantity(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
+  coupling.*member = read_value(node, place.what, place.found);
+}
+
+template <bool CouplingDescription::*member>
+void read_flag(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
+  coupling.*member = read_bool(node, fmt::format("'{}'", place.key), place.found).value_or(false);
+}
+
+template <std::optional<PointDescription> CouplingDescription::*member>
+void read_end(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
+  coupling.*member = read_point(node, place.of("end"), place.space, place.found);
+}
+
+template <std::vector<ScrewDescription> CouplingDescription::*member>
+void read_screw_list(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
+  coupling.*member = read_screws(node, place.what, place.space, place.found);
+}
+
+void read_relative_screw(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
+  coupling.screw = read_screw(node, place.of("relative screw"), place.space, place.found);
+}
+
+void read_one_way(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
+  static const std::vector<std::string> kWords = {"+", "-"};
+  if (const auto word = read_word(node, place.of("bearing direction"), kWords, place.found)) {
+    coupling.one_way = *word == 0 ? OneWay::positive : OneWay::negative;
+  }
+}
+
+void read_passive(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
+  coupling.passive = read_references(node, place.of("constraint"), place.found);
+}
+
+void read_coupling_friction(const YamlNode& node,
+                            const Place& place,
+                            CouplingDescription& coupling) {
+  coupling.friction = read_friction(node, place.of("friction"), place.found);
+}
+
+void read_stiffness(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
+  if (node.kind != YamlKind::mapping) {
+    place.found.error(
+        "E0304",
+        node.where,
+        fmt::format("{} must be a mapping of actions to values", place.of("stiffness")),
+        "write for example stiffness: {Rx: 2e6 N/m}");
+    return;
+  }
+  for (const YamlEntry& entry : node.entries) {
+    if (auto value = read_value(entry.value, fmt::format("'{}'", entry.key), place.found)) {
+      coupling.stiffness.push_back(
+          {.action = {.text = entry.key, .where = entry.key_where}, .value = *std::move(value)});
+    }
+  }
+}
+
+// Which types take which keys, beside `type` and `bodies`.
+const std::initializer_list<KeyRow> kKeys = {
+    {"at",
+     {revolute,
+      prismatic,
+      helical,
+      cylindrical,
+      universal,
+      spherical,
+      planar,
+      point_contact,
+      cam,
+      line_contact,
+      sphere_in_tube,
+      pin_in_slot,
+      rigid,
+      gear,
+      bevel_gear,
+      worm,
+      rack,
+      clutch,
+      brake},
+     read_at},
+    {"axis",
+     {revolute, helical, cylindrical, sphere_in_tube, gear, bevel_gear, worm, rack, clutch, brake},
+     read_turning_axis},
+    {"axis", {prismatic}, read_sliding_axis},
+    {"axes", {universal}, read_axes},
+    {"normal",
+     {planar, point_contact, cam, line_contact},
+     read_direction<&CouplingDescription::normal>},
+    {"line", {line_contact}, read_direction<&CouplingDescription::line>},
+    {"slot", {pin_in_slot}, read_direction<&CouplingDescription::slot>},
+    {"pitch", {helical}, read_quantity<&CouplingDescription::pitch>},
+    {"lead", {helical}, read_quantity<&CouplingDescription::lead>},
+    {"tangent", {gear}, read_direction<&CouplingDescription::tangent>},
+    {"pressure_angle", {gear}, read_quantity<&CouplingDescription::pressure_angle>},
+    {"helix_angle", {gear}, read_quantity<&CouplingDescription::helix_angle>},
+    {"internal", {gear}, read_flag<&CouplingDescription::internal>},
+    {"contact", {gear}, read_flag<&CouplingDescription::contact>},
+    {"line_of_action",
+     {gear, bevel_gear, worm, rack},
+     read_direction<&CouplingDescription::line_of_action>},
+    {"screw", {bevel_gear, worm, rack}, read_relative_screw},
+    {"from", {cable}, read_end<&CouplingDescription::from>},
+    {"to", {cable}, read_end<&CouplingDescription::to>},
+    {"freedoms", {screws}, read_screw_list<&CouplingDescription::freedoms>},
+    {"constraints", {screws}, read_screw_list<&CouplingDescription::constraints>},
+    {"one_way", {clutch, brake}, read_one_way},
+    {"passive", {}, read_passive},
+    {"friction", {}, read_coupling_friction},
+    {"stiffness", {}, read_stiffness},
+};
+
+bool takes(const KeyRow& row, CouplingType type) {
+  return row.types.size() == 0 || std::ranges::find(row.types, type) != row.types.end();
+}
+
+void refuse_ends(const YamlNode& node, const std::string& what, Diagnostics& found) {
+  const std::size_t count = node.items.size();
+  const std::string listed = count == 1 ? with_commas(node.items.front()) : with_commas(node);
+  found.error(
+      "E0304",
+      node.where,
+      node.kind == YamlKind::sequence
+          ? fmt::format(
+                "{} joins {} bod{}, it must join two", what, count, count == 1 ? "y" : "ies")
+          : fmt::format("{} must join two bodies", what),
+      fmt::format("write bodies: [{}]{}; motions are those of the head relative to the tail",
+                  listed.empty() ? "tail, head" : listed,
+                  listed.empty() ? "" : ": a comma between the names"));
 }
 
 // bodies: [tail, head]
@@ -27,46 +207,18 @@ void read_ends(Fields& fields, CouplingDescription& coupling, Diagnostics& found
     return;
   }
   if (node->kind != YamlKind::sequence || node->items.size() != 2) {
-    found.error("E0304",
-                node->where,
-                fmt::format("{} must join two bodies", fields.what()),
-                "write bodies: [tail, head]; motions are those of the head relative to the tail");
+    refuse_ends(*node, fields.what(), found);
     return;
   }
   coupling.tail = read_reference(node->items[0], "the tail", found).value_or(Name{});
   coupling.head = read_reference(node->items[1], "the head", found).value_or(Name{});
 }
 
-void read_gear(Fields& fields, Space space, CouplingDescription& coupling, Diagnostics& found) {
-  if (const YamlNode* node = fields.find("tangent")) {
-    coupling.tangent = read_axis(*node, "the tangent", space, found);
-  }
-  if (const YamlNode* node = fields.find("line_of_action")) {
-    coupling.line_of_action = read_axis(*node, "the line of action", space, found);
-  }
-  if (const YamlNode* node = fields.find("pressure_angle")) {
-    coupling.pressure_angle = read_value(*node, "the pressure angle", found);
-  }
-  if (const YamlNode* node = fields.find("internal")) {
-    coupling.internal = read_bool(*node, "'internal'", found).value_or(false);
-  }
-}
-
-void read_geometry(Fields& fields, Space space, CouplingDescription& coupling, Diagnostics& found) {
-  if (const YamlNode* node = fields.find("at")) {
-    coupling.at = read_point(*node, fmt::format("the point of {}", fields.what()), space, found);
-  }
-  if (coupling.type != CouplingType::rigid) {
-    if (const YamlNode* node = fields.find("axis")) {
-      // A rotation axis of a planar mechanism is perpendicular to its plane.
-      const bool may_be_vector =
-          space == Space::spatial || coupling.type == CouplingType::prismatic;
-      coupling.axis = read_axis(*node, "the axis", may_be_vector ? space : Space::spatial, found);
-    }
-  }
-  if (const YamlNode* node = fields.find("passive")) {
-    coupling.passive = read_references(*node, "'passive'", found);
-  }
+// The type, or empty after an error.
+std::optional<CouplingType> read_type(const YamlNode& node, Diagnostics& found) {
+  const std::vector<std::string> words = coupling_type_words();
+  const auto word = read_word(node, "the type of a coupling", words, found);
+  return word ? find_coupling_type(words[*word]) : std::nullopt;
 }
 
 std::optional<CouplingDescription> read_coupling(const YamlEntry& entry,
@@ -79,36 +231,24 @@ std::optional<CouplingDescription> read_coupling(const YamlEntry& entry,
   Fields fields(entry.value, entry.key_where, fmt::format("coupling '{}'", entry.key), found);
   const YamlNode* type = fields.require("type");
   if (type != nullptr) {
-    const std::vector<std::string> words = coupling_type_words();
-    const auto word = read_word(*type, "the type of a coupling", words, found);
-    if (!word) {
+    const std::optional<CouplingType> known = read_type(*type, found);
+    if (!known) {
       return std::nullopt;  // which other keys may stand depends on the type
     }
-    coupling.type = *find_coupling_type(words[*word]);
+    coupling.type = *known;
   }
   read_ends(fields, coupling, found);
-  read_geometry(fields, space, coupling, found);
-  if (coupling.type == CouplingType::gear || type == nullptr) {
-    read_gear(fields, space, coupling, found);
+  for (const KeyRow& row : kKeys) {
+    if (type == nullptr || takes(row, coupling.type)) {
+      if (const YamlNode* node = fields.find(row.key)) {
+        row.read(*node,
+                 {.key = row.key, .what = fields.what(), .space = space, .found = found},
+                 coupling);
+      }
+    }
   }
   fields.finish();
   return found.error_count() == errors_before ? std::optional(std::move(coupling)) : std::nullopt;
-}
-
-std::optional<ActuatorDescription> read_actuator(const YamlEntry& entry, Diagnostics& found) {
-  ActuatorDescription actuator;
-  actuator.name = {.text = entry.key, .where = entry.key_where};
-  const int errors_before = found.error_count();
-  check_name(actuator.name, "an actuator", found);
-  Fields fields(entry.value, entry.key_where, fmt::format("actuator '{}'", entry.key), found);
-  if (const YamlNode* node = fields.require("coupling")) {
-    actuator.coupling = read_reference(*node, "the coupling", found).value_or(Name{});
-  }
-  if (const YamlNode* node = fields.find("freedom")) {
-    actuator.freedom = read_reference(*node, "the freedom", found);
-  }
-  fields.finish();
-  return found.error_count() == errors_before ? std::optional(std::move(actuator)) : std::nullopt;
 }
 
 }  // namespace
@@ -126,19 +266,6 @@ std::vector<CouplingDescription> read_couplings(const YamlNode& node,
     }
   }
   return couplings;
-}
-
-std::vector<ActuatorDescription> read_actuators(const YamlNode& node, Diagnostics& found) {
-  std::vector<ActuatorDescription> actuators;
-  if (!check_mapping(node, "actuators", found)) {
-    return actuators;
-  }
-  for (const YamlEntry& entry : node.entries) {
-    if (auto actuator = read_actuator(entry, found)) {
-      actuators.push_back(*std::move(actuator));
-    }
-  }
-  return actuators;
 }
 
 }  // namespace kinestat

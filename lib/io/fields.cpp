@@ -6,10 +6,14 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "core/utf8.hpp"
+#include "io/synonyms.hpp"
 
 namespace kinestat {
 
 namespace {
+
+constexpr std::size_t kMostKeys = 40;  // that a mapping of the format has
 
 // What to add where a key is missing.
 std::string example_of(std::string_view key) {
@@ -24,6 +28,26 @@ std::string example_of(std::string_view key) {
       {"couplings", "'couplings:' and below it lines 'name: {type: …, bodies: […], …}'"},
       {"type", "for example 'type: revolute'"},
       {"coupling", "'coupling: NAME', the coupling that it drives"},
+      {"free", "'free: VALUE', the value that is used in numbers"},
+      {"members", "'members:' with lines 'sun: {body: …, teeth: …}'; of a mesh two of their names"},
+      {"meshes", "'meshes:' and below it lines 'h: {members: [sun, planet], carrier: …}'"},
+      {"body", "'body: NAME', one of 'bodies' or the ground"},
+      {"teeth", "for example 'teeth: 19'"},
+      {"over", "'over:' and below it lines '- {body: …, at: …}' or '- {pulley: …, …}'"},
+      {"radius", "for example 'radius: 20 mm'"},
+      {"wrap", "'wrap: clockwise' or 'wrap: counterclockwise', seen along the rope"},
+      {"input", "'input: NAME', an actuator"},
+      {"output", "'output: NAME', an actuator"},
+      {"elements", "'elements: [C1, C2, B1]', the clutches and brakes"},
+      {"drive", "'drive: NAME', an actuator"},
+      {"vary", "'vary: {N1: {from: 15, to: 40, step: 1}}', the parameters that change"},
+      {"positions", "'positions:' and below it lines '- {at: [x, y], angle: 30 deg}'"},
+      {"at", "'at: [x, y]', in space 'at: [x, y, z]'"},
+      {"angle", "for example 'angle: 30 deg'"},
+      {"centre", "'centre: [x, y]', the centre of curvature"},
+      {"from", "'from: VALUE', where it begins"},
+      {"to", "'to: VALUE', where it ends"},
+      {"step", "for example 'step: 1'"},
       {"value", "'value: /cases/…', a JSON Pointer into the report"},
       {"tolerance", "for example 'tolerance: 1e-3'"},
   });
@@ -34,7 +58,7 @@ std::string example_of(std::string_view key) {
 }  // namespace
 
 Fields::Fields(const YamlNode& node, SourceRange where, std::string what, Diagnostics& found)
-    : where_(where), what_(std::move(what)), found_(found) {
+    : where_(where), what_(printable(what)), found_(found) {
   if (node.kind == YamlKind::mapping) {
     node_ = &node;
   } else {
@@ -81,15 +105,20 @@ void Fields::finish() {
 }
 
 void Fields::refuse(const YamlEntry& entry) {
-  std::string guess = nearest_name(entry.key, missing_);
+  std::string guess = meant_name(entry.key, missing_);
   std::erase(missing_, guess);
   if (guess.empty()) {
-    guess = nearest_name(entry.key, known_);
+    guess = meant_name(entry.key, known_);
   }
-  const std::string others = fmt::format("known keys are {}", plain_list(known_, 24));
+  const std::string others = fmt::format("known keys are {}", plain_list(known_, kMostKeys));
+  const std::string foreign = foreign_character(entry.key);
   found_.error("E0302",
                entry.key_where,
-               fmt::format("{} has no key '{}'", what_, entry.key),
+               fmt::format("{} has no key '{}'{}{}",
+                           what_,
+                           printable(entry.key),
+                           foreign.empty() ? "" : ": it holds ",
+                           foreign),
                guess.empty() ? others : fmt::format("did you mean '{}'? {}", guess, others));
 }
 

@@ -1,34 +1,31 @@
 #include "io/mechanism_reader.hpp"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "core/version.hpp"
+#include "io/actuator_reader.hpp"
 #include "io/body_reader.hpp"
+#include "io/cable_reader.hpp"
 #include "io/case_reader.hpp"
 #include "io/coupling_reader.hpp"
 #include "io/fields.hpp"
+#include "io/gear_reader.hpp"
+#include "io/load_reader.hpp"
+#include "io/loss_reader.hpp"
+#include "io/motion_reader.hpp"
 #include "io/parameter_reader.hpp"
 #include "io/published_reader.hpp"
+#include "io/shift_reader.hpp"
+#include "io/sweep_reader.hpp"
+#include "io/synthesis_reader.hpp"
 #include "io/value_reader.hpp"
 
 namespace kinestat {
 
 namespace {
-
-// Sections of the format that have no analysis in this version.
-constexpr auto kLater = std::to_array<std::string_view>({"gears",
-                                                         "cables",
-                                                         "loads",
-                                                         "gravity",
-                                                         "losses",
-                                                         "statics",
-                                                         "shift",
-                                                         "motion",
-                                                         "sweep",
-                                                         "synthesis"});
 
 void read_version(Fields& fields, Diagnostics& found) {
   const YamlNode* node = fields.find("kinestat");
@@ -62,11 +59,17 @@ void read_head(Fields& fields, MechanismDescription& result, Diagnostics& found)
   if (const YamlNode* node = fields.find("source")) {
     result.source = read_text(*node, "the source", found).value_or("");
   }
-  if (const YamlNode* node = fields.find("space")) {
-    static const std::vector<std::string> kSpaces = {"planar", "spatial"};
-    const auto word = read_word(*node, "the space", kSpaces, found);
-    result.space = word && *word == 0 ? Space::planar : Space::spatial;
+}
+
+// Empty after an error: then nobody can tell how many coordinates a point needs.
+std::optional<Space> read_space(Fields& fields, Diagnostics& found) {
+  const YamlNode* node = fields.find("space");
+  if (node == nullptr) {
+    return Space::spatial;
   }
+  static const std::vector<std::string> kSpaces = {"planar", "spatial"};
+  const auto word = read_word(*node, "the space", kSpaces, found);
+  return word ? std::optional(*word == 0 ? Space::planar : Space::spatial) : std::nullopt;
 }
 
 std::optional<OrderChoice> read_order_word(const YamlNode& node,
@@ -91,68 +94,158 @@ void read_order(const YamlNode& node, MechanismDescription& result, Diagnostics&
   fields.finish();
 }
 
-// Sections without an analysis are refused; the user's own notes are left alone.
-void pass_over(const YamlNode& root, Fields& fields, Diagnostics& found) {
-  for (const YamlEntry& entry : root.entries) {
-    const bool is_later = std::ranges::find(kLater, entry.key) != kLater.end();
-    if (is_later) {
-      found.error(
-          "E0315",
-          entry.key_where,
-          fmt::format("section '{}' is not analysed yet by this version", entry.key),
-          fmt::format("remove '{}', or keep it as 'x-{}' until then", entry.key, entry.key));
-    }
-    if (is_later || entry.key.starts_with("x-")) {
-      fields.ignore(entry.key);
-    }
+void read_statics(const YamlNode& node, MechanismDescription& result, Diagnostics& found) {
+  static const std::vector<std::string> kChoices = {"report", "minimum_norm", "stiffness"};
+  Fields fields(node, node.where, "'statics'", found);
+  if (const YamlNode* choice = fields.require("indeterminate")) {
+    const auto word = read_word(*choice, "the answer to indeterminate statics", kChoices, found);
+    result.indeterminate =
+        word ? static_cast<IndeterminateChoice>(*word) : IndeterminateChoice::report;
   }
+  fields.finish();
 }
 
-void read_sections(Fields& fields, MechanismDescription& result, Diagnostics& found) {
-  if (const YamlNode* node = fields.find("units")) {
-    read_units(*node, result.units, found);
+// Reads one mechanism file section by section.
+class MechanismReader {
+ public:
+  MechanismReader(const YamlNode& root, Diagnostics& found)
+      : root_(root),
+        fields_(root, SourceRange{.line = 1, .column = 1, .length = 1}, "the mechanism", found),
+        found_(found) {}
+
+  MechanismDescription read() {
+    read_version(fields_, found_);
+    read_head(fields_, result_, found_);
+    read_plain_sections();
+    if (const std::optional<Space> space = read_space(fields_, found_)) {
+      result_.space = *space;
+      read_structure();
+      read_sections_in_space();
+    } else {
+      pass_over_sections_in_space();
+    }
+    read_tasks();
+    for (const YamlEntry& entry : root_.entries) {
+      if (entry.key.starts_with("x-")) {
+        fields_.ignore(entry.key);  // the user's own notes
+      }
+    }
+    fields_.finish();
+    return std::move(result_);
   }
-  if (const YamlNode* node = fields.find("parameters")) {
-    result.parameters = read_parameters(*node, found);
+
+ private:
+  // Calls `read` with the section's value, if it is there.
+  template <class Read>
+  void section(std::string_view key, const Read& read) {
+    if (const YamlNode* node = fields_.find(key)) {
+      read(*node);
+    }
   }
-  if (const YamlNode* node = fields.find("tree")) {
-    result.tree_where = node->where;
-    result.tree = read_references(*node, "the tree", found);
+
+  // Likewise for a section that remembers where it begins: at its key.
+  template <class Description, class Read>
+  void section(std::string_view key, std::optional<Description>& target, const Read& read) {
+    section(key, [&](const YamlNode& node) {
+      target = read(node);
+      if (target) {
+        target->where = place_of(key);
+      }
+    });
   }
-  if (const YamlNode* node = fields.find("order")) {
-    read_order(*node, result, found);
+
+  SourceRange place_of(std::string_view key) const {
+    return std::ranges::find(root_.entries, key, &YamlEntry::key)->key_where;
   }
-  if (const YamlNode* node = fields.require("ground")) {
-    result.ground = read_reference(*node, "the ground", found).value_or(Name{});
+
+  void read_plain_sections() {
+    section("units", [&](const YamlNode& node) { read_units(node, result_.units, found_); });
+    section("parameters",
+            [&](const YamlNode& node) { result_.parameters = read_parameters(node, found_); });
+    section("tree", [&](const YamlNode& node) {
+      result_.tree_where = node.where;
+      result_.tree = read_references(node, "the tree", found_);
+    });
+    section("order", [&](const YamlNode& node) { read_order(node, result_, found_); });
+    section("actuators",
+            [&](const YamlNode& node) { result_.actuators = read_actuators(node, found_); });
   }
-  if (const YamlNode* node = fields.require("bodies")) {
-    result.bodies = read_bodies(*node, result.space, found);
+
+  // A file may hold a synthesis task and no mechanism; then none of these keys may stand alone.
+  void read_structure() {
+    const bool may_lack = root_.find("synthesis") != nullptr && root_.find("ground") == nullptr &&
+                          root_.find("bodies") == nullptr && root_.find("couplings") == nullptr;
+    const auto find = [&](std::string_view key) {
+      return may_lack ? fields_.find(key) : fields_.require(key);
+    };
+    if (const YamlNode* node = find("ground")) {
+      const std::optional<Name> ground = read_reference(*node, "the ground", found_);
+      if (ground && check_name(*ground, "the ground", found_)) {
+        result_.ground = *ground;
+      }
+    }
+    if (const YamlNode* node = find("bodies")) {
+      result_.bodies = read_bodies(*node, result_.space, found_);
+    }
+    if (const YamlNode* node = find("couplings")) {
+      result_.couplings = read_couplings(*node, result_.space, found_);
+    }
   }
-  if (const YamlNode* node = fields.require("couplings")) {
-    result.couplings = read_couplings(*node, result.space, found);
+
+  void read_sections_in_space() {
+    section("cables", [&](const YamlNode& node) {
+      result_.cables_where = place_of("cables");
+      result_.cables = read_cables(node, result_.space, found_);
+    });
+    section("loads", [&](const YamlNode& node) {
+      result_.loads_where = place_of("loads");
+      result_.loads = read_loads(node, result_.space, found_);
+    });
+    section("gravity", result_.gravity, [&](const YamlNode& node) {
+      return read_point(node, "gravity", result_.space, found_);
+    });
+    section("cases",
+            [&](const YamlNode& node) { result_.cases = read_cases(node, result_.space, found_); });
+    section("motion", result_.motion, [&](const YamlNode& node) {
+      return read_motion(node, result_.space, found_);
+    });
   }
-  if (const YamlNode* node = fields.find("actuators")) {
-    result.actuators = read_actuators(*node, found);
+
+  void pass_over_sections_in_space() {
+    for (const char* key :
+         {"ground", "bodies", "couplings", "cables", "loads", "gravity", "cases", "motion"}) {
+      (void)fields_.find(key);
+    }
   }
-  if (const YamlNode* node = fields.find("cases")) {
-    result.cases = read_cases(*node, found);
+
+  void read_tasks() {
+    section("gears", result_.gears, [&](const YamlNode& node) { return read_gears(node, found_); });
+    section(
+        "losses", result_.losses, [&](const YamlNode& node) { return read_losses(node, found_); });
+    section("statics", [&](const YamlNode& node) {
+      result_.statics_where = place_of("statics");
+      read_statics(node, result_, found_);
+    });
+    section("shift", result_.shift, [&](const YamlNode& node) { return read_shift(node, found_); });
+    section("sweep", result_.sweep, [&](const YamlNode& node) { return read_sweep(node, found_); });
+    section("synthesis", result_.synthesis, [&](const YamlNode& node) {
+      return read_synthesis(node, found_);
+    });
+    section("published",
+            [&](const YamlNode& node) { result_.published = read_published(node, found_); });
   }
-  if (const YamlNode* node = fields.find("published")) {
-    result.published = read_published(*node, found);
-  }
-}
+
+  const YamlNode& root_;
+  Fields fields_;
+  Diagnostics& found_;
+  MechanismDescription result_;
+};
 
 }  // namespace
 
 std::optional<MechanismDescription> read_mechanism(const YamlNode& root, Diagnostics& found) {
   const int errors_before = found.error_count();
-  Fields fields(root, SourceRange{.line = 1, .column = 1, .length = 1}, "the mechanism", found);
-  MechanismDescription result;
-  read_version(fields, found);
-  read_head(fields, result, found);
-  read_sections(fields, result, found);
-  pass_over(root, fields, found);
-  fields.finish();
+  MechanismDescription result = MechanismReader(root, found).read();
   return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;
 }
 

@@ -36,6 +36,27 @@ bool check_parameter_name(const Name& name, Diagnostics& found) {
   return check_name(name, "a parameter", found);
 }
 
+// A number or expression, or {free: value}.
+std::optional<ParameterDescription> read_parameter(const YamlEntry& entry, Diagnostics& found) {
+  const std::string what = fmt::format("parameter '{}'", entry.key);
+  const bool is_mapping = entry.value.kind == YamlKind::mapping;
+  std::optional<Value> value;
+  if (is_mapping) {
+    Fields fields(entry.value, entry.key_where, what, found);
+    if (const YamlNode* node = fields.require("free")) {
+      value = read_value(*node, what, found);
+    }
+    fields.finish();
+  } else {
+    value = read_value(entry.value, what, found);
+  }
+  const Name name{.text = entry.key, .where = entry.key_where};
+  if (!check_parameter_name(name, found) || !value) {
+    return std::nullopt;
+  }
+  return ParameterDescription{.name = name, .value = *std::move(value), .is_free = is_mapping};
+}
+
 }  // namespace
 
 void read_units(const YamlNode& node, FileUnits& units, Diagnostics& found) {
@@ -70,11 +91,8 @@ std::vector<ParameterDescription> read_parameters(const YamlNode& node, Diagnost
     return parameters;
   }
   for (const YamlEntry& entry : node.entries) {
-    const Name name{.text = entry.key, .where = entry.key_where};
-    std::optional<Value> value =
-        read_value(entry.value, fmt::format("parameter '{}'", entry.key), found);
-    if (check_parameter_name(name, found) && value) {
-      parameters.push_back({.name = name, .value = *std::move(value)});
+    if (auto parameter = read_parameter(entry, found)) {
+      parameters.push_back(*std::move(parameter));
     }
   }
   return parameters;

@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "core/utf8.hpp"
 #include "expression/evaluate.hpp"
+#include "io/synonyms.hpp"
 
 namespace kinestat {
 
@@ -20,8 +22,11 @@ bool check_scalar(const YamlNode& node, std::string_view what, Diagnostics& foun
   const std::string_view shape = node.kind == YamlKind::null       ? "is empty"
                                  : node.kind == YamlKind::sequence ? "is a list"
                                                                    : "is a mapping";
-  found.error(
-      "E0304", node.where, fmt::format("{} {} where a single value is expected", what, shape));
+  found.error("E0304",
+              node.where,
+              fmt::format("{} {} where a single value is expected", what, shape),
+              node.kind == YamlKind::null ? "write the value behind the ':'"
+                                          : "write one value, without brackets");
   return false;
 }
 
@@ -33,24 +38,64 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+bool is_whole_number(const YamlNode& node) {
+  const std::string_view digits =
+      std::string_view(node.text).substr(node.text.starts_with('-') ? 1 : 0);
+  return node.kind == YamlKind::scalar && !digits.empty() && std::ranges::all_of(digits, is_digit);
+}
+
+// "1.5, 0.0" of the items 1, 5, 0, 0; of an odd number only the first two.
+std::string with_decimal_points(const YamlNode& node) {
+  std::vector<std::string> numbers;
+  for (std::size_t i = 0; i + 1 < node.items.size(); i += 2) {
+    numbers.push_back(node.items[i].text + "." + node.items[i + 1].text);
+  }
+  return node.items.size() % 2 == 0 ? fmt::format("[{}]", fmt::join(numbers, ", "))
+                                    : numbers.front();
+}
+
+// What to type where a point has the wrong number of components.
+std::string components_hint(const YamlNode& node, std::size_t count) {
+  const std::string form = count == 2 ? "write [x, y]" : "write [x, y, z]";
+  if (count == 2 && node.items.size() == 3) {
+    return form + "; points in the plane have no z";
+  }
+  if (node.items.size() > count && std::ranges::all_of(node.items, is_whole_number)) {
+    return fmt::format("{}; a decimal has a point: {}", form, with_decimal_points(node));
+  }
+  const std::string listed = node.items.size() == 1 ? with_commas(node.items.front()) : "";
+  return listed.empty() ? form : fmt::format("write [{}]: a comma between the components", listed);
+}
+
 std::optional<std::vector<Value>> read_components(const YamlNode& node,
                                                   std::string_view what,
                                                   Space space,
                                                   Diagnostics& found) {
   const std::size_t count = space == Space::planar ? 2 : 3;
   if (node.kind != YamlKind::sequence || node.items.size() != count) {
+    const std::size_t given = node.kind == YamlKind::sequence ? node.items.size() : 1;
     found.error("E0304",
                 node.where,
-                fmt::format("{} needs {} components in {} space",
-                            what,
-                            count,
-                            space == Space::planar ? "planar" : "spatial"),
-                space == Space::planar ? "write [x, y]" : "write [x, y, z]");
+                node.kind == YamlKind::null      ? fmt::format("{} is empty", what)
+                : node.kind == YamlKind::mapping ? fmt::format("{} is a mapping", what)
+                                                 : fmt::format("{} has {} component{}, {} space "
+                                                               "needs {}",
+                                                               what,
+                                                               given,
+                                                               given == 1 ? "" : "s",
+                                                               count == 2 ? "planar" : "spatial",
+                                                               count),
+                components_hint(node, count));
     return std::nullopt;
   }
   std::vector<Value> values;
   for (const YamlNode& item : node.items) {
-    if (std::optional<Value> value = read_value(item, what, found)) {
+    if (item.kind == YamlKind::null) {
+      found.error("E0304",
+                  item.where,
+                  fmt::format("{} is empty where a single value is expected", what),
+                  "write a number or an expression in its place");
+    } else if (std::optional<Value> value = read_value(item, what, found)) {
       values.push_back(*std::move(value));
     }
   }
@@ -58,6 +103,44 @@ std::optional<std::vector<Value>> read_components(const YamlNode& node,
 }
 
 }  // namespace
+
+bool check_mapping(const YamlNode& node, std::string_view section, Diagnostics& found) {
+  if (node.kind == YamlKind::mapping) {
+    return true;
+  }
+  found.error("E0304",
+              node.where,
+              fmt::format("'{}' must be a mapping of names", section),
+              fmt::format("write {}: and below it indented lines 'name: {{…}}'", section));
+  return false;
+}
+
+bool check_list(const YamlNode& node,
+                std::string_view what,
+                std::string_view hint,
+                Diagnostics& found) {
+  if (node.kind == YamlKind::sequence && !node.items.empty()) {
+    return true;
+  }
+  found.error("E0304",
+              node.where,
+              fmt::format("{} must be a list{}",
+                          what,
+                          node.kind == YamlKind::sequence ? " with something in it" : ""),
+              std::string(hint));
+  return false;
+}
+
+std::string with_commas(const YamlNode& node) {
+  if (node.kind != YamlKind::scalar || node.text.find(' ') == std::string::npos) {
+    return {};
+  }
+  std::string listed;
+  for (const char c : node.text) {
+    listed += c == ' ' ? (listed.ends_with(", ") ? "" : ", ") : std::string(1, c);
+  }
+  return listed;
+}
 
 std::optional<std::string> read_text(const YamlNode& node,
                                      std::string_view what,
@@ -81,13 +164,11 @@ std::optional<std::vector<Name>> read_references(const YamlNode& node,
   const std::span<const YamlNode> items =
       node.kind == YamlKind::sequence ? std::span(node.items) : std::span(&node, 1);
   for (const YamlNode& item : items) {
-    std::optional<Name> name = read_reference(item, what, found);
-    if (!name) {
-      return std::nullopt;
+    if (std::optional<Name> name = read_reference(item, what, found)) {
+      names.push_back(*std::move(name));
     }
-    names.push_back(*std::move(name));
   }
-  return names;
+  return names.size() == items.size() ? std::optional(std::move(names)) : std::nullopt;
 }
 
 bool check_name(const Name& name, std::string_view what, Diagnostics& found) {
@@ -96,9 +177,14 @@ bool check_name(const Name& name, std::string_view what, Diagnostics& found) {
       !text.empty() && is_letter(text.front()) &&
       std::ranges::all_of(text, [](char c) { return is_letter(c) || is_digit(c) || c == '-'; });
   if (!is_good) {
+    const std::string foreign = foreign_character(text);
     found.error("E0306",
                 name.where,
-                fmt::format("'{}' cannot be the name of {}", text, what),
+                fmt::format("'{}' cannot be the name of {}{}{}",
+                            printable(text),
+                            what,
+                            foreign.empty() ? "" : ": it holds ",
+                            foreign),
                 "use letters, digits, '_' and '-', beginning with a letter or '_'");
   }
   return is_good;
@@ -143,7 +229,13 @@ std::optional<bool> read_bool(const YamlNode& node, std::string_view what, Diagn
       (node.text == "true" || node.text == "false")) {
     return node.text == "true";
   }
-  found.error("E0304", node.where, fmt::format("{} is true or false", what), "write true or false");
+  const bool is_word = node.text == "true" || node.text == "false";
+  found.error("E0304",
+              node.where,
+              node.kind == YamlKind::scalar
+                  ? fmt::format("{} cannot be '{}'", what, printable(node.text))
+                  : fmt::format("{} is true or false", what),
+              is_word ? "write true or false without quotes" : "write true or false");
   return std::nullopt;
 }
 
@@ -151,6 +243,16 @@ std::optional<std::size_t> read_word(const YamlNode& node,
                                      std::string_view what,
                                      std::span<const std::string> words,
                                      Diagnostics& found) {
+  const bool is_collection = node.kind == YamlKind::sequence || node.kind == YamlKind::mapping;
+  if (is_collection && words.size() <= 3) {
+    found.error("E0304",
+                node.where,
+                fmt::format("{} is a {} where a single value is expected",
+                            what,
+                            node.kind == YamlKind::sequence ? "list" : "mapping"),
+                fmt::format("write {}, without brackets", fmt::join(words, " or ")));
+    return std::nullopt;
+  }
   if (!check_scalar(node, what, found)) {
     return std::nullopt;
   }
@@ -158,11 +260,11 @@ std::optional<std::size_t> read_word(const YamlNode& node,
   if (at != words.end()) {
     return static_cast<std::size_t>(at - words.begin());
   }
-  const std::string guess = did_you_mean(node.text, words);
+  const std::string guess = did_you_mean_word(node.text, words);
   found.error(
       "E0305",
       node.where,
-      fmt::format("{} cannot be '{}'", what, node.text),
+      fmt::format("{} cannot be '{}'", what, printable(node.text)),
       fmt::format("{}{}it is one of {}", guess, guess.empty() ? "" : " ", plain_list(words, 40)));
   return std::nullopt;
 }
@@ -184,12 +286,18 @@ std::optional<AxisDescription> read_axis(const YamlNode& node,
                                          Diagnostics& found) {
   if (node.kind == YamlKind::scalar) {
     static const std::vector<std::string> kWords = {"x", "y", "z", "-x", "-y", "-z"};
-    const std::optional<std::size_t> word = read_word(node, what, kWords, found);
-    if (!word) {
+    const auto word = std::ranges::find(kWords, node.text);
+    if (word == kWords.end()) {
+      found.error(
+          "E0305",
+          node.where,
+          fmt::format("{} cannot be '{}'", what, printable(node.text)),
+          fmt::format("write x, y, z, -x, … or a vector such as {}",
+                      space == Space::planar ? "[cos(30 deg), sin(30 deg)]" : "[1, 0, 0.5]"));
       return std::nullopt;
     }
-    return AxisDescription{.keyword = kWords[*word].back(),
-                           .sign = *word < 3 ? 1.0 : -1.0,
+    return AxisDescription{.keyword = word->back(),
+                           .sign = word->size() == 1 ? 1.0 : -1.0,
                            .components = {},
                            .where = node.where};
   }

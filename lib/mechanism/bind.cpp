@@ -8,7 +8,9 @@
 #include "core/text.hpp"
 #include "graph/components.hpp"
 #include "mechanism/internal/case_binder.hpp"
+#include "mechanism/internal/section_checks.hpp"
 #include "mechanism/internal/structure_binder.hpp"
+#include "mechanism/unanalysed.hpp"
 
 namespace kinestat {
 
@@ -120,15 +122,16 @@ bool bind_structure(const MechanismDescription& description,
                     Evaluator& evaluator,
                     Diagnostics& found,
                     Mechanism& result) {
-  const int errors_before = found.error_count();
   result.name = description.name;
   result.space = description.space;
   result.kinematic_order = description.kinematic_order;
   result.static_order = description.static_order;
   bind_bodies_and_couplings(description, constraints, evaluator, found, result);
-  if (found.has_errors()) {  // those of the parameters too: their couplings are left out
-    return false;
-  }
+  return !found.has_errors();  // those of the parameters too: their couplings are left out
+}
+
+bool bind_graph(const MechanismDescription& description, Diagnostics& found, Mechanism& result) {
+  const int errors_before = found.error_count();
   check_order(description, result.geometry, found);
   Digraph graph = result.topology.coupling_graph();
   if (!check_connected(result.topology, graph, found)) {
@@ -141,20 +144,76 @@ bool bind_structure(const MechanismDescription& description,
   return found.error_count() == errors_before;
 }
 
-}  // namespace
+// A mechanism some of whose couplings have no screws yet cannot name its freedoms and actions, so
+// its cases are only evaluated.
+void check_cases(const MechanismDescription& description, Evaluator& evaluator) {
+  for (const CaseDescription& one : description.cases) {
+    for (const auto* side : {&one.motions, &one.actions}) {
+      for (const Assignment& assignment : *side) {
+        (void)evaluator.quantity(assignment.value);
+      }
+    }
+  }
+}
 
-std::optional<Mechanism> bind(const MechanismDescription& description, Diagnostics& found) {
+// Whether errors of the analysis or only warnings come of what is not analysed.
+enum class Purpose { analyse, check };
+
+void report_unanalysed(const std::vector<Unanalysed>& list, Purpose purpose, Diagnostics& found) {
+  for (const Unanalysed& one : list) {
+    std::string message = fmt::format("{} is not analysed yet", one.what);
+    if (one.decides && purpose == Purpose::analyse) {
+      found.error("E0315",
+                  one.where,
+                  std::move(message),
+                  !one.hint.empty() ? one.hint
+                                    : "'kinestat check' validates the file; 'kinestat help "
+                                      "couplings' lists what this version analyses");
+    } else {
+      found.warning("W0302", one.where, std::move(message), one.hint);
+    }
+  }
+}
+
+std::optional<Mechanism> bind_for(Purpose purpose,
+                                  const MechanismDescription& description,
+                                  Diagnostics& found) {
   const int errors_before = found.error_count();
+  const std::vector<Unanalysed> unanalysed = find_unanalysed(description);
+  const bool is_undecided = std::ranges::any_of(unanalysed, &Unanalysed::decides);
   Evaluator evaluator(description, found);
   Mechanism result;
   const Space constraints =
       description.static_order == OrderChoice::spatial ? Space::spatial : description.space;
-  if (!bind_structure(description, constraints, evaluator, found, result)) {
-    return std::nullopt;
+  if (description.has_mechanism()) {
+    const bool is_good = bind_structure(description, constraints, evaluator, found, result);
+    if (is_good && !is_undecided && bind_graph(description, found, result)) {
+      result.cases = bind_cases(description, result.topology, evaluator, found);
+      check_reported_quantities(description, result.topology, found);
+    } else {
+      check_cases(description, evaluator);
+    }
   }
-  result.cases = bind_cases(description, result.topology, evaluator, found);
-  evaluator.warn_of_unused();
-  return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;
+  check_sections(description, evaluator, found);
+  if (found.error_count() == errors_before) {
+    evaluator.warn_of_unused();
+    report_unanalysed(unanalysed, purpose, found);
+  }
+  const bool is_right = found.error_count() == errors_before;
+  return is_right && description.has_mechanism() && !is_undecided ? std::optional(std::move(result))
+                                                                  : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Mechanism> bind(const MechanismDescription& description, Diagnostics& found) {
+  return bind_for(Purpose::analyse, description, found);
+}
+
+bool check(const MechanismDescription& description, Diagnostics& found) {
+  const int errors_before = found.error_count();
+  (void)bind_for(Purpose::check, description, found);
+  return found.error_count() == errors_before;
 }
 
 std::optional<Mechanism> bind_in_space(const MechanismDescription& description,
@@ -162,7 +221,9 @@ std::optional<Mechanism> bind_in_space(const MechanismDescription& description,
   const int errors_before = found.error_count();
   Evaluator evaluator(description, found);
   Mechanism result;
-  bind_structure(description, Space::spatial, evaluator, found, result);
+  if (bind_structure(description, Space::spatial, evaluator, found, result)) {
+    bind_graph(description, found, result);
+  }
   return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;
 }
 

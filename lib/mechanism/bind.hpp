@@ -9,8 +9,14 @@
 namespace kinestat {
 
 /// Evaluates every number and resolves every reference; complains about everything that makes no
-/// sense mechanically. Empty iff an error was added. Warns of unused parameters.
+/// sense mechanically, and then about what has no analysis yet (find_unanalysed): E0315 if it
+/// decides the answer, else W0302. Empty if an error was added, and for a file that holds only a
+/// synthesis task. Warns of unused parameters.
 std::optional<Mechanism> bind(const MechanismDescription& description, Diagnostics& found);
+
+/// The same without the mechanism: whether the description is right. What has no analysis yet is
+/// no error, only W0302.
+bool check(const MechanismDescription& description, Diagnostics& found);
 
 /// The same bodies and couplings with the constraints that they have in space, without cases: for
 /// counting a planar mechanism as the spatial one that it is.

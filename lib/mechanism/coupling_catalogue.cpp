@@ -1,5 +1,6 @@
 #include "mechanism/coupling_catalogue.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -130,6 +131,16 @@ CouplingScrews rigid(const CouplingGeometry& g, Space space) {
 
 }  // namespace
 
+bool is_in_catalogue(CouplingType type) {
+  constexpr std::array kRows = {CouplingType::revolute,
+                                CouplingType::prismatic,
+                                CouplingType::gear,
+                                CouplingType::clutch,
+                                CouplingType::brake,
+                                CouplingType::rigid};
+  return std::ranges::find(kRows, type) != kRows.end();
+}
+
 CouplingScrews coupling_screws(CouplingType type, Space space, const CouplingGeometry& geometry) {
   switch (type) {
     case CouplingType::revolute:
@@ -144,8 +155,24 @@ CouplingScrews coupling_screws(CouplingType type, Space space, const CouplingGeo
       return {.freedoms = {rotation(geometry)}, .constraints = {}};
     case CouplingType::rigid:
       return rigid(geometry, space);
+    case CouplingType::helical:
+    case CouplingType::cylindrical:
+    case CouplingType::universal:
+    case CouplingType::spherical:
+    case CouplingType::planar:
+    case CouplingType::point_contact:
+    case CouplingType::cam:
+    case CouplingType::line_contact:
+    case CouplingType::sphere_in_tube:
+    case CouplingType::pin_in_slot:
+    case CouplingType::bevel_gear:
+    case CouplingType::worm:
+    case CouplingType::rack:
+    case CouplingType::cable:
+    case CouplingType::screws:
+      break;
   }
-  KINESTAT_EXPECTS(false);
+  KINESTAT_EXPECTS(is_in_catalogue(type));
   return {};
 }
 

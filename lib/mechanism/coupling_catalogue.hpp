@@ -41,12 +41,15 @@ struct CouplingScrews {
   std::vector<NamedWrench> constraints;
 };
 
-/// The row of the catalogue. Freedoms and constraints are mutually reciprocal, and f + c = λ
-/// except: gear (a rolling pair in kinematics, one force in statics; Cazangi 2008, Tab. 5.4) and
-/// clutch and brake (no passive constraint). Names: couples perpendicular to a vector axis a are T1
-/// along t1 = normalised(k - (k·a)a), k the first of x, y, z with the least |k·a|, and T2 along a x
-/// t1; forces of a prismatic coupling likewise R1, R2. In the plane the one force across a vector
-/// axis is R, along z x a.
+/// Whether the catalogue has a row for the type yet.
+bool is_in_catalogue(CouplingType type);
+
+/// The row of the catalogue; the type must have one. Freedoms and constraints are mutually
+/// reciprocal, and f + c = λ except: gear (a rolling pair in kinematics, one force in statics;
+/// Cazangi 2008, Tab. 5.4) and clutch and brake (no passive constraint). Names: couples
+/// perpendicular to a vector axis a are T1 along t1 = normalised(k - (k·a)a), k the first of x, y,
+/// z with the least |k·a|, and T2 along a x t1; forces of a prismatic coupling likewise R1, R2. In
+/// the plane the one force across a vector axis is R, along z x a.
 CouplingScrews coupling_screws(CouplingType type, Space space, const CouplingGeometry& geometry);
 
 /// The action that an actuator internalises on a freedom: the couple about the axis of a rotation,

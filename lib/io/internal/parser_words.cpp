@@ -22,14 +22,16 @@ struct Words {
 constexpr std::string_view kIndentationHint =
     "begin all keys of one mapping in the same column; quote a text that holds ': ' or ' #'";
 
+constexpr std::string_view kItemHint = "begin all items of one list with '- ' in the same column";
+
+constexpr std::string_view kIllegalValue = "illegal map value";
+
 constexpr auto kWords = std::to_array<Words>({
     {"end of map flow not found", "expected ',' or '}}' before '{}'", "separate entries by ','"},
     {"end of sequence flow not found", "expected ',' or ']' before '{}'", "separate items by ','"},
     {"end of map not found", "'{}' does not fit into the mapping above it", kIndentationHint},
-    {"end of sequence not found",
-     "'{}' does not fit into the list above it",
-     "begin all items of one list with '- ' in the same column"},
-    {"illegal map value",
+    {"end of sequence not found", "'{}' does not fit into the list above it", kItemHint},
+    {kIllegalValue,
      "':' cannot stand here",
      "write one 'key: value' a line, keys of one mapping in the same column; quote a text that "
      "holds ': '"},
@@ -85,6 +87,83 @@ std::string word_at(const YamlText& text, std::size_t at) {
   return printable(text.part(at, end));
 }
 
+// One line of the text, without the blanks before it.
+struct Line {
+  std::size_t start = 0;
+  std::size_t content = 0;
+  std::size_t end = 0;
+
+  bool is_empty() const { return content == end; }
+
+  std::size_t indentation() const { return content - start; }
+};
+
+Line line_at(const YamlText& text, std::size_t at) {
+  const std::size_t before = at == 0 ? std::string::npos : text.all().rfind('\n', at - 1);
+  const std::size_t start = before == std::string::npos ? 0 : before + 1;
+  const std::size_t content = text.skip_blanks(start);
+  return {.start = start, .content = content, .end = text.skip_line(content)};
+}
+
+// Whether the line could be a key without its ':'.
+bool lacks_colon(const YamlText& text, const Line& line) {
+  const std::string_view words = text.part(line.content, line.end);
+  const bool is_item = words.starts_with("- ") || words == "-";
+  return words.front() != '#' && !is_item && !words.ends_with(':') &&
+         words.find(": ") == std::string_view::npos;
+}
+
+// A key without ':' joins the next key, whose ':' the parser then refuses. The first of the lines
+// above the key at `colon`, in its column, that have no ':'; npos where there is none.
+std::size_t find_key_without_colon(const YamlText& text, std::size_t colon) {
+  const Line key = line_at(text, colon);
+  if (text.part(key.content, colon).find(": ") != std::string_view::npos) {
+    return std::string::npos;
+  }
+  std::size_t result = std::string::npos;
+  for (std::size_t start = key.start; start > 0;) {
+    const Line above = line_at(text, start - 1);
+    start = above.start;
+    if (above.is_empty()) {
+      continue;
+    }
+    if (above.indentation() != key.indentation() || !lacks_colon(text, above)) {
+      break;
+    }
+    result = above.content;
+  }
+  return result;
+}
+
+void report_key_without_colon(SourceMap& map, std::size_t key, Diagnostics& found) {
+  const std::size_t end = map.text().skip_line(key);
+  const std::string_view line = map.text().part(key, end);
+  found.error("E0204",
+              map.range(key, end),
+              "this line has no ':' behind its key",
+              line.find(':') == std::string_view::npos
+                  ? "write 'key: value', or indent the line if it continues the value above"
+                  : "write a space after the ':' of each key");
+}
+
+Words words_for(std::string_view parser, const YamlText& text, std::size_t at) {
+  const auto* const row = std::ranges::find_if(
+      kWords, [&](const Words& one) { return parser.starts_with(one.parser); });
+  if (row == kWords.end()) {
+    return {};
+  }
+  if (row->hint != kIndentationHint) {
+    return *row;
+  }
+  if (at > 0 && is_one_of(text[at - 1], "'\"")) {
+    return {parser,
+            "'{}' stands behind a closing quote",
+            text[at - 1] == '\'' ? "inside '...' an apostrophe is written twice"
+                                 : "inside \"...\" a quote is written \\\""};
+  }
+  return {parser, row->message, word_at(text, at) == "-" ? kItemHint : row->hint};
+}
+
 void report_unknown_alias(SourceMap& map, std::size_t at, Diagnostics& found) {
   const std::size_t end = map.text().skip_word(at);
   found.error("E0209",
@@ -105,16 +184,23 @@ void report_parser_error(const YAML::Exception& exception,
     report_unknown_alias(map, at, found);
     return;
   }
-  const auto* const words = std::ranges::find_if(
-      kWords, [&](const Words& row) { return exception.msg.starts_with(row.parser); });
-  const bool is_known = words != kWords.end();
-  const std::string message =
-      is_known ? fmt::format(fmt::runtime(words->message), word_at(map.text(), at))
-               : printable(exception.msg);
-  Diagnostic& error =
-      found.error("E0204", map.at(at), message, std::string(is_known ? words->hint : ""));
+  if (exception.msg.starts_with(kIllegalValue)) {
+    const std::size_t key = find_key_without_colon(map.text(), at);
+    if (key != std::string::npos) {
+      report_key_without_colon(map, key, found);
+      return;
+    }
+  }
+  const Words words = words_for(exception.msg, map.text(), at);
+  Diagnostic& error = found.error(
+      "E0204",
+      map.at(at),
+      words.message.empty() ? printable(exception.msg)
+                            : fmt::format(fmt::runtime(words.message), word_at(map.text(), at)),
+      std::string(words.hint));
   if (last_long_quote.line > 0) {
     error.notes.push_back({last_long_quote, "the quoted text that begins here goes over lines"});
+    error.hint = "close that text where it should end; " + error.hint;
   }
 }
 

@@ -1,6 +1,8 @@
 #include "io/internal/scalar_place.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <string_view>
 
 #include "io/internal/scalar_end.hpp"
@@ -35,6 +37,30 @@ void place_plain(YamlNode& node, SourceMap& map, std::size_t begin) {
   }
 }
 
+// How many digits belong to an escape of this letter.
+std::size_t hexadecimal_digits(char letter) {
+  switch (letter) {
+    case 'x':
+      return 2;
+    case 'u':
+      return 4;
+    case 'U':
+      return 8;
+    default:
+      return 0;
+  }
+}
+
+// Whether the digits are the number of a character that YAML forbids; see find_bad_character.
+bool is_bad_code(std::string_view digits) {
+  constexpr int kHexadecimal = 16;
+  std::uint32_t code = ' ';
+  std::from_chars(digits.data(), digits.data() + digits.size(), code, kHexadecimal);
+  const bool is_control = code < 0x20 && code != '\t' && code != '\n';
+  const bool is_late_control = code >= 0x7F && code <= 0x9F && code != 0x85;
+  return is_control || is_late_control || code == 0xFEFF || code == 0xFFFE || code == 0xFFFF;
+}
+
 }  // namespace
 
 YamlNode make_scalar(SourceMap& map, std::size_t begin, const std::string& value) {
@@ -51,6 +77,21 @@ YamlNode make_scalar(SourceMap& map, std::size_t begin, const std::string& value
     place_quoted(node, map, begin);
   }
   return node;
+}
+
+Escape find_bad_escape(const YamlText& text, std::size_t begin) {
+  const std::size_t end = find_quote_end(text, begin);
+  for (std::size_t at = begin; at < end && text[begin] == '"'; ++at) {
+    if (text[at] != '\\') {
+      continue;
+    }
+    const std::size_t size = 2 + hexadecimal_digits(text[at + 1]);
+    if (is_one_of(text[at + 1], "0abefrvN_") || is_bad_code(text.part(at + 2, at + size))) {
+      return {.begin = at, .size = size};
+    }
+    ++at;
+  }
+  return {.begin = begin, .size = 1};
 }
 
 bool is_null_word(const YamlText& text, std::size_t at) {

@@ -34,10 +34,10 @@ class Scan {
   Step open_bracket();
   Step close_bracket();
   Step comma();
+  Step refuse_values();
   Step quoted();
   Step plain();
   Step block_scalar();
-  Step refuse_open_bracket();
   Step refuse_tab(std::size_t tab);
 
   bool in_brackets() const { return !brackets_.empty(); }
@@ -61,6 +61,7 @@ class Scan {
   std::size_t key_start_ = kNowhere;  // where a key of this line may have begun
   bool is_after_json_ = false;        // behind a quote or bracket ':' needs no space
   int commas_ = 0;
+  int collections_ = 0;
   std::vector<std::size_t> brackets_;  // offsets of the open ones
   BlockStack blocks_;
 };
@@ -100,11 +101,15 @@ Scan::Step Scan::skip_to_token() {
     }
     go_to(at_ + text_.line_break(at_));
   }
-  if (text_.is_end(at_)) {
-    return in_brackets() ? refuse_open_bracket() : Step::finished;
-  }
   // Inside brackets indentation means nothing, and a tab is a space like others.
-  return tab != kNowhere && !in_brackets() ? refuse_tab(tab) : Step::go_on;
+  if (!in_brackets()) {
+    return text_.is_end(at_) ? Step::finished : (tab != kNowhere ? refuse_tab(tab) : Step::go_on);
+  }
+  if (text_.is_end(at_)) {
+    report_open_bracket(map_, brackets_.back(), at_, found_);
+    return Step::refused;
+  }
+  return Step::go_on;
 }
 
 void Scan::close_blocks() {
@@ -152,6 +157,9 @@ Scan::Step Scan::open_bracket() {
     report_depth(limits_, map_.at(at_), found_);
     return Step::refused;
   }
+  if (++collections_ > limits_.nodes) {
+    return refuse_values();
+  }
   note_key_start();
   brackets_.push_back(at_);
   is_after_json_ = false;
@@ -169,7 +177,8 @@ Scan::Step Scan::close_bracket() {
     return Step::refused;
   }
   if ((text_[brackets_.back()] == '[') != (closing == ']')) {
-    return refuse_open_bracket();
+    report_wrong_bracket(map_, brackets_, at_, found_);
+    return Step::refused;
   }
   brackets_.pop_back();
   is_after_json_ = true;
@@ -177,22 +186,21 @@ Scan::Step Scan::close_bracket() {
   return Step::go_on;
 }
 
-Scan::Step Scan::refuse_open_bracket() {
-  report_open_bracket(map_, brackets_.back(), at_, found_);
-  return Step::refused;
-}
-
-// Every comma inside brackets stands for a value, so that too many values are known without
-// building them.
+// Every comma inside brackets stands for a value, and so does every bracket: too many values are
+// known without building them.
 Scan::Step Scan::comma() {
   is_after_json_ = false;
   commas_ += in_brackets() ? 1 : 0;
   if (commas_ > limits_.nodes) {
-    report_nodes(limits_, map_.at(at_), found_);
-    return Step::refused;
+    return refuse_values();
   }
   ++at_;
   return Step::go_on;
+}
+
+Scan::Step Scan::refuse_values() {
+  report_nodes(limits_, map_.at(at_), Excess::by_value, found_);
+  return Step::refused;
 }
 
 Scan::Step Scan::block_token() {

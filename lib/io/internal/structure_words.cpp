@@ -1,8 +1,24 @@
 #include "io/internal/structure_words.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include <fmt/format.h>
 
 namespace kinestat {
+
+namespace {
+
+// The mark "..." before the offset, or npos.
+std::size_t find_document_end(const YamlText& text, std::size_t before) {
+  std::size_t at = text.all().rfind("...", before);
+  while (at != std::string::npos && at > 0 && !text.is_document_mark(at)) {
+    at = text.all().rfind("...", at - 1);
+  }
+  return at != std::string::npos && text.is_document_mark(at) ? at : std::string::npos;
+}
+
+}  // namespace
 
 void report_depth(const ReadLimits& limits, SourceRange where, Diagnostics& found) {
   found.error("E0210",
@@ -11,11 +27,13 @@ void report_depth(const ReadLimits& limits, SourceRange where, Diagnostics& foun
               "a mechanism file needs fewer than ten");
 }
 
-void report_nodes(const ReadLimits& limits, SourceRange where, Diagnostics& found) {
+void report_nodes(const ReadLimits& limits, SourceRange where, Excess excess, Diagnostics& found) {
   found.error("E0210",
               where,
               fmt::format("more than {} values in the file, aliases expanded", limits.nodes),
-              "split the file, or keep tables elsewhere");
+              excess == Excess::by_alias
+                  ? "an alias stands for all values that it names; repeat fewer of them"
+                  : "split the file, or keep tables elsewhere");
 }
 
 void report_open_quote(SourceMap& map, std::size_t quote, Diagnostics& found) {
@@ -39,6 +57,26 @@ void report_open_bracket(SourceMap& map, std::size_t bracket, std::size_t end, D
   }
 }
 
+void report_wrong_bracket(SourceMap& map,
+                          std::span<const std::size_t> open,
+                          std::size_t end,
+                          Diagnostics& found) {
+  const char fitting = map.text()[end] == ']' ? '[' : '{';
+  const auto fits = [&](std::size_t bracket) { return map.text()[bracket] == fitting; };
+  if (std::ranges::any_of(open, fits)) {
+    report_open_bracket(map, open.back(), end, found);
+    return;
+  }
+  const char opening = map.text()[open.back()];
+  const char wanted = opening == '[' ? ']' : '}';
+  found
+      .error("E0204",
+             map.at(end),
+             fmt::format("'{}' cannot close '{}'", map.text()[end], opening),
+             fmt::format("remove it, or write '{}' in its place", wanted))
+      .notes.push_back({map.at(open.back()), fmt::format("'{}' is open since here", opening)});
+}
+
 void report_tab(SourceMap& map, std::size_t tab, Diagnostics& found) {
   found.error("E0203",
               map.at(tab),
@@ -46,17 +84,27 @@ void report_tab(SourceMap& map, std::size_t tab, Diagnostics& found) {
               "indent with spaces; most editors can replace all tabs at once");
 }
 
-void report_second_document(SourceMap& map, std::size_t begin, Diagnostics& found) {
+void report_second_document(SourceMap& map,
+                            std::size_t begin,
+                            SourceRange root,
+                            Diagnostics& found) {
   if (map.text().is_document_mark(begin)) {
     found.error("E0206",
                 map.range(begin, begin + 3),
                 "a second document begins here",
                 "one file describes one mechanism; remove '---' and what follows it");
+    return;
+  }
+  const std::size_t end = find_document_end(map.text(), begin);
+  Diagnostic& error = found.error(
+      "E0204",
+      map.at(begin),
+      "this stands behind the end of the document",
+      end == std::string::npos ? "begin every key of the file in the same column" : "remove '...'");
+  if (end != std::string::npos) {
+    error.notes.push_back({map.range(end, end + 3), "the document ends here"});
   } else {
-    found.error("E0204",
-                map.at(begin),
-                "this stands behind the end of the document",
-                "begin every key of the file in the same column");
+    error.notes.push_back({root, "the document begins here"});
   }
 }
 

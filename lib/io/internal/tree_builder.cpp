@@ -40,7 +40,7 @@ Diagnostic& TreeBuilder::refuse(std::string_view code,
 
 void TreeBuilder::OnDocumentStart(const YAML::Mark& mark) {
   if (++documents_ > 1) {
-    report_second_document(map_, offset_of(mark), found_);
+    report_second_document(map_, offset_of(mark), parts_.front().node.where, found_);
     throw Stop();
   }
 }
@@ -74,10 +74,11 @@ void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) {
   const SourceRange where = map_.range(at, end);
   const std::size_t part = anchors_.at(anchor);
   if (parts_[part].is_open) {
-    refuse("E0209",
-           where,
-           fmt::format("alias '{}' stands inside what it names", map_.text().part(at, end)),
-           "write the value out")
+    refuse(
+        "E0209",
+        where,
+        fmt::format("alias '{}' stands inside what it names", printable(map_.text().part(at, end))),
+        "write the value out")
         .notes.push_back({parts_[part].node.where, "the anchored value begins here"});
     throw Stop();
   }
@@ -100,7 +101,7 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark,
     throw Stop();
   }
   check_quote(begin, node.where);
-  check_text(node);
+  check_text(node, begin);
   const std::size_t part = add_part(YamlKind::scalar, node.where, anchor);
   parts_[part].bytes = value.size();
   parts_[part].node = std::move(node);
@@ -123,13 +124,17 @@ void TreeBuilder::check_quote(std::size_t begin, SourceRange where) {
 }
 
 // Escapes can smuggle in what the byte scan refuses; yaml-cpp makes broken UTF-8 of \N and \_.
-void TreeBuilder::check_text(const YamlNode& node) {
-  if (node.quoted && find_bad_character(node.text)) {
-    refuse("E0203",
-           node.where,
-           "an escape in this text stands for a control character",
-           "use \\n, \\t or the character itself");
+void TreeBuilder::check_text(const YamlNode& node, std::size_t begin) {
+  if (!node.quoted || !find_bad_character(node.text)) {
+    return;
   }
+  const Escape escape = find_bad_escape(map_.text(), begin);
+  const std::size_t end = escape.begin + escape.size;
+  refuse("E0203",
+         map_.range(escape.begin, end),
+         fmt::format("escape '{}' cannot stand in a text",
+                     printable(map_.text().part(escape.begin, end))),
+         "of control characters use only \\n and \\t; write any other character itself");
 }
 
 void TreeBuilder::start_collection(YamlKind kind,
@@ -172,7 +177,7 @@ void TreeBuilder::count(int nodes, std::size_t bytes, SourceRange where) {
   nodes_ += nodes;
   alias_bytes_ += bytes;
   if (nodes_ > limits_.nodes) {
-    report_nodes(limits_, where, found_);
+    report_nodes(limits_, where, nodes > 1 ? Excess::by_alias : Excess::by_value, found_);
     throw Stop();
   }
   if (alias_bytes_ > limits_.bytes) {
@@ -262,7 +267,7 @@ std::size_t TreeBuilder::skip_properties(std::size_t mark) {
       last_tag_ = at;
       refuse("E0208",
              map_.range(at, end),
-             fmt::format("tag '{}' is not supported", text.part(at, end)),
+             fmt::format("tag '{}' is not supported", printable(text.part(at, end))),
              "remove the tag; quote a text that begins with '!'");
     }
     at = end;

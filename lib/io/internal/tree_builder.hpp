@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -97,7 +98,7 @@ class TreeBuilder : public YAML::EventHandler {
                         YAML::EmitterStyle::value style);
   void end_collection();
   void check_quote(std::size_t begin, SourceRange where);
-  void check_text(const YamlNode& node);
+  void check_text(const YamlNode& node, std::size_t begin);
   void attach(std::size_t part, SourceRange where, std::size_t mark);
   void take_key(Frame& frame, const YamlNode& key, SourceRange where);
   void take_child(Frame& frame, std::size_t part);
@@ -115,7 +116,7 @@ class TreeBuilder : public YAML::EventHandler {
   SourceMap& map_;
   const ReadLimits& limits_;
   Diagnostics& found_;
-  std::vector<Part> parts_;
+  std::deque<Part> parts_;  // never copied while it grows
   std::vector<Frame> frames_;
   std::unordered_map<YAML::anchor_t, std::size_t> anchors_;
   int documents_ = 0;

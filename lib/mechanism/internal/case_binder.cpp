@@ -1,10 +1,12 @@
 #include "mechanism/internal/case_binder.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "core/utf8.hpp"
 
 namespace kinestat {
 
@@ -12,18 +14,38 @@ namespace {
 
 enum class Side { motion, action };
 
+// Names with their places in a list of the topology; of two alike the first counts.
+class Index {
+ public:
+  void add(std::string name) {
+    index_.emplace(name, static_cast<int>(names_.size()));
+    names_.push_back(std::move(name));
+  }
+
+  std::optional<int> find(const std::string& name) const {
+    const auto at = index_.find(name);
+    return at == index_.end() ? std::nullopt : std::optional(at->second);
+  }
+
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  std::vector<std::string> names_;
+  std::unordered_map<std::string, int> index_;  // looked up only, never walked through
+};
+
 class CaseBinder {
  public:
   CaseBinder(const Topology& topology, Evaluator& evaluator, Diagnostics& found)
       : topology_(topology), evaluator_(evaluator), found_(found) {
     for (int f = 0; f < topology.freedom_count(); ++f) {
-      freedoms_.push_back(topology.freedom_name(f));
+      freedoms_.add(topology.freedom_name(f));
     }
     for (int a = 0; a < topology.action_count(); ++a) {
-      actions_.push_back(topology.action_name(a));
+      actions_.add(topology.action_name(a));
     }
     for (const ActuatorTopology& actuator : topology.actuators) {
-      actuators_.push_back(actuator.name);
+      actuators_.add(actuator.name);
     }
   }
 
@@ -36,10 +58,39 @@ class CaseBinder {
                 .inputs = bind_actuators(description.inputs),
                 .outputs = bind_actuators(description.outputs),
                 .where = description.label.where};
+    check_ends(description);
     return result;
   }
 
  private:
+  // No actuator is named twice, be it as input, as output or as both.
+  void check_ends(const CaseDescription& description) {
+    std::vector<Name> seen;
+    const auto check = [&](const std::vector<Name>& names, std::string_view role) {
+      for (const Name& name : names) {
+        const auto twin = std::ranges::find(seen, name.text, &Name::text);
+        if (twin == seen.end()) {
+          seen.push_back(name);
+          continue;
+        }
+        const bool is_input = twin - seen.begin() < std::ssize(description.inputs);
+        const bool is_both = is_input && role == "output";
+        auto& problem = found_.error(
+            "E0307",
+            name.where,
+            is_both ? fmt::format("'{}' is input and output of case '{}'",
+                                  name.text,
+                                  printable(description.label.text))
+                    : fmt::format("'{}' is named twice as {}", name.text, role),
+            is_both ? "give one of the two another actuator" : "remove one of the two");
+        problem.notes.push_back(
+            {twin->where, is_both ? "named as input here" : "first named here"});
+      }
+    };
+    check(description.inputs, "input");
+    check(description.outputs, "output");
+  }
+
   std::vector<Primary> bind_side(const std::vector<Assignment>& assignments, Side side) {
     std::vector<Primary> primaries;
     for (const Assignment& assignment : assignments) {
@@ -78,23 +129,35 @@ class CaseBinder {
 
   // An actuator, or coupling.freedom, or coupling.action.
   std::optional<int> resolve(const Name& target, Side side) {
-    const auto actuator = std::ranges::find(actuators_, target.text);
-    if (actuator != actuators_.end()) {
-      const auto& found =
-          topology_.actuators[static_cast<std::size_t>(actuator - actuators_.begin())];
+    if (const std::optional<int> actuator = actuators_.find(target.text)) {
+      const auto& found = topology_.actuators[static_cast<std::size_t>(*actuator)];
       return side == Side::motion ? found.freedom : found.action;
     }
-    const std::vector<std::string>& names = side == Side::motion ? freedoms_ : actions_;
-    const auto at = std::ranges::find(names, target.text);
-    if (at != names.end()) {
-      return static_cast<int>(at - names.begin());
+    const Index& index = side == Side::motion ? freedoms_ : actions_;
+    const std::optional<int> at = index.find(target.text);
+    if (!at) {
+      complain(target, side, index.names());
     }
-    complain(target, side, names);
-    return std::nullopt;
+    return at;
   }
 
   void complain(const Name& target, Side side, const std::vector<std::string>& names) {
-    std::vector<std::string> candidates = actuators_;
+    const std::string_view word = side == Side::motion ? "motion" : "action";
+    auto& problem = found_.error(
+        "E0313",
+        target.where,
+        fmt::format(
+            "'{}' is neither an actuator nor the {} of a coupling", printable(target.text), word));
+    if (found_.is_hint_worth_it()) {
+      problem.hint = hint_for(target, word, names);
+    }
+  }
+
+  // "did you mean 'a.wz'? that coupling has a.wz"
+  std::string hint_for(const Name& target,
+                       std::string_view word,
+                       const std::vector<std::string>& names) const {
+    std::vector<std::string> candidates = actuators_.names();
     std::vector<std::string> same_coupling;
     const std::string prefix = target.text.substr(0, target.text.find('.')) + ".";
     for (const std::string& name : names) {
@@ -106,36 +169,32 @@ class CaseBinder {
       }
     }
     const std::string guess = did_you_mean(target.text, candidates);
-    const std::string_view word = side == Side::motion ? "motion" : "action";
-    std::string hint =
-        same_coupling.empty()
-            ? fmt::format(
-                  "actuators are {}; {}s are {}", plain_list(actuators_), word, plain_list(names))
-            : fmt::format("that coupling has {}", plain_list(same_coupling));
-    found_.error(
-        "E0313",
-        target.where,
-        fmt::format("'{}' is neither an actuator nor the {} of a coupling", target.text, word),
-        guess.empty() ? hint : fmt::format("{} {}", guess, hint));
+    const std::string hint = same_coupling.empty()
+                                 ? fmt::format("actuators are {}; {}s are {}",
+                                               plain_list(actuators_.names()),
+                                               word,
+                                               plain_list(names))
+                                 : fmt::format("write {}, or declare an actuator on that coupling",
+                                               fmt::join(same_coupling, " or "));
+    return guess.empty() ? hint : fmt::format("{} {}", guess, hint);
   }
 
   std::vector<int> bind_actuators(const std::vector<Name>& names) {
     std::vector<int> result;
     for (const Name& name : names) {
-      const auto at = std::ranges::find(actuators_, name.text);
-      if (at != actuators_.end()) {
-        result.push_back(static_cast<int>(at - actuators_.begin()));
+      if (const std::optional<int> at = actuators_.find(name.text)) {
+        result.push_back(*at);
         continue;
       }
-      const std::string guess = did_you_mean(name.text, actuators_);
+      const std::string guess = did_you_mean(name.text, actuators_.names());
       found_.error("E0313",
                    name.where,
                    fmt::format("'{}' is not an actuator", name.text),
-                   actuators_.empty() ? "declare it under 'actuators:'"
-                                      : fmt::format("{}{}actuators are {}",
-                                                    guess,
-                                                    guess.empty() ? "" : " ",
-                                                    plain_list(actuators_)));
+                   actuators_.names().empty() ? "declare it under 'actuators:'"
+                                              : fmt::format("{}{}actuators are {}",
+                                                            guess,
+                                                            guess.empty() ? "" : " ",
+                                                            plain_list(actuators_.names())));
     }
     return result;
   }
@@ -143,9 +202,9 @@ class CaseBinder {
   const Topology& topology_;
   Evaluator& evaluator_;
   Diagnostics& found_;
-  std::vector<std::string> freedoms_;
-  std::vector<std::string> actions_;
-  std::vector<std::string> actuators_;
+  Index freedoms_;
+  Index actions_;
+  Index actuators_;
 };
 
 }  // namespace

@@ -8,13 +8,14 @@
 
 #include "core/text.hpp"
 #include "core/tolerance.hpp"
+#include "mechanism/internal/geometry_check.hpp"
 
 namespace kinestat {
 
 namespace {
 
-bool needs_point(CouplingType type) {
-  return type != CouplingType::prismatic && type != CouplingType::rigid;
+bool has_axis(CouplingType type) {
+  return is_in_catalogue(type) && type != CouplingType::rigid;
 }
 
 std::string title(const CouplingDescription& coupling) {
@@ -25,28 +26,49 @@ void lacks(const CouplingDescription& coupling,
            std::string_view key,
            std::string hint,
            Diagnostics& found) {
-  found.error("E0303",
+  found.error("E0314",
               coupling.name.where,
               fmt::format("{} lacks the key '{}'", title(coupling), key),
               std::move(hint));
 }
 
+// The points as drawn on the two bodies; the tail's counts.
+std::optional<Vec3> bind_points_of_bodies(const CouplingDescription& coupling,
+                                          Evaluator& evaluator,
+                                          Diagnostics& found) {
+  std::optional<Vec3> result;
+  bool is_good = true;
+  for (const auto& [body, point] : coupling.at->of_bodies) {
+    const std::optional<Vec3> drawn = evaluator.point(point);
+    is_good = is_good && drawn.has_value();
+    if (body.text == coupling.tail.text) {
+      result = drawn;
+    } else if (body.text != coupling.head.text) {
+      is_good = false;
+      found.error("E0313",
+                  body.where,
+                  fmt::format("'{}' is not a body of {}", body.text, title(coupling)),
+                  fmt::format("its bodies are {} and {}", coupling.tail.text, coupling.head.text));
+    }
+  }
+  return is_good ? result : std::nullopt;
+}
+
+// The origin where the file gives no point, which leaves it to counts or to `gears`.
 std::optional<Vec3> bind_point(const CouplingDescription& coupling,
-                               Space space,
                                Evaluator& evaluator,
                                Diagnostics& found) {
-  if (coupling.at) {
-    return evaluator.point(*coupling.at);
+  if (!coupling.at) {
+    return Vec3::Zero();
   }
-  if (needs_point(coupling.type)) {
-    lacks(coupling,
-          "at",
-          space == Space::planar ? "add at: [x, y], its point in the drawn position"
-                                 : "add at: [x, y, z], a point of its axis in the drawn position",
-          found);
-    return std::nullopt;
+  if (coupling.at->point) {
+    return evaluator.point(*coupling.at->point);
   }
-  return Vec3::Zero();
+  if (!coupling.at->of_bodies.empty()) {
+    return bind_points_of_bodies(coupling, evaluator, found);
+  }
+  const auto z = evaluator.number(*coupling.at->along_axis, QuantityKind::length);
+  return z ? std::optional(Vec3(0.0, 0.0, *z)) : std::nullopt;
 }
 
 // In the plane a rotation is about z and a translation lies in the plane.
@@ -71,11 +93,12 @@ std::optional<Axis> bind_axis(const CouplingDescription& coupling,
                               Space space,
                               Evaluator& evaluator,
                               Diagnostics& found) {
-  if (coupling.type == CouplingType::rigid) {
+  if (!has_axis(coupling.type)) {
     return Axis{};
   }
   if (!coupling.axis) {
-    if (space == Space::planar && coupling.type != CouplingType::prismatic) {
+    const bool is_about_z = space == Space::planar && coupling.type != CouplingType::prismatic;
+    if (is_about_z || is_counted_only(coupling)) {
       return Axis{};
     }
     lacks(coupling, "axis", "add axis: x, y, z, -x, … or a vector", found);
@@ -133,6 +156,9 @@ std::optional<Vec3> bind_line_of_action(const CouplingDescription& coupling,
     const std::optional<Axis> line = evaluator.axis(*coupling.line_of_action);
     return line ? std::optional(line->direction) : std::nullopt;
   }
+  if (is_counted_only(coupling)) {
+    return Vec3::UnitX();
+  }
   if (!coupling.tangent || !coupling.pressure_angle) {
     lacks(coupling,
           coupling.tangent ? "pressure_angle" : "tangent",
@@ -149,13 +175,14 @@ std::optional<CouplingGeometry> bind_geometry(const CouplingDescription& couplin
                                               Space space,
                                               Evaluator& evaluator,
                                               Diagnostics& found) {
-  const std::optional<Vec3> at = bind_point(coupling, space, evaluator, found);
+  const bool is_good = check_geometry(coupling, space, evaluator, found);
+  const std::optional<Vec3> at = bind_point(coupling, evaluator, found);
   const std::optional<Axis> axis = bind_axis(coupling, space, evaluator, found);
   std::optional<Vec3> line = Vec3::UnitX();
   if (coupling.type == CouplingType::gear && axis) {
     line = bind_line_of_action(coupling, *axis, evaluator, found);
   }
-  if (!at || !axis || !line) {
+  if (!is_good || !at || !axis || !line) {
     return std::nullopt;
   }
   return CouplingGeometry{.at = *at, .axis = *axis, .line_of_action = *line};

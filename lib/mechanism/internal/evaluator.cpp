@@ -1,41 +1,39 @@
 #include "mechanism/internal/evaluator.hpp"
 
+#include <cmath>
+#include <numbers>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
+#include "core/utf8.hpp"
 #include "expression/evaluate.hpp"
 
 namespace kinestat {
-
-namespace {
-
-std::vector<Parameter> parameters_of(const MechanismDescription& description) {
-  std::vector<Parameter> parameters;
-  for (const ParameterDescription& parameter : description.parameters) {
-    parameters.push_back({.name = parameter.name.text,
-                          .value = parameter.value.expression,
-                          .name_where = parameter.name.where,
-                          .value_where = parameter.value.where});
-  }
-  return parameters;
-}
-
-}  // namespace
 
 Evaluator::Evaluator(const MechanismDescription& description, Diagnostics& found)
     : description_(description), found_(found) {
   ParameterValues values = evaluate_parameters(parameters_of(description));
   for (const ParameterError& problem : values.errors) {
-    const ParameterDescription& parameter =
-        description.parameters[static_cast<std::size_t>(problem.parameter)];
-    found_.error(problem.error.code,
-                 place_in(parameter.value, problem.error),
-                 problem.error.message,
-                 problem.error.hint);
+    report(description.parameters[static_cast<std::size_t>(problem.parameter)], problem.error);
   }
   table_ = std::move(values.table);
+}
+
+void Evaluator::report(const ParameterDescription& parameter, const ExpressionError& error) {
+  if (parameter.set_by.empty()) {
+    found_.error(error.code, place_in(parameter.value, error), error.message, error.hint);
+  } else {
+    found_.error("E0102",
+                 {},
+                 fmt::format("--set '{}': {}", printable(parameter.set_by), error.message),
+                 error.hint);
+  }
+}
+
+std::span<const std::string> Evaluator::known_names() const {
+  return found_.is_hint_worth_it() ? table_.names() : std::span<const std::string>();
 }
 
 std::optional<double> Evaluator::number(const Value& value, QuantityKind kind) {
@@ -44,12 +42,44 @@ std::optional<double> Evaluator::number(const Value& value, QuantityKind kind) {
     return std::nullopt;
   }
   const auto result =
-      evaluate_as(kind, value.expression, description_.units, table_.lookup(), table_.names());
+      evaluate_as(kind, value.expression, description_.units, table_.lookup(), known_names());
   if (const auto* error = std::get_if<ExpressionError>(&result)) {
     found_.error(error->code, place_in(value, *error), error->message, error->hint);
     return std::nullopt;
   }
-  return std::get<double>(result);
+  const double number = std::get<double>(result);
+  if (kind == QuantityKind::angle) {
+    warn_of_degrees(value, number);
+  }
+  return number;
+}
+
+// A bare number that counts in radians and is more than a full turn.
+void Evaluator::warn_of_degrees(const Value& value, double angle) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  const bool is_literal =
+      value.expression.is_number() && description_.units.text(QuantityKind::angle) == "rad";
+  if (is_literal && std::abs(angle) > kTurn) {
+    found_.warning(
+        "W0303",
+        value.where,
+        fmt::format("an angle of {} rad is more than a full turn", value.expression.text()),
+        fmt::format("write {} deg, or 'units: {{angle: deg}}' for the whole file",
+                    value.expression.text()));
+  }
+}
+
+std::optional<Quantity> Evaluator::quantity(const Value& value) {
+  table_.mark_used(value.expression);
+  if (table_.is_failed(value.expression)) {
+    return std::nullopt;
+  }
+  const auto result = evaluate(value.expression, table_.lookup(), known_names());
+  if (const auto* error = std::get_if<ExpressionError>(&result)) {
+    found_.error(error->code, place_in(value, *error), error->message, error->hint);
+    return std::nullopt;
+  }
+  return std::get<Quantity>(result);
 }
 
 std::optional<Vec3> Evaluator::vector(const std::vector<Value>& components, QuantityKind kind) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "core/diagnostic.hpp"
@@ -19,6 +21,9 @@ class Evaluator {
 
   std::optional<double> number(const Value& value, QuantityKind kind);
 
+  /// In SI, whatever it measures.
+  std::optional<Quantity> quantity(const Value& value);
+
   /// [m], in the world frame; z is 0 in the plane.
   std::optional<Vec3> point(const PointDescription& point);
 
@@ -29,6 +34,9 @@ class Evaluator {
   void warn_of_unused() const;
 
  private:
+  void warn_of_degrees(const Value& value, double angle);
+  std::span<const std::string> known_names() const;  // that a hint may suggest
+  void report(const ParameterDescription& parameter, const ExpressionError& error);
   std::optional<Vec3> vector(const std::vector<Value>& components, QuantityKind kind);
 
   const MechanismDescription& description_;

@@ -1,31 +1,30 @@
 #include "mechanism/internal/reference_points.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include "core/tolerance.hpp"
 
 namespace kinestat {
 
 std::vector<Vec3> bind_reference_points(const MechanismDescription& description,
-                                        const Topology& topology,
-                                        const Geometry& geometry,
+                                        const std::vector<bool>& has_point,
+                                        const Mechanism& mechanism,
                                         Evaluator& evaluator) {
+  const Topology& topology = mechanism.topology;
+  const Geometry& geometry = mechanism.geometry;
   std::vector<Vec3> references(topology.bodies.size(), geometry.origin);
   std::vector<bool> is_set(topology.bodies.size(), false);
   for (const BodyDescription& body : description.bodies) {
-    const auto at = std::ranges::find(topology.bodies, body.name.text, &BodyTopology::name);
-    if (body.reference && at != topology.bodies.end()) {
-      const auto b = static_cast<std::size_t>(at - topology.bodies.begin());
-      references[b] = evaluator.point(*body.reference).value_or(geometry.origin);
-      is_set[b] = true;
+    if (!body.reference) {
+      continue;
     }
+    const auto at = std::ranges::find(topology.bodies, body.name.text, &BodyTopology::name);
+    const auto b = static_cast<std::size_t>(at - topology.bodies.begin());
+    references[b] = evaluator.point(*body.reference).value_or(geometry.origin);
+    is_set[b] = true;
   }
   for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
-    const std::string& name = topology.couplings[e].name;
-    const auto described = std::ranges::find(
-        description.couplings, name, [](const CouplingDescription& c) { return c.name.text; });
-    if (!described->at) {
+    if (!has_point[e]) {
       continue;
     }
     for (const BodyId body : {topology.couplings[e].tail, topology.couplings[e].head}) {

@@ -3,17 +3,17 @@
 
 #include <vector>
 
-#include "mechanism/geometry.hpp"
 #include "mechanism/internal/evaluator.hpp"
-#include "mechanism/topology.hpp"
+#include "mechanism/mechanism.hpp"
 
 namespace kinestat {
 
 /// Of each body of the topology [m]: the point that its description gives, else that of its first
-/// coupling that has one, else the origin of the geometry.
+/// coupling that has one, else the origin of the geometry. `has_point` says which couplings of the
+/// topology have a point of their own.
 std::vector<Vec3> bind_reference_points(const MechanismDescription& description,
-                                        const Topology& topology,
-                                        const Geometry& geometry,
+                                        const std::vector<bool>& has_point,
+                                        const Mechanism& mechanism,
                                         Evaluator& evaluator);
 
 /// How large a mechanism is and where it stands [m].

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "core/utf8.hpp"
+#include "mechanism/internal/actuator_binder.hpp"
 #include "mechanism/internal/coupling_binder.hpp"
 #include "mechanism/internal/reference_points.hpp"
 
@@ -21,13 +23,6 @@ std::vector<std::string> names_of(const Items& items) {
   }
   return names;
 }
-
-// An actuator that waits for its freedom and action to be numbered.
-struct PendingActuator {
-  std::string name;
-  std::string freedom;
-  SourceRange where;
-};
 
 // A coupling on its way from the description to its screws.
 struct Joint {
@@ -48,8 +43,10 @@ class StructureBinder {
         constraints_(constraints),
         evaluator_(evaluator),
         found_(found),
+        result_(result),
         topology_(result.topology),
-        geometry_(result.geometry) {}
+        geometry_(result.geometry),
+        actuators_(description, result, found) {}
 
   void run() {
     bind_bodies();
@@ -58,7 +55,6 @@ class StructureBinder {
     }
     for (const ActuatorDescription& actuator : description_.actuators) {
       declare(actuator.name);
-      attach(actuator);
     }
     std::vector<Joint> joints;
     for (const CouplingDescription& coupling : description_.couplings) {
@@ -70,7 +66,7 @@ class StructureBinder {
     for (const Joint& joint : joints) {
       add_coupling(joint);
     }
-    geometry_.references = bind_reference_points(description_, topology_, geometry_, evaluator_);
+    geometry_.references = bind_reference_points(description_, has_point_, result_, evaluator_);
   }
 
  private:
@@ -111,44 +107,11 @@ class StructureBinder {
     }
   }
 
-  void attach(const ActuatorDescription& actuator) {
-    const auto at = std::ranges::find(description_.couplings,
-                                      actuator.coupling.text,
-                                      [](const CouplingDescription& c) { return c.name.text; });
-    if (at == description_.couplings.end()) {
-      std::vector<std::string> names;
-      for (const CouplingDescription& coupling : description_.couplings) {
-        names.push_back(coupling.name.text);
-      }
-      unknown("E0313",
-              actuator.coupling,
-              fmt::format("actuator '{}' drives coupling '{}', which is not declared",
-                          actuator.name.text,
-                          actuator.coupling.text),
-              "couplings",
-              names);
-      return;
-    }
-    pending_[actuator.coupling.text].push_back(
-        {.name = actuator.name.text,
-         .freedom = actuator.freedom ? actuator.freedom->text : std::string(),
-         .where = actuator.freedom ? actuator.freedom->where : actuator.name.where});
-  }
-
-  void unknown(std::string_view code,
-               const Name& name,
-               std::string message,
-               std::string_view kind,
-               const std::vector<std::string>& declared) {
-    const std::string guess = did_you_mean(name.text, declared);
-    found_.error(code,
-                 name.where,
-                 std::move(message),
-                 fmt::format("declared {} are {}{}{}",
-                             kind,
-                             plain_list(declared),
-                             guess.empty() ? "" : "; ",
-                             guess));
+  std::string declared_bodies(const std::string& name) const {
+    const std::vector<std::string> bodies = names_of(topology_.bodies);
+    const std::string guess = did_you_mean(name, bodies);
+    return fmt::format(
+        "declared bodies are {}{}{}", plain_list(bodies), guess.empty() ? "" : "; ", guess);
   }
 
   std::optional<BodyId> find_body(const CouplingDescription& coupling, const Name& name) {
@@ -156,14 +119,27 @@ class StructureBinder {
     if (at != body_ids_.end()) {
       return at->second;
     }
-    unknown(
-        "E0312",
-        name,
-        fmt::format(
-            "coupling '{}' joins body '{}', which is not declared", coupling.name.text, name.text),
-        "bodies",
-        names_of(topology_.bodies));
+    found_.error("E0312",
+                 name.where,
+                 fmt::format("coupling '{}' joins body '{}', which is not declared",
+                             coupling.name.text,
+                             printable(name.text)),
+                 found_.is_hint_worth_it() ? declared_bodies(name.text) : "");
     return std::nullopt;
+  }
+
+  // A single number places a coupling only along an axis that `gears` finds.
+  bool check_along_axis(const CouplingDescription& coupling) {
+    if (!coupling.at || !coupling.at->along_axis || description_.gears) {
+      return true;
+    }
+    found_.error("E0314",
+                 coupling.at->where,
+                 fmt::format("the point of coupling '{}' is a single number", coupling.name.text),
+                 fmt::format("write {}; a single number is a position along the axis, for the "
+                             "couplings of the members of 'gears'",
+                             description_.space == Space::planar ? "[x, y]" : "[x, y, z]"));
+    return false;
   }
 
   // What a coupling joins and where it is; empty if an error was added.
@@ -179,8 +155,9 @@ class StructureBinder {
           "name two different bodies");
       return std::nullopt;
     }
+    const bool has_place = check_along_axis(coupling);
     const auto geometry = bind_geometry(coupling, description_.space, evaluator_, found_);
-    if (!tail || !head || !geometry) {
+    if (!tail || !head || !has_place || !geometry) {
       return std::nullopt;
     }
     return Joint{.description = &coupling, .tail = *tail, .head = *head, .geometry = *geometry};
@@ -209,12 +186,7 @@ class StructureBinder {
     const CouplingDescription& coupling = *joint.description;
     CouplingGeometry local = joint.geometry;
     local.at -= geometry_.origin;
-    CouplingScrews screws = coupling_screws(coupling.type, description_.space, local);
-    if (coupling.passive) {
-      keep_passive(coupling, screws, found_);  // all that it bears, in space too
-    } else if (constraints_ != description_.space) {
-      screws.constraints = coupling_screws(coupling.type, constraints_, local).constraints;
-    }
+    const CouplingScrews screws = screws_of(coupling, local);
     const CouplingId id{topology_.coupling_count()};
     topology_.couplings.push_back({.name = coupling.name.text,
                                    .type = coupling.type,
@@ -226,8 +198,37 @@ class StructureBinder {
                                    .action_count = static_cast<int>(screws.constraints.size()),
                                    .where = coupling.name.where});
     geometry_.points.push_back(joint.geometry.at);
+    has_point_.push_back(coupling.at.has_value());
     add_screws(id, screws);
-    add_actuators(id, coupling, screws, local.at);
+    actuators_.add(id, coupling, screws, local.at);
+  }
+
+  void check_stiffness(const CouplingDescription& coupling, const CouplingScrews& screws) {
+    const std::vector<std::string> names = names_of(screws.constraints);
+    for (const StiffnessDescription& one : coupling.stiffness) {
+      if (std::ranges::find(names, one.action.text) == names.end()) {
+        found_.error("E0313",
+                     one.action.where,
+                     fmt::format("coupling '{}' has no constraint '{}'",
+                                 coupling.name.text,
+                                 printable(one.action.text)),
+                     fmt::format("its constraints are {}", plain_list(names)));
+      }
+    }
+  }
+
+  CouplingScrews screws_of(const CouplingDescription& coupling, const CouplingGeometry& local) {
+    if (!is_in_catalogue(coupling.type)) {
+      return {};
+    }
+    CouplingScrews screws = coupling_screws(coupling.type, description_.space, local);
+    check_stiffness(coupling, screws);
+    if (coupling.passive) {
+      keep_passive(coupling, screws, found_);  // all that it bears, in space too
+    } else if (constraints_ != description_.space) {
+      screws.constraints = coupling_screws(coupling.type, constraints_, local).constraints;
+    }
+    return screws;
   }
 
   void add_screws(CouplingId id, const CouplingScrews& screws) {
@@ -245,77 +246,17 @@ class StructureBinder {
     }
   }
 
-  // A clutch or brake is an actuator of its own name.
-  void add_actuators(CouplingId id,
-                     const CouplingDescription& coupling,
-                     const CouplingScrews& screws,
-                     const Vec3& at) {
-    std::vector<PendingActuator> pending;
-    if (coupling.type == CouplingType::clutch || coupling.type == CouplingType::brake) {
-      pending.push_back({.name = coupling.name.text, .freedom = {}, .where = coupling.name.where});
-    }
-    const auto declared = pending_.find(coupling.name.text);
-    if (declared != pending_.end()) {
-      pending.insert(pending.end(), declared->second.begin(), declared->second.end());
-    }
-    for (const PendingActuator& actuator : pending) {
-      const std::optional<std::size_t> which = choose_freedom(actuator, coupling, screws);
-      if (which) {
-        add_actuator(id, actuator, *which, internal_action(screws.freedoms[*which], at));
-      }
-    }
-  }
-
-  std::optional<std::size_t> choose_freedom(const PendingActuator& actuator,
-                                            const CouplingDescription& coupling,
-                                            const CouplingScrews& screws) {
-    const std::vector<std::string> names = names_of(screws.freedoms);
-    if (actuator.freedom.empty() && names.size() == 1) {
-      return 0;
-    }
-    const auto at = std::ranges::find(names, actuator.freedom);
-    if (at != names.end()) {
-      return static_cast<std::size_t>(at - names.begin());
-    }
-    const std::string message =
-        names.empty() ? fmt::format("coupling '{}' has no freedom to drive", coupling.name.text)
-        : actuator.freedom.empty()
-            ? fmt::format("coupling '{}' has several freedoms", coupling.name.text)
-            : fmt::format(
-                  "coupling '{}' has no freedom '{}'", coupling.name.text, actuator.freedom);
-    found_.error("E0313",
-                 actuator.where,
-                 message,
-                 names.empty() ? "choose another coupling"
-                               : fmt::format("add 'freedom:' with one of {}", plain_list(names)));
-    return std::nullopt;
-  }
-
-  void add_actuator(CouplingId id,
-                    const PendingActuator& actuator,
-                    std::size_t freedom,
-                    const NamedWrench& action) {
-    CouplingTopology& coupling = topology_.couplings.back();
-    const int index = static_cast<int>(topology_.actuators.size());
-    topology_.actuators.push_back({.name = actuator.name,
-                                   .freedom = coupling.first_freedom + static_cast<int>(freedom),
-                                   .action = topology_.action_count(),
-                                   .where = actuator.where});
-    topology_.actions.push_back(
-        {.coupling = id, .name = actuator.name, .is_couple = action.is_couple, .actuator = index});
-    geometry_.actions.push_back(action.screw);
-    ++coupling.action_count;
-  }
-
   const MechanismDescription& description_;
   Space constraints_;
   Evaluator& evaluator_;
   Diagnostics& found_;
+  const Mechanism& result_;
   Topology& topology_;
   Geometry& geometry_;
   std::map<std::string, BodyId> body_ids_;
   std::map<std::string, SourceRange> declared_;
-  std::map<std::string, std::vector<PendingActuator>> pending_;  ///< by coupling
+  std::vector<bool> has_point_;  ///< of each coupling of the topology
+  ActuatorBinder actuators_;
 };
 
 }  // namespace

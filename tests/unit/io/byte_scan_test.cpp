@@ -66,6 +66,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Utf16LittleEndian", "\xFF\xFE\x61\x00"s, "E0202 0:0 the file is UTF-16"},
         Case{"Utf16BigEndian", "\xFE\xFF\x00\x61"s, "E0202 0:0 the file is UTF-16"},
         Case{"Utf16WithoutMark", "a\0:\0"s, "E0202 0:0 the file is UTF-16"},
+        Case{"Utf32LittleEndian", "\xFF\xFE\0\0a\0\0\0"s, "E0202 0:0 the file is UTF-32"},
+        Case{"Utf32BigEndian", "\0\0\xFE\xFF\0\0\0a"s, "E0202 0:0 the file is UTF-32"},
+        Case{"Utf32WithoutMark", "a\0\0\0"s, "E0202 0:0 the file is UTF-32"},
         Case{"Utf16BigEndianWithoutMark", "\0a\0:"s, "E0202 0:0 the file is UTF-16"}),
     name_of);
 

@@ -175,10 +175,20 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"EmptyFirst", "---\n---\na: 1\n", "E0206 2:1+3 a second document begins here"},
         Case{"BehindTheRoot",
              "{a: 1} b\n",
-             "E0204 1:8+1 this stands behind the end of the document"},
+             "E0204 1:8+1 this stands behind the end of the document "
+             "(note 1:1+1 the document begins here)"},
         Case{"ListThenMapping",
              "- a\nb: 1\n",
-             "E0204 2:1+1 this stands behind the end of the document"}),
+             "E0204 2:1+1 this stands behind the end of the document "
+             "(note 1:1+1 the document begins here)"},
+        Case{"FirstLineIndented",
+             " a: 1\nb: 2\n",
+             "E0204 2:1+1 this stands behind the end of the document "
+             "(note 1:2+1 the document begins here)"},
+        Case{"BehindItsEnd",
+             "a: 1\n...\nb: 2...\n",
+             "E0204 3:1+1 this stands behind the end of the document "
+             "(note 2:1+3 the document ends here)"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -247,6 +257,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Crossed",
              "a: [1, {b: 2]}\n",
              "E0204 1:8+1 '{' is not closed (note 1:13+1 ']' stands here)"},
+        Case{"OtherBracket",
+             "a: [7, 0}\n",
+             "E0204 1:9+1 '}' cannot close '[' (note 1:4+1 '[' is open since here)"},
+        Case{"OneTooManyInside",
+             "a: {b: [7, 0]]}\n",
+             "E0204 1:14+1 ']' cannot close '{' (note 1:4+1 '{' is open since here)"},
         Case{"ClosesNothing", "a: 1\nb: ]\n", "E0204 2:4+1 ']' closes nothing"},
         Case{"OneTooMany", "a: {b: 1}}\n", "E0204 1:10+1 '}' closes nothing"},
         Case{"MissingComma", "a: {b: 1 c: 2}\n", "E0204 1:11+1 expected ',' or '}' before ':'"},
@@ -277,17 +293,23 @@ INSTANTIATE_TEST_SUITE_P(
              "E0204 1:4+2 the quoted text that begins here is not closed"},
         Case{"ClosedByALaterOne",
              "a: 'x\nb: 'y'\n",
-             "E0204 2:5+1 'y'' does not fit into the mapping above it "
+             "E0204 2:5+1 'y'' stands behind a closing quote "
              "(note 1:4+2 the quoted text that begins here goes over lines)"},
-        Case{
-            "Apostrophe", "a: 'it's'\n", "E0204 1:8+1 's'' does not fit into the mapping above it"},
+        Case{"Apostrophe", "a: 'it's'\n", "E0204 1:8+1 's'' stands behind a closing quote"},
         Case{"UnknownEscape", "a: \"x\\q\"\n", "E0204 1:8+1 unknown escape before '\"'"},
-        Case{"ControlByEscape",
-             "a: \"x\\0\"\n",
-             "E0203 1:4+5 an escape in this text stands for a control character"},
+        Case{"ControlByEscape", "a: \"x\\0\"\n", "E0203 1:6+2 escape '\\0' cannot stand in a text"},
+        Case{"ControlByNumber",
+             "a: \"\\t\\x41 \\u001b[\"\n",
+             "E0203 1:12+6 escape '\\u001b' cannot stand in a text"},
+        Case{"ControlBehindABackslash",
+             "a: \"\\\\0 \\e\"\n",
+             "E0203 1:9+2 escape '\\e' cannot stand in a text"},
+        Case{"OrderMarkByNumber",
+             "a: \"\\U0000feff\"\n",
+             "E0203 1:5+10 escape '\\U0000feff' cannot stand in a text"},
         Case{"EscapeThatTheParserGarbles",
              "a: \"\\N\"\n",
-             "E0203 1:4+4 an escape in this text stands for a control character"}),
+             "E0203 1:5+2 escape '\\N' cannot stand in a text"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -309,6 +331,16 @@ INSTANTIATE_TEST_SUITE_P(
              "a: 1\n- b\n",
              "E0204 2:1+1 '-' does not fit into the mapping above it"},
         Case{"ItemOnTheLineOfItsKey", "a: - b\n", "E0204 1:4+1 '-' cannot begin an item here"},
+        Case{"NoColon", "a: 1\nb 2\nc: 3\n", "E0204 2:1+3 this line has no ':' behind its key"},
+        Case{"NoColonTwice",
+             "a: 1\n# b\nb 2\n\nc\nd: 3\n",
+             "E0204 3:1+3 this line has no ':' behind its key"},
+        Case{"NoSpaceBehindTheColon",
+             "a:\n  b: 1\n  c:2\n  d: 3\n",
+             "E0204 3:3+3 this line has no ':' behind its key"},
+        Case{"NoColonOnTheFirstLine",
+             "a\nb: 1\n",
+             "E0204 1:1+1 this line has no ':' behind its key"},
         Case{"TwoColons", "a: b: c\n", "E0204 1:5+1 ':' cannot stand here"}),
     name_of);
 

@@ -172,11 +172,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"BodyJoinedToItself", "", "  c: {type: rigid, bodies: [rod, rod]}\n", "E0312"},
         Mistake{"PlanarRevoluteAboutX", ", axis: x", "", "E0314"},
-        Mistake{"SliderWithoutAxis", "", "  c: {type: prismatic, bodies: [frame, rod]}\n", "E0303"},
+        Mistake{"SliderWithoutAxis", "", "  c: {type: prismatic, bodies: [frame, rod]}\n", "E0314"},
         Mistake{"GearWithoutDirection",
                 "",
                 "  c: {type: gear, bodies: [frame, rod], at: [1, 2]}\n",
-                "E0303"},
+                "E0314"},
         Mistake{"GearWithTwoDirections",
                 "",
                 "  c: {type: gear, bodies: [frame, rod], at: [1, 2], line_of_action: x, "

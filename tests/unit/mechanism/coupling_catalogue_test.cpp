@@ -83,6 +83,8 @@ TEST_P(CatalogueRow, FreedomsAndConstraintsFillTheOrderOfTheSpace) {
     case CouplingType::rigid:
       EXPECT_EQ(sum, order);
       break;
+    default:
+      FAIL() << "not in the catalogue";
   }
 }
 

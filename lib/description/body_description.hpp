@@ -1,0 +1,19 @@
+// A body as the user wrote it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "description/value.hpp"
+
+namespace kinestat {
+
+struct BodyDescription {
+  Name name;
+  std::optional<PointDescription> reference;  ///< default: the first coupling's point
+  std::optional<Value> mass;
+  std::optional<PointDescription> centre_of_mass;
+  std::vector<PointDescription> outline;  ///< for pictures
+};
+
+}  // namespace kinestat

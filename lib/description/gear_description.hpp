@@ -1,0 +1,50 @@
+// The section `gears`: gear trains in teeth, from which the geometry follows.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "description/value.hpp"
+
+namespace kinestat {
+
+/// Which flank carries: that on which the load presses, or always the same as in the source.
+enum class Flank { loaded, fixed };
+
+/// Which of two triangles a further planet stands on, seen from its neighbour.
+enum class PlanetSide { left, right };
+
+/// A gear wheel; two members may share a body (stepped planets).
+struct GearMember {
+  Name name;
+  Name body;
+  Value teeth;
+  bool internal = false;                 ///< a ring
+  std::optional<Value> count;            ///< how many equal planets there are
+  std::optional<Value> centre_distance;  ///< of a planet from the main axis
+  PlanetSide side = PlanetSide::left;
+};
+
+/// Two members in mesh; `carrier` is the body that holds their centres apart.
+struct MeshDescription {
+  Name name;
+  Name first;
+  Name second;
+  std::optional<Name> carrier;
+  std::optional<Value> at;      ///< position along the axis
+  std::optional<Value> module;  ///< this and the angles: default those of the section
+  std::optional<Value> pressure_angle;
+  std::optional<Value> helix_angle;
+};
+
+struct GearsDescription {
+  std::optional<Value> module;
+  std::optional<Value> pressure_angle;
+  std::optional<Value> helix_angle;
+  Flank flank = Flank::loaded;
+  std::vector<GearMember> members;
+  std::vector<MeshDescription> meshes;
+  SourceRange where;
+};
+
+}  // namespace kinestat

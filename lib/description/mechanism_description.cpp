@@ -1,0 +1,16 @@
+#include "description/mechanism_description.hpp"
+
+namespace kinestat {
+
+std::vector<Parameter> parameters_of(const MechanismDescription& description) {
+  std::vector<Parameter> parameters;
+  for (const ParameterDescription& parameter : description.parameters) {
+    parameters.push_back({.name = parameter.name.text,
+                          .value = parameter.value.expression,
+                          .name_where = parameter.name.where,
+                          .value_where = parameter.value.where});
+  }
+  return parameters;
+}
+
+}  // namespace kinestat

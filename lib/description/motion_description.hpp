@@ -1,0 +1,33 @@
+// The section `motion`: a finite motion from the drawn position.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "description/value.hpp"
+
+namespace kinestat {
+
+/// One drive and the range it runs through, measured from the drawn position.
+struct DriveRange {
+  Name actuator;
+  std::optional<Value> from;
+  std::optional<Value> to;
+};
+
+/// A point of a body whose path is reported.
+struct TracePoint {
+  Name body;
+  PointDescription at;
+};
+
+struct MotionDescription {
+  std::vector<DriveRange> drives;
+  std::optional<Value> steps;
+  std::optional<Name> label;  ///< of the case that gives speeds and loads
+  std::vector<TracePoint> trace;
+  std::vector<Name> report;  ///< `velocity`, `acceleration`, … or coupling.freedom
+  SourceRange where;
+};
+
+}  // namespace kinestat

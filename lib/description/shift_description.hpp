@@ -1,0 +1,33 @@
+// The section `shift`: which elements make which gear.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "description/value.hpp"
+
+namespace kinestat {
+
+/// A magnitude for every input, or for the actuator `target` alone.
+struct InputValue {
+  std::optional<Name> target;
+  Value value;
+};
+
+/// A label for one combination of engaged elements.
+struct GearLabel {
+  Name label;
+  std::vector<Name> elements;
+};
+
+struct ShiftDescription {
+  std::vector<Name> inputs;    ///< actuators
+  std::vector<Name> outputs;   ///< actuators
+  std::vector<Name> elements;  ///< clutches and brakes
+  std::vector<InputValue> input_motion;
+  std::vector<InputValue> input_action;
+  std::vector<GearLabel> names;
+  SourceRange where;
+};
+
+}  // namespace kinestat

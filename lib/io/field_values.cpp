@@ -1,0 +1,99 @@
+#include "io/field_values.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "io/value_reader.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::string title(std::string_view key, const Fields& fields) {
+  return fmt::format("'{}' of {}", key, fields.what());
+}
+
+}  // namespace
+
+std::optional<Value> find_value(Fields& fields, std::string_view key, Diagnostics& found) {
+  const YamlNode* node = fields.find(key);
+  return node == nullptr ? std::nullopt : read_value(*node, title(key, fields), found);
+}
+
+std::optional<Name> find_reference(Fields& fields, std::string_view key, Diagnostics& found) {
+  const YamlNode* node = fields.find(key);
+  return node == nullptr ? std::nullopt : read_reference(*node, title(key, fields), found);
+}
+
+std::vector<Name> find_references(Fields& fields, std::string_view key, Diagnostics& found) {
+  const YamlNode* node = fields.find(key);
+  return node == nullptr
+             ? std::vector<Name>()
+             : read_references(*node, title(key, fields), found).value_or(std::vector<Name>{});
+}
+
+bool find_bool(Fields& fields, std::string_view key, Diagnostics& found) {
+  const YamlNode* node = fields.find(key);
+  return node != nullptr && read_bool(*node, title(key, fields), found).value_or(false);
+}
+
+std::optional<PointDescription> find_point(Fields& fields,
+                                           std::string_view key,
+                                           Space space,
+                                           Diagnostics& found) {
+  const YamlNode* node = fields.find(key);
+  return node == nullptr ? std::nullopt : read_point(*node, title(key, fields), space, found);
+}
+
+std::optional<std::size_t> find_word(Fields& fields,
+                                     std::string_view key,
+                                     std::span<const std::string> words,
+                                     Diagnostics& found) {
+  const YamlNode* node = fields.find(key);
+  return node == nullptr ? std::nullopt : read_word(*node, title(key, fields), words, found);
+}
+
+Value require_value(Fields& fields, std::string_view key, Diagnostics& found) {
+  const YamlNode* node = fields.require(key);
+  const auto value = node == nullptr ? std::nullopt : read_value(*node, title(key, fields), found);
+  return value.value_or(Value{});
+}
+
+Name require_reference(Fields& fields, std::string_view key, Diagnostics& found) {
+  const YamlNode* node = fields.require(key);
+  const auto name =
+      node == nullptr ? std::nullopt : read_reference(*node, title(key, fields), found);
+  return name.value_or(Name{});
+}
+
+std::vector<Name> require_references(Fields& fields, std::string_view key, Diagnostics& found) {
+  const YamlNode* node = fields.require(key);
+  const auto names =
+      node == nullptr ? std::nullopt : read_references(*node, title(key, fields), found);
+  if (names && names->empty()) {
+    found.error("E0304",
+                node->where,
+                fmt::format("{} names nothing", title(key, fields)),
+                fmt::format("write {}: [NAME, NAME, …]", key));
+  }
+  return names.value_or(std::vector<Name>{});
+}
+
+PointDescription require_point(Fields& fields,
+                               std::string_view key,
+                               Space space,
+                               Diagnostics& found) {
+  const YamlNode* node = fields.require(key);
+  const auto point =
+      node == nullptr ? std::nullopt : read_point(*node, title(key, fields), space, found);
+  return point.value_or(PointDescription{});
+}
+
+SourceRange place_of_key(const YamlNode& mapping, std::string_view key) {
+  const auto at = std::ranges::find(mapping.entries, key, &YamlEntry::key);
+  return at != mapping.entries.end() ? at->key_where : mapping.where;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,145 @@
+#include "io/synonyms.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+
+namespace kinestat {
+
+namespace {
+
+struct Synonym {
+  std::string_view word;  ///< in lower case
+  std::string_view meant;
+};
+
+// Where a word may mean several things, the first that is a candidate at the place counts.
+constexpr auto kSynonyms = std::to_array<Synonym>({
+    {"version", "kinestat"},
+    {"format", "kinestat"},
+    {"title", "name"},
+    {"reference", "source"},
+    {"dimension", "space"},
+    {"variables", "parameters"},
+    {"constants", "parameters"},
+    {"frame", "ground"},
+    {"base", "ground"},
+    {"fixed", "ground"},
+    {"links", "bodies"},
+    {"parts", "bodies"},
+    {"members", "bodies"},
+    {"between", "bodies"},
+    {"connects", "bodies"},
+    {"joints", "couplings"},
+    {"pairs", "couplings"},
+    {"connections", "couplings"},
+    {"constraints", "couplings"},
+    {"motors", "actuators"},
+    {"drives", "actuators"},
+    {"inputs", "actuators"},
+    {"inputs", "input"},
+    {"outputs", "output"},
+    {"in", "input"},
+    {"out", "output"},
+    {"forces", "loads"},
+    {"ropes", "cables"},
+    {"belts", "cables"},
+    {"loadcases", "cases"},
+    {"load_cases", "cases"},
+    {"scenarios", "cases"},
+    {"velocity", "motion"},
+    {"velocities", "motion"},
+    {"speeds", "motion"},
+    {"actions", "action"},
+    {"torque", "action"},
+    {"force", "action"},
+    {"joint", "coupling"},
+    {"joint", "couplings"},
+    {"kind", "type"},
+    {"joint_type", "type"},
+    {"position", "at"},
+    {"point", "at"},
+    {"location", "at"},
+    {"pos", "at"},
+    {"direction", "axis"},
+    {"dir", "axis"},
+    {"alpha", "pressure_angle"},
+    {"beta", "helix_angle"},
+    {"z", "teeth"},
+    {"number_of_teeth", "teeth"},
+    {"mu", "friction"},
+    {"center_of_mass", "centre_of_mass"},
+    {"cog", "centre_of_mass"},
+    {"center", "centre"},
+    {"center_distance", "centre_distance"},
+    {"pin", "revolute"},
+    {"hinge", "revolute"},
+    {"pivot", "revolute"},
+    {"revolution", "revolute"},
+    {"rotation", "revolute"},
+    {"rotational", "revolute"},
+    {"r", "revolute"},
+    {"slider", "prismatic"},
+    {"slide", "prismatic"},
+    {"translation", "prismatic"},
+    {"translational", "prismatic"},
+    {"sliding", "prismatic"},
+    {"p", "prismatic"},
+    {"screw", "helical"},
+    {"c", "cylindrical"},
+    {"cylinder", "cylindrical"},
+    {"cardan", "universal"},
+    {"hooke", "universal"},
+    {"u", "universal"},
+    {"ball", "spherical"},
+    {"s", "spherical"},
+    {"plane", "planar"},
+    {"2d", "planar"},
+    {"3d", "spatial"},
+    {"fixed", "rigid"},
+    {"weld", "rigid"},
+    {"welded", "rigid"},
+    {"spur_gear", "gear"},
+    {"gears", "gear"},
+    {"mesh", "gear"},
+    {"bevel", "bevel_gear"},
+    {"worm_gear", "worm"},
+    {"pin_slot", "pin_in_slot"},
+    {"rope", "cable"},
+    {"belt", "cable"},
+    {"cw", "clockwise"},
+    {"ccw", "counterclockwise"},
+    {"anticlockwise", "counterclockwise"},
+    {"4bar", "four_bar"},
+    {"fourbar", "four_bar"},
+});
+
+std::string in_lower_case(std::string_view word) {
+  std::string result(word);
+  std::ranges::transform(result, result.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return result;
+}
+
+}  // namespace
+
+std::string meant_name(std::string_view word, std::span<const std::string> candidates) {
+  const std::string lower = in_lower_case(word);
+  for (const Synonym& row : kSynonyms) {
+    if (row.word == lower && std::ranges::find(candidates, row.meant) != candidates.end()) {
+      return std::string(row.meant);
+    }
+  }
+  return nearest_name(word, candidates);
+}
+
+std::string did_you_mean_word(std::string_view word, std::span<const std::string> candidates) {
+  const std::string guess = meant_name(word, candidates);
+  return guess.empty() ? guess : fmt::format("did you mean '{}'?", guess);
+}
+
+}  // namespace kinestat

@@ -1,0 +1,87 @@
+#include "mechanism/internal/loss_check.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace kinestat {
+
+namespace {
+
+constexpr NumberRule kLoss = {
+    .kind = QuantityKind::dimensionless,
+    .accepts = [](double x) { return x >= 0.0 && x < 1.0; },
+    .allowed = "the share of the power that is lost, from 0 to below 1: 2 % is 0.02"};
+
+constexpr NumberRule kEfficiency = {
+    .kind = QuantityKind::dimensionless,
+    .accepts = [](double x) { return x > 0.0 && x <= 1.0; },
+    .allowed = "the share of the power that is left, above 0 and at most 1: 98 % is 0.98"};
+
+constexpr NumberRule kToothFactor = {.kind = QuantityKind::dimensionless,
+                                     .accepts = [](double x) { return x >= 0.0; },
+                                     .allowed = "a number that is not negative"};
+
+void check_value(const LossValue& loss, const std::string& what, const SectionContext& context) {
+  switch (loss.form) {
+    case LossForm::fraction:
+      context.number(loss.value, kLoss, what);
+      return;
+    case LossForm::efficiency:
+      context.number(loss.value, kEfficiency, "'eta' of " + what);
+      return;
+    case LossForm::teeth:
+      context.number(loss.value, kToothFactor, "'k' of " + what);
+      return;
+  }
+}
+
+bool has_teeth(const Name& coupling, const MechanismDescription& description) {
+  return description.gears &&
+         std::ranges::any_of(description.gears->meshes, [&](const MeshDescription& mesh) {
+           return mesh.name.text == coupling.text;
+         });
+}
+
+void check_mesh(const MeshLoss& mesh, const SectionContext& context) {
+  const std::string& name = mesh.coupling.text;
+  const bool is_mesh = context.names.meshes.contains(name);
+  if (!is_mesh && context.names.couplings.contains(name)) {
+    context.found.error("E0313",
+                        mesh.coupling.where,
+                        fmt::format("'losses' names coupling '{}', which is no mesh", name),
+                        fmt::format("a bearing or slider has 'friction:' in 'couplings', for "
+                                    "example {}: {{…, friction: 0.1}}",
+                                    name));
+  } else {
+    context.names.meshes.check(mesh.coupling, "'losses' names", context.found);
+  }
+  check_value(mesh.loss, fmt::format("the loss of mesh '{}'", name), context);
+  if (is_mesh && mesh.loss.form == LossForm::teeth &&
+      !has_teeth(mesh.coupling, context.description)) {
+    context.found.error("E0303",
+                        mesh.loss.value.where,
+                        fmt::format("mesh '{}' has no teeth to find its loss from", name),
+                        "write the loss itself, or describe the mesh in 'gears'");
+  }
+}
+
+}  // namespace
+
+void check_losses(const SectionContext& context) {
+  if (!context.description.losses) {
+    return;
+  }
+  const LossDescription& losses = *context.description.losses;
+  if (losses.gear_external) {
+    check_value(*losses.gear_external, "'gear_external' of 'losses'", context);
+  }
+  if (losses.gear_internal) {
+    check_value(*losses.gear_internal, "'gear_internal' of 'losses'", context);
+  }
+  for (const MeshLoss& mesh : losses.meshes) {
+    check_mesh(mesh, context);
+  }
+}
+
+}  // namespace kinestat

@@ -1,0 +1,44 @@
+#include "mechanism/internal/section_checks.hpp"
+
+#include "mechanism/internal/body_check.hpp"
+#include "mechanism/internal/cable_check.hpp"
+#include "mechanism/internal/gear_check.hpp"
+#include "mechanism/internal/load_check.hpp"
+#include "mechanism/internal/loss_check.hpp"
+#include "mechanism/internal/motion_check.hpp"
+#include "mechanism/internal/report_name_check.hpp"
+#include "mechanism/internal/shift_check.hpp"
+#include "mechanism/internal/sweep_check.hpp"
+#include "mechanism/internal/synthesis_check.hpp"
+
+namespace kinestat {
+
+void check_sections(const MechanismDescription& description,
+                    Evaluator& evaluator,
+                    Diagnostics& found) {
+  const DeclaredNames names = declare_names(description, found);
+  const SectionContext context = {
+      .description = description, .names = names, .evaluator = evaluator, .found = found};
+  check_bodies(context);
+  check_gears(context);
+  check_cables(context);
+  check_loads(context);
+  check_losses(context);
+  check_shift(context);
+  check_motion(context);
+  check_sweep(context);
+  check_synthesis(context);
+}
+
+void check_reported_quantities(const MechanismDescription& description,
+                               const Topology& topology,
+                               Diagnostics& found) {
+  if (description.motion) {
+    check_report_quantities(description.motion->report, topology, found);
+  }
+  if (description.sweep) {
+    check_report_quantities(description.sweep->report, topology, found);
+  }
+}
+
+}  // namespace kinestat

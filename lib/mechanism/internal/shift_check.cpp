@@ -1,0 +1,211 @@
+#include "mechanism/internal/shift_check.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+
+namespace kinestat {
+
+namespace {
+
+bool holds(const std::vector<Name>& list, std::string_view name) {
+  return std::ranges::any_of(list, [&](const Name& one) { return one.text == name; });
+}
+
+std::vector<std::string> texts_of(const std::vector<Name>& list) {
+  std::vector<std::string> texts;
+  texts.reserve(list.size());
+  for (const Name& name : list) {
+    texts.push_back(name.text);
+  }
+  return texts;
+}
+
+// Which quantities an input's motion and action are.
+struct Sides {
+  QuantityKind turning = QuantityKind::angular_velocity;
+  QuantityKind sliding = QuantityKind::velocity;
+};
+
+constexpr Sides kMotion = {.turning = QuantityKind::angular_velocity,
+                           .sliding = QuantityKind::velocity};
+constexpr Sides kAction = {.turning = QuantityKind::moment, .sliding = QuantityKind::force};
+
+class ShiftCheck {
+ public:
+  ShiftCheck(const SectionContext& context, const ShiftDescription& shift)
+      : context_(context), shift_(shift) {}
+
+  void run() {
+    check_actuators(shift_.inputs, "'input' of 'shift'");
+    check_actuators(shift_.outputs, "'output' of 'shift'");
+    check_actuators(shift_.elements, "'elements' of 'shift'");
+    check_roles();
+    check_values(shift_.input_motion, kMotion, "'input_motion'");
+    check_values(shift_.input_action, kAction, "'input_action'");
+    for (const GearLabel& gear : shift_.names) {
+      check_label(gear);
+    }
+  }
+
+ private:
+  void check_actuators(const std::vector<Name>& list, const std::string& what) {
+    for (const Name& name : list) {
+      context_.names.check_actuator(name, what + " names", context_.found);
+    }
+    context_.repeats(list, what);
+  }
+
+  // An actuator is one of input, output and element.
+  void check_roles() {
+    for (const Name& output : shift_.outputs) {
+      if (holds(shift_.inputs, output.text)) {
+        refuse_role(output, "both input and output");
+      }
+    }
+    for (const Name& element : shift_.elements) {
+      if (holds(shift_.inputs, element.text)) {
+        refuse_role(element, "both input and shift element");
+      } else if (holds(shift_.outputs, element.text)) {
+        refuse_role(element, "both output and shift element");
+      }
+    }
+  }
+
+  void refuse_role(const Name& name, std::string_view roles) {
+    context_.found.error("E0305",
+                         name.where,
+                         fmt::format("'{}' cannot be {}", name.text, roles),
+                         "name it in one of the two; a shaft that is driven and shifted has an "
+                         "actuator for each");
+  }
+
+  void check_values(const std::vector<InputValue>& values,
+                    const Sides& sides,
+                    const std::string& what) {
+    for (const InputValue& one : values) {
+      if (!one.target) {
+        check_for_all(one.value, sides, what);
+      } else if (holds(shift_.inputs, one.target->text)) {
+        check_value(one.value, context_.names.kind_of_actuator(one.target->text), sides, what);
+      } else {
+        context_.evaluator.quantity(one.value);
+        check_target(*one.target, what);
+      }
+    }
+  }
+
+  // One value for inputs that turn and inputs that slide cannot fit both: the second one complains.
+  void check_for_all(const Value& value, const Sides& sides, const std::string& what) {
+    std::set<DriveKind> kinds;
+    for (const Name& input : shift_.inputs) {
+      kinds.insert(context_.names.kind_of_actuator(input.text));
+    }
+    if (kinds.contains(DriveKind::turning) && kinds.contains(DriveKind::sliding)) {
+      context_.found.error("E0309",
+                           value.where,
+                           fmt::format("{} is one value for inputs that turn and slide", what),
+                           fmt::format("write one for each: {{{}: …, {}: …}}",
+                                       shift_.inputs[0].text,
+                                       shift_.inputs[1].text));
+      return;
+    }
+    for (const DriveKind kind : kinds) {
+      check_value(value, kind, sides, what);
+    }
+  }
+
+  void check_value(const Value& value,
+                   DriveKind kind,
+                   const Sides& sides,
+                   const std::string& what) {
+    if (kind == DriveKind::unknown) {
+      context_.evaluator.quantity(value);
+      return;
+    }
+    const NumberRule rule = {
+        .kind = kind == DriveKind::sliding ? sides.sliding : sides.turning,
+        .accepts = [](double x) { return x != 0.0; },
+        .allowed = "a value other than zero: gears are seen only when the input works"};
+    context_.number(value, rule, what);
+  }
+
+  // Where an input itself is misspelt, an actuator here may well be the one that is meant.
+  void check_target(const Name& target, const std::string& what) {
+    const NameTable& actuators = context_.names.actuators;
+    const bool are_inputs_known = std::ranges::all_of(
+        shift_.inputs, [&](const Name& input) { return actuators.contains(input.text); });
+    if (are_inputs_known || !actuators.contains(target.text)) {
+      refuse_target(target, what);
+    }
+  }
+
+  void refuse_target(const Name& target, const std::string& what) {
+    const std::vector<std::string> inputs = texts_of(shift_.inputs);
+    const std::string guess = did_you_mean(target.text, inputs);
+    context_.found.error(
+        "E0313",
+        target.where,
+        fmt::format("{} names '{}', which is no input of 'shift'", what, target.text),
+        fmt::format("inputs are {}{}{}", plain_list(inputs), guess.empty() ? "" : "; ", guess));
+  }
+
+  void check_label(const GearLabel& gear) {
+    const std::string what = fmt::format("gear '{}'", gear.label.text);
+    for (const Name& element : gear.elements) {
+      if (!holds(shift_.elements, element.text)) {
+        refuse_element(element, what);
+      }
+    }
+    context_.repeats(gear.elements, what);
+    if (context_.names.cases.contains(gear.label.text)) {
+      const int index = context_.names.cases.find(gear.label.text);
+      complain(gear.label,
+               fmt::format("{} has the label of a case", what),
+               "every gear is a case of the report; give one of the two another label",
+               context_.names.cases.where(index));
+    }
+    const std::vector<std::string> list = texts_of(gear.elements);
+    const std::set<std::string> engaged(list.begin(), list.end());
+    const auto [at, is_new] = labels_.emplace(engaged, &gear);
+    if (!is_new) {
+      complain(gear.label,
+               fmt::format("{} engages the same elements as '{}'", what, at->second->label.text),
+               "correct the elements, or keep one of the two labels",
+               at->second->label.where);
+    }
+  }
+
+  void refuse_element(const Name& element, const std::string& what) {
+    const std::vector<std::string> elements = texts_of(shift_.elements);
+    const std::string guess = did_you_mean(element.text, elements);
+    context_.found.error(
+        "E0313",
+        element.where,
+        fmt::format("{} engages '{}', which is not in 'elements'", what, element.text),
+        fmt::format("elements are {}{}{}", plain_list(elements), guess.empty() ? "" : "; ", guess));
+  }
+
+  void complain(const Name& label, std::string message, std::string hint, SourceRange first) {
+    auto& problem = context_.found.error("E0307", label.where, std::move(message), std::move(hint));
+    problem.notes.push_back({first, "first declared here"});
+  }
+
+  const SectionContext& context_;
+  const ShiftDescription& shift_;
+  std::map<std::set<std::string>, const GearLabel*> labels_;
+};
+
+}  // namespace
+
+void check_shift(const SectionContext& context) {
+  if (context.description.shift) {
+    ShiftCheck(context, *context.description.shift).run();
+  }
+}
+
+}  // namespace kinestat

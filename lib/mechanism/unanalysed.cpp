@@ -1,0 +1,112 @@
+#include "mechanism/unanalysed.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "mechanism/coupling_catalogue.hpp"
+#include "mechanism/internal/geometry_check.hpp"
+
+namespace kinestat {
+
+namespace {
+
+bool asks_statics(const MechanismDescription& description) {
+  return std::ranges::any_of(description.cases, &CaseDescription::asks_actions);
+}
+
+std::string word(const CouplingDescription& coupling) {
+  return fmt::format("{} '{}'", word_of(coupling.type), coupling.name.text);
+}
+
+void add_coupling(const CouplingDescription& coupling,
+                  bool has_statics,
+                  std::vector<Unanalysed>& list) {
+  const auto add = [&](SourceRange where, std::string what, bool decides) {
+    list.push_back({.where = where, .what = std::move(what), .hint = {}, .decides = decides});
+  };
+  if (!is_in_catalogue(coupling.type)) {
+    add(coupling.name.where, fmt::format("coupling type '{}'", word_of(coupling.type)), true);
+  } else if (is_counted_only(coupling)) {
+    list.push_back(
+        {.where = coupling.name.where,
+         .what = fmt::format("a file that can only be counted, as {} has no 'at',", word(coupling)),
+         .hint = "add 'at', the point of the coupling in the drawn position",
+         .decides = true});
+  }
+  if (coupling.at && !coupling.at->of_bodies.empty()) {
+    add(coupling.at->where, fmt::format("misclosure of {}", word(coupling)), true);
+  }
+  if (coupling.at && coupling.at->along_axis) {
+    add(coupling.at->where,
+        fmt::format("position of {} along its axis alone", word(coupling)),
+        true);
+  }
+  if (coupling.contact || coupling.helix_angle) {
+    add(coupling.name.where,
+        fmt::format(
+            "{} of {}", coupling.contact ? "contact of the teeth" : "helix angle", word(coupling)),
+        has_statics || coupling.contact);
+  }
+  if (coupling.friction) {
+    add(coupling.friction->where, fmt::format("friction of {}", word(coupling)), has_statics);
+  }
+  if (!coupling.stiffness.empty()) {
+    add(coupling.stiffness.front().action.where,
+        fmt::format("stiffness of {}", word(coupling)),
+        false);
+  }
+}
+
+void add_model_sections(const MechanismDescription& description, std::vector<Unanalysed>& list) {
+  if (description.gears) {
+    list.push_back({description.gears->where, "section 'gears'", "", true});
+  }
+  if (!description.cables.empty()) {
+    list.push_back({description.cables_where, "section 'cables'", "", true});
+  }
+  const bool has_case_loads = std::ranges::any_of(
+      description.cases, [](const CaseDescription& one) { return !one.loads.empty(); });
+  if (!description.loads.empty() || has_case_loads) {
+    list.push_back({description.loads_where, "section 'loads'", "", true});
+  }
+  if (description.gravity) {
+    list.push_back({description.gravity->where, "section 'gravity'", "", true});
+  }
+}
+
+void add_passes(const MechanismDescription& description, std::vector<Unanalysed>& list) {
+  if (description.losses) {
+    list.push_back({description.losses->where, "section 'losses'", "", false});
+  }
+  if (description.indeterminate != IndeterminateChoice::report) {
+    list.push_back({description.statics_where, "section 'statics'", "", false});
+  }
+  if (description.shift) {
+    list.push_back({description.shift->where, "section 'shift'", "", false});
+  }
+  if (description.motion) {
+    list.push_back({description.motion->where, "section 'motion'", "", false});
+  }
+  if (description.sweep) {
+    list.push_back({description.sweep->where, "section 'sweep'", "", false});
+  }
+  if (description.synthesis) {
+    list.push_back({description.synthesis->where, "section 'synthesis'", "", false});
+  }
+}
+
+}  // namespace
+
+std::vector<Unanalysed> find_unanalysed(const MechanismDescription& description) {
+  std::vector<Unanalysed> list;
+  const bool has_statics = asks_statics(description);
+  for (const CouplingDescription& coupling : description.couplings) {
+    add_coupling(coupling, has_statics, list);
+  }
+  add_model_sections(description, list);
+  add_passes(description, list);
+  return list;
+}
+
+}  // namespace kinestat

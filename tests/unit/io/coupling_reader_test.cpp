@@ -1,0 +1,141 @@
+#include "io/coupling_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/read_text.hpp"
+
+namespace kinestat {
+namespace {
+
+Reading<std::vector<CouplingDescription>> couplings_of(const std::string& text,
+                                                       Space space = Space::spatial) {
+  return read_text(text, [space](const YamlNode& root, Diagnostics& found) {
+    return read_couplings(root, space, found);
+  });
+}
+
+// Every type with the keys that the format gives it.
+const std::vector<std::string> kFullest = {
+    "{type: revolute, bodies: [f, g], at: [0, 0, 0], axis: z, passive: [Rx], friction: 0.1}",
+    "{type: prismatic, bodies: [f, g], at: [0, 0, 0], axis: [1, 0, 1]}",
+    "{type: helical, bodies: [f, g], at: [0, 0, 0], axis: z, lead: 5 mm}",
+    "{type: helical, bodies: [f, g], at: [0, 0, 0], axis: z, pitch: 1 mm}",
+    "{type: cylindrical, bodies: [f, g], at: [0, 0, 0], axis: z}",
+    "{type: universal, bodies: [f, g], at: [0, 0, 0], axes: [x, z]}",
+    "{type: spherical, bodies: [f, g], at: [0, 0, 0], stiffness: {Rx: 2e6 N/m}}",
+    "{type: planar, bodies: [f, g], normal: z}",
+    "{type: point_contact, bodies: [f, g], at: [0, 0, 0], normal: z}",
+    "{type: cam, bodies: [f, g], at: [0, 0, 0], normal: z}",
+    "{type: line_contact, bodies: [f, g], at: [0, 0, 0], normal: z, line: x}",
+    "{type: sphere_in_tube, bodies: [f, g], at: [0, 0, 0], axis: z}",
+    "{type: pin_in_slot, bodies: [f, g], at: [0, 0, 0], slot: x}",
+    "{type: rigid, bodies: [f, g]}",
+    "{type: gear, bodies: [f, g], at: [0, 0, 0], axis: z, tangent: x, pressure_angle: 20 deg, "
+    "helix_angle: 10 deg, internal: true, contact: true}",
+    "{type: gear, bodies: [f, g], at: [0, 0, 0], axis: z, line_of_action: x}",
+    "{type: bevel_gear, bodies: [f, g], at: [0, 0, 0], axis: [0, 1, 1], line_of_action: x}",
+    "{type: worm, bodies: [f, g], at: [0, 0, 0], line_of_action: x, "
+    "screw: {rotation: z, at: [0, 0, 0], pitch: 2 mm}}",
+    "{type: rack, bodies: [f, g], at: [0, 0, 0], axis: z, line_of_action: x}",
+    "{type: clutch, bodies: [f, g], at: [0, 0, 0], axis: z, one_way: +}",
+    "{type: brake, bodies: [f, g], at: [0, 0, 0], axis: z, one_way: '-'}",
+    "{type: cable, bodies: [f, g], from: [0, 0, 0], to: [1, 0, 0]}",
+    "{type: screws, bodies: [f, g], freedoms: [{rotation: z, at: [0, 0, 0]}, {translation: x}], "
+    "constraints: [{force: y, at: [0, 0, 0]}, {couple: [1, 0, 0]}]}",
+};
+
+class EveryCoupling : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryCoupling, TakesItsKeys) {
+  const auto reading = couplings_of("a: " + GetParam() + "\n");
+
+  EXPECT_EQ(reading.complaints(), Complaints{});
+  EXPECT_EQ(reading.value.size(), 1U);
+}
+
+INSTANTIATE_TEST_SUITE_P(CouplingReader, EveryCoupling, testing::ValuesIn(kFullest));
+
+TEST(CouplingReader, ReadsWhatIsWritten) {
+  const auto reading = couplings_of(
+      "a: {type: worm, bodies: [f, g], at: [0, 0, 1], line_of_action: x, "
+      "screw: {rotation: -z, at: [0, 2, 0], pitch: 3 mm}, "
+      "friction: {mu: 0.1, radius: 5 mm, tau: 1, c: 2}, stiffness: {Rx: 4, Tz: 5}}\n");
+
+  ASSERT_EQ(reading.complaints(), Complaints{});
+  const CouplingDescription& a = reading.value[0];
+  EXPECT_EQ(a.type, CouplingType::worm);
+  EXPECT_EQ(a.tail.text, "f");
+  EXPECT_EQ(a.at->point->coordinates[2].expression.text(), "1");
+  EXPECT_EQ(a.screw->kind, ScrewWord::rotation);
+  EXPECT_EQ(a.screw->direction.sign, -1.0);
+  EXPECT_EQ(a.screw->pitch->expression.text(), "3 mm");
+  EXPECT_EQ(a.friction->radius->expression.text(), "5 mm");
+  EXPECT_FALSE(a.friction->length);
+  EXPECT_EQ(a.stiffness[1].action.text, "Tz");
+  EXPECT_FALSE(a.passive);
+}
+
+TEST(CouplingReader, KnowsTheKeysOfEachTypeOnly) {
+  EXPECT_EQ(couplings_of("a: {type: spherical, bodies: [f, g], at: [0, 0, 0], axis: z}\n"
+                         "b: {type: revolute, bodies: [f, g], at: [0, 0, 0], axes: [x, y]}\n"
+                         "c: {type: rigid, bodies: [f, g], pressure_angle: 20 deg}\n")
+                .complaints(),
+            (Complaints{"1:53 E0302 coupling 'a' has no key 'axis'",
+                        "2:52 E0302 coupling 'b' has no key 'axes'",
+                        "3:34 E0302 coupling 'c' has no key 'pressure_angle'"}));
+}
+
+TEST(CouplingReader, ReadsThePointAsDrawnOnEachBody) {
+  const auto reading = couplings_of(
+      "a: {type: revolute, bodies: [f, g], at: {f: [1, 3], g: [1.02, 3]}}\n", Space::planar);
+
+  ASSERT_EQ(reading.complaints(), Complaints{});
+  const CouplingPoint& at = *reading.value[0].at;
+  EXPECT_FALSE(at.point);
+  ASSERT_EQ(at.of_bodies.size(), 2U);
+  EXPECT_EQ(at.of_bodies[1].first.text, "g");
+  EXPECT_EQ(at.of_bodies[1].second.coordinates[0].expression.text(), "1.02");
+}
+
+TEST(CouplingReader, ReadsAPositionAlongTheAxis) {
+  const auto reading = couplings_of("a: {type: revolute, bodies: [f, g], at: 10 mm, axis: z}\n");
+
+  ASSERT_EQ(reading.complaints(), Complaints{});
+  EXPECT_EQ(reading.value[0].at->along_axis->expression.text(), "10 mm");
+}
+
+TEST(CouplingReader, ExplainsPointsOfOtherForms) {
+  EXPECT_EQ(couplings_of("a: {type: revolute, bodies: [f, g], at: {x: 1, y: 3}}\n"
+                         "b: {type: revolute, bodies: [f, g], at: {f: [1, 3]}}\n"
+                         "c: {type: revolute, bodies: [f, g], at: [1, 2, 3]}\n"
+                         "d: {type: revolute, bodies: [f, g], at: [1,5, 2,0]}\n",
+                         Space::planar)
+                .complaints(),
+            (Complaints{"1:41 E0304 the point of coupling 'a' is a mapping of coordinates",
+                        "2:41 E0304 the point of coupling 'b' is given for 1 bodies",
+                        "3:41 E0304 the point of coupling 'c' has 3 components, planar space "
+                        "needs 2",
+                        "4:41 E0304 the point of coupling 'd' has 4 components, planar space "
+                        "needs 2"}));
+}
+
+TEST(CouplingReader, WantsOneKindOfAScrew) {
+  EXPECT_EQ(couplings_of("a: {type: screws, bodies: [f, g], freedoms: [{}, {rotation: z, "
+                         "translation: x}, {translation: x, at: [0, 0, 0]}]}\n")
+                .complaints(),
+            (Complaints{"1:46 E0303 a screw of coupling 'a' needs one of rotation, translation, "
+                        "force and couple",
+                        "1:50 E0303 a screw of coupling 'a' needs one of rotation, translation, "
+                        "force and couple",
+                        "1:98 E0302 a screw of coupling 'a' has no key 'at'"}));
+}
+
+TEST(CouplingReader, GuessesTypesByTheirOtherNames) {
+  const auto reading = couplings_of("a: {type: hinge, bodies: [f, g]}\n");
+
+  ASSERT_EQ(reading.found.items().size(), 1U);
+  EXPECT_TRUE(reading.found.items()[0].hint.starts_with("did you mean 'revolute'?"));
+}
+
+}  // namespace
+}  // namespace kinestat

@@ -1,0 +1,130 @@
+#include "io/synthesis_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/read_text.hpp"
+
+namespace kinestat {
+namespace {
+
+Reading<std::optional<SynthesisDescription>> task_of(const std::string& text) {
+  return read_text(text, read_synthesis);
+}
+
+TEST(SynthesisReader, ReadsTheSmallestTask) {
+  const auto reading =
+      task_of("positions: [{at: [0, 1], angle: 30 deg}, {at: [2, 3], angle: 0}]\n");
+
+  ASSERT_EQ(reading.complaints(), Complaints{});
+  const SynthesisDescription& task = *reading.value;
+  EXPECT_EQ(task.linkage, LinkageKind::four_bar);
+  ASSERT_EQ(task.positions.size(), 2U);
+  EXPECT_EQ(task.positions[0].angles[0].expression.text(), "30 deg");
+  EXPECT_EQ(task.positions[0].order(), 1);
+  EXPECT_FALSE(task.limits.size);
+  EXPECT_FALSE(task.curve_count);
+}
+
+TEST(SynthesisReader, ReadsEveryKey) {
+  const auto reading = task_of(
+      "linkage: slider_crank\n"
+      "positions:\n"
+      "  - {at: [0, 0], angle: [30 deg, 40 deg], pole: [1, 2],\n"
+      "     curvature: {centre: [3, 2.6], free_point: [0.75, 2], m: 0.58},\n"
+      "     stationary: true, burmester: true}\n"
+      "limits: {transmission_angle: 30 deg, link_ratio: 12, size: 20}\n"
+      "vary: {m: {from: 0.2, to: 3}, free_point: {from: [0, 1], to: [2, 3]}}\n"
+      "curves: {count: 400}\n");
+
+  ASSERT_EQ(reading.complaints(), Complaints{});
+  const SynthesisDescription& task = *reading.value;
+  EXPECT_EQ(task.linkage, LinkageKind::slider_crank);
+  const PositionDescription& position = task.positions[0];
+  EXPECT_EQ(position.order(), 5);
+  EXPECT_EQ(position.angles.size(), 2U);
+  EXPECT_EQ(position.pole->coordinates[1].expression.text(), "2");
+  EXPECT_EQ(position.curvature->centre.coordinates[1].expression.text(), "2.6");
+  EXPECT_EQ(position.curvature->m->expression.text(), "0.58");
+  EXPECT_EQ(task.limits.link_ratio->expression.text(), "12");
+  ASSERT_EQ(task.vary.size(), 2U);
+  EXPECT_EQ(task.vary[0].name.text, "m");
+  EXPECT_EQ(task.vary[1].to[1].expression.text(), "3");
+  EXPECT_EQ(task.curve_count->expression.text(), "400");
+}
+
+TEST(SynthesisReader, ReadsDerivatives) {
+  const auto reading = task_of(
+      "positions: [{at: [0, 0], angle: 0, derivatives: [{at: [1, 0], angle: 1}, {at: [0, 2], "
+      "angle: 0}]}]\n");
+
+  ASSERT_EQ(reading.complaints(), Complaints{});
+  EXPECT_EQ(reading.value->positions[0].order(), 3);
+  EXPECT_EQ(reading.value->positions[0].derivatives[1].angle->expression.text(), "0");
+}
+
+TEST(SynthesisReader, NeedsPointAndAngle) {
+  EXPECT_EQ(task_of("linkage: any\n").complaints(),
+            (Complaints{"1:1 E0303 'synthesis' lacks the key 'positions'"}));
+  EXPECT_EQ(task_of("positions: [{}, 3]\n").complaints(),
+            (Complaints{"1:13 E0303 position 1 lacks the key 'at'",
+                        "1:13 E0303 position 1 lacks the key 'angle'",
+                        "1:17 E0304 position 2 must be a mapping of keys to values"}));
+}
+
+TEST(SynthesisReader, WantsEachOrderAfterTheOneBefore) {
+  const auto reading = task_of(
+      "positions:\n"
+      "  - {at: [0, 0], angle: 0, curvature: {centre: [1, 1]}}\n"
+      "  - {at: [0, 0], angle: 0, pole: [1, 1], stationary: true}\n"
+      "  - {at: [0, 0], angle: 0, burmester: true}\n");
+
+  EXPECT_EQ(reading.complaints(),
+            (Complaints{"2:28 E0303 'curvature' of position 1 needs 'pole' beside it",
+                        "3:42 E0303 'stationary' of position 2 needs 'curvature' beside it",
+                        "4:28 E0303 'burmester' of position 3 needs 'stationary' beside it"}));
+}
+
+TEST(SynthesisReader, RefusesAnOrderThatTheOneBeforeDenies) {
+  EXPECT_EQ(task_of("positions:\n"
+                    "  - {at: [0, 0], angle: 0, pole: [1, 1], curvature: {centre: [1, 2]},\n"
+                    "     stationary: false, burmester: true}\n")
+                .complaints(),
+            (Complaints{"3:25 E0303 'burmester' of position 1 needs 'stationary: true'"}));
+}
+
+TEST(SynthesisReader, RefusesAPoleBesideDerivatives) {
+  EXPECT_EQ(task_of("positions:\n"
+                    "  - {at: [0, 0], angle: 0, pole: [1, 1], derivatives: [{at: [1, 2]}]}\n")
+                .complaints(),
+            (Complaints{"2:28 E0302 position 1 cannot have 'pole' beside 'derivatives'"}));
+}
+
+TEST(SynthesisReader, WantsAnAngleInAllDerivativesOrInNone) {
+  EXPECT_EQ(
+      task_of("positions:\n"
+              "  - {at: [0, 0], angle: 0, derivatives: [{at: [1, 2]}, {at: [1, 2], angle: 3}]}\n")
+          .complaints(),
+      (Complaints{"2:41 E0303 only some derivatives of position 1 have an 'angle'"}));
+}
+
+TEST(SynthesisReader, ReportsWrongShapesAtTheirPlaces) {
+  EXPECT_EQ(task_of("linkage: fourbar\n"
+                    "positions:\n"
+                    "  - {at: [0, 0, 0], angle: [], pole: x, derivates: []}\n"
+                    "limits: {angle: 3}\n"
+                    "vary: {pole: {from: 1}, m: {from: 1}}\n"
+                    "curves: 3\n")
+                .complaints(),
+            (Complaints{"1:10 E0305 'linkage' of 'synthesis' cannot be 'fourbar'",
+                        "3:10 E0304 'at' of position 1 has 3 components, planar space needs 2",
+                        "3:28 E0304 'angle' of position 1 must be a list with something in it",
+                        "3:38 E0304 'pole' of position 1 has 1 component, planar space needs 2",
+                        "3:41 E0302 position 1 has no key 'derivates'",
+                        "4:10 E0302 'limits' of 'synthesis' has no key 'angle'",
+                        "5:28 E0303 'm' of 'vary' lacks the key 'to'",
+                        "5:8 E0302 'vary' of 'synthesis' has no key 'pole'",
+                        "6:9 E0304 'curves' of 'synthesis' must be a mapping of keys to values"}));
+}
+
+}  // namespace
+}  // namespace kinestat

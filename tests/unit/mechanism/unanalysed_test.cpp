@@ -1,0 +1,84 @@
+#include "mechanism/unanalysed.hpp"
+
+#include <gtest/gtest.h>
+
+#include "io/mechanism_reader.hpp"
+#include "mechanism/bind.hpp"
+#include "support/read_text.hpp"
+
+namespace kinestat {
+namespace {
+
+MechanismDescription description_of(const std::string& rest, const std::string& coupling) {
+  const std::string text =
+      "kinestat: 1\nspace: planar\nground: f\nbodies: [g]\ncouplings:\n  a: " + coupling + "\n" +
+      rest;
+  Diagnostics found;
+  const auto root = read_yaml({.path = "test.yaml", .text = text}, ReadLimits{}, found);
+  const auto description = root ? read_mechanism(*root, found) : std::nullopt;
+  EXPECT_EQ(complaints_of(found), Complaints{});
+  return description.value_or(MechanismDescription{});
+}
+
+constexpr const char* kHinge = "{type: revolute, bodies: [f, g], at: [0, 0]}";
+
+// "what" of each, with an exclamation mark where it decides.
+std::vector<std::string> list_of(const std::string& rest, const std::string& coupling = kHinge) {
+  std::vector<std::string> list;
+  for (const Unanalysed& one : find_unanalysed(description_of(rest, coupling))) {
+    list.push_back(one.what + (one.decides ? "!" : ""));
+  }
+  return list;
+}
+
+using List = std::vector<std::string>;
+
+TEST(Unanalysed, IsNothingInAFileOfThisVersion) {
+  EXPECT_EQ(list_of("cases: {c: {motion: {a.wz: 1}}}\n"), List{});
+}
+
+TEST(Unanalysed, NamesPassesThatNothingElseDependsOn) {
+  EXPECT_EQ(list_of("motion: {drive: m, to: 1}\nactuators: {m: {coupling: a}}\n"
+                    "statics: {indeterminate: minimum_norm}\n"),
+            (List{"section 'statics'", "section 'motion'"}));
+}
+
+TEST(Unanalysed, DecidesWhereTheAnswerWouldBeWrongWithoutIt) {
+  EXPECT_EQ(list_of("gravity: [0, -9.81]\n"), List{"section 'gravity'!"});
+  EXPECT_EQ(list_of("", "{type: cable, bodies: [f, g], from: [0, 0], to: [1, 0]}"),
+            List{"coupling type 'cable'!"});
+  EXPECT_EQ(list_of("", "{type: revolute, bodies: [f, g], at: {f: [0, 0], g: [0, 1]}}"),
+            List{"misclosure of revolute 'a'!"});
+}
+
+TEST(Unanalysed, FrictionDecidesOnlyTheStatics) {
+  const std::string hinge = "{type: revolute, bodies: [f, g], at: [0, 0], friction: 0.1}";
+
+  EXPECT_EQ(list_of("cases: {c: {motion: {a.wz: 1}}}\n", hinge), List{"friction of revolute 'a'"});
+  EXPECT_EQ(list_of("cases: {c: {action: {a.Rx: 1}}}\n", hinge), List{"friction of revolute 'a'!"});
+}
+
+TEST(Unanalysed, IsAnErrorOfTheAnalysisAndAWarningOfTheCheck) {
+  const auto description = description_of("gravity: [0, -9.81]\n", kHinge);
+  Diagnostics of_bind;
+  Diagnostics of_check;
+
+  EXPECT_FALSE(bind(description, of_bind));
+  EXPECT_TRUE(check(description, of_check));
+
+  EXPECT_EQ(complaints_of(of_bind), Complaints{"7:1 E0315 section 'gravity' is not analysed yet"});
+  EXPECT_EQ(complaints_of(of_check), Complaints{"7:1 W0302 section 'gravity' is not analysed yet"});
+}
+
+TEST(Unanalysed, ComesAfterWhatIsWrong) {
+  const auto description = description_of("gravity: [0, -9.81 mm]\n", kHinge);
+  Diagnostics found;
+
+  EXPECT_FALSE(bind(description, found));
+
+  ASSERT_EQ(found.items().size(), 1U);
+  EXPECT_EQ(found.items()[0].code, "E0309");
+}
+
+}  // namespace
+}  // namespace kinestat
