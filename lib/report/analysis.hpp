@@ -10,9 +10,23 @@
 #include "mobility/counts.hpp"
 #include "power/power_flow.hpp"
 #include "power/ratio.hpp"
+#include "sensitivity/affine.hpp"
 #include "statics/static_solution.hpp"
 
 namespace kinestat {
+
+/// The dependence of one rate or action on the free parameters, the magnitude in SI, the parameters
+/// in their units; empty if it is not affine.
+struct AffineMagnitude {
+  int index = 0;  ///< into Topology::freedoms or Topology::actions
+  std::optional<AffineValue> value;
+};
+
+/// A parameter that the file leaves free; the unit is empty for a bare number.
+struct FreeParameterLabel {
+  std::string name;
+  std::string unit;
+};
 
 /// The passes that a case asked for; a pass that it did not ask for is empty.
 struct CaseAnalysis {
@@ -21,6 +35,8 @@ struct CaseAnalysis {
   std::optional<StaticSolution> action;
   std::optional<PowerFlow> power;
   std::optional<Ratios> ratios;
+  std::vector<AffineMagnitude> affine_rates;    ///< only those that depend on a free parameter
+  std::vector<AffineMagnitude> affine_actions;  ///< likewise
 };
 
 /// One mechanism with its counts and its cases, in file order.
@@ -30,6 +46,7 @@ struct Analysis {
   Mechanism mechanism;
   MobilityCounts mobility;
   std::vector<CaseAnalysis> cases;
+  std::vector<FreeParameterLabel> free_parameters;
 };
 
 }  // namespace kinestat

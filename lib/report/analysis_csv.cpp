@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/utf8.hpp"
 #include "report/csv.hpp"
 #include "report/numbers.hpp"
 
@@ -41,15 +42,15 @@ class CsvWriter {
     const std::string number = value.is_null()             ? ""
                                : value.is_number_integer() ? std::to_string(value.get<long>())
                                                            : format_exact(value.get<double>());
-    text_ += csv_line(
-        std::array{analysis_.mechanism.name.empty() ? analysis_.file : analysis_.mechanism.name,
-                   place.label,
-                   place.pass,
-                   place.element,
-                   quantity,
-                   number,
-                   unit_of(place, quantity),
-                   place.status});
+    text_ += csv_line(std::array{
+        analysis_.mechanism.name.empty() ? printable(analysis_.file) : analysis_.mechanism.name,
+        place.label,
+        place.pass,
+        place.element,
+        quantity,
+        number,
+        unit_of(place, quantity),
+        place.status});
   }
 
   std::string unit_of(const Place& place, const std::string& quantity) const {

@@ -1,6 +1,7 @@
 #include "report/analysis_json.hpp"
 
 #include "core/diagnostic.hpp"
+#include "report/affine_report.hpp"
 #include "report/in_units.hpp"
 #include "report/json_values.hpp"
 #include "report/mechanism_json.hpp"
@@ -179,7 +180,9 @@ Json power_json(const Mechanism& mechanism, const PowerFlow& flow, const InUnits
   return result;
 }
 
-Json case_json(const Mechanism& mechanism, const CaseAnalysis& one, const FileUnits& units) {
+Json case_json(const Analysis& analysis, const CaseAnalysis& one) {
+  const Mechanism& mechanism = analysis.mechanism;
+  const FileUnits& units = analysis.description.units;
   const InUnits in(units, find_zero_snap(one, mechanism.geometry.length));
   Json result = object_of(8);
   result["primary"] = primary_json(mechanism, one.which);
@@ -199,6 +202,9 @@ Json case_json(const Mechanism& mechanism, const CaseAnalysis& one, const FileUn
   if (one.power) {
     result["power"] = power_json(mechanism, *one.power, in);
   }
+  if (!analysis.free_parameters.empty()) {
+    result["affine"] = affine_json(analysis, one);
+  }
   return result;
 }
 
@@ -210,8 +216,7 @@ Json analysis_json(const Analysis& analysis) {
   result["mobility"] = mobility_json(analysis.mobility);
   result["cases"] = object_of(8);
   for (const CaseAnalysis& one : analysis.cases) {
-    result["cases"][one.which.label] =
-        case_json(analysis.mechanism, one, analysis.description.units);
+    result["cases"][one.which.label] = case_json(analysis, one);
   }
   return result;
 }

@@ -1,7 +1,10 @@
 #include "report/diagnostic_text.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <string_view>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -50,9 +53,19 @@ std::string indent_to(std::string_view line, int column) {
   return result + std::string(static_cast<std::size_t>(std::max(0, column - at)), ' ');
 }
 
+// Whether a terminal may show the characters in another order than they stand.
+bool is_reordered(std::string_view line) {
+  constexpr auto kMarks = std::to_array<std::string_view>(
+      {"\u202A", "\u202B", "\u202C", "\u202D", "\u202E", "\u2066", "\u2067", "\u2068", "\u2069"});
+  return std::ranges::any_of(
+      kMarks, [line](std::string_view mark) { return line.find(mark) != line.npos; });
+}
+
 std::string excerpt(const SourceFile& source, const SourceRange& where) {
   const std::string_view line = line_of(source.text, where.line);
-  if (where.line == 0 || line.empty() || line.size() > kLongestLine || find_bad_character(line)) {
+  const bool can_be_shown = !line.empty() && line.size() <= kLongestLine &&
+                            !find_bad_character(line) && !is_reordered(line);
+  if (where.line == 0 || !can_be_shown) {
     return {};
   }
   return fmt::format("{:5} | {}\n      | {}{}\n",
@@ -63,7 +76,9 @@ std::string excerpt(const SourceFile& source, const SourceRange& where) {
 }
 
 std::string place(const SourceFile& source, const SourceRange& where) {
-  const std::string path = source.path == "-" ? "<stdin>" : source.path;
+  const std::string path = source.path.empty()  ? "kinestat"
+                           : source.path == "-" ? "<stdin>"
+                                                : printable(source.path);
   return where.line == 0 ? path : fmt::format("{}:{}:{}", path, where.line, where.column);
 }
 
@@ -86,11 +101,20 @@ std::string text_of(const SourceFile& source, const Diagnostic& one) {
 
 }  // namespace
 
+std::vector<Diagnostic> by_place(const Diagnostics& found) {
+  std::vector<Diagnostic> sorted(found.items().begin(), found.items().end());
+  std::ranges::stable_sort(sorted, {}, [](const Diagnostic& one) {
+    const int line = one.where.line == 0 ? std::numeric_limits<int>::max() : one.where.line;
+    return std::tuple(line, one.where.column);
+  });
+  return sorted;
+}
+
 std::string diagnostics_text(const SourceFile& source, const Diagnostics& found) {
   std::string text;
   int errors = 0;
   int warnings = 0;
-  for (const Diagnostic& one : found.items()) {
+  for (const Diagnostic& one : by_place(found)) {
     int& count = one.severity == Severity::error ? errors : warnings;
     if (++count <= kMostShown) {
       text += text_of(source, one);

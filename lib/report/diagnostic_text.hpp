@@ -2,15 +2,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/diagnostic.hpp"
 #include "core/source.hpp"
 
 namespace kinestat {
 
-/// All messages of one file: the first line of each is `path:line:column: error[E0312]: message`,
-/// which editors parse; then the line of the file with carets, notes and the hint. At most 20
-/// errors and 20 warnings; then a count.
+/// The messages in the order of the file, those about the whole file last.
+std::vector<Diagnostic> by_place(const Diagnostics& found);
+
+/// All messages of one file by place: the first line of each is `path:line:column: error[E0312]:
+/// message`, which editors parse; then the line of the file with carets, notes and the hint. At
+/// most 20 errors and 20 warnings; then a count. An empty path stands for the program itself.
 std::string diagnostics_text(const SourceFile& source, const Diagnostics& found);
 
 }  // namespace kinestat

@@ -3,6 +3,7 @@
 #include "report/analysis_csv.hpp"
 #include "report/analysis_json.hpp"
 #include "report/analysis_text.hpp"
+#include "report/mechanism_json.hpp"
 #include "report/published.hpp"
 
 namespace kinestat {
@@ -37,6 +38,25 @@ FileReport make_report(const Analysis& analysis, const ReportForms& forms, Diagn
   }
   if (forms.text) {
     report.text = analysis_text(analysis);
+  }
+  return report;
+}
+
+FileReport make_head_report(const std::string& file,
+                            const MechanismDescription& description,
+                            const ReportForms& forms,
+                            const Diagnostics& found) {
+  FileReport report;
+  Json json = report_head(file, description);
+  json["diagnostics"] = diagnostics_json(found);
+  if (forms.json) {
+    report.json = json.dump(2) + "\n";
+  }
+  if (forms.json_line) {
+    report.json_line = json.dump() + "\n";
+  }
+  if (forms.text) {
+    report.text = title_text(file, description);
   }
   return report;
 }

@@ -40,4 +40,11 @@ std::string_view csv_signature();
 /// carries all of `found`.
 FileReport make_report(const Analysis& analysis, const ReportForms& forms, Diagnostics& found);
 
+/// The report of a file that is right but has nothing that was analysed: what every report begins
+/// with, and the diagnostics.
+FileReport make_head_report(const std::string& file,
+                            const MechanismDescription& description,
+                            const ReportForms& forms,
+                            const Diagnostics& found);
+
 }  // namespace kinestat

@@ -1,5 +1,6 @@
 #include "report/mechanism_json.hpp"
 
+#include "core/utf8.hpp"
 #include "core/version.hpp"
 #include "report/in_units.hpp"
 
@@ -7,21 +8,48 @@ namespace kinestat {
 
 namespace {
 
+// The value in the unit of the file where its kind has one, else in SI.
+void add_value(const Quantity& value, const FileUnits& units, Json& entry) {
+  for (const QuantityKind kind : all_quantity_kinds()) {
+    if (kind != QuantityKind::dimensionless && dimension_of(kind) == value.dimension) {
+      entry["value"] = number(units.from_si(kind, value.value));
+      entry["unit"] = units.text(kind);
+      return;
+    }
+  }
+  entry["value"] = number(value.value);
+  entry["unit"] = is_bare(value.dimension) ? "" : si_unit_of(value.dimension);
+}
+
+Json parameters_json(const MechanismDescription& description) {
+  const ParameterTable table = evaluate_parameters(parameters_of(description)).table;
+  Json result = object_of(description.parameters.size());
+  for (const ParameterDescription& parameter : description.parameters) {
+    Json entry;
+    entry["expression"] = parameter.value.expression.text();
+    if (const Quantity* value = table.find(parameter.name.text)) {
+      add_value(*value, description.units, entry);
+    }
+    if (parameter.is_free) {
+      entry["free"] = true;
+    }
+    result[parameter.name.text] = std::move(entry);
+  }
+  return result;
+}
+
 Json mechanism_json(const std::string& file, const MechanismDescription& description) {
   Json result = object_of(8);
   result["name"] = description.name;
   result["source"] = description.source;
-  result["file"] = file;
+  result["file"] = printable(file);
   result["space"] = description.space == Space::planar ? "planar" : "spatial";
   for (const QuantityKind kind : all_quantity_kinds()) {
     if (!key_of(kind).empty()) {
       result["units"][std::string(key_of(kind))] = description.units.text(kind);
     }
   }
-  result["parameters"] = object_of(8);
-  for (const ParameterDescription& parameter : description.parameters) {
-    result["parameters"][parameter.name.text] = parameter.value.expression.text();
-  }
+  result["parameters"] = parameters_json(description);
   return result;
 }
 

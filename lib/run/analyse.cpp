@@ -1,10 +1,13 @@
 #include "run/analyse.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "mechanism/bind.hpp"
 #include "report/file_report.hpp"
 #include "run/findings.hpp"
 #include "run/solve_cases.hpp"
@@ -50,19 +53,41 @@ void add_to_stream(const FileReport& report, const AnalyseOptions& options, Outc
   }
 }
 
+// Empty if the description is wrong. One that is right, but has no mechanism or holds something
+// that decides and is not analysed yet, has a report that says so.
+std::optional<FileReport> analyse_description(const std::string& path,
+                                              MechanismDescription description,
+                                              const ReportForms& forms,
+                                              Diagnostics& found) {
+  std::optional<Mechanism> mechanism = bind(description, found);
+  if (mechanism) {
+    const Analysis analysis = solve_cases(
+        path, {.description = std::move(description), .mechanism = *std::move(mechanism)});
+    add_findings(analysis, found);
+    return make_report(analysis, forms, found);
+  }
+  const bool is_right = std::ranges::all_of(found.items(), [](const Diagnostic& one) {
+    return one.severity == Severity::warning || one.code == "E0315";
+  });
+  return is_right ? std::optional(make_head_report(path, description, forms, found)) : std::nullopt;
+}
+
 void analyse_file(const std::string& path,
                   const AnalyseOptions& options,
                   const ReportForms& forms,
                   Outcome& outcome) {
   SourceFile source;
   Diagnostics found;
-  if (std::optional<Loaded> loaded = load(path, options.overrides, source, found)) {
-    const Analysis analysis = solve_cases(path, *std::move(loaded));
-    add_findings(analysis, found);
-    const FileReport report = make_report(analysis, forms, found);
-    add_to_stream(report, options, outcome);
-    if (!options.output.folder.empty()) {
-      write_report(report, report_stem(path), options.output, found);
+  std::optional<MechanismDescription> description =
+      load_description(path, options.overrides, source, found);
+  if (description) {
+    const std::optional<FileReport> report =
+        analyse_description(path, *std::move(description), forms, found);
+    if (report) {
+      add_to_stream(*report, options, outcome);
+      if (!options.output.folder.empty()) {
+        write_report(*report, report_stem(path), options.output, found);
+      }
     }
   }
   add_diagnostics(source, found, options.strictness, outcome);
@@ -74,10 +99,11 @@ Outcome for_each_file(const std::vector<std::string>& paths,
                       const AnalyseOptions& options,
                       const Job& job) {
   Outcome outcome;
+  outcome.form = options.diagnostics;
   Diagnostics found;
   if (!options.output.folder.empty() &&
       !(check_distinct(paths, found) && check_output_folder(options.output.folder, found))) {
-    add_diagnostics({.path = "kinestat", .text = {}}, found, options.strictness, outcome);
+    add_diagnostics({}, found, options.strictness, outcome);
     return outcome;
   }
   for (const std::string& path : paths) {
@@ -106,7 +132,8 @@ Outcome check_files(const std::vector<std::string>& paths, const AnalyseOptions&
   return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
     SourceFile source;
     Diagnostics found;
-    if (load(path, options.overrides, source, found)) {
+    const auto description = load_description(path, options.overrides, source, found);
+    if (description && check(*description, found)) {
       outcome.out += fmt::format("{}: ok\n", path == "-" ? "<stdin>" : path);
     }
     add_diagnostics(source, found, options.strictness, outcome);

@@ -18,6 +18,7 @@ struct AnalyseOptions {
   StreamFormat format = StreamFormat::table;
   OutputOptions output;
   Strictness strictness = Strictness::normal;
+  DiagnosticsForm diagnostics = DiagnosticsForm::text;
   bool is_quiet = false;   ///< no table on standard output
   bool fail_fast = false;  ///< stop after the first file that fails
 };

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "core/utf8.hpp"
 #include "io/mechanism_reader.hpp"
 #include "io/read_file.hpp"
 #include "io/yaml_tree.hpp"
@@ -17,7 +18,8 @@ namespace kinestat {
 namespace {
 
 void refuse(const Override& text, std::string message, std::string hint, Diagnostics& found) {
-  found.error("E0102", {}, fmt::format("--set '{}': {}", text, message), std::move(hint));
+  found.error(
+      "E0102", {}, fmt::format("--set '{}': {}", printable(text), message), std::move(hint));
 }
 
 void apply(const Override& text, MechanismDescription& description, Diagnostics& found) {
@@ -36,8 +38,10 @@ void apply(const Override& text, MechanismDescription& description, Diagnostics&
     }
     const std::string guess = did_you_mean(name, names);
     refuse(text,
-           fmt::format("the file has no parameter '{}'", name),
-           names.empty()   ? "its section 'parameters' is empty"
+           fmt::format("the file has no parameter '{}'", printable(name)),
+           names.empty()   ? fmt::format("add 'parameters: {{{}}}' to the file and use '{}' in it",
+                                       printable(name + ": " + text.substr(equals + 1)),
+                                       printable(name))
            : guess.empty() ? fmt::format("its parameters are {}", plain_list(names))
                            : guess,
            found);
@@ -50,14 +54,15 @@ void apply(const Override& text, MechanismDescription& description, Diagnostics&
   }
   parameter->value.expression = std::get<Expression>(std::move(parsed));
   parameter->value.text_column = 0;
+  parameter->set_by = text;
 }
 
 }  // namespace
 
-std::optional<Loaded> load(const std::string& path,
-                           const std::vector<Override>& overrides,
-                           SourceFile& source,
-                           Diagnostics& found) {
+std::optional<MechanismDescription> load_description(const std::string& path,
+                                                     const std::vector<Override>& overrides,
+                                                     SourceFile& source,
+                                                     Diagnostics& found) {
   const ReadLimits limits;
   source.path = path;
   std::optional<SourceFile> file = read_file(path, limits, found);
@@ -76,11 +81,23 @@ std::optional<Loaded> load(const std::string& path,
   for (const Override& text : overrides) {
     apply(text, *description, found);
   }
-  if (found.has_errors()) {
+  return found.has_errors() ? std::nullopt : std::move(description);
+}
+
+std::optional<Loaded> load(const std::string& path,
+                           const std::vector<Override>& overrides,
+                           SourceFile& source,
+                           Diagnostics& found) {
+  std::optional<MechanismDescription> description =
+      load_description(path, overrides, source, found);
+  if (!description) {
     return std::nullopt;
   }
   std::optional<Mechanism> mechanism = bind(*description, found);
   if (!mechanism) {
+    if (!found.has_errors()) {
+      found.error("E0303", {}, "the file holds no mechanism", "add ground, bodies and couplings");
+    }
     return std::nullopt;
   }
   return Loaded{.description = *std::move(description), .mechanism = *std::move(mechanism)};

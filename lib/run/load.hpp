@@ -19,8 +19,15 @@ struct Loaded {
   Mechanism mechanism;
 };
 
-/// Reads, applies the overrides and binds. `source` keeps the text for messages, also when the
-/// result is empty, which it is iff an error was added.
+/// Reads and applies the overrides. `source` keeps the text for messages, also when the result is
+/// empty, which it is iff an error was added.
+std::optional<MechanismDescription> load_description(const std::string& path,
+                                                     const std::vector<Override>& overrides,
+                                                     SourceFile& source,
+                                                     Diagnostics& found);
+
+/// Reads, applies the overrides and binds; a file without a mechanism is an error. Empty iff an
+/// error was added.
 std::optional<Loaded> load(const std::string& path,
                            const std::vector<Override>& overrides,
                            SourceFile& source,

@@ -7,6 +7,7 @@
 #include "kinematics/velocity.hpp"
 #include "mechanism/bind.hpp"
 #include "network/bases.hpp"
+#include "run/free_parameters.hpp"
 #include "statics/action.hpp"
 
 namespace kinestat {
@@ -55,7 +56,8 @@ struct Bases {
 };
 
 CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Case& which) {
-  CaseAnalysis result{.which = which, .motion = {}, .action = {}, .power = {}, .ratios = {}};
+  CaseAnalysis result;
+  result.which = which;
   if (which.asks_motions) {
     result.motion = solve_velocity(mechanism, bases.motion, which.motions);
   }
@@ -74,20 +76,24 @@ CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Ca
 
 }  // namespace
 
-Analysis solve_cases(std::string file, Loaded loaded) {
-  Analysis analysis{.file = std::move(file),
-                    .description = {},
-                    .mechanism = {},
-                    .mobility = counts_of(loaded),
-                    .cases = {}};
-  const Mechanism& mechanism = loaded.mechanism;
+std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism) {
   const Bases bases{.motion = motion_basis(mechanism.geometry, mechanism.kinematic_order),
                     .action = action_basis(mechanism.geometry, mechanism.static_order)};
+  std::vector<CaseAnalysis> cases;
   for (const Case& which : mechanism.cases) {
-    analysis.cases.push_back(solve_case(mechanism, bases, which));
+    cases.push_back(solve_case(mechanism, bases, which));
   }
+  return cases;
+}
+
+Analysis solve_cases(std::string file, Loaded loaded) {
+  Analysis analysis;
+  analysis.file = std::move(file);
+  analysis.mobility = counts_of(loaded);
+  analysis.cases = solve_all_cases(loaded.mechanism);
   analysis.description = std::move(loaded.description);
   analysis.mechanism = std::move(loaded.mechanism);
+  find_affine_dependence(analysis);
   return analysis;
 }
 

@@ -11,4 +11,7 @@ namespace kinestat {
 /// counted, the actions if some case names any or if there are no cases.
 Analysis solve_cases(std::string file, Loaded loaded);
 
+/// The cases alone.
+std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism);
+
 }  // namespace kinestat

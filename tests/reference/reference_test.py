@@ -261,6 +261,39 @@ class Ravigneaux(ReferenceTest):
                     self.near(moved - base, coefficients.get(f"{p}_z", 0.0),
                               f"{gear} {label} d/d{p}_z", 1000)
 
+    def test_affine_dependence_in_the_report(self) -> None:
+        """The file leaves the positions free: the report says how every moment depends on them."""
+        for gear, expected in self.gears.items():
+            affine = self.report["cases"][gear]["affine"]
+            seen = set()
+            for label, action in expected["statics"].items():
+                name = self.action(label)
+                coefficients = {key: value for key, value in action["coeff_double_Tin100"].items()
+                                if value != 0.0}
+                if not any(key != "1" for key in coefficients):
+                    self.assertNotIn(name, affine, gear)
+                    continue
+                seen.add(name)
+                self.assertEqual(set(affine[name]), {"1", *coefficients}, f"{gear} {name}")
+                for key, value in affine[name].items():
+                    self.near(value, coefficients.get(key, 0.0), f"{gear} {name} {key}", 100)
+            self.assertEqual(set(affine), seen, gear)
+
+    def test_affine_dependence_as_annex_c_prints_it(self) -> None:
+        for gear, couplings in printed.WRENCHES.items():
+            affine = self.report["cases"][gear]["affine"]
+            for coupling, texts in couplings.items():
+                for i in range(2):
+                    entry = affine.get(f"{coupling}.T{'xy'[i]}", {})
+                    expected = {f"{p}_z" if p else "1": number
+                                for p, number in self.coefficients(texts[i]).items()}
+                    if expected == {"1": "0"}:
+                        self.assertEqual(entry, {}, f"{gear} {coupling}")
+                        continue
+                    self.assertEqual(set(entry) - {"1"}, set(expected), f"{gear} {coupling}")
+                    for key, number in expected.items():
+                        self.digits(entry[key], number, f"{gear} {coupling} {key}")
+
     def test_rates_of_equations_5_51_to_5_70(self) -> None:
         for gear, rates in printed.RATES.items():
             for coupling, rate in rates.items():

@@ -1,0 +1,17 @@
+// Diagnostics as JSON for editors and scripts, by schemas/diagnostics.schema.json.
+#pragma once
+
+#include <string>
+
+#include "core/diagnostic.hpp"
+#include "core/exit_status.hpp"
+#include "core/source.hpp"
+
+namespace kinestat {
+
+/// One line for one file, with all its messages, also when there are none; the status is that of
+/// this file alone. An empty path stands for the program itself: its "file" is null. The line is
+/// ASCII and strict JSON; what is no printable character in a path or a text stands as \xNN.
+std::string diagnostics_line(const SourceFile& source, const Diagnostics& found, ExitStatus status);
+
+}  // namespace kinestat

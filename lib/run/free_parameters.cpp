@@ -1,0 +1,167 @@
+#include "run/free_parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "expression/parameters.hpp"
+#include "mechanism/bind.hpp"
+#include "run/solve_cases.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// A free parameter with its unit in the file, so that it can be typed again with another value.
+struct Probed {
+  std::size_t index = 0;  ///< in the description
+  FreeParameter parameter;
+  std::string unit;
+};
+
+// The value as the file counts it, and its unit; a bare number has none.
+std::pair<double, std::string> in_file_units(const Quantity& value, const FileUnits& units) {
+  if (is_bare(value.dimension)) {
+    return {value.value, ""};
+  }
+  for (const QuantityKind kind : all_quantity_kinds()) {
+    if (dimension_of(kind) == value.dimension) {
+      return {units.from_si(kind, value.value), units.text(kind)};
+    }
+  }
+  return {value.value, si_unit_of(value.dimension)};
+}
+
+// A parameter that is zero, as positions often are, is moved by the size of the mechanism.
+double step_of(double value, double length) {
+  return value != 0.0 ? std::abs(value) : length;
+}
+
+std::vector<Probed> find_free(const Analysis& analysis) {
+  const MechanismDescription& description = analysis.description;
+  const ParameterTable table = evaluate_parameters(parameters_of(description)).table;
+  const double length =
+      description.units.from_si(QuantityKind::length, analysis.mechanism.geometry.length);
+  std::vector<Probed> result;
+  for (std::size_t i = 0; i < description.parameters.size(); ++i) {
+    const ParameterDescription& parameter = description.parameters[i];
+    const Quantity* value = parameter.is_free ? table.find(parameter.name.text) : nullptr;
+    if (value != nullptr) {
+      const auto [number, unit] = in_file_units(*value, description.units);
+      result.push_back({.index = i,
+                        .parameter = {.value = number, .step = step_of(number, length)},
+                        .unit = unit});
+    }
+  }
+  return result;
+}
+
+// The solutions of the cases with the free parameters at other values; empty if they cannot be
+// bound.
+std::vector<CaseAnalysis> solve_at(const MechanismDescription& description,
+                                   const std::vector<Probed>& free,
+                                   const std::vector<double>& values) {
+  MechanismDescription moved = description;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    auto parsed = parse_expression(fmt::format("{} {}", values[i], free[i].unit));
+    moved.parameters[free[i].index].value.expression = std::get<Expression>(std::move(parsed));
+  }
+  Diagnostics ignored;
+  const std::optional<Mechanism> mechanism = bind(moved, ignored);
+  return mechanism ? solve_all_cases(*mechanism) : std::vector<CaseAnalysis>{};
+}
+
+// An action that equilibrium leaves open is no number, and so is not affine.
+std::vector<double> numbers_of(const std::vector<std::optional<double>>& magnitudes) {
+  std::vector<double> numbers;
+  for (const std::optional<double>& one : magnitudes) {
+    numbers.push_back(one.value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  return numbers;
+}
+
+Magnitudes rates_of(const CaseAnalysis& one) {
+  return one.motion && !one.motion->rates.empty() ? Magnitudes(one.motion->rates) : std::nullopt;
+}
+
+Magnitudes actions_of(const CaseAnalysis& one) {
+  return one.action && !one.action->magnitudes.empty()
+             ? Magnitudes(numbers_of(one.action->magnitudes))
+             : std::nullopt;
+}
+
+// Of each magnitude the largest of its kind at any probe: is_first says which of two kinds it is.
+template <class IsFirst>
+std::vector<double> scales(const std::vector<Magnitudes>& probes, const IsFirst& is_first) {
+  double largest[2] = {0.0, 0.0};
+  const auto kind = [&](std::size_t m) { return is_first(m) ? 0U : 1U; };
+  for (const Magnitudes& values : probes) {
+    for (std::size_t m = 0; values && m < values->size(); ++m) {
+      if (std::isfinite((*values)[m])) {
+        largest[kind(m)] = std::max(largest[kind(m)], std::abs((*values)[m]));
+      }
+    }
+  }
+  std::vector<double> result;
+  for (std::size_t m = 0; probes[0] && m < probes[0]->size(); ++m) {
+    result.push_back(largest[kind(m)]);
+  }
+  return result;
+}
+
+// Those that depend on a parameter, or do so in another way than affinely.
+template <class IsFirst>
+std::vector<AffineMagnitude> fit(const std::vector<FreeParameter>& parameters,
+                                 const std::vector<Magnitudes>& probes,
+                                 const IsFirst& is_first) {
+  std::vector<AffineMagnitude> result;
+  const std::vector<std::optional<AffineValue>> fits =
+      fit_affine(parameters, probes, scales(probes, is_first));
+  for (std::size_t m = 0; m < fits.size(); ++m) {
+    const bool has_value = std::isfinite((*probes[0])[m]);
+    const bool is_constant =
+        fits[m] && std::ranges::all_of(fits[m]->coefficients, [](double c) { return c == 0.0; });
+    if (has_value && !is_constant) {
+      result.push_back({.index = static_cast<int>(m), .value = fits[m]});
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+void find_affine_dependence(Analysis& analysis) {
+  const std::vector<Probed> free = find_free(analysis);
+  if (free.empty() || analysis.cases.empty()) {
+    return;
+  }
+  std::vector<FreeParameter> parameters;
+  for (const Probed& one : free) {
+    parameters.push_back(one.parameter);
+    analysis.free_parameters.push_back(
+        {.name = analysis.description.parameters[one.index].name.text, .unit = one.unit});
+  }
+  std::vector<std::vector<CaseAnalysis>> probes;
+  for (const std::vector<double>& values : affine_probes(parameters)) {
+    probes.push_back(probes.empty() ? analysis.cases
+                                    : solve_at(analysis.description, free, values));
+  }
+  const Topology& topology = analysis.mechanism.topology;
+  for (std::size_t c = 0; c < analysis.cases.size(); ++c) {
+    std::vector<Magnitudes> rates;
+    std::vector<Magnitudes> actions;
+    for (const std::vector<CaseAnalysis>& cases : probes) {
+      rates.push_back(cases.empty() ? std::nullopt : rates_of(cases[c]));
+      actions.push_back(cases.empty() ? std::nullopt : actions_of(cases[c]));
+    }
+    analysis.cases[c].affine_rates =
+        fit(parameters, rates, [&](std::size_t f) { return topology.freedoms[f].is_rotation; });
+    analysis.cases[c].affine_actions =
+        fit(parameters, actions, [&](std::size_t a) { return topology.actions[a].is_couple; });
+  }
+}
+
+}  // namespace kinestat

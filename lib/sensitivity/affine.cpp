@@ -1,0 +1,97 @@
+#include "sensitivity/affine.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contract.hpp"
+#include "core/tolerance.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// How many steps each parameter is moved at the two last probes: nothing that repeats or cancels.
+double first_mix(std::size_t i) {
+  return 0.37 + 0.21 * static_cast<double>(i % 5);
+}
+
+double second_mix(std::size_t i) {
+  return -0.53 - 0.13 * static_cast<double>(i % 3) - 0.07 * static_cast<double>(i % 7);
+}
+
+// One magnitude at all probes.
+std::optional<AffineValue> fit_one(std::span<const FreeParameter> parameters,
+                                   std::span<const double> values,
+                                   std::span<const std::vector<double>> probes,
+                                   double scale) {
+  AffineValue result;
+  result.constant = values[0];
+  double largest = std::abs(values[0]);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const double change = values[i + 1] - values[0];
+    const bool is_rounding = std::abs(change) <= kReportZero * scale;
+    const double coefficient = is_rounding ? 0.0 : change / parameters[i].step;
+    result.coefficients.push_back(coefficient);
+    result.constant -= coefficient * parameters[i].value;
+    largest =
+        std::max({largest, std::abs(values[i + 1]), std::abs(coefficient * parameters[i].value)});
+  }
+  if (std::abs(result.constant) <= kReportZero * std::max(scale, largest)) {
+    result.constant = 0.0;
+  }
+  for (std::size_t p = parameters.size() + 1; p < probes.size(); ++p) {
+    double expected = result.constant;
+    double terms = std::max(largest, scale);
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      expected += result.coefficients[i] * probes[p][i];
+      terms = std::max(terms, std::abs(result.coefficients[i] * probes[p][i]));
+    }
+    if (!(std::abs(values[p] - expected) <= kAffine * terms)) {
+      return std::nullopt;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> affine_probes(std::span<const FreeParameter> parameters) {
+  std::vector<double> base;
+  for (const FreeParameter& parameter : parameters) {
+    base.push_back(parameter.value);
+  }
+  std::vector<std::vector<double>> probes = {base};
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    probes.push_back(base);
+    probes.back()[i] += parameters[i].step;
+  }
+  for (const auto mix : {first_mix, second_mix}) {
+    probes.push_back(base);
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      probes.back()[i] += mix(i) * parameters[i].step;
+    }
+  }
+  return probes;
+}
+
+std::vector<std::optional<AffineValue>> fit_affine(std::span<const FreeParameter> parameters,
+                                                   std::span<const Magnitudes> at_probes,
+                                                   std::span<const double> scale) {
+  const std::vector<std::vector<double>> probes = affine_probes(parameters);
+  KINESTAT_EXPECTS(at_probes.size() == probes.size());
+  std::vector<std::optional<AffineValue>> result(scale.size());
+  if (!std::ranges::all_of(at_probes, &Magnitudes::has_value)) {
+    return result;
+  }
+  std::vector<double> values(probes.size());
+  for (std::size_t m = 0; m < scale.size(); ++m) {
+    for (std::size_t p = 0; p < probes.size(); ++p) {
+      KINESTAT_EXPECTS(at_probes[p]->size() == scale.size());
+      values[p] = (*at_probes[p])[m];
+    }
+    result[m] = fit_one(parameters, values, probes, scale[m]);
+  }
+  return result;
+}
+
+}  // namespace kinestat

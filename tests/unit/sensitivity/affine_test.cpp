@@ -1,0 +1,84 @@
+#include "sensitivity/affine.hpp"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "core/tolerance.hpp"
+
+namespace kinestat {
+namespace {
+
+using Function = std::function<double(const std::vector<double>&)>;
+
+// Fits functions of the parameters, each of size 1 or more.
+std::vector<std::optional<AffineValue>> fit(const std::vector<FreeParameter>& parameters,
+                                            const std::vector<Function>& functions) {
+  std::vector<Magnitudes> at_probes;
+  for (const std::vector<double>& probe : affine_probes(parameters)) {
+    std::vector<double> values;
+    for (const Function& function : functions) {
+      values.push_back(function(probe));
+    }
+    at_probes.emplace_back(std::move(values));
+  }
+  const std::vector<double> scale(functions.size(), 1.0);
+  return fit_affine(parameters, at_probes, scale);
+}
+
+const std::vector<FreeParameter> kTwo = {{.value = 3.0, .step = 1.0}, {.value = -2.0, .step = 4.0}};
+
+TEST(Affine, ProbesEachParameterAloneAndThenAllTogether) {
+  const auto probes = affine_probes(kTwo);
+
+  ASSERT_EQ(probes.size(), 5U);
+  EXPECT_EQ(probes[0], (std::vector<double>{3.0, -2.0}));
+  EXPECT_EQ(probes[1], (std::vector<double>{4.0, -2.0}));
+  EXPECT_EQ(probes[2], (std::vector<double>{3.0, 2.0}));
+  for (std::size_t p = 3; p < 5; ++p) {
+    EXPECT_NE(probes[p][0], 3.0);
+    EXPECT_NE(probes[p][1], -2.0);
+  }
+}
+
+TEST(Affine, FindsConstantAndCoefficients) {
+  const auto fits = fit(kTwo, {[](const auto& p) { return 7.0 + 2.0 * p[0] - 0.5 * p[1]; }});
+
+  ASSERT_TRUE(fits[0]);
+  EXPECT_NEAR(fits[0]->constant, 7.0, 1e-13);
+  EXPECT_NEAR(fits[0]->coefficients[0], 2.0, 1e-13);
+  EXPECT_NEAR(fits[0]->coefficients[1], -0.5, 1e-13);
+}
+
+TEST(Affine, WritesRoundingAsZero) {
+  const auto fits = fit(kTwo, {[](const auto& p) { return p[0] + kEpsilon * p[1]; }});
+
+  ASSERT_TRUE(fits[0]);
+  EXPECT_EQ(fits[0]->coefficients[1], 0.0);
+  EXPECT_EQ(fits[0]->constant, 0.0);
+}
+
+TEST(Affine, RefusesWhatIsNotAffine) {
+  const auto fits = fit(kTwo,
+                        {[](const auto& p) { return p[0] * p[0]; },
+                         [](const auto& p) { return p[0] * p[1]; },
+                         [](const auto& p) { return std::abs(p[1] - 1.0); },
+                         [](const auto& p) { return 1.0 / (p[0] + 10.0); },
+                         [](const auto&) { return std::numeric_limits<double>::quiet_NaN(); }});
+
+  for (std::size_t m = 0; m < fits.size(); ++m) {
+    EXPECT_FALSE(fits[m]) << m;
+  }
+}
+
+TEST(Affine, KnowsNothingWhereAProbeHasNoSolution) {
+  std::vector<Magnitudes> at_probes(affine_probes(kTwo).size(), std::vector<double>{1.0});
+  at_probes[2].reset();
+
+  EXPECT_FALSE(fit_affine(kTwo, at_probes, std::vector<double>{1.0})[0]);
+}
+
+}  // namespace
+}  // namespace kinestat
