@@ -5,10 +5,13 @@
 namespace kinestat::app {
 
 void add_explain(CLI::App& parent, Job& job) {
-  CLI::App* command =
-      parent.add_subcommand("explain", "explain a diagnostic code such as E0312, or list all");
+  CLI::App* command = parent.add_subcommand(
+      "explain", "Explain a diagnostic code by an example, or list all codes.");
+  command->footer(
+      "  kinestat explain E0312\n"
+      "  kinestat explain\n");
   auto code = std::make_shared<std::string>();
-  command->add_option("CODE", *code, "the code in brackets of a message");
+  add_argument(*command, "CODE", *code, "the code in brackets of a message");
   command->callback([code, &job] { job = [code] { return explain(*code); }; });
 }
 

@@ -8,37 +8,42 @@ namespace {
 
 struct GraphOptions {
   FileOptions files;
-  bool matrices = false;
+  Matrices matrices = Matrices::none;
   std::string case_label;
 };
+
+void add_matrices(CLI::App& command, GraphOptions& options) {
+  add_flag(
+      command,
+      "--matrices",
+      [&options] { options.matrices = Matrices::all; },
+      "also every matrix of the method: I, Q, B, B_M,\n"
+      "M_D, M_N, Q_A, A_D, A_N, their echelon forms\n"
+      "and the partition of a case");
+  with_value(command,
+             command.add_option("--case",
+                                options.case_label,
+                                "the case whose known magnitudes partition M_N\n"
+                                "and A_N; default the first"),
+             "LABEL");
+}
 
 }  // namespace
 
 void add_graph(CLI::App& parent, Job& job) {
-  CLI::App* command =
-      parent.add_subcommand("graph", "show the coupling graph: tree, circuits, cut-sets");
+  CLI::App* command = parent.add_subcommand(
+      "graph", "Show the coupling graph: tree, circuits, cut-sets, matrices.");
+  command->footer(
+      "  kinestat graph mechanisms/planar/four_bar.yaml\n"
+      "  kinestat graph --matrices --format csv --case M1 train.yaml\n");
   auto options = std::make_shared<GraphOptions>();
   add_files(*command, options->files);
   add_format(*command, options->files);
-  command->add_flag("--matrices",
-                    options->matrices,
-                    "also every matrix of the method: I, Q, B, B_M, M_D, M_N, Q_A, A_D, A_N, their "
-                    "echelon forms and the partition of a case");
-  command
-      ->add_option("--case",
-                   options->case_label,
-                   "the case whose known magnitudes partition M_N and A_N; default the first")
-      ->type_name("LABEL");
-  command->footer(
-      "Examples:\n"
-      "  kinestat graph mechanisms/planar/four_bar.yaml\n"
-      "  kinestat graph --matrices --format csv --case M1 train.yaml");
+  add_matrices(*command, *options);
   command->callback([options, &job] {
     job = [options] {
-      return graph_files(options->files.paths,
-                         options->matrices ? Matrices::all : Matrices::none,
-                         options->case_label,
-                         options->files.analyse);
+      return graph_files(
+          options->files.paths, options->matrices, options->case_label, options->files.analyse);
     };
   });
 }

@@ -14,163 +14,226 @@ constexpr auto kCodes = std::to_array<Code>({
     {"E0101",
      usage,
      "wrong use of the command line",
-     "The command, an option or its value is not one that this program knows. "
-     "'kinestat --help' lists the commands, 'kinestat COMMAND --help' the options of one."},
+     "A command, an option or a value is not one that this program knows, or one is missing. "
+     "Nothing was written. The message names the word and, where there is one, the nearest that "
+     "exists; 'kinestat --help' lists the commands, 'kinestat COMMAND --help' the options of one."},
     {"E0102",
      usage,
      "value of --set cannot be used",
-     "--set takes NAME=VALUE, where NAME is a parameter of the mechanism file and VALUE a number "
-     "or an expression, for example --set N1=24 or --set 'h_z=10 mm'."},
+     "--set gives a parameter of the mechanism file another value for this run. It takes "
+     "NAME=VALUE, where NAME is one of the section 'parameters' and VALUE a number or an "
+     "expression; in the shell, quotes keep a value with spaces together, as in --set 'h_z=10 "
+     "mm'."},
     {"E0151",
      environment,
      "input cannot be read",
-     "The file is missing, is not an ordinary file, or may not be read. A folder, a device or a "
-     "pipe is refused; give '-' to read standard input."},
+     "The file does not exist, is no ordinary file, or may not be read; the message has the "
+     "system's reason. A folder, a device or a pipe is refused, because reading it might never "
+     "end; give '-' to read standard input."},
     {"E0152",
      environment,
      "output cannot be written",
-     "The output folder does not exist, is not a folder, may not be written to, or is full. "
-     "Files are written whole or not at all, so what was there before is unchanged."},
+     "The folder or the file cannot be written: it does not exist, may not be written to, or the "
+     "disk is full; the message has the system's reason. Files are written whole or not at all, "
+     "so what was there before is unchanged. The folder of --out is not made by this program, so "
+     "that a misspelt name leaves no traces."},
     {"E0153",
      environment,
      "output would replace a foreign file",
-     "A file of that name exists and was not written by this program. It is left as it is; "
-     "choose another folder or give --force."},
+     "A file of that name exists, and it is not a report that this program wrote before. It is "
+     "left as it is, for it may hold work that is nowhere else. Choose another folder or name, or "
+     "give --force if it may be replaced."},
     {"E0154",
      environment,
      "out of memory",
-     "The machine, or the limit set for this process, has too little memory for the input."},
+     "The machine, or the limit set for this process, has too little memory for the input. No "
+     "file was left half written. Raise the limit ('ulimit -v'), or leave out of the file what is "
+     "not of the mechanism."},
+    {"E0155",
+     bug,
+     "internal error",
+     "The program met something that it takes for impossible: this is a mistake in the program, "
+     "not in the file. The other files of the run are analysed nevertheless. Please report it "
+     "with the file and the line that was printed."},
     {"E0201",
      wrong_input,
      "file is too large",
-     "A mechanism file is a few kilobytes. Files above the limit are refused before they are read, "
-     "so that a wrong file name cannot exhaust the machine."},
+     "A mechanism file is a few kilobytes. Larger ones are refused before they are read, so that "
+     "a wrong file name cannot exhaust the machine; the message names the limit. Most often "
+     "another file was meant."},
     {"E0202",
      wrong_input,
      "file is not UTF-8 text",
-     "Mechanism files are UTF-8. The message names the first byte that is not; most editors can "
-     "save the file again 'as UTF-8'."},
+     "Mechanism files are UTF-8 text. The message names the first bytes that are not, and what "
+     "they look like: another encoding, or no text at all. Most editors can save the file again "
+     "'as UTF-8', iconv converts it."},
     {"E0203",
      wrong_input,
      "control character in the file",
      "Only line ends and spaces may shape the text. A tab may stand inside a line, not at its "
-     "beginning, where YAML counts spaces."},
+     "beginning, where YAML counts columns and editors disagree on its width; other control "
+     "characters are invisible and mean nothing. Replace tabs by spaces."},
     {"E0204",
      wrong_input,
      "YAML cannot be read",
-     "The text is not well-formed YAML: an indentation, a bracket or a quote does not fit."},
+     "The text is not well-formed YAML: a bracket or a quote is not closed, or an indentation "
+     "does not fit the lines around it. The place is that of the opening bracket or of the line "
+     "that does not fit."},
     {"E0205",
      wrong_input,
      "document is empty",
-     "The file holds no mapping. 'kinestat: 1' and a few keys are the least."},
+     "The file holds no mapping: it is empty, or all of it is comments. Perhaps it was not saved, "
+     "or another one was meant. 'kinestat new' writes one to begin with."},
     {"E0206",
      wrong_input,
      "several documents in one file",
-     "One file describes one mechanism: remove '---' and what follows it."},
+     "One file describes one mechanism. YAML would allow more documents in it, separated by "
+     "'---'; which of them is meant could only be guessed. Remove '---' and what follows it, or "
+     "make two files, which may be analysed together."},
     {"E0207",
      wrong_input,
      "key is given twice",
-     "A mapping may name each key once. YAML readers silently keep one of the two values, which "
-     "is never what was meant."},
+     "A mapping may name each key once. Most readers of YAML silently keep one of the two values, "
+     "which is never what was meant. The note shows the first place; remove or rename one of the "
+     "two."},
     {"E0208",
      wrong_input,
      "YAML feature is not supported",
-     "Tags, merge keys and keys that are not plain text are refused: the file must mean the same "
-     "to every reader."},
+     "Tags, merge keys, directives and keys that are not plain text belong to YAML, but not to "
+     "this format: the file must mean the same to every reader. Write the value itself."},
     {"E0209",
      wrong_input,
      "alias cannot be used",
-     "An alias names an anchor that is not defined before it, or that contains itself."},
+     "An alias (*name) repeats what an anchor (&name) before it marks. Here the anchor is "
+     "missing, stands further below, or contains the alias itself. Define the anchor first, or "
+     "use a parameter, which may stand anywhere."},
     {"E0210",
      wrong_input,
      "file is too deep or too large inside",
      "Nesting, the number of values or the length of one value is above a limit that no mechanism "
-     "needs. Expanded aliases count."},
+     "needs; aliases count with all that they repeat. The limits keep a broken or hostile file "
+     "from exhausting the machine. The message names the one that was met."},
     {"E0301",
      wrong_input,
      "format version is missing or not supported",
-     "Every mechanism file begins with 'kinestat: 1', the version of the format it is written in."},
+     "Every mechanism file has 'kinestat: 1', the version of the format it is written in, so that "
+     "a later format cannot be mistaken for this one. Add the line, or use a newer program for a "
+     "file of a newer format."},
     {"E0302",
      wrong_input,
      "unknown key",
-     "The key is not one that is known at this place. Own notes may stand under keys that begin "
-     "with 'x-' at the top level."},
+     "The key is not one that is known at this place, so its value would be ignored without a "
+     "word. Most often it is misspelt or stands one level too deep or too high; the hint names "
+     "the keys that may stand. Own notes may stand at the top level under keys that begin with "
+     "'x-'."},
     {"E0303",
      wrong_input,
      "required key is missing",
-     "The mapping lacks a key without which it has no meaning."},
+     "The mapping lacks a key without which it has no meaning; nothing sensible could be assumed "
+     "in its place. The hint says what to add."},
     {"E0304",
      wrong_input,
      "value has the wrong shape",
-     "A list, a mapping or a single value is expected where another one stands."},
+     "A list, a mapping or a single value is expected where another one stands, or a list has the "
+     "wrong length: points are [x, y] in the plane and [x, y, z] in space. The hint shows the "
+     "form. A decimal comma turns one number into two."},
     {"E0305",
      wrong_input,
      "value is not one of those allowed",
-     "The message lists what may stand."},
+     "The place takes one of a few words, and this is another. The hint lists them all; 'kinestat "
+     "help couplings' says what the types of couplings mean."},
     {"E0306",
      wrong_input,
      "name cannot be used",
      "Names are letters, digits, '_' and '-', beginning with a letter or '_'; parameters without "
-     "'-', and never the name of a unit."},
+     "'-', which would be a subtraction, and never the name of a unit or a function: with a "
+     "parameter 'm', '2 m' would no longer be two metres. Labels of cases are free text."},
     {"E0307",
      wrong_input,
      "name is declared twice",
-     "Bodies have one name space; couplings and actuators share another."},
+     "Two things of one kind have the same name, so that a reference to it could mean either. "
+     "Bodies have one name space; couplings and actuators share another. The note shows the first "
+     "place; rename one of the two."},
     {"E0308",
      wrong_input,
      "number or expression cannot be read",
-     "A value is a YAML number or an expression such as (N1 + N5)/2*module or 20 deg. The caret "
-     "marks the place."},
+     "A value is a number or an expression such as (N1 + N5)/2*module or 20 deg. The caret marks "
+     "where reading failed: a parenthesis, an operator or a unit that does not exist, or a way of "
+     "writing numbers on whose meaning readers disagree (017, 0x1F, 1,5). 'kinestat help "
+     "expressions' and 'kinestat help units' show what may stand."},
     {"E0309",
      wrong_input,
      "dimensions do not fit",
      "The value has another dimension than its place, or quantities of different dimensions are "
-     "added. A bare number takes the unit that 'units:' names."},
+     "added, or a function takes another one. A bare number takes the unit that 'units:' names "
+     "for the place, but inside an expression it stays bare: write its unit there."},
     {"E0310",
      wrong_input,
      "parameters depend on each other in a circle",
-     "A parameter may use others in any order, but not itself through them."},
+     "A parameter may use others in any order, but not itself through them: none of them would "
+     "ever have a value. The message lists the circle; give one of them a number."},
     {"E0311",
      wrong_input,
      "unknown name in an expression",
-     "The name is neither a parameter nor a unit nor a function."},
+     "The name in an expression is neither a parameter nor a unit nor a function. The hint has "
+     "the nearest one; otherwise declare it in the section 'parameters'. Capitals count."},
     {"E0312",
      wrong_input,
-     "coupling joins a body that is not declared",
-     "'bodies: [tail, head]' names the ground or bodies of the section 'bodies'."},
+     "body is not declared",
+     "Couplings, loads, gear members and cables name the ground or bodies of the section 'bodies'. "
+     "A name that is not declared there is taken for a misspelling and not for a new body, since a mechanism "
+     "with one body more has other answers."},
     {"E0313",
      wrong_input,
      "reference to something that is not declared",
-     "The name must be declared in this file."},
+     "The name refers to something that this file does not declare: a coupling, an actuator, a "
+     "freedom (coupling.wz) or an action (coupling.Rx). The hint lists what there is. Bodies are "
+     "not actuators: a motion belongs to a coupling."},
     {"E0314",
      wrong_input,
      "geometry is missing, surplus or degenerate",
-     "Each type of coupling needs its own geometry; an axis must not be zero."},
+     "Each type of coupling needs its own geometry and no other, and a direction must not be "
+     "zero: otherwise its freedoms and constraints are not defined. The message names what is "
+     "missing, surplus or degenerate; 'kinestat help couplings' lists what each type takes."},
     {"E0315",
-     wrong_input,
-     "section is not analysed yet",
-     "The section belongs to the format, but this version has no analysis for it."},
+     no_answer,
+     "mechanism is not analysed yet",
+     "The file is right, but something in it that decides the answer belongs to the format and "
+     "not yet to the analysis of this version. Without it an answer would be wrong, so there is "
+     "none, and the exit status is 5. 'kinestat help couplings' and 'kinestat help format' say "
+     "what is analysed."},
     {"E0316",
      wrong_input,
      "value has no result",
-     "A division by zero, a root of a negative number or a result that is not finite."},
+     "The expression is well written, but has no value: a division by zero, a root of a negative "
+     "number, or a result that no finite number can hold. The message names the operation; with "
+     "parameters, their values may be the cause."},
     {"E0401",
      wrong_input,
      "mechanism falls apart",
-     "Every body must be joined to the ground through couplings. The message lists the parts."},
+     "Every body must be joined to the ground through couplings, or nothing is known of its "
+     "motion. The message lists the parts. Add the coupling that joins them, or analyse them as "
+     "two files."},
     {"E0402",
      wrong_input,
      "tree is not a spanning tree",
-     "'tree:' must name as many couplings as there are moving bodies, and they must not close a "
-     "circuit."},
+     "'tree:' chooses the spanning tree of the coupling graph: as many couplings as there are "
+     "moving bodies, so that from the ground each body is reached on exactly one way. Those named "
+     "leave a body out or close a circuit. Without 'tree:' the program chooses one; the results "
+     "do not depend on it."},
     {"E0501",
      wrong_input,
      "primary motions are missing",
-     "Exactly as many independent motions must be known as the net degree of freedom."},
+     "Exactly as many independent motions must be known as the net degree of freedom; here some "
+     "are missing, so that velocities remain open. The message lists these, the hint motions that "
+     "would do: give one more (0 for a member that is held), or add the coupling that is missing "
+     "in the model."},
     {"E0502",
      wrong_input,
      "primary motions depend on each other",
-     "Some of the motions given follow from others, so that they are surplus or contradict them."},
+     "Some of the motions given follow from others, so that they are surplus or contradict them: "
+     "not every set of as many motions as degrees of freedom is independent. The message states "
+     "the relation; remove one of those it names."},
     {"E0503",
      no_answer,
      "velocities are too large",
@@ -179,12 +242,15 @@ constexpr auto kCodes = std::to_array<Code>({
     {"E0601",
      wrong_input,
      "primary actions depend on each other",
-     "Some of the actions given follow from others by equilibrium."},
+     "Some of the actions given follow from others by equilibrium, so that they are surplus: one "
+     "of them is the answer, not a datum. The message states the relation; remove one of those it "
+     "names."},
     {"E0602",
      no_answer,
      "equilibrium has no solution",
-     "A load acts along a freedom that nothing resists. The message names the body and the motion "
-     "that cannot be held."},
+     "The actions given cannot be in equilibrium: they act along a motion that nothing resists. "
+     "The message names the body and that motion. Most often an action is given (0 among them) "
+     "that should be solved, or a coupling or actuator is missing."},
     {"E0603",
      no_answer,
      "actions are too large",
@@ -194,21 +260,43 @@ constexpr auto kCodes = std::to_array<Code>({
      no_answer,
      "power balance is violated",
      "The powers of all couplings must sum to zero (Tellegen). A larger residual means that the "
-     "numbers cannot be trusted at this position."},
+     "numbers cannot be trusted at this position, so they are reported with this error. Compare a "
+     "position nearby, and look for lengths of very different size."},
     {"E0901",
      check_failed,
      "published value is missed",
-     "The report differs from a value of the 'published:' section by more than its tolerance."},
+     "The report differs from a value of the section 'published' by more than its tolerance: the "
+     "file, or what it quotes, is wrong, or the program has changed. The message has both "
+     "numbers. It is a check and no obstacle: the report is complete."},
     {"E0902",
      wrong_input,
      "published value points to nothing",
-     "'value:' is a JSON Pointer into the report, for example /cases/M1/ratio."},
-    {"W0301", done, "declared but never used", "It may stand, but nothing depends on it."},
+     "'value:' is a JSON Pointer into the report, for example /cases/M1/ratio, and there is no "
+     "number at this one. The hint names the keys at the place where the path ends; 'kinestat "
+     "analyze --format json' shows the whole report."},
+    {"W0301",
+     done,
+     "declared but never used",
+     "It may stand, but nothing depends on it. Often a name is misspelt where it is used, or "
+     "something was forgotten there."},
+    {"W0302",
+     done,
+     "section is not analysed yet",
+     "The section is read and checked, but this version has no analysis for it. The rest of the "
+     "file is analysed as if the section were absent; no other answer depends on it."},
+    {"W0303",
+     done,
+     "angle is more than a full turn",
+     "A bare number stands for an angle and counts in radians, the unit that holds unless 'units:' "
+     "names another, but it is more than a full turn: degrees were probably meant. Write the unit, "
+     "30 deg, or 'units: {angle: deg}' for the whole file."},
     {"W0601",
      done,
      "actions are statically indeterminate",
-     "Equilibrium alone does not determine every action with the primary actions given. Determined "
-     "ones have values; the others are listed."},
+     "Equilibrium alone does not determine every action with those that are known: the mechanism "
+     "is overconstrained, or fewer actions are given than it needs. Determined ones have values, "
+     "the others are listed. Give more actions (the hint names sets that would do), or release "
+     "constraints by 'passive:'."},
 });
 
 }  // namespace

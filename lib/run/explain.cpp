@@ -1,9 +1,13 @@
 #include "run/explain.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/codes.hpp"
 #include "core/text.hpp"
+#include "core/utf8.hpp"
+#include "run/embedded.hpp"
 
 namespace kinestat {
 
@@ -25,6 +29,31 @@ std::string wrapped(std::string_view paragraph) {
   return text + "\n";
 }
 
+std::string upper(std::string word) {
+  std::ranges::transform(word, word.begin(), [](char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  });
+  return word;
+}
+
+std::string indented(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    result += fmt::format("  {}\n", text.substr(0, end));
+    text.remove_prefix(std::min(end, text.size() - 1) + 1);
+  }
+  return result;
+}
+
+std::string page_of(const Code& row) {
+  std::string page = fmt::format("{}: {}\n\n{}", row.code, row.title, wrapped(row.paragraph));
+  if (const EmbeddedText* example = find_text(embedded_examples(), row.code)) {
+    page += fmt::format("\nExample, wrong with -, right with +:\n\n{}", indented(example->text));
+  }
+  return page;
+}
+
 }  // namespace
 
 Outcome explain(const std::string& code) {
@@ -35,8 +64,8 @@ Outcome explain(const std::string& code) {
     }
     return outcome;
   }
-  if (const Code* row = find_code(code)) {
-    outcome.out = fmt::format("{}: {}\n\n{}", row->code, row->title, wrapped(row->paragraph));
+  if (const Code* row = find_code(upper(code))) {
+    outcome.out = page_of(*row);
     return outcome;
   }
   std::vector<std::string> codes;
@@ -44,11 +73,10 @@ Outcome explain(const std::string& code) {
     codes.emplace_back(row.code);
   }
   const std::string guess = did_you_mean(code, codes);
-  outcome.err = fmt::format("kinestat: error[E0101]: there is no code '{}'\n  hint: {}{}\n",
-                            code,
-                            guess.empty() ? "" : guess + " ",
-                            "'kinestat explain' lists all");
-  outcome.status = ExitStatus::usage;
+  add_message("E0101",
+              fmt::format("there is no code '{}'", printable(code)),
+              fmt::format("{}{}'kinestat explain' lists all", guess, guess.empty() ? "" : " "),
+              outcome);
   return outcome;
 }
 

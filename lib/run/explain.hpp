@@ -7,7 +7,7 @@
 
 namespace kinestat {
 
-/// Title and paragraph of a code such as "E0312"; without a code, the list of all.
+/// Title, paragraph and example of a code such as "E0312"; without a code, the list of all.
 Outcome explain(const std::string& code);
 
 }  // namespace kinestat

@@ -107,7 +107,8 @@ const Case* choose_case(const std::vector<Case>& cases,
   found.error("E0101",
               {},
               fmt::format("--case: there is no case '{}'", label),
-              fmt::format("its cases are {}", quoted_list(labels)));
+              labels.empty() ? "the file has no cases; leave --case out"
+                             : fmt::format("its cases are {}", quoted_list(labels)));
   return nullptr;
 }
 
@@ -144,6 +145,7 @@ Outcome graph_files(const std::vector<std::string>& paths,
                     const std::string& case_label,
                     const AnalyseOptions& options) {
   Outcome outcome;
+  outcome.form = options.diagnostics;
   for (const std::string& path : paths) {
     try {
       graph_file(path, matrices, case_label, options, paths.size(), outcome);

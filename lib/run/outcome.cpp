@@ -1,8 +1,11 @@
 #include "run/outcome.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "core/codes.hpp"
+#include "report/diagnostic_json.hpp"
 #include "report/diagnostic_text.hpp"
 
 namespace kinestat {
@@ -22,16 +25,31 @@ void add_diagnostics(const SourceFile& source,
                      const Diagnostics& found,
                      Strictness strictness,
                      Outcome& outcome) {
-  outcome.err += diagnostics_text(source, found);
-  outcome.status = worst(outcome.status, status_of(found, strictness));
+  const ExitStatus status = status_of(found, strictness);
+  switch (outcome.form) {
+    case DiagnosticsForm::text:
+      outcome.err += diagnostics_text(source, found);
+      break;
+    case DiagnosticsForm::json:
+      outcome.err += diagnostics_line(source, found, status);
+      break;
+  }
+  outcome.status = worst(outcome.status, status);
+}
+
+void add_message(std::string_view code, std::string message, std::string hint, Outcome& outcome) {
+  Diagnostics found;
+  found.error(code, {}, std::move(message), std::move(hint));
+  add_diagnostics({}, found, Strictness::normal, outcome);
 }
 
 void add_bug(const std::string& path, std::string_view what, Outcome& outcome) {
-  outcome.err += fmt::format(
-      "{}: internal error: {}\n  hint: this is a bug of kinestat; please report it with the file\n",
-      path,
-      what);
-  outcome.status = worst(outcome.status, ExitStatus::bug);
+  Diagnostics found;
+  found.error("E0155",
+              {},
+              fmt::format("internal error: {}", what),
+              "this is a bug of kinestat; please report it with the file");
+  add_diagnostics({.path = path, .text = {}}, found, Strictness::normal, outcome);
 }
 
 }  // namespace kinestat

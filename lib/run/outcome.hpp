@@ -10,24 +10,35 @@
 
 namespace kinestat {
 
+enum class Strictness { normal, strict };
+
+/// How messages are written to standard error.
+enum class DiagnosticsForm {
+  text,  ///< for a terminal: place, message, the line of the file, hint
+  json   ///< for editors and scripts: one line a file, by schemas/diagnostics.schema.json
+};
+
 /// The library prints nothing itself.
 struct Outcome {
   std::string out;  ///< for standard output
   std::string err;  ///< for standard error
   ExitStatus status = ExitStatus::done;
+  DiagnosticsForm form = DiagnosticsForm::text;  ///< of what is appended to `err`
 };
-
-enum class Strictness { normal, strict };
 
 /// The exit status that the diagnostics ask for: that of the worst code; with `strict`, warnings
 /// count as a failed check.
 ExitStatus status_of(const Diagnostics& found, Strictness strictness);
 
-/// Appends the diagnostics as text and their status.
+/// Appends the diagnostics of one file, in the form of the outcome, and their status. As JSON a
+/// file without messages has its line too.
 void add_diagnostics(const SourceFile& source,
                      const Diagnostics& found,
                      Strictness strictness,
                      Outcome& outcome);
+
+/// Appends one error of the program itself, such as a wrong command line.
+void add_message(std::string_view code, std::string message, std::string hint, Outcome& outcome);
 
 /// What to say when a contract inside the program was broken while a file was processed.
 void add_bug(const std::string& path, std::string_view what, Outcome& outcome);

@@ -1,0 +1,72 @@
+#include "file_options.hpp"
+
+namespace kinestat::app {
+
+CLI::Option& with_value(CLI::App& command, CLI::Option* option, const std::string& type) {
+  const bool is_choice = type.find('|') != std::string::npos;
+  const auto refuse_option =
+      [&command, option, is_choice](const std::string& value) -> std::string {
+    const bool is_option = value.starts_with("-") &&
+                           command.get_option_no_throw(value.substr(0, value.find('='))) != nullptr;
+    if (is_option || (value.empty() && !is_choice)) {
+      throw MissingValue(option->get_name());
+    }
+    return {};
+  };
+  option->check(CLI::Validator(refuse_option, ""));
+  return *option->type_name(type);
+}
+
+void add_flag(CLI::App& command,
+              const std::string& names,
+              std::function<void()> action,
+              const std::string& description) {
+  command.add_flag_callback(names, std::move(action), description)->disable_flag_override();
+}
+
+void add_files(CLI::App& command, FileOptions& options) {
+  add_argument(
+      command, "FILE", options.paths, "mechanism files, one after the other; - is\nstandard input")
+      .required();
+  CLI::Option& set = with_value(command,
+                                command.add_option("--set",
+                                                   options.analyse.overrides,
+                                                   "gives a parameter another value;\n"
+                                                   "may be repeated"),
+                                "NAME=VALUE");
+  set.expected(1)->take_all();
+  add_choice<DiagnosticsForm>(command,
+                              "--diagnostics",
+                              {{"text", DiagnosticsForm::text}, {"json", DiagnosticsForm::json}},
+                              options.analyse.diagnostics,
+                              "form of errors and warnings on standard\n"
+                              "error; json is one line a file");
+}
+
+void add_format(CLI::App& command, FileOptions& options) {
+  add_choice<StreamFormat>(
+      command,
+      "--format",
+      {{"table", StreamFormat::table}, {"json", StreamFormat::json}, {"csv", StreamFormat::csv}},
+      options.analyse.format,
+      "form of the report on standard output;\n"
+      "json of several files is one line a file");
+}
+
+void add_fail_fast(CLI::App& command, FileOptions& options) {
+  add_flag(
+      command,
+      "--fail-fast",
+      [&options] { options.analyse.fail_fast = true; },
+      "stop after the first file that fails");
+}
+
+void add_strict(CLI::App& command, FileOptions& options) {
+  add_flag(
+      command,
+      "--strict",
+      [&options] { options.analyse.strictness = Strictness::strict; },
+      "exit with status 1 if there are warnings");
+}
+
+}  // namespace kinestat::app

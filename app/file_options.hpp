@@ -1,0 +1,86 @@
+// The options that commands on mechanism files share.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "run/analyse.hpp"
+#include "usage_error.hpp"
+#include "words.hpp"
+
+namespace kinestat::app {
+
+struct FileOptions {
+  std::vector<std::string> paths;
+  AnalyseOptions analyse;
+};
+
+/// Declares FILE…, --set and --diagnostics.
+void add_files(CLI::App& command, FileOptions& options);
+
+/// Declares --format.
+void add_format(CLI::App& command, FileOptions& options);
+
+/// Declares --fail-fast.
+void add_fail_fast(CLI::App& command, FileOptions& options);
+
+/// Declares --strict.
+void add_strict(CLI::App& command, FileOptions& options);
+
+/// Declares an argument without a name, such as FILE.
+template <class Value>
+CLI::Option& add_argument(CLI::App& command,
+                          const std::string& name,
+                          Value& value,
+                          const std::string& description) {
+  const auto write = [](std::string& word) {
+    word = as_written(word);
+    return std::string();
+  };
+  return *command.add_option(name, value, description)->transform(CLI::Validator(write, ""));
+}
+
+/// Makes an option one that takes a value, described by `type`, which is not another option.
+CLI::Option& with_value(CLI::App& command, CLI::Option* option, const std::string& type);
+
+/// Declares a flag, which takes no value.
+void add_flag(CLI::App& command,
+              const std::string& names,
+              std::function<void()> action,
+              const std::string& description);
+
+/// The words that an option takes, each with what it means.
+template <class Choice>
+using Choices = std::vector<std::pair<std::string, Choice>>;
+
+template <class Choice>
+std::vector<std::string> words_of(const Choices<Choice>& choices) {
+  std::vector<std::string> words(choices.size());
+  std::ranges::transform(choices, words.begin(), [](const auto& one) { return one.first; });
+  return words;
+}
+
+/// Declares an option whose value is one of some words.
+template <class Choice>
+void add_choice(CLI::App& command,
+                const std::string& name,
+                const Choices<Choice>& choices,
+                Choice& chosen,
+                const std::string& description) {
+  const auto choose = [name, choices, &chosen](const std::string& word) {
+    const auto at = std::ranges::find(choices, word, &Choices<Choice>::value_type::first);
+    if (at == choices.end()) {
+      throw WrongValue(name, word, words_of(choices));
+    }
+    chosen = at->second;
+  };
+  with_value(command,
+             command.add_option_function<std::string>(name, choose, description),
+             CLI::detail::join(words_of(choices), "|"));
+}
+
+}  // namespace kinestat::app

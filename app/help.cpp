@@ -1,0 +1,44 @@
+#include "command.hpp"
+#include "run/help_topic.hpp"
+
+namespace kinestat::app {
+
+namespace {
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names = {"commands"};
+  for (const CLI::App* command : app.get_subcommands({})) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+// The help of a command, that of the program for "commands", or the page of a topic.
+Outcome help(const CLI::App& app, const std::string& word) {
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == word) {
+      return {.out = command->help(app.get_name()), .err = {}};
+    }
+  }
+  if (word == "commands") {
+    return {.out = app.get_formatter()->make_help(&app, app.get_name(), {}), .err = {}};
+  }
+  return help_topic(word, command_names(app));
+}
+
+}  // namespace
+
+void add_help(CLI::App& parent, Job& job) {
+  CLI::App* command =
+      parent.add_subcommand("help", "Explain a topic, such as the format or the signs.");
+  command->footer(
+      "  kinestat help\n"
+      "  kinestat help signs\n"
+      "  kinestat help analyze\n");
+  auto word = std::make_shared<std::string>();
+  add_argument(*command, "TOPIC", *word, "a topic, or the name of a command; without it, the list");
+  command->callback(
+      [word, &parent, &job] { job = [word, &parent] { return help(parent, *word); }; });
+}
+
+}  // namespace kinestat::app

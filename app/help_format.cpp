@@ -1,0 +1,61 @@
+#include "help_format.hpp"
+
+#include <sstream>
+
+namespace kinestat::app {
+
+namespace {
+
+constexpr std::size_t kCommandColumn = 12;
+constexpr std::size_t kOptionColumn = 28;
+
+// A text of its own marks an argument that is needed, but missed by the command itself.
+std::string positional_of(const CLI::Option& option) {
+  const bool is_list = option.get_expected_max() >= CLI::detail::expected_max_vector_size;
+  const std::string name = option.get_name(true) + (is_list ? "..." : "");
+  const bool is_needed = option.get_required() || !option.get_option_text().empty();
+  return is_needed ? name : "[" + name + "]";
+}
+
+std::string commands_of(const CLI::App& app) {
+  std::ostringstream list;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    CLI::detail::format_help(list, command->get_name(), command->get_description(), kCommandColumn);
+  }
+  return list.str().empty() ? "" : "\nCommands:\n" + list.str();
+}
+
+std::string options_of(const CLI::App& app) {
+  std::ostringstream list;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->nonpositional()) {
+      const bool takes_value = option->get_expected_max() > 0;
+      const std::string type = takes_value ? " " + option->get_type_name() : "";
+      CLI::detail::format_help(
+          list, option->get_name(false, true) + type, option->get_description(), kOptionColumn);
+    }
+  }
+  return "\nOptions:\n" + list.str();
+}
+
+}  // namespace
+
+std::string HelpFormat::make_help(const CLI::App* app,
+                                  std::string name,
+                                  CLI::AppFormatMode /*mode*/) const {
+  std::ostringstream use;
+  std::ostringstream list;
+  use << name << (app->get_subcommands({}).empty() ? "" : " COMMAND") << " [OPTION]...";
+  for (const CLI::Option* option : app->get_options()) {
+    if (option->get_positional()) {
+      const std::string argument = positional_of(*option);
+      use << " " << argument;
+      CLI::detail::format_help(list, argument, option->get_description(), kOptionColumn);
+    }
+  }
+  const std::string arguments = list.str().empty() ? "" : "\n" + list.str();
+  return app->get_description() + "\n\nExamples:\n" + app->get_footer() + "\nUsage: " + use.str() +
+         "\n" + arguments + commands_of(*app) + options_of(*app);
+}
+
+}  // namespace kinestat::app

@@ -1,0 +1,36 @@
+#include "command.hpp"
+#include "core/text.hpp"
+#include "run/starter.hpp"
+
+namespace kinestat::app {
+
+namespace {
+
+struct NewOptions {
+  std::string kind;
+  std::string path;
+  Overwrite overwrite = Overwrite::own_only;
+};
+
+}  // namespace
+
+void add_new(CLI::App& parent, Job& job) {
+  CLI::App* command =
+      parent.add_subcommand("new", "Write a commented mechanism file to begin with.");
+  command->footer(
+      "  kinestat new four-bar crank.yaml\n"
+      "  kinestat new shift | less\n");
+  auto options = std::make_shared<NewOptions>();
+  add_argument(*command, "KIND", options->kind, plain_list(starter_kinds())).option_text("KIND");
+  add_argument(*command, "FILE", options->path, "the file to write; default standard output");
+  add_flag(
+      *command,
+      "--force",
+      [options] { options->overwrite = Overwrite::force; },
+      "replace the file if it exists");
+  command->callback([options, &job] {
+    job = [options] { return write_starter(options->kind, options->path, options->overwrite); };
+  });
+}
+
+}  // namespace kinestat::app

@@ -1,0 +1,17 @@
+#include "command.hpp"
+#include "run/schema_text.hpp"
+
+namespace kinestat::app {
+
+void add_schema(CLI::App& parent, Job& job) {
+  CLI::App* command = parent.add_subcommand(
+      "schema", "Print the JSON Schema of mechanism files, reports or diagnostics.");
+  command->footer(
+      "  kinestat schema > mechanism.schema.json\n"
+      "  kinestat schema report\n");
+  auto name = std::make_shared<std::string>("mechanism");
+  add_argument(*command, "NAME", *name, "mechanism (default), report or diagnostics");
+  command->callback([name, &job] { job = [name] { return schema_text(*name); }; });
+}
+
+}  // namespace kinestat::app

@@ -1,0 +1,38 @@
+// What is wrong with a command line, in the words of this program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "run/outcome.hpp"
+
+namespace kinestat::app {
+
+/// A value that an option does not take.
+class WrongValue : public CLI::ParseError {
+ public:
+  WrongValue(const std::string& option,
+             const std::string& value,
+             const std::vector<std::string>& words);
+
+  const std::string& hint() const { return hint_; }
+
+ private:
+  std::string hint_;
+};
+
+/// An option at the end, or before another option, without the value that it takes.
+class MissingValue : public CLI::ParseError {
+ public:
+  explicit MissingValue(const std::string& option);
+};
+
+/// The message and the status 2; texts of the parser itself are never shown. `words` are those that
+/// were parsed.
+Outcome usage_error(const CLI::ParseError& problem,
+                    const CLI::App& app,
+                    const std::vector<std::string>& words);
+
+}  // namespace kinestat::app

@@ -1,0 +1,21 @@
+// The texts inside the program; lib/run/CMakeLists.txt says which files they are.
+#pragma once
+
+#include "core/embedded_text.hpp"
+
+namespace kinestat {
+
+/// The files of schemas/: "mechanism", "report", "diagnostics".
+std::span<const EmbeddedText> embedded_schemas();
+
+/// Commented mechanism files to begin with, named by their kind.
+std::span<const EmbeddedText> embedded_starters();
+
+/// Pages of help; the first line of each is its title.
+std::span<const EmbeddedText> embedded_topics();
+
+/// An example for each diagnostic code, named by the code. A line begins with "- " if it stands in
+/// the wrong version only, with "+ " if in the right one only, else with two spaces.
+std::span<const EmbeddedText> embedded_examples();
+
+}  // namespace kinestat

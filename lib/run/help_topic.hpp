@@ -1,0 +1,19 @@
+// Pages of help on what is common to all commands: the format, signs, reports and so on.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "run/outcome.hpp"
+
+namespace kinestat {
+
+/// "format", "signs" and so on.
+std::vector<std::string> help_topics();
+
+/// The page of a topic; without a word, the list of topics. `commands` are the other words that
+/// could be meant.
+Outcome help_topic(const std::string& word, std::span<const std::string> commands);
+
+}  // namespace kinestat

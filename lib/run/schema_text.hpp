@@ -1,0 +1,13 @@
+// The schemas of the files that this program reads and writes.
+#pragma once
+
+#include <string>
+
+#include "run/outcome.hpp"
+
+namespace kinestat {
+
+/// The JSON Schema "mechanism", "report" or "diagnostics", as the file in schemas/, byte for byte.
+Outcome schema_text(const std::string& name);
+
+}  // namespace kinestat
