@@ -1,0 +1,196 @@
+#!/usr/bin/env python3
+"""The schema of mechanism files and the program's reader accept and refuse the same files.
+
+What the reader accepts, the schema accepts. What the reader refuses for its shape (E0301 to E0305),
+the schema refuses, but for the exceptions below. What is wrong in its meaning only, the schema may
+accept: it knows no names, dimensions or mechanics.
+
+Files: valid/, invalid/, reader_only/ and schema_only/ (refused by one of the two alone, each saying
+why in its first line), all of mechanisms/ and tests/cli/, and mutants of the valid ones.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import random
+import re
+import sys
+import unittest
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, Iterator
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+sys.path[:0] = [str(HERE), str(ROOT / "scripts")]
+import jsonschema  # noqa: E402
+import yaml  # noqa: E402
+
+import as_read  # noqa: E402
+import mutants  # noqa: E402
+import schema_walk as walk  # noqa: E402
+from reader import Finding, Verdict, check  # noqa: E402
+
+PROGRAM = Path("kinestat")
+MUTANTS = 2000
+SEED = 20080517
+
+# What the reader refuses for its shape and the schema lets pass: pattern of the message, reason.
+EXCEPTIONS = [
+    (r"the planar order cannot hold .*", "follows from the screws of the mechanism"),
+    (r"drive '.*' ends where it begins", "compares two values, which may be expressions"),
+    (r"the step of '.*' leads away from 'to'", "compares two values, which may be expressions"),
+    (r"the step of '.*' is zero", "the value of an expression; a bare 0 is refused"),
+    (r"the sweep has .* states; at most .*", "multiplies the numbers of values"),
+    (r"the task .* has \d+ positions?; a dyad takes two to five", "adds the orders of positions"),
+    (r"mesh '.*' needs a carrier: its member '.*' is fixed to the ground", "follows references"),
+    (r"mesh '.*' has no teeth to find its loss from", "follows references"),
+    (r"'gears' lacks the key 'module'", "looks at members and meshes, where it may be instead"),
+    (r"'.*' cannot be both .* and .*", "compares names in two lists"),
+    (r"'(pressure|helix|transmission)_angle' of .* cannot be .*", "depends on the file's unit of angle"),
+    (r".* cannot be (?!'|-?[\d.]+(e[-+]?\d+)?$).*", "the value of an expression"),
+    (r"a number of the friction of .* is negative", "the value of an expression"),
+    (r"the stiffness '.*' of .* is not positive", "the value of an expression"),
+]
+
+
+def is_exception(finding: Finding, value: Any) -> bool:
+    if finding.code == "E0301":
+        return isinstance(value.get("kinestat"), float) and value["kinestat"] == 1  # to a schema 1
+    return any(re.fullmatch(pattern, finding.message) for pattern, _ in EXCEPTIONS)
+
+
+@lru_cache(maxsize=None)
+def files(folder: str) -> dict[str, str]:
+    found = sorted((HERE / folder).glob("*.yaml"))
+    return {path.stem: path.read_text("utf-8") for path in found}
+
+
+def other_files() -> dict[str, str]:
+    found = [*(ROOT / "mechanisms").rglob("*.yaml"), *(ROOT / "tests" / "cli").glob("*/*.yaml")]
+    texts = {}
+    for path in sorted(found):
+        try:
+            texts[str(path.relative_to(ROOT))] = path.read_bytes().decode("utf-8")
+        except UnicodeDecodeError:
+            continue  # refused before anyone reads YAML
+    return texts
+
+
+def code_of(text: str) -> str:
+    """The code that a file says it shows: "# E0304: …"."""
+    return text[2:7]
+
+
+def accepts(value: Any) -> bool:
+    return walk.accepts(walk.SCHEMA, value)
+
+
+def complaints(value: Any) -> list[jsonschema.ValidationError]:
+    return list(walk.validator(walk.SCHEMA).iter_errors(value))
+
+
+def is_stricter(error: jsonschema.ValidationError) -> bool:
+    """Whether the schema alone refuses it, for it looks at the type of a scalar.
+
+    To the reader every scalar is text first: `name: true` is a text, `kinestat: "1"` the version.
+    To other YAML readers they are not.
+    """
+    if error.validator == "const" and error.instance == "1":
+        return True
+    return error.validator == "type" and isinstance(error.instance, (bool, int, float))
+
+
+def disagreement(verdict: Verdict, value: Any) -> str:
+    """What is wrong between reader and schema; empty if nothing."""
+    if not verdict.errors:
+        wrong = [one for one in complaints(value) if not is_stricter(one)]
+        return "" if not wrong else f"the schema refuses it: {shown(wrong[0])}"
+    shape = [one for one in verdict.structural if not is_exception(one, value)]
+    if shape and accepts(value):
+        return "the schema accepts it, the reader says: " + "; ".join(
+            f"{one.code} {one.message}" for one in shape)
+    return ""
+
+
+def shown(error: jsonschema.ValidationError) -> str:
+    return f"/{'/'.join(map(str, error.absolute_path))}: {error.message[:200]}"
+
+
+class Agreement(unittest.TestCase):
+    maxDiff = None
+
+    def for_each(self, folder: str) -> Iterator[tuple[str, Verdict, Any]]:
+        texts = files(folder)
+        self.assertNotEqual(texts, {})
+        for (name, text), verdict in zip(texts.items(), check(PROGRAM, list(texts.values()))):
+            with self.subTest(f"{folder}/{name}"):
+                yield text, verdict, as_read.read(text)
+
+    def test_valid_files_are_valid_for_both(self) -> None:
+        for _, verdict, value in self.for_each("valid"):
+            self.assertEqual(verdict.errors, [])
+            self.assertEqual([shown(one) for one in complaints(value)], [])
+
+    def test_invalid_files_are_invalid_for_both(self) -> None:
+        for text, verdict, value in self.for_each("invalid"):
+            self.assertIn(code_of(text), [one.code for one in verdict.structural])
+            self.assertFalse(accepts(value), verdict.errors)
+
+    def test_what_only_the_reader_refuses(self) -> None:
+        messages = []
+        for text, verdict, value in self.for_each("reader_only"):
+            self.assertEqual([code_of(text)], [one.code for one in verdict.structural])
+            self.assertEqual([shown(one) for one in complaints(value)], [])
+            messages.append(verdict.structural[0].message)
+        for pattern, _ in EXCEPTIONS:
+            self.assertTrue(any(re.fullmatch(pattern, one) for one in messages), pattern)
+
+    def test_what_only_the_schema_refuses(self) -> None:
+        for _, verdict, value in self.for_each("schema_only"):
+            self.assertEqual(verdict.errors, [])
+            self.assertEqual([shown(one) for one in complaints(value) if not is_stricter(one)], [])
+            self.assertFalse(accepts(value))
+
+    def test_all_other_files_of_the_project(self) -> None:
+        texts = other_files()
+        for name, verdict in zip(texts, check(PROGRAM, list(texts.values()))):
+            if any(one.code < "E0300" for one in verdict.errors):
+                continue  # no YAML
+            with self.subTest(name):
+                try:
+                    value = as_read.read(texts[name])
+                except yaml.YAMLError:
+                    continue  # tabs where Python's reader takes none
+                self.assertEqual(disagreement(verdict, value), "")
+
+    def test_mutants_of_the_valid_files(self) -> None:
+        changed = list(self.mutants())
+        texts = [json.dumps(value, ensure_ascii=False) for _, value in changed]
+        refused = 0
+        for (what, value), verdict in zip(changed, check(PROGRAM, texts)):
+            refused += bool(verdict.structural)
+            found = disagreement(verdict, value)
+            if found:
+                with self.subTest(what):
+                    self.fail(f"{found}\n{json.dumps(value, ensure_ascii=False)}")
+        self.assertGreater(refused, MUTANTS // 3, "most mutants must be wrong in their shape")
+
+    @staticmethod
+    def mutants() -> Iterator[tuple[str, Any]]:
+        chance = random.Random(SEED)
+        names = list(files("valid"))
+        documents = {name: as_read.read(files("valid")[name]) for name in names}
+        for i in range(MUTANTS):
+            name = names[i % len(names)]
+            value, what = mutants.mutant(documents[name], chance)
+            yield f"{name} {what}", value
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", type=Path, required=True)
+    known, others = parser.parse_known_args()
+    PROGRAM = known.program.resolve()
+    unittest.main(argv=[sys.argv[0], *others])
