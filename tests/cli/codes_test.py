@@ -1,23 +1,38 @@
 #!/usr/bin/env python3
-"""Every diagnostic code is unique, explained, and shown by a case of tests/cli."""
+"""Every diagnostic code is unique, shown by a case of tests/cli, and explained truthfully.
+
+An explanation ends with an example, a file or commands, in which lines marked - are wrong and lines
+marked + right. The wrong version brings about its code and no other, the right one nothing.
+"""
 
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
 CASES = Path(__file__).resolve().parent
 PROGRAM = Path("kinestat")
 
-# Codes that no file and no command line brings about, each with its reason.
+ROOT = CASES.parents[1]
+# Codes that no file and no command line brings about, each with its reason; without examples.
 NOT_PROVOKED = {
+    "E0155": "a mistake in the program itself",
     "E0701": "guards against wrong numbers: the powers of a solved case sum to zero by its own "
              "equations",
 }
+# Examples that are not run, each with its reason.
+NOT_RUN = {
+    "E0154": "sanitizers need more memory than any limit leaves; see d117_out_of_memory",
+}
+# A warning that examples of other codes may bring about too.
+NOT_ANALYSED = "W0302"
+EXAMPLE = "Example, wrong with -, right with +:"
 
 
 def kinestat(*arguments: str) -> subprocess.CompletedProcess[str]:
@@ -30,6 +45,49 @@ def listed() -> list[tuple[str, str]]:
     """Code and title of each line of `kinestat explain`."""
     found = [line.split("  ", 1) for line in kinestat("explain").stdout.splitlines()]
     return [(code, title) for code, title in found]
+
+
+def explanation(code: str) -> tuple[list[str], list[str]]:
+    """The lines of the paragraph and of the example, the latter with their marks."""
+    lines = kinestat("explain", code).stdout.splitlines()[2:]
+    if EXAMPLE not in lines:
+        return lines, []
+    at = lines.index(EXAMPLE)
+    return lines[:at - 1], [line[2:] for line in lines[at + 2:]]
+
+
+def version(example: list[str], mark: str) -> str:
+    """The wrong (-) or the right (+) version of an example."""
+    lines = [line[2:] for line in example if not line.strip() or line[0] in (" ", mark)]
+    return "\n".join(lines).replace("<tab>", "\t") + "\n"
+
+
+def messages_of(text: str) -> tuple[int, list[str]]:
+    """Exit status and codes of a mechanism file, or of a list of commands."""
+    with tempfile.TemporaryDirectory(prefix="kinestat-example-") as name:
+        folder = Path(name)
+        command = "kinestat analyze --quiet file.yaml"
+        if text.startswith("$ "):
+            command = "\n".join(line.removeprefix("$ ") for line in text.splitlines())
+            write_inputs(folder)
+        else:
+            (folder / "file.yaml").write_text(text, encoding="utf-8")
+        path = f"{PROGRAM.parent}:{os.environ.get('PATH', os.defpath)}"
+        done = subprocess.run(
+            ["bash", "-c", command], cwd=folder, env={**os.environ, "PATH": path},
+            capture_output=True, encoding="utf-8", check=False, timeout=120,
+        )
+        return done.returncode, re.findall(r"(?:error|warning)\[(\w+)\]", done.stderr)
+
+
+def write_inputs(folder: Path) -> None:
+    """The files that the commands of the examples name."""
+    train = (ROOT / "mechanisms/gears/simple_planetary.yaml").read_bytes()
+    (folder / "mechanisms").mkdir()
+    for path in ("train.yaml", "mechanisms/train.yaml"):
+        (folder / path).write_bytes(train)
+    (folder / "latin1.yaml").write_bytes(train.replace(b"Simple", b"Einfacher Tr\xE4ger,"))
+    (folder / "drawing.step").write_bytes(b"#1=CARTESIAN_POINT('',(0.,0.,0.));\n" * 40000)
 
 
 def shown() -> dict[str, str]:
@@ -60,11 +118,31 @@ class Codes(unittest.TestCase):
             with self.subTest(code):
                 told = kinestat("explain", code)
                 self.assertEqual((told.returncode, told.stderr), (0, ""))
-                head, empty, *paragraph = told.stdout.splitlines()
+                head, empty, *_ = told.stdout.splitlines()
+                paragraph, _ = explanation(code)
                 self.assertEqual((head, empty), (f"{code}: {title}", ""))
-                self.assertGreaterEqual(len(" ".join(paragraph)), 25)
+                self.assertGreaterEqual(len(" ".join(paragraph)), 100)
                 self.assertTrue(paragraph[-1].endswith("."), paragraph[-1])
                 self.assertLessEqual(max(map(len, paragraph)), 80)
+
+    def test_are_explained_by_an_example(self) -> None:
+        for code, _ in listed():
+            if code not in NOT_PROVOKED:
+                with self.subTest(code):
+                    _, example = explanation(code)
+                    self.assertTrue(example, f"add lib/run/examples/{code}.diff")
+                    self.assertLessEqual(max(map(len, example)), 90)
+
+    def test_come_from_the_wrong_version_of_their_example_alone(self) -> None:
+        for code, _ in listed():
+            _, example = explanation(code)
+            if example and code not in NOT_RUN:
+                with self.subTest(code):
+                    allowed = {NOT_ANALYSED} - {code}
+                    _, codes = messages_of(version(example, "-"))
+                    self.assertEqual(set(codes) - allowed, {code})
+                    status, codes = messages_of(version(example, "+"))
+                    self.assertEqual((status, set(codes) - allowed), (0, set()))
 
     def test_are_shown_by_a_case(self) -> None:
         codes, cases = [code for code, _ in listed()], shown()

@@ -16,6 +16,14 @@ TEST(Codes, AreSortedAndUnique) {
   EXPECT_EQ(at, codes.end()) << at->code << " is not below its successor";
 }
 
+TEST(Codes, HaveATitleAndAParagraphOfSentences) {
+  for (const Code& row : all_codes()) {
+    SCOPED_TRACE(row.code);
+    EXPECT_FALSE(row.title.empty());
+    EXPECT_TRUE(row.paragraph.ends_with('.'));
+  }
+}
+
 TEST(Codes, AreFoundByTheirName) {
   for (const Code& row : all_codes()) {
     EXPECT_EQ(find_code(row.code), &row) << row.code;

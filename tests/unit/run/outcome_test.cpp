@@ -44,7 +44,28 @@ TEST(AddBug, NamesTheFileAndIsTheWorstStatus) {
   add_bug("m.yaml", "a < b", outcome);
 
   EXPECT_EQ(static_cast<int>(outcome.status), 70);
-  EXPECT_TRUE(outcome.err.starts_with("m.yaml: internal error: a < b\n")) << outcome.err;
+  EXPECT_TRUE(outcome.err.starts_with("m.yaml: error[E0155]: internal error: a < b\n"))
+      << outcome.err;
+}
+
+TEST(AddDiagnostics, WritesALineOfJsonForAFileWithoutMessages) {
+  Outcome outcome;
+  outcome.form = DiagnosticsForm::json;
+
+  add_diagnostics({.path = "m.yaml", .text = ""}, {}, Strictness::normal, outcome);
+
+  EXPECT_EQ(
+      outcome.err,
+      "{\"kinestat\":{\"diagnostics\":1},\"file\":\"m.yaml\",\"status\":0,\"diagnostics\":[]}\n");
+}
+
+TEST(AddMessage, IsOfTheProgramAndNotOfAFile) {
+  Outcome outcome;
+
+  add_message("E0101", "a command is missing", "give one", outcome);
+
+  EXPECT_EQ(outcome.err, "kinestat: error[E0101]: a command is missing\n  hint: give one\n");
+  EXPECT_EQ(outcome.status, ExitStatus::usage);
 }
 
 }  // namespace

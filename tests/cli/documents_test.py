@@ -1,0 +1,188 @@
+#!/usr/bin/env python3
+"""What is said of the format holds: the examples of the help, the starter files and the READMEs.
+
+An example is a block that begins with `kinestat: 1`, perhaps below the name of its file, as in
+`# press.yaml`; it is accepted without a word, and follows the schema. A console block of a README
+is run line by line, in a folder with the files that the page has named before, and prints what
+stands there; a line `…` stands for any lines.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from typing import Any, Iterator
+
+import jsonschema
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+CASES = ROOT / "tests" / "cli"
+PAGES = ["README.md", "mechanisms/README.md"]
+PROGRAM = Path("kinestat")
+
+
+def kinestat(*arguments: str | Path, cwd: Path = ROOT) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [PROGRAM, *map(str, arguments)], capture_output=True, encoding="utf-8", check=False,
+        timeout=60, cwd=cwd,
+    )
+
+
+def topics() -> list[str]:
+    lines = kinestat("help").stdout.splitlines()
+    return [line.split()[0] for line in lines if line.startswith("  ")]
+
+
+def kinds() -> list[str]:
+    hint = kinestat("new").stderr.splitlines()[-1]
+    return hint.split("kinds are ")[1].split(", ")
+
+
+def indented_examples(text: str) -> Iterator[str]:
+    """The blocks of a page of help that begin with `    kinestat: 1`."""
+    for match in re.finditer(r"^    kinestat: 1\b.*\n(?:    .*\n)*", text, re.M):
+        yield re.sub(r"^    ", "", match[0], flags=re.M)
+
+
+def blocks(page: str) -> list[tuple[str, str]]:
+    """The fenced blocks of a page: their language, and their text."""
+    text = (ROOT / page).read_text("utf-8")
+    return re.findall(r"^```(\w+)\n(.*?)^```$", text, re.M | re.S)
+
+
+def schema(name: str) -> Any:
+    return json.loads((ROOT / "schemas" / f"{name}.schema.json").read_text("utf-8"))
+
+
+def faults(value: Any, name: str) -> list[str]:
+    errors = jsonschema.Draft7Validator(schema(name)).iter_errors(value)
+    return [f"{list(error.absolute_path)}: {error.message[:200]}" for error in errors]
+
+
+def matches(expected: str, actual: str) -> bool:
+    """Whether two texts are equal, where a line `…` of the first is any lines of the second."""
+    parts = [re.escape(part) for part in re.split(r"^…\n", expected, flags=re.M)]
+    return re.fullmatch("(?:.*\n)*".join(parts), actual) is not None
+
+
+class Examples(unittest.TestCase):
+    def accept(self, text: str, command: str) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "example.yaml"
+            path.write_text(text, encoding="utf-8")
+            told = kinestat(command, path)
+        self.assertEqual((told.returncode, told.stderr), (0, ""), text)
+        self.assertEqual(faults(yaml.safe_load(text), "mechanism"), [], text)
+
+    def test_of_each_topic_are_accepted(self) -> None:
+        count = 0
+        for topic in topics():
+            for text in indented_examples(kinestat("help", topic).stdout):
+                with self.subTest(topic):
+                    self.accept(text, "analyze")
+                    count += 1
+        self.assertGreaterEqual(count, 7)
+
+    def test_of_the_pages_are_accepted(self) -> None:
+        for page in PAGES:
+            for language, text in blocks(page):
+                if language == "yaml" and re.match(r"(# \S+\.yaml\n)?kinestat: 1\b", text):
+                    with self.subTest(page):
+                        self.accept(text, "analyze")
+
+
+class Topics(unittest.TestCase):
+    def test_fit_a_terminal_and_name_themselves(self) -> None:
+        for topic in topics():
+            with self.subTest(topic):
+                page = kinestat("help", topic).stdout
+                self.assertTrue(page.startswith(f"{topic}: "))
+                self.assertLessEqual(max(map(len, page.splitlines())), 95)
+
+    def test_name_only_codes_that_exist(self) -> None:
+        for topic in topics():
+            for code in set(re.findall(r"\b[EW]\d{4}\b", kinestat("help", topic).stdout)):
+                with self.subTest(topic):
+                    self.assertEqual(kinestat("explain", code).returncode, 0, code)
+
+
+class Starters(unittest.TestCase):
+    def test_follow_the_schema(self) -> None:
+        for kind in kinds():
+            with self.subTest(kind):
+                value = yaml.safe_load(kinestat("new", kind).stdout)
+                self.assertEqual(faults(value, "mechanism"), [])
+
+    def test_name_the_schema_for_editors_first(self) -> None:
+        for kind in kinds():
+            with self.subTest(kind):
+                first = kinestat("new", kind).stdout.splitlines()[0]
+                self.assertEqual(
+                    first, "# yaml-language-server: $schema=mechanism.schema.json")
+
+    def test_are_accepted(self) -> None:
+        for kind in kinds():
+            with self.subTest(kind):
+                with tempfile.TemporaryDirectory() as folder:
+                    path = Path(folder) / "file.yaml"
+                    kinestat("new", kind, path)
+                    told = kinestat("analyze", path)
+                codes = set(re.findall(r"\[(\w+)\]", told.stderr))
+                self.assertEqual((told.returncode, codes - {"W0302"}), (0, set()))
+
+
+class Consoles(unittest.TestCase):
+    def test_print_what_the_pages_say(self) -> None:
+        for page in PAGES:
+            with self.subTest(page), tempfile.TemporaryDirectory() as name:
+                folder = Path(name)
+                (folder / "mechanisms").symlink_to(ROOT / "mechanisms")
+                for language, text in blocks(page):
+                    if language == "console":
+                        self.run_console(text, folder)
+                    elif match := re.match(r"# (\S+\.yaml)\n", text):
+                        (folder / match[1]).write_text(text, encoding="utf-8")
+
+    def run_console(self, text: str, folder: Path) -> None:
+        path = f"{PROGRAM.parent}:{os.environ.get('PATH', os.defpath)}"
+        for match in re.finditer(r"^\$ (.*)\n((?:(?!\$ ).*\n)*)", text, re.M):
+            told = subprocess.run(
+                ["bash", "-c", match[1]], cwd=folder, env={**os.environ, "PATH": path},
+                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", check=False,
+                timeout=120,
+            )
+            if not matches(match[2], told.stdout):
+                self.assertEqual(match[2], told.stdout, match[1])
+
+
+class Diagnostics(unittest.TestCase):
+    def test_as_json_follow_the_schema_and_say_what_the_text_says(self) -> None:
+        for path in sorted(CASES.glob("*/*.yaml")):
+            with self.subTest(path.parent.name):
+                told = kinestat("analyze", "--quiet", path)
+                lines = kinestat("analyze", "--quiet", "--diagnostics", "json", path).stderr
+                line = json.loads(lines)
+                self.assertEqual(faults(line, "diagnostics"), [])
+                self.assertEqual(line["status"], told.returncode)
+                self.assertTrue(lines.isascii() and lines.count("\n") == 1)
+                pattern = r"^(?:\S.*: )?(error|warning)\[(\w+)\]: (.*)$"
+                shown = re.findall(pattern, told.stderr, re.M)
+                meant = [(d["severity"], d["code"], d["message"]) for d in line["diagnostics"]]
+                if len(meant) <= 20:
+                    self.assertEqual(shown, meant)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", type=Path, required=True)
+    known, others = parser.parse_known_args()
+    PROGRAM = known.program.resolve()
+    unittest.main(argv=[sys.argv[0], *others])
