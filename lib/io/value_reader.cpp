@@ -44,24 +44,45 @@ bool is_whole_number(const YamlNode& node) {
   return node.kind == YamlKind::scalar && !digits.empty() && std::ranges::all_of(digits, is_digit);
 }
 
-// "1.5, 0.0" of the items 1, 5, 0, 0; of an odd number only the first two.
+// "[1.5, 0.0]" of the items 1, 5, 0, 0.
 std::string with_decimal_points(const YamlNode& node) {
   std::vector<std::string> numbers;
   for (std::size_t i = 0; i + 1 < node.items.size(); i += 2) {
     numbers.push_back(node.items[i].text + "." + node.items[i + 1].text);
   }
-  return node.items.size() % 2 == 0 ? fmt::format("[{}]", fmt::join(numbers, ", "))
-                                    : numbers.front();
+  return fmt::format("[{}]", fmt::join(numbers, ", "));
+}
+
+// "2.5" of [2,5, 3]: two whole numbers with nothing but a comma between them, where others have a
+// space; empty if there are none.
+std::string tight_decimal(const YamlNode& node) {
+  std::string tight;
+  bool has_wide = false;
+  for (std::size_t i = 0; i + 1 < node.items.size(); ++i) {
+    const YamlNode& left = node.items[i];
+    const YamlNode& right = node.items[i + 1];
+    const bool is_tight = left.where.line == right.where.line &&
+                          left.where.column + left.where.length + 1 == right.where.column;
+    has_wide = has_wide || !is_tight;
+    if (is_tight && tight.empty() && is_whole_number(left) && is_whole_number(right)) {
+      tight = left.text + "." + right.text;
+    }
+  }
+  return has_wide ? tight : "";
 }
 
 // What to type where a point has the wrong number of components.
 std::string components_hint(const YamlNode& node, std::size_t count) {
   const std::string form = count == 2 ? "write [x, y]" : "write [x, y, z]";
+  const std::string decimal = tight_decimal(node);
+  if (node.items.size() == 2 * count && std::ranges::all_of(node.items, is_whole_number)) {
+    return fmt::format("{}; a decimal has a point: {}", form, with_decimal_points(node));
+  }
+  if (node.items.size() > count && !decimal.empty()) {
+    return fmt::format("{}; a decimal has a point: {}", form, decimal);
+  }
   if (count == 2 && node.items.size() == 3) {
     return form + "; points in the plane have no z";
-  }
-  if (node.items.size() > count && std::ranges::all_of(node.items, is_whole_number)) {
-    return fmt::format("{}; a decimal has a point: {}", form, with_decimal_points(node));
   }
   const std::string listed = node.items.size() == 1 ? with_commas(node.items.front()) : "";
   return listed.empty() ? form : fmt::format("write [{}]: a comma between the components", listed);

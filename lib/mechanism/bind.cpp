@@ -168,7 +168,7 @@ void report_unanalysed(const std::vector<Unanalysed>& list, Purpose purpose, Dia
                   std::move(message),
                   !one.hint.empty() ? one.hint
                                     : "'kinestat check' validates the file; 'kinestat help "
-                                      "couplings' lists what this version analyses");
+                                      "format' lists what this version analyses");
     } else {
       found.warning("W0302", one.where, std::move(message), one.hint);
     }

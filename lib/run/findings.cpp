@@ -18,8 +18,9 @@ namespace {
 // How the magnitudes of one side are shown: names as the file gives them, in the units of the file.
 struct Side {
   std::function<std::string(int)> name;
-  std::function<double(int)> unit;  ///< SI per unit of the file
-  std::string_view key;             ///< "motion" or "action"
+  std::function<double(int)> unit;           ///< SI per unit of the file
+  std::string_view key;                      ///< "motion" or "action"
+  std::function<std::string(int)> actuator;  ///< that moves or bears it; empty if none does
 };
 
 std::vector<std::string> names_of(const std::vector<int>& indices, const Side& side) {
@@ -30,13 +31,23 @@ std::vector<std::string> names_of(const std::vector<int>& indices, const Side& s
   return names;
 }
 
-// "add to 'motion:' for example a.wz or b.wz", or sets in braces where several are missing.
+// "add to 'motion:' for example drive or b.wz", or sets in braces where several are missing; those
+// of actuators first, which are what an engineer would give.
 std::string completions_text(const PrimaryCheck& check, const Side& side) {
   std::vector<std::string> sets;
+  std::vector<std::string> others;
   for (const std::vector<int>& set : check.completions) {
-    const std::string names = plain_list(names_of(set, side));
-    sets.push_back(set.size() == 1 ? names : "{" + names + "}");
+    std::vector<std::string> names;
+    bool has_actuators = true;
+    for (const int i : set) {
+      const std::string actuator = side.actuator(i);
+      names.push_back(actuator.empty() ? side.name(i) : actuator);
+      has_actuators = has_actuators && !actuator.empty();
+    }
+    const std::string listed = plain_list(names);
+    (has_actuators ? sets : others).push_back(set.size() == 1 ? listed : "{" + listed + "}");
   }
+  sets.insert(sets.end(), others.begin(), others.end());
   if (sets.empty()) {
     return {};
   }
@@ -93,6 +104,12 @@ std::string name_in(const std::vector<Primary>& primaries, int index, std::strin
   return at == primaries.end() ? otherwise : at->given;
 }
 
+// The first actuator on a freedom or of an action.
+std::string actuator_of(const Topology& topology, int ActuatorTopology::*member, int index) {
+  const auto at = std::ranges::find(topology.actuators, index, member);
+  return at == topology.actuators.end() ? std::string() : at->name;
+}
+
 Side motion_side(const Analysis& analysis, const Case& which) {
   const Topology& topology = analysis.mechanism.topology;
   const FileUnits& units = analysis.description.units;
@@ -103,7 +120,8 @@ Side motion_side(const Analysis& analysis, const Case& which) {
                                         ? QuantityKind::angular_velocity
                                         : QuantityKind::velocity);
               },
-          .key = "motion"};
+          .key = "motion",
+          .actuator = [&](int i) { return actuator_of(topology, &ActuatorTopology::freedom, i); }};
 }
 
 Side action_side(const Analysis& analysis, const Case& which) {
@@ -116,7 +134,8 @@ Side action_side(const Analysis& analysis, const Case& which) {
                                         ? QuantityKind::moment
                                         : QuantityKind::force);
               },
-          .key = "action"};
+          .key = "action",
+          .actuator = [&](int i) { return actuator_of(topology, &ActuatorTopology::action, i); }};
 }
 
 void add_motion_findings(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {

@@ -117,7 +117,7 @@ int Parser::fail_unit(const Token& number, const Token& word) {
                 fmt::format("write {}*{}", text_of(number), name));
   }
   const std::string hint = unit_hint(name);
-  const bool is_near = hint.starts_with("did");
+  const bool is_near = !hint.starts_with("units are");
   return fail(
       word,
       fmt::format("unknown unit '{}'", name),
@@ -127,7 +127,7 @@ int Parser::fail_unit(const Token& number, const Token& word) {
 int Parser::fail_unknown_function() {
   const std::string_view name = text_of(token());
   const std::string hint = function_hint(name);
-  const bool is_near = hint.starts_with("did");
+  const bool is_near = !hint.starts_with("units are");
   fail(token(),
        fmt::format("unknown function '{}'", name),
        is_near ? hint : fmt::format("{}; for a product write {}*( )", hint, name));

@@ -107,6 +107,15 @@ std::variant<Token, ExpressionError> scan_token(std::string_view text, std::size
   return Token{.kind = TokenKind::symbol, .offset = static_cast<int>(at), .length = 1};
 }
 
+// A number in digits right after another one.
+std::optional<ExpressionError> find_second_number(std::string_view text,
+                                                  const std::vector<Token>& before,
+                                                  std::size_t at) {
+  const bool follows_number = !before.empty() && before.back().kind == TokenKind::number;
+  return follows_number && is_digit(text[at]) ? find_spaced_number(text, before.back().offset, at)
+                                              : std::nullopt;
+}
+
 }  // namespace
 
 std::variant<std::vector<Token>, ExpressionError> scan(std::string_view text) {
@@ -120,11 +129,8 @@ std::variant<std::vector<Token>, ExpressionError> scan(std::string_view text) {
       ++at;
       continue;
     }
-    const bool follows_number = !tokens.empty() && tokens.back().kind == TokenKind::number;
-    if (follows_number && is_digit(text[at])) {
-      if (auto error = find_spaced_number(text, tokens.back().offset, at)) {
-        return std::move(*error);
-      }
+    if (auto error = find_second_number(text, tokens, at)) {
+      return std::move(*error);
     }
     auto scanned = scan_token(text, at);
     if (auto* error = std::get_if<ExpressionError>(&scanned)) {

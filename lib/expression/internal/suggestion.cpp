@@ -45,6 +45,10 @@ constexpr auto kForeignUnits = std::to_array<Spelling>({
     {"ft", "12 in"},
     {"t", "1000 kg"},
     {"MW", "1000 kW"},
+    {"U", "1 rev, and 1 U/min is 1 rpm"},
+    {"tr", "1 rev, and 1 tr/min is 1 rpm"},
+    {"PS", "735.49875 W"},
+    {"hp", "745.69987 W"},
 });
 
 // A unit written out, in the plural, or broken off after three letters or more.

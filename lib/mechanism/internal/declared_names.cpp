@@ -218,6 +218,14 @@ std::string NameTable::hint(std::string_view name) const {
 bool DeclaredNames::check_actuator(const Name& reference,
                                    std::string_view role,
                                    Diagnostics& found) const {
+  if (!actuators.contains(reference.text) && bodies.contains(reference.text) &&
+      !couplings.contains(reference.text)) {
+    found.error("E0313",
+                reference.where,
+                fmt::format("{} '{}', which is a body and not an actuator", role, reference.text),
+                fmt::format("name the actuator that drives it; {}", actuators.hint("")));
+    return false;
+  }
   if (actuators.contains(reference.text) || !couplings.contains(reference.text)) {
     return actuators.check(reference, role, found);
   }

@@ -47,7 +47,7 @@ TEST(SolveCases, FindsPowerOnlyWithBothSidesSolved) {
 }
 
 TEST(SolveCases, FindsRatiosOnlyWithInputAndOutput) {
-  EXPECT_FALSE(solve("motion: {load: 13 rad/s}, output: load").ratios.has_value());
+  EXPECT_FALSE(solve("motion: {load: 13 rad/s}, input: drive").ratios.has_value());
   const CaseAnalysis one = solve("motion: {load: 13 rad/s}, input: drive, output: load");
 
   ASSERT_TRUE(one.ratios.has_value());
