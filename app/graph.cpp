@@ -39,6 +39,7 @@ void add_graph(CLI::App& parent, Job& job) {
   auto options = std::make_shared<GraphOptions>();
   add_files(*command, options->files);
   add_format(*command, options->files);
+  add_strict(*command, options->files);
   add_matrices(*command, *options);
   command->callback([options, &job] {
     job = [options] {

@@ -181,7 +181,8 @@ constexpr auto kCodes = std::to_array<Code>({
      wrong_input,
      "body is not declared",
      "Couplings, loads, gear members and cables name the ground or bodies of the section 'bodies'. "
-     "A name that is not declared there is taken for a misspelling and not for a new body, since a mechanism "
+     "A name that is not declared there is taken for a misspelling and not for a new body, since a "
+     "mechanism "
      "with one body more has other answers."},
     {"E0313",
      wrong_input,

@@ -31,7 +31,8 @@ inline constexpr double kConsistency = 1e-9;
 inline constexpr double kPowerBalance = 1e-9;
 
 /// A magnitude is affine in the free parameters if it is met at other points of them to this share
-/// of its largest term; a function that bends shows far more at the steps that are probed.
+/// of its largest term. Parameters are moved by at least their own size and that of the mechanism,
+/// where a function that bends shows far more.
 inline constexpr double kAffine = 1e-9;
 
 /// Two values of a condition count as equal if they differ by at most this share of the larger one:

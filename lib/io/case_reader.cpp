@@ -44,9 +44,10 @@ std::vector<Name> read_ends(Fields& fields, std::string_view key, Diagnostics& f
                 fmt::format("name an actuator, or remove '{}'", key));
     return {};
   }
-  return node == nullptr ? std::vector<Name>()
-                         : read_references(*node, fmt::format("'{}' of {}", key, fields.what()), found)
-                               .value_or(std::vector<Name>{});
+  return node == nullptr
+             ? std::vector<Name>()
+             : read_references(*node, fmt::format("'{}' of {}", key, fields.what()), found)
+                   .value_or(std::vector<Name>{});
 }
 
 // A ratio needs both; an input alone says whose power counts as input.

@@ -26,9 +26,11 @@ std::optional<CouplingPoint> read_points_of_bodies(const YamlNode& node,
   if (has_letter_keys(node) || node.entries.size() != 2) {
     found.error("E0304",
                 node.where,
-                has_letter_keys(node)
-                    ? fmt::format("{} is a mapping of coordinates", what)
-                    : fmt::format("{} is given for {} bodies", what, node.entries.size()),
+                has_letter_keys(node) ? fmt::format("{} is a mapping of coordinates", what)
+                                      : fmt::format("{} is given for {} bod{}",
+                                                    what,
+                                                    node.entries.size(),
+                                                    node.entries.size() == 1 ? "y" : "ies"),
                 fmt::format("write {}, or {{TAIL: {}, HEAD: {}}} for the point as drawn on each "
                             "of the two bodies",
                             point,

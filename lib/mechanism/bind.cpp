@@ -8,6 +8,7 @@
 #include "core/text.hpp"
 #include "graph/components.hpp"
 #include "mechanism/internal/case_binder.hpp"
+#include "mechanism/internal/geometry_check.hpp"
 #include "mechanism/internal/section_checks.hpp"
 #include "mechanism/internal/structure_binder.hpp"
 #include "mechanism/unanalysed.hpp"
@@ -54,7 +55,15 @@ std::optional<std::vector<int>> find_branches(const MechanismDescription& descri
   bool is_good = true;
   for (const Name& name : *description.tree) {
     const auto at = std::ranges::find(names, name.text);
-    branches.push_back(static_cast<int>(at - names.begin()));
+    const int branch = static_cast<int>(at - names.begin());
+    if (at != names.end() && std::ranges::find(branches, branch) != branches.end()) {
+      is_good = false;
+      found.error("E0307",
+                  name.where,
+                  fmt::format("the tree names coupling '{}' twice", name.text),
+                  "remove one of the two");
+    }
+    branches.push_back(branch);
     if (at == names.end()) {
       is_good = false;
       found.error("E0313",
@@ -144,8 +153,16 @@ bool bind_graph(const MechanismDescription& description, Diagnostics& found, Mec
   return found.error_count() == errors_before;
 }
 
+// Whether all couplings have their screws, so that freedoms and actions have names.
+bool has_all_screws(const MechanismDescription& description) {
+  return !description.gears && description.cables.empty() &&
+         std::ranges::all_of(description.couplings, [](const CouplingDescription& coupling) {
+           return is_in_catalogue(coupling.type) && !is_counted_only(coupling);
+         });
+}
+
 // A mechanism some of whose couplings have no screws yet cannot name its freedoms and actions, so
-// its cases are only evaluated.
+// of its cases only values and the names before the dots are checked.
 void check_cases(const MechanismDescription& description, Evaluator& evaluator) {
   for (const CaseDescription& one : description.cases) {
     for (const auto* side : {&one.motions, &one.actions}) {
@@ -187,11 +204,12 @@ std::optional<Mechanism> bind_for(Purpose purpose,
       description.static_order == OrderChoice::spatial ? Space::spatial : description.space;
   if (description.has_mechanism()) {
     const bool is_good = bind_structure(description, constraints, evaluator, found, result);
-    if (is_good && !is_undecided && bind_graph(description, found, result)) {
+    if (!is_good || !has_all_screws(description)) {
+      check_cases(description, evaluator);
+      check_case_names(description, found);
+    } else if (bind_graph(description, found, result)) {
       result.cases = bind_cases(description, result.topology, evaluator, found);
       check_reported_quantities(description, result.topology, found);
-    } else {
-      check_cases(description, evaluator);
     }
   }
   check_sections(description, evaluator, found);

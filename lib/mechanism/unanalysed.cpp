@@ -46,7 +46,10 @@ void add_coupling(const CouplingDescription& coupling,
     add(coupling.name.where,
         fmt::format(
             "{} of {}", coupling.contact ? "contact of the teeth" : "helix angle", word(coupling)),
-        has_statics || coupling.contact);
+        true);
+  }
+  if (coupling.one_way) {
+    add(coupling.name.where, fmt::format("freewheel {}", word(coupling)), true);
   }
   if (coupling.friction) {
     add(coupling.friction->where, fmt::format("friction of {}", word(coupling)), has_statics);

@@ -1,12 +1,13 @@
 #include "run/analyse.hpp"
 
 #include <algorithm>
+#include <exception>
+#include <new>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "core/contract.hpp"
 #include "mechanism/bind.hpp"
 #include "report/file_report.hpp"
 #include "run/findings.hpp"
@@ -93,7 +94,7 @@ void analyse_file(const std::string& path,
   add_diagnostics(source, found, options.strictness, outcome);
 }
 
-// Runs `job` for each file; a broken contract fails that file only.
+// Runs `job` for each file; a bug fails that file only.
 template <class Job>
 Outcome for_each_file(const std::vector<std::string>& paths,
                       const AnalyseOptions& options,
@@ -109,7 +110,9 @@ Outcome for_each_file(const std::vector<std::string>& paths,
   for (const std::string& path : paths) {
     try {
       job(path, outcome);
-    } catch (const ContractViolation& bug) {
+    } catch (const std::bad_alloc&) {
+      throw;  // not of this file
+    } catch (const std::exception& bug) {
       add_bug(path, bug.what(), outcome);
     }
     if (options.fail_fast && outcome.status != ExitStatus::done) {

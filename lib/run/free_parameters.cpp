@@ -35,16 +35,23 @@ std::pair<double, std::string> in_file_units(const Quantity& value, const FileUn
   return {value.value, si_unit_of(value.dimension)};
 }
 
-// A parameter that is zero, as positions often are, is moved by the size of the mechanism.
-double step_of(double value, double length) {
-  return value != 0.0 ? std::abs(value) : length;
+// How far a parameter is moved: its own size, but no less than the mechanism's for a length or a
+// bare number, which mostly is one, and than one unit or radian for the rest; a bend would hide
+// below rounding if a small value were moved by itself alone.
+double step_of(double value, const Quantity& quantity, const FileUnits& units, double length) {
+  const Dimension& dimension = quantity.dimension;
+  const bool is_length = is_bare(dimension) || dimension == dimension_of(QuantityKind::length);
+  const bool is_angle = dimension == dimension_of(QuantityKind::angle);
+  const double least = is_length  ? units.from_si(QuantityKind::length, length)
+                       : is_angle ? units.from_si(QuantityKind::angle, 1.0)
+                                  : 1.0;
+  return std::max(std::abs(value), least);
 }
 
 std::vector<Probed> find_free(const Analysis& analysis) {
   const MechanismDescription& description = analysis.description;
   const ParameterTable table = evaluate_parameters(parameters_of(description)).table;
-  const double length =
-      description.units.from_si(QuantityKind::length, analysis.mechanism.geometry.length);
+  const double length = analysis.mechanism.geometry.length;
   std::vector<Probed> result;
   for (std::size_t i = 0; i < description.parameters.size(); ++i) {
     const ParameterDescription& parameter = description.parameters[i];
@@ -52,7 +59,8 @@ std::vector<Probed> find_free(const Analysis& analysis) {
     if (value != nullptr) {
       const auto [number, unit] = in_file_units(*value, description.units);
       result.push_back({.index = i,
-                        .parameter = {.value = number, .step = step_of(number, length)},
+                        .parameter = {.value = number,
+                                      .step = step_of(number, *value, description.units, length)},
                         .unit = unit});
     }
   }
@@ -66,7 +74,12 @@ std::vector<CaseAnalysis> solve_at(const MechanismDescription& description,
                                    const std::vector<double>& values) {
   MechanismDescription moved = description;
   for (std::size_t i = 0; i < free.size(); ++i) {
-    auto parsed = parse_expression(fmt::format("{} {}", values[i], free[i].unit));
+    auto parsed =
+        parse_expression(free[i].unit.empty() ? fmt::format("{}", values[i])
+                                              : fmt::format("{}*{}", values[i], free[i].unit));
+    if (!std::holds_alternative<Expression>(parsed)) {
+      return {};  // beyond what a number can be
+    }
     moved.parameters[free[i].index].value.expression = std::get<Expression>(std::move(parsed));
   }
   Diagnostics ignored;

@@ -1,10 +1,11 @@
 #include "run/graph.hpp"
 
 #include <algorithm>
+#include <exception>
+#include <new>
 
 #include <fmt/format.h>
 
-#include "core/contract.hpp"
 #include "core/text.hpp"
 #include "network/bases.hpp"
 #include "network/network_matrices.hpp"
@@ -149,7 +150,9 @@ Outcome graph_files(const std::vector<std::string>& paths,
   for (const std::string& path : paths) {
     try {
       graph_file(path, matrices, case_label, options, paths.size(), outcome);
-    } catch (const ContractViolation& bug) {
+    } catch (const std::bad_alloc&) {
+      throw;  // not of this file
+    } catch (const std::exception& bug) {
       add_bug(path, bug.what(), outcome);
     }
   }

@@ -117,7 +117,7 @@ int Parser::fail_unit(const Token& number, const Token& word) {
                 fmt::format("write {}*{}", text_of(number), name));
   }
   const std::string hint = unit_hint(name);
-  const bool is_near = !hint.starts_with("units are");
+  const bool is_near = hint.starts_with("did");
   return fail(
       word,
       fmt::format("unknown unit '{}'", name),
@@ -127,7 +127,7 @@ int Parser::fail_unit(const Token& number, const Token& word) {
 int Parser::fail_unknown_function() {
   const std::string_view name = text_of(token());
   const std::string hint = function_hint(name);
-  const bool is_near = !hint.starts_with("units are");
+  const bool is_near = hint.starts_with("did");
   fail(token(),
        fmt::format("unknown function '{}'", name),
        is_near ? hint : fmt::format("{}; for a product write {}*( )", hint, name));
@@ -137,7 +137,9 @@ int Parser::fail_unknown_function() {
 
 int Parser::fail_unclosed(const Token& opening) {
   return token().kind == TokenKind::end
-             ? fail(opening, "'(' is not closed", "write the missing ')'")
+             ? fail(opening,
+                    "'(' is not closed",
+                    "write the missing ')'; in [ ] and { } a value with a comma needs quotes")
              : fail_leftover();
 }
 

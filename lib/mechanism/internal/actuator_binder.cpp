@@ -20,10 +20,14 @@ std::vector<std::string> coupling_names(const MechanismDescription& description)
   return names;
 }
 
-// The names of what the sections `gears` and `cables` add: they have no freedom to drive.
+// Whether a name may be one of those that the sections `gears` and `cables` add.
 bool is_generated(const MechanismDescription& description, const std::string& name) {
-  const auto is_it = [&](const MeshDescription& mesh) { return mesh.name.text == name; };
-  return description.gears && std::ranges::any_of(description.gears->meshes, is_it);
+  const auto is_mesh = [&](const MeshDescription& mesh) { return mesh.name.text == name; };
+  const auto is_of_cable = [&](const CableDescription& cable) {
+    return name.starts_with(cable.name.text + "_");
+  };
+  return (description.gears && std::ranges::any_of(description.gears->meshes, is_mesh)) ||
+         std::ranges::any_of(description.cables, is_of_cable);
 }
 
 }  // namespace
@@ -116,7 +120,9 @@ std::optional<std::size_t> ActuatorBinder::choose_freedom(const Pending& actuato
                actuator.where,
                message,
                names.empty() ? "choose another coupling"
-                             : fmt::format("add 'freedom:' with one of {}", plain_list(names)));
+               : actuator.freedom.empty()
+                   ? fmt::format("add 'freedom:' with one of {}", plain_list(names))
+                   : fmt::format("write freedom: {}", fmt::join(names, " or ")));
   return std::nullopt;
 }
 

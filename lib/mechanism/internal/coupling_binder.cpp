@@ -198,6 +198,12 @@ void keep_passive(const CouplingDescription& coupling, CouplingScrews& screws, D
   }
   std::vector<std::string> kept;
   for (const Name& name : *coupling.passive) {
+    if (std::ranges::find(kept, name.text) != kept.end()) {
+      found.error("E0307",
+                  name.where,
+                  fmt::format("'passive' of {} names '{}' twice", title(coupling), name.text),
+                  "remove one of the two");
+    }
     kept.push_back(name.text);
     if (std::ranges::find(available, name.text) == available.end()) {
       const std::string guess = did_you_mean(name.text, available);

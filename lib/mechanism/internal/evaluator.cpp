@@ -57,9 +57,11 @@ std::optional<double> Evaluator::number(const Value& value, QuantityKind kind) {
 // A bare number that counts in radians and is more than a full turn.
 void Evaluator::warn_of_degrees(const Value& value, double angle) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
-  const bool is_literal =
-      value.expression.is_number() && description_.units.text(QuantityKind::angle) == "rad";
-  if (is_literal && std::abs(angle) > kTurn) {
+  if (std::abs(angle) <= kTurn || description_.units.text(QuantityKind::angle) != "rad") {
+    return;
+  }
+  const auto result = evaluate(value.expression, table_.lookup());
+  if (std::holds_alternative<Quantity>(result) && is_bare(std::get<Quantity>(result).dimension)) {
     found_.warning(
         "W0303",
         value.where,

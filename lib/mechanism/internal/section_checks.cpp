@@ -30,6 +30,33 @@ void check_sections(const MechanismDescription& description,
   check_synthesis(context);
 }
 
+void check_case_names(const MechanismDescription& description, Diagnostics& found) {
+  Diagnostics said_elsewhere;
+  const DeclaredNames names = declare_names(description, said_elsewhere);
+  for (const CaseDescription& one : description.cases) {
+    for (const auto* side : {&one.motions, &one.actions}) {
+      for (const Assignment& known : *side) {
+        const std::string owner = known.target.text.substr(0, known.target.text.find('.'));
+        const bool is_dotted = owner.size() < known.target.text.size();
+        if (is_dotted ? !names.couplings.contains(owner) : !names.actuators.contains(owner)) {
+          const Name target{.text = owner, .where = known.target.where};
+          is_dotted ? names.couplings.check(target, "a case knows something of", found)
+                    : names.check_actuator(target, "a case knows", found);
+        }
+      }
+    }
+    for (const Name& input : one.inputs) {
+      names.check_actuator(input, "'input' names", found);
+    }
+    for (const Name& output : one.outputs) {
+      names.check_actuator(output, "'output' names", found);
+    }
+  }
+  for (const Name& branch : description.tree.value_or(std::vector<Name>{})) {
+    names.couplings.check(branch, "the tree names", found);
+  }
+}
+
 void check_reported_quantities(const MechanismDescription& description,
                                const Topology& topology,
                                Diagnostics& found) {

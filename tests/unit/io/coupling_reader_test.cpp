@@ -112,7 +112,7 @@ TEST(CouplingReader, ExplainsPointsOfOtherForms) {
                          Space::planar)
                 .complaints(),
             (Complaints{"1:41 E0304 the point of coupling 'a' is a mapping of coordinates",
-                        "2:41 E0304 the point of coupling 'b' is given for 1 bodies",
+                        "2:41 E0304 the point of coupling 'b' is given for 1 body",
                         "3:41 E0304 the point of coupling 'c' has 3 components, planar space "
                         "needs 2",
                         "4:41 E0304 the point of coupling 'd' has 4 components, planar space "
