@@ -1,6 +1,7 @@
 // A coupling as the user wrote it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -66,7 +67,8 @@ struct StiffnessDescription {
 /// The direction in which a freewheel bears a torque.
 enum class OneWay { positive, negative };
 
-/// Edge tail -> head. Which geometry a type needs is checked when it is bound.
+/// Edge tail -> head. What is large and rare is shared among copies, because files may have tens of
+/// thousands of couplings. Which geometry a type needs is checked when it is bound.
 struct CouplingDescription {
   Name name;
   CouplingType type = CouplingType::revolute;
@@ -86,14 +88,14 @@ struct CouplingDescription {
   std::optional<Value> helix_angle;               ///< of a gear
   bool internal = false;                          ///< of a gear: one of the two is a ring
   bool contact = false;  ///< of a gear: the contact of the teeth instead of a rolling pair
-  std::optional<ScrewDescription> screw;      ///< relative motion of a bevel gear, worm, rack
-  std::optional<PointDescription> from;       ///< of a cable: its end on the tail
-  std::optional<PointDescription> to;         ///< of a cable: its end on the head
-  std::vector<ScrewDescription> freedoms;     ///< of type screws
-  std::vector<ScrewDescription> constraints;  ///< of type screws
-  std::optional<OneWay> one_way;              ///< of a clutch or brake: a freewheel
-  std::optional<std::vector<Name>> passive;   ///< the constraints that it keeps
-  std::optional<FrictionDescription> friction;
+  std::shared_ptr<const ScrewDescription> screw;  ///< relative motion of a bevel gear, worm, rack
+  std::optional<PointDescription> from;           ///< of a cable: its end on the tail
+  std::optional<PointDescription> to;             ///< of a cable: its end on the head
+  std::vector<ScrewDescription> freedoms;         ///< of type screws
+  std::vector<ScrewDescription> constraints;      ///< of type screws
+  std::optional<OneWay> one_way;                  ///< of a clutch or brake: a freewheel
+  std::optional<std::vector<Name>> passive;       ///< the constraints that it keeps
+  std::shared_ptr<const FrictionDescription> friction;  ///< may be null
   std::vector<StiffnessDescription> stiffness;
 };
 

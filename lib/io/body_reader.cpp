@@ -60,6 +60,7 @@ BodyDescription read_body(const YamlEntry& entry, Space space, Diagnostics& foun
 
 std::vector<BodyDescription> read_bodies(const YamlNode& node, Space space, Diagnostics& found) {
   std::vector<BodyDescription> bodies;
+  bodies.reserve(node.items.size() + node.entries.size());
   if (node.kind == YamlKind::sequence) {
     for (const YamlNode& item : node.items) {
       if (const auto name = read_reference(item, "a body", found);

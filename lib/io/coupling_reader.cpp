@@ -90,7 +90,9 @@ void read_screw_list(const YamlNode& node, const Place& place, CouplingDescripti
 }
 
 void read_relative_screw(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
-  coupling.screw = read_screw(node, place.of("relative screw"), place.space, place.found);
+  if (auto screw = read_screw(node, place.of("relative screw"), place.space, place.found)) {
+    coupling.screw = std::make_shared<const ScrewDescription>(*std::move(screw));
+  }
 }
 
 void read_one_way(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
@@ -107,7 +109,9 @@ void read_passive(const YamlNode& node, const Place& place, CouplingDescription&
 void read_coupling_friction(const YamlNode& node,
                             const Place& place,
                             CouplingDescription& coupling) {
-  coupling.friction = read_friction(node, place.of("friction"), place.found);
+  if (auto friction = read_friction(node, place.of("friction"), place.found)) {
+    coupling.friction = std::make_shared<const FrictionDescription>(*std::move(friction));
+  }
 }
 
 void read_stiffness(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
@@ -260,6 +264,9 @@ std::vector<CouplingDescription> read_couplings(const YamlNode& node,
   if (!check_mapping(node, "couplings", found)) {
     return couplings;
   }
+  // They are large, and most have at least a type and bodies.
+  couplings.reserve(static_cast<std::size_t>(std::ranges::count_if(
+      node.entries, [](const YamlEntry& entry) { return entry.value.entries.size() >= 2; })));
   for (const YamlEntry& entry : node.entries) {
     if (auto coupling = read_coupling(entry, space, found)) {
       couplings.push_back(*std::move(coupling));

@@ -82,8 +82,8 @@ const YamlNode* Fields::require(std::string_view key) {
   return value;
 }
 
-void Fields::ignore(std::string_view key) {
-  ignored_.emplace_back(key);
+void Fields::ignore_prefix(std::string_view prefix) {
+  ignored_prefix_ = prefix;
 }
 
 void Fields::finish() {
@@ -91,8 +91,8 @@ void Fields::finish() {
     return;
   }
   for (const YamlEntry& entry : node_->entries) {
-    if (std::ranges::find(known_, entry.key) == known_.end() &&
-        std::ranges::find(ignored_, entry.key) == ignored_.end()) {
+    const bool is_ignored = !ignored_prefix_.empty() && entry.key.starts_with(ignored_prefix_);
+    if (!is_ignored && std::ranges::find(known_, entry.key) == known_.end()) {
       refuse(entry);
     }
   }

@@ -24,8 +24,8 @@ class Fields {
   /// Likewise, but absence is an error of finish().
   const YamlNode* require(std::string_view key);
 
-  /// Lets a key stand without being listed among the known ones.
-  void ignore(std::string_view key);
+  /// Lets keys that begin so stand without being listed among the known ones.
+  void ignore_prefix(std::string_view prefix);
 
   /// Says everything that is wrong with the keys. To be called once, after all have been asked for.
   void finish();
@@ -42,7 +42,7 @@ class Fields {
   std::string what_;
   Diagnostics& found_;
   std::vector<std::string> known_;
-  std::vector<std::string> ignored_;
+  std::string ignored_prefix_;  ///< empty: none
   std::vector<std::string> missing_;
 };
 

@@ -125,11 +125,7 @@ class MechanismReader {
       pass_over_sections_in_space();
     }
     read_tasks();
-    for (const YamlEntry& entry : root_.entries) {
-      if (entry.key.starts_with("x-")) {
-        fields_.ignore(entry.key);  // the user's own notes
-      }
-    }
+    fields_.ignore_prefix("x-");  // the user's own notes
     fields_.finish();
     return std::move(result_);
   }

@@ -31,8 +31,12 @@ bool check_connected(const Topology& topology, const Digraph& graph, Diagnostics
     return true;
   }
   std::string list;
-  for (std::size_t i = 1; i < parts.size(); ++i) {
+  constexpr std::size_t kMostParts = 8;  // that are listed
+  for (std::size_t i = 1; i < std::min(parts.size(), kMostParts + 1); ++i) {
     list += fmt::format("{}{{{}}}", i == 1 ? "" : ", ", plain_list(body_names(topology, parts[i])));
+  }
+  if (parts.size() > kMostParts + 1) {
+    list += fmt::format(" and {} more", parts.size() - 1 - kMostParts);
   }
   found.error("E0401",
               topology.bodies[static_cast<std::size_t>(parts[1].front())].where,

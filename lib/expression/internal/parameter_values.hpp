@@ -94,7 +94,11 @@ BasicParameterValues<Number> evaluate_in_order(std::span<const Parameter> parame
     if (table.is_failed(expression)) {
       continue;
     }
-    auto outcome = evaluate<Number>(expression, table.lookup(), table.names());
+    // Guesses cost a search among all names; no more errors than these are shown.
+    constexpr std::size_t kMostHints = 20;
+    const auto known =
+        result.errors.size() < kMostHints ? table.names() : std::span<const std::string>();
+    auto outcome = evaluate<Number>(expression, table.lookup(), known);
     if (auto* error = std::get_if<ExpressionError>(&outcome)) {
       result.errors.push_back({parameter, std::move(*error)});
       continue;
