@@ -50,7 +50,7 @@ def numbered(part: str, head: str = "", tail: str = "") -> bytes:
     """The same with {0} counting up, so that names differ."""
     room = SIZE - len(head.encode()) - len(tail.encode()) - 100
     parts: list[str] = []
-    while room > 0:
+    while len(part.format(len(parts))) <= room:
         parts.append(part.format(len(parts)))
         room -= len(parts[-1].encode())
     return (head + "".join(parts) + tail).encode()
