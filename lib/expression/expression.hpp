@@ -1,6 +1,7 @@
 // An expression as typed: its text and its tree.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,7 +14,7 @@
 
 namespace kinestat {
 
-enum class NodeKind {
+enum class NodeKind : std::uint8_t {
   number,
   unit,
   name,

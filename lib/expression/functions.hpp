@@ -1,6 +1,7 @@
 // The functions that expressions may call.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,7 +10,7 @@ namespace kinestat {
 
 /// `ln` and `log` are both the natural logarithm. `mod` has the sign of the divisor, `round` takes
 /// halves away from zero, `gcd` is that of whole numbers.
-enum class Function {
+enum class Function : std::uint8_t {
   sin,
   cos,
   tan,
