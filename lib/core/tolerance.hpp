@@ -39,6 +39,14 @@ inline constexpr double kAffine = 1e-9;
 /// some thousand roundings, and still far below what anybody types on purpose.
 inline constexpr double kSameValue = 1e-12;
 
+/// Two reports agree in a value if they differ by at most this share of the larger one: far above
+/// what another compiler or order of operations changes, far below what an engineer would notice.
+inline constexpr double kReportsAgree = 1e-9;
+
+/// Where a value of a report should be zero, rounding may leave this share of the largest of its
+/// kind in the same case: some thousand roundings.
+inline constexpr double kReportsAgreeInZero = 1e-12;
+
 /// In reports, a value below this share of the largest of its quantity is written as zero.
 inline constexpr double kReportZero = 64 * kEpsilon;
 
@@ -52,5 +60,9 @@ inline constexpr double kFarOrigin = 8.0;
 
 /// An axis shorter than this (of components given as plain numbers) has no direction.
 inline constexpr double kZeroAxis = 1e-12;
+
+/// Two axes count as parallel if the sine of their angle is below this: far below any joint that is
+/// drawn on purpose, far above rounding.
+inline constexpr double kParallelAxes = 1e-9;
 
 }  // namespace kinestat

@@ -2,14 +2,24 @@
 #pragma once
 
 #include <compare>
+#include <type_traits>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 namespace kinestat {
 
-using Vec3 = Eigen::Vector3d;
-using Vec6 = Eigen::Matrix<double, 6, 1>;
+template <class Scalar>
+using Vec3Of = Eigen::Matrix<Scalar, 3, 1>;
+template <class Scalar>
+using Vec6Of = Eigen::Matrix<Scalar, 6, 1>;
+
+/// A parameter that takes any expression of vectors; the type of number comes from elsewhere.
+template <class Scalar>
+using Vec3In = std::type_identity_t<Vec3Of<Scalar>>;
+
+using Vec3 = Vec3Of<double>;
+using Vec6 = Vec6Of<double>;
 using Mat6X = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 using MatX = Eigen::MatrixXd;
 using MatXi = Eigen::MatrixXi;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace kinestat {
@@ -17,7 +18,22 @@ namespace kinestat {
 struct Dual {
   double value = 0.0;
   std::vector<double> derivatives;  ///< one a variable; an empty list stands for zeros
+
+  Dual() = default;
+
+  /// A constant, unless derivatives are given. Not explicit: numbers mix with duals in formulas.
+  Dual(double constant, std::vector<double> slopes = {})
+      : value(constant), derivatives(std::move(slopes)) {}
 };
+
+/// The number without its derivatives, for decisions that do not depend on them.
+inline double value_of(const Dual& number) {
+  return number.value;
+}
+
+inline double value_of(double number) {
+  return number;
+}
 
 /// The variable of that index among `count`: its own derivative is one.
 Dual make_variable(double value, std::size_t index, std::size_t count);

@@ -161,7 +161,7 @@ bool bind_graph(const MechanismDescription& description, Diagnostics& found, Mec
 bool has_all_screws(const MechanismDescription& description) {
   return !description.gears && description.cables.empty() &&
          std::ranges::all_of(description.couplings, [](const CouplingDescription& coupling) {
-           return is_in_catalogue(coupling.type) && !is_counted_only(coupling);
+           return !is_counted_only(coupling);
          });
 }
 
@@ -202,7 +202,7 @@ std::optional<Mechanism> bind_for(Purpose purpose,
   const int errors_before = found.error_count();
   const std::vector<Unanalysed> unanalysed = find_unanalysed(description);
   const bool is_undecided = std::ranges::any_of(unanalysed, &Unanalysed::decides);
-  Evaluator evaluator(description, found);
+  Evaluator evaluator = make_evaluator(description, found);
   Mechanism result;
   const Space constraints =
       description.static_order == OrderChoice::spatial ? Space::spatial : description.space;
@@ -241,7 +241,7 @@ bool check(const MechanismDescription& description, Diagnostics& found) {
 std::optional<Mechanism> bind_in_space(const MechanismDescription& description,
                                        Diagnostics& found) {
   const int errors_before = found.error_count();
-  Evaluator evaluator(description, found);
+  Evaluator evaluator = make_evaluator(description, found);
   Mechanism result;
   if (bind_structure(description, Space::spatial, evaluator, found, result)) {
     bind_graph(description, found, result);

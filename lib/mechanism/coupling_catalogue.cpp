@@ -1,186 +1,322 @@
 #include "mechanism/coupling_catalogue.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "core/contract.hpp"
+#include "mechanism/internal/catalogue_row.hpp"
+#include "mechanism/internal/reciprocal_complement.hpp"
 
 namespace kinestat {
 
 namespace {
 
-constexpr std::array<char, 3> kLetters = {'x', 'y', 'z'};
+template <class Scalar>
+using Geometry = CouplingGeometryOf<Scalar>;
 
-Vec3 world_axis(int i) {
-  return Vec3::Unit(i);
-}
+template <class Scalar>
+using Row = CatalogueRow<Scalar>;
 
-std::string name_along(char kind, const Axis& axis) {
-  return axis.keyword == 0 ? std::string(1, kind) : std::string{kind, axis.keyword};
-}
-
-NamedTwist rotation(const CouplingGeometry& g) {
-  return {.name = name_along('w', g.axis),
-          .is_rotation = true,
-          .screw = unit_rotation(g.axis.direction, g.at)};
-}
-
-NamedTwist translation(const CouplingGeometry& g) {
-  return {.name = name_along('v', g.axis),
-          .is_rotation = false,
-          .screw = unit_translation(g.axis.direction)};
-}
-
-NamedWrench force(std::string name, const Vec3& direction, const Vec3& at) {
-  return {.name = std::move(name), .is_couple = false, .screw = unit_force(direction, at)};
-}
-
-NamedWrench couple(std::string name, const Vec3& direction) {
-  return {.name = std::move(name), .is_couple = true, .screw = unit_couple(direction)};
-}
-
-struct Transverse {
-  Vec3 first;
-  Vec3 second;
-};
-
-// t1 = normalised(k - (k·a)a) with the first k of least |k·a|, t2 = a x t1.
-Transverse transverse_to(const Vec3& a) {
-  int k = 0;
-  for (int i = 1; i < 3; ++i) {
-    if (std::abs(a[i]) < std::abs(a[k])) {
-      k = i;
-    }
-  }
-  const Vec3 first = (world_axis(k) - a[k] * a).normalized();
-  return {.first = first, .second = a.cross(first)};
-}
-
-void add_forces(const Vec3& at, Space space, std::vector<NamedWrench>& constraints) {
-  const int count = space == Space::planar ? 2 : 3;
-  for (int i = 0; i < count; ++i) {
-    constraints.push_back(
-        force(std::string{'R', kLetters[static_cast<std::size_t>(i)]}, world_axis(i), at));
+template <class Scalar>
+void revolute(const Geometry<Scalar>& g, Row<Scalar>& row) {
+  row.turn_along(g.axis, g.at);
+  row.bear_all_forces(g.at);
+  if (!row.is_planar()) {
+    row.bear_couples_across(g.axis);
   }
 }
 
-void add_couples(Space space, std::vector<NamedWrench>& constraints) {
-  for (int i = space == Space::planar ? 2 : 0; i < 3; ++i) {
-    constraints.push_back(
-        couple(std::string{'T', kLetters[static_cast<std::size_t>(i)]}, world_axis(i)));
+template <class Scalar>
+void prismatic(const Geometry<Scalar>& g, Row<Scalar>& row) {
+  row.slide_along(g.axis);
+  row.bear_forces_across(g.axis, g.at);
+  row.bear_all_couples();
+}
+
+// A rotation about the axis with a velocity of h along it.
+template <class Scalar>
+TwistOf<Scalar> turn_with_pitch(const Vec3Of<Scalar>& axis,
+                                const Vec3Of<Scalar>& at,
+                                const Scalar& pitch) {
+  return unit_rotation<Scalar>(axis, at) + pitch * unit_translation<Scalar>(axis);
+}
+
+template <class Scalar>
+WrenchOf<Scalar> force_with_pitch(const Vec3Of<Scalar>& axis,
+                                  const Vec3Of<Scalar>& at,
+                                  const Scalar& pitch) {
+  return unit_force<Scalar>(axis, at) + pitch * unit_couple<Scalar>(axis);
+}
+
+template <class Scalar>
+void helical(const Geometry<Scalar>& g, Row<Scalar>& row) {
+  const Vec3Of<Scalar>& axis = g.axis.direction;
+  row.add(
+      {.name = "w", .is_rotation = true, .screw = turn_with_pitch<Scalar>(axis, g.at, g.pitch)});
+  row.bear_forces_across(g.axis, g.at);
+  row.add(
+      {.name = "Ra", .is_couple = false, .screw = force_with_pitch<Scalar>(axis, g.at, -g.pitch)});
+  row.bear_couples_across(g.axis);
+}
+
+template <class Scalar>
+void cylindrical(const Geometry<Scalar>& g, Row<Scalar>& row) {
+  row.turn_along(g.axis, g.at);
+  row.slide_along(g.axis);
+  row.bear_forces_across(g.axis, g.at);
+  row.bear_couples_across(g.axis);
+}
+
+// The direction perpendicular to two, along the third world axis where both are along one.
+template <class Scalar>
+AxisOf<Scalar> third_of(const AxisOf<Scalar>& a, const AxisOf<Scalar>& b) {
+  if (a.keyword == 0 || b.keyword == 0) {
+    return {.direction = unit_along<Scalar>(a.direction.cross(b.direction)), .keyword = 0};
+  }
+  const int third = 3 - (a.keyword - 'x') - (b.keyword - 'x');
+  return {.direction = Vec3Of<Scalar>::Unit(third), .keyword = static_cast<char>('x' + third)};
+}
+
+template <class Scalar>
+void universal(const Geometry<Scalar>& g, Row<Scalar>& row) {
+  row.turn_along(g.axis, g.at);
+  row.turn_along(g.second, g.at);
+  row.bear_all_forces(g.at);
+  const AxisOf<Scalar> third = third_of<Scalar>(g.axis, g.second);
+  row.bear_couple(name_along('T', third), third.direction);
+}
+
+template <class Scalar>
+void spherical(const Geometry<Scalar>& g, Row<Scalar>& row) {
+  row.turn_freely(g.at);
+  row.bear_all_forces(g.at);
+}
+
+template <class Scalar>
+void planar(const Geometry<Scalar>& g, Row<Scalar>& row) {
+  row.turn_along(g.axis, g.at);
+  row.slide_across(g.axis);
+  row.bear_force_along(g.axis, g.at);
+  row.bear_couples_across(g.axis);
+}
+
+template <class Scalar>
+void point_contact(const Geometry<Scalar>& g, Row<Scalar>& row) {
+  row.turn_freely(g.at);
+  row.slide_across(g.axis);
+  row.bear_force_along(g.axis, g.at);
+}
+
+// Named along world axes only if both directions are, as numbers and letters would not mix.
+template <class Scalar>
+void line_contact(const Geometry<Scalar>& g, Row<Scalar>& row) {
+  const bool is_along_world = g.axis.keyword != 0 && g.second.keyword != 0;
+  const auto named = [&](AxisOf<Scalar> axis) {
+    axis.keyword = is_along_world ? axis.keyword : '\0';
+    return axis;
+  };
+  const AxisOf<Scalar> normal = named(g.axis);
+  const AxisOf<Scalar> line = named(g.second);
+  const AxisOf<Scalar> across = third_of<Scalar>(normal, line);
+  row.turn_along(line, g.at);
+  row.turn_along(normal, g.at);
+  row.slide_along(line);
+  row.slide_along(across);
+  row.bear_force_along(normal, g.at);
+  row.bear_couple(name_along('T', across), across.direction);
+}
+
+template <class Scalar>
+void sphere_in_tube(const Geometry<Scalar>& g, Row<Scalar>& row) {
+  row.turn_freely(g.at);
+  row.slide_along(g.axis);
+  row.bear_forces_across(g.axis, g.at);
+}
+
+// In space the pin stays perpendicular to the plane and in it.
+template <class Scalar>
+void pin_in_slot(const Geometry<Scalar>& g, Row<Scalar>& row) {
+  CatalogueRow<Scalar> in_plane(Space::planar);
+  in_plane.turn_freely(g.at);
+  in_plane.slide_along(g.axis);
+  in_plane.bear_forces_across(g.axis, g.at);
+  const CouplingScrewsOf<Scalar> screws = in_plane.take();
+  for (const NamedTwistOf<Scalar>& freedom : screws.freedoms) {
+    row.add(freedom);
+  }
+  row.add(screws.constraints.front());
+  if (!row.is_planar()) {
+    const AxisOf<Scalar> pin;
+    row.bear_force_along(pin, g.at);
+    row.bear_couples_across(pin);
   }
 }
 
-void add_couples_across(const Axis& axis, std::vector<NamedWrench>& constraints) {
-  if (axis.keyword == 0) {
-    const Transverse t = transverse_to(axis.direction);
-    constraints.push_back(couple("T1", t.first));
-    constraints.push_back(couple("T2", t.second));
-    return;
-  }
-  for (int i = 0; i < 3; ++i) {
-    const char letter = kLetters[static_cast<std::size_t>(i)];
-    if (letter != axis.keyword) {
-      constraints.push_back(couple(std::string{'T', letter}, world_axis(i)));
-    }
-  }
+template <class Scalar>
+void rigid(const Geometry<Scalar>& g, Row<Scalar>& row) {
+  row.bear_all_forces(g.at);
+  row.bear_all_couples();
 }
 
-void add_forces_across(const CouplingGeometry& g,
-                       Space space,
-                       std::vector<NamedWrench>& constraints) {
-  if (g.axis.keyword != 0) {
-    for (int i = 0; i < (space == Space::planar ? 2 : 3); ++i) {
-      const char letter = kLetters[static_cast<std::size_t>(i)];
-      if (letter != g.axis.keyword) {
-        constraints.push_back(force(std::string{'R', letter}, world_axis(i), g.at));
-      }
-    }
-  } else if (space == Space::planar) {
-    constraints.push_back(force("R", Vec3::UnitZ().cross(g.axis.direction), g.at));
+template <class Scalar>
+void add_freedom(const ScrewGeometryOf<Scalar>& screw, Row<Scalar>& row) {
+  const Vec3Of<Scalar>& direction = screw.direction.direction;
+  if (screw.kind == ScrewWord::translation) {
+    row.slide_along(screw.direction);
   } else {
-    const Transverse t = transverse_to(g.axis.direction);
-    constraints.push_back(force("R1", t.first, g.at));
-    constraints.push_back(force("R2", t.second, g.at));
+    row.add({.name = name_along('w', screw.direction),
+             .is_rotation = true,
+             .screw = turn_with_pitch<Scalar>(direction, screw.at, screw.pitch)});
   }
 }
 
-CouplingScrews revolute(const CouplingGeometry& g, Space space) {
-  CouplingScrews screws{.freedoms = {rotation(g)}, .constraints = {}};
-  add_forces(g.at, space, screws.constraints);
-  if (space == Space::spatial) {
-    add_couples_across(g.axis, screws.constraints);
+template <class Scalar>
+void add_constraint(const ScrewGeometryOf<Scalar>& screw, Row<Scalar>& row) {
+  const Vec3Of<Scalar>& direction = screw.direction.direction;
+  if (screw.kind == ScrewWord::couple) {
+    row.bear_couple(name_along('T', screw.direction), direction);
+  } else {
+    row.add({.name = name_along('R', screw.direction),
+             .is_couple = false,
+             .screw = force_with_pitch<Scalar>(direction, screw.at, screw.pitch)});
   }
-  return screws;
 }
 
-CouplingScrews prismatic(const CouplingGeometry& g, Space space) {
-  CouplingScrews screws{.freedoms = {translation(g)}, .constraints = {}};
-  add_forces_across(g, space, screws.constraints);
-  add_couples(space, screws.constraints);
-  return screws;
+// Teeth: rolling, or the relative screw that is given; their contact is a point contact.
+template <class Scalar>
+void teeth(const Geometry<Scalar>& g, Row<Scalar>& row) {
+  if (g.is_contact) {
+    row.turn_freely(g.at);
+    row.slide_across({.direction = g.line_of_action, .keyword = 0});
+  } else if (g.relative) {
+    add_freedom<Scalar>(*g.relative, row);
+  } else {
+    row.turn_along(g.axis, g.at);
+  }
+  row.bear_force("Rc", g.line_of_action, g.at);
 }
 
-CouplingScrews rigid(const CouplingGeometry& g, Space space) {
-  CouplingScrews screws;
-  add_forces(g.at, space, screws.constraints);
-  add_couples(space, screws.constraints);
-  return screws;
+// The tail pulls the head from the end on the head towards the end on the tail.
+template <class Scalar>
+void cable(const Geometry<Scalar>& g, Row<Scalar>& row) {
+  const Vec3Of<Scalar> along = unit_along<Scalar>(g.to - g.from);
+  if (row.is_planar()) {
+    row.turn("w", Vec3Of<Scalar>::UnitZ(), g.from);
+    row.turn("w", Vec3Of<Scalar>::UnitZ(), g.to);
+  } else {
+    const auto [first, second] = transverse_to<Scalar>(along);
+    for (const Vec3Of<Scalar>& end : {g.from, g.to}) {
+      row.turn("w", first, end);
+      row.turn("w", second, end);
+    }
+    row.turn("w", along, g.to);
+  }
+  row.bear_force("F", -along, g.to);
+}
+
+template <class Scalar>
+void listed(const Geometry<Scalar>& g, Row<Scalar>& row) {
+  for (const ScrewGeometryOf<Scalar>& screw : g.freedoms) {
+    add_freedom<Scalar>(screw, row);
+  }
+  for (const ScrewGeometryOf<Scalar>& screw : g.constraints) {
+    add_constraint<Scalar>(screw, row);
+  }
+  const CouplingScrewsOf<Scalar> given = row.screws();
+  if (given.constraints.empty()) {
+    for (auto& one : reciprocal_wrenches<Scalar>(given.freedoms, row.is_planar(), g.at)) {
+      row.add(std::move(one));
+    }
+  } else if (given.freedoms.empty()) {
+    for (auto& one : reciprocal_twists<Scalar>(given.constraints, row.is_planar(), g.at)) {
+      row.add(std::move(one));
+    }
+  }
+}
+
+template <class Scalar>
+void write_row(CouplingType type, const Geometry<Scalar>& g, Row<Scalar>& row) {
+  switch (type) {
+    case CouplingType::revolute:
+      return revolute<Scalar>(g, row);
+    case CouplingType::prismatic:
+      return prismatic<Scalar>(g, row);
+    case CouplingType::helical:
+      return helical<Scalar>(g, row);
+    case CouplingType::cylindrical:
+      return cylindrical<Scalar>(g, row);
+    case CouplingType::universal:
+      return universal<Scalar>(g, row);
+    case CouplingType::spherical:
+      return spherical<Scalar>(g, row);
+    case CouplingType::planar:
+      return planar<Scalar>(g, row);
+    case CouplingType::point_contact:
+    case CouplingType::cam:
+      return point_contact<Scalar>(g, row);
+    case CouplingType::line_contact:
+      return line_contact<Scalar>(g, row);
+    case CouplingType::sphere_in_tube:
+      return sphere_in_tube<Scalar>(g, row);
+    case CouplingType::pin_in_slot:
+      return pin_in_slot<Scalar>(g, row);
+    case CouplingType::rigid:
+      return rigid<Scalar>(g, row);
+    case CouplingType::gear:
+    case CouplingType::bevel_gear:
+    case CouplingType::worm:
+    case CouplingType::rack:
+      return teeth<Scalar>(g, row);
+    case CouplingType::clutch:
+    case CouplingType::brake:
+      return row.turn_along(g.axis, g.at);
+    case CouplingType::cable:
+      return cable<Scalar>(g, row);
+    case CouplingType::screws:
+      return listed<Scalar>(g, row);
+  }
 }
 
 }  // namespace
 
-bool is_in_catalogue(CouplingType type) {
-  constexpr std::array kRows = {CouplingType::revolute,
-                                CouplingType::prismatic,
-                                CouplingType::gear,
-                                CouplingType::clutch,
-                                CouplingType::brake,
-                                CouplingType::rigid};
-  return std::ranges::find(kRows, type) != kRows.end();
+template <class Scalar>
+CouplingScrewsOf<Scalar> coupling_screws(CouplingType type,
+                                         Space space,
+                                         const CouplingGeometryOf<Scalar>& geometry) {
+  CatalogueRow<Scalar> row(space);
+  write_row<Scalar>(type, geometry, row);
+  return row.take();
 }
 
-CouplingScrews coupling_screws(CouplingType type, Space space, const CouplingGeometry& geometry) {
-  switch (type) {
-    case CouplingType::revolute:
-      return revolute(geometry, space);
-    case CouplingType::prismatic:
-      return prismatic(geometry, space);
-    case CouplingType::gear:
-      return {.freedoms = {rotation(geometry)},
-              .constraints = {force("Rc", geometry.line_of_action, geometry.at)}};
-    case CouplingType::clutch:
-    case CouplingType::brake:
-      return {.freedoms = {rotation(geometry)}, .constraints = {}};
-    case CouplingType::rigid:
-      return rigid(geometry, space);
-    case CouplingType::helical:
-    case CouplingType::cylindrical:
-    case CouplingType::universal:
-    case CouplingType::spherical:
-    case CouplingType::planar:
-    case CouplingType::point_contact:
-    case CouplingType::cam:
-    case CouplingType::line_contact:
-    case CouplingType::sphere_in_tube:
-    case CouplingType::pin_in_slot:
-    case CouplingType::bevel_gear:
-    case CouplingType::worm:
-    case CouplingType::rack:
-    case CouplingType::cable:
-    case CouplingType::screws:
-      break;
-  }
-  KINESTAT_EXPECTS(is_in_catalogue(type));
-  return {};
+template <class Scalar>
+NamedWrenchOf<Scalar> internal_action(const NamedTwistOf<Scalar>& freedom,
+                                      const Vec3In<Scalar>& at) {
+  return {.name = freedom.name,
+          .is_couple = freedom.is_rotation,
+          .screw = freedom.is_rotation ? unit_couple<Scalar>(freedom.screw.angular)
+                                       : unit_force<Scalar>(freedom.screw.linear, at)};
 }
 
-NamedWrench internal_action(const NamedTwist& freedom, const Vec3& at) {
-  if (freedom.is_rotation) {
-    return couple(freedom.name, freedom.screw.angular);
+double reciprocity_error(const CouplingScrews& screws, double length) {
+  const auto scaled = [&](const Vec3& first, const Vec3& second) {
+    const double size = std::max(first.norm(), second.norm() / length);
+    return std::pair<Vec3, Vec3>(first / size, second / (size * length));
+  };
+  double worst = 0.0;
+  for (const NamedTwist& freedom : screws.freedoms) {
+    const auto [angular, linear] = scaled(freedom.screw.angular, freedom.screw.linear);
+    for (const NamedWrench& constraint : screws.constraints) {
+      const auto [force, moment] = scaled(constraint.screw.force, constraint.screw.moment);
+      worst = std::max(worst, std::abs(force.dot(linear) + moment.dot(angular)));
+    }
   }
-  return force(freedom.name, freedom.screw.linear, at);
+  return worst;
 }
+
+template CouplingScrewsOf<double> coupling_screws(CouplingType, Space, const CouplingGeometry&);
+template CouplingScrewsOf<Dual> coupling_screws(CouplingType,
+                                                Space,
+                                                const CouplingGeometryOf<Dual>&);
+template NamedWrenchOf<double> internal_action(const NamedTwistOf<double>&, const Vec3In<double>&);
+template NamedWrenchOf<Dual> internal_action(const NamedTwistOf<Dual>&, const Vec3In<Dual>&);
 
 }  // namespace kinestat

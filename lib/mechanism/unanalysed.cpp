@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "mechanism/coupling_catalogue.hpp"
 #include "mechanism/internal/geometry_check.hpp"
 
 namespace kinestat {
@@ -25,9 +24,7 @@ void add_coupling(const CouplingDescription& coupling,
   const auto add = [&](SourceRange where, std::string what, bool decides) {
     list.push_back({.where = where, .what = std::move(what), .hint = {}, .decides = decides});
   };
-  if (!is_in_catalogue(coupling.type)) {
-    add(coupling.name.where, fmt::format("coupling type '{}'", word_of(coupling.type)), true);
-  } else if (is_counted_only(coupling)) {
+  if (is_counted_only(coupling)) {
     list.push_back(
         {.where = coupling.name.where,
          .what = fmt::format("a file that can only be counted, as {} has no 'at',", word(coupling)),
@@ -40,12 +37,6 @@ void add_coupling(const CouplingDescription& coupling,
   if (coupling.at && coupling.at->along_axis) {
     add(coupling.at->where,
         fmt::format("position of {} along its axis alone", word(coupling)),
-        true);
-  }
-  if (coupling.contact || coupling.helix_angle) {
-    add(coupling.name.where,
-        fmt::format(
-            "{} of {}", coupling.contact ? "contact of the teeth" : "helix angle", word(coupling)),
         true);
   }
   if (coupling.one_way) {

@@ -89,7 +89,7 @@ void ActuatorBinder::add(CouplingId id,
   for (const Pending& actuator : take(coupling)) {
     const std::optional<std::size_t> which = choose_freedom(actuator, coupling, screws);
     if (which) {
-      append(id, actuator, *which, internal_action(screws.freedoms[*which], at));
+      append(id, actuator, *which, internal_action<double>(screws.freedoms[*which], at));
     }
   }
 }
@@ -97,9 +97,6 @@ void ActuatorBinder::add(CouplingId id,
 std::optional<std::size_t> ActuatorBinder::choose_freedom(const Pending& actuator,
                                                           const CouplingDescription& coupling,
                                                           const CouplingScrews& screws) {
-  if (!is_in_catalogue(coupling.type)) {
-    return std::nullopt;  // its freedoms have no names yet
-  }
   std::vector<std::string> names;
   for (const NamedTwist& freedom : screws.freedoms) {
     names.push_back(freedom.name);

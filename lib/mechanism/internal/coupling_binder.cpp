@@ -1,225 +1,276 @@
 #include "mechanism/internal/coupling_binder.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
-#include "core/text.hpp"
 #include "core/tolerance.hpp"
+#include "mechanism/internal/direction_binder.hpp"
 #include "mechanism/internal/geometry_check.hpp"
+#include "mechanism/internal/tooth_binder.hpp"
 
 namespace kinestat {
 
 namespace {
 
-bool has_axis(CouplingType type) {
-  return is_in_catalogue(type) && type != CouplingType::rigid;
-}
+constexpr std::string_view kAxisHint = "add axis: x, y, z, -x, … or a vector";
+constexpr std::string_view kNormalHint = "add normal: x, y, z, -x, … or a vector";
 
-std::string title(const CouplingDescription& coupling) {
-  return fmt::format("{} '{}'", word_of(coupling.type), coupling.name.text);
-}
+template <class Scalar>
+class GeometryBinder {
+ public:
+  GeometryBinder(const CouplingDescription& coupling,
+                 Space space,
+                 EvaluatorOf<Scalar>& evaluator,
+                 Diagnostics& found)
+      : coupling_(coupling),
+        space_(space),
+        evaluator_(evaluator),
+        found_(found),
+        directions_(coupling, space, evaluator, found) {}
 
-void lacks(const CouplingDescription& coupling,
-           std::string_view key,
-           std::string hint,
-           Diagnostics& found) {
-  found.error("E0314",
-              coupling.name.where,
-              fmt::format("{} lacks the key '{}'", title(coupling), key),
-              std::move(hint));
-}
+  std::optional<CouplingGeometryOf<Scalar>> bind() {
+    const int errors_before = found_.error_count();
+    bind_point();
+    bind_directions();
+    bind_pitch();
+    bind_ends();
+    bind_screws(coupling_.freedoms, geometry_.freedoms);
+    bind_screws(coupling_.constraints, geometry_.constraints);
+    return found_.error_count() == errors_before ? std::optional(geometry_) : std::nullopt;
+  }
 
-// The points as drawn on the two bodies; the tail's counts.
-std::optional<Vec3> bind_points_of_bodies(const CouplingDescription& coupling,
-                                          Evaluator& evaluator,
-                                          Diagnostics& found) {
-  std::optional<Vec3> result;
-  bool is_good = true;
-  for (const auto& [body, point] : coupling.at->of_bodies) {
-    const std::optional<Vec3> drawn = evaluator.point(point);
-    is_good = is_good && drawn.has_value();
-    if (body.text == coupling.tail.text) {
-      result = drawn;
-    } else if (body.text != coupling.head.text) {
-      is_good = false;
-      found.error("E0313",
-                  body.where,
-                  fmt::format("'{}' is not a body of {}", body.text, title(coupling)),
-                  fmt::format("its bodies are {} and {}", coupling.tail.text, coupling.head.text));
+ private:
+  // Notes an answer; an empty one has left its error.
+  template <class Item>
+  static void take(const std::optional<Item>& answer, Item& where) {
+    if (answer) {
+      where = *answer;
     }
   }
-  return is_good ? result : std::nullopt;
-}
 
-// The origin where the file gives no point, which leaves it to counts or to `gears`.
-std::optional<Vec3> bind_point(const CouplingDescription& coupling,
-                               Evaluator& evaluator,
-                               Diagnostics& found) {
-  if (!coupling.at) {
-    return Vec3::Zero();
-  }
-  if (coupling.at->point) {
-    return evaluator.point(*coupling.at->point);
-  }
-  if (!coupling.at->of_bodies.empty()) {
-    return bind_points_of_bodies(coupling, evaluator, found);
-  }
-  const auto z = evaluator.number(*coupling.at->along_axis, QuantityKind::length);
-  return z ? std::optional(Vec3(0.0, 0.0, *z)) : std::nullopt;
-}
-
-// In the plane a rotation is about z and a translation lies in the plane.
-bool check_in_plane(const CouplingDescription& coupling, const Axis& axis, Diagnostics& found) {
-  const bool is_rotation = coupling.type != CouplingType::prismatic;
-  const double out_of_place =
-      is_rotation ? axis.direction.head<2>().norm() : std::abs(axis.direction.z());
-  if (out_of_place <= kZeroAxis) {
-    return true;
-  }
-  found.error("E0314",
-              coupling.axis->where,
-              is_rotation
-                  ? fmt::format("{} of a planar mechanism turns about z", title(coupling))
-                  : fmt::format("{} of a planar mechanism slides in the plane", title(coupling)),
-              is_rotation ? "remove 'axis', or write 'space: spatial' at the top of the file"
-                          : "write axis: x, axis: y or axis: [x, y]");
-  return false;
-}
-
-std::optional<Axis> bind_axis(const CouplingDescription& coupling,
-                              Space space,
-                              Evaluator& evaluator,
-                              Diagnostics& found) {
-  if (!has_axis(coupling.type)) {
-    return Axis{};
-  }
-  if (!coupling.axis) {
-    const bool is_about_z = space == Space::planar && coupling.type != CouplingType::prismatic;
-    if (is_about_z || is_counted_only(coupling)) {
-      return Axis{};
+  // The origin where the file gives no point, which leaves it to counts or to `gears`.
+  void bind_point() {
+    if (!coupling_.at) {
+      return;
     }
-    lacks(coupling, "axis", "add axis: x, y, z, -x, … or a vector", found);
-    return std::nullopt;
-  }
-  const std::optional<Axis> axis = evaluator.axis(*coupling.axis);
-  if (axis && space == Space::planar && !check_in_plane(coupling, *axis, found)) {
-    return std::nullopt;
-  }
-  return axis;
-}
-
-// n = cos α t + sin α (axis x t): the force of tail on head along the line of action of spur teeth.
-std::optional<Vec3> force_from_tangent(const CouplingDescription& coupling,
-                                       const Axis& axis,
-                                       Evaluator& evaluator,
-                                       Diagnostics& found) {
-  const std::optional<Axis> tangent = evaluator.axis(*coupling.tangent);
-  const std::optional<double> angle =
-      evaluator.number(*coupling.pressure_angle, QuantityKind::angle);
-  if (!tangent || !angle) {
-    return std::nullopt;
-  }
-  if (std::abs(tangent->direction.dot(axis.direction)) > kCancellation) {
-    found.error("E0314",
-                coupling.tangent->where,
-                fmt::format("the tangent of {} is not perpendicular to its axis", title(coupling)),
-                "the tangent touches both pitch circles at the pitch point");
-    return std::nullopt;
-  }
-  if (std::abs(*angle) >= std::numbers::pi / 2) {
-    found.error("E0314",
-                coupling.pressure_angle->where,
-                "a pressure angle lies between -90 and 90 degrees",
-                "write for example pressure_angle: 20 deg");
-    return std::nullopt;
-  }
-  return std::cos(*angle) * tangent->direction +
-         std::sin(*angle) * axis.direction.cross(tangent->direction);
-}
-
-std::optional<Vec3> bind_line_of_action(const CouplingDescription& coupling,
-                                        const Axis& axis,
-                                        Evaluator& evaluator,
-                                        Diagnostics& found) {
-  if (coupling.line_of_action) {
-    if (coupling.tangent || coupling.pressure_angle) {
-      found.error("E0314",
-                  coupling.line_of_action->where,
-                  fmt::format("{} has both a line of action and a tangent or pressure angle",
-                              title(coupling)),
-                  "keep 'line_of_action', or 'tangent' with 'pressure_angle'");
-      return std::nullopt;
+    if (coupling_.at->point) {
+      take(evaluator_.point(*coupling_.at->point), geometry_.at);
+    } else if (!coupling_.at->of_bodies.empty()) {
+      bind_points_of_bodies();
+    } else {
+      take(evaluator_.number(*coupling_.at->along_axis, QuantityKind::length), geometry_.at[2]);
     }
-    const std::optional<Axis> line = evaluator.axis(*coupling.line_of_action);
-    return line ? std::optional(line->direction) : std::nullopt;
   }
-  if (is_counted_only(coupling)) {
-    return Vec3::UnitX();
+
+  // The points as drawn on the two bodies; the tail's counts.
+  void bind_points_of_bodies() {
+    for (const auto& [body, point] : coupling_.at->of_bodies) {
+      const std::optional<Vec3Of<Scalar>> drawn = evaluator_.point(point);
+      if (body.text == coupling_.tail.text) {
+        take(drawn, geometry_.at);
+      } else if (body.text != coupling_.head.text) {
+        found_.error(
+            "E0313",
+            body.where,
+            fmt::format("'{}' is not a body of {}", body.text, directions_.title()),
+            fmt::format("its bodies are {} and {}", coupling_.tail.text, coupling_.head.text));
+      }
+    }
   }
-  if (!coupling.tangent || !coupling.pressure_angle) {
-    lacks(coupling,
-          coupling.tangent ? "pressure_angle" : "tangent",
-          "add tangent: x (or a vector) and pressure_angle: 20 deg, or line_of_action: a vector",
-          found);
-    return std::nullopt;
+
+  void bind_directions() {
+    using enum CouplingType;
+    switch (coupling_.type) {
+      case revolute:
+      case helical:
+      case cylindrical:
+      case sphere_in_tube:
+      case clutch:
+      case brake:
+        return bind_axis(coupling_.axis, "axis", DirectionRole::turning, kAxisHint);
+      case prismatic:
+        return bind_axis(coupling_.axis, "axis", DirectionRole::in_plane, kAxisHint);
+      case planar:
+      case point_contact:
+      case cam:
+        return bind_axis(coupling_.normal, "normal", DirectionRole::in_plane, kNormalHint);
+      case pin_in_slot:
+        return bind_axis(
+            coupling_.slot, "slot", DirectionRole::in_plane, "add slot: x or a vector");
+      case line_contact:
+        return bind_line_contact();
+      case universal:
+        return bind_universal();
+      case gear:
+      case bevel_gear:
+      case worm:
+      case rack:
+        return bind_teeth();
+      case spherical:
+      case rigid:
+      case cable:
+      case screws:
+        return;
+    }
   }
-  return force_from_tangent(coupling, axis, evaluator, found);
-}
+
+  void bind_axis(const std::optional<AxisDescription>& direction,
+                 std::string_view key,
+                 DirectionRole role,
+                 std::string_view hint) {
+    take(directions_.bind(direction, key, role, hint), geometry_.axis);
+  }
+
+  void bind_line_contact() {
+    using enum DirectionRole;
+    const int errors_before = found_.error_count();
+    bind_axis(coupling_.normal, "normal", in_plane, kNormalHint);
+    take(directions_.bind(coupling_.line,
+                          "line",
+                          in_plane,
+                          "add line: the direction of the line along which the bodies touch"),
+         geometry_.second);
+    if (found_.error_count() == errors_before && coupling_.line && coupling_.normal) {
+      directions_.check_perpendicular(
+          geometry_.axis,
+          geometry_.second,
+          coupling_.line->where,
+          fmt::format("the line of {} is not perpendicular to its normal", directions_.title()),
+          "the line lies in both surfaces, the normal is perpendicular to them");
+    }
+  }
+
+  void bind_universal() {
+    if (coupling_.axes.size() != 2) {
+      if (!is_counted_only(coupling_)) {
+        directions_.refuse(coupling_.name.where,
+                           fmt::format("{} lacks the key 'axes'", directions_.title()),
+                           "add axes: [x, z]: the first fixed in the tail, the second in the head");
+      }
+      geometry_.second = {.direction = Vec3Of<Scalar>::UnitX(), .keyword = 'x'};
+      return;
+    }
+    const int errors_before = found_.error_count();
+    take(directions_.bind(coupling_.axes[0], DirectionRole::turning), geometry_.axis);
+    take(directions_.bind(coupling_.axes[1], DirectionRole::turning), geometry_.second);
+    const Vec3 first = values_of<Scalar>(geometry_.axis.direction);
+    const Vec3 second = values_of<Scalar>(geometry_.second.direction);
+    if (found_.error_count() == errors_before && first.cross(second).norm() <= kParallelAxes) {
+      directions_.refuse(coupling_.axes[1].where,
+                         fmt::format("the axes of {} are parallel", directions_.title()),
+                         "the two axes of the cross are perpendicular to each other");
+    }
+  }
+
+  void bind_teeth() {
+    geometry_.is_contact = coupling_.contact;
+    const int errors_before = found_.error_count();
+    if (coupling_.screw) {
+      geometry_.relative = bind_screw(*coupling_.screw);
+    } else {
+      bind_axis(coupling_.axis, "axis", DirectionRole::turning, kAxisHint);
+    }
+    if (found_.error_count() == errors_before) {
+      take(bind_line_of_action<Scalar>(coupling_, space_, geometry_.axis, evaluator_, found_),
+           geometry_.line_of_action);
+    }
+  }
+
+  void bind_pitch() {
+    if (coupling_.pitch) {
+      take(evaluator_.number(*coupling_.pitch, QuantityKind::pitch), geometry_.pitch);
+    } else if (coupling_.lead) {
+      take(evaluator_.number(*coupling_.lead, QuantityKind::lead), geometry_.pitch);
+      geometry_.pitch = geometry_.pitch / Scalar(2.0 * std::numbers::pi);
+    }
+  }
+
+  // The force of a cable on the head acts at its end there.
+  void bind_ends() {
+    if (!coupling_.from || !coupling_.to) {
+      return;
+    }
+    take(evaluator_.point(*coupling_.from), geometry_.from);
+    take(evaluator_.point(*coupling_.to), geometry_.to);
+    geometry_.at = geometry_.to;
+  }
+
+  // The first screw with a line places the coupling.
+  void bind_screws(const std::vector<ScrewDescription>& list,
+                   std::vector<ScrewGeometryOf<Scalar>>& screws) {
+    for (const ScrewDescription& one : list) {
+      const auto screw = bind_screw(one);
+      if (!screw) {
+        continue;
+      }
+      if (one.at && !has_place_) {
+        geometry_.at = screw->at;
+        has_place_ = true;
+      }
+      screws.push_back(*screw);
+    }
+  }
+
+  // In the plane rotations and couples are about z, without pitch; the others lie in the plane.
+  std::optional<ScrewGeometryOf<Scalar>> bind_screw(const ScrewDescription& description) {
+    ScrewGeometryOf<Scalar> screw;
+    screw.kind = description.kind;
+    const int errors_before = found_.error_count();
+    const bool turns =
+        description.kind == ScrewWord::rotation || description.kind == ScrewWord::couple;
+    take(directions_.bind(description.direction,
+                          turns ? DirectionRole::turning : DirectionRole::in_plane),
+         screw.direction);
+    if (description.at) {
+      take(evaluator_.point(*description.at), screw.at);
+    }
+    if (description.pitch) {
+      take(evaluator_.number(*description.pitch, QuantityKind::pitch), screw.pitch);
+      if (space_ == Space::planar) {
+        directions_.refuse(
+            description.pitch->where,
+            fmt::format("a screw of {} has a pitch, which leaves the plane", directions_.title()),
+            "remove 'pitch', or write 'space: spatial' at the top of the file");
+      }
+    }
+    return found_.error_count() == errors_before ? std::optional(screw) : std::nullopt;
+  }
+
+  const CouplingDescription& coupling_;
+  Space space_;
+  EvaluatorOf<Scalar>& evaluator_;
+  Diagnostics& found_;
+  DirectionBinder<Scalar> directions_;
+  CouplingGeometryOf<Scalar> geometry_;
+  bool has_place_ = false;  ///< of a list of screws
+};
 
 }  // namespace
 
-std::optional<CouplingGeometry> bind_geometry(const CouplingDescription& coupling,
-                                              Space space,
-                                              Evaluator& evaluator,
-                                              Diagnostics& found) {
-  const bool is_good = check_geometry(coupling, space, evaluator, found);
-  const std::optional<Vec3> at = bind_point(coupling, evaluator, found);
-  const std::optional<Axis> axis = bind_axis(coupling, space, evaluator, found);
-  std::optional<Vec3> line = Vec3::UnitX();
-  if (coupling.type == CouplingType::gear && axis) {
-    line = bind_line_of_action(coupling, *axis, evaluator, found);
-  }
-  if (!is_good || !at || !axis || !line) {
-    return std::nullopt;
-  }
-  return CouplingGeometry{.at = *at, .axis = *axis, .line_of_action = *line};
+bool has_place(const CouplingDescription& coupling) {
+  const auto has_line = [](const ScrewDescription& screw) { return screw.at.has_value(); };
+  return coupling.at || (coupling.from && coupling.to) ||
+         std::ranges::any_of(coupling.freedoms, has_line) ||
+         std::ranges::any_of(coupling.constraints, has_line);
 }
 
-void keep_passive(const CouplingDescription& coupling, CouplingScrews& screws, Diagnostics& found) {
-  if (!coupling.passive) {
-    return;
-  }
-  std::vector<std::string> available;
-  for (const NamedWrench& constraint : screws.constraints) {
-    available.push_back(constraint.name);
-  }
-  std::vector<std::string> kept;
-  for (const Name& name : *coupling.passive) {
-    if (std::ranges::find(kept, name.text) != kept.end()) {
-      found.error("E0307",
-                  name.where,
-                  fmt::format("'passive' of {} names '{}' twice", title(coupling), name.text),
-                  "remove one of the two");
-    }
-    kept.push_back(name.text);
-    if (std::ranges::find(available, name.text) == available.end()) {
-      const std::string guess = did_you_mean(name.text, available);
-      found.error("E0313",
-                  name.where,
-                  fmt::format("{} has no constraint '{}'", title(coupling), name.text),
-                  available.empty() ? "it has no passive constraints; remove 'passive'"
-                                    : fmt::format("{}{}its constraints are {}",
-                                                  guess,
-                                                  guess.empty() ? "" : " ",
-                                                  plain_list(available)));
-    }
-  }
-  std::erase_if(screws.constraints, [&](const NamedWrench& constraint) {
-    return std::ranges::find(kept, constraint.name) == kept.end();
-  });
+template <class Scalar>
+std::optional<CouplingGeometryOf<Scalar>> bind_geometry(const CouplingDescription& coupling,
+                                                        Space space,
+                                                        EvaluatorOf<Scalar>& evaluator,
+                                                        Diagnostics& found) {
+  return GeometryBinder<Scalar>(coupling, space, evaluator, found).bind();
 }
+
+template std::optional<CouplingGeometry> bind_geometry(const CouplingDescription&,
+                                                       Space,
+                                                       EvaluatorOf<double>&,
+                                                       Diagnostics&);
+template std::optional<CouplingGeometryOf<Dual>> bind_geometry(const CouplingDescription&,
+                                                               Space,
+                                                               EvaluatorOf<Dual>&,
+                                                               Diagnostics&);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// The geometry of one coupling: what its type needs, checked and in numbers.
+// The geometry of one coupling in numbers: its points and directions, checked against each other.
 #pragma once
 
 #include <optional>
@@ -7,14 +7,14 @@
 
 namespace kinestat {
 
-/// The numbers of a coupling; complains about what its type lacks or cannot use.
-std::optional<CouplingGeometry> bind_geometry(const CouplingDescription& coupling,
-                                              Space space,
-                                              Evaluator& evaluator,
-                                              Diagnostics& found);
+/// Whether the file says where the coupling is: at, the ends of a cable, or a screw with a line.
+bool has_place(const CouplingDescription& coupling);
 
-/// Keeps only the constraints that `passive:` names; complains about names that the coupling does
-/// not have.
-void keep_passive(const CouplingDescription& coupling, CouplingScrews& screws, Diagnostics& found);
+/// The numbers of a coupling; empty iff an error was added. `Scalar` is double or Dual.
+template <class Scalar>
+std::optional<CouplingGeometryOf<Scalar>> bind_geometry(const CouplingDescription& coupling,
+                                                        Space space,
+                                                        EvaluatorOf<Scalar>& evaluator,
+                                                        Diagnostics& found);
 
 }  // namespace kinestat

@@ -12,56 +12,66 @@
 
 namespace kinestat {
 
-Evaluator::Evaluator(const MechanismDescription& description, Diagnostics& found)
-    : description_(description), found_(found) {
+namespace {
+
+void report(const ParameterDescription& parameter,
+            const ExpressionError& error,
+            Diagnostics& found) {
+  if (parameter.set_by.empty()) {
+    found.error(error.code, place_in(parameter.value, error), error.message, error.hint);
+  } else {
+    found.error("E0102",
+                {},
+                fmt::format("--set '{}': {}", printable(parameter.set_by), error.message),
+                error.hint);
+  }
+}
+
+}  // namespace
+
+Evaluator make_evaluator(const MechanismDescription& description, Diagnostics& found) {
   ParameterValues values = evaluate_parameters(parameters_of(description));
   for (const ParameterError& problem : values.errors) {
-    report(description.parameters[static_cast<std::size_t>(problem.parameter)], problem.error);
+    report(
+        description.parameters[static_cast<std::size_t>(problem.parameter)], problem.error, found);
   }
-  table_ = std::move(values.table);
+  return {description, std::move(values.table), found};
 }
 
-void Evaluator::report(const ParameterDescription& parameter, const ExpressionError& error) {
-  if (parameter.set_by.empty()) {
-    found_.error(error.code, place_in(parameter.value, error), error.message, error.hint);
-  } else {
-    found_.error("E0102",
-                 {},
-                 fmt::format("--set '{}': {}", printable(parameter.set_by), error.message),
-                 error.hint);
-  }
-}
-
-std::span<const std::string> Evaluator::known_names() const {
+template <class Scalar>
+std::span<const std::string> EvaluatorOf<Scalar>::known_names() const {
   return found_.is_hint_worth_it() ? table_.names() : std::span<const std::string>();
 }
 
-std::optional<double> Evaluator::number(const Value& value, QuantityKind kind) {
+template <class Scalar>
+std::optional<Scalar> EvaluatorOf<Scalar>::number(const Value& value, QuantityKind kind) {
   table_.mark_used(value.expression);
   if (table_.is_failed(value.expression)) {
     return std::nullopt;
   }
-  const auto result =
-      evaluate_as(kind, value.expression, description_.units, table_.lookup(), known_names());
+  const auto result = evaluate_as<Scalar>(
+      kind, value.expression, description_.units, table_.lookup(), known_names());
   if (const auto* error = std::get_if<ExpressionError>(&result)) {
     found_.error(error->code, place_in(value, *error), error->message, error->hint);
     return std::nullopt;
   }
-  const double number = std::get<double>(result);
+  const Scalar number = std::get<Scalar>(result);
   if (kind == QuantityKind::angle) {
-    warn_of_degrees(value, number);
+    warn_of_degrees(value, value_of(number));
   }
   return number;
 }
 
 // A bare number that counts in radians and is more than a full turn.
-void Evaluator::warn_of_degrees(const Value& value, double angle) {
+template <class Scalar>
+void EvaluatorOf<Scalar>::warn_of_degrees(const Value& value, double angle) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   if (std::abs(angle) <= kTurn || description_.units.text(QuantityKind::angle) != "rad") {
     return;
   }
-  const auto result = evaluate(value.expression, table_.lookup());
-  if (std::holds_alternative<Quantity>(result) && is_bare(std::get<Quantity>(result).dimension)) {
+  const auto result = evaluate<Scalar>(value.expression, table_.lookup());
+  if (std::holds_alternative<BasicQuantity<Scalar>>(result) &&
+      is_bare(std::get<BasicQuantity<Scalar>>(result).dimension)) {
     found_.warning(
         "W0303",
         value.where,
@@ -71,53 +81,61 @@ void Evaluator::warn_of_degrees(const Value& value, double angle) {
   }
 }
 
-std::optional<Quantity> Evaluator::quantity(const Value& value) {
+template <class Scalar>
+std::optional<BasicQuantity<Scalar>> EvaluatorOf<Scalar>::quantity(const Value& value) {
   table_.mark_used(value.expression);
   if (table_.is_failed(value.expression)) {
     return std::nullopt;
   }
-  const auto result = evaluate(value.expression, table_.lookup(), known_names());
+  const auto result = evaluate<Scalar>(value.expression, table_.lookup(), known_names());
   if (const auto* error = std::get_if<ExpressionError>(&result)) {
     found_.error(error->code, place_in(value, *error), error->message, error->hint);
     return std::nullopt;
   }
-  return std::get<Quantity>(result);
+  return std::get<BasicQuantity<Scalar>>(result);
 }
 
-std::optional<Vec3> Evaluator::vector(const std::vector<Value>& components, QuantityKind kind) {
-  Vec3 result = Vec3::Zero();
+template <class Scalar>
+std::optional<Vec3Of<Scalar>> EvaluatorOf<Scalar>::vector(const std::vector<Value>& components,
+                                                          QuantityKind kind) {
+  Vec3Of<Scalar> result = Vec3Of<Scalar>::Zero();
   bool is_good = true;
   for (std::size_t i = 0; i < components.size(); ++i) {
-    const std::optional<double> coordinate = number(components[i], kind);
+    const std::optional<Scalar> coordinate = number(components[i], kind);
     is_good = is_good && coordinate.has_value();
-    result[static_cast<Eigen::Index>(i)] = coordinate.value_or(0.0);
+    result[static_cast<Eigen::Index>(i)] = coordinate.value_or(Scalar(0.0));
   }
   return is_good ? std::optional(result) : std::nullopt;
 }
 
-std::optional<Vec3> Evaluator::point(const PointDescription& point) {
+template <class Scalar>
+std::optional<Vec3Of<Scalar>> EvaluatorOf<Scalar>::point(const PointDescription& point) {
   return vector(point.coordinates, QuantityKind::length);
 }
 
-std::optional<Axis> Evaluator::axis(const AxisDescription& axis) {
+template <class Scalar>
+std::optional<AxisOf<Scalar>> EvaluatorOf<Scalar>::axis(const AxisDescription& axis) {
   if (axis.keyword != 0) {
-    return Axis{.direction = axis.sign * Vec3::Unit(axis.keyword - 'x'), .keyword = axis.keyword};
+    return AxisOf<Scalar>{.direction = Scalar(axis.sign) * Vec3Of<Scalar>::Unit(axis.keyword - 'x'),
+                          .keyword = axis.keyword};
   }
-  const std::optional<Vec3> components = vector(axis.components, QuantityKind::dimensionless);
+  const std::optional<Vec3Of<Scalar>> components =
+      vector(axis.components, QuantityKind::dimensionless);
   if (!components) {
     return std::nullopt;
   }
-  if (components->norm() <= kZeroAxis) {
+  if (values_of<Scalar>(*components).norm() <= kZeroAxis) {
     found_.error("E0314",
                  axis.where,
                  "a direction of zero length points nowhere",
                  "write x, y, z, -x, … or a vector such as [1, 0, 0.5]");
     return std::nullopt;
   }
-  return Axis{.direction = components->normalized(), .keyword = 0};
+  return AxisOf<Scalar>{.direction = unit_along<Scalar>(*components), .keyword = 0};
 }
 
-void Evaluator::warn_of_unused() const {
+template <class Scalar>
+void EvaluatorOf<Scalar>::warn_of_unused() const {
   for (const int i : table_.unused()) {
     const Name& name = description_.parameters[static_cast<std::size_t>(i)].name;
     found_.warning("W0301",
@@ -126,5 +144,8 @@ void Evaluator::warn_of_unused() const {
                    "use it or remove it");
   }
 }
+
+template class EvaluatorOf<double>;
+template class EvaluatorOf<Dual>;
 
 }  // namespace kinestat

@@ -2,13 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
-
-#include "core/text.hpp"
-#include "core/tolerance.hpp"
 
 namespace kinestat {
 
@@ -16,38 +11,36 @@ namespace {
 
 using enum CouplingType;
 
-// What a type demands beside its bodies.
+// What a type demands beside its bodies and directions.
 struct Demand {
   CouplingType type = revolute;
   bool in_plane = true;
   bool in_space = true;
   bool at = true;
-  std::string_view keys;  ///< of directions and ends, as a sketch of what to type
 };
 
-// Axes of the types in the catalogue are checked when they are bound.
 constexpr auto kDemands = std::to_array<Demand>({
-    {revolute, true, true, true, ""},
-    {prismatic, true, true, false, ""},
-    {helical, false, true, true, "axis: z"},
-    {cylindrical, false, true, true, "axis: z"},
-    {universal, false, true, true, "axes: [x, z]"},
-    {spherical, false, true, true, ""},
-    {planar, false, true, false, "normal: z"},
-    {point_contact, true, true, true, "normal: y"},
-    {cam, true, true, true, "normal: y"},
-    {line_contact, false, true, true, "normal: y, line: x"},
-    {sphere_in_tube, false, true, true, "axis: z"},
-    {pin_in_slot, true, false, true, "slot: x"},
-    {rigid, true, true, false, ""},
-    {gear, true, true, true, ""},
-    {bevel_gear, false, true, true, "axis: [0, 1, 1], line_of_action: x"},
-    {worm, false, true, true, "axis: [0, 1, 1], line_of_action: [1, 1, 0]"},
-    {rack, true, true, true, "axis: z, line_of_action: x"},
-    {clutch, true, true, true, ""},
-    {brake, true, true, true, ""},
-    {cable, true, true, false, "from: [x, y], to: [x, y]"},
-    {screws, true, true, false, "freedoms: [{rotation: z, at: [0, 0, 0]}]"},
+    {revolute, true, true, true},
+    {prismatic, true, true, false},
+    {helical, false, true, true},
+    {cylindrical, false, true, true},
+    {universal, false, true, true},
+    {spherical, false, true, true},
+    {planar, false, true, false},
+    {point_contact, true, true, true},
+    {cam, true, true, true},
+    {line_contact, false, true, true},
+    {sphere_in_tube, false, true, true},
+    {pin_in_slot, true, false, true},
+    {rigid, true, true, false},
+    {gear, true, true, true},
+    {bevel_gear, false, true, true},
+    {worm, false, true, true},
+    {rack, true, true, true},
+    {clutch, true, true, true},
+    {brake, true, true, true},
+    {cable, true, true, false},
+    {screws, true, true, false},
 });
 
 const Demand& demand_of(CouplingType type) {
@@ -58,44 +51,6 @@ std::string title(const CouplingDescription& coupling) {
   return fmt::format("{} '{}'", word_of(coupling.type), coupling.name.text);
 }
 
-// Whether a direction of the type is there.
-bool has_directions(const CouplingDescription& coupling) {
-  switch (coupling.type) {
-    case helical:
-    case cylindrical:
-    case sphere_in_tube:
-      return coupling.axis.has_value();
-    case universal:
-      return coupling.axes.size() == 2;
-    case planar:
-    case point_contact:
-    case cam:
-      return coupling.normal.has_value();
-    case line_contact:
-      return coupling.normal && coupling.line;
-    case pin_in_slot:
-      return coupling.slot.has_value();
-    case bevel_gear:
-    case worm:
-      return (coupling.axis || coupling.screw) && coupling.line_of_action;
-    case rack:
-      return coupling.line_of_action.has_value();
-    case cable:
-      return coupling.from && coupling.to;
-    case screws:
-      return !coupling.freedoms.empty() || !coupling.constraints.empty();
-    case revolute:
-    case prismatic:
-    case spherical:
-    case rigid:
-    case gear:
-    case clutch:
-    case brake:
-      break;
-  }
-  return true;
-}
-
 class GeometryCheck {
  public:
   GeometryCheck(const CouplingDescription& coupling, Evaluator& evaluator, Diagnostics& found)
@@ -103,19 +58,9 @@ class GeometryCheck {
 
   void run(Space space) {
     check_space(space);
-    if (!has_directions(coupling_) && !is_counted_only(coupling_)) {
-      refuse(fmt::format("{} lacks its geometry", title(coupling_)),
-             fmt::format("write for example {}", demand_of(coupling_.type).keys));
-    }
-    check_directions();
     check_helix();
-    check_cable();
-    for (const auto* list : {&coupling_.freedoms, &coupling_.constraints}) {
-      std::ranges::for_each(*list, [&](const ScrewDescription& screw) { check(screw); });
-    }
-    if (coupling_.screw) {
-      check(*coupling_.screw);
-    }
+    check_ends();
+    check_listed();
     check_friction();
     for (const StiffnessDescription& one : coupling_.stiffness) {
       check_stiffness(one);
@@ -140,28 +85,6 @@ class GeometryCheck {
     }
   }
 
-  void check_directions() {
-    if (!is_in_catalogue(coupling_.type)) {
-      check(coupling_.axis);
-      check(coupling_.line_of_action);
-    }
-    check(coupling_.normal);
-    check(coupling_.line);
-    check(coupling_.slot);
-    for (const AxisDescription& axis : coupling_.axes) {
-      (void)evaluator_.axis(axis);
-    }
-    if (coupling_.helix_angle) {
-      (void)evaluator_.number(*coupling_.helix_angle, QuantityKind::angle);
-    }
-  }
-
-  void check(const std::optional<AxisDescription>& direction) {
-    if (direction) {
-      (void)evaluator_.axis(*direction);
-    }
-  }
-
   void check_helix() {
     if (coupling_.type != helical) {
       return;
@@ -171,16 +94,15 @@ class GeometryCheck {
                              : fmt::format("{} lacks its pitch", title(coupling_)),
              "write lead: 5 mm (per turn) or pitch: 0.8 mm (per radian)");
     }
-    if (coupling_.pitch) {
-      (void)evaluator_.number(*coupling_.pitch, QuantityKind::pitch);
-    }
-    if (coupling_.lead) {
-      (void)evaluator_.number(*coupling_.lead, QuantityKind::lead);
-    }
   }
 
-  void check_cable() {
+  void check_ends() {
+    if (coupling_.type != cable) {
+      return;
+    }
     if (!coupling_.from || !coupling_.to) {
+      refuse(fmt::format("{} lacks the key '{}'", title(coupling_), coupling_.from ? "to" : "from"),
+             "write from: its end on the tail, and to: its end on the head");
       return;
     }
     const auto from = evaluator_.point(*coupling_.from);
@@ -193,13 +115,11 @@ class GeometryCheck {
     }
   }
 
-  void check(const ScrewDescription& screw) {
-    (void)evaluator_.axis(screw.direction);
-    if (screw.at) {
-      (void)evaluator_.point(*screw.at);
-    }
-    if (screw.pitch) {
-      (void)evaluator_.number(*screw.pitch, QuantityKind::pitch);
+  void check_listed() {
+    if (coupling_.type == screws && coupling_.freedoms.empty() && coupling_.constraints.empty()) {
+      refuse(fmt::format("{} lists neither freedoms nor constraints", title(coupling_)),
+             "write for example freedoms: [{rotation: z, at: [0, 0, 0]}]; what you leave out "
+             "follows as the reciprocal complement");
     }
   }
 

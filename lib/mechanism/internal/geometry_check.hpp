@@ -1,4 +1,4 @@
-// The geometry keys of a coupling that its catalogue row does not turn into screws.
+// Whether a coupling has what its type needs, apart from directions.
 #pragma once
 
 #include "mechanism/internal/evaluator.hpp"
@@ -8,9 +8,9 @@ namespace kinestat {
 /// A coupling without a point whose type needs one: its file can only be counted.
 bool is_counted_only(const CouplingDescription& coupling);
 
-/// Whether the coupling may stand in that space, has the keys that its type needs, and all their
-/// numbers are right; friction and stiffness included. Adds errors if not. Types of the catalogue
-/// have their points and axes checked when they are bound.
+/// Whether the coupling may stand in that space, has the ends, pitch or screws that its type needs,
+/// and the numbers of its friction and stiffness are right. Adds errors if not. Points and
+/// directions are checked when they are bound.
 bool check_geometry(const CouplingDescription& coupling,
                     Space space,
                     Evaluator& evaluator,

@@ -6,9 +6,13 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "core/tolerance.hpp"
 #include "core/utf8.hpp"
+#include "mechanism/coupling_catalogue.hpp"
 #include "mechanism/internal/actuator_binder.hpp"
 #include "mechanism/internal/coupling_binder.hpp"
+#include "mechanism/internal/geometry_check.hpp"
+#include "mechanism/internal/passive_constraints.hpp"
 #include "mechanism/internal/reference_points.hpp"
 
 namespace kinestat {
@@ -155,9 +159,10 @@ class StructureBinder {
           "name two different bodies");
       return std::nullopt;
     }
-    const bool has_place = check_along_axis(coupling);
-    const auto geometry = bind_geometry(coupling, description_.space, evaluator_, found_);
-    if (!tail || !head || !has_place || !geometry) {
+    const bool has_point = check_along_axis(coupling);
+    const bool is_complete = check_geometry(coupling, description_.space, evaluator_, found_);
+    const auto geometry = bind_geometry<double>(coupling, description_.space, evaluator_, found_);
+    if (!tail || !head || !has_point || !is_complete || !geometry) {
       return std::nullopt;
     }
     return Joint{.description = &coupling, .tail = *tail, .head = *head, .geometry = *geometry};
@@ -168,24 +173,40 @@ class StructureBinder {
   void place(std::vector<Joint>& joints) {
     std::vector<Vec3> points;
     for (const Joint& joint : joints) {
-      if (joint.description->at) {
-        points.push_back(joint.geometry.at);
-      }
+      add_points(joint, points);
     }
     const Extent extent = find_extent(points);
     geometry_.length = extent.length;
     geometry_.origin = extent.origin;
     for (Joint& joint : joints) {
-      if (!joint.description->at) {
+      if (!has_place(*joint.description)) {
         joint.geometry.at = extent.origin;
+      }
+    }
+  }
+
+  static void add_points(const Joint& joint, std::vector<Vec3>& points) {
+    const CouplingDescription& coupling = *joint.description;
+    if (has_place(coupling)) {
+      points.push_back(joint.geometry.at);
+    }
+    if (coupling.type == CouplingType::cable) {
+      points.push_back(joint.geometry.from);
+    }
+    for (const auto* list : {&coupling.freedoms, &coupling.constraints}) {
+      const auto& screws =
+          list == &coupling.freedoms ? joint.geometry.freedoms : joint.geometry.constraints;
+      for (std::size_t i = 0; i < list->size(); ++i) {
+        if ((*list)[i].at) {
+          points.push_back(screws[i].at);
+        }
       }
     }
   }
 
   void add_coupling(const Joint& joint) {
     const CouplingDescription& coupling = *joint.description;
-    CouplingGeometry local = joint.geometry;
-    local.at -= geometry_.origin;
+    const CouplingGeometry local = measured_from<double>(geometry_.origin, joint.geometry);
     const CouplingScrews screws = screws_of(coupling, local);
     const CouplingId id{topology_.coupling_count()};
     topology_.couplings.push_back({.name = coupling.name.text,
@@ -198,7 +219,7 @@ class StructureBinder {
                                    .action_count = static_cast<int>(screws.constraints.size()),
                                    .where = coupling.name.where});
     geometry_.points.push_back(joint.geometry.at);
-    has_point_.push_back(coupling.at.has_value());
+    has_point_.push_back(has_place(coupling));
     add_screws(id, screws);
     actuators_.add(id, coupling, screws, local.at);
   }
@@ -217,11 +238,27 @@ class StructureBinder {
     }
   }
 
-  CouplingScrews screws_of(const CouplingDescription& coupling, const CouplingGeometry& local) {
-    if (!is_in_catalogue(coupling.type)) {
-      return {};
+  // A coupling whose actions work on its freedoms would be a source of power.
+  void check_reciprocal(const CouplingDescription& coupling, const CouplingScrews& screws) {
+    const double error = reciprocity_error(screws, geometry_.length);
+    if (error > kPowerBalance) {
+      found_.error(
+          "E0314",
+          coupling.name.where,
+          fmt::format("the actions of {} '{}' do work on its freedoms: {:.2g} of their size",
+                      word_of(coupling.type),
+                      coupling.name.text,
+                      error),
+          coupling.type == CouplingType::screws
+              ? "list freedoms or constraints alone; the others follow from them"
+              : "the line of action is perpendicular to the velocity at which the teeth "
+                "slide; write expressions instead of rounded numbers");
     }
+  }
+
+  CouplingScrews screws_of(const CouplingDescription& coupling, const CouplingGeometry& local) {
     CouplingScrews screws = coupling_screws(coupling.type, description_.space, local);
+    check_reciprocal(coupling, screws);
     check_stiffness(coupling, screws);
     if (coupling.passive) {
       keep_passive(coupling, screws, found_);  // all that it bears, in space too

@@ -40,7 +40,7 @@ inline Diagnostics check_of(const std::string& text) {
   const auto description = root ? read_mechanism(*root, found) : std::nullopt;
   EXPECT_EQ(complaints_of(found), Complaints{});
   if (description) {
-    Evaluator evaluator(*description, found);
+    Evaluator evaluator = make_evaluator(*description, found);
     check_sections(*description, evaluator, found);
   }
   return found;

@@ -70,7 +70,7 @@ TEST(SweepCheck, CountsTheNamesOfAConditionAsUsed) {
       found);
   const auto description = read_mechanism(*root, found);
   ASSERT_TRUE(description);
-  Evaluator evaluator(*description, found);
+  Evaluator evaluator = make_evaluator(*description, found);
 
   check_sections(*description, evaluator, found);
   evaluator.warn_of_unused();

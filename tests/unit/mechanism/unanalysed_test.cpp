@@ -45,8 +45,6 @@ TEST(Unanalysed, NamesPassesThatNothingElseDependsOn) {
 
 TEST(Unanalysed, DecidesWhereTheAnswerWouldBeWrongWithoutIt) {
   EXPECT_EQ(list_of("gravity: [0, -9.81]\n"), List{"section 'gravity'!"});
-  EXPECT_EQ(list_of("", "{type: cable, bodies: [f, g], from: [0, 0], to: [1, 0]}"),
-            List{"coupling type 'cable'!"});
   EXPECT_EQ(list_of("", "{type: revolute, bodies: [f, g], at: {f: [0, 0], g: [0, 1]}}"),
             List{"misclosure of revolute 'a'!"});
 }

@@ -1,0 +1,61 @@
+// Lets Eigen hold vectors of duals.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "core/types.hpp"
+#include "math/dual.hpp"
+
+namespace kinestat {
+
+inline Dual& operator+=(Dual& a, const Dual& b) {
+  return a = a + b;
+}
+
+inline Dual& operator-=(Dual& a, const Dual& b) {
+  return a = a - b;
+}
+
+inline Dual& operator*=(Dual& a, const Dual& b) {
+  return a = a * b;
+}
+
+inline Dual& operator/=(Dual& a, const Dual& b) {
+  return a = a / b;
+}
+
+/// The numbers of a vector without their derivatives.
+template <class Scalar>
+Vec3 values_of(const Vec3Of<Scalar>& vector) {
+  return {value_of(vector[0]), value_of(vector[1]), value_of(vector[2])};
+}
+
+/// Along `vector`, of length 1. Unlike Eigen's, it divides by the root of a sum and so carries
+/// derivatives.
+template <class Scalar>
+Vec3Of<Scalar> unit_along(const Vec3Of<Scalar>& vector) {
+  using std::sqrt;
+  const Scalar length = sqrt(vector.squaredNorm());
+  return {vector[0] / length, vector[1] / length, vector[2] / length};
+}
+
+}  // namespace kinestat
+
+template <>
+struct Eigen::NumTraits<kinestat::Dual> : Eigen::GenericNumTraits<kinestat::Dual> {
+  using Real = kinestat::Dual;
+  using NonInteger = kinestat::Dual;
+  using Nested = kinestat::Dual;
+  using Literal = double;
+
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 8,
+    AddCost = 64,
+    MulCost = 64
+  };
+};
