@@ -81,4 +81,16 @@ void FileUnits::derive(QuantityKind kind, const UnitScale& scale, std::string te
   }
 }
 
+NamedUnit FileUnits::unit_of(const Dimension& dimension) const {
+  if (is_bare(dimension)) {
+    return {};
+  }
+  for (const QuantityKind kind : all_quantity_kinds()) {
+    if (dimension_of(kind) == dimension) {
+      return {.text = text(kind), .scale = scale(kind)};
+    }
+  }
+  return {.text = si_unit_of(dimension), .scale = {}};
+}
+
 }  // namespace kinestat

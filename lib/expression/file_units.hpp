@@ -10,6 +10,12 @@
 
 namespace kinestat {
 
+/// A unit as text, and its size.
+struct NamedUnit {
+  std::string text;  ///< empty for a bare number
+  UnitScale scale;   ///< in SI
+};
+
 /// One unit for every kind of quantity. Defaults: m, rad, s, kg, N, N*m, rad/s, W, N/m. Unless they
 /// are set, velocity and acceleration follow length and time, pitch (length per radian) and lead
 /// (length per turn) follow the length, angular stiffness follows the moment (per radian).
@@ -29,6 +35,10 @@ class FileUnits {
 
   /// SI per unit.
   double factor(QuantityKind kind) const { return unit(kind).scale.factor(); }
+
+  /// The unit of a quantity that no place of the file defines, such as a parameter: that of the
+  /// first kind of its dimension, else the SI unit.
+  NamedUnit unit_of(const Dimension& dimension) const;
 
   /// A number in the file's unit, in SI.
   double to_si(QuantityKind kind, double value) const { return unit(kind).scale.to_si(value); }

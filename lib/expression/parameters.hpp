@@ -96,8 +96,8 @@ using ParameterValues = BasicParameterValues<double>;
 template <class Number = double>
 BasicParameterValues<Number> evaluate_parameters(std::span<const Parameter> parameters);
 
-/// With derivatives: the one of index i is per SI unit of the parameter variables[i], as if that
-/// one had been given as a number, whatever parameters its own value uses.
+/// With derivatives: the one of index i is per SI unit of the parameter variables[i], while all
+/// that use it follow, as with --set.
 BasicParameterValues<Dual> evaluate_parameters(std::span<const Parameter> parameters,
                                                std::span<const int> variables);
 

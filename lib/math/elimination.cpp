@@ -75,9 +75,7 @@ double Elimination::relative_residual(const VecX& x, std::span<const double> rhs
 // Rows without a pivot among the unknown columns: what is left of them must vanish, measured
 // against all that was summed into them. Entries that counted as zero for the rank are rounding,
 // and there is nothing in the row to measure them against.
-bool Elimination::surplus_rows_hold(const VecX& scaled_x,
-                                    std::span<const double> right,
-                                    std::span<const double> sizes) const {
+bool Elimination::surplus_rows_hold(const VecX& scaled_x, const EliminatedRows& right) const {
   std::vector<bool> has_pivot(rows_.size(), false);
   for (const Pivot& pivot : pivots_) {
     at(has_pivot, pivot.row) = true;
@@ -86,8 +84,8 @@ bool Elimination::surplus_rows_hold(const VecX& scaled_x,
     if (has_pivot[r]) {
       continue;
     }
-    double sum = right.empty() ? 0.0 : -right[r];
-    double size = sizes.empty() ? 0.0 : sizes[r];
+    double sum = right.values.empty() ? 0.0 : -right.values[r];
+    double size = right.sizes.empty() ? 0.0 : right.sizes[r];
     for (const Cell& cell : rows_[r]) {
       const bool counts = std::abs(cell.value) > kRankZero;
       if (counts && std::ranges::find(last_, cell.column) != last_.end()) {
@@ -102,31 +100,77 @@ bool Elimination::surplus_rows_hold(const VecX& scaled_x,
   return true;
 }
 
-EliminationSolution Elimination::solve(std::span<const double> known,
-                                       std::span<const double> rhs) const {
+VecX Elimination::scaled_known(std::span<const double> known) const {
   KINESTAT_EXPECTS(known.size() == last_.size());
-  KINESTAT_EXPECTS(rhs.empty() || rhs.size() == static_cast<std::size_t>(matrix_.rows));
-  EliminationSolution solution{
-      .x = VecX::Zero(matrix_.columns), .residual = 0.0, .consistent = true};
+  VecX x = VecX::Zero(matrix_.columns);
   for (std::size_t i = 0; i < known.size(); ++i) {
-    solution.x[last_[i]] = known[i] / at(scaling_.columns, last_[i]);
+    x[last_[i]] = known[i] / at(scaling_.columns, last_[i]);
   }
-  std::vector<double> right(rhs.size());
-  std::vector<double> sizes(rhs.size());
+  return x;
+}
+
+Elimination::EliminatedRows Elimination::eliminate_rows(std::span<const double> rhs) const {
+  KINESTAT_EXPECTS(rhs.empty() || rhs.size() == static_cast<std::size_t>(matrix_.rows));
+  EliminatedRows right{.values = std::vector<double>(rhs.size()),
+                       .sizes = std::vector<double>(rhs.size())};
   for (std::size_t r = 0; r < rhs.size(); ++r) {
-    right[r] = rhs[r] * scaling_.rows[r];
-    sizes[r] = std::abs(right[r]);
+    right.values[r] = rhs[r] * scaling_.rows[r];
+    right.sizes[r] = std::abs(right.values[r]);
   }
-  if (!right.empty()) {
+  if (!rhs.empty()) {
     for (const Multiplier& step : multipliers_) {
-      at(right, step.row) -= step.value * at(right, step.pivot_row);
-      at(sizes, step.row) += std::abs(step.value) * at(sizes, step.pivot_row);
+      at(right.values, step.row) -= step.value * at(right.values, step.pivot_row);
+      at(right.sizes, step.row) += std::abs(step.value) * at(right.sizes, step.pivot_row);
     }
   }
-  back_substitute(right, solution.x);
-  solution.consistent = surplus_rows_hold(solution.x, right, sizes);
+  return right;
+}
+
+EliminationSolution Elimination::solve(std::span<const double> known,
+                                       std::span<const double> rhs) const {
+  EliminationSolution solution{.x = scaled_known(known), .residual = 0.0, .consistent = true};
+  const EliminatedRows right = eliminate_rows(rhs);
+  back_substitute(right.values, solution.x);
+  solution.consistent = surplus_rows_hold(solution.x, right);
   unscale(solution.x);
   solution.residual = relative_residual(solution.x, rhs);
+  return solution;
+}
+
+bool Elimination::is_consistent(std::span<const double> known, std::span<const double> rhs) const {
+  return surplus_rows_hold(scaled_known(known), eliminate_rows(rhs));
+}
+
+AdjointSolution Elimination::solve_adjoint(const VecX& gradient) const {
+  KINESTAT_EXPECTS(gradient.size() == matrix_.columns);
+  VecX left = gradient;
+  for (int c = 0; c < matrix_.columns; ++c) {
+    left[c] *= at(scaling_.columns, c);
+  }
+  VecX size = left.cwiseAbs();
+  VecX rows = VecX::Zero(matrix_.rows);
+  for (const Pivot& pivot : pivots_) {
+    const double y = left[pivot.column] / pivot.value;
+    rows[pivot.row] = y;
+    for (const Cell& cell : at(rows_, pivot.row)) {
+      left[cell.column] -= cell.value * y;
+      size[cell.column] += std::abs(cell.value * y);
+    }
+  }
+  for (auto step = multipliers_.rbegin(); step != multipliers_.rend(); ++step) {
+    rows[step->pivot_row] -= step->value * rows[step->row];
+  }
+  for (int r = 0; r < matrix_.rows; ++r) {
+    rows[r] *= at(scaling_.rows, r);
+  }
+  AdjointSolution solution{.rows = std::move(rows),
+                           .known = VecX::Zero(static_cast<Eigen::Index>(last_.size()))};
+  for (std::size_t i = 0; i < last_.size(); ++i) {
+    const int c = last_[i];
+    const bool is_rounding = std::abs(left[c]) <= kCancellation * size[c];
+    solution.known[static_cast<Eigen::Index>(i)] =
+        is_rounding ? 0.0 : left[c] / at(scaling_.columns, c);
+  }
   return solution;
 }
 

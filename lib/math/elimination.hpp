@@ -22,6 +22,13 @@ struct EliminationSolution {
   bool consistent = true;  ///< the surplus equations hold within kConsistency of their terms
 };
 
+/// How g·x moves, x being a solution of A x = b with some of x known: by known · δx[last] +
+/// rows · (δb - δA x), for any small changes that keep the equations consistent.
+struct AdjointSolution {
+  VecX rows;   ///< one an equation
+  VecX known;  ///< one a column of `last`, in that order
+};
+
 /// Factors A once; solves for any right-hand side. Columns are pivoted in the order of their
 /// counts, rows by length among those with a sufficient entry (threshold Markowitz), after scaling
 /// by powers of two. The columns named last are pivoted after all others: what is then left in
@@ -46,6 +53,14 @@ class Elimination {
   /// the right-hand side (empty: zero).
   EliminationSolution solve(std::span<const double> known, std::span<const double> rhs) const;
 
+  /// Solves Aᵀ y = g for the columns outside `last`; what is left of g at `last` is their part. g
+  /// must be zero at the free columns.
+  AdjointSolution solve_adjoint(const VecX& gradient) const;
+
+  /// Whether the surplus equations hold for these known x and this right-hand side, as solve finds
+  /// it.
+  bool is_consistent(std::span<const double> known, std::span<const double> rhs) const;
+
   /// A basis of the solutions of A x = 0 with x = 0 at `last`: one vector a free column, 1 there.
   std::vector<VecX> null_vectors() const;
 
@@ -69,11 +84,17 @@ class Elimination {
     double value = 0.0;
   };
 
+  // A right-hand side after the steps of the elimination, and how much was summed into each row.
+  struct EliminatedRows {
+    std::vector<double> values;
+    std::vector<double> sizes;
+  };
+
   void back_substitute(std::span<const double> scaled_rhs, VecX& x) const;
   double relative_residual(const VecX& x, std::span<const double> rhs) const;
-  bool surplus_rows_hold(const VecX& scaled_x,
-                         std::span<const double> right,
-                         std::span<const double> sizes) const;
+  bool surplus_rows_hold(const VecX& scaled_x, const EliminatedRows& right) const;
+  VecX scaled_known(std::span<const double> known) const;
+  EliminatedRows eliminate_rows(std::span<const double> rhs) const;
   void unscale(VecX& x) const;
 
   SparseMatrix matrix_;

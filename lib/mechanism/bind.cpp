@@ -131,7 +131,7 @@ void check_order(const MechanismDescription& description,
 }
 
 bool bind_structure(const MechanismDescription& description,
-                    Space constraints,
+                    ScrewSpaces spaces,
                     Evaluator& evaluator,
                     Diagnostics& found,
                     Mechanism& result) {
@@ -139,7 +139,7 @@ bool bind_structure(const MechanismDescription& description,
   result.space = description.space;
   result.kinematic_order = description.kinematic_order;
   result.static_order = description.static_order;
-  bind_bodies_and_couplings(description, constraints, evaluator, found, result);
+  bind_bodies_and_couplings(description, spaces, evaluator, found, result);
   return !found.has_errors();  // those of the parameters too: their couplings are left out
 }
 
@@ -204,10 +204,12 @@ std::optional<Mechanism> bind_for(Purpose purpose,
   const bool is_undecided = std::ranges::any_of(unanalysed, &Unanalysed::decides);
   Evaluator evaluator = make_evaluator(description, found);
   Mechanism result;
-  const Space constraints =
-      description.static_order == OrderChoice::spatial ? Space::spatial : description.space;
+  const ScrewSpaces spaces = {.motions = description.space,
+                              .actions = description.static_order == OrderChoice::spatial
+                                             ? Space::spatial
+                                             : description.space};
   if (description.has_mechanism()) {
-    const bool is_good = bind_structure(description, constraints, evaluator, found, result);
+    const bool is_good = bind_structure(description, spaces, evaluator, found, result);
     if (!is_good || !has_all_screws(description)) {
       check_cases(description, evaluator);
       check_case_names(description, found);
@@ -243,10 +245,19 @@ std::optional<Mechanism> bind_in_space(const MechanismDescription& description,
   const int errors_before = found.error_count();
   Evaluator evaluator = make_evaluator(description, found);
   Mechanism result;
-  if (bind_structure(description, Space::spatial, evaluator, found, result)) {
+  if (bind_structure(description, ScrewSpaces{}, evaluator, found, result)) {
     bind_graph(description, found, result);
   }
   return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;
+}
+
+bool frees_more_in_space(const MechanismDescription& description) {
+  using enum CouplingType;
+  return description.space == Space::planar &&
+         std::ranges::any_of(description.couplings, [](const CouplingDescription& coupling) {
+           return coupling.type == cable || coupling.type == point_contact ||
+                  coupling.type == cam || coupling.contact || !coupling.constraints.empty();
+         });
 }
 
 }  // namespace kinestat

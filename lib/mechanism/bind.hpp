@@ -18,8 +18,12 @@ std::optional<Mechanism> bind(const MechanismDescription& description, Diagnosti
 /// no error, only W0302.
 bool check(const MechanismDescription& description, Diagnostics& found);
 
-/// The same bodies and couplings with the constraints that they have in space, without cases: for
-/// counting a planar mechanism as the spatial one that it is.
+/// The same bodies and couplings with the freedoms and constraints that they have in space, without
+/// cases: for counting a planar mechanism as the spatial one that it is.
 std::optional<Mechanism> bind_in_space(const MechanismDescription& description, Diagnostics& found);
+
+/// Whether a coupling of a planar mechanism frees more in space than in the plane, as contacts and
+/// cables do.
+bool frees_more_in_space(const MechanismDescription& description);
 
 }  // namespace kinestat

@@ -8,14 +8,18 @@
 namespace kinestat {
 
 /// World frame, SI units. Each list is parallel to one of the Topology. Screws are written about
-/// `origin`: the world origin, unless the mechanism stands far away from it.
-struct Geometry {
-  std::vector<Twist> motions;    ///< unit screw of each freedom: head relative to tail
-  std::vector<Wrench> actions;   ///< unit screw of each action: of tail on head
-  std::vector<Vec3> points;      ///< of each coupling [m]; the origin if it has no point of its own
-  std::vector<Vec3> references;  ///< of each body, where its velocity is reported [m]
-  Vec3 origin = Vec3::Zero();    ///< [m]
-  double length = 1.0;           ///< size [m]: the diagonal of the box around all points
+/// `origin`: the world origin, unless the mechanism stands far away from it. `Scalar` is double or
+/// Dual; the origin and the size never change with a parameter.
+template <class Scalar>
+struct GeometryOf {
+  std::vector<TwistOf<Scalar>> motions;    ///< unit screw of each freedom: head relative to tail
+  std::vector<WrenchOf<Scalar>> actions;   ///< unit screw of each action: of tail on head
+  std::vector<Vec3Of<Scalar>> points;      ///< of each coupling [m]; the origin if it has none
+  std::vector<Vec3Of<Scalar>> references;  ///< of each body, where its velocity is reported [m]
+  Vec3 origin = Vec3::Zero();              ///< [m]
+  double length = 1.0;                     ///< size [m]: the diagonal of the box around all points
 };
+
+using Geometry = GeometryOf<double>;
 
 }  // namespace kinestat

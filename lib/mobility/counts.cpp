@@ -10,9 +10,14 @@ namespace kinestat {
 
 namespace {
 
-ActionCounts count_in(const Mechanism& mechanism, const CoordinateBasis& basis) {
+ActionCounts count_actions_in(const Mechanism& mechanism, const CoordinateBasis& basis) {
   const Elimination elimination(action_system(mechanism.topology, mechanism.geometry, basis), {});
   return action_counts(mechanism, basis.order(), elimination.rank());
+}
+
+MotionCounts count_motions_in(const Mechanism& mechanism, const CoordinateBasis& basis) {
+  const Elimination elimination(velocity_system(mechanism.topology, mechanism.geometry, basis), {});
+  return motion_counts(mechanism, basis.order(), elimination.rank());
 }
 
 // Whether every screw lies in the rows 2, 3, 4: wz, vx, vy or Tz, Fx, Fy.
@@ -35,7 +40,7 @@ MotionCounts in_order(MotionCounts counts, int order, int circuit_count) {
 
 }  // namespace
 
-MobilityCounts count_motions(const Mechanism& mechanism) {
+MobilityCounts count_motions(const Mechanism& mechanism, const Mechanism& in_space) {
   const CoordinateBasis motions = motion_basis(mechanism.geometry, OrderChoice::minimal);
   const Elimination velocity(velocity_system(mechanism.topology, mechanism.geometry, motions), {});
   const int l = mechanism.graph.circuit_count();
@@ -45,19 +50,22 @@ MobilityCounts count_motions(const Mechanism& mechanism) {
   if (mechanism.space == Space::planar || is_planar(motions)) {
     counts.planar = SideCounts{.motions = in_order(counts.minimal.motions, 3, l), .actions = {}};
   }
-  counts.spatial.motions = in_order(counts.minimal.motions, 6, l);
+  counts.spatial.motions =
+      in_space.topology.freedom_count() == mechanism.topology.freedom_count()
+          ? in_order(counts.minimal.motions, 6, l)
+          : count_motions_in(in_space, motion_basis(in_space.geometry, OrderChoice::spatial));
   return counts;
 }
 
 void count_actions(const Mechanism& mechanism, const Mechanism& in_space, MobilityCounts& counts) {
   const CoordinateBasis actions = action_basis(mechanism.geometry, OrderChoice::minimal);
-  counts.minimal.actions = count_in(mechanism, actions);
+  counts.minimal.actions = count_actions_in(mechanism, actions);
   if (counts.planar && (is_planar_static(mechanism) || is_planar(actions))) {
     counts.planar->actions =
-        count_in(mechanism, action_basis(mechanism.geometry, OrderChoice::planar));
+        count_actions_in(mechanism, action_basis(mechanism.geometry, OrderChoice::planar));
   }
   counts.spatial.actions =
-      count_in(in_space, action_basis(in_space.geometry, OrderChoice::spatial));
+      count_actions_in(in_space, action_basis(in_space.geometry, OrderChoice::spatial));
 }
 
 }  // namespace kinestat

@@ -23,11 +23,12 @@ struct MobilityCounts {
   RankEvidence evidence;  ///< of the velocity system in the minimal order
 };
 
-/// Counts the motions, which need no more than one elimination for all orders.
-MobilityCounts count_motions(const Mechanism& mechanism);
+/// Counts the motions. One elimination serves all orders, unless couplings free more in space.
+/// `in_space` is the same mechanism with what its couplings free and bear in space; for a mechanism
+/// that frees the same there it may be the same object.
+MobilityCounts count_motions(const Mechanism& mechanism, const Mechanism& in_space);
 
-/// Adds the counts of the actions. `in_space` is the same mechanism with the constraints that its
-/// couplings have in space; for a spatial mechanism the same object.
+/// Adds the counts of the actions; `in_space` likewise, but for the constraints.
 void count_actions(const Mechanism& mechanism, const Mechanism& in_space, MobilityCounts& counts);
 
 }  // namespace kinestat

@@ -8,19 +8,6 @@ namespace kinestat {
 
 namespace {
 
-// The value in the unit of the file where its kind has one, else in SI.
-void add_value(const Quantity& value, const FileUnits& units, Json& entry) {
-  for (const QuantityKind kind : all_quantity_kinds()) {
-    if (kind != QuantityKind::dimensionless && dimension_of(kind) == value.dimension) {
-      entry["value"] = number(units.from_si(kind, value.value));
-      entry["unit"] = units.text(kind);
-      return;
-    }
-  }
-  entry["value"] = number(value.value);
-  entry["unit"] = is_bare(value.dimension) ? "" : si_unit_of(value.dimension);
-}
-
 Json parameters_json(const MechanismDescription& description) {
   const ParameterTable table = evaluate_parameters(parameters_of(description)).table;
   Json result = object_of(description.parameters.size());
@@ -28,7 +15,9 @@ Json parameters_json(const MechanismDescription& description) {
     Json entry;
     entry["expression"] = parameter.value.expression.text();
     if (const Quantity* value = table.find(parameter.name.text)) {
-      add_value(*value, description.units, entry);
+      const NamedUnit unit = description.units.unit_of(value->dimension);
+      entry["value"] = number(unit.scale.from_si(value->value));
+      entry["unit"] = unit.text;
     }
     if (parameter.is_free) {
       entry["free"] = true;

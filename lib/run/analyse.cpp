@@ -1,8 +1,6 @@
 #include "run/analyse.hpp"
 
 #include <algorithm>
-#include <exception>
-#include <new>
 #include <optional>
 #include <utility>
 
@@ -10,18 +8,11 @@
 
 #include "mechanism/bind.hpp"
 #include "report/file_report.hpp"
+#include "run/each_file.hpp"
 #include "run/findings.hpp"
 #include "run/solve_cases.hpp"
 
 namespace kinestat {
-
-ReportForms stream_forms(StreamFormat format, std::size_t file_count) {
-  const bool is_json = format == StreamFormat::json;
-  return {.json = is_json && file_count == 1,
-          .json_line = is_json && file_count > 1,
-          .csv = format == StreamFormat::csv,
-          .text = format == StreamFormat::table};
-}
 
 namespace {
 
@@ -32,26 +23,6 @@ ReportForms forms_of(const AnalyseOptions& options, std::size_t file_count) {
     forms.csv = true;
   }
   return forms;
-}
-
-void add_to_stream(const FileReport& report, const AnalyseOptions& options, Outcome& outcome) {
-  if (options.is_quiet) {
-    return;
-  }
-  switch (options.format) {
-    case StreamFormat::table:
-      outcome.out += report.text;
-      break;
-    case StreamFormat::json:
-      outcome.out += report.json_line.empty() ? report.json : report.json_line;
-      break;
-    case StreamFormat::csv:
-      for (const NamedTable& table : report.csv) {
-        const bool has_header = !outcome.out.empty();
-        outcome.out += has_header ? table.text.substr(csv_signature().size()) : table.text;
-      }
-      break;
-  }
 }
 
 // Empty if the description is wrong. One that is right, but has no mechanism or holds something
@@ -94,34 +65,6 @@ void analyse_file(const std::string& path,
   add_diagnostics(source, found, options.strictness, outcome);
 }
 
-// Runs `job` for each file; a bug fails that file only.
-template <class Job>
-Outcome for_each_file(const std::vector<std::string>& paths,
-                      const AnalyseOptions& options,
-                      const Job& job) {
-  Outcome outcome;
-  outcome.form = options.diagnostics;
-  Diagnostics found;
-  if (!options.output.folder.empty() &&
-      !(check_distinct(paths, found) && check_output_folder(options.output.folder, found))) {
-    add_diagnostics({}, found, options.strictness, outcome);
-    return outcome;
-  }
-  for (const std::string& path : paths) {
-    try {
-      job(path, outcome);
-    } catch (const std::bad_alloc&) {
-      throw;  // not of this file
-    } catch (const std::exception& bug) {
-      add_bug(path, bug.what(), outcome);
-    }
-    if (options.fail_fast && outcome.status != ExitStatus::done) {
-      break;
-    }
-  }
-  return outcome;
-}
-
 }  // namespace
 
 Outcome analyse_files(const std::vector<std::string>& paths, const AnalyseOptions& options) {
@@ -136,7 +79,8 @@ Outcome check_files(const std::vector<std::string>& paths, const AnalyseOptions&
     SourceFile source;
     Diagnostics found;
     const auto description = load_description(path, options.overrides, source, found);
-    if (description && check(*description, found)) {
+    const bool is_right = description && check(*description, found);
+    if (is_right && status_of(found, options.strictness) == ExitStatus::done) {
       outcome.out += fmt::format("{}: ok\n", path == "-" ? "<stdin>" : path);
     }
     add_diagnostics(source, found, options.strictness, outcome);

@@ -23,9 +23,6 @@ struct AnalyseOptions {
   bool fail_fast = false;  ///< stop after the first file that fails
 };
 
-/// The forms that go to standard output for that many files.
-ReportForms stream_forms(StreamFormat format, std::size_t file_count);
-
 /// Analyses every file; one that fails does not stop the others. JSON of several files is one
 /// object a line.
 Outcome analyse_files(const std::vector<std::string>& paths, const AnalyseOptions& options);

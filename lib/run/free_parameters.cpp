@@ -22,19 +22,6 @@ struct Probed {
   std::string unit;
 };
 
-// The value as the file counts it, and its unit; a bare number has none.
-std::pair<double, std::string> in_file_units(const Quantity& value, const FileUnits& units) {
-  if (is_bare(value.dimension)) {
-    return {value.value, ""};
-  }
-  for (const QuantityKind kind : all_quantity_kinds()) {
-    if (dimension_of(kind) == value.dimension) {
-      return {units.from_si(kind, value.value), units.text(kind)};
-    }
-  }
-  return {value.value, si_unit_of(value.dimension)};
-}
-
 // How far a parameter is moved: its own size, but no less than the mechanism's for a length or a
 // bare number, which mostly is one, and than one unit or radian for the rest; a bend would hide
 // below rounding if a small value were moved by itself alone.
@@ -57,11 +44,12 @@ std::vector<Probed> find_free(const Analysis& analysis) {
     const ParameterDescription& parameter = description.parameters[i];
     const Quantity* value = parameter.is_free ? table.find(parameter.name.text) : nullptr;
     if (value != nullptr) {
-      const auto [number, unit] = in_file_units(*value, description.units);
+      const NamedUnit unit = description.units.unit_of(value->dimension);
+      const double number = unit.scale.from_si(value->value);
       result.push_back({.index = i,
                         .parameter = {.value = number,
                                       .step = step_of(number, *value, description.units, length)},
-                        .unit = unit});
+                        .unit = unit.text});
     }
   }
   return result;

@@ -1,8 +1,6 @@
 #include "run/graph.hpp"
 
 #include <algorithm>
-#include <exception>
-#include <new>
 
 #include <fmt/format.h>
 
@@ -10,6 +8,7 @@
 #include "network/bases.hpp"
 #include "network/network_matrices.hpp"
 #include "report/graph_report.hpp"
+#include "run/each_file.hpp"
 
 namespace kinestat {
 
@@ -145,18 +144,9 @@ Outcome graph_files(const std::vector<std::string>& paths,
                     Matrices matrices,
                     const std::string& case_label,
                     const AnalyseOptions& options) {
-  Outcome outcome;
-  outcome.form = options.diagnostics;
-  for (const std::string& path : paths) {
-    try {
-      graph_file(path, matrices, case_label, options, paths.size(), outcome);
-    } catch (const std::bad_alloc&) {
-      throw;  // not of this file
-    } catch (const std::exception& bug) {
-      add_bug(path, bug.what(), outcome);
-    }
-  }
-  return outcome;
+  return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
+    graph_file(path, matrices, case_label, options, paths.size(), outcome);
+  });
 }
 
 }  // namespace kinestat

@@ -33,19 +33,20 @@ bool wants_statics(const Mechanism& mechanism) {
 }
 
 MobilityCounts counts_of(const Loaded& loaded) {
-  MobilityCounts counts = count_motions(loaded.mechanism);
-  if (!wants_statics(loaded.mechanism)) {
-    return counts;
+  const bool has_actions = wants_statics(loaded.mechanism);
+  std::optional<Mechanism> in_space;
+  if (loaded.mechanism.space == Space::planar &&
+      (has_actions || frees_more_in_space(loaded.description))) {
+    // It complains of nothing that the first binding did not, and that had no errors.
+    Diagnostics ignored;
+    in_space = bind_in_space(loaded.description, ignored);
+    KINESTAT_EXPECTS(in_space.has_value());
   }
-  if (loaded.mechanism.space == Space::spatial) {
-    count_actions(loaded.mechanism, loaded.mechanism, counts);
-    return counts;
+  const Mechanism& spatial = in_space ? *in_space : loaded.mechanism;
+  MobilityCounts counts = count_motions(loaded.mechanism, spatial);
+  if (has_actions) {
+    count_actions(loaded.mechanism, spatial, counts);
   }
-  // It complains of nothing that the first binding did not, and that had no errors.
-  Diagnostics ignored;
-  const std::optional<Mechanism> in_space = bind_in_space(loaded.description, ignored);
-  KINESTAT_EXPECTS(in_space.has_value());
-  count_actions(loaded.mechanism, *in_space, counts);
   return counts;
 }
 

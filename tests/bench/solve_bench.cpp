@@ -272,7 +272,7 @@ void add_analysis(const Subject& subject, const Analysis& analysis, std::vector<
                     keep(action_basis(mechanism.geometry, mechanism.static_order));
                   },
                   {}});
-  jobs.push_back({"count_motions", [&] { keep(count_motions(mechanism)); }, {}});
+  jobs.push_back({"count_motions", [&] { keep(count_motions(mechanism, mechanism)); }, {}});
   jobs.push_back(
       {"solve_cases (all cases)", [&] { keep(solve_cases(subject.path, subject.loaded)); }, {}});
   add_report("report, published values only", analysis, {}, jobs);

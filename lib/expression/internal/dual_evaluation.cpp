@@ -30,7 +30,8 @@ BasicParameterValues<Dual> evaluate_parameters(std::span<const Parameter> parame
     const auto place = std::ranges::find(variables, parameter);
     if (place != variables.end()) {
       const auto index = static_cast<std::size_t>(place - variables.begin());
-      quantity.value = make_variable(quantity.value.value, index, variables.size());
+      quantity.value.derivatives.resize(variables.size(), 0.0);
+      quantity.value.derivatives[index] = 1.0;
     }
   };
   return evaluate_in_order<Dual>(parameters, seed);

@@ -6,13 +6,14 @@
 
 namespace kinestat {
 
-std::vector<Vec3> bind_reference_points(const MechanismDescription& description,
-                                        const std::vector<bool>& has_point,
-                                        const Mechanism& mechanism,
-                                        Evaluator& evaluator) {
-  const Topology& topology = mechanism.topology;
-  const Geometry& geometry = mechanism.geometry;
-  std::vector<Vec3> references(topology.bodies.size(), geometry.origin);
+template <class Scalar>
+std::vector<Vec3Of<Scalar>> bind_reference_points(const MechanismDescription& description,
+                                                  const std::vector<bool>& has_point,
+                                                  const Topology& topology,
+                                                  const GeometryOf<Scalar>& geometry,
+                                                  EvaluatorOf<Scalar>& evaluator) {
+  const Vec3Of<Scalar> origin = geometry.origin.template cast<Scalar>();
+  std::vector<Vec3Of<Scalar>> references(topology.bodies.size(), origin);
   std::vector<bool> is_set(topology.bodies.size(), false);
   for (const BodyDescription& body : description.bodies) {
     if (!body.reference) {
@@ -20,7 +21,7 @@ std::vector<Vec3> bind_reference_points(const MechanismDescription& description,
     }
     const auto at = std::ranges::find(topology.bodies, body.name.text, &BodyTopology::name);
     const auto b = static_cast<std::size_t>(at - topology.bodies.begin());
-    references[b] = evaluator.point(*body.reference).value_or(geometry.origin);
+    references[b] = evaluator.point(*body.reference).value_or(origin);
     is_set[b] = true;
   }
   for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
@@ -37,6 +38,17 @@ std::vector<Vec3> bind_reference_points(const MechanismDescription& description,
   }
   return references;
 }
+
+template std::vector<Vec3> bind_reference_points(const MechanismDescription&,
+                                                 const std::vector<bool>&,
+                                                 const Topology&,
+                                                 const GeometryOf<double>&,
+                                                 EvaluatorOf<double>&);
+template std::vector<Vec3Of<Dual>> bind_reference_points(const MechanismDescription&,
+                                                         const std::vector<bool>&,
+                                                         const Topology&,
+                                                         const GeometryOf<Dual>&,
+                                                         EvaluatorOf<Dual>&);
 
 Extent find_extent(const std::vector<Vec3>& points) {
   if (points.empty()) {

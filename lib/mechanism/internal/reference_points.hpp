@@ -10,11 +10,13 @@ namespace kinestat {
 
 /// Of each body of the topology [m]: the point that its description gives, else that of its first
 /// coupling that has one, else the origin of the geometry. `has_point` says which couplings of the
-/// topology have a point of their own.
-std::vector<Vec3> bind_reference_points(const MechanismDescription& description,
-                                        const std::vector<bool>& has_point,
-                                        const Mechanism& mechanism,
-                                        Evaluator& evaluator);
+/// topology have a point of their own. `Scalar` is double or Dual.
+template <class Scalar>
+std::vector<Vec3Of<Scalar>> bind_reference_points(const MechanismDescription& description,
+                                                  const std::vector<bool>& has_point,
+                                                  const Topology& topology,
+                                                  const GeometryOf<Scalar>& geometry,
+                                                  EvaluatorOf<Scalar>& evaluator);
 
 /// How large a mechanism is and where it stands [m].
 struct Extent {

@@ -39,15 +39,14 @@ struct Joint {
 class StructureBinder {
  public:
   StructureBinder(const MechanismDescription& description,
-                  Space constraints,
+                  ScrewSpaces spaces,
                   Evaluator& evaluator,
                   Diagnostics& found,
                   Mechanism& result)
       : description_(description),
-        constraints_(constraints),
+        spaces_(spaces),
         evaluator_(evaluator),
         found_(found),
-        result_(result),
         topology_(result.topology),
         geometry_(result.geometry),
         actuators_(description, result, found) {}
@@ -70,7 +69,8 @@ class StructureBinder {
     for (const Joint& joint : joints) {
       add_coupling(joint);
     }
-    geometry_.references = bind_reference_points(description_, has_point_, result_, evaluator_);
+    geometry_.references =
+        bind_reference_points<double>(description_, has_point_, topology_, geometry_, evaluator_);
   }
 
  private:
@@ -207,7 +207,8 @@ class StructureBinder {
   void add_coupling(const Joint& joint) {
     const CouplingDescription& coupling = *joint.description;
     const CouplingGeometry local = measured_from<double>(geometry_.origin, joint.geometry);
-    const CouplingScrews screws = screws_of(coupling, local);
+    const CouplingScrews drawn = drawn_screws(coupling, local);
+    const CouplingScrews screws = counted_screws(coupling, local, drawn);
     const CouplingId id{topology_.coupling_count()};
     topology_.couplings.push_back({.name = coupling.name.text,
                                    .type = coupling.type,
@@ -221,7 +222,7 @@ class StructureBinder {
     geometry_.points.push_back(joint.geometry.at);
     has_point_.push_back(has_place(coupling));
     add_screws(id, screws);
-    actuators_.add(id, coupling, screws, local.at);
+    actuators_.add(id, coupling, drawn, local.at);
   }
 
   void check_stiffness(const CouplingDescription& coupling, const CouplingScrews& screws) {
@@ -256,14 +257,28 @@ class StructureBinder {
     }
   }
 
-  CouplingScrews screws_of(const CouplingDescription& coupling, const CouplingGeometry& local) {
+  // In the space of the file, where they have their names.
+  CouplingScrews drawn_screws(const CouplingDescription& coupling, const CouplingGeometry& local) {
     CouplingScrews screws = coupling_screws(coupling.type, description_.space, local);
     check_reciprocal(coupling, screws);
     check_stiffness(coupling, screws);
-    if (coupling.passive) {
-      keep_passive(coupling, screws, found_);  // all that it bears, in space too
-    } else if (constraints_ != description_.space) {
-      screws.constraints = coupling_screws(coupling.type, constraints_, local).constraints;
+    keep_passive(coupling, screws, found_);
+    return screws;
+  }
+
+  // In the spaces asked for; `passive` lists all that a coupling bears, in space too.
+  CouplingScrews counted_screws(const CouplingDescription& coupling,
+                                const CouplingGeometry& local,
+                                const CouplingScrews& drawn) const {
+    const auto is_drawn = [&](Space space) {
+      return coupling.passive || space == description_.space;
+    };
+    CouplingScrews screws = drawn;
+    if (!is_drawn(spaces_.motions)) {
+      screws.freedoms = coupling_screws(coupling.type, spaces_.motions, local).freedoms;
+    }
+    if (!is_drawn(spaces_.actions)) {
+      screws.constraints = coupling_screws(coupling.type, spaces_.actions, local).constraints;
     }
     return screws;
   }
@@ -284,10 +299,9 @@ class StructureBinder {
   }
 
   const MechanismDescription& description_;
-  Space constraints_;
+  ScrewSpaces spaces_;
   Evaluator& evaluator_;
   Diagnostics& found_;
-  const Mechanism& result_;
   Topology& topology_;
   Geometry& geometry_;
   std::map<std::string, BodyId> body_ids_;
@@ -299,11 +313,11 @@ class StructureBinder {
 }  // namespace
 
 void bind_bodies_and_couplings(const MechanismDescription& description,
-                               Space constraints,
+                               ScrewSpaces spaces,
                                Evaluator& evaluator,
                                Diagnostics& found,
                                Mechanism& result) {
-  StructureBinder(description, constraints, evaluator, found, result).run();
+  StructureBinder(description, spaces, evaluator, found, result).run();
 }
 
 }  // namespace kinestat

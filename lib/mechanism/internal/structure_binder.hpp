@@ -6,10 +6,15 @@
 
 namespace kinestat {
 
-/// Fills the topology and the geometry, the graph excepted. `constraints` says whether couplings
-/// bear what they bear in the plane or in space.
+/// Whether couplings free what they free in the plane or in space, and bear what they bear there.
+struct ScrewSpaces {
+  Space motions = Space::spatial;
+  Space actions = Space::spatial;
+};
+
+/// Fills the topology and the geometry, the graph excepted.
 void bind_bodies_and_couplings(const MechanismDescription& description,
-                               Space constraints,
+                               ScrewSpaces spaces,
                                Evaluator& evaluator,
                                Diagnostics& found,
                                Mechanism& result);

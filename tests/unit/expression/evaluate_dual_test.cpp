@@ -143,16 +143,16 @@ TEST(EvaluateDual, ParametersPassTheirDerivativesOn) {
   EXPECT_EQ(derivative(area, 1), 5.0);  // by width
 }
 
-TEST(EvaluateDual, VariableCountsAsGivenWhateverItUses) {
+TEST(EvaluateDual, VariablesThatUseOthersFollowThem) {
   const auto list = parameters({{"a", "3"}, {"b", "2*a"}, {"c", "a*b"}});
   const std::vector<int> variables = {0, 1};
 
   const auto values = evaluate_parameters(list, variables);
 
   const Dual& c = values.table.find("c")->value;
-  EXPECT_EQ(derivative(values.table.find("b")->value, 0), 0.0);
-  EXPECT_EQ(derivative(c, 0), 6.0);
-  EXPECT_EQ(derivative(c, 1), 3.0);
+  EXPECT_EQ(derivative(values.table.find("b")->value, 0), 2.0);
+  EXPECT_EQ(derivative(c, 0), 12.0);  // of 2 a^2
+  EXPECT_EQ(derivative(c, 1), 3.0);   // with a as it is
 }
 
 TEST(EvaluateDual, ParameterErrorsAreThoseOfDouble) {

@@ -136,6 +136,30 @@ TEST(Elimination, GivesNullVectorsThatVanishAtTheKnownColumns) {
   EXPECT_TRUE(is_near(A * vectors[0], MatX::Zero(1, 1), kTight));
 }
 
+// g·x for x of a random system against the dense inverse of its square part.
+TEST(Elimination, SolvesTheAdjointLikeADenseTransposedSystem) {
+  Random random(5);
+  const MatX A = random_sparse(12, 12, random) + 5.0 * MatX::Identity(12, 12);
+  const std::vector<int> last = {3, 7};
+  // Columns 3 and 7 are known, so two of the equations are left out.
+  const MatX used = A.topRows(10);
+  std::vector<int> unknown;
+  for (int c = 0; c < 12; ++c) {
+    if (c != 3 && c != 7) {
+      unknown.push_back(c);
+    }
+  }
+  const VecX gradient = random_vector(12, random);
+
+  const AdjointSolution adjoint = Elimination(sparse(used), last).solve_adjoint(gradient);
+
+  const MatX square = used(Eigen::all, unknown);
+  const VecX rows = square.transpose().fullPivLu().solve(VecX(gradient(unknown)));
+  EXPECT_TRUE(is_near(adjoint.rows, rows, kTwoWays));
+  const VecX known = gradient(last) - used(Eigen::all, last).transpose() * rows;
+  EXPECT_TRUE(is_near(adjoint.known, known, kTwoWays));
+}
+
 TEST(Elimination, FindsNoRelationAmongIndependentKnownColumns) {
   // x_2 = x_0 + x_1.
   const Elimination elimination(sparse(rows_of({{1, 1, -1}})), std::vector<int>{0, 1});

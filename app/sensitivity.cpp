@@ -1,0 +1,52 @@
+#include "run/sensitivity.hpp"
+
+#include "command.hpp"
+
+namespace kinestat::app {
+
+namespace {
+
+struct SensitivityOptions {
+  FileOptions files;
+  SensitivityChoice choice;
+};
+
+void add_choice_options(CLI::App& command, SensitivityChoice& choice) {
+  with_value(command,
+             command.add_option("--of",
+                                choice.values,
+                                "a value: ratio, torque_ratio, a freedom d.wz, an\n"
+                                "action c.Rx, or a path of the JSON report below\n"
+                                "the case; may be repeated; default the ratios,\n"
+                                "rates and actions that the actuators get"),
+             "VALUE");
+  with_value(
+      command,
+      command.add_option("--by", choice.parameters, "a parameter; may be repeated; default all"),
+      "NAME");
+  with_value(
+      command, command.add_option("--case", choice.case_label, "one case; default all"), "LABEL");
+}
+
+}  // namespace
+
+void add_sensitivity(CLI::App& parent, Job& job) {
+  CLI::App* command = parent.add_subcommand(
+      "sensitivity", "Show how answers move with each parameter (derivatives).");
+  command->footer(
+      "  kinestat sensitivity mechanisms/transmissions/ravigneaux.yaml\n"
+      "  kinestat sensitivity --of ratio --of c.Rx --by crank four_bar.yaml\n"
+      "  kinestat sensitivity --of kinematics/bodies/coupler/linear/0 four_bar.yaml\n");
+  auto options = std::make_shared<SensitivityOptions>();
+  add_files(*command, options->files);
+  add_format(*command, options->files);
+  add_strict(*command, options->files);
+  add_choice_options(*command, options->choice);
+  command->callback([options, &job] {
+    job = [options] {
+      return sensitivity_files(options->files.paths, options->choice, options->files.analyse);
+    };
+  });
+}
+
+}  // namespace kinestat::app

@@ -1,0 +1,135 @@
+#include "mechanism/derivatives.hpp"
+
+#include <algorithm>
+
+#include "core/contract.hpp"
+#include "mechanism/coupling_catalogue.hpp"
+#include "mechanism/internal/coupling_binder.hpp"
+#include "mechanism/internal/reference_points.hpp"
+
+namespace kinestat {
+
+namespace {
+
+using DualEvaluator = EvaluatorOf<Dual>;
+
+// The answer of a description that was right when it was bound to plain numbers.
+template <class Item>
+Item expect(const std::optional<Item>& answer) {
+  KINESTAT_EXPECTS(answer.has_value());
+  return *answer;
+}
+
+class DerivativeBinder {
+ public:
+  DerivativeBinder(const MechanismDescription& description,
+                   const Mechanism& mechanism,
+                   DualEvaluator& evaluator,
+                   Diagnostics& found)
+      : description_(description), mechanism_(mechanism), evaluator_(evaluator), found_(found) {}
+
+  GeometryOf<Dual> bind_geometries() {
+    GeometryOf<Dual> result;
+    result.origin = mechanism_.geometry.origin;
+    result.length = mechanism_.geometry.length;
+    std::vector<bool> has_point;
+    for (std::size_t e = 0; e < description_.couplings.size(); ++e) {
+      add_coupling(description_.couplings[e], mechanism_.topology.couplings[e], result);
+      has_point.push_back(has_place(description_.couplings[e]));
+    }
+    result.references = bind_reference_points<Dual>(
+        description_, has_point, mechanism_.topology, result, evaluator_);
+    return result;
+  }
+
+  CaseDerivatives bind_case(const CaseDescription& description, const Case& bound) {
+    const Topology& topology = mechanism_.topology;
+    CaseDerivatives result;
+    for (std::size_t i = 0; i < bound.motions.size(); ++i) {
+      const auto f = static_cast<std::size_t>(bound.motions[i].index);
+      result.motions.push_back(number(description.motions[i].value,
+                                      topology.freedoms[f].is_rotation
+                                          ? QuantityKind::angular_velocity
+                                          : QuantityKind::velocity));
+    }
+    for (std::size_t i = 0; i < bound.actions.size(); ++i) {
+      const auto a = static_cast<std::size_t>(bound.actions[i].index);
+      result.actions.push_back(
+          number(description.actions[i].value,
+                 topology.actions[a].is_couple ? QuantityKind::moment : QuantityKind::force));
+    }
+    return result;
+  }
+
+ private:
+  Dual number(const Value& value, QuantityKind kind) {
+    return expect(evaluator_.number(value, kind));
+  }
+
+  void add_coupling(const CouplingDescription& coupling,
+                    const CouplingTopology& topology,
+                    GeometryOf<Dual>& result) {
+    CouplingGeometryOf<Dual> geometry =
+        expect(bind_geometry<Dual>(coupling, description_.space, evaluator_, found_));
+    if (!has_place(coupling)) {
+      geometry.at = result.origin.cast<Dual>();
+    }
+    result.points.push_back(geometry.at);
+    geometry = measured_from<Dual>(result.origin.cast<Dual>(), std::move(geometry));
+    const auto screws = coupling_screws<Dual>(coupling.type, description_.space, geometry);
+    for (const NamedTwistOf<Dual>& freedom : screws.freedoms) {
+      result.motions.push_back(freedom.screw);
+    }
+    const bool is_in_space =
+        mechanism_.static_order == OrderChoice::spatial && !coupling.passive.has_value();
+    const auto constraints =
+        is_in_space ? coupling_screws<Dual>(coupling.type, Space::spatial, geometry).constraints
+                    : screws.constraints;
+    for (int a = topology.first_action; a < topology.first_action + topology.action_count; ++a) {
+      add_action(a, topology, screws, constraints, geometry.at, result);
+    }
+  }
+
+  // By its name, as `passive` may have left some out.
+  void add_action(int action,
+                  const CouplingTopology& coupling,
+                  const CouplingScrewsOf<Dual>& screws,
+                  const std::vector<NamedWrenchOf<Dual>>& constraints,
+                  const Vec3Of<Dual>& at,
+                  GeometryOf<Dual>& result) const {
+    const ActionLabel& label = mechanism_.topology.actions[static_cast<std::size_t>(action)];
+    if (label.actuator < 0) {
+      const auto found = std::ranges::find(constraints, label.name, &NamedWrenchOf<Dual>::name);
+      KINESTAT_EXPECTS(found != constraints.end());
+      result.actions.push_back(found->screw);
+      return;
+    }
+    const ActuatorTopology& actuator =
+        mechanism_.topology.actuators[static_cast<std::size_t>(label.actuator)];
+    const auto freedom = static_cast<std::size_t>(actuator.freedom - coupling.first_freedom);
+    result.actions.push_back(internal_action<Dual>(screws.freedoms[freedom], at).screw);
+  }
+
+  const MechanismDescription& description_;
+  const Mechanism& mechanism_;
+  DualEvaluator& evaluator_;
+  Diagnostics& found_;
+};
+
+}  // namespace
+
+MechanismDerivatives bind_derivatives(const MechanismDescription& description,
+                                      const Mechanism& mechanism,
+                                      std::span<const int> parameters) {
+  Diagnostics found;
+  DualEvaluator evaluator(
+      description, evaluate_parameters(parameters_of(description), parameters).table, found);
+  DerivativeBinder binder(description, mechanism, evaluator, found);
+  MechanismDerivatives result{.geometry = binder.bind_geometries(), .cases = {}};
+  for (std::size_t c = 0; c < mechanism.cases.size(); ++c) {
+    result.cases.push_back(binder.bind_case(description.cases[c], mechanism.cases[c]));
+  }
+  return result;
+}
+
+}  // namespace kinestat

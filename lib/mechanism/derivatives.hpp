@@ -1,0 +1,32 @@
+// The numbers of a mechanism with their derivatives towards parameters.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "description/mechanism_description.hpp"
+#include "math/dual.hpp"
+#include "mechanism/mechanism.hpp"
+
+namespace kinestat {
+
+/// Lists are parallel to those of a Case.
+struct CaseDerivatives {
+  std::vector<Dual> motions;  ///< of the primary motions
+  std::vector<Dual> actions;  ///< of the primary actions
+};
+
+/// Beside a Mechanism, the same numbers as duals: derivative i is per SI unit of the i-th
+/// parameter.
+struct MechanismDerivatives {
+  GeometryOf<Dual> geometry;
+  std::vector<CaseDerivatives> cases;
+};
+
+/// Reads the description again with the parameters of those indices as variables; `mechanism` must
+/// be what bind made of it. Another parameter that uses one of them moves with it, as with --set.
+MechanismDerivatives bind_derivatives(const MechanismDescription& description,
+                                      const Mechanism& mechanism,
+                                      std::span<const int> parameters);
+
+}  // namespace kinestat

@@ -1,0 +1,48 @@
+// How the values of cases move with parameters, in the forms of a report.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/file_report.hpp"
+
+namespace kinestat {
+
+/// One parameter of the file; numbers in its unit there.
+struct SensitivityParameter {
+  std::string name;
+  std::string unit;  ///< empty for a bare number
+  double value = 0.0;
+};
+
+/// One value of a case and its derivatives, in the units of the file.
+struct SensitivityValue {
+  std::string name;
+  std::string unit;
+  double value = 0.0;
+  /// One a parameter, in `unit` per its unit; empty where there is none.
+  std::vector<std::optional<double>> derivatives;
+};
+
+struct CaseSensitivity {
+  std::string label;
+  std::vector<SensitivityValue> values;
+};
+
+/// p/v dv/dp: by how many per cent the value moves if the parameter moves by one. Empty for a value
+/// of zero or without derivative.
+std::optional<double> relative_sensitivity(const SensitivityValue& value,
+                                           const SensitivityParameter& parameter,
+                                           std::optional<double> derivative);
+
+/// JSON `cases.<label>.sensitivity.<value>.by.<parameter>`; tables with the strongest parameter
+/// first.
+FileReport make_sensitivity_report(const std::string& file,
+                                   const MechanismDescription& description,
+                                   const std::vector<SensitivityParameter>& parameters,
+                                   const std::vector<CaseSensitivity>& cases,
+                                   const ReportForms& forms,
+                                   const Diagnostics& found);
+
+}  // namespace kinestat

@@ -1,0 +1,28 @@
+// One job on every file of a command line, and its report on standard output.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "report/file_report.hpp"
+#include "run/analyse.hpp"
+
+namespace kinestat {
+
+/// Adds what becomes of one file to the outcome.
+using FileJob = std::function<void(const std::string& path, Outcome& outcome)>;
+
+/// Checks the output folder if there is one, then runs the job for each file. A bug fails that file
+/// only.
+Outcome for_each_file(const std::vector<std::string>& paths,
+                      const AnalyseOptions& options,
+                      const FileJob& job);
+
+/// The forms that go to standard output for that many files.
+ReportForms stream_forms(StreamFormat format, std::size_t file_count);
+
+/// Appends the form that standard output wants; of several CSV tables only the first has a header.
+void add_to_stream(const FileReport& report, const AnalyseOptions& options, Outcome& outcome);
+
+}  // namespace kinestat

@@ -1,0 +1,261 @@
+#include "run/sensitivity.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "core/utf8.hpp"
+#include "expression/parameters.hpp"
+#include "mechanism/derivatives.hpp"
+#include "report/sensitivity_report.hpp"
+#include "run/each_file.hpp"
+#include "run/findings.hpp"
+#include "run/solve_cases.hpp"
+#include "sensitivity/adjoint.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// A parameter that takes part, with its unit.
+struct Variable {
+  int index = 0;  ///< in the description
+  SensitivityParameter shown;
+  double factor = 1.0;  ///< SI per unit
+};
+
+QuantityKind kind_of(ValueKind kind) {
+  switch (kind) {
+    case ValueKind::angular_velocity:
+      return QuantityKind::angular_velocity;
+    case ValueKind::velocity:
+      return QuantityKind::velocity;
+    case ValueKind::moment:
+      return QuantityKind::moment;
+    case ValueKind::force:
+      return QuantityKind::force;
+    case ValueKind::power:
+      return QuantityKind::power;
+    case ValueKind::length:
+      return QuantityKind::length;
+  }
+  return QuantityKind::dimensionless;
+}
+
+// The unit of a value as text, and SI per unit.
+std::pair<std::string, double> unit_of(const ReportedValue& value, const FileUnits& units) {
+  const QuantityKind kind = kind_of(value.kind);
+  if (!value.per) {
+    return {units.text(kind), units.factor(kind)};
+  }
+  const QuantityKind per = kind_of(*value.per);
+  return {kind == per ? "" : fmt::format("{} per {}", units.text(kind), units.text(per)),
+          units.factor(kind) / units.factor(per)};
+}
+
+std::vector<std::string> parameter_names(const MechanismDescription& description) {
+  std::vector<std::string> names;
+  for (const ParameterDescription& parameter : description.parameters) {
+    names.push_back(parameter.name.text);
+  }
+  return names;
+}
+
+// "did you mean 'x'? " before what follows.
+std::string guess_before(const std::string& name,
+                         const std::vector<std::string>& names,
+                         std::string rest) {
+  const std::string guess = did_you_mean(name, names);
+  return guess.empty() ? rest : fmt::format("{} {}", guess, rest);
+}
+
+class SensitivityJob {
+ public:
+  SensitivityJob(const Analysis& analysis, const SensitivityChoice& choice, Diagnostics& found)
+      : analysis_(analysis), choice_(choice), found_(found) {}
+
+  // Empty iff an error was added.
+  std::optional<FileReport> run(const ReportForms& forms) {
+    const int errors_before = found_.error_count();
+    choose_parameters();
+    check_case();
+    if (found_.error_count() > errors_before) {
+      return std::nullopt;
+    }
+    std::vector<int> indices;
+    std::vector<SensitivityParameter> shown;
+    for (const Variable& one : variables_) {
+      indices.push_back(one.index);
+      shown.push_back(one.shown);
+    }
+    const MechanismDerivatives derivatives =
+        bind_derivatives(analysis_.description, analysis_.mechanism, indices);
+    std::vector<CaseSensitivity> cases;
+    for (std::size_t c = 0; c < analysis_.cases.size(); ++c) {
+      const CaseAnalysis& one = analysis_.cases[c];
+      if (choice_.case_label.empty() || choice_.case_label == one.which.label) {
+        cases.push_back({.label = one.which.label,
+                         .values = differentiate(one, derivatives, derivatives.cases[c])});
+      }
+    }
+    check_answered();
+    if (found_.error_count() > errors_before) {
+      return std::nullopt;
+    }
+    return make_sensitivity_report(
+        analysis_.file, analysis_.description, shown, cases, forms, found_);
+  }
+
+ private:
+  void choose_parameters() {
+    const MechanismDescription& description = analysis_.description;
+    const std::vector<std::string> names = parameter_names(description);
+    for (const std::string& name : choice_.parameters) {
+      if (std::ranges::find(names, name) == names.end()) {
+        found_.error(
+            "E0101",
+            {},
+            fmt::format("--by '{}': there is no such parameter", printable(name)),
+            names.empty()
+                ? "the file has no parameters"
+                : guess_before(
+                      name, names, fmt::format("its parameters are {}", plain_list(names))));
+      }
+    }
+    if (names.empty() && choice_.parameters.empty()) {
+      found_.error("E0101",
+                   {},
+                   "the file has no parameters to vary",
+                   "give the numbers of interest names under 'parameters:'");
+    }
+    const ParameterTable table = evaluate_parameters(parameters_of(description)).table;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const bool takes_part =
+          choice_.parameters.empty() ||
+          std::ranges::find(choice_.parameters, names[i]) != choice_.parameters.end();
+      const Quantity* value = takes_part ? table.find(names[i]) : nullptr;
+      if (value != nullptr) {
+        const NamedUnit unit = description.units.unit_of(value->dimension);
+        variables_.push_back({.index = static_cast<int>(i),
+                              .shown = {.name = names[i],
+                                        .unit = unit.text,
+                                        .value = unit.scale.from_si(value->value)},
+                              .factor = unit.scale.factor()});
+      }
+    }
+  }
+
+  void check_case() {
+    std::vector<std::string> labels;
+    for (const CaseAnalysis& one : analysis_.cases) {
+      labels.push_back(one.which.label);
+    }
+    if (labels.empty()) {
+      found_.error("E0101", {}, "the file has no cases to differentiate", "add a case: help cases");
+    } else if (!choice_.case_label.empty() &&
+               std::ranges::find(labels, choice_.case_label) == labels.end()) {
+      found_.error("E0101",
+                   {},
+                   fmt::format("--case: there is no case '{}'", printable(choice_.case_label)),
+                   fmt::format("its cases are {}", quoted_list(labels)));
+    }
+  }
+
+  std::vector<SensitivityValue> differentiate(const CaseAnalysis& one,
+                                              const MechanismDerivatives& derivatives,
+                                              const CaseDerivatives& primaries) {
+    const bool has_rates = one.motion && one.motion->status == SolveStatus::solved;
+    const bool has_actions = one.action && !one.action->magnitudes.empty();
+    const DualCase values(analysis_.mechanism,
+                          one.which,
+                          has_rates ? &*one.motion : nullptr,
+                          has_actions ? &*one.action : nullptr,
+                          derivatives.geometry,
+                          variables_.size());
+    const CaseAdjoint adjoint(values, derivatives, primaries);
+    std::vector<SensitivityValue> result;
+    for (const std::string& name :
+         choice_.values.empty() ? usual_value_names(values) : choice_.values) {
+      if (const auto value = find_value(values, name)) {
+        result.push_back(in_file_units(*value, name, adjoint));
+        answered_.insert(name);
+      }
+    }
+    if (known_names_.empty()) {
+      known_names_ = reported_value_names(values);
+    }
+    return result;
+  }
+
+  static std::optional<ReportedValue> find_value(const DualCase& values, const std::string& name) {
+    const std::string prefix = fmt::format("/cases/{}/", values.which().label);
+    return find_reported_value(values,
+                               name.starts_with(prefix) ? name.substr(prefix.size()) : name);
+  }
+
+  // A value may be missing in some cases, but not in all.
+  void check_answered() {
+    for (const std::string& name : choice_.values) {
+      if (!answered_.contains(name)) {
+        found_.error(
+            "E0101",
+            {},
+            fmt::format("--of '{}': no case has such a value with derivatives", printable(name)),
+            guess_before(name,
+                         known_names_,
+                         fmt::format("write one of {}, or a path of the report below a case: "
+                                     "kinematics/bodies/BODY/linear/0",
+                                     plain_list(known_names_))));
+      }
+    }
+  }
+
+  SensitivityValue in_file_units(const ReportedValue& value,
+                                 const std::string& name,
+                                 const CaseAdjoint& adjoint) const {
+    const auto [unit, factor] = unit_of(value, analysis_.description.units);
+    SensitivityValue result{.name = name,
+                            .unit = unit,
+                            .value = value.value.value / factor,
+                            .derivatives = adjoint.derivatives_of(value)};
+    for (std::size_t p = 0; p < variables_.size(); ++p) {
+      if (result.derivatives[p]) {
+        *result.derivatives[p] *= variables_[p].factor / factor;
+      }
+    }
+    return result;
+  }
+
+  const Analysis& analysis_;
+  const SensitivityChoice& choice_;
+  Diagnostics& found_;
+  std::vector<Variable> variables_;
+  std::set<std::string> answered_;        ///< names that some case has
+  std::vector<std::string> known_names_;  ///< of a case, for hints
+};
+
+}  // namespace
+
+Outcome sensitivity_files(const std::vector<std::string>& paths,
+                          const SensitivityChoice& choice,
+                          const AnalyseOptions& options) {
+  const ReportForms forms = stream_forms(options.format, paths.size());
+  return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
+    SourceFile source;
+    Diagnostics found;
+    if (std::optional<Loaded> loaded = load(path, options.overrides, source, found)) {
+      const Analysis analysis = solve_cases(path, *std::move(loaded));
+      add_findings(analysis, found);
+      if (const auto report = SensitivityJob(analysis, choice, found).run(forms)) {
+        add_to_stream(*report, options, outcome);
+      }
+    }
+    add_diagnostics(source, found, options.strictness, outcome);
+  });
+}
+
+}  // namespace kinestat

@@ -1,0 +1,23 @@
+// How the answers of files move with their parameters.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "run/analyse.hpp"
+
+namespace kinestat {
+
+/// What to differentiate; an empty list stands for the usual (usual_value_names) or for all.
+struct SensitivityChoice {
+  std::vector<std::string> values;      ///< short names, or paths of the report below a case
+  std::vector<std::string> parameters;  ///< names
+  std::string case_label;               ///< empty: all cases
+};
+
+/// One report a file on standard output.
+Outcome sensitivity_files(const std::vector<std::string>& paths,
+                          const SensitivityChoice& choice,
+                          const AnalyseOptions& options);
+
+}  // namespace kinestat

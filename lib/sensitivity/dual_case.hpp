@@ -1,0 +1,81 @@
+// The screws of a solved case as functions of its unknowns and of the parameters.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "kinematics/kinematic_solution.hpp"
+#include "mechanism/derivatives.hpp"
+#include "statics/static_solution.hpp"
+
+namespace kinestat {
+
+/// Every number is a dual with derivatives towards all rates, then all actions, then the
+/// parameters, as if these were independent of each other; the adjoint brings them together.
+class DualCase {
+ public:
+  /// `motion` is null unless solved, `action` unless it has magnitudes. `geometry` has derivatives
+  /// towards `parameter_count` parameters. All must outlive the object.
+  DualCase(const Mechanism& mechanism,
+           const Case& which,
+           const KinematicSolution* motion,
+           const StaticSolution* action,
+           const GeometryOf<Dual>& geometry,
+           std::size_t parameter_count);
+
+  const Mechanism& mechanism() const { return mechanism_; }
+
+  const Topology& topology() const { return mechanism_.topology; }
+
+  const Case& which() const { return which_; }
+
+  const KinematicSolution* motion() const { return motion_; }
+
+  const StaticSolution* action() const { return action_; }
+
+  std::size_t parameter_count() const { return parameter_count_; }
+
+  /// Rates, actions and parameters together.
+  std::size_t variable_count() const;
+
+  Dual rate(std::size_t freedom) const;
+
+  /// Empty where equilibrium leaves the magnitude open.
+  std::optional<Dual> magnitude(std::size_t action) const;
+
+  /// Head relative to tail, about the origin of the geometry.
+  TwistOf<Dual> coupling_twist(std::size_t coupling) const;
+
+  /// Along the branches of the spanning tree from the ground.
+  TwistOf<Dual> body_twist(std::size_t body) const;
+
+  /// Tail on head, about the origin of the geometry; empty if one of its actions is open.
+  std::optional<WrenchOf<Dual>> coupling_wrench(std::size_t coupling) const;
+
+  /// Of a coupling, in the world [m].
+  Vec3Of<Dual> point(std::size_t coupling) const;
+
+  /// Of a body, in the world [m].
+  Vec3Of<Dual> reference(std::size_t body) const;
+
+ private:
+  // The branch over which the tree reaches a body, and whether along it.
+  struct Step {
+    int coupling = -1;
+    bool forward = true;
+  };
+
+  Dual placed(const Dual& dimension) const;
+  Vec3Of<Dual> placed(const Vec3Of<Dual>& vector) const;
+
+  const Mechanism& mechanism_;
+  const Case& which_;
+  const KinematicSolution* motion_;
+  const StaticSolution* action_;
+  const GeometryOf<Dual>& geometry_;
+  std::size_t parameter_count_;
+  std::vector<Step> steps_;  ///< of each body; none for the ground
+};
+
+}  // namespace kinestat
