@@ -34,7 +34,7 @@ MAY_INCLUDE: dict[str, set[str]] = {
         "network": "core math graph screw mechanism",
         "mobility": _MECHANICS,
         "kinematics": _MECHANICS,
-        "statics": _MECHANICS,
+        "statics": f"{_MECHANICS} kinematics",
         "sensitivity": _BOTH_SIDES,
         "power": "core math screw mechanism network kinematics statics",
         "shift": f"{_BOTH_SIDES} power",

@@ -22,8 +22,8 @@ constexpr auto kCodes = std::to_array<Code>({
      "value of --set cannot be used",
      "--set gives a parameter of the mechanism file another value for this run. It takes "
      "NAME=VALUE, where NAME is one of the section 'parameters' and VALUE a number or an "
-     "expression; in the shell, quotes keep a value with spaces together, as in --set 'h_z=10 "
-     "mm'."},
+     "expression that measures the same as the value of the file; in the shell, quotes keep a "
+     "value with spaces together, as in --set 'h_z=10 mm'."},
     {"E0151",
      environment,
      "input cannot be read",
@@ -146,8 +146,9 @@ constexpr auto kCodes = std::to_array<Code>({
      wrong_input,
      "name cannot be used",
      "Names are letters, digits, '_' and '-', beginning with a letter or '_'; parameters without "
-     "'-', which would be a subtraction, and never the name of a unit or a function: with a "
-     "parameter 'm', '2 m' would no longer be two metres. Labels of cases are free text."},
+     "'-', which would be a subtraction, and never a unit, a function, pi or a word of conditions "
+     "(and, or, not): with a parameter 'm', '2 m' would no longer be two metres. Labels of cases "
+     "are free text."},
     {"E0307",
      wrong_input,
      "name is declared twice",
@@ -207,8 +208,8 @@ constexpr auto kCodes = std::to_array<Code>({
      wrong_input,
      "value has no result",
      "The expression is well written, but has no value: a division by zero, a root of a negative "
-     "number, or a result that no finite number can hold. The message names the operation; with "
-     "parameters, their values may be the cause."},
+     "number, or a result that is too large or too small for a number. The message names the "
+     "operation; with parameters, their values may be the cause."},
     {"E0401",
      wrong_input,
      "mechanism falls apart",
@@ -243,24 +244,31 @@ constexpr auto kCodes = std::to_array<Code>({
     {"E0601",
      wrong_input,
      "primary actions depend on each other",
-     "Some of the actions given follow from others by equilibrium, so that they are surplus: one "
-     "of them is the answer, not a datum. The message states the relation; remove one of those it "
-     "names."},
+     "Some of the actions given follow from others or from the loads by equilibrium, so that they "
+     "are surplus: one of them is the answer, not a datum. The message states the relation; remove "
+     "one of those it names."},
     {"E0602",
      no_answer,
      "equilibrium has no solution",
-     "The actions given cannot be in equilibrium: they act along a motion that nothing resists. "
-     "The message names the body and that motion. Most often an action is given (0 among them) "
-     "that should be solved, or a coupling or actuator is missing."},
+     "The actions given and the loads cannot be in equilibrium: they act along a motion that "
+     "nothing resists. The message names the body and that motion. Most often an action is given "
+     "(0 among them) that should be solved, or a coupling or actuator is missing."},
     {"E0603",
      no_answer,
      "actions are too large",
      "An action is beyond what a double holds (about 1e308). The answer is proportional to the "
-     "known actions, so smaller ones show it."},
+     "known actions and loads, so smaller ones show it."},
+    {"E0604",
+     wrong_input,
+     "friction has no direction",
+     "Friction acts against the motion of its coupling, so the case must say how that moves: give "
+     "'motion:'. Where the coupling rests, friction may have any size up to its limit, and statics "
+     "alone cannot tell: leave it out of such a coupling."},
     {"E0701",
      no_answer,
      "power balance is violated",
-     "The powers of all couplings must sum to zero (Tellegen). A larger residual means that the "
+     "The powers of all couplings and loads must sum to zero (Tellegen). A larger residual means "
+     "that the "
      "numbers cannot be trusted at this position, so they are reported with this error. Compare a "
      "position nearby, and look for lengths of very different size."},
     {"E0901",
@@ -275,6 +283,25 @@ constexpr auto kCodes = std::to_array<Code>({
      "'value:' is a JSON Pointer into the report, for example /cases/M1/ratio, and there is no "
      "number at this one. The hint names the keys at the place where the path ends; 'kinestat "
      "analyze --format json' shows the whole report."},
+    {"E0903",
+     wrong_input,
+     "file is no report",
+     "'kinestat compare' reads what this program wrote: a JSON report or a CSV table of it. This "
+     "file is something else, or was damaged or changed by another program: NaN is neither JSON "
+     "nor a value of a table, a decimal comma is no number, and a table needs all its columns, in "
+     "any order. Write the report again; both files are left as they are."},
+    {"E0904",
+     wrong_input,
+     "report is of another version",
+     "The report names another version of its format than this program knows, so that a value "
+     "could mean something else than it seems to. Write the report again with this program, or "
+     "compare with the program that wrote it."},
+    {"E0905",
+     wrong_input,
+     "reports are of different forms",
+     "One of the two reports is JSON and the other a CSV table. A table has only a part of the "
+     "report, under other keys, so the two are not compared. Give two JSON reports, or two tables "
+     "of the same pass."},
     {"W0301",
      done,
      "declared but never used",
@@ -291,6 +318,12 @@ constexpr auto kCodes = std::to_array<Code>({
      "A bare number stands for an angle and counts in radians, the unit that holds unless 'units:' "
      "names another, but it is more than a full turn: degrees were probably meant. Write the unit, "
      "30 deg, or 'units: {angle: deg}' for the whole file."},
+    {"W0304",
+     done,
+     "gravity is of an unlikely size",
+     "A bare number of 'gravity' counts in the units of the file, length by time squared: with "
+     "'units: {length: mm}', 9.81 is 9.81 mm/s^2, a thousandth of the earth's. Write the unit, "
+     "9.81 m/s^2; with its unit, any value is taken without a word."},
     {"W0601",
      done,
      "actions are statically indeterminate",
@@ -298,6 +331,18 @@ constexpr auto kCodes = std::to_array<Code>({
      "is overconstrained, or fewer actions are given than it needs. Determined ones have values, "
      "the others are listed. Give more actions (the hint names sets that would do), or release "
      "constraints by 'passive:'."},
+    {"W0602",
+     done,
+     "mechanism is self-locking in this case",
+     "With friction the input alone does not move the output: the output, too, must give power. "
+     "Without friction it would take some. In a screw jack it means that the load does not lower "
+     "itself; then it is a result and no mistake."},
+    {"W0603",
+     done,
+     "friction locks the mechanism",
+     "The friction grows with the actions that it causes, and at these coefficients there is no "
+     "finite solution for the motion of the case: the mechanism jams. The report has the status "
+     "'locked' and no actions for the case."},
 });
 
 }  // namespace

@@ -10,7 +10,9 @@ enum class SolveStatus {
   underdetermined,  ///< too few known magnitudes
   dependent,        ///< known magnitudes follow from each other
   inconsistent,     ///< known magnitudes contradict the equations
-  overflow          ///< the answer is too large for a number
+  overflow,         ///< the answer is too large for a number
+  locked,           ///< friction grows without bound: nothing moves so
+  undirected        ///< friction has no direction, because what it acts on does not move
 };
 
 /// The word in reports.
@@ -26,6 +28,10 @@ constexpr std::string_view word_of(SolveStatus status) {
       return "inconsistent";
     case SolveStatus::overflow:
       return "overflow";
+    case SolveStatus::locked:
+      return "locked";
+    case SolveStatus::undirected:
+      return "undirected";
   }
   return "";
 }

@@ -61,6 +61,14 @@ inline constexpr double kFarOrigin = 8.0;
 /// An axis shorter than this (of components given as plain numbers) has no direction.
 inline constexpr double kZeroAxis = 1e-12;
 
+/// Friction that grows beyond this many times what the frictionless actions cause counts as
+/// unbounded: the mechanism locks.
+inline constexpr double kUnboundedFriction = 1e7;
+
+/// The least share of the friction by which the solution is followed; finer steps mean that it has
+/// come to an end.
+inline constexpr double kLeastFrictionStep = 1e-7;
+
 /// Two axes count as parallel if the sine of their angle is below this: far below any joint that is
 /// drawn on purpose, far above rounding.
 inline constexpr double kParallelAxes = 1e-9;

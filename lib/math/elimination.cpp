@@ -18,10 +18,15 @@ Elimination::Elimination(SparseMatrix matrix, std::span<const int> last)
   last_ = std::move(known);
 }
 
-std::vector<Relation> Elimination::relations() const {
+std::vector<Relation> Elimination::relations(std::span<const double> rhs) const {
+  const EliminatedRows right = eliminate_rows(rhs);
   std::vector<Relation> result;
   for (const Pivot& pivot : last_pivots_) {
     Relation relation;
+    if (!rhs.empty()) {
+      relation.constant = at(right.values, pivot.row);
+      relation.constant_size = at(right.sizes, pivot.row);
+    }
     for (const Cell& cell : at(rows_, pivot.row)) {
       const bool counts = std::abs(cell.value) > kRankZero;
       if (counts && std::ranges::find(last_, cell.column) != last_.end()) {
@@ -109,6 +114,7 @@ VecX Elimination::scaled_known(std::span<const double> known) const {
   return x;
 }
 
+// A difference that is mere rounding becomes an exact zero, as in the rows of the matrix.
 Elimination::EliminatedRows Elimination::eliminate_rows(std::span<const double> rhs) const {
   KINESTAT_EXPECTS(rhs.empty() || rhs.size() == static_cast<std::size_t>(matrix_.rows));
   EliminatedRows right{.values = std::vector<double>(rhs.size()),
@@ -119,7 +125,11 @@ Elimination::EliminatedRows Elimination::eliminate_rows(std::span<const double> 
   }
   if (!rhs.empty()) {
     for (const Multiplier& step : multipliers_) {
-      at(right.values, step.row) -= step.value * at(right.values, step.pivot_row);
+      double& value = at(right.values, step.row);
+      const double term = step.value * at(right.values, step.pivot_row);
+      const double size = std::abs(value) + std::abs(term);
+      value -= term;
+      value = std::abs(value) <= kCancellation * size ? 0.0 : value;
       at(right.sizes, step.row) += std::abs(step.value) * at(right.sizes, step.pivot_row);
     }
   }

@@ -10,9 +10,11 @@
 namespace kinestat {
 
 /// A linear relation that the known unknowns must satisfy because the equations say so:
-/// sum of coefficient · x[column] = 0 (for a zero right-hand side).
+/// sum of coefficient · x[column] = constant.
 struct Relation {
   std::vector<SparseEntry> terms;  ///< row unused; value = coefficient in the units of the matrix
+  double constant = 0.0;           ///< from the right-hand side; what is mere rounding of it is 0
+  double constant_size = 0.0;      ///< sum of the sizes of what was summed into the constant
 };
 
 /// Solution of A x = b with some of x known.
@@ -46,8 +48,9 @@ class Elimination {
   /// Columns outside `last` that no equation determines, ascending.
   const std::vector<int>& free_columns() const { return free_columns_; }
 
-  /// One relation a pivot among the `last` columns; empty means that they are independent.
-  std::vector<Relation> relations() const;
+  /// One relation a pivot among the `last` columns; empty means that they are independent. The
+  /// right-hand side may be empty: zero.
+  std::vector<Relation> relations(std::span<const double> rhs = {}) const;
 
   /// Solves for the columns outside `last`, given x at the columns of `last` (in that order) and
   /// the right-hand side (empty: zero).

@@ -9,6 +9,7 @@
 #include "graph/components.hpp"
 #include "mechanism/internal/case_binder.hpp"
 #include "mechanism/internal/geometry_check.hpp"
+#include "mechanism/internal/load_binder.hpp"
 #include "mechanism/internal/section_checks.hpp"
 #include "mechanism/internal/structure_binder.hpp"
 #include "mechanism/unanalysed.hpp"
@@ -106,27 +107,49 @@ std::optional<SpanningTree> bind_tree(const MechanismDescription& description,
   return tree;
 }
 
+// Whether a twist or a wrench has more than wz, vx, vy or Tz, Fx, Fy.
+template <class Screw>
+bool leaves_plane(const Screw& screw) {
+  const Vec6 c = screw.coordinates();
+  return c[0] != 0.0 || c[1] != 0.0 || c[5] != 0.0;
+}
+
+void refuse_planar_order(const MechanismDescription& description,
+                         std::string_view what,
+                         Diagnostics& found) {
+  found.error("E0305",
+              description.order_where,
+              fmt::format("the planar order cannot hold {}", what),
+              "write minimal or spatial");
+}
+
 // A planar order must hold every screw of its side.
 void check_order(const MechanismDescription& description,
                  const Geometry& geometry,
                  Diagnostics& found) {
-  const auto leaves_plane = [](const auto& screws) {
-    return std::ranges::any_of(screws, [](const auto& screw) {
-      const Vec6 c = screw.coordinates();
-      return c[0] != 0.0 || c[1] != 0.0 || c[5] != 0.0;
-    });
-  };
-  const auto refuse = [&](std::string_view side) {
-    found.error("E0305",
-                description.order_where,
-                fmt::format("the planar order cannot hold the {} of this mechanism", side),
-                "write minimal or spatial");
-  };
-  if (description.kinematic_order == OrderChoice::planar && leaves_plane(geometry.motions)) {
-    refuse("motions");
+  if (description.kinematic_order == OrderChoice::planar &&
+      std::ranges::any_of(geometry.motions, leaves_plane<Twist>)) {
+    refuse_planar_order(description, "the motions of this mechanism", found);
   }
-  if (description.static_order == OrderChoice::planar && leaves_plane(geometry.actions)) {
-    refuse("actions");
+  if (description.static_order == OrderChoice::planar &&
+      std::ranges::any_of(geometry.actions, leaves_plane<Wrench>)) {
+    refuse_planar_order(description, "the actions of this mechanism", found);
+  }
+}
+
+void check_order_of_loads(const MechanismDescription& description,
+                          const std::vector<Case>& cases,
+                          Diagnostics& found) {
+  if (description.static_order != OrderChoice::planar) {
+    return;
+  }
+  for (const Case& one : cases) {
+    for (const Load& load : one.loads) {
+      if (leaves_plane(load.acts.wrench)) {
+        refuse_planar_order(description, fmt::format("load '{}'", load.name), found);
+        return;
+      }
+    }
   }
 }
 
@@ -196,6 +219,23 @@ void report_unanalysed(const std::vector<Unanalysed>& list, Purpose purpose, Dia
   }
 }
 
+// All sections beside the structure; the cases, where they are bound, get their loads.
+void bind_sections(const MechanismDescription& description,
+                   Evaluator& evaluator,
+                   Diagnostics& found,
+                   Mechanism& result) {
+  const int errors_before = found.error_count();
+  const DeclaredNames names = declare_names(description, found);
+  const SectionContext context = {
+      .description = description, .names = names, .evaluator = evaluator, .found = found};
+  check_sections(context);
+  std::vector<std::vector<Load>> loads = bind_loads(context, result.geometry.origin);
+  if (found.error_count() == errors_before && !result.cases.empty()) {
+    add_loads(std::move(loads), result.cases);
+    check_order_of_loads(description, result.cases, found);
+  }
+}
+
 std::optional<Mechanism> bind_for(Purpose purpose,
                                   const MechanismDescription& description,
                                   Diagnostics& found) {
@@ -218,7 +258,7 @@ std::optional<Mechanism> bind_for(Purpose purpose,
       check_reported_quantities(description, result.topology, found);
     }
   }
-  check_sections(description, evaluator, found);
+  bind_sections(description, evaluator, found, result);
   if (found.error_count() == errors_before) {
     evaluator.warn_of_unused();
     report_unanalysed(unanalysed, purpose, found);

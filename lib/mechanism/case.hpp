@@ -1,10 +1,11 @@
-// A case bound to numbers: what is known of the motions and actions.
+// A case bound to numbers: what is known of the motions and actions, and what acts from outside.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "core/source.hpp"
+#include "mechanism/load.hpp"
 
 namespace kinestat {
 
@@ -20,9 +21,10 @@ struct Primary {
 struct Case {
   std::string label;
   bool asks_motions = false;  ///< velocities are to be solved, even if none is known
-  bool asks_actions = false;  ///< actions are to be solved, even if none is known
+  bool asks_actions = false;  ///< actions are to be solved: the key is there, or loads act
   std::vector<Primary> motions;
   std::vector<Primary> actions;
+  std::vector<Load> loads;  ///< on moving bodies: those of the file, then the weights
   std::vector<int> inputs;
   std::vector<int> outputs;
   SourceRange where;

@@ -58,10 +58,57 @@ class DerivativeBinder {
           number(description.actions[i].value,
                  topology.actions[a].is_couple ? QuantityKind::moment : QuantityKind::force));
     }
+    for (const Load& load : bound.loads) {
+      result.loads.push_back(bind_load(load, description));
+    }
     return result;
   }
 
  private:
+  // A vector without components is zero.
+  Vec3Of<Dual> vector(const std::vector<Value>& components, QuantityKind kind) {
+    return expect(evaluator_.vector(components, kind));
+  }
+
+  WrenchOf<Dual> force_at(const Vec3Of<Dual>& point, const Vec3Of<Dual>& force) const {
+    const Vec3Of<Dual> arm = point - mechanism_.geometry.origin.cast<Dual>();
+    return {.moment = arm.cross(force), .force = force};
+  }
+
+  // That of the case counts before that of the file; what neither has is the weight of a body.
+  WrenchOf<Dual> bind_load(const Load& load, const CaseDescription& description) {
+    for (const auto* list : {&description.loads, &description_.loads}) {
+      for (const LoadDescription& one : *list) {
+        if (one.name.text == load.name) {
+          return bind_load(one);
+        }
+      }
+    }
+    const std::string body = mechanism_.topology.body(load.acts.body).name;
+    const auto at = std::ranges::find(
+        description_.bodies, body, [](const BodyDescription& one) { return one.name.text; });
+    KINESTAT_EXPECTS(at != description_.bodies.end());
+    const Dual mass = number(*at->mass, QuantityKind::mass);
+    const Vec3Of<Dual> gravity =
+        vector(description_.gravity->coordinates, QuantityKind::acceleration);
+    return force_at(vector(at->centre_of_mass->coordinates, QuantityKind::length), mass * gravity);
+  }
+
+  WrenchOf<Dual> bind_load(const LoadDescription& load) {
+    WrenchOf<Dual> result;
+    if (load.at && load.force) {
+      result = force_at(vector(load.at->coordinates, QuantityKind::length),
+                        vector(load.force->coordinates, QuantityKind::force));
+    }
+    const Vec3Of<Dual> couple = vector(load.couple, QuantityKind::moment);
+    if (load.couple.size() == 1) {
+      result.moment[2] = result.moment[2] + couple[0];
+    } else {
+      result.moment = result.moment + couple;
+    }
+    return result;
+  }
+
   Dual number(const Value& value, QuantityKind kind) {
     return expect(evaluator_.number(value, kind));
   }

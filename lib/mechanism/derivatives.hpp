@@ -12,8 +12,9 @@ namespace kinestat {
 
 /// Lists are parallel to those of a Case.
 struct CaseDerivatives {
-  std::vector<Dual> motions;  ///< of the primary motions
-  std::vector<Dual> actions;  ///< of the primary actions
+  std::vector<Dual> motions;          ///< of the primary motions
+  std::vector<Dual> actions;          ///< of the primary actions
+  std::vector<WrenchOf<Dual>> loads;  ///< about the origin of the geometry
 };
 
 /// Beside a Mechanism, the same numbers as duals: derivative i is per SI unit of the i-th

@@ -8,6 +8,7 @@
 #include "expression/file_units.hpp"
 #include "graph/coupling_graph.hpp"
 #include "mechanism/case.hpp"
+#include "mechanism/friction.hpp"
 #include "mechanism/geometry.hpp"
 #include "mechanism/topology.hpp"
 
@@ -19,6 +20,7 @@ struct Mechanism {
   Space space = Space::spatial;
   Topology topology;
   Geometry geometry;
+  std::vector<CouplingFriction> frictions;  ///< of the couplings that have any
   CouplingGraph graph;
   OrderChoice kinematic_order = OrderChoice::minimal;
   OrderChoice static_order = OrderChoice::minimal;

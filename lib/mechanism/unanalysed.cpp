@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "mechanism/internal/friction_binder.hpp"
 #include "mechanism/internal/geometry_check.hpp"
 
 namespace kinestat {
@@ -11,7 +12,10 @@ namespace kinestat {
 namespace {
 
 bool asks_statics(const MechanismDescription& description) {
-  return std::ranges::any_of(description.cases, &CaseDescription::asks_actions);
+  const bool has_loads = !description.loads.empty() || description.gravity;
+  return std::ranges::any_of(description.cases, [&](const CaseDescription& one) {
+    return one.asks_actions || has_loads || !one.loads.empty();
+  });
 }
 
 std::string word(const CouplingDescription& coupling) {
@@ -42,7 +46,7 @@ void add_coupling(const CouplingDescription& coupling,
   if (coupling.one_way) {
     add(coupling.name.where, fmt::format("freewheel {}", word(coupling)), true);
   }
-  if (coupling.friction) {
+  if (coupling.friction && !has_friction_law(coupling)) {
     add(coupling.friction->where, fmt::format("friction of {}", word(coupling)), has_statics);
   }
   if (!coupling.stiffness.empty()) {
@@ -58,14 +62,6 @@ void add_model_sections(const MechanismDescription& description, std::vector<Una
   }
   if (!description.cables.empty()) {
     list.push_back({description.cables_where, "section 'cables'", "", true});
-  }
-  const bool has_case_loads = std::ranges::any_of(
-      description.cases, [](const CaseDescription& one) { return !one.loads.empty(); });
-  if (!description.loads.empty() || has_case_loads) {
-    list.push_back({description.loads_where, "section 'loads'", "", true});
-  }
-  if (description.gravity) {
-    list.push_back({description.gravity->where, "section 'gravity'", "", true});
   }
 }
 

@@ -1,35 +1,67 @@
 #include "network/bases.hpp"
 
+#include <algorithm>
+
+#include "core/tolerance.hpp"
+
 namespace kinestat {
 
 namespace {
 
 template <class Screw>
-CoordinateBasis basis_of(const std::vector<Screw>& screws,
-                         ScrewKind kind,
-                         OrderChoice order,
-                         double length) {
-  if (order == OrderChoice::planar) {
-    return planar_basis(kind, length);
-  }
-  if (order == OrderChoice::spatial) {
-    return spatial_basis(kind, length);
-  }
+Mat6X columns_of(const std::vector<Screw>& screws) {
   Mat6X columns(6, static_cast<Eigen::Index>(screws.size()));
   for (std::size_t i = 0; i < screws.size(); ++i) {
     columns.col(static_cast<Eigen::Index>(i)) = screws[i].coordinates();
   }
-  return find_minimal_basis(columns, kind, length);
+  return columns;
+}
+
+CoordinateBasis basis_of(const Mat6X& screws, ScrewKind kind, OrderChoice order, double length) {
+  switch (order) {
+    case OrderChoice::planar:
+      return planar_basis(kind, length);
+    case OrderChoice::spatial:
+      return spatial_basis(kind, length);
+    case OrderChoice::minimal:
+      break;
+  }
+  return find_minimal_basis(screws, kind, length);
+}
+
+// Up to rounding of the load's own size.
+bool holds(const CoordinateBasis& basis, const BodyWrench& load) {
+  const Vec6 wrench = load.wrench.coordinates().cwiseQuotient(basis.unit);
+  const Vec6 rest = wrench - basis.basis * (basis.basis.transpose() * wrench);
+  return !(rest.norm() > kRankZero * wrench.norm());
+}
+
+bool holds(const CoordinateBasis& basis, std::span<const BodyWrench> loads) {
+  return std::ranges::all_of(loads, [&](const BodyWrench& load) { return holds(basis, load); });
+}
+
+bool is_planar(const Mat6X& wrenches) {
+  return wrenches.topRows<2>().isZero(0.0) && wrenches.bottomRows<1>().isZero(0.0);
 }
 
 }  // namespace
 
 CoordinateBasis motion_basis(const Geometry& geometry, OrderChoice order) {
-  return basis_of(geometry.motions, ScrewKind::twist, order, geometry.length);
+  return basis_of(columns_of(geometry.motions), ScrewKind::twist, order, geometry.length);
 }
 
-CoordinateBasis action_basis(const Geometry& geometry, OrderChoice order) {
-  return basis_of(geometry.actions, ScrewKind::wrench, order, geometry.length);
+CoordinateBasis action_basis(const Geometry& geometry,
+                             OrderChoice order,
+                             std::span<const BodyWrench> loads) {
+  const Mat6X actions = columns_of(geometry.actions);
+  CoordinateBasis basis = basis_of(actions, ScrewKind::wrench, order, geometry.length);
+  if (holds(basis, loads)) {
+    return basis;
+  }
+  CoordinateBasis planar = planar_basis(ScrewKind::wrench, geometry.length);
+  return is_planar(actions) && holds(planar, loads)
+             ? planar
+             : spatial_basis(ScrewKind::wrench, geometry.length);
 }
 
 }  // namespace kinestat

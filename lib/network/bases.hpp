@@ -1,6 +1,8 @@
 // The coordinates in which the kinematics and the statics of a mechanism are written.
 #pragma once
 
+#include <span>
+
 #include "mechanism/mechanism.hpp"
 #include "screw/coordinate_basis.hpp"
 
@@ -10,7 +12,11 @@ namespace kinestat {
 /// the screw system λ). Minimal is the least that holds them all: 2 for the Ravigneaux train.
 CoordinateBasis motion_basis(const Geometry& geometry, OrderChoice order);
 
-/// For the unit actions.
-CoordinateBasis action_basis(const Geometry& geometry, OrderChoice order);
+/// For the unit actions and the loads. Minimal is the least that holds the actions, unless a load
+/// leaves it by more than kRankZero of its size: then the planar or the spatial one, so that what
+/// nothing resists cannot be overlooked.
+CoordinateBasis action_basis(const Geometry& geometry,
+                             OrderChoice order,
+                             std::span<const BodyWrench> loads = {});
 
 }  // namespace kinestat

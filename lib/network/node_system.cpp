@@ -98,4 +98,24 @@ SparseMatrix action_system(const Topology& topology,
   return system;
 }
 
+std::vector<double> load_vector(int body_count,
+                                const CoordinateBasis& basis,
+                                std::span<const BodyWrench> loads) {
+  if (loads.empty()) {
+    return {};
+  }
+  const int order = basis.order();
+  std::vector<double> right(static_cast<std::size_t>(order * (body_count - 1)), 0.0);
+  for (const BodyWrench& load : loads) {
+    if (load.body.value > 0) {
+      const VecX coordinates = basis.coordinates_of(load.wrench.coordinates());
+      const auto first = static_cast<std::size_t>(order * (load.body.value - 1));
+      for (int i = 0; i < order; ++i) {
+        right[first + static_cast<std::size_t>(i)] -= coordinates[i];
+      }
+    }
+  }
+  return right;
+}
+
 }  // namespace kinestat

@@ -1,8 +1,11 @@
 // The sparse equations at bodies and couplings that the passes solve.
 #pragma once
 
+#include <span>
+
 #include "math/sparse_matrix.hpp"
 #include "mechanism/geometry.hpp"
+#include "mechanism/load.hpp"
 #include "mechanism/topology.hpp"
 #include "screw/coordinate_basis.hpp"
 
@@ -28,11 +31,18 @@ double rate_unit(const Topology& topology, const CoordinateBasis& basis, int fre
 Twist body_twist(const VecX& solution, const CoordinateBasis& basis, BodyId body);
 
 /// Equilibrium: for every body but the ground, the actions of couplings on it, tail on head
-/// positive, sum to zero (plus loads on the right). Rows: order · (n - 1). Columns: the actions.
-/// Its rank is rank A_N.
+/// positive, and the loads on it sum to zero. Rows: order · (n - 1). Columns: the actions. Its rank
+/// is rank A_N.
 SparseMatrix action_system(const Topology& topology,
                            const Geometry& geometry,
                            const CoordinateBasis& basis);
+
+/// The right-hand side of the action system: minus the wrenches on the bodies, which `basis` must
+/// hold; those on the ground do not count. Empty, which stands for zero, if there are no loads.
+/// `body_count` includes the ground.
+std::vector<double> load_vector(int body_count,
+                                const CoordinateBasis& basis,
+                                std::span<const BodyWrench> loads);
 
 /// SI per unit of the unknown of an action: 1 for a force, the length unit for a couple.
 double action_unit(const Topology& topology, const CoordinateBasis& basis, int action);

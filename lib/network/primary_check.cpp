@@ -95,17 +95,19 @@ class CompletionSearch {
 
 PrimaryCheck check_primaries(const Elimination& elimination,
                              int first_column,
-                             std::span<const double> units) {
+                             std::span<const double> units,
+                             std::span<const double> rhs) {
   PrimaryCheck check;
   const int count = static_cast<int>(units.size());
-  for (const Relation& relation : elimination.relations()) {
-    std::vector<DependenceTerm> terms;
+  for (const Relation& relation : elimination.relations(rhs)) {
+    Dependence dependence{
+        .terms = {}, .constant = relation.constant, .constant_size = relation.constant_size};
     for (const SparseEntry& term : relation.terms) {
       const int index = term.column - first_column;
-      terms.push_back(
+      dependence.terms.push_back(
           {.index = index, .coefficient = term.value / units[static_cast<std::size_t>(index)]});
     }
-    check.dependences.push_back(std::move(terms));
+    check.dependences.push_back(std::move(dependence));
   }
   check.missing = static_cast<int>(elimination.free_columns().size());
   if (check.missing == 0) {

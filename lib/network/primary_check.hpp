@@ -14,10 +14,17 @@ struct DependenceTerm {
   double coefficient = 0.0;
 };
 
+/// A relation that the primary magnitudes must satisfy: sum of coefficient · magnitude [SI] =
+/// constant. Loads make the constant.
+struct Dependence {
+  std::vector<DependenceTerm> terms;
+  double constant = 0.0;
+  double constant_size = 0.0;  ///< sum of the sizes of what was summed into the constant
+};
+
 /// What is wrong with the primary magnitudes of a case; all empty if nothing is.
 struct PrimaryCheck {
-  /// Relations that the primary magnitudes must satisfy: sum of coefficient · magnitude [SI] = 0.
-  std::vector<std::vector<DependenceTerm>> dependences;
+  std::vector<Dependence> dependences;
   /// Magnitudes that remain undetermined, ascending; also those that move so little that it may be
   /// rounding: rather no value than a wrong one.
   std::vector<int> undetermined;
@@ -31,9 +38,11 @@ struct PrimaryCheck {
 };
 
 /// Reads the check off an elimination whose last columns were the primaries. Magnitude i is column
-/// `first_column` + i, which counts in `units`[i] (SI).
+/// `first_column` + i, which counts in `units`[i] (SI). `rhs` is the right-hand side of the system;
+/// empty: zero.
 PrimaryCheck check_primaries(const Elimination& elimination,
                              int first_column,
-                             std::span<const double> units);
+                             std::span<const double> units,
+                             std::span<const double> rhs = {});
 
 }  // namespace kinestat

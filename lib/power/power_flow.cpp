@@ -10,43 +10,107 @@ namespace kinestat {
 
 namespace {
 
-double input_power(const Case& which, const std::vector<double>& actuators) {
+double input_power(const Case& which, const PowerFlow& flow) {
   double sum = 0.0;
   if (!which.inputs.empty()) {
     for (const int i : which.inputs) {
-      sum += actuators[static_cast<std::size_t>(i)];
+      sum += flow.actuators[static_cast<std::size_t>(i)];
     }
     return sum;
   }
-  for (const double power : actuators) {
-    sum += std::max(power, 0.0);
+  for (const auto* powers : {&flow.actuators, &flow.loads}) {
+    for (const double power : *powers) {
+      sum += std::max(power, 0.0);
+    }
+  }
+  return sum;
+}
+
+double sum_of(const std::vector<int>& actuators, const PowerFlow& flow) {
+  double sum = 0.0;
+  for (const int i : actuators) {
+    sum += flow.actuators[static_cast<std::size_t>(i)];
+  }
+  return sum;
+}
+
+// What friction leaves of the power, and whether it leaves any.
+void find_efficiency(const Case& which, PowerFlow& flow) {
+  if (flow.friction.empty() || which.inputs.empty() || which.outputs.empty()) {
+    return;
+  }
+  const double in = sum_of(which.inputs, flow);
+  const double out = sum_of(which.outputs, flow);
+  flow.is_self_locking = in > 0.0 && out > 0.0;
+  if (in > 0.0 && out <= 0.0) {
+    flow.efficiency = -out / in;
+  }
+}
+
+// What a coupling supplies whose passive constraints are not all known: these do no work.
+double power_of_actuators_and_friction(const Mechanism& mechanism,
+                                       std::size_t coupling,
+                                       const KinematicSolution& motion,
+                                       const StaticSolution& action) {
+  double sum = 0.0;
+  for (const ActuatorTopology& actuator : mechanism.topology.actuators) {
+    const auto f = static_cast<std::size_t>(actuator.freedom);
+    if (static_cast<std::size_t>(mechanism.topology.freedoms[f].coupling.value) == coupling) {
+      sum += *action.magnitudes[static_cast<std::size_t>(actuator.action)] * motion.rates[f];
+    }
+  }
+  for (const FrictionAction& friction : action.friction) {
+    if (static_cast<std::size_t>(friction.coupling.value) == coupling) {
+      sum += power(friction.wrench, motion.couplings[coupling]);
+    }
   }
   return sum;
 }
 
 }  // namespace
 
+bool determines_power(const Mechanism& mechanism, const StaticSolution& action) {
+  return !action.magnitudes.empty() &&
+         std::ranges::all_of(mechanism.topology.actuators, [&](const ActuatorTopology& actuator) {
+           return action.magnitudes[static_cast<std::size_t>(actuator.action)].has_value();
+         });
+}
+
 PowerFlow find_power(const Mechanism& mechanism,
                      const Case& which,
                      const KinematicSolution& motion,
                      const StaticSolution& action) {
-  KINESTAT_EXPECTS(motion.status == SolveStatus::solved && action.status == SolveStatus::solved);
+  KINESTAT_EXPECTS(motion.status == SolveStatus::solved && determines_power(mechanism, action));
   PowerFlow flow;
   double sum = 0.0;
   double largest = 0.0;
   for (std::size_t e = 0; e < mechanism.topology.couplings.size(); ++e) {
-    const BodyId head = mechanism.topology.couplings[e].head;
-    const Wrench& wrench = *action.wrenches[e];
-    flow.into_head.push_back(power(wrench, motion.bodies[static_cast<std::size_t>(head.value)]));
-    flow.supplied.push_back(power(wrench, motion.couplings[e]));
+    const auto head = static_cast<std::size_t>(mechanism.topology.couplings[e].head.value);
+    const std::optional<Wrench>& wrench = action.wrenches[e];
+    flow.into_head.push_back(wrench ? std::optional(power(*wrench, motion.bodies[head]))
+                                    : std::nullopt);
+    flow.supplied.push_back(wrench ? power(*wrench, motion.couplings[e])
+                                   : power_of_actuators_and_friction(mechanism, e, motion, action));
     sum += flow.supplied.back();
-    largest = std::max({largest, std::abs(flow.into_head.back()), std::abs(flow.supplied.back())});
+    largest = std::max(
+        {largest, std::abs(flow.into_head.back().value_or(0.0)), std::abs(flow.supplied.back())});
+  }
+  for (const Load& load : which.loads) {
+    const auto body = static_cast<std::size_t>(load.acts.body.value);
+    flow.loads.push_back(power(load.acts.wrench, motion.bodies[body]));
+    sum += flow.loads.back();
+    largest = std::max(largest, std::abs(flow.loads.back()));
   }
   for (const ActuatorTopology& actuator : mechanism.topology.actuators) {
     flow.actuators.push_back(*action.magnitudes[static_cast<std::size_t>(actuator.action)] *
                              motion.rates[static_cast<std::size_t>(actuator.freedom)]);
   }
-  flow.input = input_power(which, flow.actuators);
+  for (const FrictionAction& friction : action.friction) {
+    const auto e = static_cast<std::size_t>(friction.coupling.value);
+    flow.friction.push_back(power(friction.wrench, motion.couplings[e]));
+  }
+  flow.input = input_power(which, flow);
+  find_efficiency(which, flow);
   flow.balance_residual = largest == 0.0 ? 0.0 : std::abs(sum) / largest;
   flow.is_balanced = flow.balance_residual <= kPowerBalance;
   return flow;

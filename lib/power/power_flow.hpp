@@ -1,6 +1,7 @@
 // Where the power goes in one case, once velocities and actions are known.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "kinematics/kinematic_solution.hpp"
@@ -9,19 +10,32 @@
 
 namespace kinestat {
 
-/// All in W. Lists are parallel to those of the Topology.
+/// All in W. Lists are parallel to those of the Topology, that of loads to the case's.
 struct PowerFlow {
-  std::vector<double> into_head;  ///< of each coupling: its wrench on the motion of its head body
-                                  ///< (Cazangi 2008, section 4.4.3, virtual power)
+  /// Of each coupling: its wrench on the motion of its head body (Cazangi 2008, section 4.4.3,
+  /// virtual power); empty where equilibrium leaves the wrench open.
+  std::vector<std::optional<double>> into_head;
   std::vector<double> supplied;  ///< of each coupling: its wrench on its own motion; positive where
                                  ///< an actuator drives, negative where it brakes
   std::vector<double> actuators;  ///< of each actuator: its action times its rate
-  double input = 0.0;             ///< of the inputs named by the case, else all positive actuators
-  double balance_residual = 0.0;  ///< |sum of supplied| relative to the largest power
+  std::vector<double> loads;      ///< of each load: its wrench on the motion of its body
+  std::vector<double> friction;   ///< of each friction of the statics; never positive
+  double input = 0.0;             ///< of the inputs named by the case, else the sum of all positive
+                                  ///< powers of actuators and loads
+  /// Power of the outputs over that of the inputs, where the statics has friction and the case
+  /// names both; empty where the inputs take power or the outputs give it.
+  std::optional<double> efficiency;
+  bool is_self_locking = false;   ///< friction takes more than the inputs give: outputs drive too
+  double balance_residual = 0.0;  ///< |sum of supplied and loads| relative to the largest power
   bool is_balanced = true;        ///< the residual is at most kPowerBalance (Tellegen)
 };
 
-/// Both solutions must be solved, of the same mechanism and case.
+/// Whether the actions of all actuators are known. Passive constraints may be open, as in a
+/// mechanism with redundant ones: they do no work.
+bool determines_power(const Mechanism& mechanism, const StaticSolution& action);
+
+/// The motion must be solved and the actions must determine the power, of the same mechanism and
+/// case.
 PowerFlow find_power(const Mechanism& mechanism,
                      const Case& which,
                      const KinematicSolution& motion,

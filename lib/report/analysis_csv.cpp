@@ -53,12 +53,17 @@ class CsvWriter {
         place.status});
   }
 
-  std::string unit_of(const Place& place, const std::string& quantity) const {
+  std::string unit_of(const Place& place, const std::string& path) const {
     const FileUnits& units = analysis_.description.units;
+    const std::string_view folder = path.starts_with("load/")       ? "load/"
+                                    : path.starts_with("friction/") ? "friction/"
+                                                                    : "";
+    const std::string quantity = path.substr(folder.size());
     const std::string group = quantity.substr(0, quantity.find('/'));
     const char last = quantity.empty() ? ' ' : quantity.back();
     if (place.pass == "power") {
-      return group == "balance_residual" ? "" : units.text(QuantityKind::power);
+      const bool is_share = group == "balance_residual" || group == "efficiency";
+      return is_share ? "" : units.text(QuantityKind::power);
     }
     if (group == "rate") {
       return units.text(is_rotation(place.element) ? QuantityKind::angular_velocity
@@ -86,8 +91,11 @@ class CsvWriter {
     if (group == "linear") {
       return units.text(QuantityKind::velocity);
     }
-    if (group == "moment" || group == "force") {
-      return units.text(group == "moment" ? QuantityKind::moment : QuantityKind::force);
+    if (group == "moment" || group == "couple") {
+      return units.text(QuantityKind::moment);
+    }
+    if (group == "force" || group == "drag") {
+      return units.text(QuantityKind::force);
     }
     const bool is_length =
         group == "at" || quantity.starts_with("screw/point") || quantity.starts_with("screw/pitch");
@@ -128,6 +136,16 @@ void add_elements(CsvWriter& writer,
   }
 }
 
+void add_elements_if_any(CsvWriter& writer,
+                         const Place& place,
+                         const Json& pass,
+                         const char* section,
+                         const std::string& quantity) {
+  if (pass.contains(section)) {
+    add_elements(writer, place, pass[section], quantity);
+  }
+}
+
 void add_case(CsvWriter& writer, const Place& place, const Json& pass) {
   if (place.pass == "kinematics") {
     add_elements(writer, place, pass["freedoms"], "rate");
@@ -135,10 +153,17 @@ void add_case(CsvWriter& writer, const Place& place, const Json& pass) {
   } else if (place.pass == "statics") {
     add_elements(writer, place, pass["actions"], "action");
     add_elements(writer, place, pass["couplings"], "");
+    add_elements_if_any(writer, place, pass, "loads", "load");
+    add_elements_if_any(writer, place, pass, "friction", "friction");
   } else {
     add_elements(writer, place, pass["couplings"], "into_head");
     add_elements(writer, place, pass["supplied"], "supplied");
     add_elements(writer, place, pass["actuators"], "actuator");
+    add_elements_if_any(writer, place, pass, "loads", "load");
+    add_elements_if_any(writer, place, pass, "friction", "friction");
+    if (pass.contains("efficiency")) {
+      writer.add(place, "efficiency", pass["efficiency"]);
+    }
     writer.add(place, "input", pass["input"]);
     writer.add(place, "balance_residual", pass["balance_residual"]);
   }

@@ -6,40 +6,12 @@
 #include "report/json_values.hpp"
 #include "report/mechanism_json.hpp"
 #include "report/ratio_in_units.hpp"
+#include "report/solution_json.hpp"
+#include "report/statics_json.hpp"
 
 namespace kinestat {
 
 namespace {
-
-Json sixfold_of(const Twist& twist, const InUnits& in) {
-  return sixfold(in.angular(twist.angular), in.linear(twist.linear));
-}
-
-Json sixfold_of(const Wrench& wrench, const InUnits& in) {
-  return sixfold(in.moment(wrench.moment), in.force(wrench.force));
-}
-
-// `origin` is the point about which the screw was written.
-Json screw(const std::optional<ScrewAxis>& axis, const Vec3& origin, const InUnits& in) {
-  if (!axis) {
-    return nullptr;
-  }
-  Json result = object_of(8);
-  result["direction"] = vector(axis->direction);
-  result["point"] = axis->point ? vector(in.length(Vec3(*axis->point + origin))) : Json(nullptr);
-  result["pitch"] = axis->pitch ? number(in.length(*axis->pitch)) : Json(nullptr);
-  return result;
-}
-
-Json evidence(const RankEvidence& rank) {
-  Json result = object_of(8);
-  result["method"] = rank.method;
-  result["rank"] = rank.rank;
-  result["smallest_pivot"] = number(rank.smallest_pivot);
-  result["largest_dropped"] = number(rank.largest_dropped);
-  result["gap"] = number(rank.gap());
-  return result;
-}
 
 Json side_json(const SideCounts& side) {
   Json result = object_of(8);
@@ -66,7 +38,7 @@ Json mobility_json(const MobilityCounts& counts) {
   result["minimal"] = side_json(counts.minimal);
   result["planar"] = counts.planar ? side_json(*counts.planar) : Json(nullptr);
   result["spatial"] = side_json(counts.spatial);
-  result["evidence"] = evidence(counts.evidence);
+  result["evidence"] = evidence_json(counts.evidence);
   return result;
 }
 
@@ -108,72 +80,43 @@ Json kinematics_json(const Mechanism& mechanism,
     body["angular"] = vector(in.angular(twist.angular));
     body["linear"] = vector(in.linear(velocity_at(twist, at - origin)));
     body["at"] = vector(in.length(at));
-    body["screw"] = screw(find_axis(in.snapped(twist), mechanism.geometry.length), origin, in);
+    body["screw"] = screw_json(find_axis(in.snapped(twist), mechanism.geometry.length), origin, in);
   }
-  result["evidence"] = evidence(motion.evidence);
+  result["evidence"] = evidence_json(motion.evidence);
   result["evidence"]["residual"] = is_solved ? number(motion.residual) : Json(nullptr);
   return result;
 }
 
-// A wrench that equilibrium does not determine is null, part by part.
-Json wrench_json(const Mechanism& mechanism,
-                 std::size_t e,
-                 const std::optional<Wrench>& wrench,
-                 const InUnits& in) {
-  const Vec3& at = mechanism.geometry.points[e];
-  const Vec3& origin = mechanism.geometry.origin;
-  Json result = object_of(8);
-  result["wrench"] = wrench ? sixfold_of(about_world(*wrench, origin), in) : Json();
-  result["moment"] = wrench ? vector(in.moment(moment_at(*wrench, at - origin))) : Json();
-  result["force"] = wrench ? vector(in.force(wrench->force)) : Json();
-  result["at"] = vector(in.length(at));
-  result["screw"] =
-      wrench ? screw(find_axis(in.snapped(*wrench), mechanism.geometry.length), origin, in)
-             : Json();
-  return result;
-}
-
-Json statics_json(const Mechanism& mechanism, const StaticSolution& action, const InUnits& in) {
+Json power_json(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
   const Topology& topology = mechanism.topology;
-  Json result = object_of(8);
-  result["status"] = word_of(action.status);
-  result["order"] = action.counts.order;
-  result["net_constraint"] = action.counts.net_constraint;
-  result["actions"] = object_of(topology.actions.size());
-  for (std::size_t a = 0; a < topology.actions.size(); ++a) {
-    const std::optional<double> magnitude =
-        action.magnitudes.empty() ? std::nullopt : action.magnitudes[a];
-    result["actions"][topology.action_name(static_cast<int>(a))] =
-        magnitude ? number(in.action(*magnitude, topology.actions[a].is_couple)) : Json(nullptr);
-  }
-  result["undetermined"] = Json::array();
-  for (const int a : action.check.undetermined) {
-    result["undetermined"].push_back(topology.action_name(a));
-  }
-  result["couplings"] = object_of(topology.couplings.size());
-  for (std::size_t e = 0; e < action.wrenches.size(); ++e) {
-    result["couplings"][topology.couplings[e].name] =
-        wrench_json(mechanism, e, action.wrenches[e], in);
-  }
-  result["evidence"] = evidence(action.evidence);
-  result["evidence"]["residual"] =
-      action.wrenches.empty() ? Json(nullptr) : number(action.residual);
-  return result;
-}
-
-Json power_json(const Mechanism& mechanism, const PowerFlow& flow, const InUnits& in) {
-  const Topology& topology = mechanism.topology;
+  const PowerFlow& flow = *one.power;
   Json result = object_of(8);
   result["status"] = flow.is_balanced ? "solved" : "inconsistent";
   result["couplings"] = object_of(topology.couplings.size());
   result["supplied"] = object_of(topology.couplings.size());
   for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
-    result["couplings"][topology.couplings[e].name] = number(in.power(flow.into_head[e]));
+    result["couplings"][topology.couplings[e].name] =
+        flow.into_head[e] ? number(in.power(*flow.into_head[e])) : Json(nullptr);
     result["supplied"][topology.couplings[e].name] = number(in.power(flow.supplied[e]));
   }
   result["actuators"] = object_of(8);
   for (std::size_t i = 0; i < topology.actuators.size(); ++i) {
     result["actuators"][topology.actuators[i].name] = number(in.power(flow.actuators[i]));
+  }
+  if (!flow.loads.empty()) {
+    result["loads"] = object_of(flow.loads.size());
+    for (std::size_t i = 0; i < flow.loads.size(); ++i) {
+      result["loads"][one.which.loads[i].name] = number(in.power(flow.loads[i]));
+    }
+  }
+  if (!flow.friction.empty()) {
+    result["friction"] = object_of(flow.friction.size());
+    for (std::size_t i = 0; i < flow.friction.size(); ++i) {
+      const CouplingId coupling = one.action->friction[i].coupling;
+      result["friction"][topology.coupling(coupling).name] = number(in.power(flow.friction[i]));
+    }
+    result["efficiency"]["friction"] = number(flow.efficiency);
+    result["self_locking"] = flow.is_self_locking;
   }
   result["input"] = number(in.power(flow.input));
   result["balance_residual"] = number(flow.balance_residual);
@@ -197,10 +140,10 @@ Json case_json(const Analysis& analysis, const CaseAnalysis& one) {
     result["kinematics"] = kinematics_json(mechanism, *one.motion, in);
   }
   if (one.action) {
-    result["statics"] = statics_json(mechanism, *one.action, in);
+    result["statics"] = statics_json(mechanism, one, in);
   }
   if (one.power) {
-    result["power"] = power_json(mechanism, *one.power, in);
+    result["power"] = power_json(mechanism, one, in);
   }
   if (!analysis.free_parameters.empty()) {
     result["affine"] = affine_json(analysis, one);

@@ -28,12 +28,16 @@ void snap_motions(const KinematicSolution& motion, double length, ZeroSnap& resu
   result.linear = kReportZero * std::max(linear, angular * length);
 }
 
-void snap_actions(const StaticSolution& action, double length, ZeroSnap& result) {
+void snap_actions(const CaseAnalysis& analysis, double length, ZeroSnap& result) {
   double moment = 0.0;
   double force = 0.0;
-  for (const std::optional<Wrench>& wrench : action.wrenches) {
+  for (const std::optional<Wrench>& wrench : analysis.action->wrenches) {
     moment = largest(moment, wrench.value_or(Wrench{}).moment);
     force = largest(force, wrench.value_or(Wrench{}).force);
+  }
+  for (const Load& load : analysis.which.loads) {
+    moment = largest(moment, load.acts.wrench.moment);
+    force = largest(force, load.acts.wrench.force);
   }
   result.moment = kReportZero * std::max(moment, force * length);
   result.force = kReportZero * std::max(force, moment / length);
@@ -47,15 +51,18 @@ ZeroSnap find_zero_snap(const CaseAnalysis& analysis, double length) {
     snap_motions(*analysis.motion, length, result);
   }
   if (analysis.action) {
-    snap_actions(*analysis.action, length, result);
+    snap_actions(analysis, length, result);
   }
   if (analysis.power) {
     double most = 0.0;
-    for (const double value : analysis.power->into_head) {
-      most = std::max(most, std::abs(value));
+    const PowerFlow& flow = *analysis.power;
+    for (const std::optional<double>& value : flow.into_head) {
+      most = std::max(most, std::abs(value.value_or(0.0)));
     }
-    for (const double value : analysis.power->supplied) {
-      most = std::max(most, std::abs(value));
+    for (const auto* powers : {&flow.supplied, &flow.loads}) {
+      for (const double value : *powers) {
+        most = std::max(most, std::abs(value));
+      }
     }
     result.power = kReportZero * most;
   }

@@ -169,7 +169,9 @@ class SensitivityJob {
                                               const MechanismDerivatives& derivatives,
                                               const CaseDerivatives& primaries) {
     const bool has_rates = one.motion && one.motion->status == SolveStatus::solved;
-    const bool has_actions = one.action && !one.action->magnitudes.empty();
+    // With friction the actions are no solution of linear equations.
+    const bool has_actions =
+        one.action && !one.action->magnitudes.empty() && analysis_.mechanism.frictions.empty();
     const DualCase values(analysis_.mechanism,
                           one.which,
                           has_rates ? &*one.motion : nullptr,
@@ -205,11 +207,13 @@ class SensitivityJob {
             "E0101",
             {},
             fmt::format("--of '{}': no case has such a value with derivatives", printable(name)),
-            guess_before(name,
-                         known_names_,
-                         fmt::format("write one of {}, or a path of the report below a case: "
-                                     "kinematics/bodies/BODY/linear/0",
-                                     plain_list(known_names_))));
+            !analysis_.mechanism.frictions.empty()
+                ? "actions and powers of a mechanism with friction have no derivatives yet"
+                : guess_before(name,
+                               known_names_,
+                               fmt::format("write one of {}, or a path of the report below a case: "
+                                           "kinematics/bodies/BODY/linear/0",
+                                           plain_list(known_names_))));
       }
     }
   }

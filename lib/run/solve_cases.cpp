@@ -9,6 +9,7 @@
 #include "network/bases.hpp"
 #include "run/free_parameters.hpp"
 #include "statics/action.hpp"
+#include "statics/friction.hpp"
 
 namespace kinestat {
 
@@ -16,10 +17,6 @@ namespace {
 
 bool is_solved(const std::optional<KinematicSolution>& motion) {
   return motion && motion->status == SolveStatus::solved;
-}
-
-bool is_solved(const std::optional<StaticSolution>& action) {
-  return action && action->status == SolveStatus::solved;
 }
 
 bool has_answer(const std::optional<StaticSolution>& action) {
@@ -50,11 +47,52 @@ MobilityCounts counts_of(const Loaded& loaded) {
   return counts;
 }
 
-/// The coordinates of both sides are the same for every case.
+// The coordinates of both sides are the same for every case, unless its loads need more.
 struct Bases {
   CoordinateBasis motion;
   CoordinateBasis action;
 };
+
+// Friction that knows no direction leaves the actions open.
+StaticSolution solve_with_laws(const Mechanism& mechanism,
+                               const CoordinateBasis& basis,
+                               const Case& which,
+                               const std::vector<BodyWrench>& loads,
+                               const KinematicSolution* motion) {
+  std::vector<FrictionLaw> laws;
+  std::vector<CouplingId> at_rest;
+  const auto found = motion != nullptr
+                         ? find_friction_laws(mechanism, *motion)
+                         : std::vector<std::optional<FrictionLaw>>(mechanism.frictions.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i]) {
+      laws.push_back(*found[i]);
+    } else {
+      at_rest.push_back(mechanism.frictions[i].coupling);
+    }
+  }
+  if (at_rest.empty()) {
+    return solve_with_friction(mechanism, basis, which.actions, loads, laws);
+  }
+  StaticSolution solution = solve_action(mechanism, basis, which.actions, loads);
+  solution.status = SolveStatus::undirected;
+  solution.at_rest = std::move(at_rest);
+  solution.magnitudes.clear();
+  solution.wrenches.clear();
+  return solution;
+}
+
+StaticSolution solve_statics(const Mechanism& mechanism,
+                             const CoordinateBasis& common,
+                             const Case& which,
+                             const KinematicSolution* motion) {
+  const std::vector<BodyWrench> loads = wrenches_of(which.loads);
+  const bool has_outside = !loads.empty() || !mechanism.frictions.empty();
+  const CoordinateBasis basis =
+      has_outside ? action_basis(mechanism.geometry, mechanism.static_order, loads) : common;
+  return mechanism.frictions.empty() ? solve_action(mechanism, basis, which.actions, loads)
+                                     : solve_with_laws(mechanism, basis, which, loads, motion);
+}
 
 CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Case& which) {
   CaseAnalysis result;
@@ -63,9 +101,11 @@ CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Ca
     result.motion = solve_velocity(mechanism, bases.motion, which.motions);
   }
   if (which.asks_actions) {
-    result.action = solve_action(mechanism, bases.action, which.actions);
+    result.action = solve_statics(
+        mechanism, bases.action, which, is_solved(result.motion) ? &*result.motion : nullptr);
   }
-  if (is_solved(result.motion) && is_solved(result.action)) {
+  if (is_solved(result.motion) && has_answer(result.action) &&
+      determines_power(mechanism, *result.action)) {
     result.power = find_power(mechanism, which, *result.motion, *result.action);
   }
   if (is_solved(result.motion) && !which.inputs.empty() && which.outputs.size() == 1) {

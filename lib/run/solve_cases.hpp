@@ -6,9 +6,9 @@
 
 namespace kinestat {
 
-/// A case that names motions has its velocities solved, one that names actions its statics; power
-/// and ratios where both sides, or an input and an output, are there. The motions are always
-/// counted, the actions if some case names any or if there are no cases.
+/// A case that names motions has its velocities solved, one that names actions or on which loads
+/// act its statics; power and ratios where both sides, or an input and an output, are there. The
+/// motions are always counted, the actions if some case asks for any or if there are no cases.
 Analysis solve_cases(std::string file, Loaded loaded);
 
 /// The cases alone.

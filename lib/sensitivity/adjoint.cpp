@@ -157,7 +157,8 @@ std::vector<Change> motion_changes(const DualCase& values,
   return changes;
 }
 
-// The wrench of a coupling changes by ψ d$ on its head, and by the opposite on its tail.
+// The wrench of a coupling changes by ψ d$ on its head, and by the opposite on its tail; a load
+// adds to the left side of the equations, too.
 std::vector<Change> action_changes(const DualCase& values,
                                    const MechanismDerivatives& derivatives,
                                    const CaseDerivatives& primaries,
@@ -175,6 +176,11 @@ std::vector<Change> action_changes(const DualCase& values,
       if (coupling.tail.value > 0) {
         add(screw, size, basis, basis.order() * (coupling.tail.value - 1), changes[p].rows);
       }
+    }
+    for (std::size_t i = 0; i < primaries.loads.size(); ++i) {
+      const int body = values.which().loads[i].acts.body.value;
+      const Vec6 screw = slope_of(primaries.loads[i].coordinates(), p);
+      add(screw, -1.0, basis, basis.order() * (body - 1), changes[p].rows);
     }
     for (std::size_t i = 0; i < primaries.actions.size(); ++i) {
       const double unit = action_unit(topology, basis, values.which().actions[i].index);

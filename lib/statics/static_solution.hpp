@@ -5,23 +5,26 @@
 #include <vector>
 
 #include "core/solve_status.hpp"
-#include "core/types.hpp"
 #include "math/rank.hpp"
 #include "network/counts.hpp"
 #include "network/primary_check.hpp"
 #include "screw/wrench.hpp"
+#include "statics/unheld_motion.hpp"
 
 namespace kinestat {
 
-/// A motion of the bodies that the actions cannot hold against the load.
-struct UnheldMotion {
-  BodyId body;  ///< the one that moves most
-  Twist twist;  ///< its motion; only the axis and the pitch mean something
+/// Friction of a coupling, of tail on head.
+struct FrictionAction {
+  CouplingId coupling;
+  double magnitude = 0.0;  ///< [N·m or N], never negative
+  bool is_couple = true;
+  Wrench wrench;  ///< about the origin of the Geometry, against the motion
 };
 
 /// Lists are parallel to those of the Topology. An empty magnitude is not determined by
 /// equilibrium. Wrenches are written about the origin of the Geometry. Nothing is filled in where
-/// the status is dependent or inconsistent.
+/// the status is dependent or inconsistent; of an inconsistent case, the check has only those
+/// dependences that the primaries violate.
 struct StaticSolution {
   SolveStatus status = SolveStatus::solved;
   ActionCounts counts;
@@ -29,8 +32,10 @@ struct StaticSolution {
   double residual = 0.0;  ///< relative, of the equilibrium system
   PrimaryCheck check;
   std::vector<std::optional<double>> magnitudes;  ///< of each action [N·m or N]
-  std::vector<std::optional<Wrench>> wrenches;    ///< of each coupling: tail on head; empty if one
-                                                  ///< of its actions is
+  std::vector<std::optional<Wrench>> wrenches;    ///< of each coupling: tail on head, friction
+                                                  ///< included; empty if one of its actions is
+  std::vector<FrictionAction> friction;           ///< of the couplings that have any
+  std::vector<CouplingId> at_rest;                ///< where friction has no direction
   std::optional<UnheldMotion> unheld;             ///< of an inconsistent case
 };
 

@@ -1,11 +1,11 @@
-// What bodies weigh and where, and gravity.
+// What is drawn of bodies.
 #pragma once
 
 #include "mechanism/internal/section_context.hpp"
 
 namespace kinestat {
 
-/// Evaluates mass, centre of mass and outline of every body, and gravity.
+/// Evaluates the outline of every body.
 void check_bodies(const SectionContext& context);
 
 }  // namespace kinestat

@@ -36,8 +36,15 @@ class Index {
 
 class CaseBinder {
  public:
-  CaseBinder(const Topology& topology, Evaluator& evaluator, Diagnostics& found)
+  CaseBinder(const MechanismDescription& description,
+             const Topology& topology,
+             Evaluator& evaluator,
+             Diagnostics& found)
       : topology_(topology), evaluator_(evaluator), found_(found) {
+    add_loads(description.loads);
+    for (const CaseDescription& one : description.cases) {
+      add_loads(one.loads);
+    }
     for (int f = 0; f < topology.freedom_count(); ++f) {
       freedoms_.add(topology.freedom_name(f));
     }
@@ -55,6 +62,7 @@ class CaseBinder {
                 .asks_actions = description.asks_actions,
                 .motions = bind_side(description.motions, Side::motion),
                 .actions = bind_side(description.actions, Side::action),
+                .loads = {},
                 .inputs = bind_actuators(description.inputs),
                 .outputs = bind_actuators(description.outputs),
                 .where = description.label.where};
@@ -63,6 +71,12 @@ class CaseBinder {
   }
 
  private:
+  void add_loads(const std::vector<LoadDescription>& loads) {
+    for (const LoadDescription& load : loads) {
+      loads_.add(load.name.text);
+    }
+  }
+
   // No actuator is named twice, be it as input, as output or as both.
   void check_ends(const CaseDescription& description) {
     std::vector<Name> seen;
@@ -135,7 +149,12 @@ class CaseBinder {
     }
     const Index& index = side == Side::motion ? freedoms_ : actions_;
     const std::optional<int> at = index.find(target.text);
-    if (!at) {
+    if (!at && loads_.find(target.text)) {
+      found_.error("E0313",
+                   target.where,
+                   fmt::format("'{}' is a load and needs no value here", target.text),
+                   "remove it: loads act in every case; 'loads:' of the case replaces one");
+    } else if (!at) {
       complain(target, side, index.names());
     }
     return at;
@@ -187,14 +206,17 @@ class CaseBinder {
         continue;
       }
       const std::string guess = did_you_mean(name.text, actuators_.names());
-      found_.error("E0313",
-                   name.where,
-                   fmt::format("'{}' is not an actuator", name.text),
-                   actuators_.names().empty() ? "declare it under 'actuators:'"
-                                              : fmt::format("{}{}actuators are {}",
-                                                            guess,
-                                                            guess.empty() ? "" : " ",
-                                                            plain_list(actuators_.names())));
+      const bool is_load = loads_.find(name.text).has_value();
+      found_.error(
+          "E0313",
+          name.where,
+          fmt::format(
+              "'{}' is {}", name.text, is_load ? "a load, not an actuator" : "not an actuator"),
+          actuators_.names().empty() ? "declare it under 'actuators:'"
+                                     : fmt::format("{}{}actuators are {}",
+                                                   guess,
+                                                   guess.empty() ? "" : " ",
+                                                   plain_list(actuators_.names())));
     }
     return result;
   }
@@ -205,6 +227,7 @@ class CaseBinder {
   Index freedoms_;
   Index actions_;
   Index actuators_;
+  Index loads_;
 };
 
 }  // namespace
@@ -213,7 +236,7 @@ std::vector<Case> bind_cases(const MechanismDescription& description,
                              const Topology& topology,
                              Evaluator& evaluator,
                              Diagnostics& found) {
-  CaseBinder binder(topology, evaluator, found);
+  CaseBinder binder(description, topology, evaluator, found);
   std::vector<Case> cases;
   for (const CaseDescription& one : description.cases) {
     cases.push_back(binder.bind(one));

@@ -61,7 +61,6 @@ class GeometryCheck {
     check_helix();
     check_ends();
     check_listed();
-    check_friction();
     for (const StiffnessDescription& one : coupling_.stiffness) {
       check_stiffness(one);
     }
@@ -120,30 +119,6 @@ class GeometryCheck {
       refuse(fmt::format("{} lists neither freedoms nor constraints", title(coupling_)),
              "write for example freedoms: [{rotation: z, at: [0, 0, 0]}]; what you leave out "
              "follows as the reciprocal complement");
-    }
-  }
-
-  void check_friction() {
-    if (!coupling_.friction) {
-      return;
-    }
-    const FrictionDescription& friction = *coupling_.friction;
-    check_not_negative(friction.mu, QuantityKind::dimensionless);
-    check_not_negative(friction.radius, QuantityKind::length);
-    check_not_negative(friction.length, QuantityKind::length);
-    check_not_negative(friction.tau, QuantityKind::moment);
-    if (friction.c) {
-      (void)evaluator_.quantity(*friction.c);
-    }
-  }
-
-  void check_not_negative(const std::optional<Value>& value, QuantityKind kind) {
-    const auto number = value ? evaluator_.number(*value, kind) : std::nullopt;
-    if (number && *number < 0.0) {
-      found_.error("E0305",
-                   value->where,
-                   fmt::format("a number of the friction of {} is negative", title(coupling_)),
-                   "friction acts against the motion by itself; write a positive number");
     }
   }
 

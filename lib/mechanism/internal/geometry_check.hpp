@@ -9,7 +9,7 @@ namespace kinestat {
 bool is_counted_only(const CouplingDescription& coupling);
 
 /// Whether the coupling may stand in that space, has the ends, pitch or screws that its type needs,
-/// and the numbers of its friction and stiffness are right. Adds errors if not. Points and
+/// and the numbers of its stiffness are right. Adds errors if not. Points and
 /// directions are checked when they are bound.
 bool check_geometry(const CouplingDescription& coupling,
                     Space space,

@@ -3,7 +3,6 @@
 #include "mechanism/internal/body_check.hpp"
 #include "mechanism/internal/cable_check.hpp"
 #include "mechanism/internal/gear_check.hpp"
-#include "mechanism/internal/load_check.hpp"
 #include "mechanism/internal/loss_check.hpp"
 #include "mechanism/internal/motion_check.hpp"
 #include "mechanism/internal/report_name_check.hpp"
@@ -13,16 +12,10 @@
 
 namespace kinestat {
 
-void check_sections(const MechanismDescription& description,
-                    Evaluator& evaluator,
-                    Diagnostics& found) {
-  const DeclaredNames names = declare_names(description, found);
-  const SectionContext context = {
-      .description = description, .names = names, .evaluator = evaluator, .found = found};
+void check_sections(const SectionContext& context) {
   check_bodies(context);
   check_gears(context);
   check_cables(context);
-  check_loads(context);
   check_losses(context);
   check_shift(context);
   check_motion(context);

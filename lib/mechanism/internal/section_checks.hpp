@@ -1,17 +1,15 @@
-// All sections beside bodies, couplings, actuators and cases: their numbers and references.
+// All sections beside bodies, couplings, actuators, cases and loads: their numbers and references.
 #pragma once
 
-#include "mechanism/internal/evaluator.hpp"
+#include "mechanism/internal/section_context.hpp"
 #include "mechanism/topology.hpp"
 
 namespace kinestat {
 
-/// Evaluates every number of the masses of bodies, of `gravity`, `gears`, `cables`, `loads` (of
-/// cases too), `losses`, `shift`, `motion`, `sweep` and `synthesis`, resolves every reference, and
-/// complains of what is wrong without any analysis.
-void check_sections(const MechanismDescription& description,
-                    Evaluator& evaluator,
-                    Diagnostics& found);
+/// Evaluates every number of the outlines of bodies, of `gears`, `cables`, `losses`, `shift`,
+/// `motion`, `sweep` and `synthesis`, resolves every reference, and complains of what is wrong
+/// without any analysis.
+void check_sections(const SectionContext& context);
 
 /// Complains of inputs and outputs of cases that are no actuators, of knowns whose coupling or
 /// actuator is not declared, and of couplings of the tree that are not: for a mechanism whose

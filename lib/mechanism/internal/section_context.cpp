@@ -52,6 +52,18 @@ std::optional<double> SectionContext::number(const std::optional<Value>& value,
   return std::nullopt;
 }
 
+std::optional<Vec3> SectionContext::vector(const std::vector<Value>& components,
+                                           QuantityKind kind) const {
+  Vec3 result = Vec3::Zero();
+  bool is_good = true;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const std::optional<double> component = evaluator.number(components[i], kind);
+    is_good = is_good && component.has_value();
+    result[static_cast<Eigen::Index>(i)] = component.value_or(0.0);
+  }
+  return is_good ? std::optional(result) : std::nullopt;
+}
+
 void SectionContext::components(const std::vector<Value>& values, QuantityKind kind) const {
   for (const Value& value : values) {
     evaluator.number(value, kind);

@@ -46,6 +46,9 @@ struct SectionContext {
                                const NumberRule& rule,
                                std::string_view what) const;
 
+  /// The components of a vector in SI; z is 0 in the plane. Empty if an error was added.
+  std::optional<Vec3> vector(const std::vector<Value>& components, QuantityKind kind) const;
+
   /// Evaluates the components of a vector.
   void components(const std::vector<Value>& values, QuantityKind kind) const;
 

@@ -11,6 +11,7 @@
 #include "mechanism/coupling_catalogue.hpp"
 #include "mechanism/internal/actuator_binder.hpp"
 #include "mechanism/internal/coupling_binder.hpp"
+#include "mechanism/internal/friction_binder.hpp"
 #include "mechanism/internal/geometry_check.hpp"
 #include "mechanism/internal/passive_constraints.hpp"
 #include "mechanism/internal/reference_points.hpp"
@@ -49,6 +50,7 @@ class StructureBinder {
         found_(found),
         topology_(result.topology),
         geometry_(result.geometry),
+        frictions_(result.frictions),
         actuators_(description, result, found) {}
 
   void run() {
@@ -223,6 +225,17 @@ class StructureBinder {
     has_point_.push_back(has_place(coupling));
     add_screws(id, screws);
     actuators_.add(id, coupling, drawn, local.at);
+    add_friction(id, coupling);
+  }
+
+  // What rubs with no force at all is left out.
+  void add_friction(CouplingId id, const CouplingDescription& coupling) {
+    const auto friction = coupling.friction
+                              ? bind_friction(coupling, id, description_.units, evaluator_, found_)
+                              : std::nullopt;
+    if (friction && (friction->mu > 0.0 || friction->tau > 0.0 || friction->viscous > 0.0)) {
+      frictions_.push_back(*friction);
+    }
   }
 
   void check_stiffness(const CouplingDescription& coupling, const CouplingScrews& screws) {
@@ -304,6 +317,7 @@ class StructureBinder {
   Diagnostics& found_;
   Topology& topology_;
   Geometry& geometry_;
+  std::vector<CouplingFriction>& frictions_;
   std::map<std::string, BodyId> body_ids_;
   std::map<std::string, SourceRange> declared_;
   std::vector<bool> has_point_;  ///< of each coupling of the topology

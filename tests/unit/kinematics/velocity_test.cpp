@@ -88,7 +88,7 @@ TEST(Velocity, NamesTheRelationBetweenDependentPrimaries) {
 
   // 168/5 a.wz + d.vx = 0, up to a factor.
   ASSERT_EQ(solution.check.dependences.size(), 1U);
-  const std::vector<DependenceTerm>& terms = solution.check.dependences[0];
+  const std::vector<DependenceTerm>& terms = solution.check.dependences[0].terms;
   ASSERT_EQ(terms.size(), 2U);
   EXPECT_EQ(terms[0].index, 0);
   EXPECT_EQ(terms[1].index, 3);

@@ -181,6 +181,27 @@ TEST(Elimination, FindsTheRelationBetweenKnownColumns) {
   EXPECT_DOUBLE_EQ(relations[0].terms[1].value / relations[0].terms[0].value, -6.0);
 }
 
+TEST(Elimination, FindsTheConstantOfARelationFromTheRightHandSide) {
+  // x_0 = 2 x_2 + 1 and x_2 = 3 x_1 + 2, so x_0 - 6 x_1 = 5.
+  const Elimination elimination(sparse(rows_of({{1, 0, -2}, {0, -3, 1}})), std::vector<int>{0, 1});
+
+  const std::vector<Relation> relations = elimination.relations(std::vector<double>{1.0, 2.0});
+
+  ASSERT_EQ(relations.size(), 1U);
+  EXPECT_DOUBLE_EQ(relations[0].constant / relations[0].terms[0].value, 5.0);
+  EXPECT_DOUBLE_EQ(relations[0].constant_size / std::abs(relations[0].terms[0].value), 5.0);
+}
+
+TEST(Elimination, FindsNoConstantWhereTheRightHandSideCancels) {
+  // x_0 = 2 x_2 + 0.6 and x_2 = 3 x_1 - 0.3; the sum of 0.6 and -2 · 0.3 is rounding.
+  const Elimination elimination(sparse(rows_of({{1, 0, -2}, {0, -3, 1}})), std::vector<int>{0, 1});
+
+  const std::vector<Relation> relations =
+      elimination.relations(std::vector<double>{0.1 + 0.2 + 0.3, -0.3});
+
+  EXPECT_EQ(relations.at(0).constant, 0.0);
+}
+
 TEST(Elimination, CountsRelationsAmongKnownColumnsInTheRank) {
   const Elimination elimination(sparse(rows_of({{1, 0, -2}, {0, -3, 1}})), std::vector<int>{0, 1});
 
@@ -206,6 +227,15 @@ TEST(Elimination, SolvesForARightHandSideAndKnownUnknownsTogether) {
       elimination.solve(std::vector<double>{3.0}, std::vector<double>{7.0, 1.0});
 
   EXPECT_TRUE(is_near(solution.x, rows_of({{3}, {4}, {3}}), kTight));
+}
+
+TEST(Elimination, MakesAZeroOfWhatIsRoundingInTheRightHandSide) {
+  // x_0 = 0.1 + 0.2 and x_0 + x_1 = 0.3.
+  const Elimination elimination(sparse(rows_of({{1, 0}, {1, 1}})), {});
+
+  const EliminationSolution solution = elimination.solve({}, std::vector<double>{0.1 + 0.2, 0.3});
+
+  EXPECT_EQ(solution.x[1], 0.0);
 }
 
 TEST(Elimination, PutsKnownValuesInTheOrderInWhichTheyWereNamed) {

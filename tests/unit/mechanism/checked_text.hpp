@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "io/mechanism_reader.hpp"
+#include "mechanism/internal/load_binder.hpp"
 #include "mechanism/internal/section_checks.hpp"
 #include "support/read_text.hpp"
 
@@ -33,6 +34,17 @@ inline std::string gear_set(const std::string& sections) {
   return head + std::string(13, '\n') + sections;
 }
 
+/// What bind does beside the structure and the cases.
+inline void check_all_sections(const MechanismDescription& description,
+                               Evaluator& evaluator,
+                               Diagnostics& found) {
+  const DeclaredNames names = declare_names(description, found);
+  const SectionContext context = {
+      .description = description, .names = names, .evaluator = evaluator, .found = found};
+  check_sections(context);
+  (void)bind_loads(context, Vec3::Zero());
+}
+
 /// Errors of the reader are a failed test.
 inline Diagnostics check_of(const std::string& text) {
   Diagnostics found;
@@ -41,7 +53,7 @@ inline Diagnostics check_of(const std::string& text) {
   EXPECT_EQ(complaints_of(found), Complaints{});
   if (description) {
     Evaluator evaluator = make_evaluator(*description, found);
-    check_sections(*description, evaluator, found);
+    check_all_sections(*description, evaluator, found);
   }
   return found;
 }

@@ -72,7 +72,7 @@ TEST(SweepCheck, CountsTheNamesOfAConditionAsUsed) {
   ASSERT_TRUE(description);
   Evaluator evaluator = make_evaluator(*description, found);
 
-  check_sections(*description, evaluator, found);
+  check_all_sections(*description, evaluator, found);
   evaluator.warn_of_unused();
 
   EXPECT_EQ(complaints_of(found),

@@ -51,6 +51,21 @@ TEST(ActionSystem, SaysThatTheActionsOnTheBodyCancel) {
   EXPECT_TRUE(is_near(system, expected, 0.0));
 }
 
+TEST(LoadVector, IsMinusTheLoadsOnEachBodyInTheUnitsOfTheBasis) {
+  const Wrench push = 3.0 * unit_force(Vec3::UnitY(), Vec3(2.0, 0.0, 0.0));
+  const std::vector<BodyWrench> loads = {{.body = BodyId{2}, .wrench = push},
+                                         {.body = BodyId{2}, .wrench = push},
+                                         {.body = BodyId{0}, .wrench = push}};
+
+  // Tz, Fx, Fy of two bodies; moments count in 4 N·m.
+  EXPECT_EQ(load_vector(3, planar_basis(ScrewKind::wrench, 4.0), loads),
+            (std::vector<double>{0.0, 0.0, 0.0, -3.0, 0.0, -6.0}));
+}
+
+TEST(LoadVector, OfNoLoadsIsEmpty) {
+  EXPECT_TRUE(load_vector(3, planar_basis(ScrewKind::wrench, 4.0), {}).empty());
+}
+
 TEST(VelocitySystem, HasItsFreedomsBehindTheTwistsOfTheMovingBodies) {
   const Mechanism mechanism = slider();
 

@@ -62,10 +62,25 @@ TEST(PrimaryCheck, NamesTheRelationBetweenDependentPrimaries) {
 
   // x_0 - x_2 = 0, up to a factor.
   ASSERT_EQ(check.dependences.size(), 1U);
-  ASSERT_EQ(check.dependences[0].size(), 2U);
-  EXPECT_EQ(check.dependences[0][0].index, 0);
-  EXPECT_EQ(check.dependences[0][1].index, 2);
-  EXPECT_EQ(check.dependences[0][1].coefficient, -check.dependences[0][0].coefficient);
+  const std::vector<DependenceTerm>& terms = check.dependences[0].terms;
+  ASSERT_EQ(terms.size(), 2U);
+  EXPECT_EQ(terms[0].index, 0);
+  EXPECT_EQ(terms[1].index, 2);
+  EXPECT_EQ(terms[1].coefficient, -terms[0].coefficient);
+  EXPECT_EQ(check.dependences[0].constant, 0.0);
+}
+
+TEST(PrimaryCheck, NamesTheConstantThatARightHandSideAddsToTheRelation) {
+  const Elimination elimination(chain_and_free(), std::vector<int>{0, 2, 3});
+
+  // x_0 + x_1 = 5 and x_1 + x_2 = 3, so x_0 - x_2 = 2; x_0 counts in 10, so 1/10 x_0 - x_2 = 2.
+  const PrimaryCheck check = check_primaries(
+      elimination, 0, std::vector<double>{10.0, 1.0, 1.0, 1.0}, std::vector<double>{5.0, 3.0});
+
+  ASSERT_EQ(check.dependences.size(), 1U);
+  const Dependence& dependence = check.dependences[0];
+  EXPECT_DOUBLE_EQ(dependence.constant / dependence.terms.at(0).coefficient, 20.0);
+  EXPECT_DOUBLE_EQ(dependence.constant / dependence.terms.at(1).coefficient, -2.0);
 }
 
 TEST(PrimaryCheck, CountsMagnitudesFromTheFirstColumn) {

@@ -10,8 +10,13 @@ namespace {
 // at 1 rad/s under 100 N·m, the second at -0.5 rad/s against 200 N·m, radii 1 m and 2 m.
 struct TwoShafts {
   Mechanism mechanism;
-  Case which{
-      .label = "drive", .motions = {}, .actions = {}, .inputs = {0}, .outputs = {1}, .where = {}};
+  Case which{.label = "drive",
+             .motions = {},
+             .actions = {},
+             .loads = {},
+             .inputs = {0},
+             .outputs = {1},
+             .where = {}};
   KinematicSolution motion;
   StaticSolution action;
 
@@ -77,7 +82,7 @@ TEST(PowerFlow, OfTheTeethGoesThroughWithoutLoss) {
   const PowerFlow flow = find_power(shafts.mechanism, shafts.which, shafts.motion, shafts.action);
 
   // -100 N along x on a point that moves with ω x r = -1 m/s along x.
-  EXPECT_DOUBLE_EQ(flow.into_head[2], 100.0);
+  EXPECT_DOUBLE_EQ(flow.into_head[2].value(), 100.0);
   EXPECT_NEAR(flow.supplied[2], 0.0, 1e-13);
 }
 
@@ -90,6 +95,46 @@ TEST(PowerFlow, InputIsThatOfTheNamedActuatorsOrOfAllThatDrive) {
 
   shafts.which.inputs.clear();
   EXPECT_EQ(find_power(shafts.mechanism, shafts.which, shafts.motion, shafts.action).input, 100.0);
+}
+
+// The second shaft without its actuator, and 200 N·m on it from outside.
+TwoShafts loaded_shafts() {
+  TwoShafts shafts;
+  shafts.mechanism.topology.actuators.pop_back();
+  shafts.action.wrenches[1] = Wrench{};
+  shafts.which.loads = {{.name = "brake",
+                         .acts = {.body = BodyId{2}, .wrench = 200.0 * unit_couple(Vec3::UnitZ())},
+                         .point = std::nullopt,
+                         .where = {}}};
+  return shafts;
+}
+
+TEST(PowerFlow, OfALoadIsItsWrenchOnTheMotionOfItsBody) {
+  const TwoShafts shafts = loaded_shafts();
+
+  const PowerFlow flow = find_power(shafts.mechanism, shafts.which, shafts.motion, shafts.action);
+
+  EXPECT_EQ(flow.loads, std::vector<double>{-100.0});
+  EXPECT_EQ(flow.input, 100.0);
+  EXPECT_TRUE(flow.is_balanced);
+}
+
+TEST(PowerFlow, OfALoadThatDrivesIsInputUnlessTheCaseNamesOne) {
+  TwoShafts shafts = loaded_shafts();
+  shafts.which.loads[0].acts.wrench = -1.0 * shafts.which.loads[0].acts.wrench;
+  shafts.which.inputs.clear();
+  EXPECT_EQ(find_power(shafts.mechanism, shafts.which, shafts.motion, shafts.action).input, 200.0);
+
+  shafts.which.inputs = {0};
+  EXPECT_EQ(find_power(shafts.mechanism, shafts.which, shafts.motion, shafts.action).input, 100.0);
+}
+
+TEST(PowerFlow, OfALoadThatIsMissingBreaksTheBalance) {
+  TwoShafts shafts = loaded_shafts();
+  shafts.which.loads.clear();
+
+  EXPECT_FALSE(
+      find_power(shafts.mechanism, shafts.which, shafts.motion, shafts.action).is_balanced);
 }
 
 TEST(PowerFlow, OfABrokenBalanceSaysSo) {

@@ -31,6 +31,18 @@ TEST(SolveCases, RunsNoStaticsForACaseWithoutActions) {
   EXPECT_EQ(one.motion->status, SolveStatus::solved);
 }
 
+TEST(SolveCases, RunsStaticsForACaseOnWhichALoadActs) {
+  const CaseAnalysis one = solve(
+      "motion: {load: 13 rad/s}, action: {load: 0}, loads: {push: {body: rocker, couple: 27}}");
+
+  // The drive turns with 27 rad/s where the load turns with 13: 27 T + 13 · 27 = 0.
+  ASSERT_TRUE(one.action.has_value());
+  ASSERT_EQ(one.action->status, SolveStatus::solved);
+  ASSERT_TRUE(one.power.has_value());
+  EXPECT_NEAR(one.power->actuators.at(0), -351.0, 1e-9);
+  EXPECT_NEAR(one.power->loads.at(0), 351.0, 1e-9);
+}
+
 TEST(SolveCases, RunsNoKinematicsForACaseWithoutMotions) {
   const CaseAnalysis one = solve("action: {load: 1 N*m}");
 

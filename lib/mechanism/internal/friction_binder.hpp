@@ -1,0 +1,22 @@
+// The friction of a coupling: which numbers its type uses, and what they are.
+#pragma once
+
+#include <optional>
+
+#include "mechanism/friction.hpp"
+#include "mechanism/internal/evaluator.hpp"
+
+namespace kinestat {
+
+/// Whether friction of this type of coupling is analysed.
+bool has_friction_law(const CouplingDescription& coupling);
+
+/// The numbers of the friction; complains of those that are negative, missing or of no use for the
+/// type. The coupling must have `friction`. Empty iff an error was added, or if there is no law.
+std::optional<CouplingFriction> bind_friction(const CouplingDescription& coupling,
+                                              CouplingId id,
+                                              const FileUnits& units,
+                                              Evaluator& evaluator,
+                                              Diagnostics& found);
+
+}  // namespace kinestat

@@ -1,0 +1,46 @@
+// Loads bound to numbers: what acts on bodies from outside.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/source.hpp"
+#include "screw/wrench.hpp"
+
+namespace kinestat {
+
+/// An action on a body that equilibrium takes as known. The wrench [N·m; N] is written about the
+/// origin of the Geometry.
+struct BodyWrench {
+  BodyId body;
+  Wrench wrench;
+};
+
+/// A load of a case: one that the file names, or the weight of a body, named gravity.BODY.
+struct Load {
+  std::string name;
+  BodyWrench acts;
+  std::optional<Vec3> point;  ///< where the force acts [m], world frame; empty for a couple alone
+  SourceRange where;
+};
+
+/// The couple of a load beside its force, which acts at its point [N·m]. `origin` is that of the
+/// Geometry.
+inline Vec3 couple_of(const Load& load, const Vec3& origin) {
+  return load.point ? moment_at(load.acts.wrench, Vec3(*load.point - origin))
+                    : load.acts.wrench.moment;
+}
+
+/// What the loads do to the bodies, without their names.
+inline std::vector<BodyWrench> wrenches_of(std::span<const Load> loads) {
+  std::vector<BodyWrench> wrenches;
+  wrenches.reserve(loads.size());
+  for (const Load& load : loads) {
+    wrenches.push_back(load.acts);
+  }
+  return wrenches;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,57 @@
+#include "report/column_table.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "core/contract.hpp"
+#include "report/numbers.hpp"
+#include "report/table.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr std::array<const char*, 3> kLetters = {"x", "y", "z"};
+
+}  // namespace
+
+std::string cell_of(const std::optional<double>& value) {
+  return value ? format_short(*value) : "?";
+}
+
+void VectorColumns::add_to(std::vector<TextColumn>& columns) const {
+  for (std::size_t i = 0; i < kLetters.size(); ++i) {
+    const auto part = static_cast<Eigen::Index>(i);
+    const bool is_used = std::ranges::any_of(
+        rows, [&](const std::optional<Vec3>& row) { return row && (*row)[part] != 0.0; });
+    if (!is_used) {
+      continue;
+    }
+    TextColumn column{.head = fmt::format("{}{} [{}]", symbol, kLetters[i], unit), .cells = {}};
+    for (const std::optional<Vec3>& row : rows) {
+      column.cells.push_back(row ? format_short((*row)[part]) : missing);
+    }
+    columns.push_back(std::move(column));
+  }
+}
+
+std::string table_text(const std::vector<TextColumn>& columns) {
+  std::vector<std::string> head;
+  for (const TextColumn& column : columns) {
+    KINESTAT_EXPECTS(column.cells.size() == columns.front().cells.size());
+    head.push_back(column.head);
+  }
+  Table table(std::move(head));
+  for (std::size_t r = 0; r < columns.front().cells.size(); ++r) {
+    std::vector<std::string> row;
+    for (const TextColumn& column : columns) {
+      row.push_back(column.cells[r]);
+    }
+    table.add(std::move(row));
+  }
+  return table.text("  ") + "\n";
+}
+
+}  // namespace kinestat

@@ -1,0 +1,96 @@
+#include "report/statics_json.hpp"
+
+#include "report/solution_json.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// A wrench that equilibrium does not determine is null, part by part.
+Json wrench_json(const Mechanism& mechanism,
+                 std::size_t e,
+                 const std::optional<Wrench>& wrench,
+                 const InUnits& in) {
+  const Vec3& at = mechanism.geometry.points[e];
+  const Vec3& origin = mechanism.geometry.origin;
+  Json result = object_of(8);
+  result["wrench"] = wrench ? sixfold_of(about_world(*wrench, origin), in) : Json();
+  result["moment"] = wrench ? vector(in.moment(moment_at(*wrench, at - origin))) : Json();
+  result["force"] = wrench ? vector(in.force(wrench->force)) : Json();
+  result["at"] = vector(in.length(at));
+  result["screw"] =
+      wrench ? screw_json(find_axis(in.snapped(*wrench), mechanism.geometry.length), origin, in)
+             : Json();
+  return result;
+}
+
+// The point of a couple alone is null; its moment is the same anywhere.
+Json load_json(const Mechanism& mechanism, const Load& load, const InUnits& in) {
+  const Vec3& origin = mechanism.geometry.origin;
+  const Wrench& wrench = load.acts.wrench;
+  Json result = object_of(8);
+  result["body"] = mechanism.topology.body(load.acts.body).name;
+  result["wrench"] = sixfold_of(about_world(wrench, origin), in);
+  result["moment"] = vector(in.moment(couple_of(load, origin)));
+  result["force"] = vector(in.force(wrench.force));
+  result["at"] = load.point ? vector(in.length(*load.point)) : Json(nullptr);
+  return result;
+}
+
+// Its size as a couple or as a drag, a force; the moment is about the point of the coupling.
+Json friction_json(const Mechanism& mechanism, const FrictionAction& friction, const InUnits& in) {
+  const auto e = static_cast<std::size_t>(friction.coupling.value);
+  const Vec3 at = mechanism.geometry.points[e] - mechanism.geometry.origin;
+  Json result = object_of(8);
+  result[friction.is_couple ? "couple" : "drag"] =
+      number(in.action(friction.magnitude, friction.is_couple));
+  result["moment"] = vector(in.moment(moment_at(friction.wrench, at)));
+  result["force"] = vector(in.force(friction.wrench.force));
+  return result;
+}
+
+}  // namespace
+
+Json statics_json(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
+  const Topology& topology = mechanism.topology;
+  const StaticSolution& action = *one.action;
+  Json result = object_of(8);
+  result["status"] = word_of(action.status);
+  result["order"] = action.counts.order;
+  result["net_constraint"] = action.counts.net_constraint;
+  result["actions"] = object_of(topology.actions.size());
+  for (std::size_t a = 0; a < topology.actions.size(); ++a) {
+    const std::optional<double> magnitude =
+        action.magnitudes.empty() ? std::nullopt : action.magnitudes[a];
+    result["actions"][topology.action_name(static_cast<int>(a))] =
+        magnitude ? number(in.action(*magnitude, topology.actions[a].is_couple)) : Json(nullptr);
+  }
+  result["undetermined"] = Json::array();
+  for (const int a : action.check.undetermined) {
+    result["undetermined"].push_back(topology.action_name(a));
+  }
+  result["couplings"] = object_of(topology.couplings.size());
+  for (std::size_t e = 0; e < action.wrenches.size(); ++e) {
+    result["couplings"][topology.couplings[e].name] =
+        wrench_json(mechanism, e, action.wrenches[e], in);
+  }
+  if (!one.which.loads.empty()) {
+    result["loads"] = object_of(one.which.loads.size());
+    for (const Load& load : one.which.loads) {
+      result["loads"][load.name] = load_json(mechanism, load, in);
+    }
+  }
+  if (!action.friction.empty()) {
+    result["friction"] = object_of(action.friction.size());
+    for (const FrictionAction& friction : action.friction) {
+      result["friction"][topology.coupling(friction.coupling).name] =
+          friction_json(mechanism, friction, in);
+    }
+  }
+  result["evidence"] = evidence_json(action.evidence);
+  result["evidence"]["residual"] =
+      action.wrenches.empty() ? Json(nullptr) : number(action.residual);
+  return result;
+}
+
+}  // namespace kinestat

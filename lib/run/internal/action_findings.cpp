@@ -1,0 +1,162 @@
+#include "run/internal/action_findings.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "core/tolerance.hpp"
+#include "run/internal/known_side.hpp"
+#include "screw/screw_axis.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// "body 'planet5' can turn about the axis (0, 0, 1) through (0, 17, 0) mm", lengths in file units.
+std::string unheld_text(const Analysis& analysis, const UnheldMotion& unheld) {
+  const auto axis = find_axis(unheld.twist, analysis.mechanism.geometry.length);
+  const std::string body = analysis.mechanism.topology.body(unheld.body).name;
+  const bool is_planar = analysis.mechanism.space == Space::planar;
+  const auto list = [&](const Vec3& v) {
+    const auto tidy = [](double x) { return std::abs(x) <= kRankZero ? 0.0 : x; };
+    const std::string first = fmt::format("({:.6g}, {:.6g}", tidy(v.x()), tidy(v.y()));
+    return first + (is_planar ? ")" : fmt::format(", {:.6g})", tidy(v.z())));
+  };
+  if (!axis) {
+    return fmt::format("body '{}' can move", body);
+  }
+  if (!axis->point) {
+    return fmt::format("body '{}' can slide along {}", body, list(axis->direction));
+  }
+  const FileUnits& units = analysis.description.units;
+  const double metre = units.factor(QuantityKind::length);
+  const Vec3 point = (*axis->point + analysis.mechanism.geometry.origin) / metre;
+  const std::string& unit = units.text(QuantityKind::length);
+  if (is_planar) {
+    return fmt::format("body '{}' can turn about the point {} {}", body, list(point), unit);
+  }
+  const bool is_screw = std::abs(*axis->pitch) > kRankZero * analysis.mechanism.geometry.length;
+  return fmt::format(
+      "body '{}' can turn about the axis {} through {} {}{}",
+      body,
+      list(axis->direction),
+      list(point),
+      unit,
+      is_screw ? fmt::format(", sliding {:.6g} {}/rad along it", *axis->pitch / metre, unit) : "");
+}
+
+// "load 'wind'", or "loads 'wind', 'gravity.arm'".
+std::string loads_text(const std::vector<Load>& loads, const std::vector<int>& working) {
+  std::vector<std::string> names;
+  for (const int i : working) {
+    names.push_back(fmt::format("'{}'", loads[static_cast<std::size_t>(i)].name));
+  }
+  return fmt::format("load{} {}", names.size() == 1 ? "" : "s", plain_list(names));
+}
+
+// Loads act on a motion that nothing resists, whatever the primaries are.
+void add_unheld_loads(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
+  const std::optional<UnheldMotion>& unheld = one.action->unheld;
+  const bool is_named = unheld && !unheld->loads.empty();
+  const auto& loads = one.which.loads;
+  found.error(
+      "E0602",
+      is_named ? loads[static_cast<std::size_t>(unheld->loads.front())].where : one.which.where,
+      fmt::format("case '{}' has no equilibrium: nothing holds {}{}",
+                  one.which.label,
+                  is_named ? loads_text(loads, unheld->loads) : "the loads",
+                  unheld ? ": " + unheld_text(analysis, *unheld) : ""),
+      "add an actuator or a coupling that holds this motion, or remove the load");
+}
+
+void add_contradiction(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
+  const StaticSolution& action = *one.action;
+  if (action.check.dependences.empty()) {
+    add_unheld_loads(analysis, one, found);
+    return;
+  }
+  const KnownSide side = action_side(analysis, one.which);
+  found.error(
+      "E0602",
+      place_of_surplus(one.which.actions, action.check, one.which.where),
+      fmt::format("case '{}' has no equilibrium, which demands {}{}{}",
+                  one.which.label,
+                  relations_text(action.check, side),
+                  action.unheld ? "; nothing holds the load: " : "",
+                  action.unheld ? unheld_text(analysis, *action.unheld) : ""),
+      removal_text(action.check, side) + " so that it is solved, or add what holds this motion");
+}
+
+std::string names_of(const std::vector<CouplingId>& couplings, const Topology& topology) {
+  std::vector<std::string> names;
+  for (const CouplingId id : couplings) {
+    names.push_back(fmt::format("'{}'", topology.coupling(id).name));
+  }
+  return plain_list(names);
+}
+
+void add_undirected_friction(const Analysis& analysis,
+                             const CaseAnalysis& one,
+                             Diagnostics& found) {
+  const bool has_motion = one.motion && one.motion->status == SolveStatus::solved;
+  found.error("E0604",
+              one.which.where,
+              fmt::format("case '{}': the friction of {} has no direction, because {}",
+                          one.which.label,
+                          names_of(one.action->at_rest, analysis.mechanism.topology),
+                          has_motion ? "nothing moves there" : "the case gives no motion"),
+              has_motion
+                  ? "friction at rest may have any size up to its limit: remove it from this "
+                    "coupling, or give a motion in which it moves"
+                  : "add 'motion:' to the case; its direction decides, and its size where there is "
+                    "viscous friction");
+}
+
+}  // namespace
+
+void add_action_findings(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
+  const StaticSolution& action = *one.action;
+  const KnownSide side = action_side(analysis, one.which);
+  if (action.status == SolveStatus::inconsistent) {
+    add_contradiction(analysis, one, found);
+  } else if (action.status == SolveStatus::dependent) {
+    found.error("E0601",
+                place_of_surplus(one.which.actions, action.check, one.which.where),
+                fmt::format("case '{}' gives actions that depend on each other{}: equilibrium "
+                            "demands {}",
+                            one.which.label,
+                            one.which.loads.empty() ? "" : " and on the loads",
+                            relations_text(action.check, side)),
+                removal_text(action.check, side));
+  } else if (action.status == SolveStatus::overflow) {
+    found.error("E0603",
+                one.which.where,
+                fmt::format("case '{}': actions are too large for a number", one.which.label),
+                one.which.loads.empty()
+                    ? "give smaller actions; the answer is proportional to them"
+                    : "give smaller actions and loads; the answer is proportional to them");
+  } else if (action.status == SolveStatus::undirected) {
+    add_undirected_friction(analysis, one, found);
+  } else if (action.status == SolveStatus::locked) {
+    found.warning("W0603",
+                  one.which.where,
+                  fmt::format("case '{}' locks: the friction that the actions cause grows with "
+                              "them beyond all bounds",
+                              one.which.label),
+                  "nothing moves so, however strong the drive; known actions of another member, a "
+                  "smaller coefficient of friction or another direction of motion have an answer");
+  } else if (action.status == SolveStatus::underdetermined) {
+    found.warning("W0601",
+                  one.which.where,
+                  fmt::format("case '{}' knows {} of the {} actions needed; equilibrium does not "
+                              "determine {}",
+                              one.which.label,
+                              one.which.actions.size(),
+                              action.counts.net_constraint,
+                              plain_list(names_of(action.check.undetermined, side))),
+                  completions_text(action.check, side));
+  }
+}
+
+}  // namespace kinestat

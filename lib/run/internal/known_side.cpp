@@ -1,0 +1,136 @@
+#include "run/internal/known_side.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "core/tolerance.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// The name that the case itself uses for a magnitude, or another.
+std::string name_in(const std::vector<Primary>& primaries, int index, std::string otherwise) {
+  const auto at = std::ranges::find(primaries, index, &Primary::index);
+  return at == primaries.end() ? otherwise : at->given;
+}
+
+// The first actuator on a freedom or of an action.
+std::string actuator_of(const Topology& topology, int ActuatorTopology::*member, int index) {
+  const auto at = std::ranges::find(topology.actuators, index, member);
+  return at == topology.actuators.end() ? std::string() : at->name;
+}
+
+// "a.Rx = 2.5 b.Rx - c.Rx + 12 N", or "a.Rx = 0", as numbers in the units of the file.
+std::string relation_text(const Dependence& dependence, const KnownSide& side) {
+  const DependenceTerm& first = dependence.terms.front();
+  const double size = first.coefficient * side.unit(first.index);
+  std::string text;
+  const auto add = [&](double share, const std::string& what) {
+    text += text.empty() ? (share < 0 ? "-" : "") : (share < 0 ? " - " : " + ");
+    text += what;
+  };
+  for (const DependenceTerm& term : std::span(dependence.terms).subspan(1)) {
+    const double share = -term.coefficient * side.unit(term.index) / size;
+    const bool is_one = std::abs(std::abs(share) - 1.0) <= kRankZero;
+    const std::string factor = is_one ? "" : fmt::format("{:.6g} ", std::abs(share));
+    add(share, factor + side.name(term.index));
+  }
+  if (dependence.constant != 0.0) {
+    const double value = dependence.constant / size;
+    add(value, fmt::format("{:.6g} {}", std::abs(value), side.units.text(side.kind(first.index))));
+  }
+  return fmt::format("{} = {}", side.name(first.index), text.empty() ? "0" : text);
+}
+
+}  // namespace
+
+KnownSide motion_side(const Analysis& analysis, const Case& which) {
+  const Topology& topology = analysis.mechanism.topology;
+  return {.name = [&](int i) { return name_in(which.motions, i, topology.freedom_name(i)); },
+          .kind =
+              [&](int i) {
+                return topology.freedoms[static_cast<std::size_t>(i)].is_rotation
+                           ? QuantityKind::angular_velocity
+                           : QuantityKind::velocity;
+              },
+          .key = "motion",
+          .actuator = [&](int i) { return actuator_of(topology, &ActuatorTopology::freedom, i); },
+          .units = analysis.description.units};
+}
+
+KnownSide action_side(const Analysis& analysis, const Case& which) {
+  const Topology& topology = analysis.mechanism.topology;
+  return {.name = [&](int i) { return name_in(which.actions, i, topology.action_name(i)); },
+          .kind =
+              [&](int i) {
+                return topology.actions[static_cast<std::size_t>(i)].is_couple
+                           ? QuantityKind::moment
+                           : QuantityKind::force;
+              },
+          .key = "action",
+          .actuator = [&](int i) { return actuator_of(topology, &ActuatorTopology::action, i); },
+          .units = analysis.description.units};
+}
+
+std::vector<std::string> names_of(const std::vector<int>& indices, const KnownSide& side) {
+  std::vector<std::string> names;
+  for (const int i : indices) {
+    names.push_back(side.name(i));
+  }
+  return names;
+}
+
+std::string completions_text(const PrimaryCheck& check, const KnownSide& side) {
+  std::vector<std::string> sets;
+  std::vector<std::string> others;
+  for (const std::vector<int>& set : check.completions) {
+    std::vector<std::string> names;
+    bool has_actuators = true;
+    for (const int i : set) {
+      const std::string actuator = side.actuator(i);
+      names.push_back(actuator.empty() ? side.name(i) : actuator);
+      has_actuators = has_actuators && !actuator.empty();
+    }
+    const std::string listed = plain_list(names);
+    (has_actuators ? sets : others).push_back(set.size() == 1 ? listed : "{" + listed + "}");
+  }
+  sets.insert(sets.end(), others.begin(), others.end());
+  if (sets.empty()) {
+    return {};
+  }
+  return fmt::format("add to '{}:' {}{}",
+                     side.key,
+                     sets.size() == 1 ? "" : "for example ",
+                     fmt::join(sets, " or "));
+}
+
+std::string relations_text(const PrimaryCheck& check, const KnownSide& side) {
+  std::vector<std::string> relations;
+  for (const Dependence& dependence : check.dependences) {
+    relations.push_back(relation_text(dependence, side));
+  }
+  return fmt::format("{}", fmt::join(relations, " and "));
+}
+
+std::string removal_text(const PrimaryCheck& check, const KnownSide& side) {
+  std::vector<std::string> names;
+  for (const DependenceTerm& term : check.dependences.front().terms) {
+    names.push_back(fmt::format("'{}'", side.name(term.index)));
+  }
+  return fmt::format("remove {} from '{}:'", fmt::join(names, " or "), side.key);
+}
+
+SourceRange place_of_surplus(const std::vector<Primary>& primaries,
+                             const PrimaryCheck& check,
+                             SourceRange otherwise) {
+  const auto at =
+      std::ranges::find(primaries, check.dependences.front().terms.front().index, &Primary::index);
+  return at == primaries.end() ? otherwise : at->where;
+}
+
+}  // namespace kinestat

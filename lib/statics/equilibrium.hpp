@@ -1,0 +1,55 @@
+// The equilibrium of the bodies, factored.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "math/elimination.hpp"
+#include "mechanism/mechanism.hpp"
+#include "network/counts.hpp"
+#include "network/primary_check.hpp"
+#include "screw/coordinate_basis.hpp"
+
+namespace kinestat {
+
+/// Actions that are in equilibrium with known ones and with loads.
+struct EquilibriumActions {
+  VecX magnitudes;         ///< of each action [N·m or N]; where undetermined, one choice of many
+  double residual = 0.0;   ///< relative
+  bool consistent = true;  ///< the equations that are surplus hold within kConsistency
+};
+
+/// A_N ψ + loads = 0 as the equilibrium of the bodies, factored once for a choice of primary
+/// actions (Cazangi 2008, sections 3.8.2 and 3.9.2). It answers for any magnitudes of them and any
+/// loads, those that depend on the answer among them.
+class Equilibrium {
+ public:
+  /// `basis` must hold all unit actions and the loads to come; `primaries` are actions, each once.
+  Equilibrium(const Mechanism& mechanism, CoordinateBasis basis, std::vector<int> primaries);
+
+  const CoordinateBasis& basis() const { return basis_; }
+
+  const ActionCounts& counts() const { return counts_; }
+
+  const RankEvidence& evidence() const { return elimination_.evidence(); }
+
+  /// Whether the primaries are right; loads add constants to the relations between them.
+  PrimaryCheck check(std::span<const BodyWrench> loads) const;
+
+  /// The actions for magnitudes of the primaries [N·m or N], in the order of their choice.
+  EquilibriumActions solve(std::span<const double> known, std::span<const BodyWrench> loads) const;
+
+  /// A basis of the actions that are in equilibrium with each other alone, the primaries being
+  /// zero: one vector of magnitudes [N·m or N] a missing primary.
+  std::vector<VecX> self_stresses() const;
+
+ private:
+  CoordinateBasis basis_;
+  std::vector<int> primaries_;
+  std::vector<double> units_;  ///< SI per unit of the unknown of each action
+  int body_count_ = 0;
+  Elimination elimination_;
+  ActionCounts counts_;
+};
+
+}  // namespace kinestat

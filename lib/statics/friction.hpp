@@ -1,0 +1,25 @@
+// Actions in a mechanism whose couplings have friction.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "statics/friction_law.hpp"
+#include "statics/static_solution.hpp"
+
+namespace kinestat {
+
+/// Solves for the actions together with the friction that they cause: f_i = law_i(ψ(f)), in which
+/// ψ is affine in f. The friction grows from nothing to its full size while the solution is
+/// followed, so that of several solutions the one that belongs to the motion is found. Where the
+/// actions grow without bound before it has its full size, the status is `locked`. Where a law
+/// needs an action that equilibrium leaves open, the status is that of the frictionless case and
+/// `friction` stays empty.
+[[nodiscard]] StaticSolution solve_with_friction(const Mechanism& mechanism,
+                                                 const CoordinateBasis& basis,
+                                                 std::span<const Primary> primaries,
+                                                 std::span<const BodyWrench> loads,
+                                                 std::span<const FrictionLaw> laws);
+
+}  // namespace kinestat

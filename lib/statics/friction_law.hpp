@@ -1,0 +1,37 @@
+// What friction a coupling has, as a function of the actions that it bears.
+#pragma once
+
+#include <vector>
+
+#include "kinematics/kinematic_solution.hpp"
+#include "mechanism/mechanism.hpp"
+
+namespace kinestat {
+
+/// A part of the reaction that presses: |part · wrench| times a weight. A scalar part may have
+/// another weight where it is negative.
+struct PressingPart {
+  Eigen::Matrix<double, 3, 6> part = Eigen::Matrix<double, 3, 6>::Zero();
+  double weight = 0.0;
+  double weight_if_negative = 0.0;  ///< of the first component, the others being zero
+  bool is_signed = false;           ///< only then does the second weight count
+};
+
+/// The friction of one coupling in one case: of tail on head `unit` times the magnitude
+/// constant + Σ weight |part · wrench of the coupling|, which is never negative. Screws are written
+/// about the origin of the Geometry.
+struct FrictionLaw {
+  CouplingId coupling;
+  Wrench unit;         ///< against the relative motion, whose power on it is -speed
+  double speed = 0.0;  ///< [rad/s or m/s]
+  bool is_couple = true;
+  double constant = 0.0;  ///< what does not depend on the load [N·m or N]
+  std::vector<PressingPart> parts;
+};
+
+/// The laws in a case with that motion, in the order of mechanism.frictions. Empty for a coupling
+/// that does not move relative to its tail: its friction has no direction.
+std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mechanism,
+                                                           const KinematicSolution& motion);
+
+}  // namespace kinestat
