@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "graph/cutsets.hpp"
+#include "network/bases.hpp"
 #include "network/node_system.hpp"
 #include "support/near.hpp"
 
@@ -21,6 +22,20 @@ void expect_annulled(const MatX& N, const VecX& x) {
   }
 }
 
+// In units of the mechanism's length.
+template <class Screw>
+MatX columns_of(const std::vector<Screw>& screws,
+                const CoordinateBasis& basis,
+                int first,
+                int count) {
+  MatX columns(basis.order(), count);
+  for (int i = 0; i < count; ++i) {
+    const Screw& screw = screws[static_cast<std::size_t>(first + i)];
+    columns.col(i) = basis.coordinates_of(screw.coordinates());
+  }
+  return columns;
+}
+
 }  // namespace
 
 void expect_orthogonal_graph(const CouplingGraph& graph) {
@@ -29,6 +44,25 @@ void expect_orthogonal_graph(const CouplingGraph& graph) {
   EXPECT_TRUE(product.isZero());
   EXPECT_EQ(graph.cutset_count(), graph.graph.vertex_count - 1);
   EXPECT_EQ(graph.circuit_count(), graph.graph.edge_count() - graph.graph.vertex_count + 1);
+}
+
+void expect_reciprocal_couplings(const NetworkCase& network) {
+  const Topology& topology = network.mechanism.topology;
+  const Geometry& geometry = network.mechanism.geometry;
+  for (const CouplingTopology& coupling : topology.couplings) {
+    SCOPED_TRACE(coupling.name);
+    const MatX freedoms = columns_of(
+        geometry.motions, network.twist_basis, coupling.first_freedom, coupling.freedom_count);
+    const MatX constraints = columns_of(geometry.actions,
+                                        network.wrench_basis,
+                                        coupling.first_action,
+                                        passive_count(topology, coupling));
+    const MatX work = constraints.transpose() * freedoms;
+
+    EXPECT_EQ(find_rank(freedoms).rank, freedoms.cols());
+    EXPECT_EQ(find_rank(constraints).rank, constraints.cols());
+    EXPECT_TRUE(is_near(work, MatX::Zero(work.rows(), work.cols()), kTight));
+  }
 }
 
 void expect_equal_ranks(const NetworkCase& network) {
@@ -56,6 +90,17 @@ void expect_complementary_counts(const NetworkCase& network) {
   EXPECT_EQ(F - m, order * k - a) << "F_N from both sides";
   EXPECT_EQ(C - a, order * l - m) << "C_N from both sides";
   EXPECT_EQ((F - m) - (C - a), F - order * l);
+}
+
+void expect_complementary_couplings(const RandomNetwork& network, const NetworkCase& in_numbers) {
+  const Topology& topology = in_numbers.mechanism.topology;
+  for (std::size_t e = 0; e < network.couplings.size(); ++e) {
+    const CouplingTopology& bound = topology.couplings[e];
+    SCOPED_TRACE(bound.name);
+    if (is_complementary(network.couplings[e], network.space())) {
+      EXPECT_EQ(bound.freedom_count + passive_count(topology, bound), in_numbers.order());
+    }
+  }
 }
 
 VecX expect_solved_motions(const NetworkCase& network, const std::vector<Primary>& primaries) {
@@ -89,6 +134,29 @@ VecX expect_solved_actions(const NetworkCase& network, const std::vector<Primary
   expect_annulled(network.A_N, magnitudes);
   EXPECT_TRUE(is_near(magnitudes, expected, kAgreement * size_of(expected)));
   return magnitudes;
+}
+
+void expect_motions_in_minimal_order(const NetworkCase& network,
+                                     const std::vector<Primary>& primaries) {
+  const CoordinateBasis minimal = motion_basis(network.mechanism.geometry, OrderChoice::minimal);
+
+  const KinematicSolution solution = solve_velocity(network.mechanism, minimal, primaries);
+
+  ASSERT_EQ(solution.status, SolveStatus::solved);
+  const VecX expected = rates_of(solve_velocity(network.mechanism, network.twist_basis, primaries));
+  EXPECT_TRUE(is_near(rates_of(solution), expected, kAgreement * size_of(expected)));
+}
+
+void expect_actions_in_minimal_order(const NetworkCase& network,
+                                     const std::vector<Primary>& primaries) {
+  const CoordinateBasis minimal = action_basis(network.mechanism.geometry, OrderChoice::minimal);
+
+  const StaticSolution solution = solve_action(network.mechanism, minimal, primaries);
+
+  ASSERT_EQ(solution.status, SolveStatus::solved);
+  const VecX expected =
+      magnitudes_of(solve_action(network.mechanism, network.wrench_basis, primaries));
+  EXPECT_TRUE(is_near(magnitudes_of(solution), expected, kAgreement * size_of(expected)));
 }
 
 double expect_balanced_power(const NetworkCase& network,

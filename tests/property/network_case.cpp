@@ -59,20 +59,16 @@ Primary make_primary(int index, double value) {
   return primary;
 }
 
-// Adds random undetermined magnitudes one by one, at most three, then a completion.
+// Adds up to two random undetermined magnitudes one by one, then a completion.
 template <class Check>
 std::vector<Primary> choose_primaries(Random& random, const Check& check) {
-  constexpr int kOneByOne = 3;
   std::vector<Primary> primaries;
-  for (int i = 0; i < kOneByOne; ++i) {
-    const PrimaryCheck found = check(primaries);
-    if (found.candidates.empty()) {
-      return primaries;
-    }
+  PrimaryCheck found = check(primaries);
+  for (int i = random.whole(0, 2); i > 0 && !found.candidates.empty(); --i) {
     const int index = random.one_of(found.candidates);
     primaries.push_back(make_primary(index, random.magnitude()));
+    found = check(primaries);
   }
-  const PrimaryCheck found = check(primaries);
   if (found.missing == 0) {
     return primaries;
   }
@@ -84,22 +80,6 @@ std::vector<Primary> choose_primaries(Random& random, const Check& check) {
     primaries.push_back(make_primary(index, random.magnitude()));
   }
   return primaries;
-}
-
-template <class Screw>
-Mat6X coupling_sums(const std::vector<Screw>& screws,
-                    const Topology& topology,
-                    const VecX& magnitudes,
-                    int CouplingTopology::*first,
-                    int CouplingTopology::*count) {
-  Mat6X sums = Mat6X::Zero(6, topology.coupling_count());
-  for (int e = 0; e < topology.coupling_count(); ++e) {
-    const CouplingTopology& coupling = topology.couplings[static_cast<std::size_t>(e)];
-    for (int i = coupling.*first; i < coupling.*first + coupling.*count; ++i) {
-      sums.col(e) += magnitudes[i] * screws[static_cast<std::size_t>(i)].coordinates();
-    }
-  }
-  return sums;
 }
 
 }  // namespace
@@ -129,14 +109,18 @@ NetworkCase make_network_case(Mechanism mechanism) {
           .A_P = std::move(A_P)};
 }
 
+int passive_count(const Topology& topology, const CouplingTopology& coupling) {
+  int count = 0;
+  for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
+    count += topology.actions[static_cast<std::size_t>(a)].actuator < 0 ? 1 : 0;
+  }
+  return count;
+}
+
 bool couplings_are_complementary(const Mechanism& mechanism, int order) {
   const Topology& topology = mechanism.topology;
   return std::ranges::all_of(topology.couplings, [&](const CouplingTopology& coupling) {
-    int passive = 0;
-    for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
-      passive += topology.actions[static_cast<std::size_t>(a)].actuator < 0 ? 1 : 0;
-    }
-    return coupling.freedom_count + passive == order;
+    return coupling.freedom_count + passive_count(topology, coupling) == order;
   });
 }
 
@@ -173,76 +157,6 @@ std::vector<Primary> choose_actions(const NetworkCase& network, Random& random) 
     }
     return check_primaries(Elimination(system, columns), 0, action_units);
   });
-}
-
-VecX rates_of(const KinematicSolution& solution) {
-  return Eigen::Map<const VecX>(solution.rates.data(),
-                                static_cast<Eigen::Index>(solution.rates.size()));
-}
-
-VecX magnitudes_of(const StaticSolution& solution) {
-  VecX result(static_cast<Eigen::Index>(solution.magnitudes.size()));
-  for (Eigen::Index a = 0; a < result.size(); ++a) {
-    const std::optional<double>& magnitude = solution.magnitudes[static_cast<std::size_t>(a)];
-    EXPECT_TRUE(magnitude.has_value()) << "action " << a;
-    result[a] = magnitude.value_or(0.0);
-  }
-  return result;
-}
-
-Mat6X coupling_twists(const Mechanism& mechanism, const VecX& rates) {
-  return coupling_sums(mechanism.geometry.motions,
-                       mechanism.topology,
-                       rates,
-                       &CouplingTopology::first_freedom,
-                       &CouplingTopology::freedom_count);
-}
-
-Mat6X coupling_wrenches(const Mechanism& mechanism, const VecX& magnitudes) {
-  return coupling_sums(mechanism.geometry.actions,
-                       mechanism.topology,
-                       magnitudes,
-                       &CouplingTopology::first_action,
-                       &CouplingTopology::action_count);
-}
-
-VecX action_magnitudes(const Mechanism& mechanism,
-                       const Mat6X& wrenches,
-                       const std::vector<double>& internal) {
-  const Topology& topology = mechanism.topology;
-  VecX result = VecX::Zero(topology.action_count());
-  for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
-    const CouplingTopology& coupling = topology.couplings[e];
-    Vec6 rest = wrenches.col(static_cast<Eigen::Index>(e));
-    Mat6X passive(6, 0);
-    for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
-      const int actuator = topology.actions[static_cast<std::size_t>(a)].actuator;
-      const Vec6 screw = mechanism.geometry.actions[static_cast<std::size_t>(a)].coordinates();
-      if (actuator < 0) {
-        passive.conservativeResize(Eigen::NoChange, passive.cols() + 1);
-        passive.rightCols<1>() = screw;
-      } else {
-        result[a] = internal[static_cast<std::size_t>(actuator)];
-        rest -= result[a] * screw;
-      }
-    }
-    if (passive.cols() > 0) {
-      // In units of the mechanism's length, so that the least squares weigh moments and forces
-      // alike.
-      const double length = mechanism.geometry.length;
-      VecX units = VecX::Ones(passive.cols());
-      for (Eigen::Index c = 0; c < units.size(); ++c) {
-        const auto a = static_cast<std::size_t>(coupling.first_action + c);
-        units[c] = topology.actions[a].is_couple ? length : 1.0;
-      }
-      passive.topRows<3>() /= length;
-      rest.head<3>() /= length;
-      const Eigen::ColPivHouseholderQR<MatX> qr(passive * units.asDiagonal());
-      result.segment(coupling.first_action, passive.cols()) =
-          units.cwiseProduct(VecX(qr.solve(rest)));
-    }
-  }
-  return result;
 }
 
 VecX solve_partition(const MatX& N, const std::vector<Primary>& primaries) {

@@ -39,8 +39,12 @@ struct NetworkCase {
 
 NetworkCase make_network_case(Mechanism mechanism);
 
-/// Whether f + c = λ holds for the passive constraints of every coupling. Gears, clutches, brakes
-/// and couplings with `passive:` are what breaks it.
+/// How many of its actions are passive; they come first.
+int passive_count(const Topology& topology, const CouplingTopology& coupling);
+
+/// Whether f + c = λ holds for the passive constraints of every coupling. Teeth that roll,
+/// clutches, brakes, screws of which both sides are listed and couplings with `passive:` are what
+/// breaks it.
 bool couplings_are_complementary(const Mechanism& mechanism, int order);
 
 /// Magnitudes that are independent and sufficient, with random values: some chosen one by one among
@@ -48,22 +52,6 @@ bool couplings_are_complementary(const Mechanism& mechanism, int order);
 /// test where the check proposes none.
 std::vector<Primary> choose_motions(const NetworkCase& network, Random& random);
 std::vector<Primary> choose_actions(const NetworkCase& network, Random& random);
-
-/// The magnitudes as a vector; empty ones fail the test.
-VecX rates_of(const KinematicSolution& solution);
-VecX magnitudes_of(const StaticSolution& solution);
-
-/// The twist of every coupling as the sum of its freedoms (6 x e), head relative to tail.
-Mat6X coupling_twists(const Mechanism& mechanism, const VecX& rates);
-
-/// The wrench of every coupling as the sum of its actions (6 x e), tail on head.
-Mat6X coupling_wrenches(const Mechanism& mechanism, const VecX& magnitudes);
-
-/// The magnitudes of the actions of which the couplings bear the given wrenches, when those of the
-/// actuators are `internal` (one an actuator): the constraints of a coupling are independent.
-VecX action_magnitudes(const Mechanism& mechanism,
-                       const Mat6X& wrenches,
-                       const std::vector<double>& internal);
 
 /// The secondary magnitudes from the textbook, N_S x_S = -N_P x_P (Cazangi 2008, eqs. 3.46 and
 /// 3.47), by QR; all magnitudes in the order of the columns.

@@ -5,324 +5,265 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
-#include "graph/spanning_tree.hpp"
-#include "io/mechanism_reader.hpp"
-#include "mechanism/bind.hpp"
-#include "support/random.hpp"
+#include "graph/digraph.hpp"
+#include "support/random_network_catalogue.hpp"
 
 namespace kinestat {
 
 namespace {
 
-constexpr int kMostBodies = 30;
-
-// What all couplings of one network share.
-struct Frame {
-  Vec3 normal = Vec3::UnitZ();  ///< of the plane, or the direction of all axes
-  Vec3 centre = Vec3::Zero();   ///< the common point of all axes
+// How large a network is and which couplings it draws from.
+struct Plan {
+  Space space = Space::spatial;
+  int body_count = 0;
+  int most_chords = 0;
+  int least_mobility = 0;  ///< F - λ l; no chord is added that would leave less
+  Completeness completeness = Completeness::any;
+  std::vector<CouplingType> types;        ///< drawn alike
+  std::vector<CouplingType> usual_types;  ///< of the other couplings; repeated ones more often
+  double usual = 0.0;                     ///< share of the others
+  double chained = 0.0;                   ///< share of the bodies that follow the one before
+  double actuated = 0.0;                  ///< share of the freedoms
+  bool names_world = false;               ///< some are named by axes of the world
 };
 
-Vec3 perpendicular_to(const Vec3& axis, Random& random) {
-  Vec3 result = axis.cross(random.direction());
-  while (result.norm() < 0.1) {
-    result = axis.cross(random.direction());
+// A coupling before it has a place.
+struct Branch {
+  Edge edge;
+  CouplingType type = CouplingType::revolute;
+};
+
+Layout choose_layout(bool is_small_spatial, Random& random) {
+  constexpr std::array<Layout, 11> kShares = {Layout::planar,
+                                              Layout::planar,
+                                              Layout::planar,
+                                              Layout::general,
+                                              Layout::lattice,
+                                              Layout::parallel_axes,
+                                              Layout::planar_in_space,
+                                              Layout::spherical,
+                                              Layout::general,
+                                              Layout::general,
+                                              Layout::lattice};
+  return kShares[static_cast<std::size_t>(is_small_spatial ? random.whole(3, 10)
+                                                           : random.whole(0, 7))];
+}
+
+// The types that make a layout what it is.
+std::vector<CouplingType> usual_types_of(Layout layout, Completeness completeness) {
+  using enum CouplingType;
+  std::vector<CouplingType> types = {revolute, revolute, revolute, revolute};
+  if (layout == Layout::spherical) {
+    types.insert(types.end(), {universal, spherical});
+  } else {
+    types.insert(types.end(), {prismatic, prismatic});
   }
-  return result.normalized();
+  if (layout == Layout::parallel_axes || layout == Layout::lattice) {
+    types.insert(types.end(), {helical, cylindrical});
+  }
+  if (layout == Layout::parallel_axes || layout == Layout::planar_in_space) {
+    types.push_back(CouplingType::planar);
+  }
+  if (completeness == Completeness::any) {
+    types.insert(types.end(), {gear, gear, clutch, brake});
+  }
+  return types;
 }
 
-void take_keyword(NetworkCoupling& coupling, Random& random, int axis_count) {
-  const int axis = random.whole(0, axis_count - 1);
-  const bool is_negative = random.chance(0.3);
-  coupling.axis = (is_negative ? -1.0 : 1.0) * Vec3::Unit(axis);
-  coupling.keyword = fmt::format("{}{}", is_negative ? "-" : "", "xyz"[axis]);
+// One to six types, so that networks of few types are as likely as those of many.
+std::vector<CouplingType> choose_types(Space space, Completeness completeness, Random& random) {
+  std::vector<CouplingType> types = types_of(space, completeness);
+  random.shuffle(types);
+  types.resize(static_cast<std::size_t>(random.whole(1, 6)));
+  return types;
 }
 
-void place_planar(NetworkCoupling& coupling, Random& random) {
-  coupling.at = random.vector();
-  coupling.at.z() = 0.0;
-  coupling.axis = Vec3::UnitZ();
-  if (coupling.type == CouplingType::prismatic) {
-    if (random.chance(0.4)) {
-      take_keyword(coupling, random, 2);
-    } else {
-      coupling.axis = perpendicular_to(Vec3::UnitZ(), random);
+Plan make_plan(bool is_small_spatial, bool is_complementary, Layout layout, Random& random) {
+  Plan plan;
+  plan.space = layout == Layout::planar ? Space::planar : Space::spatial;
+  plan.completeness = is_complementary ? Completeness::complementary : Completeness::any;
+  plan.usual_types = usual_types_of(layout, plan.completeness);
+  plan.types = choose_types(plan.space, plan.completeness, random);
+  plan.usual = random.chance(0.3) ? 1.0 : random.between(0.2, 0.6);
+  plan.chained = random.chance(0.4) ? 1.0 : 0.7;
+  plan.actuated = random.chance(0.5) ? 1.0 : random.between(0.2, 0.8);
+  plan.names_world = random.chance(0.2);
+  if (is_small_spatial) {
+    plan.body_count = random.whole(3, random.chance(0.5) ? 6 : 12);
+    plan.most_chords = plan.body_count;
+    plan.least_mobility = random.whole(-2, 2);
+    return plan;
+  }
+  // Small networks are as likely as large ones, because special cases live there.
+  plan.body_count = random.chance(0.5) ? random.whole(3, 8) : random.whole(9, 30);
+  const int most = plan.body_count / (plan.space == Space::planar ? 3 : 5);
+  plan.most_chords = random.whole(1, 1 + most);
+  plan.least_mobility = -6 * most;
+  if (plan.body_count > 12) {
+    // Many freedoms and circuits at once take long.
+    plan.usual = std::max(plan.usual, plan.space == Space::planar ? 0.4 : 0.8);
+  }
+  return plan;
+}
+
+CouplingType choose_type(const Plan& plan, Random& random) {
+  return random.one_of(random.chance(plan.usual) ? plan.usual_types : plan.types);
+}
+
+// A tree of long chains.
+std::vector<Branch> make_tree(const Plan& plan, Random& random) {
+  std::vector<Branch> branches;
+  for (int b = 1; b < plan.body_count; ++b) {
+    const int other = random.chance(plan.chained) ? b - 1 : random.whole(0, b - 1);
+    branches.push_back({.edge = {.tail = other, .head = b}, .type = choose_type(plan, random)});
+  }
+  return branches;
+}
+
+// Mostly between bodies that have one coupling only, so that motion is in long circuits and not in
+// loose ends.
+Edge choose_chord(int body_count, const std::vector<Branch>& branches, Random& random) {
+  std::vector<int> ends;
+  for (int b = 0; b < body_count; ++b) {
+    const auto joins = [b](const Branch& branch) {
+      return branch.edge.tail == b || branch.edge.head == b;
+    };
+    if (std::ranges::count_if(branches, joins) == 1) {
+      ends.push_back(b);
     }
   }
-  coupling.line_of_action = perpendicular_to(Vec3::UnitZ(), random);
+  const int any = random.whole(0, body_count - 1);
+  const int tail = ends.empty() || random.chance(0.2) ? any : random.one_of(ends);
+  std::erase(ends, tail);
+  const int other = (tail + random.whole(1, body_count - 1)) % body_count;
+  const int head = ends.empty() || random.chance(0.2) ? other : random.one_of(ends);
+  return {.tail = tail, .head = head};
 }
 
-void place_spatial(NetworkCoupling& coupling, Layout layout, const Frame& frame, Random& random) {
-  coupling.at = random.vector();
-  coupling.axis = random.direction();
-  const bool slides = coupling.type == CouplingType::prismatic;
-  switch (layout) {
-    case Layout::general:
-      if (random.chance(0.3)) {
-        take_keyword(coupling, random, 3);
-      }
-      break;
-    case Layout::lattice:
-      for (double& coordinate : coupling.at) {
-        coordinate = random.whole(-2, 2);
-      }
-      take_keyword(coupling, random, 3);
-      break;
-    case Layout::parallel_axes:
-      coupling.axis = (random.chance(0.3) ? -1.0 : 1.0) * frame.normal;
-      break;
-    case Layout::planar_in_space:
-      coupling.axis = slides ? perpendicular_to(frame.normal, random) : frame.normal;
-      break;
-    case Layout::spherical:
-      coupling.at = frame.centre + random.magnitude() * coupling.axis;
-      break;
-    case Layout::planar:
-      break;
+// Chords while they leave the mobility, at least one.
+std::vector<Branch> make_branches(const Plan& plan, Random& random) {
+  std::vector<Branch> branches = make_tree(plan, random);
+  const int order = plan.space == Space::planar ? 3 : 6;
+  int mobility = 0;
+  for (const Branch& branch : branches) {
+    mobility += usual_freedoms(branch.type, plan.space);
   }
-  coupling.line_of_action = perpendicular_to(coupling.axis, random);
-}
-
-CouplingType choose_type(bool is_passive, Layout layout, Random& random) {
-  const double share = random.share();
-  if (!is_passive && share < 0.25) {
-    return CouplingType::gear;
-  }
-  if (!is_passive && share < 0.35) {
-    return share < 0.3 ? CouplingType::clutch : CouplingType::brake;
-  }
-  if (share > 0.97) {
-    return CouplingType::rigid;
-  }
-  if (share > 0.75 && layout != Layout::spherical) {
-    return CouplingType::prismatic;
-  }
-  return CouplingType::revolute;
-}
-
-// A tree of mostly long chains, then chords.
-std::vector<Edge> make_edges(int body_count, Space space, Random& random) {
-  std::vector<Edge> edges;
-  for (int b = 1; b < body_count; ++b) {
-    const int other = random.chance(0.75) ? b - 1 : random.whole(0, b - 1);
-    edges.push_back({.tail = other, .head = b});
-  }
-  const int most = space == Space::planar ? 1 + body_count / 3 : 1 + body_count / 5;
-  const int chord_count = random.whole(1, most);
-  for (int i = 0; i < chord_count; ++i) {
-    const int tail = random.whole(0, body_count - 1);
-    const int head = (tail + random.whole(1, body_count - 1)) % body_count;
-    edges.push_back({.tail = tail, .head = head});
-  }
-  for (Edge& edge : edges) {
-    if (random.chance(0.4)) {
-      std::swap(edge.tail, edge.head);
+  for (int i = 0; i < plan.most_chords; ++i) {
+    const CouplingType type = choose_type(plan, random);
+    const int left = mobility + usual_freedoms(type, plan.space) - order;
+    if (i == 0 || left >= plan.least_mobility) {
+      branches.push_back({.edge = choose_chord(plan.body_count, branches, random), .type = type});
+      mobility = left;
     }
   }
-  random.shuffle(edges);
-  return edges;
-}
-
-Layout choose_layout(Random& random) {
-  constexpr std::array<Layout, 8> kShares = {Layout::planar,
-                                             Layout::planar,
-                                             Layout::planar,
-                                             Layout::general,
-                                             Layout::lattice,
-                                             Layout::parallel_axes,
-                                             Layout::planar_in_space,
-                                             Layout::spherical};
-  return kShares[static_cast<std::size_t>(random.whole(0, 7))];
-}
-
-std::string list_of(const Vec3& vector, Space space) {
-  return space == Space::planar
-             ? fmt::format("[{:.17g}, {:.17g}]", vector.x(), vector.y())
-             : fmt::format("[{:.17g}, {:.17g}, {:.17g}]", vector.x(), vector.y(), vector.z());
-}
-
-std::string line_of(const NetworkCoupling& coupling, Space space) {
-  std::string line = fmt::format("  {}: {{type: {}, bodies: [b{}, b{}], at: {}",
-                                 coupling.name,
-                                 word_of(coupling.type),
-                                 coupling.tail,
-                                 coupling.head,
-                                 list_of(coupling.at, space));
-  const bool turns_in_plane = space == Space::planar && coupling.type != CouplingType::prismatic;
-  if (coupling.type != CouplingType::rigid && !turns_in_plane) {
-    line += fmt::format(
-        ", axis: {}", coupling.keyword.empty() ? list_of(coupling.axis, space) : coupling.keyword);
+  for (Branch& branch : branches) {
+    if (random.chance(0.4)) {
+      std::swap(branch.edge.tail, branch.edge.head);
+    }
   }
-  if (coupling.type == CouplingType::gear) {
-    line += fmt::format(", line_of_action: {}", list_of(coupling.line_of_action, space));
-  }
-  return line + "}\n";
+  random.shuffle(branches);
+  return branches;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string result;
-  for (const std::string& word : words) {
-    result += (result.empty() ? "" : ", ") + word;
+// Whether a choice of its constraints is the same in every position of the world: they are listed,
+// or chosen by kind.
+bool has_listed_constraints(const NetworkCoupling& coupling) {
+  return coupling.find("constraints") != nullptr;
+}
+
+bool has_own_kinds(const NetworkCoupling& coupling) {
+  return coupling.type != CouplingType::screws;
+}
+
+std::vector<int> choose_passive(const NetworkCoupling& coupling, bool at_will, Random& random) {
+  const bool is_by_kind = !at_will && !has_listed_constraints(coupling);
+  const int kind = random.whole(0, has_own_kinds(coupling) ? 2 : 0);
+  std::vector<int> kept;
+  for (std::size_t c = 0; c < coupling.constraints.size(); ++c) {
+    const bool is_couple = coupling.constraints[c].front() == 'T';
+    const bool is_of_kind = (kind == 1 && is_couple) || (kind == 2 && !is_couple);
+    if (is_by_kind ? is_of_kind : random.chance(0.5)) {
+      kept.push_back(static_cast<int>(c));
+    }
   }
-  return "[" + result + "]";
+  return kept;
+}
+
+void add_passive(const Plan& plan, RandomNetwork& network, Random& random) {
+  if (plan.completeness == Completeness::complementary) {
+    return;
+  }
+  for (NetworkCoupling& coupling : network.couplings) {
+    if (coupling.is_named && has_place(coupling) && random.chance(0.5)) {
+      const bool at_will = plan.names_world && random.chance(0.5);
+      network.names_world = network.names_world || at_will;
+      coupling.passive = choose_passive(coupling, at_will, random);
+    }
+  }
+}
+
+// A clutch or brake has another of its own.
+void add_actuators(const Plan& plan, RandomNetwork& network, Random& random) {
+  for (std::size_t e = 0; e < network.couplings.size(); ++e) {
+    const NetworkCoupling& coupling = network.couplings[e];
+    std::vector<int> freedoms = own_freedoms(coupling, network.space());
+    const bool at_will = plan.names_world && coupling.is_named && has_place(coupling);
+    if (at_will) {
+      freedoms.resize(coupling.freedoms.size());
+      std::ranges::generate(freedoms, [i = 0]() mutable { return i++; });
+    } else if (!coupling.is_named &&
+               (freedoms != std::vector<int>{0} || coupling.type == CouplingType::planar)) {
+      continue;  // several freedoms, of which one would be named
+    }
+    for (const int freedom : freedoms) {
+      if (random.chance(plan.actuated)) {
+        network.names_world = network.names_world || at_will;
+        network.actuators.push_back({.name = fmt::format("u{}", network.actuators.size()),
+                                     .coupling = static_cast<int>(e),
+                                     .freedom = freedom});
+      }
+    }
+  }
+}
+
+// Only those stay named that need it.
+void drop_names(RandomNetwork& network) {
+  for (std::size_t e = 0; e < network.couplings.size(); ++e) {
+    NetworkCoupling& coupling = network.couplings[e];
+    coupling.is_named = coupling.is_named &&
+                        (coupling.passive || std::ranges::count(network.actuators,
+                                                                static_cast<int>(e),
+                                                                &NetworkActuator::coupling) > 0);
+  }
 }
 
 }  // namespace
 
 RandomNetwork make_random_network(std::uint64_t seed) {
   Random random(seed);
-  const bool is_passive = seed % 2 == 0;
+  const bool is_small_spatial = seed >= kFirstSmallSpatialSeed;
   RandomNetwork network;
-  network.layout = choose_layout(random);
-  network.space = network.layout == Layout::planar ? Space::planar : Space::spatial;
-  // Small networks are as likely as large ones, because special cases live there.
-  const int body_count = random.chance(0.5) ? random.whole(3, 8) : random.whole(9, kMostBodies);
-  for (int b = 1; b < body_count; ++b) {
+  network.layout = choose_layout(is_small_spatial, random);
+  const Plan plan = make_plan(is_small_spatial, seed % 2 == 0, network.layout, random);
+  for (int b = 1; b < plan.body_count; ++b) {
     network.body_order.push_back(b);
   }
-  const Frame frame{.normal = random.direction(), .centre = random.vector()};
-  for (const Edge& edge : make_edges(body_count, network.space, random)) {
+  LayoutDraw draw(network.layout, random);
+  for (const Branch& branch : make_branches(plan, random)) {
     NetworkCoupling coupling;
     coupling.name = fmt::format("c{}", network.couplings.size());
-    coupling.type = choose_type(is_passive, network.layout, random);
-    coupling.tail = edge.tail;
-    coupling.head = edge.head;
-    if (network.space == Space::planar) {
-      place_planar(coupling, random);
-    } else {
-      place_spatial(coupling, network.layout, frame, random);
-    }
-    if (coupling.type != CouplingType::rigid && random.chance(0.4)) {
-      network.actuators.push_back(
-          {.name = fmt::format("u{}", network.actuators.size()), .coupling = coupling.name});
-    }
+    coupling.type = branch.type;
+    coupling.tail = branch.edge.tail;
+    coupling.head = branch.edge.head;
+    coupling.keys = draw_keys(coupling.type, plan.completeness, draw);
+    coupling.is_named = random.chance(0.4);
     network.couplings.push_back(coupling);
   }
-  return network;
-}
-
-std::string to_yaml(const RandomNetwork& network) {
-  std::string text = "kinestat: 1\nname: Random network\n";
-  text += fmt::format("space: {}\n", network.space == Space::planar ? "planar" : "spatial");
-  if (!network.tree.empty()) {
-    text += fmt::format("tree: {}\n", joined(network.tree));
-  }
-  std::vector<std::string> bodies;
-  for (const int b : network.body_order) {
-    bodies.push_back(fmt::format("b{}", b));
-  }
-  text += fmt::format("ground: b0\nbodies: {}\ncouplings:\n", joined(bodies));
-  for (const NetworkCoupling& coupling : network.couplings) {
-    text += line_of(coupling, network.space);
-  }
-  if (!network.actuators.empty()) {
-    text += "actuators:\n";
-  }
-  for (const NetworkActuator& actuator : network.actuators) {
-    text += fmt::format("  {}: {{coupling: {}}}\n", actuator.name, actuator.coupling);
-  }
-  return text;
-}
-
-Mechanism bind_network(const RandomNetwork& network) {
-  const SourceFile source{.path = "random network", .text = to_yaml(network)};
-  Diagnostics found;
-  const std::optional<YamlNode> tree = read_yaml(source, {}, found);
-  std::optional<MechanismDescription> description;
-  if (tree) {
-    description = read_mechanism(*tree, found);
-  }
-  std::optional<Mechanism> mechanism;
-  if (description) {
-    mechanism = bind(*description, found);
-  }
-  for (const Diagnostic& item : found.items()) {
-    ADD_FAILURE() << item.code << " in line " << item.where.line << ": " << item.message << "\n"
-                  << source.text;
-  }
-  return mechanism.value_or(Mechanism{});
-}
-
-RandomNetwork with_another_tree(RandomNetwork network, std::uint64_t seed) {
-  Random random(seed);
-  std::vector<int> order;
-  Digraph graph{.vertex_count = network.body_count(), .edges = {}};
-  for (std::size_t e = 0; e < network.couplings.size(); ++e) {
-    order.push_back(static_cast<int>(e));
-  }
-  random.shuffle(order);
-  for (const int e : order) {
-    const NetworkCoupling& coupling = network.couplings[static_cast<std::size_t>(e)];
-    graph.edges.push_back({.tail = coupling.tail, .head = coupling.head});
-  }
-  network.tree.clear();
-  const std::optional<SpanningTree> tree = find_spanning_tree(graph);
-  for (const int branch : tree->branches) {
-    const int e = order[static_cast<std::size_t>(branch)];
-    network.tree.push_back(network.couplings[static_cast<std::size_t>(e)].name);
-  }
-  return network;
-}
-
-RandomNetwork with_reversed_edges(RandomNetwork network,
-                                  std::uint64_t seed,
-                                  std::vector<bool>& reversed) {
-  Random random(seed);
-  reversed.clear();
-  for (NetworkCoupling& coupling : network.couplings) {
-    reversed.push_back(random.chance(0.5));
-    if (reversed.back()) {
-      std::swap(coupling.tail, coupling.head);
-    }
-  }
-  return network;
-}
-
-RandomNetwork with_renumbered_bodies(RandomNetwork network, std::uint64_t seed) {
-  Random random(seed);
-  random.shuffle(network.body_order);
-  return network;
-}
-
-// ω' = R ω; v_O' = R v_O + p x ω', the velocity of what is at the origin now.
-Twist RigidMotion::operator*(const Twist& twist) const {
-  const Vec3 angular = rotation * twist.angular;
-  return {.angular = angular, .linear = rotation * twist.linear + translation.cross(angular)};
-}
-
-// F' = R F; T_O' = R T_O + p x F'.
-Wrench RigidMotion::operator*(const Wrench& wrench) const {
-  const Vec3 force = rotation * wrench.force;
-  return {.moment = rotation * wrench.moment + translation.cross(force), .force = force};
-}
-
-RigidMotion make_random_motion(Space space, std::uint64_t seed) {
-  Random random(seed);
-  RigidMotion motion;
-  const Vec3 axis = space == Space::planar ? Vec3(Vec3::UnitZ()) : random.direction().normalized();
-  motion.rotation = Eigen::AngleAxisd(random.between(0.3, 2.8), axis).toRotationMatrix();
-  motion.translation = random.vector();
-  if (space == Space::planar) {
-    motion.translation.z() = 0.0;
-  }
-  return motion;
-}
-
-RandomNetwork moved(RandomNetwork network, const RigidMotion& motion) {
-  for (NetworkCoupling& coupling : network.couplings) {
-    coupling.at = motion.rotation * coupling.at + motion.translation;
-    coupling.axis = motion.rotation * coupling.axis;
-    coupling.line_of_action = motion.rotation * coupling.line_of_action;
-    coupling.keyword.clear();
-  }
-  return network;
-}
-
-RandomNetwork scaled(RandomNetwork network, double factor) {
-  for (NetworkCoupling& coupling : network.couplings) {
-    coupling.at *= factor;
-  }
+  update_names(network);
+  add_passive(plan, network, random);
+  add_actuators(plan, network, random);
+  drop_names(network);
   return network;
 }
 
