@@ -201,7 +201,7 @@ def logarithm(function: Callable[[float], float]) -> Callable[[Value], Value]:
 
 def exponential(a: Value) -> Value:
     bare(a)
-    if a.number > 50 or a.error > 1e-9:
+    if abs(a.number) > 50 or a.error > 1e-9:
         raise Unclear
     return made(math.exp(a.number), BARE, 2 * math.exp(a.number) * a.error)
 
