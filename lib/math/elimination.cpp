@@ -18,11 +18,32 @@ Elimination::Elimination(SparseMatrix matrix, std::span<const int> last)
   last_ = std::move(known);
 }
 
+// A combination of eliminated rows as one of the scaled rows of A.
+VecX Elimination::combined_rows(VecX eliminated) const {
+  for (auto step = multipliers_.rbegin(); step != multipliers_.rend(); ++step) {
+    eliminated[step->pivot_row] -= step->value * eliminated[step->row];
+  }
+  return eliminated;
+}
+
+std::vector<int> Elimination::equations_of(const Pivot& pivot) const {
+  const VecX weights = combined_rows(VecX::Unit(matrix_.rows, pivot.row));
+  const double largest = weights.cwiseAbs().maxCoeff();
+  std::vector<int> equations;
+  for (int r = 0; r < matrix_.rows; ++r) {
+    if (std::abs(weights[r]) > kRankZero * largest) {
+      equations.push_back(r);
+    }
+  }
+  return equations;
+}
+
 std::vector<Relation> Elimination::relations(std::span<const double> rhs) const {
   const EliminatedRows right = eliminate_rows(rhs);
   std::vector<Relation> result;
   for (const Pivot& pivot : last_pivots_) {
     Relation relation;
+    relation.equations = equations_of(pivot);
     if (!rhs.empty()) {
       relation.constant = at(right.values, pivot.row);
       relation.constant_size = at(right.sizes, pivot.row);
@@ -167,9 +188,7 @@ AdjointSolution Elimination::solve_adjoint(const VecX& gradient) const {
       size[cell.column] += std::abs(cell.value * y);
     }
   }
-  for (auto step = multipliers_.rbegin(); step != multipliers_.rend(); ++step) {
-    rows[step->pivot_row] -= step->value * rows[step->row];
-  }
+  rows = combined_rows(std::move(rows));
   for (int r = 0; r < matrix_.rows; ++r) {
     rows[r] *= at(scaling_.rows, r);
   }

@@ -13,6 +13,7 @@ namespace kinestat {
 /// sum of coefficient · x[column] = constant.
 struct Relation {
   std::vector<SparseEntry> terms;  ///< row unused; value = coefficient in the units of the matrix
+  std::vector<int> equations;      ///< rows of the matrix that combine to the relation, ascending
   double constant = 0.0;           ///< from the right-hand side; what is mere rounding of it is 0
   double constant_size = 0.0;      ///< sum of the sizes of what was summed into the constant
 };
@@ -96,6 +97,8 @@ class Elimination {
   void back_substitute(std::span<const double> scaled_rhs, VecX& x) const;
   double relative_residual(const VecX& x, std::span<const double> rhs) const;
   bool surplus_rows_hold(const VecX& scaled_x, const EliminatedRows& right) const;
+  VecX combined_rows(VecX eliminated) const;
+  std::vector<int> equations_of(const Pivot& pivot) const;
   VecX scaled_known(std::span<const double> known) const;
   EliminatedRows eliminate_rows(std::span<const double> rhs) const;
   void unscale(VecX& x) const;

@@ -100,8 +100,10 @@ PrimaryCheck check_primaries(const Elimination& elimination,
   PrimaryCheck check;
   const int count = static_cast<int>(units.size());
   for (const Relation& relation : elimination.relations(rhs)) {
-    Dependence dependence{
-        .terms = {}, .constant = relation.constant, .constant_size = relation.constant_size};
+    Dependence dependence{.terms = {},
+                          .equations = relation.equations,
+                          .constant = relation.constant,
+                          .constant_size = relation.constant_size};
     for (const SparseEntry& term : relation.terms) {
       const int index = term.column - first_column;
       dependence.terms.push_back(

@@ -18,6 +18,7 @@ struct DependenceTerm {
 /// constant. Loads make the constant.
 struct Dependence {
   std::vector<DependenceTerm> terms;
+  std::vector<int> equations;  ///< rows of the system that combine to it, ascending
   double constant = 0.0;
   double constant_size = 0.0;  ///< sum of the sizes of what was summed into the constant
 };

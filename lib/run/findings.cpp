@@ -16,10 +16,9 @@ void add_motion_findings(const Analysis& analysis, const CaseAnalysis& one, Diag
   if (motion.status == SolveStatus::dependent) {
     found.error("E0502",
                 place_of_surplus(one.which.motions, motion.check, one.which.where),
-                fmt::format("case '{}' gives motions that depend on each other: the couplings "
-                            "demand {}",
+                fmt::format("case '{}' gives motions that depend on each other: {}",
                             one.which.label,
-                            relations_text(motion.check, side)),
+                            circuits_text(analysis, motion, side)),
                 removal_text(motion.check, side) +
                     (motion.check.missing > 0
                          ? fmt::format(", and {}", completions_text(motion.check, side))

@@ -80,9 +80,9 @@ void add_contradiction(const Analysis& analysis, const CaseAnalysis& one, Diagno
   found.error(
       "E0602",
       place_of_surplus(one.which.actions, action.check, one.which.where),
-      fmt::format("case '{}' has no equilibrium, which demands {}{}{}",
+      fmt::format("case '{}' has no equilibrium: {}{}{}",
                   one.which.label,
-                  relations_text(action.check, side),
+                  cutsets_text(analysis, action, side),
                   action.unheld ? "; nothing holds the load: " : "",
                   action.unheld ? unheld_text(analysis, *action.unheld) : ""),
       removal_text(action.check, side) + " so that it is solved, or add what holds this motion");
@@ -123,11 +123,10 @@ void add_action_findings(const Analysis& analysis, const CaseAnalysis& one, Diag
   } else if (action.status == SolveStatus::dependent) {
     found.error("E0601",
                 place_of_surplus(one.which.actions, action.check, one.which.where),
-                fmt::format("case '{}' gives actions that depend on each other{}: equilibrium "
-                            "demands {}",
+                fmt::format("case '{}' gives actions that depend on each other{}: {}",
                             one.which.label,
                             one.which.loads.empty() ? "" : " and on the loads",
-                            relations_text(action.check, side)),
+                            cutsets_text(analysis, action, side)),
                 removal_text(action.check, side));
   } else if (action.status == SolveStatus::overflow) {
     found.error("E0603",

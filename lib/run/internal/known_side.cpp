@@ -47,6 +47,17 @@ std::string relation_text(const Dependence& dependence, const KnownSide& side) {
   return fmt::format("{} = {}", side.name(first.index), text.empty() ? "0" : text);
 }
 
+// The blocks of `order` equations to which some belong, each once.
+std::vector<int> blocks_of(const std::vector<int>& equations, int order) {
+  std::vector<int> blocks;
+  for (const int equation : equations) {
+    if (blocks.empty() || blocks.back() != equation / order) {
+      blocks.push_back(equation / order);
+    }
+  }
+  return blocks;
+}
+
 }  // namespace
 
 KnownSide motion_side(const Analysis& analysis, const Case& which) {
@@ -109,12 +120,47 @@ std::string completions_text(const PrimaryCheck& check, const KnownSide& side) {
                      fmt::join(sets, " or "));
 }
 
-std::string relations_text(const PrimaryCheck& check, const KnownSide& side) {
-  std::vector<std::string> relations;
-  for (const Dependence& dependence : check.dependences) {
-    relations.push_back(relation_text(dependence, side));
+std::string circuits_text(const Analysis& analysis,
+                          const KinematicSolution& motion,
+                          const KnownSide& side) {
+  std::vector<std::string> parts;
+  for (const Dependence& dependence : motion.check.dependences) {
+    std::vector<std::string> names;
+    for (const int e : blocks_of(dependence.equations, motion.counts.order)) {
+      names.push_back(analysis.mechanism.topology.couplings[static_cast<std::size_t>(e)].name);
+    }
+    parts.push_back(fmt::format(
+        "the circuit {} demands {}", plain_list(names), relation_text(dependence, side)));
   }
-  return fmt::format("{}", fmt::join(relations, " and "));
+  return fmt::format("{}", fmt::join(parts, " and "));
+}
+
+std::string cutsets_text(const Analysis& analysis,
+                         const StaticSolution& action,
+                         const KnownSide& side) {
+  const Topology& topology = analysis.mechanism.topology;
+  std::vector<std::string> parts;
+  for (const Dependence& dependence : action.check.dependences) {
+    std::vector<bool> is_inside(topology.bodies.size(), false);
+    std::vector<std::string> bodies;
+    for (const int block : blocks_of(dependence.equations, action.counts.order)) {
+      const auto b = static_cast<std::size_t>(block + 1);  // the ground has no equations
+      is_inside[b] = true;
+      bodies.push_back(topology.bodies[b].name);
+    }
+    std::vector<std::string> cut;
+    for (const CouplingTopology& coupling : topology.couplings) {
+      if (is_inside[static_cast<std::size_t>(coupling.tail.value)] !=
+          is_inside[static_cast<std::size_t>(coupling.head.value)]) {
+        cut.push_back(coupling.name);
+      }
+    }
+    parts.push_back(fmt::format("equilibrium of {} (cut-set {}) demands {}",
+                                plain_list(bodies),
+                                plain_list(cut),
+                                relation_text(dependence, side)));
+  }
+  return fmt::format("{}", fmt::join(parts, " and "));
 }
 
 std::string removal_text(const PrimaryCheck& check, const KnownSide& side) {

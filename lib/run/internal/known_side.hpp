@@ -32,8 +32,15 @@ std::vector<std::string> names_of(const std::vector<int>& indices, const KnownSi
 /// of actuators first, which are what an engineer would give. Empty if the check proposes none.
 std::string completions_text(const PrimaryCheck& check, const KnownSide& side);
 
-/// "a.Rx = 2.5 b.Rx + 12 N and c.Ry = 0": what the couplings or equilibrium demand.
-std::string relations_text(const PrimaryCheck& check, const KnownSide& side);
+/// "the circuit a, b, c, d demands drive = 2.5 load", a part for each relation.
+std::string circuits_text(const Analysis& analysis,
+                          const KinematicSolution& motion,
+                          const KnownSide& side);
+
+/// "equilibrium of crank, rod (cut-set a, d) demands a.Rx = 2.5 b.Rx + 12 N".
+std::string cutsets_text(const Analysis& analysis,
+                         const StaticSolution& action,
+                         const KnownSide& side);
 
 /// "remove 'a' or 'b' from 'motion:'": any one that takes part in the first relation.
 std::string removal_text(const PrimaryCheck& check, const KnownSide& side);

@@ -136,6 +136,17 @@ TEST(Elimination, GivesNullVectorsThatVanishAtTheKnownColumns) {
   EXPECT_TRUE(is_near(A * vectors[0], MatX::Zero(1, 1), kTight));
 }
 
+TEST(Elimination, NamesTheEquationsThatCombineToARelation) {
+  // Rows 0 and 2 say x_0 + x_1 = 0 and x_0 + x_2 = 0; row 1 is about x_3 alone.
+  const Elimination elimination(sparse(rows_of({{1, 1, 0, 0}, {0, 0, 0, 2}, {1, 0, 1, 0}})),
+                                std::vector<int>{1, 2});
+
+  const std::vector<Relation> relations = elimination.relations();
+
+  ASSERT_EQ(relations.size(), 1U);
+  EXPECT_EQ(relations[0].equations, (std::vector<int>{0, 2}));
+}
+
 // g·x for x of a random system against the dense inverse of its square part.
 TEST(Elimination, SolvesTheAdjointLikeADenseTransposedSystem) {
   Random random(5);
