@@ -34,7 +34,7 @@ void add_files(CLI::App& command, FileOptions& options) {
                                                    "gives a parameter another value;\n"
                                                    "may be repeated"),
                                 "NAME=VALUE");
-  set.expected(1)->take_all();
+  set.expected(1)->take_all()->allow_extra_args(false);
   add_choice<DiagnosticsForm>(command,
                               "--diagnostics",
                               {{"text", DiagnosticsForm::text}, {"json", DiagnosticsForm::json}},

@@ -11,19 +11,27 @@ struct SensitivityOptions {
   SensitivityChoice choice;
 };
 
+// One value at a time, so that the file behind it is not taken for another.
+void add_repeated(CLI::App& command,
+                  const std::string& name,
+                  std::vector<std::string>& values,
+                  const std::string& description,
+                  const std::string& type) {
+  CLI::Option& option = with_value(command, command.add_option(name, values, description), type);
+  option.expected(1)->take_all()->allow_extra_args(false);
+}
+
 void add_choice_options(CLI::App& command, SensitivityChoice& choice) {
-  with_value(command,
-             command.add_option("--of",
-                                choice.values,
-                                "a value: ratio, torque_ratio, a freedom d.wz, an\n"
-                                "action c.Rx, or a path of the JSON report below\n"
-                                "the case; may be repeated; default the ratios,\n"
-                                "rates and actions that the actuators get"),
-             "VALUE");
-  with_value(
-      command,
-      command.add_option("--by", choice.parameters, "a parameter; may be repeated; default all"),
-      "NAME");
+  add_repeated(command,
+               "--of",
+               choice.values,
+               "a value: ratio, torque_ratio, a freedom d.wz, an\n"
+               "action c.Rx, or a path of the JSON report below\n"
+               "the case; may be repeated; default the ratios,\n"
+               "rates and actions that the actuators get",
+               "VALUE");
+  add_repeated(
+      command, "--by", choice.parameters, "a parameter; may be repeated; default all", "NAME");
   with_value(
       command, command.add_option("--case", choice.case_label, "one case; default all"), "LABEL");
 }

@@ -253,7 +253,8 @@ def divisor(a: Value, b: Value) -> Value:
     return made(Fraction(math.gcd(int(a.number), int(b.number))), BARE)
 
 
-def pair(function: Callable[..., float], dimension: Dimension | None = None) -> Callable[..., Value]:
+def pair(function: Callable[..., float],
+         dimension: Dimension | None = None) -> Callable[..., Value]:
     def apply(a: Value, b: Value) -> Value:
         same(a, b)
         size = math.hypot(a.number, b.number)
