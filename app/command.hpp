@@ -16,6 +16,7 @@ void add_analyze(CLI::App& parent, Job& job);
 void add_check(CLI::App& parent, Job& job);
 void add_graph(CLI::App& parent, Job& job);
 void add_sensitivity(CLI::App& parent, Job& job);
+void add_compare(CLI::App& parent, Job& job);
 void add_new(CLI::App& parent, Job& job);
 void add_schema(CLI::App& parent, Job& job);
 void add_explain(CLI::App& parent, Job& job);

@@ -48,6 +48,7 @@ void add_commands(CLI::App& app, Job& job) {
   kinestat::app::add_analyze(app, job);
   kinestat::app::add_graph(app, job);
   kinestat::app::add_sensitivity(app, job);
+  kinestat::app::add_compare(app, job);
   kinestat::app::add_explain(app, job);
   kinestat::app::add_schema(app, job);
   kinestat::app::add_help(app, job);

@@ -5,12 +5,12 @@ namespace kinestat::app {
 
 void add_schema(CLI::App& parent, Job& job) {
   CLI::App* command = parent.add_subcommand(
-      "schema", "Print the JSON Schema of mechanism files, reports or diagnostics.");
+      "schema", "Print the JSON Schema of mechanism files and of what is written.");
   command->footer(
       "  kinestat schema > mechanism.schema.json\n"
       "  kinestat schema report\n");
   auto name = std::make_shared<std::string>("mechanism");
-  add_argument(*command, "NAME", *name, "mechanism (default), report or diagnostics");
+  add_argument(*command, "NAME", *name, "mechanism (default), report, comparison or\ndiagnostics");
   command->callback([name, &job] { job = [name] { return schema_text(*name); }; });
 }
 

@@ -170,9 +170,10 @@ constexpr auto kCodes = std::to_array<Code>({
      "for the place, but inside an expression it stays bare: write its unit there."},
     {"E0310",
      wrong_input,
-     "parameters depend on each other in a circle",
+     "parameters depend on each other as they may not",
      "A parameter may use others in any order, but not itself through them: none of them would "
-     "ever have a value. The message lists the circle; give one of them a number."},
+     "ever have a value. The message lists the circle; give one of them a number. Nor may one that "
+     "is left open, {free: …}, use another open one: with that one it would no longer be open."},
     {"E0311",
      wrong_input,
      "unknown name in an expression",

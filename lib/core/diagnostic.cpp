@@ -4,6 +4,7 @@
 
 #include "core/codes.hpp"
 #include "core/contract.hpp"
+#include "core/utf8.hpp"
 
 namespace kinestat {
 
@@ -11,28 +12,33 @@ Diagnostic& Diagnostics::error(std::string_view code,
                                SourceRange where,
                                std::string message,
                                std::string hint) {
-  KINESTAT_EXPECTS(find_code(code) != nullptr);
+  Diagnostic& added = add({.severity = Severity::error,
+                           .code = code,
+                           .where = where,
+                           .message = std::move(message),
+                           .hint = std::move(hint),
+                           .notes = {}});
   ++error_count_;
-  items_.push_back({.severity = Severity::error,
-                    .code = code,
-                    .where = where,
-                    .message = std::move(message),
-                    .hint = std::move(hint),
-                    .notes = {}});
-  return items_.back();
+  return added;
 }
 
 Diagnostic& Diagnostics::warning(std::string_view code,
                                  SourceRange where,
                                  std::string message,
                                  std::string hint) {
-  KINESTAT_EXPECTS(find_code(code) != nullptr);
-  items_.push_back({.severity = Severity::warning,
-                    .code = code,
-                    .where = where,
-                    .message = std::move(message),
-                    .hint = std::move(hint),
-                    .notes = {}});
+  return add({.severity = Severity::warning,
+              .code = code,
+              .where = where,
+              .message = std::move(message),
+              .hint = std::move(hint),
+              .notes = {}});
+}
+
+Diagnostic& Diagnostics::add(Diagnostic one) {
+  KINESTAT_EXPECTS(find_code(one.code) != nullptr);
+  one.message = printable(one.message);
+  one.hint = printable(one.hint);
+  items_.push_back(std::move(one));
   return items_.back();
 }
 

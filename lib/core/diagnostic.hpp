@@ -29,7 +29,9 @@ struct Diagnostic {
   std::vector<Note> notes;
 };
 
-/// Collects the messages of one file, in the order in which they were found.
+/// Collects the messages of one file, in the order in which they were found. Messages and hints may
+/// quote the file as it stands: they are kept as one line of printable text, in which any other
+/// character stands as \xNN. Notes are the program's own words.
 class Diagnostics {
  public:
   /// Adds an error. `code` must be a literal that core/codes lists.
@@ -55,6 +57,8 @@ class Diagnostics {
   std::span<const Diagnostic> items() const { return items_; }
 
  private:
+  Diagnostic& add(Diagnostic one);
+
   static constexpr int kMostHints = 100;
 
   std::vector<Diagnostic> items_;

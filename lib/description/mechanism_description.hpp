@@ -47,7 +47,7 @@ struct ActuatorDescription {
 struct PublishedValue {
   Name pointer;            ///< JSON Pointer into the report
   double is = 0.0;         ///< the right value, in the report's units
-  double tolerance = 0.0;  ///< absolute
+  double tolerance = 0.0;  ///< absolute; 0 where none is given
   std::string where;       ///< place in the source
   SourceRange is_where;
 };

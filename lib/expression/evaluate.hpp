@@ -29,8 +29,9 @@ inline std::nullptr_t no_names(std::string_view /*name*/) {
 
 /// The value of an expression; always finite. `known` are the names that a hint may suggest.
 /// Errors: E0309 for dimensions that do not fit, E0311 for an unknown name, E0316 where there is no
-/// finite value (division by zero, sqrt(-1), log(0)); each at the smallest part that shows it.
-/// They do not depend on the type of number, which is double, Dual or Exact.
+/// finite value (division by zero, sqrt(-1), log(0), tan(90 deg)) or a product or power is too
+/// small to differ from zero; each at the smallest part that shows it. They do not depend on the
+/// type of number, which is double, Dual or Exact.
 template <class Number = double>
 std::variant<BasicQuantity<Number>, ExpressionError> evaluate(
     const Expression& expression,
@@ -40,7 +41,7 @@ std::variant<BasicQuantity<Number>, ExpressionError> evaluate(
 /// The number in SI that a value means at its place. A bare number counts in the file's unit of
 /// that kind; anything else must fit (see fits). A lead is in metres per turn, also when it was
 /// written per radian. Errors: E0309, naming both in words, and E0316 when the unit makes the
-/// number too large. They carry no offset.
+/// number too large or too small. They carry no offset.
 template <class Number = double>
 std::variant<Number, ExpressionError> fit(const std::type_identity_t<BasicQuantity<Number>>& value,
                                           QuantityKind kind,

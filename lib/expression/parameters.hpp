@@ -101,4 +101,9 @@ BasicParameterValues<Number> evaluate_parameters(std::span<const Parameter> para
 BasicParameterValues<Dual> evaluate_parameters(std::span<const Parameter> parameters,
                                                std::span<const int> variables);
 
+/// What is wrong with parameters that are left open independently of each other, given by index:
+/// E0310 for each whose value uses another of them, if only through parameters that are not open.
+std::vector<ParameterError> find_dependent(std::span<const Parameter> parameters,
+                                           std::span<const int> open);
+
 }  // namespace kinestat

@@ -12,7 +12,6 @@
 
 #include <fmt/format.h>
 
-#include "core/utf8.hpp"
 #include "io/internal/descriptor.hpp"
 #include "io/internal/temporary_file.hpp"
 
@@ -21,7 +20,7 @@ namespace kinestat {
 namespace {
 
 void refuse(const std::string& path, std::string_view why, Diagnostics& found) {
-  found.error("E0152", {}, fmt::format("cannot write '{}': {}", printable(path), why));
+  found.error("E0152", {}, fmt::format("cannot write '{}': {}", path, why));
 }
 
 void refuse(const std::string& path, int error, Diagnostics& found) {
@@ -66,11 +65,10 @@ std::optional<Present> find_present(const OutputFile& file,
     return {};
   }
   if (overwrite == Overwrite::own_only && !is_own(file)) {
-    found.error(
-        "E0153",
-        {},
-        fmt::format("'{}' exists and was not written by this program", printable(file.path)),
-        "choose another name, or give --force to replace it");
+    found.error("E0153",
+                {},
+                fmt::format("'{}' exists and was not written by this program", file.path),
+                "choose another name, or give --force to replace it");
     return {};
   }
   return Present::file;
@@ -133,18 +131,16 @@ bool check_output_folder(const std::string& folder, Diagnostics& found) {
   struct stat status = {};
   if (::stat(path.c_str(), &status) != 0) {
     const int error = errno;
-    found.error(
-        "E0152",
-        {},
-        fmt::format(
-            "output folder '{}': {}", printable(path), std::generic_category().message(error)),
-        error == ENOENT ? fmt::format("mkdir -p '{}'", printable(path)) : "");
+    found.error("E0152",
+                {},
+                fmt::format("output folder '{}': {}", path, std::generic_category().message(error)),
+                error == ENOENT ? fmt::format("mkdir -p '{}'", path) : "");
     return false;
   }
   if (!S_ISDIR(status.st_mode)) {
     found.error("E0152",
                 {},
-                fmt::format("output folder '{}' is not a folder", printable(path)),
+                fmt::format("output folder '{}' is not a folder", path),
                 "name a folder, or remove the file");
     return false;
   }
@@ -152,7 +148,7 @@ bool check_output_folder(const std::string& folder, Diagnostics& found) {
     found.error("E0152",
                 {},
                 fmt::format("output folder '{}' may not be written to: {}",
-                            printable(path),
+                            path,
                             std::generic_category().message(errno)),
                 "choose another folder");
     return false;

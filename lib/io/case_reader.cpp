@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "core/utf8.hpp"
 #include "io/field_values.hpp"
 #include "io/fields.hpp"
 #include "io/load_reader.hpp"
@@ -56,7 +55,7 @@ void check_ends(const YamlEntry& entry, const CaseDescription& result, Diagnosti
   if (output != entry.value.entries.end() && entry.value.find("input") == nullptr) {
     found.error("E0303",
                 output->key_where,
-                fmt::format("case '{}' names an output but no input", printable(result.label.text)),
+                fmt::format("case '{}' names an output but no input", result.label.text),
                 "add 'input: NAME', an actuator, or remove 'output'");
   }
 }

@@ -106,10 +106,32 @@ void read_passive(const YamlNode& node, const Place& place, CouplingDescription&
   coupling.passive = read_references(node, place.of("constraint"), place.found);
 }
 
+FrictionKind friction_kind(CouplingType type) {
+  switch (type) {
+    case revolute:
+    case helical:
+      return FrictionKind::journal;
+    case prismatic:
+      return FrictionKind::guide;
+    case point_contact:
+    case cam:
+    case line_contact:
+    case pin_in_slot:
+    case gear:
+    case bevel_gear:
+    case worm:
+    case rack:
+      return FrictionKind::sliding;
+    default:
+      return FrictionKind::whatever;
+  }
+}
+
 void read_coupling_friction(const YamlNode& node,
                             const Place& place,
                             CouplingDescription& coupling) {
-  if (auto friction = read_friction(node, place.of("friction"), place.found)) {
+  if (auto friction =
+          read_friction(node, friction_kind(coupling.type), place.of("friction"), place.found)) {
     coupling.friction = std::make_shared<const FrictionDescription>(*std::move(friction));
   }
 }

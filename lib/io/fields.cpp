@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "io/cut_value.hpp"
 #include "io/synonyms.hpp"
 
 namespace kinestat {
@@ -49,7 +51,7 @@ std::string example_of(std::string_view key) {
       {"to", "'to: VALUE', where it ends"},
       {"step", "for example 'step: 1'"},
       {"value", "'value: /cases/…', a JSON Pointer into the report"},
-      {"tolerance", "for example 'tolerance: 1e-3'"},
+      {"tolerance", "for example 'tolerance: 1e-3'; only a whole number needs none"},
   });
   const auto at = std::ranges::find(kExamples, key, &Example::key);
   return at != kExamples.end() ? std::string(at->text) : fmt::format("'{}: …'", key);
@@ -58,7 +60,7 @@ std::string example_of(std::string_view key) {
 }  // namespace
 
 Fields::Fields(const YamlNode& node, SourceRange where, std::string what, Diagnostics& found)
-    : where_(where), what_(printable(what)), found_(found) {
+    : where_(where), what_(std::move(what)), found_(found) {
   if (node.kind == YamlKind::mapping) {
     node_ = &node;
   } else {
@@ -90,10 +92,11 @@ void Fields::finish() {
   if (node_ == nullptr) {
     return;
   }
-  for (const YamlEntry& entry : node_->entries) {
-    const bool is_ignored = !ignored_prefix_.empty() && entry.key.starts_with(ignored_prefix_);
-    if (!is_ignored && std::ranges::find(known_, entry.key) == known_.end()) {
-      refuse(entry);
+  for (std::size_t i = 0; i < node_->entries.size(); ++i) {
+    const std::string& key = node_->entries[i].key;
+    const bool is_ignored = !ignored_prefix_.empty() && key.starts_with(ignored_prefix_);
+    if (!is_ignored && std::ranges::find(known_, key) == known_.end()) {
+      refuse(i);
     }
   }
   for (const std::string& key : missing_) {
@@ -104,7 +107,10 @@ void Fields::finish() {
   }
 }
 
-void Fields::refuse(const YamlEntry& entry) {
+void Fields::refuse(std::size_t index) {
+  const YamlEntry& entry = node_->entries[index];
+  const std::string whole =
+      index == 0 ? std::string() : whole_entry(node_->entries[index - 1], entry);
   std::string guess = meant_name(entry.key, missing_);
   std::erase(missing_, guess);
   if (guess.empty()) {
@@ -116,10 +122,12 @@ void Fields::refuse(const YamlEntry& entry) {
                entry.key_where,
                fmt::format("{} has no key '{}'{}{}",
                            what_,
-                           printable(entry.key),
+                           entry.key,
                            foreign.empty() ? "" : ": it holds ",
                            foreign),
-               guess.empty() ? others : fmt::format("did you mean '{}'? {}", guess, others));
+               !whole.empty()  ? fmt::format("put the value in quotes: {}", whole)
+               : guess.empty() ? others
+                               : fmt::format("did you mean '{}'? {}", guess, others));
 }
 
 }  // namespace kinestat

@@ -35,7 +35,7 @@ class Fields {
   SourceRange where() const { return where_; }
 
  private:
-  void refuse(const YamlEntry& entry);
+  void refuse(std::size_t index);
 
   const YamlNode* node_ = nullptr;
   SourceRange where_;

@@ -12,16 +12,25 @@ namespace kinestat {
 
 namespace {
 
+// What else in an expression has this name.
+std::string_view meaning_of(std::string_view reserved) {
+  if (find_unit(reserved) != nullptr) {
+    return "a unit";
+  }
+  if (find_function(reserved) != nullptr) {
+    return "a function";
+  }
+  return is_condition_word(reserved) ? "a word of conditions" : "a constant";
+}
+
 bool check_parameter_name(const Name& name, Diagnostics& found) {
   if (is_reserved_name(name.text)) {
-    const bool is_unit = find_unit(name.text) != nullptr;
-    const bool is_function = find_function(name.text) != nullptr;
-    found.error("E0306",
-                name.where,
-                fmt::format("a parameter cannot be named '{}', which is {}",
-                            name.text,
-                            is_unit ? "a unit" : (is_function ? "a function" : "a constant")),
-                fmt::format("call it '{}_1', or by a longer word", name.text));
+    found.error(
+        "E0306",
+        name.where,
+        fmt::format(
+            "a parameter cannot be named '{}', which is {}", name.text, meaning_of(name.text)),
+        fmt::format("call it '{}_1', or by a longer word", name.text));
     return false;
   }
   if (name.text.find('-') != std::string::npos) {

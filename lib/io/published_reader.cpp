@@ -1,11 +1,31 @@
 #include "io/published_reader.hpp"
 
+#include <cmath>
+
 #include "io/fields.hpp"
 #include "io/value_reader.hpp"
 
 namespace kinestat {
 
 namespace {
+
+bool is_whole(double value) {
+  return std::floor(value) == value;
+}
+
+// A whole number without a tolerance is met exactly: counts are. Of others the source prints some
+// digits only.
+double read_tolerance(Fields& fields, bool may_lack, Diagnostics& found) {
+  const YamlNode* node = may_lack ? fields.find("tolerance") : fields.require("tolerance");
+  if (node == nullptr) {
+    return 0.0;
+  }
+  const double tolerance = read_number(*node, "a tolerance", found).value_or(0.0);
+  if (tolerance < 0.0) {
+    found.error("E0305", node->where, "a tolerance cannot be negative");
+  }
+  return tolerance;
+}
 
 std::optional<PublishedValue> read_one(const YamlNode& node, Diagnostics& found) {
   PublishedValue result;
@@ -18,12 +38,7 @@ std::optional<PublishedValue> read_one(const YamlNode& node, Diagnostics& found)
     result.is_where = is->where;
     result.is = read_number(*is, "a published value", found).value_or(0.0);
   }
-  if (const YamlNode* tolerance = fields.require("tolerance")) {
-    result.tolerance = read_number(*tolerance, "a tolerance", found).value_or(0.0);
-    if (result.tolerance < 0.0) {
-      found.error("E0305", tolerance->where, "a tolerance cannot be negative");
-    }
-  }
+  result.tolerance = read_tolerance(fields, is_whole(result.is), found);
   if (const YamlNode* where = fields.find("where")) {
     result.where = read_text(*where, "'where'", found).value_or("");
   }

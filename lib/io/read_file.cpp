@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "core/utf8.hpp"
 #include "io/internal/descriptor.hpp"
 
 namespace kinestat {
@@ -21,7 +20,7 @@ namespace {
 constexpr std::string_view kStandardInput = "-";
 
 std::string shown(const std::string& path) {
-  return path == kStandardInput ? "standard input" : fmt::format("'{}'", printable(path));
+  return path == kStandardInput ? "standard input" : fmt::format("'{}'", path);
 }
 
 void refuse(const std::string& path, int error, Diagnostics& found) {

@@ -1,12 +1,12 @@
 #include "io/sweep_reader.hpp"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <variant>
 
 #include <fmt/format.h>
 
+#include "io/cut_value.hpp"
 #include "io/field_values.hpp"
 #include "io/fields.hpp"
 #include "io/value_reader.hpp"
@@ -20,7 +20,8 @@ constexpr std::string_view kVaryForm =
 
 std::vector<Value> read_values(const YamlNode& node, const std::string& what, Diagnostics& found) {
   std::vector<Value> values;
-  if (!check_list(node, fmt::format("the values of {}", what), kVaryForm, found)) {
+  if (!check_list(node, fmt::format("the values of {}", what), kVaryForm, found) ||
+      report_cut_value(node, found)) {
     return values;
   }
   for (const YamlNode& item : node.items) {
@@ -78,11 +79,6 @@ std::vector<VariedParameter> read_vary(const YamlNode& node, Diagnostics& found)
   return vary;
 }
 
-// `gcd(N1` or `N2) == 1` of the list [gcd(N1, N2) == 1].
-bool is_cut_at_comma(const YamlNode& node) {
-  return !node.quoted && std::ranges::count(node.text, '(') != std::ranges::count(node.text, ')');
-}
-
 std::optional<Requirement> read_requirement(const YamlNode& node, Diagnostics& found) {
   const auto text = read_text(node, "a condition of 'require'", found);
   if (!text) {
@@ -93,8 +89,7 @@ std::optional<Requirement> read_requirement(const YamlNode& node, Diagnostics& f
     found.error(error->code,
                 place_in(node.where, node.text_column, *text, error->offset, error->length),
                 error->message,
-                is_cut_at_comma(node) ? "put the condition in quotes: in a list, a comma ends it"
-                                      : error->hint);
+                error->hint);
     return std::nullopt;
   }
   return Requirement{.condition = std::get<Condition>(std::move(parsed)),
@@ -105,6 +100,9 @@ std::optional<Requirement> read_requirement(const YamlNode& node, Diagnostics& f
 // One condition, or a list of them.
 std::vector<Requirement> read_requirements(const YamlNode& node, Diagnostics& found) {
   std::vector<Requirement> requirements;
+  if (report_cut_value(node, found)) {
+    return requirements;
+  }
   const std::span<const YamlNode> items =
       node.kind == YamlKind::sequence ? std::span(node.items) : std::span(&node, 1);
   for (const YamlNode& item : items) {

@@ -9,11 +9,20 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "expression/evaluate.hpp"
+#include "io/cut_value.hpp"
 #include "io/synonyms.hpp"
 
 namespace kinestat {
 
 namespace {
+
+// A space of another kind behind a ':' makes key and value one key.
+std::string missing_value_hint(std::string_view what) {
+  const std::string foreign = foreign_character(what);
+  return foreign.empty()
+             ? "write the value behind the ':'"
+             : fmt::format("write the value behind ': '; the name before it holds {}", foreign);
+}
 
 bool check_scalar(const YamlNode& node, std::string_view what, Diagnostics& found) {
   if (node.kind == YamlKind::scalar) {
@@ -22,11 +31,11 @@ bool check_scalar(const YamlNode& node, std::string_view what, Diagnostics& foun
   const std::string_view shape = node.kind == YamlKind::null       ? "is empty"
                                  : node.kind == YamlKind::sequence ? "is a list"
                                                                    : "is a mapping";
-  found.error("E0304",
-              node.where,
-              fmt::format("{} {} where a single value is expected", what, shape),
-              node.kind == YamlKind::null ? "write the value behind the ':'"
-                                          : "write one value, without brackets");
+  found.error(
+      "E0304",
+      node.where,
+      fmt::format("{} {} where a single value is expected", what, shape),
+      node.kind == YamlKind::null ? missing_value_hint(what) : "write one value, without brackets");
   return false;
 }
 
@@ -93,6 +102,9 @@ std::optional<std::vector<Value>> read_components(const YamlNode& node,
                                                   Space space,
                                                   Diagnostics& found) {
   const std::size_t count = space == Space::planar ? 2 : 3;
+  if (report_cut_value(node, found)) {
+    return std::nullopt;
+  }
   if (node.kind != YamlKind::sequence || node.items.size() != count) {
     const std::size_t given = node.kind == YamlKind::sequence ? node.items.size() : 1;
     found.error("E0304",
@@ -202,7 +214,7 @@ bool check_name(const Name& name, std::string_view what, Diagnostics& found) {
     found.error("E0306",
                 name.where,
                 fmt::format("'{}' cannot be the name of {}{}{}",
-                            printable(text),
+                            text,
                             what,
                             foreign.empty() ? "" : ": it holds ",
                             foreign),
@@ -253,9 +265,8 @@ std::optional<bool> read_bool(const YamlNode& node, std::string_view what, Diagn
   const bool is_word = node.text == "true" || node.text == "false";
   found.error("E0304",
               node.where,
-              node.kind == YamlKind::scalar
-                  ? fmt::format("{} cannot be '{}'", what, printable(node.text))
-                  : fmt::format("{} is true or false", what),
+              node.kind == YamlKind::scalar ? fmt::format("{} cannot be '{}'", what, node.text)
+                                            : fmt::format("{} is true or false", what),
               is_word ? "write true or false without quotes" : "write true or false");
   return std::nullopt;
 }
@@ -285,7 +296,7 @@ std::optional<std::size_t> read_word(const YamlNode& node,
   found.error(
       "E0305",
       node.where,
-      fmt::format("{} cannot be '{}'", what, printable(node.text)),
+      fmt::format("{} cannot be '{}'", what, node.text),
       fmt::format("{}{}it is one of {}", guess, guess.empty() ? "" : " ", plain_list(words, 40)));
   return std::nullopt;
 }
@@ -312,7 +323,7 @@ std::optional<AxisDescription> read_axis(const YamlNode& node,
       found.error(
           "E0305",
           node.where,
-          fmt::format("{} cannot be '{}'", what, printable(node.text)),
+          fmt::format("{} cannot be '{}'", what, node.text),
           fmt::format("write x, y, z, -x, … or a vector such as {}",
                       space == Space::planar ? "[cos(30 deg), sin(30 deg)]" : "[1, 0, 0.5]"));
       return std::nullopt;

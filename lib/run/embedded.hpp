@@ -5,7 +5,7 @@
 
 namespace kinestat {
 
-/// The files of schemas/: "mechanism", "report", "diagnostics".
+/// The files of schemas/: "mechanism", "report", "comparison", "diagnostics".
 std::span<const EmbeddedText> embedded_schemas();
 
 /// Commented mechanism files to begin with, named by their kind.

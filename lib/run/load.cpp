@@ -8,6 +8,7 @@
 
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "expression/parameters.hpp"
 #include "io/mechanism_reader.hpp"
 #include "io/read_file.hpp"
 #include "io/yaml_tree.hpp"
@@ -57,6 +58,40 @@ void apply(const Override& text, MechanismDescription& description, Diagnostics&
   parameter->set_by = text;
 }
 
+// Bare, a length of the file would silently count in the file's unit wherever it is used. Where the
+// file has a bare number, the places that use it decide what it may be.
+void check_dimensions(const std::vector<Parameter>& given,
+                      const MechanismDescription& description,
+                      Diagnostics& found) {
+  const ParameterTable before = evaluate_parameters(given).table;
+  const ParameterTable after = evaluate_parameters(parameters_of(description)).table;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const Quantity* const was = before.find(given[i].name);
+    const Quantity* const is = after.find(given[i].name);
+    const Override& text = description.parameters[i].set_by;
+    const bool has_both = !text.empty() && was != nullptr && is != nullptr;
+    if (has_both && !is_bare(was->dimension) && was->dimension != is->dimension) {
+      refuse(text,
+             fmt::format("'{}' is {} in the file, and this is {}",
+                         given[i].name,
+                         phrase_of(was->dimension),
+                         phrase_of(is->dimension)),
+             fmt::format("write a value with a unit, as the file does: {}", given[i].value.text()),
+             found);
+    }
+  }
+}
+
+void apply_all(const std::vector<Override>& overrides,
+               MechanismDescription& description,
+               Diagnostics& found) {
+  const std::vector<Parameter> given = parameters_of(description);
+  for (const Override& text : overrides) {
+    apply(text, description, found);
+  }
+  check_dimensions(given, description, found);
+}
+
 }  // namespace
 
 std::optional<MechanismDescription> load_description(const std::string& path,
@@ -78,8 +113,8 @@ std::optional<MechanismDescription> load_description(const std::string& path,
   if (!description) {
     return std::nullopt;
   }
-  for (const Override& text : overrides) {
-    apply(text, *description, found);
+  if (!overrides.empty()) {
+    apply_all(overrides, *description, found);
   }
   return found.has_errors() ? std::nullopt : std::move(description);
 }

@@ -7,7 +7,8 @@
 
 namespace kinestat {
 
-/// The JSON Schema "mechanism", "report" or "diagnostics", as the file in schemas/, byte for byte.
+/// The JSON Schema "mechanism", "report", "comparison" or "diagnostics", as the file in schemas/,
+/// byte for byte.
 Outcome schema_text(const std::string& name);
 
 }  // namespace kinestat

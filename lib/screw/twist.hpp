@@ -1,7 +1,11 @@
 // Twist (pt: heligiro): the instantaneous motion of one body relative to another.
 #pragma once
 
+#include <cmath>
+
+#include "core/tolerance.hpp"
 #include "core/types.hpp"
+#include "math/dual.hpp"
 
 namespace kinestat {
 
@@ -38,11 +42,29 @@ struct TwistOf {
 
 using Twist = TwistOf<double>;
 
+/// p x s, in which a component that is mere rounding of its two terms is zero: so a line through
+/// the origin has no moment about it, however its point was computed. Derivatives stay.
+template <class Scalar = double>
+Vec3Of<Scalar> moment_of_line(const Vec3In<Scalar>& point, const Vec3In<Scalar>& direction) {
+  Vec3Of<Scalar> moment;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    const Scalar plus = point[j] * direction[k];
+    const Scalar minus = point[k] * direction[j];
+    const Scalar difference = plus - minus;
+    const double size = std::abs(value_of(plus)) + std::abs(value_of(minus));
+    const double value = value_of(difference);
+    moment[i] = std::abs(value) <= kCancellation * size ? difference - Scalar(value) : difference;
+  }
+  return moment;
+}
+
 /// Unit rotation about the line through `point` along the unit vector `axis`: [s; p x s]
 /// (Cazangi 2008, eq. 3.9). Times rad/s.
 template <class Scalar = double>
 TwistOf<Scalar> unit_rotation(const Vec3In<Scalar>& axis, const Vec3In<Scalar>& point) {
-  return {.angular = axis, .linear = point.cross(axis)};
+  return {.angular = axis, .linear = moment_of_line<Scalar>(point, axis)};
 }
 
 /// Unit translation along the unit vector `direction`: [0; s]. Times m/s.

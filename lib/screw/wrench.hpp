@@ -38,7 +38,7 @@ using Wrench = WrenchOf<double>;
 /// (Cazangi 2008, eq. 3.19). Times N.
 template <class Scalar = double>
 WrenchOf<Scalar> unit_force(const Vec3In<Scalar>& direction, const Vec3In<Scalar>& point) {
-  return {.moment = point.cross(direction), .force = direction};
+  return {.moment = moment_of_line<Scalar>(point, direction), .force = direction};
 }
 
 /// Unit couple about the unit direction: [s; 0] (Cazangi 2008, eq. 3.20). Times N·m.

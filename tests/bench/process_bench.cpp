@@ -5,16 +5,20 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
+#include <filesystem>
+#include <optional>
 #include <spawn.h>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <unistd.h>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "long_chain.hpp"
 #include "ratio_table.hpp"
 
 extern char** environ;
@@ -24,6 +28,7 @@ namespace kinestat::bench {
 namespace {
 
 constexpr double kTarget = 10.0;
+constexpr int kChainLength = 1000;
 
 struct Times {
   double elapsed = 0.0;    ///< from before the start to after the end [s]
@@ -73,18 +78,47 @@ class Program {
   posix_spawn_file_actions_t actions_{};
 };
 
+/// A file that lives as long as the object.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& text)
+      : path_(std::filesystem::temp_directory_path() / "kinestat_bench_XXXXXX") {
+    const int file = mkstemp(path_.data());
+    const bool is_written =
+        file >= 0 && write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+    close(file);
+    if (!is_written) {
+      throw std::runtime_error("cannot write " + path_);
+    }
+  }
+
+  ~TemporaryFile() { unlink(path_.c_str()); }
+
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
 struct Options {
   int pairs = 300;
   TableForm form = TableForm::text;
 };
 
+/// One row of the table: what is timed, and what its elapsed time must not exceed.
+struct Job {
+  std::string name;
+  std::vector<std::string> words;
+  std::optional<double> target;
+};
+
 /// Adds the two ratios of one command line to the table.
-void measure(const std::string& name,
-             std::vector<std::string> words,
-             int pairs,
-             std::vector<Ratio>& table) {
+void measure(Job job, int pairs, std::vector<Ratio>& table) {
   Program empty({KINESTAT_EMPTY});
-  Program program(std::move(words));
+  Program program(std::move(job.words));
   std::vector<double> elapsed;
   std::vector<double> processor;
   for (int i = 0; i < 5; ++i) {
@@ -97,8 +131,8 @@ void measure(const std::string& name,
     elapsed.push_back(time.elapsed / unit.elapsed);
     processor.push_back(time.processor / unit.processor);
   }
-  table.push_back(make_ratio(name + ", elapsed", std::move(elapsed), kTarget));
-  table.push_back(make_ratio(name + ", processor", std::move(processor), {}));
+  table.push_back(make_ratio(job.name + ", elapsed", std::move(elapsed), job.target));
+  table.push_back(make_ratio(job.name + ", processor", std::move(processor), {}));
 }
 
 Options read_options(int argc, char** argv) {
@@ -120,14 +154,17 @@ int run(int argc, char** argv) {
   const Options options = read_options(argc, argv);
   const std::string program = KINESTAT_PROGRAM;
   const std::string file = KINESTAT_MECHANISM;
+  const TemporaryFile chain(long_chain(kChainLength));
+  const std::vector<Job> jobs = {
+      {"analyze --quiet", {program, "analyze", "--quiet", file}, kTarget},
+      {"analyze", {program, "analyze", file}, kTarget},
+      {"analyze --format json", {program, "analyze", "--format", "json", file}, kTarget},
+      {"check of 1000 couplings", {program, "check", chain.path()}, {}},
+      {"--version", {program, "--version"}, kTarget}};
   std::vector<Ratio> table;
-  measure("analyze --quiet", {program, "analyze", "--quiet", file}, options.pairs, table);
-  measure("analyze", {program, "analyze", file}, options.pairs, table);
-  measure("analyze --format json",
-          {program, "analyze", "--format", "json", file},
-          options.pairs,
-          table);
-  measure("--version", {program, "--version"}, options.pairs, table);
+  for (const Job& job : jobs) {
+    measure(job, options.pairs, table);
+  }
   const std::string text = write_ratios(table, "empty C++ processes", options.form);
   std::fwrite(text.data(), 1, text.size(), stdout);
   return 0;

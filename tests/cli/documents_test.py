@@ -4,7 +4,8 @@
 An example is a block that begins with `kinestat: 1`, perhaps below the name of its file, as in
 `# press.yaml`; it is accepted without a word, and follows the schema. A console block of a README
 is run line by line, in a folder with the files that the page has named before, and prints what
-stands there; a line `…` stands for any lines.
+stands there; a line `…` stands for any lines. So is a script that begins with its name, as in
+`# check.sh`, when a console block calls it.
 """
 
 from __future__ import annotations
@@ -148,7 +149,7 @@ class Consoles(unittest.TestCase):
                 for language, text in blocks(page):
                     if language == "console":
                         self.run_console(text, folder)
-                    elif match := re.match(r"# (\S+\.yaml)\n", text):
+                    elif match := re.match(r"# (\S+\.(?:yaml|sh))\n", text):
                         (folder / match[1]).write_text(text, encoding="utf-8")
 
     def run_console(self, text: str, folder: Path) -> None:

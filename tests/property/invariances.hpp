@@ -10,10 +10,12 @@ namespace kinestat {
 /// may cancel within couplings.
 struct Answers {
   std::vector<Primary> motions;  ///< the primary ones; empty where others are to be chosen
+  VecX rates;                    ///< of all freedoms
   Mat6X twists;                  ///< of each coupling
   double rate_size = 0.0;
-  Mat6X wrenches;  ///< of each coupling
-  Mat6X internal;  ///< the part of each actuator
+  VecX magnitudes;  ///< of all actions
+  Mat6X wrenches;   ///< of each coupling
+  Mat6X internal;   ///< the part of each actuator
   double action_size = 0.0;
 };
 

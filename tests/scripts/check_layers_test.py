@@ -179,7 +179,9 @@ class CheckLayers(unittest.TestCase):
 
     def test_a_module_without_a_row(self) -> None:
         self.assert_found(
-            "lib/utilities/notes.txt", "", "lib/utilities:1: the module has no row in check_layers.py"
+            "lib/utilities/notes.txt",
+            "",
+            "lib/utilities:1: the module has no row in check_layers.py",
         )
 
     def test_a_target_that_depends_on_too_much(self) -> None:

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mechanism/mechanism.hpp"
-#include "support/random_network_draw.hpp"
+#include "support/random_network_plan.hpp"
 
 namespace kinestat {
 
@@ -31,10 +31,6 @@ struct RandomNetwork {
 
   int body_count() const { return static_cast<int>(body_order.size()) + 1; }
 };
-
-/// Seeds below this make networks of 3 to 30 bodies in the plane or in space, with few circuits;
-/// the others networks of 3 to 12 bodies in space, with many.
-inline constexpr std::uint64_t kFirstSmallSpatialSeed = 500;
 
 /// A network of at least one circuit. Even seeds have passive couplings with f + c = λ alone (and
 /// actuators); odd seeds also rolling teeth, clutches, brakes and `passive:`.

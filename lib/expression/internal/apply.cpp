@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "core/tolerance.hpp"
 #include "expression/internal/arithmetic.hpp"
 
 namespace kinestat {
@@ -31,11 +32,20 @@ Fault value_fault(std::string message, std::string hint) {
           .part = Fault::Part::left};
 }
 
+// An angle that is a pole of the tangent but for its rounding: the value would be noise.
+bool is_pole(double angle) {
+  return std::abs(std::cos(angle)) <= kCancellation * std::abs(angle);
+}
+
 Outcome apply_to_angle(Function function, const Quantity& a) {
   if (a.dimension != kAngle) {
     return dimension_fault(
         fmt::format("'{}' takes an angle, not {}", name_of(function), phrase_of(a.dimension)),
         "write 30 deg or 0.52 rad");
+  }
+  if (function == tan && is_pole(a.value)) {
+    return value_fault("'tan' of an odd multiple of 90 deg does not exist",
+                       "check the values that the angle is made of");
   }
   const double value = function == sin   ? std::sin(a.value)
                        : function == cos ? std::cos(a.value)
@@ -91,7 +101,7 @@ Outcome apply_to_bare(Function function, const Quantity& a) {
     case log10:
       return logarithm(function, a);
     case exp:
-      return checked({std::exp(a.value), {}});
+      return checked({std::exp(a.value), {}}, Zero::underflow);
     case floor:
       return checked({std::floor(a.value), {}});
     case ceil:

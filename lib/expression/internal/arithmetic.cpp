@@ -31,11 +31,16 @@ Fault different(const Dimension& a, const Dimension& b, std::string_view joined)
       has_bare ? "write a unit after the bare number" : "both must measure the same");
 }
 
-Outcome checked(const Quantity& result) {
+Outcome checked(const Quantity& result, Zero zero) {
   if (!std::isfinite(result.value)) {
     return Fault{.code = "E0316",
                  .message = "the result is not finite",
                  .hint = "numbers reach to about 1.8e308"};
+  }
+  if (zero == Zero::underflow && result.value == 0.0) {
+    return Fault{.code = "E0316",
+                 .message = "the result is too small (underflow)",
+                 .hint = "numbers reach down to about 4.9e-324; write 0 if that is meant"};
   }
   if (!is_countable(result.dimension)) {
     return dimension_fault("the dimension of the result is beyond any use", "check the powers");
@@ -58,7 +63,8 @@ Outcome subtract(const Quantity& a, const Quantity& b) {
 }
 
 Outcome multiply(const Quantity& a, const Quantity& b) {
-  return checked({a.value * b.value, a.dimension * b.dimension});
+  return checked({a.value * b.value, a.dimension * b.dimension},
+                 zero_from(a.value == 0.0 ? a.value : b.value));
 }
 
 Outcome divide(const Quantity& a, const Quantity& b) {
@@ -68,7 +74,7 @@ Outcome divide(const Quantity& a, const Quantity& b) {
                  .hint = "check the values that the divisor is made of",
                  .part = Fault::Part::right};
   }
-  return checked({a.value / b.value, a.dimension / b.dimension});
+  return checked({a.value / b.value, a.dimension / b.dimension}, zero_from(a.value));
 }
 
 Outcome raise(const Quantity& base, const Quantity& exponent) {
@@ -98,7 +104,8 @@ Outcome raise(const Quantity& base, const Quantity& exponent) {
                  .hint = "write a whole exponent, or a base that is not negative",
                  .part = Fault::Part::left};
   }
-  return checked({std::pow(base.value, exponent.value), power(base.dimension, n)});
+  return checked({std::pow(base.value, exponent.value), power(base.dimension, n)},
+                 zero_from(base.value));
 }
 
 }  // namespace kinestat

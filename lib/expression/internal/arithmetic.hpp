@@ -44,7 +44,18 @@ Outcome operate(const Node& node, const Quantity& left, const Quantity& right, c
 /// A function of two values uses both, one of a single value ignores `b`.
 Outcome apply(Function function, const Quantity& a, const Quantity& b);
 
-/// The result if it is finite and its dimension is one that a computer can count.
-Outcome checked(const Quantity& result);
+/// What it means if a result is zero.
+enum class Zero {
+  value,     ///< the exact result may be zero
+  underflow  ///< it is not: the number is too small for a double
+};
+
+/// Of a multiple, share or power of this operand.
+constexpr Zero zero_from(double operand) {
+  return operand == 0.0 ? Zero::value : Zero::underflow;
+}
+
+/// The result if it is finite, no underflow, and its dimension is one that a computer can count.
+Outcome checked(const Quantity& result, Zero zero = Zero::value);
 
 }  // namespace kinestat

@@ -29,10 +29,18 @@ Number in_si(const Number& count, const UnitScale& unit) {
   }
 }
 
+/// The number in SI that a value has become, unless a unit of the file made it infinite or nothing.
 template <class Number>
-std::variant<Number, ExpressionError> finite(Number number) {
-  const bool is_finite = std::isfinite(plain(BasicQuantity<Number>{number, {}}).value);
-  return is_finite ? std::variant<Number, ExpressionError>(std::move(number)) : out_of_range();
+std::variant<Number, ExpressionError> in_range(const Number& given, Number number) {
+  const double before = plain(BasicQuantity<Number>{given, {}}).value;
+  const double after = plain(BasicQuantity<Number>{number, {}}).value;
+  if (!std::isfinite(after)) {
+    return too_large();
+  }
+  if (after == 0.0 && before != 0.0) {
+    return too_small();
+  }
+  return number;
 }
 
 /// The hint for a dimension that does not fit, if the text regrouped has a value that `is_good`.
@@ -76,13 +84,13 @@ std::variant<Number, ExpressionError> fit(const std::type_identity_t<BasicQuanti
                                           const FileUnits& units) {
   constexpr UnitScale kTurn{2.0, 1.0, 1};  // [rad]
   if (is_bare(value.dimension)) {
-    return finite(in_si(value.value, units.scale(kind)));
+    return in_range(value.value, in_si(value.value, units.scale(kind)));
   }
   if (!fits(value.dimension, kind)) {
     return misfit(value.dimension, kind);
   }
   const bool is_per_radian = kind == QuantityKind::lead && value.dimension.angle == -1;
-  return finite(is_per_radian ? in_si(value.value, kTurn) : value.value);
+  return in_range(value.value, is_per_radian ? in_si(value.value, kTurn) : value.value);
 }
 
 template <class Number>

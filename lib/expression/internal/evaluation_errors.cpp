@@ -44,10 +44,16 @@ ExpressionError misfit(const Dimension& dimension, QuantityKind kind) {
           .hint = fmt::format("write {}", example_of(kind))};
 }
 
-ExpressionError out_of_range() {
+ExpressionError too_large() {
   return {.code = "E0316",
           .message = "the value is out of range in SI units",
           .hint = "write a smaller number"};
+}
+
+ExpressionError too_small() {
+  return {.code = "E0316",
+          .message = "the value is too small in SI units (underflow)",
+          .hint = "write 0, or a larger number"};
 }
 
 }  // namespace kinestat

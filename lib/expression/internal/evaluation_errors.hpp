@@ -22,6 +22,9 @@ ExpressionError located(const Expression& expression,
 ExpressionError misfit(const Dimension& dimension, QuantityKind kind);
 
 /// A value that a unit of the file makes infinite.
-ExpressionError out_of_range();
+ExpressionError too_large();
+
+/// A value that is not zero until a unit of the file makes it so.
+ExpressionError too_small();
 
 }  // namespace kinestat

@@ -9,11 +9,13 @@ namespace kinestat {
 namespace {
 
 Outcome multiply_by(const Quantity& left, const Unit& unit) {
-  return checked({unit.scale.to_si(left.value), left.dimension * unit.dimension});
+  return checked({unit.scale.to_si(left.value), left.dimension * unit.dimension},
+                 zero_from(left.value));
 }
 
 Outcome divide_by(const Quantity& left, const Unit& unit) {
-  return checked({unit.scale.from_si(left.value), left.dimension / unit.dimension});
+  return checked({unit.scale.from_si(left.value), left.dimension / unit.dimension},
+                 zero_from(left.value));
 }
 
 }  // namespace

@@ -72,6 +72,8 @@ class Parser {
   int fail_comma();
   int fail_symbol(const Token& where);
   std::string product_hint() const;
+  std::string factor() const;
+  std::size_t closing_of(std::size_t opening) const;
 
   std::string_view text_;
   std::vector<Token> tokens_;

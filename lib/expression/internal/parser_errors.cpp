@@ -180,12 +180,38 @@ int Parser::fail_leftover() {
 // For two values side by side, of which the second is at the token.
 std::string Parser::product_hint() const {
   const Token& before = tokens_[at_ - 1];
-  const std::string_view text = text_of(token());
-  if (before.kind == TokenKind::symbol) {
-    return fmt::format("write * before '{}' for a product", text);
+  return before.kind == TokenKind::symbol
+             ? fmt::format("write * before '{}' for a product", text_of(token()))
+             : fmt::format("write {}*{} for a product", text_of(before), factor());
+}
+
+// The value that begins at the token, with its parentheses: "3", "(a + b)", "sin(p)". What is long
+// or not closed stands as "( )".
+std::string Parser::factor() const {
+  constexpr int kLongest = 40;
+  const std::string_view word = text_of(token());
+  const std::size_t opening = is_call(at_) ? at_ + 1 : at_;
+  if (!is_symbol(tokens_[opening], "(")) {
+    return std::string(word);
   }
-  const bool is_group = is_symbol(token(), "(");
-  return fmt::format("write {}*{} for a product", text_of(before), is_group ? "( )" : text);
+  const Token& last = tokens_[closing_of(opening)];
+  const int length = last.offset + last.length - token().offset;
+  if (last.kind == TokenKind::end || length > kLongest) {
+    return is_call(at_) ? fmt::format("{}( )", word) : "( )";
+  }
+  return std::string(
+      text_.substr(static_cast<std::size_t>(token().offset), static_cast<std::size_t>(length)));
+}
+
+// The parenthesis that closes the one at `opening`, or the end.
+std::size_t Parser::closing_of(std::size_t opening) const {
+  int open = 1;
+  std::size_t at = opening;
+  while (open > 0 && tokens_[at].kind != TokenKind::end) {
+    ++at;
+    open += is_symbol(tokens_[at], "(") ? 1 : is_symbol(tokens_[at], ")") ? -1 : 0;
+  }
+  return at;
 }
 
 // What belongs to a condition stands where a value is expected.

@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "core/utf8.hpp"
-
 namespace kinestat {
 
 namespace {
@@ -84,7 +82,7 @@ std::string word_at(const YamlText& text, std::size_t at) {
   while (!text.is_end(end) && !is_character_start(text[end])) {
     ++end;
   }
-  return printable(text.part(at, end));
+  return std::string(text.part(at, end));
 }
 
 // One line of the text, without the blanks before it.
@@ -166,11 +164,11 @@ Words words_for(std::string_view parser, const YamlText& text, std::size_t at) {
 
 void report_unknown_alias(SourceMap& map, std::size_t at, Diagnostics& found) {
   const std::size_t end = map.text().skip_word(at);
-  found.error("E0209",
-              map.range(at, end),
-              fmt::format("alias '{}' names no anchor before it", word_at(map.text(), at)),
-              fmt::format("mark the value as '&{}' before its first use",
-                          printable(map.text().part(at + 1, end))));
+  found.error(
+      "E0209",
+      map.range(at, end),
+      fmt::format("alias '{}' names no anchor before it", word_at(map.text(), at)),
+      fmt::format("mark the value as '&{}' before its first use", map.text().part(at + 1, end)));
 }
 
 }  // namespace
@@ -195,7 +193,7 @@ void report_parser_error(const YAML::Exception& exception,
   Diagnostic& error = found.error(
       "E0204",
       map.at(at),
-      words.message.empty() ? printable(exception.msg)
+      words.message.empty() ? exception.msg
                             : fmt::format(fmt::runtime(words.message), word_at(map.text(), at)),
       std::string(words.hint));
   if (last_long_quote.line > 0) {

@@ -55,7 +55,7 @@ void TreeBuilder::OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) {
     if (is_mapping && frame.is_block && at == frame.key_offset && map_.text()[at] != '?') {
       refuse("E0204",
              frame.key.key_where,
-             fmt::format("'{}' has no ':' behind it", printable(frame.key.key)),
+             fmt::format("'{}' has no ':' behind it", frame.key.key),
              "write 'key: value', or indent the line if it continues the value above");
     }
     const bool is_written = is_null_word(map_.text(), begin);
@@ -74,11 +74,10 @@ void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) {
   const SourceRange where = map_.range(at, end);
   const std::size_t part = anchors_.at(anchor);
   if (parts_[part].is_open) {
-    refuse(
-        "E0209",
-        where,
-        fmt::format("alias '{}' stands inside what it names", printable(map_.text().part(at, end))),
-        "write the value out")
+    refuse("E0209",
+           where,
+           fmt::format("alias '{}' stands inside what it names", map_.text().part(at, end)),
+           "write the value out")
         .notes.push_back({parts_[part].node.where, "the anchored value begins here"});
     throw Stop();
   }
@@ -132,8 +131,7 @@ void TreeBuilder::check_text(const YamlNode& node, std::size_t begin) {
   const std::size_t end = escape.begin + escape.size;
   refuse("E0203",
          map_.range(escape.begin, end),
-         fmt::format("escape '{}' cannot stand in a text",
-                     printable(map_.text().part(escape.begin, end))),
+         fmt::format("escape '{}' cannot stand in a text", map_.text().part(escape.begin, end)),
          "of control characters use only \\n and \\t; write any other character itself");
 }
 
@@ -247,10 +245,8 @@ void TreeBuilder::take_key(Frame& frame, const YamlNode& key, SourceRange where)
   }
   const auto [first, is_new] = frame.seen.try_emplace(key.text, where);
   if (!is_new) {
-    refuse("E0207",
-           where,
-           fmt::format("key '{}' is given twice", printable(key.text)),
-           "remove one of the two")
+    refuse(
+        "E0207", where, fmt::format("key '{}' is given twice", key.text), "remove one of the two")
         .notes.push_back({first->second, "first given here"});
     return;
   }
@@ -267,7 +263,7 @@ std::size_t TreeBuilder::skip_properties(std::size_t mark) {
       last_tag_ = at;
       refuse("E0208",
              map_.range(at, end),
-             fmt::format("tag '{}' is not supported", printable(text.part(at, end))),
+             fmt::format("tag '{}' is not supported", text.part(at, end)),
              "remove the tag; quote a text that begins with '!'");
     }
     at = end;

@@ -27,14 +27,31 @@ void report(const ParameterDescription& parameter,
   }
 }
 
+void report(const MechanismDescription& description,
+            std::span<const ParameterError> errors,
+            Diagnostics& found) {
+  for (const ParameterError& one : errors) {
+    report(description.parameters[static_cast<std::size_t>(one.parameter)], one.error, found);
+  }
+}
+
+std::vector<int> free_parameters(const MechanismDescription& description) {
+  std::vector<int> free;
+  for (std::size_t i = 0; i < description.parameters.size(); ++i) {
+    if (description.parameters[i].is_free) {
+      free.push_back(static_cast<int>(i));
+    }
+  }
+  return free;
+}
+
 }  // namespace
 
 Evaluator make_evaluator(const MechanismDescription& description, Diagnostics& found) {
-  ParameterValues values = evaluate_parameters(parameters_of(description));
-  for (const ParameterError& problem : values.errors) {
-    report(
-        description.parameters[static_cast<std::size_t>(problem.parameter)], problem.error, found);
-  }
+  const std::vector<Parameter> parameters = parameters_of(description);
+  ParameterValues values = evaluate_parameters(parameters);
+  report(description, values.errors, found);
+  report(description, find_dependent(parameters, free_parameters(description)), found);
   return {description, std::move(values.table), found};
 }
 

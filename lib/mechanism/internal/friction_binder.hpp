@@ -1,4 +1,4 @@
-// The friction of a coupling: which numbers its type uses, and what they are.
+// The friction of a coupling in numbers.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@ namespace kinestat {
 /// Whether friction of this type of coupling is analysed.
 bool has_friction_law(const CouplingDescription& coupling);
 
-/// The numbers of the friction; complains of those that are negative, missing or of no use for the
-/// type. The coupling must have `friction`. Empty iff an error was added, or if there is no law.
+/// The numbers of the friction; complains of those that are negative. The coupling must have
+/// `friction`. Empty iff an error was added, or if there is no law.
 std::optional<CouplingFriction> bind_friction(const CouplingDescription& coupling,
                                               CouplingId id,
                                               const FileUnits& units,

@@ -15,7 +15,8 @@ def refuse(token: str) -> None:
 
 def faults(path: Path) -> list[str]:
     text = path.read_bytes()
-    found = [f"holds {match[0]!r}" for match in (NOT_FINITE.search(text), MINUS_ZERO.search(text)) if match]
+    matches = [pattern.search(text) for pattern in (NOT_FINITE, MINUS_ZERO)]
+    found = [f"holds {match[0]!r}" for match in matches if match]
     if b"\r" in text or not text.endswith(b"\n"):
         found.append("has line ends other than LF")
     # A report is one document over lines; those of several files stand one a line.

@@ -52,6 +52,18 @@ TEST(Diagnostics, KeepPlaceHintAndNotes) {
   EXPECT_EQ(one.notes.front().where.column, 10);
 }
 
+TEST(Diagnostics, ShowWhatIsNotPrintableAsBytes) {
+  Diagnostics found;
+
+  found.error("E0304", {}, "'load:\u00A0' is empty", "write 'a\nb'");
+  found.warning("W0301", {}, "parameter '\x1B' is never used", "remove '\xFF'");
+
+  EXPECT_EQ(found.items()[0].message, "'load:\\xC2\\xA0' is empty");
+  EXPECT_EQ(found.items()[0].hint, "write 'a\\x0Ab'");
+  EXPECT_EQ(found.items()[1].message, "parameter '\\x1B' is never used");
+  EXPECT_EQ(found.items()[1].hint, "remove '\\xFF'");
+}
+
 TEST(Diagnostics, RefuseACodeThatIsNotListed) {
   Diagnostics found;
 

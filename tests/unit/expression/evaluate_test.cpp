@@ -112,6 +112,9 @@ INSTANTIATE_TEST_SUITE_P(
                     ValueCase{"unit_as_factor", "5*mm", 5e-3, kLength},
                     ValueCase{"unit_first", "mm*5", 5e-3, kLength},
                     ValueCase{"sum_of_units", "3 mm + 2 cm", 0.023, kLength},
+                    ValueCase{"multiple_of_zero", "0*1e-300*1e-300", 0, kBare},
+                    ValueCase{"power_of_zero", "0^1000", 0, kBare},
+                    ValueCase{"zero_of_a_unit", "0 um", 0, kLength},
                     ValueCase{"minutes", "5 min", 300, {0, 0, 1, 0}},
                     ValueCase{"minutes_beside_the_minimum", "min(2 min, 1 h)", 120, {0, 0, 1, 0}},
                     ValueCase{
@@ -124,6 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(ValueCase{"sin", "sin(30 deg)", std::sin(kPi / 6), kBare},
                     ValueCase{"cos", "cos(alpha)", std::cos(kPi / 9), kBare},
                     ValueCase{"tan", "tan(45 deg)", std::tan(kPi / 4), kBare},
+                    ValueCase{"tan_near_a_pole", "tan(89 deg)", std::tan(89 * kPi / 180), kBare},
                     ValueCase{"asin", "asin(0.5)", kPi / 6, kAngle},
                     ValueCase{"acos", "acos(0.5)", kPi / 3, kAngle},
                     ValueCase{"atan", "atan(1)", kPi / 4, kAngle},
@@ -234,7 +238,18 @@ INSTANTIATE_TEST_SUITE_P(
         EvaluationFault{"remainder", "mod(3, 0)", 7, 1, "E0316", "division by zero", ""},
         EvaluationFault{"divisor", "gcd(1.5, 2)", 0, 11, "E0316", "whole numbers", "teeth"},
         EvaluationFault{"overflow", "2*1e308*10", 0, 7, "E0316", "not finite", ""},
-        EvaluationFault{"overflow_in_si", "1e308 kW", 0, 8, "E0316", "not finite", ""}),
+        EvaluationFault{"overflow_in_si", "1e308 kW", 0, 8, "E0316", "not finite", ""},
+        EvaluationFault{"underflow", "1e-200*1e-200", 0, 13, "E0316", "too small", "write 0"},
+        EvaluationFault{"underflow_of_a_quotient", "1e-200/1e200", 0, 12, "E0316", "too small", ""},
+        EvaluationFault{"underflow_of_a_power", "2^-100000", 0, 9, "E0316", "too small", ""},
+        EvaluationFault{"underflow_of_exp", "exp(-1000)", 0, 10, "E0316", "too small", ""},
+        EvaluationFault{"underflow_in_si", "1e-322 mm", 0, 9, "E0316", "too small", ""},
+        EvaluationFault{"underflow_by_a_unit", "1e-322 / kW", 0, 11, "E0316", "too small", ""},
+        EvaluationFault{"pole", "1 + tan(90 deg)", 8, 6, "E0316", "'tan' of an odd", "angle"},
+        EvaluationFault{"pole_of_three", "tan(-270 deg)", 4, 8, "E0316", "'tan' of an odd", ""},
+        EvaluationFault{"pole_in_radians", "tan(7*pi/2*1 rad)", 4, 12, "E0316", "'tan'", ""},
+        EvaluationFault{"pole_in_turns", "tan(1000.25 rev)", 4, 11, "E0316", "'tan'", ""},
+        EvaluationFault{"pole_of_a_sum", "tan(33.3 deg + 56.7 deg)", 4, 19, "E0316", "'tan'", ""}),
     name_of_fault);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -389,6 +404,16 @@ TEST(Fit, NumberThatTheUnitMakesInfiniteHasNoValue) {
   const auto result = fit({1e308, {}}, QuantityKind::length, units);
 
   EXPECT_EQ(std::get<ExpressionError>(result).code, "E0316");
+}
+
+TEST(Fit, NumberThatTheUnitMakesZeroHasNoValue) {
+  FileUnits units;
+  units.set(QuantityKind::length, "um");
+
+  const auto result = fit({1e-320, {}}, QuantityKind::length, units);
+
+  EXPECT_EQ(std::get<ExpressionError>(result).code, "E0316");
+  EXPECT_TRUE(std::holds_alternative<double>(fit({0.0, {}}, QuantityKind::length, units)));
 }
 
 // A text together with the value that its maker computed beside it.

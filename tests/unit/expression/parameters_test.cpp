@@ -51,6 +51,24 @@ TEST(Parameters, CircleIsListedFromItsFirstParameter) {
   EXPECT_NE(values.errors[0].error.message.find("a -> b -> c -> a"), std::string::npos);
 }
 
+TEST(Parameters, OpenOnesMayNotFollowFromEachOther) {
+  const auto list = parameters({{"c", "2*b"}, {"a", "3"}, {"b", "a + d"}, {"d", "1"}, {"e", "d"}});
+
+  const std::vector<ParameterError> errors = find_dependent(list, std::vector<int>{0, 1, 4});
+
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors[0].parameter, 0);
+  EXPECT_EQ(errors[0].error.code, "E0310");
+  EXPECT_EQ(errors[0].error.message, "'c' is free and follows from 'a', which is free too");
+  EXPECT_EQ(errors[0].error.hint, "write 'c: 2*b', or give it a value of its own");
+}
+
+TEST(Parameters, OpenOnesMayBeUsedByOthersAndUseOthers) {
+  const auto list = parameters({{"a", "2*b"}, {"b", "3"}, {"c", "a"}});
+
+  EXPECT_TRUE(find_dependent(list, std::vector<int>{0}).empty());
+}
+
 TEST(Parameters, CircleIsShownWhereItGoesOn) {
   const auto list = parameters({{"a", "1 + b"}, {"b", "a"}});
 

@@ -16,7 +16,7 @@ Reading<std::vector<CouplingDescription>> couplings_of(const std::string& text,
 
 // Every type with the keys that the format gives it.
 const std::vector<std::string> kFullest = {
-    "{type: revolute, bodies: [f, g], at: [0, 0, 0], axis: z, passive: [Rx], friction: 0.1}",
+    "{type: revolute, bodies: [f, g], at: [0, 0, 0], axis: z, passive: [Rx], friction: {tau: 1}}",
     "{type: prismatic, bodies: [f, g], at: [0, 0, 0], axis: [1, 0, 1]}",
     "{type: helical, bodies: [f, g], at: [0, 0, 0], axis: z, lead: 5 mm}",
     "{type: helical, bodies: [f, g], at: [0, 0, 0], axis: z, pitch: 1 mm}",
@@ -55,11 +55,25 @@ TEST_P(EveryCoupling, TakesItsKeys) {
 
 INSTANTIATE_TEST_SUITE_P(CouplingReader, EveryCoupling, testing::ValuesIn(kFullest));
 
+TEST(CouplingReader, TakesTheKeysOfFrictionThatTheTypeUses) {
+  const auto complaints = [](const std::string& coupling) {
+    return couplings_of("a: {" + coupling + "}\n").complaints();
+  };
+  const std::string hinge = "type: revolute, bodies: [f, g], at: [0, 0, 0], axis: z, friction: ";
+  const std::string guide = "type: prismatic, bodies: [f, g], axis: z, friction: ";
+
+  EXPECT_EQ(complaints(hinge + "{mu: 0.1, radius: 5 mm, tau: 1, c: 2}"), Complaints{});
+  EXPECT_EQ(complaints(guide + "{mu: 0.1, length: 5 mm, c: 2}"), Complaints{});
+  EXPECT_EQ(complaints(hinge + "{mu: 0.1}").size(), 1U);
+  EXPECT_EQ(complaints(hinge + "0.1").size(), 1U);
+  EXPECT_EQ(complaints(guide + "{mu: 0.1, radius: 5 mm}").size(), 1U);
+}
+
 TEST(CouplingReader, ReadsWhatIsWritten) {
   const auto reading = couplings_of(
       "a: {type: worm, bodies: [f, g], at: [0, 0, 1], line_of_action: x, "
       "screw: {rotation: -z, at: [0, 2, 0], pitch: 3 mm}, "
-      "friction: {mu: 0.1, radius: 5 mm, tau: 1, c: 2}, stiffness: {Rx: 4, Tz: 5}}\n");
+      "friction: {mu: 0.1}, stiffness: {Rx: 4, Tz: 5}}\n");
 
   ASSERT_EQ(reading.complaints(), Complaints{});
   const CouplingDescription& a = reading.value[0];
@@ -69,8 +83,8 @@ TEST(CouplingReader, ReadsWhatIsWritten) {
   EXPECT_EQ(a.screw->kind, ScrewWord::rotation);
   EXPECT_EQ(a.screw->direction.sign, -1.0);
   EXPECT_EQ(a.screw->pitch->expression.text(), "3 mm");
-  EXPECT_EQ(a.friction->radius->expression.text(), "5 mm");
-  EXPECT_FALSE(a.friction->length);
+  EXPECT_EQ(a.friction->mu->expression.text(), "0.1");
+  EXPECT_FALSE(a.friction->radius);
   EXPECT_EQ(a.stiffness[1].action.text, "Tz");
   EXPECT_FALSE(a.passive);
 }

@@ -80,9 +80,9 @@ TEST(SweepReader, MarksTheWrongPartOfACondition) {
 TEST(SweepReader, SaysThatAConditionWithACommaNeedsQuotes) {
   const auto reading = sweep_of("vary: {N1: [3]}\nrequire: [gcd(N1, 4) == 1]\n");
 
-  ASSERT_FALSE(reading.found.items().empty());
-  EXPECT_EQ(reading.found.items()[0].hint,
-            "put the condition in quotes: in a list, a comma ends it");
+  ASSERT_EQ(reading.found.items().size(), 1U);
+  EXPECT_EQ(reading.found.items()[0].where, (SourceRange{.line = 2, .column = 11, .length = 15}));
+  EXPECT_EQ(reading.found.items()[0].hint, "put it in quotes: \"gcd(N1, 4) == 1\"");
 }
 
 }  // namespace

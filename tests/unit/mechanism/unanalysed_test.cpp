@@ -50,13 +50,19 @@ TEST(Unanalysed, DecidesWhereTheAnswerWouldBeWrongWithoutIt) {
   EXPECT_EQ(list_of("", kMisdrawn), List{"misclosure of revolute 'a'!"});
 }
 
-TEST(Unanalysed, FrictionDecidesOnlyTheStatics) {
-  const std::string hinge = "{type: revolute, bodies: [f, g], at: [0, 0], friction: 0.1}";
+TEST(Unanalysed, FrictionWithoutALawDecidesOnlyTheStatics) {
+  const std::string rigid = "{type: rigid, bodies: [f, g], at: [0, 0], friction: 0.1}";
 
-  EXPECT_EQ(list_of("cases: {c: {motion: {a.wz: 1}}}\n", hinge), List{"friction of revolute 'a'"});
-  EXPECT_EQ(list_of("cases: {c: {action: {a.Rx: 1}}}\n", hinge), List{"friction of revolute 'a'!"});
-  EXPECT_EQ(list_of("gravity: [0, -9.81]\ncases: {c: {motion: {a.wz: 1}}}\n", hinge),
-            List{"friction of revolute 'a'!"});
+  EXPECT_EQ(list_of("cases: {c: {motion: {a.wz: 1}}}\n", rigid), List{"friction of rigid 'a'"});
+  EXPECT_EQ(list_of("cases: {c: {action: {a.Rx: 1}}}\n", rigid), List{"friction of rigid 'a'!"});
+  EXPECT_EQ(list_of("gravity: [0, -9.81]\ncases: {c: {motion: {a.wz: 1}}}\n", rigid),
+            List{"friction of rigid 'a'!"});
+}
+
+TEST(Unanalysed, IsNoFrictionWithALaw) {
+  EXPECT_EQ(list_of("cases: {c: {action: {a.Rx: 1}}}\n",
+                    "{type: revolute, bodies: [f, g], at: [0, 0], friction: {tau: 1}}"),
+            List{});
 }
 
 TEST(Unanalysed, IsAnErrorOfTheAnalysisAndAWarningOfTheCheck) {

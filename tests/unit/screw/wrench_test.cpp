@@ -58,5 +58,12 @@ TEST(Power, OfACoupleOnATranslationIsZero) {
   EXPECT_EQ(power(unit_couple(Vec3::UnitX()), unit_translation(Vec3::UnitX())), 0.0);
 }
 
+TEST(UnitForce, ThroughTheOriginHasNoMomentHoweverItsPointWasComputed) {
+  const Vec3 direction = Vec3(0.1, -0.7, 0.3).normalized();
+
+  EXPECT_EQ(unit_force(direction, direction * 0.3).moment, Vec3::Zero());
+  EXPECT_NE(unit_force(direction, direction * 0.3 + Vec3(1e-12, 0.0, 0.0)).moment, Vec3::Zero());
+}
+
 }  // namespace
 }  // namespace kinestat

@@ -1,0 +1,78 @@
+#include "io/cut_value.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include <fmt/format.h>
+
+namespace kinestat {
+
+namespace {
+
+// Parentheses that stay open; negative if more are closed than opened.
+std::ptrdiff_t open_parentheses(std::string_view text) {
+  return std::ranges::count(text, '(') - std::ranges::count(text, ')');
+}
+
+bool is_piece(const YamlNode& node) {
+  return node.kind == YamlKind::scalar && !node.quoted;
+}
+
+// How many items from the first on make a value whose parentheses are closed; 0 if none do.
+std::size_t count_pieces(std::span<const YamlNode> items) {
+  constexpr std::size_t kMostPieces = 16;
+  std::ptrdiff_t open = 0;
+  for (std::size_t i = 0; i < std::min(items.size(), kMostPieces) && is_piece(items[i]); ++i) {
+    open += open_parentheses(items[i].text);
+    if (open <= 0) {
+      return open == 0 ? i + 1 : 0;
+    }
+  }
+  return 0;
+}
+
+std::string joined(std::span<const YamlNode> pieces) {
+  std::string text;
+  for (const YamlNode& piece : pieces) {
+    text += text.empty() ? "" : ", ";
+    text += piece.text;
+  }
+  return text;
+}
+
+// From the first piece to the last, if they stand on one line.
+SourceRange place_of(std::span<const YamlNode> pieces) {
+  SourceRange where = pieces.front().where;
+  const SourceRange& last = pieces.back().where;
+  if (where.line == last.line) {
+    where.length = last.column + last.length - where.column;
+  }
+  return where;
+}
+
+}  // namespace
+
+bool report_cut_value(const YamlNode& list, Diagnostics& found) {
+  for (std::size_t i = 0; i < list.items.size(); ++i) {
+    const std::span<const YamlNode> rest = std::span(list.items).subspan(i);
+    const std::size_t count = count_pieces(rest);
+    if (count > 1) {
+      const std::string text = joined(rest.first(count));
+      found.error("E0308",
+                  place_of(rest.first(count)),
+                  fmt::format("'{}' is cut at its comma, which separates values of the list", text),
+                  fmt::format("put it in quotes: \"{}\"", text));
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string whole_entry(const YamlEntry& before, const YamlEntry& rest) {
+  const bool is_cut = is_piece(before.value) && rest.value.kind == YamlKind::null &&
+                      open_parentheses(before.value.text) > 0 && open_parentheses(rest.key) < 0;
+  return is_cut ? fmt::format("{}: \"{}, {}\"", before.key, before.value.text, rest.key)
+                : std::string();
+}
+
+}  // namespace kinestat

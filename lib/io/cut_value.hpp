@@ -1,0 +1,19 @@
+// Expressions that YAML has cut at a comma: max(1, 2) in a list without quotes.
+#pragma once
+
+#include <string>
+
+#include "core/diagnostic.hpp"
+#include "io/yaml_tree.hpp"
+
+namespace kinestat {
+
+/// Whether the commas of a list cut an expression in two, so that [max(1, 2), 0] has three items;
+/// then an error says so (E0308), and nothing else needs to be said about the list.
+bool report_cut_value(const YamlNode& list, Diagnostics& found);
+
+/// What to type if an entry of a mapping is the rest of the one before it: 'free: "max(1, 2)"' for
+/// the key '2)' of {free: max(1, 2)}; else empty.
+std::string whole_entry(const YamlEntry& before, const YamlEntry& rest);
+
+}  // namespace kinestat

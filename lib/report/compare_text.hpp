@@ -1,0 +1,19 @@
+// What a comparison says, as a table and as JSON.
+#pragma once
+
+#include <string>
+
+#include "report/compare.hpp"
+
+namespace kinestat {
+
+/// The places that differ, at most the first 50, and the count of values. Two numbers have so many
+/// digits that three of them show the difference.
+std::string comparison_text(const ReportComparison& comparison);
+
+/// All differences by schemas/comparison.schema.json; `a` and `b` are the paths of the reports.
+std::string comparison_json(const ReportComparison& comparison,
+                            const std::string& a,
+                            const std::string& b);
+
+}  // namespace kinestat

@@ -1,0 +1,44 @@
+// Which unit a number of a JSON report has, by its place.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "expression/file_units.hpp"
+#include "report/compare_values.hpp"
+#include "report/json_values.hpp"
+
+namespace kinestat {
+
+/// What a report says about its units: mechanism.units, the units of the parameters, and the
+/// freedoms of its couplings, which tell rotations from translations.
+class ReportUnits {
+ public:
+  /// Reads them; empty, with what is wrong, if a unit is none.
+  static std::optional<ReportUnits> read(const Json& report, std::string& problem);
+
+  /// The unit of the number at a place. One that the report does not tell (the entries of matrices,
+  /// what this program does not know) assumes all units of the report.
+  ValueUnit at(std::string_view place) const;
+
+ private:
+  std::optional<std::string> read_file_units(const Json& report);
+  std::optional<std::string> read_parameters(const Json& report);
+  void read_couplings(const Json& report);
+
+  ValueUnit of(QuantityKind kind) const;
+  ValueUnit unknown() const;
+  ValueUnit rate(std::string_view freedom) const;
+  ValueUnit action(std::string_view name) const;
+  ValueUnit ratio() const;
+  ValueUnit parameter(std::string_view name) const;
+  ValueUnit coefficient(std::string_view magnitude, std::string_view parameter) const;
+
+  FileUnits units_;
+  std::map<std::string, ValueUnit, std::less<>> parameters_;
+  std::map<std::string, char, std::less<>> actuators_;  // 'w' turn, 'v' slide, '?' not told
+};
+
+}  // namespace kinestat

@@ -1,0 +1,82 @@
+// A report as a list of values, each at its place, by which two reports are compared.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "expression/units.hpp"
+
+namespace kinestat {
+
+/// What a number counts, and in what. The kind is what tolerances name: "moment",
+/// "angular_velocity" and so on, or one of "ratio", "efficiency", "direction", "count" and
+/// "number".
+struct ValueUnit {
+  std::string kind = "number";
+  std::string text;  ///< "N*mm"; empty for a bare number
+  UnitScale scale;
+  Dimension dimension;
+  /// Where the report does not tell the unit: all units of the report. Such a number can only be
+  /// compared with one of a report that has the same units.
+  std::string assumes;
+
+  friend bool operator==(const ValueUnit&, const ValueUnit&) = default;
+};
+
+/// The kinds that a number may have.
+const std::vector<std::string>& value_kinds();
+
+/// The unit of counts, which must be equal whatever the tolerances are.
+ValueUnit count_unit();
+
+/// A unit that is written in a report, "N*mm" or empty; with the error of a text that is no unit.
+std::variant<ValueUnit, ExpressionError> read_unit(std::string_view text);
+
+/// A number without a unit.
+ValueUnit bare_unit(std::string kind);
+
+enum class ValueType {
+  number,
+  text,
+  null,  ///< there is no value: null in JSON, an empty cell in a table
+  empty  ///< a list or a mapping with nothing in it
+};
+
+struct ReportValue {
+  std::string place;
+  ValueType type = ValueType::null;
+  double number = 0.0;
+  std::size_t unit = 0;  ///< of a number: index into ReportValues::units
+  std::string text;
+};
+
+enum class ReportForm { json, csv };
+
+/// The values in the order of the report; no two have one place.
+class ReportValues {
+ public:
+  explicit ReportValues(ReportForm form) : form_(form) {}
+
+  ReportForm form() const { return form_; }
+
+  const std::vector<ReportValue>& items() const { return items_; }
+
+  const ValueUnit& unit_of(const ReportValue& value) const { return units_[value.unit]; }
+
+  /// The value at a place, or null.
+  const ReportValue* find(std::string_view place) const;
+
+  /// Adds a value; false if there is one at this place, and then adds nothing.
+  bool add(ReportValue value);
+  bool add_number(std::string place, double number, const ValueUnit& unit);
+
+ private:
+  ReportForm form_;
+  std::vector<ReportValue> items_;
+  std::vector<ValueUnit> units_;
+  std::unordered_map<std::string, std::size_t> index_;
+};
+
+}  // namespace kinestat

@@ -1,0 +1,102 @@
+#include "run/compare.hpp"
+
+#include <optional>
+
+#include "io/read_file.hpp"
+#include "report/compare.hpp"
+#include "report/compare_report.hpp"
+#include "report/compare_text.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// A mechanism of the largest size that is read has a report of about this size.
+constexpr std::size_t kLargestReport = std::size_t{32} << 20U;
+
+std::optional<SourceFile> read_source(const std::string& path, Diagnostics& found) {
+  Diagnostics wrong;
+  std::optional<SourceFile> source = read_file(path, {.bytes = kLargestReport}, wrong);
+  for (const Diagnostic& one : wrong.items()) {
+    const bool is_size = one.code == "E0201";
+    found.error(one.code,
+                one.where,
+                one.message,
+                is_size ? "check the file name; a report is far smaller" : one.hint);
+  }
+  return source;
+}
+
+std::optional<ReportValues> read_report_file(const std::string& path, Outcome& outcome) {
+  SourceFile source{.path = path, .text = {}};
+  Diagnostics found;
+  std::optional<ReportValues> report;
+  if (std::optional<SourceFile> file = read_source(path, found)) {
+    source = *std::move(file);
+    report = read_report(source, found);
+  }
+  add_diagnostics(source, found, Strictness::normal, outcome);
+  return report;
+}
+
+// Complains about what is wrong with the command line.
+std::optional<Tolerances> read_options(const std::string& path_a,
+                                       const std::string& path_b,
+                                       const ToleranceTexts& texts,
+                                       Outcome& outcome) {
+  Diagnostics found;
+  if (path_a == "-" && path_b == "-") {
+    found.error("E0101",
+                {},
+                "standard input can be only one of the two reports",
+                "write one of them to a file");
+  }
+  std::optional<Tolerances> tolerances = read_tolerances(texts, found);
+  if (found.has_errors()) {
+    add_diagnostics({}, found, Strictness::normal, outcome);
+    return {};
+  }
+  return tolerances;
+}
+
+std::string text_of(const ReportComparison& comparison,
+                    const std::string& path_a,
+                    const std::string& path_b,
+                    const CompareOptions& options) {
+  if (options.is_quiet) {
+    return {};
+  }
+  return options.format == StreamFormat::json ? comparison_json(comparison, path_a, path_b)
+                                              : comparison_text(comparison);
+}
+
+}  // namespace
+
+Outcome compare_reports(const std::string& path_a,
+                        const std::string& path_b,
+                        const CompareOptions& options) {
+  Outcome outcome;
+  outcome.form = options.diagnostics;
+  const auto tolerances = read_options(path_a, path_b, options.tolerances, outcome);
+  if (!tolerances) {
+    return outcome;
+  }
+  const auto a = read_report_file(path_a, outcome);
+  const auto b = read_report_file(path_b, outcome);
+  if (!a || !b) {
+    return outcome;
+  }
+  if (a->form() != b->form()) {
+    add_message(
+        "E0905", "one report is JSON, the other a table", "compare two files of one kind", outcome);
+    return outcome;
+  }
+  const ReportComparison comparison = compare(*a, *b, *tolerances);
+  outcome.out = text_of(comparison, path_a, path_b, options);
+  if (!comparison.differences.empty()) {
+    outcome.status = worst(outcome.status, ExitStatus::check_failed);
+  }
+  return outcome;
+}
+
+}  // namespace kinestat
