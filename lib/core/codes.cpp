@@ -330,8 +330,10 @@ constexpr auto kCodes = std::to_array<Code>({
      "actions are statically indeterminate",
      "Equilibrium alone does not determine every action with those that are known: the mechanism "
      "is overconstrained, or fewer actions are given than it needs. Determined ones have values, "
-     "the others are listed. Give more actions (the hint names sets that would do), or release "
-     "constraints by 'passive:'."},
+     "the others are listed, and the report has the self-stresses that are possible. Give more "
+     "actions (the hint names sets that would do), release constraints by 'passive:', give "
+     "couplings a stiffness, or ask for the values of least norm; 'kinestat help loads' has "
+     "examples."},
     {"W0602",
      done,
      "mechanism is self-locking in this case",

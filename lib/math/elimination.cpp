@@ -77,7 +77,7 @@ void Elimination::back_substitute(std::span<const double> scaled_rhs, VecX& x) c
   }
 }
 
-double Elimination::relative_residual(const VecX& x, std::span<const double> rhs) const {
+double Elimination::residual(const VecX& x, std::span<const double> rhs) const {
   std::vector<double> difference(static_cast<std::size_t>(matrix_.rows), 0.0);
   std::vector<double> size(difference.size(), 0.0);
   for (std::size_t r = 0; r < rhs.size(); ++r) {
@@ -164,7 +164,7 @@ EliminationSolution Elimination::solve(std::span<const double> known,
   back_substitute(right.values, solution.x);
   solution.consistent = surplus_rows_hold(solution.x, right);
   unscale(solution.x);
-  solution.residual = relative_residual(solution.x, rhs);
+  solution.residual = residual(solution.x, rhs);
   return solution;
 }
 

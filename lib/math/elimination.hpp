@@ -65,6 +65,9 @@ class Elimination {
   /// it.
   bool is_consistent(std::span<const double> known, std::span<const double> rhs) const;
 
+  /// The largest |A x - b| relative to the largest sum of terms, in scaled rows.
+  double residual(const VecX& x, std::span<const double> rhs) const;
+
   /// A basis of the solutions of A x = 0 with x = 0 at `last`: one vector a free column, 1 there.
   std::vector<VecX> null_vectors() const;
 
@@ -95,7 +98,6 @@ class Elimination {
   };
 
   void back_substitute(std::span<const double> scaled_rhs, VecX& x) const;
-  double relative_residual(const VecX& x, std::span<const double> rhs) const;
   bool surplus_rows_hold(const VecX& scaled_x, const EliminatedRows& right) const;
   VecX combined_rows(VecX eliminated) const;
   std::vector<int> equations_of(const Pivot& pivot) const;

@@ -8,6 +8,7 @@
 #include "core/text.hpp"
 #include "graph/components.hpp"
 #include "mechanism/internal/case_binder.hpp"
+#include "mechanism/internal/compliance_binder.hpp"
 #include "mechanism/internal/geometry_check.hpp"
 #include "mechanism/internal/load_binder.hpp"
 #include "mechanism/internal/section_checks.hpp"
@@ -162,6 +163,7 @@ bool bind_structure(const MechanismDescription& description,
   result.space = description.space;
   result.kinematic_order = description.kinematic_order;
   result.static_order = description.static_order;
+  result.indeterminate = description.indeterminate;
   bind_bodies_and_couplings(description, spaces, evaluator, found, result);
   return !found.has_errors();  // those of the parameters too: their couplings are left out
 }
@@ -255,12 +257,14 @@ std::optional<Mechanism> bind_for(Purpose purpose,
       check_case_names(description, found);
     } else if (bind_graph(description, found, result)) {
       result.cases = bind_cases(description, result.topology, evaluator, found);
+      result.compliances = bind_compliances(description, result.topology, evaluator);
       check_reported_quantities(description, result.topology, found);
     }
   }
   bind_sections(description, evaluator, found, result);
   if (found.error_count() == errors_before) {
     evaluator.warn_of_unused();
+    warn_of_idle_stiffness(description, found);
     report_unanalysed(unanalysed, purpose, found);
   }
   const bool is_right = found.error_count() == errors_before;

@@ -24,6 +24,8 @@ struct Mechanism {
   CouplingGraph graph;
   OrderChoice kinematic_order = OrderChoice::minimal;
   OrderChoice static_order = OrderChoice::minimal;
+  IndeterminateChoice indeterminate = IndeterminateChoice::report;
+  std::vector<double> compliances;  ///< of each action [m/N or rad/(N·m)]; 0: rigid
   std::vector<Case> cases;
 };
 

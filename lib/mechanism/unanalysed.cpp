@@ -49,11 +49,6 @@ void add_coupling(const CouplingDescription& coupling,
   if (coupling.friction && !has_friction_law(coupling)) {
     add(coupling.friction->where, fmt::format("friction of {}", word(coupling)), has_statics);
   }
-  if (!coupling.stiffness.empty()) {
-    add(coupling.stiffness.front().action.where,
-        fmt::format("stiffness of {}", word(coupling)),
-        false);
-  }
 }
 
 void add_model_sections(const MechanismDescription& description, std::vector<Unanalysed>& list) {
@@ -68,9 +63,6 @@ void add_model_sections(const MechanismDescription& description, std::vector<Una
 void add_passes(const MechanismDescription& description, std::vector<Unanalysed>& list) {
   if (description.losses) {
     list.push_back({description.losses->where, "section 'losses'", "", false});
-  }
-  if (description.indeterminate != IndeterminateChoice::report) {
-    list.push_back({description.statics_where, "section 'statics'", "", false});
   }
   if (description.shift) {
     list.push_back({description.shift->where, "section 'shift'", "", false});

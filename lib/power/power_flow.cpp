@@ -72,7 +72,8 @@ double power_of_actuators_and_friction(const Mechanism& mechanism,
 bool determines_power(const Mechanism& mechanism, const StaticSolution& action) {
   return !action.magnitudes.empty() &&
          std::ranges::all_of(mechanism.topology.actuators, [&](const ActuatorTopology& actuator) {
-           return action.magnitudes[static_cast<std::size_t>(actuator.action)].has_value();
+           return action.magnitudes[static_cast<std::size_t>(actuator.action)].has_value() &&
+                  !is_by_convention(action, actuator.action);
          });
 }
 
@@ -86,7 +87,8 @@ PowerFlow find_power(const Mechanism& mechanism,
   double largest = 0.0;
   for (std::size_t e = 0; e < mechanism.topology.couplings.size(); ++e) {
     const auto head = static_cast<std::size_t>(mechanism.topology.couplings[e].head.value);
-    const std::optional<Wrench>& wrench = action.wrenches[e];
+    const bool is_real = !is_by_convention(action, mechanism.topology.couplings[e]);
+    const std::optional<Wrench> wrench = is_real ? action.wrenches[e] : std::nullopt;
     flow.into_head.push_back(wrench ? std::optional(power(*wrench, motion.bodies[head]))
                                     : std::nullopt);
     flow.supplied.push_back(wrench ? power(*wrench, motion.couplings[e])

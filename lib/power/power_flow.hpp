@@ -13,7 +13,7 @@ namespace kinestat {
 /// All in W. Lists are parallel to those of the Topology, that of loads to the case's.
 struct PowerFlow {
   /// Of each coupling: its wrench on the motion of its head body (Cazangi 2008, section 4.4.3,
-  /// virtual power); empty where equilibrium leaves the wrench open.
+  /// virtual power); empty where the wrench is open, or a convention makes it (minimum norm).
   std::vector<std::optional<double>> into_head;
   std::vector<double> supplied;  ///< of each coupling: its wrench on its own motion; positive where
                                  ///< an actuator drives, negative where it brakes
@@ -30,8 +30,8 @@ struct PowerFlow {
   bool is_balanced = true;        ///< the residual is at most kPowerBalance (Tellegen)
 };
 
-/// Whether the actions of all actuators are known. Passive constraints may be open, as in a
-/// mechanism with redundant ones: they do no work.
+/// Whether the actions of all actuators are known, not by convention. Passive constraints may be
+/// open, as in a mechanism with redundant ones: they do no work.
 bool determines_power(const Mechanism& mechanism, const StaticSolution& action);
 
 /// The motion must be solved and the actions must determine the power, of the same mechanism and

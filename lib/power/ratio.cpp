@@ -25,7 +25,7 @@ std::optional<double> common_rate(const Mechanism& mechanism,
   return common;
 }
 
-// The sum of the inputs' actions; empty if equilibrium does not determine one of them.
+// The sum of the inputs' actions; empty if one of them is open, or a convention.
 std::optional<double> total_action(const Mechanism& mechanism,
                                    const Case& which,
                                    const StaticSolution& action) {
@@ -33,7 +33,7 @@ std::optional<double> total_action(const Mechanism& mechanism,
   for (const int i : which.inputs) {
     const int index = mechanism.topology.actuators[static_cast<std::size_t>(i)].action;
     const std::optional<double> magnitude = action.magnitudes[static_cast<std::size_t>(index)];
-    if (!magnitude) {
+    if (!magnitude || is_by_convention(action, index)) {
       return std::nullopt;
     }
     sum += *magnitude;
@@ -68,7 +68,7 @@ Ratios find_ratios(const Mechanism& mechanism,
   }
   const std::optional<double> in = total_action(mechanism, which, *action);
   const std::optional<double> out = action->magnitudes[static_cast<std::size_t>(output.action)];
-  if (in && out && *out != 0.0) {
+  if (in && out && *out != 0.0 && !is_by_convention(*action, output.action)) {
     ratios.torque_ratio = *in / *out;
   }
   return ratios;

@@ -1,6 +1,7 @@
 #include "report/analysis_csv.hpp"
 
 #include <array>
+#include <set>
 
 #include "core/utf8.hpp"
 #include "report/csv.hpp"
@@ -37,6 +38,19 @@ class CsvWriter {
     }
   }
 
+  /// The couplings of actions, by name.
+  std::set<std::string> couplings_of(const std::set<std::string>& actions) const {
+    const Topology& topology = analysis_.mechanism.topology;
+    std::set<std::string> couplings;
+    for (int a = 0; a < topology.action_count(); ++a) {
+      if (actions.contains(topology.action_name(a))) {
+        const ActionLabel& label = topology.actions[static_cast<std::size_t>(a)];
+        couplings.insert(topology.coupling(label.coupling).name);
+      }
+    }
+    return couplings;
+  }
+
  private:
   void row(const Place& place, const std::string& quantity, const Json& value) {
     const std::string number = value.is_null()             ? ""
@@ -69,7 +83,7 @@ class CsvWriter {
       return units.text(is_rotation(place.element) ? QuantityKind::angular_velocity
                                                    : QuantityKind::velocity);
     }
-    if (group == "action") {
+    if (group == "action" || group == "self_stress") {
       return units.text(is_couple(place.element) ? QuantityKind::moment : QuantityKind::force);
     }
     if (group == "twist" || group == "wrench") {
@@ -136,6 +150,25 @@ void add_elements(CsvWriter& writer,
   }
 }
 
+// Elements whose status is another.
+struct Exceptions {
+  std::set<std::string> elements;
+  std::string status;
+};
+
+void add_elements_but(CsvWriter& writer,
+                      Place place,
+                      const Json& elements,
+                      const std::string& quantity,
+                      const Exceptions& exceptions) {
+  const std::string usual = place.status;
+  for (const auto& [name, value] : elements.items()) {
+    place.element = name;
+    place.status = exceptions.elements.contains(name) ? exceptions.status : usual;
+    writer.add(place, quantity, value);
+  }
+}
+
 void add_elements_if_any(CsvWriter& writer,
                          const Place& place,
                          const Json& pass,
@@ -146,15 +179,34 @@ void add_elements_if_any(CsvWriter& writer,
   }
 }
 
+void add_self_stresses(CsvWriter& writer, const Place& place, const Json& pass) {
+  for (std::size_t i = 0; pass.contains("self_stresses") && i < pass["self_stresses"].size(); ++i) {
+    add_elements(
+        writer, place, pass["self_stresses"][i]["actions"], "self_stress/" + std::to_string(i));
+  }
+}
+
+// What completes equilibrium has its method as its status.
+void add_statics(CsvWriter& writer, const Place& place, const Json& pass) {
+  Exceptions completed;
+  if (pass.contains("completion")) {
+    completed.elements = pass["completion"]["actions"].get<std::set<std::string>>();
+    completed.status = pass["completion"]["method"];
+  }
+  add_elements_but(writer, place, pass["actions"], "action", completed);
+  add_self_stresses(writer, place, pass);
+  completed.elements = writer.couplings_of(completed.elements);
+  add_elements_but(writer, place, pass["couplings"], "", completed);
+  add_elements_if_any(writer, place, pass, "loads", "load");
+  add_elements_if_any(writer, place, pass, "friction", "friction");
+}
+
 void add_case(CsvWriter& writer, const Place& place, const Json& pass) {
   if (place.pass == "kinematics") {
     add_elements(writer, place, pass["freedoms"], "rate");
     add_elements(writer, place, pass["bodies"], "");
   } else if (place.pass == "statics") {
-    add_elements(writer, place, pass["actions"], "action");
-    add_elements(writer, place, pass["couplings"], "");
-    add_elements_if_any(writer, place, pass, "loads", "load");
-    add_elements_if_any(writer, place, pass, "friction", "friction");
+    add_statics(writer, place, pass);
   } else {
     add_elements(writer, place, pass["couplings"], "into_head");
     add_elements(writer, place, pass["supplied"], "supplied");

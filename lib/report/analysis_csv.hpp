@@ -19,7 +19,8 @@ struct CsvTable {
 };
 
 /// One row a number of the JSON report: `quantity` is its path below the element, `value` is empty
-/// where it is null. Passes that no case asked for have no table.
+/// where it is null. `status` is that of the pass; of actions that complete equilibrium it is their
+/// method, minimum_norm or stiffness. Passes that no case asked for have no table.
 std::vector<CsvTable> analysis_csv(const Analysis& analysis, const Json& report);
 
 }  // namespace kinestat

@@ -49,6 +49,43 @@ Json friction_json(const Mechanism& mechanism, const FrictionAction& friction, c
   return result;
 }
 
+// Coefficients in the units of the file, for 1 unit of the first action.
+Json self_stress_json(const Topology& topology, const SelfStress& stress, const InUnits& in) {
+  const FileUnits& units = in.units();
+  const auto factor = [&](int action) {
+    const bool turns = topology.actions[static_cast<std::size_t>(action)].is_couple;
+    return units.factor(turns ? QuantityKind::moment : QuantityKind::force);
+  };
+  Json couplings = Json::array();
+  Json actions = object_of(stress.terms.size());
+  for (const DependenceTerm& term : stress.terms) {
+    const ActionLabel& label = topology.actions[static_cast<std::size_t>(term.index)];
+    const std::string& coupling = topology.coupling(label.coupling).name;
+    if (couplings.empty() || couplings.back() != coupling) {
+      couplings.push_back(coupling);
+    }
+    actions[topology.action_name(term.index)] =
+        number(term.coefficient * factor(stress.terms.front().index) / factor(term.index));
+  }
+  Json result = object_of(8);
+  result["couplings"] = std::move(couplings);
+  result["actions"] = std::move(actions);
+  return result;
+}
+
+Json completion_json(const Topology& topology, const Completion& completion, const InUnits& in) {
+  Json result = object_of(8);
+  result["method"] = word_of(completion.by);
+  if (completion.by == IndeterminateChoice::minimum_norm) {
+    result["length"] = number(in.length(completion.length));
+  }
+  result["actions"] = Json::array();
+  for (const int a : completion.actions) {
+    result["actions"].push_back(topology.action_name(a));
+  }
+  return result;
+}
+
 }  // namespace
 
 Json statics_json(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
@@ -68,6 +105,15 @@ Json statics_json(const Mechanism& mechanism, const CaseAnalysis& one, const InU
   result["undetermined"] = Json::array();
   for (const int a : action.check.undetermined) {
     result["undetermined"].push_back(topology.action_name(a));
+  }
+  if (!action.self_stresses.empty()) {
+    result["self_stresses"] = Json::array();
+    for (const SelfStress& stress : action.self_stresses) {
+      result["self_stresses"].push_back(self_stress_json(topology, stress, in));
+    }
+  }
+  if (action.completion.by != IndeterminateChoice::report) {
+    result["completion"] = completion_json(topology, action.completion, in);
   }
   result["couplings"] = object_of(topology.couplings.size());
   for (std::size_t e = 0; e < action.wrenches.size(); ++e) {

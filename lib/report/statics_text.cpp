@@ -12,6 +12,14 @@ namespace kinestat {
 
 namespace {
 
+// What completes equilibrium has a star, what stays open is "?".
+std::string magnitude_cell(const StaticSolution& action, int a, bool turns, const InUnits& in) {
+  const std::optional<double> magnitude = action.magnitudes[static_cast<std::size_t>(a)];
+  const std::string text =
+      cell_of(magnitude ? std::optional(in.action(*magnitude, turns)) : std::nullopt);
+  return is_completed(action, a) ? "*" + text : text;
+}
+
 std::string actuators_text(const Topology& topology, const CaseAnalysis& one, const InUnits& in) {
   if (topology.actuators.empty()) {
     return {};
@@ -25,10 +33,9 @@ std::string actuators_text(const Topology& topology, const CaseAnalysis& one, co
   for (std::size_t i = 0; i < topology.actuators.size(); ++i) {
     const auto a = static_cast<std::size_t>(topology.actuators[i].action);
     const bool turns = topology.actions[a].is_couple;
-    const std::optional<double> magnitude = one.action->magnitudes[a];
     std::vector<std::string> row = {
         topology.actuators[i].name,
-        cell_of(magnitude ? std::optional(in.action(*magnitude, turns)) : std::nullopt),
+        magnitude_cell(*one.action, topology.actuators[i].action, turns, in),
         in.units().text(turns ? QuantityKind::moment : QuantityKind::force)};
     if (has_power) {
       row.push_back(format_short(in.power(one.power->actuators[i])));
@@ -72,12 +79,52 @@ std::string constraints_text(const Topology& topology,
       continue;
     }
     const bool turns = topology.actions[a].is_couple;
-    const std::optional<double> magnitude = action.magnitudes[a];
     table.add({topology.action_name(static_cast<int>(a)),
-               cell_of(magnitude ? std::optional(in.action(*magnitude, turns)) : std::nullopt),
+               magnitude_cell(action, static_cast<int>(a), turns, in),
                in.units().text(turns ? QuantityKind::moment : QuantityKind::force)});
   }
   return table.text("  ") + "\n";
+}
+
+// "self-stress 1 of a, b: a.Rx = 1 N, b.Rx = -1 N"
+std::string self_stresses_text(const Topology& topology,
+                               const StaticSolution& action,
+                               const InUnits& in) {
+  const FileUnits& units = in.units();
+  const auto kind = [&](int a) {
+    return topology.actions[static_cast<std::size_t>(a)].is_couple ? QuantityKind::moment
+                                                                   : QuantityKind::force;
+  };
+  std::string text;
+  for (std::size_t i = 0; i < action.self_stresses.size(); ++i) {
+    std::vector<std::string> parts;
+    for (const DependenceTerm& term : action.self_stresses[i].terms) {
+      const int first = action.self_stresses[i].terms.front().index;
+      const double size = term.coefficient * units.factor(kind(first));
+      parts.push_back(fmt::format("{} = {} {}",
+                                  topology.action_name(term.index),
+                                  format_short(units.from_si(kind(term.index), size)),
+                                  units.text(kind(term.index))));
+    }
+    text += fmt::format("  self-stress {}: {}\n", i + 1, fmt::join(parts, ", "));
+  }
+  return text.empty() ? "" : text + "\n";
+}
+
+// "statics: indeterminate; * of least norm, couples divided by 0.5 m"; empty if there is nothing
+// to say.
+std::string status_text(const StaticSolution& action, const InUnits& in) {
+  std::string text;
+  if (!action.completion.actions.empty()) {
+    text = action.completion.by == IndeterminateChoice::minimum_norm
+               ? fmt::format("; * a convention: least norm, couples divided by {} {}",
+                             format_short(in.length(action.completion.length)),
+                             in.units().text(QuantityKind::length))
+               : "; * by the stiffness of couplings";
+  }
+  return action.status == SolveStatus::solved && text.empty()
+             ? ""
+             : fmt::format("  statics: {}{}\n\n", word_of(action.status), text);
 }
 
 // Moments are about the point where the force acts; those of a couple alone are the same anywhere.
@@ -161,11 +208,13 @@ std::string statics_text(const Mechanism& mechanism, const CaseAnalysis& one, co
   if (one.action->wrenches.empty()) {
     return fmt::format("  statics: {}\n\n", word_of(one.action->status));
   }
-  const bool is_solved = one.action->status == SolveStatus::solved;
-  std::string text = is_solved ? "" : fmt::format("  statics: {}\n\n", word_of(one.action->status));
+  const bool is_solved =
+      one.action->status == SolveStatus::solved && one.action->completion.actions.empty();
+  std::string text = status_text(*one.action, in);
   text += actuators_text(mechanism.topology, one, in);
   text += is_solved ? wrenches_text(mechanism, *one.action, in)
-                    : constraints_text(mechanism.topology, *one.action, in);
+                    : constraints_text(mechanism.topology, *one.action, in) +
+                          self_stresses_text(mechanism.topology, *one.action, in);
   text += loads_text(mechanism, one, in) + friction_text(mechanism, one, in);
   if (one.power) {
     text += power_text(*one.power, in);

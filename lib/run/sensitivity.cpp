@@ -16,6 +16,7 @@
 #include "run/findings.hpp"
 #include "run/solve_cases.hpp"
 #include "sensitivity/adjoint.hpp"
+#include "statics/indeterminacy.hpp"
 
 namespace kinestat {
 
@@ -172,10 +173,13 @@ class SensitivityJob {
     // With friction the actions are no solution of linear equations.
     const bool has_actions =
         one.action && !one.action->magnitudes.empty() && analysis_.mechanism.frictions.empty();
+    const std::optional<StaticSolution> action =
+        has_actions ? std::optional(without_completion(analysis_.mechanism, *one.action))
+                    : std::nullopt;
     const DualCase values(analysis_.mechanism,
                           one.which,
                           has_rates ? &*one.motion : nullptr,
-                          has_actions ? &*one.action : nullptr,
+                          has_actions ? &*action : nullptr,
                           derivatives.geometry,
                           variables_.size());
     const CaseAdjoint adjoint(values, derivatives, primaries);

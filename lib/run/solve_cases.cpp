@@ -10,6 +10,7 @@
 #include "run/free_parameters.hpp"
 #include "statics/action.hpp"
 #include "statics/friction.hpp"
+#include "statics/indeterminacy.hpp"
 
 namespace kinestat {
 
@@ -90,8 +91,10 @@ StaticSolution solve_statics(const Mechanism& mechanism,
   const bool has_outside = !loads.empty() || !mechanism.frictions.empty();
   const CoordinateBasis basis =
       has_outside ? action_basis(mechanism.geometry, mechanism.static_order, loads) : common;
-  return mechanism.frictions.empty() ? solve_action(mechanism, basis, which.actions, loads)
-                                     : solve_with_laws(mechanism, basis, which, loads, motion);
+  StaticSolution solution = mechanism.frictions.empty()
+                                ? solve_action(mechanism, basis, which.actions, loads)
+                                : solve_with_laws(mechanism, basis, which, loads, motion);
+  return resolve_indeterminacy(mechanism, basis, which.actions, loads, std::move(solution));
 }
 
 CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Case& which) {

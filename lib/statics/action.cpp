@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
+#include "statics/coupling_wrenches.hpp"
 #include "statics/equilibrium.hpp"
 
 namespace kinestat {
@@ -30,22 +31,6 @@ void fill_magnitudes(const VecX& magnitudes, StaticSolution& solution) {
     if (!std::ranges::binary_search(solution.check.undetermined, a)) {
       solution.magnitudes[static_cast<std::size_t>(a)] = magnitudes[a];
     }
-  }
-}
-
-void fill_wrenches(const Mechanism& mechanism, StaticSolution& solution) {
-  solution.wrenches.reserve(mechanism.topology.couplings.size());
-  for (const CouplingTopology& coupling : mechanism.topology.couplings) {
-    std::optional<Wrench> sum = Wrench{};
-    for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
-      const auto& magnitude = solution.magnitudes[static_cast<std::size_t>(a)];
-      if (!magnitude || !sum) {
-        sum = std::nullopt;
-      } else {
-        sum = *sum + *magnitude * mechanism.geometry.actions[static_cast<std::size_t>(a)];
-      }
-    }
-    solution.wrenches.push_back(sum);
   }
 }
 
@@ -90,7 +75,7 @@ StaticSolution solve_action(const Mechanism& mechanism,
   solution.status = solution.check.missing > 0 ? SolveStatus::underdetermined : SolveStatus::solved;
   solution.residual = actions.residual;
   fill_magnitudes(actions.magnitudes, solution);
-  fill_wrenches(mechanism, solution);
+  solution.wrenches = coupling_wrenches(mechanism, solution);
   if (!is_finite(solution)) {
     solution.status = SolveStatus::overflow;
     solution.magnitudes.clear();

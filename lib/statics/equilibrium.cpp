@@ -48,6 +48,12 @@ EquilibriumActions Equilibrium::solve(std::span<const double> known,
           .consistent = solved.consistent};
 }
 
+double Equilibrium::residual(const VecX& magnitudes, std::span<const BodyWrench> loads) const {
+  const Eigen::Map<const VecX> units(units_.data(), static_cast<Eigen::Index>(units_.size()));
+  return elimination_.residual(magnitudes.cwiseQuotient(units),
+                               load_vector(body_count_, basis_, loads));
+}
+
 std::vector<VecX> Equilibrium::self_stresses() const {
   const Eigen::Map<const VecX> units(units_.data(), static_cast<Eigen::Index>(units_.size()));
   std::vector<VecX> vectors = elimination_.null_vectors();

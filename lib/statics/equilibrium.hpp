@@ -39,6 +39,10 @@ class Equilibrium {
   /// The actions for magnitudes of the primaries [N·m or N], in the order of their choice.
   EquilibriumActions solve(std::span<const double> known, std::span<const BodyWrench> loads) const;
 
+  /// How well the actions [N·m or N] are in equilibrium with the loads: the largest sum on a body
+  /// relative to the largest sum of sizes.
+  double residual(const VecX& magnitudes, std::span<const BodyWrench> loads) const;
+
   /// A basis of the actions that are in equilibrium with each other alone, the primaries being
   /// zero: one vector of magnitudes [N·m or N] a missing primary.
   std::vector<VecX> self_stresses() const;

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/solve_status.hpp"
 #include "math/rank.hpp"
+#include "mechanism/mechanism.hpp"
 #include "network/counts.hpp"
 #include "network/primary_check.hpp"
 #include "screw/wrench.hpp"
+#include "statics/self_stress.hpp"
 #include "statics/unheld_motion.hpp"
 
 namespace kinestat {
@@ -21,10 +24,30 @@ struct FrictionAction {
   Wrench wrench;  ///< about the origin of the Geometry, against the motion
 };
 
+/// The word in files and reports.
+constexpr std::string_view word_of(IndeterminateChoice choice) {
+  switch (choice) {
+    case IndeterminateChoice::report:
+      return "report";
+    case IndeterminateChoice::minimum_norm:
+      return "minimum_norm";
+    case IndeterminateChoice::stiffness:
+      return "stiffness";
+  }
+  return "";
+}
+
+/// Values of actions that equilibrium leaves open.
+struct Completion {
+  IndeterminateChoice by = IndeterminateChoice::report;  ///< report: there are none
+  double length = 0.0;       ///< by which minimum norm divides couples [m]
+  std::vector<int> actions;  ///< which have their value so, ascending
+};
+
 /// Lists are parallel to those of the Topology. An empty magnitude is not determined by
-/// equilibrium. Wrenches are written about the origin of the Geometry. Nothing is filled in where
-/// the status is dependent or inconsistent; of an inconsistent case, the check has only those
-/// dependences that the primaries violate.
+/// equilibrium, nor by what completes it. Wrenches are written about the origin of the Geometry.
+/// Nothing is filled in where the status is dependent or inconsistent; of an inconsistent case, the
+/// check has only those dependences that the primaries violate.
 struct StaticSolution {
   SolveStatus status = SolveStatus::solved;
   ActionCounts counts;
@@ -36,7 +59,20 @@ struct StaticSolution {
                                                   ///< included; empty if one of its actions is
   std::vector<FrictionAction> friction;           ///< of the couplings that have any
   std::vector<CouplingId> at_rest;                ///< where friction has no direction
-  std::optional<UnheldMotion> unheld;             ///< of an inconsistent case
+  std::vector<SelfStress> self_stresses;          ///< of an underdetermined case; empty also where
+                                                  ///< there are too many to be read
+  Completion completion;
+  std::optional<UnheldMotion> unheld;  ///< of an inconsistent case
 };
+
+/// Whether the value of an action comes from what completes equilibrium.
+bool is_completed(const StaticSolution& solution, int action);
+
+/// Whether that of any action of the coupling does.
+bool is_completed(const StaticSolution& solution, const CouplingTopology& coupling);
+
+/// Whether the value is a convention (minimum norm) and no consequence of the loads.
+bool is_by_convention(const StaticSolution& solution, int action);
+bool is_by_convention(const StaticSolution& solution, const CouplingTopology& coupling);
 
 }  // namespace kinestat

@@ -1,10 +1,11 @@
-// Gives every file of the named folders to the fuzz target, in order; none may take a second.
+// Gives every file of the named folders to the fuzz target, in order; none may take a second of the
+// processor.
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -16,9 +17,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr std::chrono::seconds kLongest(1);
+// Of the processor, for a busy machine must not look like a slow program.
+constexpr double kLongest = 1.0;  // [s]
 
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
@@ -38,9 +38,9 @@ bool replay(const std::filesystem::path& path) {
   const std::vector<std::uint8_t> data(bytes.begin(), bytes.end());
   std::printf("%s\n", path.c_str());
   std::fflush(stdout);
-  const Clock::time_point begin = Clock::now();
+  const std::clock_t begin = std::clock();
   LLVMFuzzerTestOneInput(data.data(), data.size());
-  return Clock::now() - begin < kLongest;
+  return static_cast<double>(std::clock() - begin) < kLongest * CLOCKS_PER_SEC;
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
       for (const std::filesystem::path& path : files_of(folder)) {
         ++count;
         if (!replay(path)) {
-          std::fputs("took longer than a second\n", stderr);
+          std::fputs("took more than a second of the processor\n", stderr);
           return 1;
         }
       }

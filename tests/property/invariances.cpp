@@ -74,13 +74,14 @@ Answers solve_both(const NetworkCase& network, std::uint64_t seed) {
   Random random(seed);
   Answers answers;
   answers.motions = choose_motions(network, random);
-  answers.rates = expect_solved_motions(network, answers.motions);
-  answers.twists = coupling_twists(network.mechanism, answers.rates);
-  answers.rate_size = std::max(size_of(answers.rates), size_of(answers.twists));
-  answers.magnitudes = expect_solved_actions(network, choose_actions(network, random));
-  answers.wrenches = coupling_wrenches(network.mechanism, answers.magnitudes);
-  answers.internal = internal_wrenches(network.mechanism, answers.magnitudes);
-  answers.action_size = std::max(size_of(answers.magnitudes), size_of(answers.wrenches));
+  const VecX rates = expect_solved_motions(network, answers.motions);
+  answers.twists = coupling_twists(network.mechanism, rates);
+  answers.rate_size = std::max(size_of(rates), size_of(answers.twists));
+  const VecX magnitudes = expect_solved_actions(network, choose_actions(network, random));
+  answers.wrenches = coupling_wrenches(network.mechanism, magnitudes);
+  answers.internal = internal_wrenches(network.mechanism, magnitudes);
+  answers.action_size = std::max(size_of(magnitudes), size_of(answers.wrenches));
+  answers.length = network.mechanism.geometry.length;
   return answers;
 }
 
@@ -159,20 +160,21 @@ void expect_orders_when_moved(const Trial& trial, const NetworkCase& original) {
             action_basis(before, OrderChoice::minimal).order());
 }
 
+// The answers are compared in the units of the original. Its length counts, because the program
+// gives one of its own to a mechanism whose couplings are all at one point.
 void expect_scaled_answers(const Trial& trial, double factor) {
   const NetworkCase changed = make_network_case(bind_network(scaled(trial.network, factor)));
   const Answers& expected = trial.answers;
-  const Topology& topology = changed.mechanism.topology;
-  VecX rate_units(expected.rates.size());
-  VecX action_units(expected.magnitudes.size());
-  std::ranges::transform(topology.freedoms, rate_units.begin(), [&](const FreedomLabel& freedom) {
-    return freedom.is_rotation ? 1.0 : factor;
-  });
-  std::ranges::transform(topology.actions, action_units.begin(), [&](const ActionLabel& action) {
-    return action.is_couple ? factor : 1.0;
-  });
-  const VecX rates = rate_units.cwiseProduct(expected.rates);
-  const VecX magnitudes = action_units.cwiseProduct(expected.magnitudes);
+  const double length = factor * expected.length;
+  Vec6 twist_units = Vec6::Ones();
+  twist_units.tail<3>() *= factor;
+  Vec6 wrench_units = Vec6::Ones();
+  wrench_units.head<3>() *= factor;
+  const VecX rates = freedom_rates(changed, twist_units.asDiagonal() * expected.twists, length);
+  const VecX magnitudes = action_magnitudes(changed,
+                                            wrench_units.asDiagonal() * expected.wrenches,
+                                            wrench_units.asDiagonal() * expected.internal,
+                                            length);
 
   const auto motion = solve_velocity(changed.mechanism,
                                      changed.twist_basis,
@@ -183,10 +185,12 @@ void expect_scaled_answers(const Trial& trial, double factor) {
 
   ASSERT_EQ(motion.status, SolveStatus::solved);
   ASSERT_EQ(action.status, SolveStatus::solved);
-  const VecX rates_back = rates_of(motion).cwiseQuotient(rate_units);
-  const VecX magnitudes_back = magnitudes_of(action).cwiseQuotient(action_units);
-  EXPECT_TRUE(is_near(rates_back, expected.rates, kAgreement * expected.rate_size));
-  EXPECT_TRUE(is_near(magnitudes_back, expected.magnitudes, kAgreement * expected.action_size));
+  const Mat6X twists =
+      twist_units.asDiagonal().inverse() * coupling_twists(changed.mechanism, rates_of(motion));
+  const Mat6X wrenches = wrench_units.asDiagonal().inverse() *
+                         coupling_wrenches(changed.mechanism, magnitudes_of(action));
+  EXPECT_TRUE(is_near(twists, expected.twists, kAgreement * expected.rate_size));
+  EXPECT_TRUE(is_near(wrenches, expected.wrenches, kAgreement * expected.action_size));
 }
 
 }  // namespace kinestat

@@ -10,13 +10,12 @@ namespace kinestat {
 /// may cancel within couplings.
 struct Answers {
   std::vector<Primary> motions;  ///< the primary ones; empty where others are to be chosen
-  VecX rates;                    ///< of all freedoms
   Mat6X twists;                  ///< of each coupling
   double rate_size = 0.0;
-  VecX magnitudes;  ///< of all actions
-  Mat6X wrenches;   ///< of each coupling
-  Mat6X internal;   ///< the part of each actuator
+  Mat6X wrenches;  ///< of each coupling
+  Mat6X internal;  ///< the part of each actuator
   double action_size = 0.0;
+  double length = 1.0;  ///< size of the mechanism [m]
 };
 
 /// For random primaries.

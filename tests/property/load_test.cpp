@@ -5,6 +5,7 @@
 
 #include "network/node_system.hpp"
 #include "power/power_flow.hpp"
+#include "property/held_loads.hpp"
 #include "property/identities.hpp"
 #include "property/network_answers.hpp"
 #include "property/shard.hpp"
@@ -20,29 +21,6 @@ INSTANTIATE_TEST_SUITE_P(Seed, Loads, ::testing::Range(0, kFirstSmallSeed, kShar
 INSTANTIATE_TEST_SUITE_P(SmallSpatialSeed,
                          Loads,
                          ::testing::Range(kFirstSmallSeed, kSeedCount, kSmallShardSize));
-
-// Loads that the network can hold: those that are in equilibrium with random actions, of which
-// nothing else is known. On the ground too, where they must not count.
-struct HeldLoads {
-  VecX held_by;  ///< magnitudes of actions that hold the loads
-  std::vector<BodyWrench> loads;
-};
-
-HeldLoads make_held_loads(const Mechanism& mechanism, Random& random) {
-  HeldLoads result{.held_by = VecX(mechanism.topology.action_count()), .loads = {}};
-  for (double& magnitude : result.held_by) {
-    magnitude = random.magnitude();
-  }
-  for (int a = 0; a < mechanism.topology.action_count(); ++a) {
-    const ActionLabel& label = mechanism.topology.actions[static_cast<std::size_t>(a)];
-    const CouplingTopology& coupling = mechanism.topology.coupling(label.coupling);
-    const Wrench wrench =
-        result.held_by[a] * mechanism.geometry.actions[static_cast<std::size_t>(a)];
-    result.loads.push_back({.body = coupling.head, .wrench = -1.0 * wrench});
-    result.loads.push_back({.body = coupling.tail, .wrench = wrench});
-  }
-  return result;
-}
 
 TEST_P(Loads, AreHeldByActionsThatSatisfyTheCutsetLaw) {
   for_each_network([](const RandomNetwork&, const NetworkCase& network, std::uint64_t seed) {

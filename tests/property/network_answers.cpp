@@ -5,8 +5,6 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include "network/node_system.hpp"
-
 namespace kinestat {
 
 namespace {
@@ -29,19 +27,43 @@ Mat6X coupling_sums(const std::vector<Screw>& screws,
   return sums;
 }
 
-// In a basis of the network, about the mechanism's origin.
+// Finds the magnitudes of unit screws of a coupling from their sum.
 template <class Screw>
-VecX in_basis(const Vec6& screw, const CoordinateBasis& basis, const Vec3& origin) {
-  return basis.coordinates_of(
-      about_world<double>(Screw::from_coordinates(screw), -origin).coordinates());
-}
+class Fit {
+ public:
+  Fit(const Mechanism& mechanism, double length)
+      : origin_(mechanism.geometry.origin),
+        length_(length > 0.0 ? length : mechanism.geometry.length) {}
 
-VecX fit(const MatX& columns, const VecX& target) {
-  if (columns.cols() == 0) {
-    return VecX::Zero(0);
+  void add(const Screw& unit) {
+    columns_.conservativeResize(Eigen::NoChange, columns_.cols() + 1);
+    columns_.rightCols<1>() = weighed(unit);
   }
-  return columns.colPivHouseholderQr().solve(target);
-}
+
+  // By least squares of columns of equal length; `sum` is about the world origin.
+  VecX magnitudes(const Vec6& sum) const {
+    if (columns_.cols() == 0) {
+      return VecX::Zero(0);
+    }
+    const VecX sizes = columns_.colwise().norm();
+    const MatX normalised = columns_ * sizes.cwiseInverse().asDiagonal();
+    const Vec6 target = weighed(about_world<double>(Screw::from_coordinates(sum), -origin_));
+    return VecX(normalised.colPivHouseholderQr().solve(target)).cwiseQuotient(sizes);
+  }
+
+ private:
+  Vec6 weighed(const Twist& twist) const {
+    return Twist{.angular = twist.angular, .linear = twist.linear / length_}.coordinates();
+  }
+
+  Vec6 weighed(const Wrench& wrench) const {
+    return Wrench{.moment = wrench.moment / length_, .force = wrench.force}.coordinates();
+  }
+
+  Vec3 origin_;
+  double length_;
+  Mat6X columns_ = Mat6X(6, 0);
+};
 
 }  // namespace
 
@@ -95,56 +117,45 @@ Mat6X internal_wrenches(const Mechanism& mechanism, const VecX& magnitudes) {
   return result;
 }
 
-VecX freedom_rates(const NetworkCase& network, const Mat6X& twists) {
+VecX freedom_rates(const NetworkCase& network, const Mat6X& twists, double length) {
   const Topology& topology = network.mechanism.topology;
-  const Geometry& geometry = network.mechanism.geometry;
-  const CoordinateBasis& basis = network.twist_basis;
   VecX result(topology.freedom_count());
   for (int e = 0; e < topology.coupling_count(); ++e) {
     const CouplingTopology& coupling = topology.couplings[static_cast<std::size_t>(e)];
-    MatX columns(basis.order(), coupling.freedom_count);
-    VecX units(coupling.freedom_count);
-    for (int i = 0; i < coupling.freedom_count; ++i) {
-      const int f = coupling.first_freedom + i;
-      units[i] = rate_unit(topology, basis, f);
-      columns.col(i) = units[i] * basis.coordinates_of(
-                                      geometry.motions[static_cast<std::size_t>(f)].coordinates());
+    Fit<Twist> fit(network.mechanism, length);
+    for (int f = coupling.first_freedom; f < coupling.first_freedom + coupling.freedom_count; ++f) {
+      fit.add(network.mechanism.geometry.motions[static_cast<std::size_t>(f)]);
     }
-    const VecX x = fit(columns, in_basis<Twist>(twists.col(e), basis, geometry.origin));
-    result.segment(coupling.first_freedom, coupling.freedom_count) = units.cwiseProduct(x);
+    result.segment(coupling.first_freedom, coupling.freedom_count) = fit.magnitudes(twists.col(e));
   }
   return result;
 }
 
-VecX action_magnitudes(const NetworkCase& network, const Mat6X& wrenches, const Mat6X& internal) {
+VecX action_magnitudes(const NetworkCase& network,
+                       const Mat6X& wrenches,
+                       const Mat6X& internal,
+                       double length) {
   const Topology& topology = network.mechanism.topology;
-  const Geometry& geometry = network.mechanism.geometry;
-  const CoordinateBasis& basis = network.wrench_basis;
+  const std::vector<Wrench>& screws = network.mechanism.geometry.actions;
   VecX result(topology.action_count());
   for (int e = 0; e < topology.coupling_count(); ++e) {
     const CouplingTopology& coupling = topology.couplings[static_cast<std::size_t>(e)];
-    VecX rest = in_basis<Wrench>(wrenches.col(e), basis, geometry.origin);
-    MatX passive(basis.order(), 0);
-    VecX units(coupling.action_count);
-    for (int i = 0; i < coupling.action_count; ++i) {
-      const int a = coupling.first_action + i;
+    Vec6 rest = wrenches.col(e);
+    Fit<Wrench> passive(network.mechanism, length);
+    for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
+      const Wrench& screw = screws[static_cast<std::size_t>(a)];
       const int actuator = topology.actions[static_cast<std::size_t>(a)].actuator;
-      units[i] = action_unit(topology, basis, a);
-      const VecX column =
-          units[i] *
-          basis.coordinates_of(geometry.actions[static_cast<std::size_t>(a)].coordinates());
       if (actuator < 0) {
-        passive.conservativeResize(Eigen::NoChange, i + 1);
-        passive.col(i) = column;
+        passive.add(screw);
       } else {
-        const VecX part = in_basis<Wrench>(internal.col(actuator), basis, geometry.origin);
-        result[a] = units[i] * fit(column, part)[0];
-        rest -= part;
+        Fit<Wrench> alone(network.mechanism, length);
+        alone.add(screw);
+        result[a] = alone.magnitudes(internal.col(actuator))[0];
+        rest -= internal.col(actuator);
       }
     }
-    const Eigen::Index count = passive.cols();
-    result.segment(coupling.first_action, count) =
-        units.head(count).cwiseProduct(fit(passive, rest));
+    result.segment(coupling.first_action, passive_count(topology, coupling)) =
+        passive.magnitudes(rest);
   }
   return result;
 }

@@ -24,11 +24,14 @@ Mat6X coupling_wrenches(const Mechanism& mechanism, const VecX& magnitudes);
 Mat6X internal_wrenches(const Mechanism& mechanism, const VecX& magnitudes);
 
 /// The rates at which the couplings have the given twists: the freedoms of a coupling are
-/// independent.
-VecX freedom_rates(const NetworkCase& network, const Mat6X& twists);
+/// independent. `length` weighs linear against angular velocities; 0: the network's.
+VecX freedom_rates(const NetworkCase& network, const Mat6X& twists, double length = 0.0);
 
 /// The magnitudes of the actions of which the couplings bear the given wrenches, `internal` being
-/// the part of the actuators: the constraints of a coupling are independent.
-VecX action_magnitudes(const NetworkCase& network, const Mat6X& wrenches, const Mat6X& internal);
+/// the part of the actuators: the constraints of a coupling are independent. `length` likewise.
+VecX action_magnitudes(const NetworkCase& network,
+                       const Mat6X& wrenches,
+                       const Mat6X& internal,
+                       double length = 0.0);
 
 }  // namespace kinestat

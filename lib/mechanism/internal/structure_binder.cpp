@@ -211,6 +211,7 @@ class StructureBinder {
     const CouplingGeometry local = measured_from<double>(geometry_.origin, joint.geometry);
     const CouplingScrews drawn = drawn_screws(coupling, local);
     const CouplingScrews screws = counted_screws(coupling, local, drawn);
+    check_stiffness(coupling, screws);
     const CouplingId id{topology_.coupling_count()};
     topology_.couplings.push_back({.name = coupling.name.text,
                                    .type = coupling.type,
@@ -274,7 +275,6 @@ class StructureBinder {
   CouplingScrews drawn_screws(const CouplingDescription& coupling, const CouplingGeometry& local) {
     CouplingScrews screws = coupling_screws(coupling.type, description_.space, local);
     check_reciprocal(coupling, screws);
-    check_stiffness(coupling, screws);
     keep_passive(coupling, screws, found_);
     return screws;
   }

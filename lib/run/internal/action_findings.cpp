@@ -1,6 +1,8 @@
 #include "run/internal/action_findings.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -113,6 +115,51 @@ void add_undirected_friction(const Analysis& analysis,
                     "viscous friction");
 }
 
+// What has no value, neither from equilibrium nor from what completes it.
+std::vector<std::string> names_of_open(const StaticSolution& action, const KnownSide& side) {
+  std::vector<int> open;
+  std::ranges::copy_if(action.check.undetermined, std::back_inserter(open), [&](int a) {
+    return !is_completed(action, a);
+  });
+  return names_of(open, side);
+}
+
+// What to type where the known actions are too few: more of them, or what completes them.
+std::string ways_out(const Analysis& analysis, const PrimaryCheck& check, const KnownSide& side) {
+  const std::string more = completions_text(check, side);
+  if (analysis.mechanism.indeterminate == IndeterminateChoice::stiffness) {
+    return "give a 'stiffness:' to those of them that are not rigid" +
+           (more.empty() ? "" : "; or " + more);
+  }
+  return more + (more.empty() ? "" : "; or ") +
+         "add 'statics: {indeterminate: minimum_norm}', or 'stiffness:' to couplings and "
+         "'statics: {indeterminate: stiffness}'";
+}
+
+void add_indeterminacy(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
+  const StaticSolution& action = *one.action;
+  const KnownSide side = action_side(analysis, one.which);
+  const std::vector<std::string> open = names_of_open(action, side);
+  if (open.empty()) {
+    return;  // completed as the file asks for
+  }
+  const bool has_completion = action.completion.by != IndeterminateChoice::report;
+  const bool waits_for_friction =
+      !has_completion && analysis.mechanism.indeterminate != IndeterminateChoice::report;
+  found.warning("W0601",
+                one.which.where,
+                fmt::format("case '{}' knows {} of the {} actions needed; {} {}{}",
+                            one.which.label,
+                            one.which.actions.size(),
+                            action.counts.net_constraint,
+                            has_completion ? "neither equilibrium nor stiffness determines"
+                                           : "equilibrium does not determine",
+                            plain_list(open),
+                            waits_for_friction ? ", on which friction depends" : ""),
+                waits_for_friction ? completions_text(action.check, side)
+                                   : ways_out(analysis, action.check, side));
+}
+
 }  // namespace
 
 void add_action_findings(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
@@ -146,15 +193,7 @@ void add_action_findings(const Analysis& analysis, const CaseAnalysis& one, Diag
                   "nothing moves so, however strong the drive; known actions of another member, a "
                   "smaller coefficient of friction or another direction of motion have an answer");
   } else if (action.status == SolveStatus::underdetermined) {
-    found.warning("W0601",
-                  one.which.where,
-                  fmt::format("case '{}' knows {} of the {} actions needed; equilibrium does not "
-                              "determine {}",
-                              one.which.label,
-                              one.which.actions.size(),
-                              action.counts.net_constraint,
-                              plain_list(names_of(action.check.undetermined, side))),
-                  completions_text(action.check, side));
+    add_indeterminacy(analysis, one, found);
   }
 }
 

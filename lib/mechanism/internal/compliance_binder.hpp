@@ -1,0 +1,21 @@
+// The compliance of actions, from the stiffness of couplings.
+#pragma once
+
+#include <vector>
+
+#include "core/diagnostic.hpp"
+#include "mechanism/internal/evaluator.hpp"
+#include "mechanism/topology.hpp"
+
+namespace kinestat {
+
+/// Of each action [m/N or rad/(N·m)]: 1 by its stiffness; 0, which is rigid, where there is none.
+/// The names and numbers must have been checked with the structure.
+std::vector<double> bind_compliances(const MechanismDescription& description,
+                                     const Topology& topology,
+                                     Evaluator& evaluator);
+
+/// Warns of stiffness that nothing uses, and of a section `statics` that finds none.
+void warn_of_idle_stiffness(const MechanismDescription& description, Diagnostics& found);
+
+}  // namespace kinestat
