@@ -1,5 +1,7 @@
 #include "core/diagnostic.hpp"
 
+#include <cstddef>
+#include <string>
 #include <utility>
 
 #include "core/codes.hpp"
@@ -36,8 +38,10 @@ Diagnostic& Diagnostics::warning(std::string_view code,
 
 Diagnostic& Diagnostics::add(Diagnostic one) {
   KINESTAT_EXPECTS(find_code(one.code) != nullptr);
+  // A file with thousands of mistakes is answered in little memory: nobody reads so many hints.
+  constexpr std::size_t kMostHintsKept = 1000;
   one.message = printable(one.message);
-  one.hint = printable(one.hint);
+  one.hint = items_.size() < kMostHintsKept ? printable(one.hint) : std::string();
   items_.push_back(std::move(one));
   return items_.back();
 }

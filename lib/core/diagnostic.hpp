@@ -54,6 +54,9 @@ class Diagnostics {
   /// may be left out otherwise, so that a file full of mistakes is answered at once.
   bool is_hint_worth_it() const { return error_count_ < kMostHints; }
 
+  /// Makes room for that many more at once, where many are known to come.
+  void reserve(std::size_t more) { items_.reserve(items_.size() + more); }
+
   std::span<const Diagnostic> items() const { return items_; }
 
  private:

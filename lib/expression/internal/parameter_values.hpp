@@ -100,6 +100,10 @@ BasicParameterValues<Number> evaluate_in_order(std::span<const Parameter> parame
         result.errors.size() < kMostHints ? table.names() : std::span<const std::string>();
     auto outcome = evaluate<Number>(expression, table.lookup(), known);
     if (auto* error = std::get_if<ExpressionError>(&outcome)) {
+      constexpr std::size_t kMostHintsKept = 1000;  // of more nobody reads
+      if (result.errors.size() >= kMostHintsKept) {
+        error->hint = std::string();
+      }
       result.errors.push_back({parameter, std::move(*error)});
       continue;
     }

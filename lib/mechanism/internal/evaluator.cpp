@@ -14,11 +14,10 @@ namespace kinestat {
 
 namespace {
 
-void report(const ParameterDescription& parameter,
-            const ExpressionError& error,
-            Diagnostics& found) {
+void report(const ParameterDescription& parameter, ExpressionError error, Diagnostics& found) {
   if (parameter.set_by.empty()) {
-    found.error(error.code, place_in(parameter.value, error), error.message, error.hint);
+    const SourceRange where = place_in(parameter.value, error);
+    found.error(error.code, where, std::move(error.message), std::move(error.hint));
   } else {
     found.error("E0102",
                 {},
