@@ -4,6 +4,7 @@ namespace kinestat {
 
 std::vector<Parameter> parameters_of(const MechanismDescription& description) {
   std::vector<Parameter> parameters;
+  parameters.reserve(description.parameters.size());
   for (const ParameterDescription& parameter : description.parameters) {
     parameters.push_back({.name = parameter.name.text,
                           .value = parameter.value.expression,

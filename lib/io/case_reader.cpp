@@ -121,6 +121,7 @@ std::vector<CaseDescription> read_cases(const YamlNode& node, Space space, Diagn
                 "a case is 'label:' with its keys below it, indented further");
     return cases;
   }
+  cases.reserve(node.entries.size());
   for (const YamlEntry& entry : node.entries) {
     cases.push_back(read_case(entry, space, found));
   }

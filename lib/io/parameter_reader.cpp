@@ -99,6 +99,7 @@ std::vector<ParameterDescription> read_parameters(const YamlNode& node, Diagnost
                 "write parameters: and below it indented lines 'name: value'");
     return parameters;
   }
+  parameters.reserve(node.entries.size());
   for (const YamlEntry& entry : node.entries) {
     if (auto parameter = read_parameter(entry, found)) {
       parameters.push_back(*std::move(parameter));

@@ -78,7 +78,7 @@ class DependenceSearch {
 
 std::vector<ParameterError> find_dependent(std::span<const Parameter> parameters,
                                            std::span<const int> open) {
-  return DependenceSearch(parameters, open).run();
+  return open.empty() ? std::vector<ParameterError>() : DependenceSearch(parameters, open).run();
 }
 
 }  // namespace kinestat

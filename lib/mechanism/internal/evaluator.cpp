@@ -29,6 +29,7 @@ void report(const ParameterDescription& parameter, ExpressionError error, Diagno
 void report(const MechanismDescription& description,
             std::span<const ParameterError> errors,
             Diagnostics& found) {
+  found.reserve(errors.size());
   for (const ParameterError& one : errors) {
     report(description.parameters[static_cast<std::size_t>(one.parameter)], one.error, found);
   }
