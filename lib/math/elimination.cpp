@@ -169,7 +169,8 @@ EliminationSolution Elimination::solve(std::span<const double> known,
 }
 
 bool Elimination::is_consistent(std::span<const double> known, std::span<const double> rhs) const {
-  return surplus_rows_hold(scaled_known(known), eliminate_rows(rhs));
+  const bool has_surplus = pivots_.size() < rows_.size();
+  return !has_surplus || surplus_rows_hold(scaled_known(known), eliminate_rows(rhs));
 }
 
 AdjointSolution Elimination::solve_adjoint(const VecX& gradient) const {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/tolerance.hpp"
-
 namespace kinestat {
 
 namespace {
@@ -29,15 +27,9 @@ CoordinateBasis basis_of(const Mat6X& screws, ScrewKind kind, OrderChoice order,
   return find_minimal_basis(screws, kind, length);
 }
 
-// Up to rounding of the load's own size.
-bool holds(const CoordinateBasis& basis, const BodyWrench& load) {
-  const Vec6 wrench = load.wrench.coordinates().cwiseQuotient(basis.unit);
-  const Vec6 rest = wrench - basis.basis * (basis.basis.transpose() * wrench);
-  return !(rest.norm() > kRankZero * wrench.norm());
-}
-
 bool holds(const CoordinateBasis& basis, std::span<const BodyWrench> loads) {
-  return std::ranges::all_of(loads, [&](const BodyWrench& load) { return holds(basis, load); });
+  return std::ranges::all_of(
+      loads, [&](const BodyWrench& load) { return basis.holds(load.wrench.coordinates()); });
 }
 
 bool is_planar(const Mat6X& wrenches) {

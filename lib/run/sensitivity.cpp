@@ -95,12 +95,13 @@ class SensitivityJob {
     }
     const MechanismDerivatives derivatives =
         bind_derivatives(analysis_.description, analysis_.mechanism, indices);
+    const AdjointBases bases = find_adjoint_bases(analysis_.mechanism, derivatives);
     std::vector<CaseSensitivity> cases;
     for (std::size_t c = 0; c < analysis_.cases.size(); ++c) {
       const CaseAnalysis& one = analysis_.cases[c];
       if (choice_.case_label.empty() || choice_.case_label == one.which.label) {
         cases.push_back({.label = one.which.label,
-                         .values = differentiate(one, derivatives, derivatives.cases[c])});
+                         .values = differentiate(one, bases, derivatives, derivatives.cases[c])});
       }
     }
     check_answered();
@@ -167,6 +168,7 @@ class SensitivityJob {
   }
 
   std::vector<SensitivityValue> differentiate(const CaseAnalysis& one,
+                                              const AdjointBases& bases,
                                               const MechanismDerivatives& derivatives,
                                               const CaseDerivatives& primaries) {
     const bool has_rates = one.motion && one.motion->status == SolveStatus::solved;
@@ -182,7 +184,7 @@ class SensitivityJob {
                           has_actions ? &*action : nullptr,
                           derivatives.geometry,
                           variables_.size());
-    const CaseAdjoint adjoint(values, derivatives, primaries);
+    CaseAdjoint adjoint(values, bases, derivatives, primaries);
     std::vector<SensitivityValue> result;
     for (const std::string& name :
          choice_.values.empty() ? usual_value_names(values) : choice_.values) {
@@ -224,7 +226,7 @@ class SensitivityJob {
 
   SensitivityValue in_file_units(const ReportedValue& value,
                                  const std::string& name,
-                                 const CaseAdjoint& adjoint) const {
+                                 CaseAdjoint& adjoint) const {
     const auto [unit, factor] = unit_of(value, analysis_.description.units);
     SensitivityValue result{.name = name,
                             .unit = unit,

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/tolerance.hpp"
 #include "math/orthonormal.hpp"
 
 namespace kinestat {
@@ -39,6 +40,12 @@ std::vector<int> nonzero_rows(const Mat6X& screws) {
 }
 
 }  // namespace
+
+bool CoordinateBasis::holds(const Vec6& screw) const {
+  const Vec6 whole = screw.cwiseQuotient(unit);
+  const Vec6 rest = whole - basis * (basis.transpose() * whole);
+  return !(rest.norm() > kRankZero * whole.norm());
+}
 
 CoordinateBasis find_minimal_basis(const Mat6X& screws, ScrewKind kind, double length) {
   const Vec6 unit = units_for(kind, length);

@@ -28,6 +28,9 @@ struct CoordinateBasis {
     return basis.transpose() * screw.cwiseQuotient(unit);
   }
 
+  /// Whether a screw [SI] lies in the span, up to rounding of its own size.
+  bool holds(const Vec6& screw) const;
+
   /// The screw [SI] of coordinates in this basis.
   Vec6 screw_of(const Eigen::Ref<const VecX>& x) const { return unit.cwiseProduct(basis * x); }
 

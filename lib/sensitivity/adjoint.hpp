@@ -5,17 +5,32 @@
 #include <optional>
 #include <vector>
 
+#include "mechanism/derivatives.hpp"
+#include "screw/coordinate_basis.hpp"
 #include "sensitivity/reported_value.hpp"
 
 namespace kinestat {
 
-/// One case ready to be differentiated: the equations factored once, the right-hand sides that the
-/// parameters cause, and which parameters would break the couplings apart.
+/// The coordinates in which the equations of all cases are differentiated.
+struct AdjointBases {
+  CoordinateBasis motion;
+  CoordinateBasis action;
+};
+
+/// Those in which the cases are solved, or all of the space where a parameter moves a screw or a
+/// load out of these.
+AdjointBases find_adjoint_bases(const Mechanism& mechanism,
+                                const MechanismDerivatives& derivatives);
+
+/// One case ready to be differentiated: the equations of each side factored once, when a value
+/// first depends on them, with the right-hand sides that the parameters cause, and which parameters
+/// would break the couplings apart.
 class CaseAdjoint {
  public:
-  /// `derivatives` are those of the mechanism, `primaries` those of the case of `values`. The
-  /// equations are written in all coordinates of the space.
+  /// `derivatives` are those of the mechanism, `primaries` those of the case of `values`. All must
+  /// outlive the object.
   CaseAdjoint(const DualCase& values,
+              const AdjointBases& bases,
               const MechanismDerivatives& derivatives,
               const CaseDerivatives& primaries);
   ~CaseAdjoint();
@@ -23,14 +38,20 @@ class CaseAdjoint {
   /// dv/dp for each parameter in SI, for one more solution of the transposed equations on each side
   /// that takes part. Empty where there is no derivative: the value has a corner or a jump there,
   /// or the redundant couplings no longer fit when the parameter moves alone.
-  std::vector<std::optional<double>> derivatives_of(const ReportedValue& value) const;
+  std::vector<std::optional<double>> derivatives_of(const ReportedValue& value);
 
  private:
   class Side;
 
+  Side& motion();
+  Side& action();
+
   const DualCase& values_;
-  std::unique_ptr<Side> motion_;  ///< null if the case has no velocities
-  std::unique_ptr<Side> action_;  ///< null if the case has no actions
+  const AdjointBases& bases_;
+  const MechanismDerivatives& derivatives_;
+  const CaseDerivatives& primaries_;
+  std::unique_ptr<Side> motion_;  ///< null until a value depends on a rate
+  std::unique_ptr<Side> action_;  ///< null until a value depends on an action
 };
 
 }  // namespace kinestat

@@ -25,6 +25,7 @@
 #include "run/analyse.hpp"
 #include "run/solve_cases.hpp"
 #include "statics/action.hpp"
+#include "subject.hpp"
 
 // Solves A X = B by Gaussian elimination with partial pivoting, in place.
 extern "C" void dgesv_(const int* n,
@@ -40,7 +41,6 @@ namespace kinestat::bench {
 
 namespace {
 
-constexpr const char* kCase = "M1";
 constexpr double kTarget = 2.0;
 constexpr double kAgreement = 1e-10;
 
@@ -114,52 +114,6 @@ class DenseStatics {
   VecX x_;
   std::vector<int> pivots_;
 };
-
-/// Everything that the jobs start from.
-struct Subject {
-  std::string path;
-  SourceFile source;
-  YamlNode tree;
-  Loaded loaded;
-  CoordinateBasis motion;
-  CoordinateBasis action;
-  Case which;
-};
-
-template <class T>
-T required(std::optional<T> value, const std::string& path) {
-  if (!value) {
-    throw std::runtime_error("this file cannot be read: " + path);
-  }
-  return *std::move(value);
-}
-
-Subject read_subject(const std::string& path) {
-  Diagnostics found;
-  Subject subject;
-  subject.path = path;
-  subject.source = required(read_file(path, {}, found), path);
-  subject.tree = required(read_yaml(subject.source, {}, found), path);
-  SourceFile source;
-  subject.loaded = required(load(path, {}, source, found), path);
-  const Mechanism& mechanism = subject.loaded.mechanism;
-  subject.motion = motion_basis(mechanism.geometry, mechanism.kinematic_order);
-  subject.action = action_basis(mechanism.geometry, mechanism.static_order);
-  const auto which = std::ranges::find(mechanism.cases, kCase, &Case::label);
-  if (which == mechanism.cases.end()) {
-    throw std::runtime_error(fmt::format("the file has no case '{}'", kCase));
-  }
-  subject.which = *which;
-  return subject;
-}
-
-KinematicSolution motion_of(const Subject& subject) {
-  return solve_velocity(subject.loaded.mechanism, subject.motion, subject.which.motions);
-}
-
-StaticSolution action_of(const Subject& subject) {
-  return solve_action(subject.loaded.mechanism, subject.action, subject.which.actions);
-}
 
 /// One linear system with the columns and values of its primaries.
 struct System {
@@ -308,7 +262,7 @@ Options read_options(int argc, char** argv) {
 
 int run(int argc, char** argv) {
   const Options options = read_options(argc, argv);
-  const Subject subject = read_subject(options.path);
+  const Subject subject = read_subject(options.path, "M1");
   const Mechanism& mechanism = subject.loaded.mechanism;
   DenseStatics dense(mechanism, subject.action, subject.which);
   if (!dense.is_square() || !dense.agrees(mechanism.topology, action_of(subject))) {

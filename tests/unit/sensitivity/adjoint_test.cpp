@@ -55,7 +55,8 @@ struct Solved {
 
   std::vector<std::optional<double>> derivatives_of(const std::string& name) const {
     const DualCase dual = values();
-    const CaseAdjoint adjoint(dual, derivatives, derivatives.cases.front());
+    const AdjointBases bases = find_adjoint_bases(mechanism, derivatives);
+    CaseAdjoint adjoint(dual, bases, derivatives, derivatives.cases.front());
     return adjoint.derivatives_of(find_reported_value(dual, name).value());
   }
 };
