@@ -60,8 +60,8 @@ def rows_of(command: str, path: Path) -> list[list[str]]:
     return list(csv.reader(io.StringIO(text, newline=""), strict=True))
 
 
-def schema() -> Any:
-    return check_schemas.read_strictly(ROOT / "schemas" / "report.schema.json")
+def schema(name: str = "report") -> Any:
+    return check_schemas.read_strictly(ROOT / "schemas" / f"{name}.schema.json")
 
 
 def numbers(value: Any) -> Iterator[Any]:
@@ -163,6 +163,15 @@ class Reports(unittest.TestCase):
                     Path(file.name).write_bytes(output(command, "json", path))
                     self.assertEqual(check_schemas.check(Path(file.name), schema()), [], command)
 
+    def test_have_sensitivities_by_their_schema(self) -> None:
+        for path in self.for_each():
+            report = json_of("analyze", path)
+            if report["mechanism"]["parameters"] and report.get("cases"):
+                answer = json_of("sensitivity", path)
+                faults = check_schemas.report_faults(answer, schema("sensitivity"))
+                self.assertEqual(faults, [])
+                self.assertEqual(answer["mechanism"], report["mechanism"])
+
     def test_end_lines_with_lf_and_hold_no_minus_zero(self) -> None:
         for path in self.for_each():
             for command in ("analyze", "graph"):
@@ -224,7 +233,8 @@ class Goldens(unittest.TestCase):
 
 class Schema(unittest.TestCase):
     def test_describes_every_property(self) -> None:
-        self.assertEqual(list(undescribed(schema())), [])
+        for name in ("report", "sensitivity", "comparison"):
+            self.assertEqual(list(undescribed(schema(name))), [], name)
 
     def test_refuses_an_unknown_key_anywhere(self) -> None:
         reports = [json_of("analyze", files()[0]), json_of("graph", files()[0])]
