@@ -172,7 +172,8 @@ MechanismDerivatives bind_derivatives(const MechanismDescription& description,
   DualEvaluator evaluator(
       description, evaluate_parameters(parameters_of(description), parameters).table, found);
   DerivativeBinder binder(description, mechanism, evaluator, found);
-  MechanismDerivatives result{.geometry = binder.bind_geometries(), .cases = {}};
+  MechanismDerivatives result{
+      .parameter_count = parameters.size(), .geometry = binder.bind_geometries(), .cases = {}};
   for (std::size_t c = 0; c < mechanism.cases.size(); ++c) {
     result.cases.push_back(binder.bind_case(description.cases[c], mechanism.cases[c]));
   }

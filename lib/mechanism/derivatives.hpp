@@ -1,6 +1,7 @@
 // The numbers of a mechanism with their derivatives towards parameters.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct CaseDerivatives {
 /// Beside a Mechanism, the same numbers as duals: derivative i is per SI unit of the i-th
 /// parameter.
 struct MechanismDerivatives {
+  std::size_t parameter_count = 0;
   GeometryOf<Dual> geometry;
   std::vector<CaseDerivatives> cases;
 };

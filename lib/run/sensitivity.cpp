@@ -100,8 +100,7 @@ class SensitivityJob {
     for (std::size_t c = 0; c < analysis_.cases.size(); ++c) {
       const CaseAnalysis& one = analysis_.cases[c];
       if (choice_.case_label.empty() || choice_.case_label == one.which.label) {
-        cases.push_back({.label = one.which.label,
-                         .values = differentiate(one, bases, derivatives, derivatives.cases[c])});
+        cases.push_back({.label = one.which.label, .values = differentiate(c, bases, derivatives)});
       }
     }
     check_answered();
@@ -167,10 +166,10 @@ class SensitivityJob {
     }
   }
 
-  std::vector<SensitivityValue> differentiate(const CaseAnalysis& one,
+  std::vector<SensitivityValue> differentiate(std::size_t case_index,
                                               const AdjointBases& bases,
-                                              const MechanismDerivatives& derivatives,
-                                              const CaseDerivatives& primaries) {
+                                              const MechanismDerivatives& derivatives) {
+    const CaseAnalysis& one = analysis_.cases[case_index];
     const bool has_rates = one.motion && one.motion->status == SolveStatus::solved;
     // With friction the actions are no solution of linear equations.
     const bool has_actions =
@@ -179,12 +178,11 @@ class SensitivityJob {
         has_actions ? std::optional(without_completion(analysis_.mechanism, *one.action))
                     : std::nullopt;
     const DualCase values(analysis_.mechanism,
-                          one.which,
+                          case_index,
                           has_rates ? &*one.motion : nullptr,
                           has_actions ? &*action : nullptr,
-                          derivatives.geometry,
-                          variables_.size());
-    CaseAdjoint adjoint(values, bases, derivatives, primaries);
+                          derivatives);
+    CaseAdjoint adjoint(values, bases);
     std::vector<SensitivityValue> result;
     for (const std::string& name :
          choice_.values.empty() ? usual_value_names(values) : choice_.values) {

@@ -11,6 +11,8 @@
 
 namespace kinestat {
 
+class AdjointSide;
+
 /// The coordinates in which the equations of all cases are differentiated.
 struct AdjointBases {
   CoordinateBasis motion;
@@ -27,12 +29,8 @@ AdjointBases find_adjoint_bases(const Mechanism& mechanism,
 /// would break the couplings apart.
 class CaseAdjoint {
  public:
-  /// `derivatives` are those of the mechanism, `primaries` those of the case of `values`. All must
-  /// outlive the object.
-  CaseAdjoint(const DualCase& values,
-              const AdjointBases& bases,
-              const MechanismDerivatives& derivatives,
-              const CaseDerivatives& primaries);
+  /// Both must outlive the object.
+  CaseAdjoint(const DualCase& values, const AdjointBases& bases);
   ~CaseAdjoint();
 
   /// dv/dp for each parameter in SI, for one more solution of the transposed equations on each side
@@ -41,17 +39,13 @@ class CaseAdjoint {
   std::vector<std::optional<double>> derivatives_of(const ReportedValue& value);
 
  private:
-  class Side;
-
-  Side& motion();
-  Side& action();
+  AdjointSide& motion();
+  AdjointSide& action();
 
   const DualCase& values_;
   const AdjointBases& bases_;
-  const MechanismDerivatives& derivatives_;
-  const CaseDerivatives& primaries_;
-  std::unique_ptr<Side> motion_;  ///< null until a value depends on a rate
-  std::unique_ptr<Side> action_;  ///< null until a value depends on an action
+  std::unique_ptr<AdjointSide> motion_;  ///< null until a value depends on a rate
+  std::unique_ptr<AdjointSide> action_;  ///< null until a value depends on an action
 };
 
 }  // namespace kinestat

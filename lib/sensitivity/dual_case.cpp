@@ -5,17 +5,15 @@
 namespace kinestat {
 
 DualCase::DualCase(const Mechanism& mechanism,
-                   const Case& which,
+                   std::size_t case_index,
                    const KinematicSolution* motion,
                    const StaticSolution* action,
-                   const GeometryOf<Dual>& geometry,
-                   std::size_t parameter_count)
+                   const MechanismDerivatives& derivatives)
     : mechanism_(mechanism),
-      which_(which),
+      case_index_(case_index),
       motion_(motion),
       action_(action),
-      geometry_(geometry),
-      parameter_count_(parameter_count),
+      derivatives_(derivatives),
       steps_(mechanism.topology.bodies.size()) {
   std::vector<std::vector<Step>> steps_from(steps_.size());
   for (const int e : mechanism.graph.tree.branches) {
@@ -40,7 +38,7 @@ DualCase::DualCase(const Mechanism& mechanism,
 }
 
 std::size_t DualCase::variable_count() const {
-  return topology().freedoms.size() + topology().actions.size() + parameter_count_;
+  return topology().freedoms.size() + topology().actions.size() + parameter_count();
 }
 
 Dual DualCase::rate(std::size_t freedom) const {
@@ -58,7 +56,7 @@ std::optional<Dual> DualCase::magnitude(std::size_t action) const {
 Dual DualCase::placed(const Dual& dimension) const {
   Dual result(dimension.value);
   if (!dimension.derivatives.empty()) {
-    result.derivatives.resize(variable_count() - parameter_count_, 0.0);
+    result.derivatives.resize(variable_count() - parameter_count(), 0.0);
     result.derivatives.insert(
         result.derivatives.end(), dimension.derivatives.begin(), dimension.derivatives.end());
   }
@@ -74,7 +72,7 @@ TwistOf<Dual> DualCase::coupling_twist(std::size_t coupling) const {
   TwistOf<Dual> sum;
   for (int i = edge.first_freedom; i < edge.first_freedom + edge.freedom_count; ++i) {
     const auto f = static_cast<std::size_t>(i);
-    const TwistOf<Dual>& unit = geometry_.motions[f];
+    const TwistOf<Dual>& unit = derivatives_.geometry.motions[f];
     sum = sum +
           rate(f) * TwistOf<Dual>{.angular = placed(unit.angular), .linear = placed(unit.linear)};
   }
@@ -102,18 +100,18 @@ std::optional<WrenchOf<Dual>> DualCase::coupling_wrench(std::size_t coupling) co
     if (!size) {
       return std::nullopt;
     }
-    const WrenchOf<Dual>& unit = geometry_.actions[a];
+    const WrenchOf<Dual>& unit = derivatives_.geometry.actions[a];
     sum = sum + *size * WrenchOf<Dual>{.moment = placed(unit.moment), .force = placed(unit.force)};
   }
   return sum;
 }
 
 Vec3Of<Dual> DualCase::point(std::size_t coupling) const {
-  return placed(geometry_.points[coupling]);
+  return placed(derivatives_.geometry.points[coupling]);
 }
 
 Vec3Of<Dual> DualCase::reference(std::size_t body) const {
-  return placed(geometry_.references[body]);
+  return placed(derivatives_.geometry.references[body]);
 }
 
 }  // namespace kinestat

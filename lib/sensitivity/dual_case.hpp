@@ -15,26 +15,30 @@ namespace kinestat {
 /// parameters, as if these were independent of each other; the adjoint brings them together.
 class DualCase {
  public:
-  /// `motion` is null unless solved, `action` unless it has magnitudes. `geometry` has derivatives
-  /// towards `parameter_count` parameters. All must outlive the object.
+  /// `motion` is null unless solved, `action` unless it has magnitudes. `derivatives` are those of
+  /// the mechanism. All must outlive the object.
   DualCase(const Mechanism& mechanism,
-           const Case& which,
+           std::size_t case_index,
            const KinematicSolution* motion,
            const StaticSolution* action,
-           const GeometryOf<Dual>& geometry,
-           std::size_t parameter_count);
+           const MechanismDerivatives& derivatives);
 
   const Mechanism& mechanism() const { return mechanism_; }
 
   const Topology& topology() const { return mechanism_.topology; }
 
-  const Case& which() const { return which_; }
+  const Case& which() const { return mechanism_.cases[case_index_]; }
 
   const KinematicSolution* motion() const { return motion_; }
 
   const StaticSolution* action() const { return action_; }
 
-  std::size_t parameter_count() const { return parameter_count_; }
+  const MechanismDerivatives& derivatives() const { return derivatives_; }
+
+  /// The slopes of what the case knows.
+  const CaseDerivatives& primaries() const { return derivatives_.cases[case_index_]; }
+
+  std::size_t parameter_count() const { return derivatives_.parameter_count; }
 
   /// Rates, actions and parameters together.
   std::size_t variable_count() const;
@@ -70,11 +74,10 @@ class DualCase {
   Vec3Of<Dual> placed(const Vec3Of<Dual>& vector) const;
 
   const Mechanism& mechanism_;
-  const Case& which_;
+  std::size_t case_index_;
   const KinematicSolution* motion_;
   const StaticSolution* action_;
-  const GeometryOf<Dual>& geometry_;
-  std::size_t parameter_count_;
+  const MechanismDerivatives& derivatives_;
   std::vector<Step> steps_;  ///< of each body; none for the ground
 };
 

@@ -47,24 +47,19 @@ Start make_start(const Subject& subject) {
   return start;
 }
 
-const CaseDerivatives& case_derivatives(const Subject& subject, const Start& start) {
-  return start.derivatives.cases[static_cast<std::size_t>(subject.case_index)];
-}
-
 DualCase dual_case(const Subject& subject, const Start& start) {
   return {subject.loaded.mechanism,
-          subject.which,
+          static_cast<std::size_t>(subject.case_index),
           &start.motion,
           &start.action,
-          start.derivatives.geometry,
-          start.parameters.size()};
+          start.derivatives};
 }
 
 std::vector<std::optional<double>> all_derivatives(const Subject& subject,
                                                    const Start& start,
                                                    const char* value) {
   const DualCase values = dual_case(subject, start);
-  CaseAdjoint adjoint(values, start.bases, start.derivatives, case_derivatives(subject, start));
+  CaseAdjoint adjoint(values, start.bases);
   return adjoint.derivatives_of(find_reported_value(values, value).value());
 }
 

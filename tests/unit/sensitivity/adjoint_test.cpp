@@ -46,17 +46,16 @@ struct Solved {
 
   DualCase values() const {
     return {mechanism,
-            mechanism.cases.front(),
+            0,
             motion.status == SolveStatus::solved ? &motion : nullptr,
             action.magnitudes.empty() ? nullptr : &action,
-            derivatives.geometry,
-            description.parameters.size()};
+            derivatives};
   }
 
   std::vector<std::optional<double>> derivatives_of(const std::string& name) const {
     const DualCase dual = values();
     const AdjointBases bases = find_adjoint_bases(mechanism, derivatives);
-    CaseAdjoint adjoint(dual, bases, derivatives, derivatives.cases.front());
+    CaseAdjoint adjoint(dual, bases);
     return adjoint.derivatives_of(find_reported_value(dual, name).value());
   }
 };
