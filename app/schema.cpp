@@ -10,7 +10,10 @@ void add_schema(CLI::App& parent, Job& job) {
       "  kinestat schema > mechanism.schema.json\n"
       "  kinestat schema report\n");
   auto name = std::make_shared<std::string>("mechanism");
-  add_argument(*command, "NAME", *name, "mechanism (default), report, sensitivity,\ncomparison or diagnostics");
+  add_argument(*command,
+               "NAME",
+               *name,
+               "mechanism (default), report, sensitivity,\ncomparison or diagnostics");
   command->callback([name, &job] { job = [name] { return schema_text(*name); }; });
 }
 

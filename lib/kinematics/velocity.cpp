@@ -59,8 +59,11 @@ KinematicSolution solve_velocity(const Mechanism& mechanism,
   KinematicSolution solution;
   solution.evidence = elimination.evidence();
   solution.counts = motion_counts(mechanism, basis.order(), elimination.rank());
-  solution.check = check_primaries(
-      elimination, velocity_column(topology, basis, 0), rate_units(topology, basis));
+  solution.check = check_primaries(elimination,
+                                   velocity_column(topology, basis, 0),
+                                   rate_units(topology, basis),
+                                   {},
+                                   topology.driven_freedoms());
   if (!solution.check.dependences.empty()) {
     solution.status = SolveStatus::dependent;
     return solution;

@@ -87,6 +87,24 @@ struct Topology {
     return label.actuator >= 0 ? label.name : coupling(label.coupling).name + "." + label.name;
   }
 
+  /// The freedoms that actuators drive, in their order.
+  std::vector<int> driven_freedoms() const {
+    std::vector<int> driven;
+    for (const ActuatorTopology& actuator : actuators) {
+      driven.push_back(actuator.freedom);
+    }
+    return driven;
+  }
+
+  /// The actions of the actuators, in their order.
+  std::vector<int> driving_actions() const {
+    std::vector<int> driving;
+    for (const ActuatorTopology& actuator : actuators) {
+      driving.push_back(actuator.action);
+    }
+    return driving;
+  }
+
   /// Bodies as vertices, couplings as edges.
   Digraph coupling_graph() const {
     Digraph graph{.vertex_count = body_count(), .edges = {}};

@@ -10,7 +10,7 @@ namespace kinestat {
 
 namespace {
 
-constexpr std::size_t kMostCompletions = 5;
+constexpr std::size_t kMostProposals = 5;
 
 // Beyond this many missing times candidates, a hint is not worth the search.
 constexpr std::size_t kLongestSearch = 40000;
@@ -46,13 +46,13 @@ std::vector<int> rows_in_use(const MatX& motions) {
   return rows;
 }
 
-// Searches the choices that complete the primaries, those whose rows of the possible motions are a
-// basis, in lexicographic order. A beginning is kept only if its rows are independent and the
-// candidates after it can still complete it, so that no beginning is searched in vain.
-class CompletionSearch {
+// Searches the choices whose rows are a basis, in the order of the candidates. A beginning is kept
+// only if its rows are independent and the candidates after it can still complete it, so that no
+// beginning is searched in vain.
+class BasisSearch {
  public:
-  CompletionSearch(const MatX& motions, const std::vector<int>& candidates)
-      : motions_(motions), candidates_(candidates) {}
+  BasisSearch(const MatX& rows, const std::vector<int>& candidates)
+      : rows_(rows), candidates_(candidates) {}
 
   std::vector<std::vector<int>> run() {
     extend(0);
@@ -61,22 +61,22 @@ class CompletionSearch {
 
  private:
   int rank_of(const std::vector<int>& rows) const {
-    return find_rank(motions_(rows, Eigen::all)).rank;
+    return find_rank(rows_(rows, Eigen::all)).rank;
   }
 
   bool can_be_completed(std::size_t next) const {
     std::vector<int> rows = chosen_;
     rows.insert(
         rows.end(), candidates_.begin() + static_cast<std::ptrdiff_t>(next), candidates_.end());
-    return rank_of(rows) == motions_.cols();
+    return rank_of(rows) == rows_.cols();
   }
 
   void extend(std::size_t next) {
-    if (static_cast<Eigen::Index>(chosen_.size()) == motions_.cols()) {
+    if (static_cast<Eigen::Index>(chosen_.size()) == rows_.cols()) {
       found_.push_back(chosen_);
       return;
     }
-    for (; found_.size() < kMostCompletions && can_be_completed(next); ++next) {
+    for (; found_.size() < kMostProposals && can_be_completed(next); ++next) {
       chosen_.push_back(candidates_[next]);
       if (rank_of(chosen_) == static_cast<int>(chosen_.size())) {
         extend(next + 1);
@@ -85,18 +85,64 @@ class CompletionSearch {
     }
   }
 
-  const MatX& motions_;
+  const MatX& rows_;
   const std::vector<int>& candidates_;
   std::vector<int> chosen_;
   std::vector<std::vector<int>> found_;
 };
+
+// Those that actuators drive first.
+std::vector<int> driven_first(std::vector<int> magnitudes, std::span<const int> driven) {
+  std::ranges::stable_partition(
+      magnitudes, [&](int m) { return std::ranges::find(driven, m) != driven.end(); });
+  return magnitudes;
+}
+
+// Sets, one magnitude a relation, in whose columns the relations are independent: each of the set
+// follows from the rest. A relation without terms is about loads alone.
+std::vector<std::vector<int>> find_removals(const std::vector<Dependence>& dependences,
+                                            std::span<const double> units,
+                                            std::span<const int> driven) {
+  std::vector<std::vector<int>> removals;
+  MatX shares = MatX::Zero(static_cast<Eigen::Index>(units.size()), 0);
+  for (const Dependence& one : dependences) {
+    if (one.terms.empty()) {
+      continue;
+    }
+    shares.conservativeResize(Eigen::NoChange, shares.cols() + 1);
+    shares.col(shares.cols() - 1).setZero();
+    for (const DependenceTerm& term : one.terms) {
+      shares(term.index, shares.cols() - 1) =
+          term.coefficient * units[static_cast<std::size_t>(term.index)];
+    }
+  }
+  const std::vector<int> involved = rows_in_use(shares);
+  if (shares.cols() == 1) {
+    for (const int magnitude : involved) {
+      removals.push_back({magnitude});
+    }
+    return removals;
+  }
+  const std::size_t search = static_cast<std::size_t>(shares.cols()) * involved.size();
+  if (search == 0 || search > kLongestSearch) {
+    return removals;
+  }
+  std::vector<int> candidates = driven_first(involved, driven);
+  std::ranges::reverse(candidates);
+  removals = BasisSearch(shares, candidates).run();
+  for (std::vector<int>& set : removals) {
+    std::ranges::sort(set);
+  }
+  return removals;
+}
 
 }  // namespace
 
 PrimaryCheck check_primaries(const Elimination& elimination,
                              int first_column,
                              std::span<const double> units,
-                             std::span<const double> rhs) {
+                             std::span<const double> rhs,
+                             std::span<const int> driven) {
   PrimaryCheck check;
   const int count = static_cast<int>(units.size());
   for (const Relation& relation : elimination.relations(rhs)) {
@@ -111,6 +157,7 @@ PrimaryCheck check_primaries(const Elimination& elimination,
     }
     check.dependences.push_back(std::move(dependence));
   }
+  check.removals = find_removals(check.dependences, units, driven);
   check.missing = static_cast<int>(elimination.free_columns().size());
   if (check.missing == 0) {
     return check;
@@ -120,7 +167,7 @@ PrimaryCheck check_primaries(const Elimination& elimination,
   check.undetermined = rows_in_use(motions);
   check.candidates = rows_in_use(clear);
   if (static_cast<std::size_t>(check.missing) * check.candidates.size() <= kLongestSearch) {
-    check.completions = CompletionSearch(clear, check.candidates).run();
+    check.completions = BasisSearch(clear, driven_first(check.candidates, driven)).run();
   }
   return check;
 }

@@ -26,6 +26,9 @@ struct Dependence {
 /// What is wrong with the primary magnitudes of a case; all empty if nothing is.
 struct PrimaryCheck {
   std::vector<Dependence> dependences;
+  /// Sets of primaries without which the others are independent, one magnitude a dependence: all
+  /// of them where there is one dependence, otherwise up to five.
+  std::vector<std::vector<int>> removals;
   /// Magnitudes that remain undetermined, ascending; also those that move so little that it may be
   /// rounding: rather no value than a wrong one.
   std::vector<int> undetermined;
@@ -33,17 +36,19 @@ struct PrimaryCheck {
   std::vector<int> candidates;
   /// How many more primaries are needed.
   int missing = 0;
-  /// Up to five sets of magnitudes, each of which would complete the choice; none if very many
-  /// are missing.
+  /// Up to five sets of magnitudes, each of which would complete the choice, those of actuators
+  /// first; none if very many are missing.
   std::vector<std::vector<int>> completions;
 };
 
 /// Reads the check off an elimination whose last columns were the primaries. Magnitude i is column
 /// `first_column` + i, which counts in `units`[i] (SI). `rhs` is the right-hand side of the system;
-/// empty: zero.
+/// empty: zero. `driven` are the magnitudes of actuators, which an engineer would give: they are
+/// proposed first and removed last.
 PrimaryCheck check_primaries(const Elimination& elimination,
                              int first_column,
                              std::span<const double> units,
-                             std::span<const double> rhs = {});
+                             std::span<const double> rhs = {},
+                             std::span<const int> driven = {});
 
 }  // namespace kinestat

@@ -34,9 +34,30 @@ double sum_of(const std::vector<int>& actuators, const PowerFlow& flow) {
   return sum;
 }
 
+// Whether all power comes from the inputs and goes to the outputs and into friction.
+bool is_between_inputs_and_outputs(const Case& which, const PowerFlow& flow) {
+  double largest = 0.0;
+  double beside = 0.0;
+  for (std::size_t i = 0; i < flow.actuators.size(); ++i) {
+    const int actuator = static_cast<int>(i);
+    const bool is_named = std::ranges::find(which.inputs, actuator) != which.inputs.end() ||
+                          std::ranges::find(which.outputs, actuator) != which.outputs.end();
+    double& size = is_named ? largest : beside;
+    size = std::max(size, std::abs(flow.actuators[i]));
+  }
+  for (const double load : flow.loads) {
+    beside = std::max(beside, std::abs(load));
+  }
+  return beside <= kPowerBalance * largest;
+}
+
 // What friction leaves of the power, and whether it leaves any.
 void find_efficiency(const Case& which, PowerFlow& flow) {
   if (flow.friction.empty() || which.inputs.empty() || which.outputs.empty()) {
+    return;
+  }
+  if (!is_between_inputs_and_outputs(which, flow)) {
+    flow.no_efficiency = "loads or other actuators exchange power too";
     return;
   }
   const double in = sum_of(which.inputs, flow);
@@ -44,6 +65,9 @@ void find_efficiency(const Case& which, PowerFlow& flow) {
   flow.is_self_locking = in > 0.0 && out > 0.0;
   if (in > 0.0 && out <= 0.0) {
     flow.efficiency = -out / in;
+  } else {
+    flow.no_efficiency = flow.is_self_locking ? "friction takes more than the inputs give"
+                                              : "the inputs give no power";
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "kinematics/kinematic_solution.hpp"
@@ -23,8 +24,10 @@ struct PowerFlow {
   double input = 0.0;             ///< of the inputs named by the case, else the sum of all positive
                                   ///< powers of actuators and loads
   /// Power of the outputs over that of the inputs, where the statics has friction and the case
-  /// names both; empty where the inputs take power or the outputs give it.
+  /// names both; empty where the inputs take power, the outputs give it, or loads or other
+  /// actuators exchange power too: `no_efficiency` says why.
   std::optional<double> efficiency;
+  std::string no_efficiency;
   bool is_self_locking = false;   ///< friction takes more than the inputs give: outputs drive too
   double balance_residual = 0.0;  ///< |sum of supplied and loads| relative to the largest power
   bool is_balanced = true;        ///< the residual is at most kPowerBalance (Tellegen)

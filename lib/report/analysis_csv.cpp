@@ -214,7 +214,7 @@ void add_case(CsvWriter& writer, const Place& place, const Json& pass) {
     add_elements_if_any(writer, place, pass, "loads", "load");
     add_elements_if_any(writer, place, pass, "friction", "friction");
     if (pass.contains("efficiency")) {
-      writer.add(place, "efficiency", pass["efficiency"]);
+      writer.add(place, "efficiency/friction", pass["efficiency"]["friction"]);
     }
     writer.add(place, "input", pass["input"]);
     writer.add(place, "balance_residual", pass["balance_residual"]);

@@ -116,6 +116,9 @@ Json power_json(const Mechanism& mechanism, const CaseAnalysis& one, const InUni
       result["friction"][topology.coupling(coupling).name] = number(in.power(flow.friction[i]));
     }
     result["efficiency"]["friction"] = number(flow.efficiency);
+    if (!flow.no_efficiency.empty()) {
+      result["efficiency"]["reason"] = flow.no_efficiency;
+    }
     result["self_locking"] = flow.is_self_locking;
   }
   result["input"] = number(in.power(flow.input));

@@ -186,7 +186,10 @@ std::string efficiency_text(const PowerFlow& flow) {
   if (flow.is_self_locking) {
     return "; self-locking: friction takes more than the inputs give";
   }
-  return flow.efficiency ? fmt::format("; efficiency {}", format_short(*flow.efficiency)) : "";
+  if (flow.efficiency) {
+    return fmt::format("; efficiency {}", format_short(*flow.efficiency));
+  }
+  return flow.no_efficiency.empty() ? "" : "; no efficiency: " + flow.no_efficiency;
 }
 
 std::string power_text(const PowerFlow& flow, const InUnits& in) {

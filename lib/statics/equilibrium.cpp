@@ -24,13 +24,15 @@ Equilibrium::Equilibrium(const Mechanism& mechanism,
                          std::vector<int> primaries)
     : basis_(std::move(basis)),
       primaries_(std::move(primaries)),
+      driving_(mechanism.topology.driving_actions()),
       units_(action_units(mechanism.topology, basis_)),
       body_count_(mechanism.topology.body_count()),
       elimination_(action_system(mechanism.topology, mechanism.geometry, basis_), primaries_),
       counts_(action_counts(mechanism, basis_.order(), elimination_.rank())) {}
 
 PrimaryCheck Equilibrium::check(std::span<const BodyWrench> loads) const {
-  return check_primaries(elimination_, 0, units_, load_vector(body_count_, basis_, loads));
+  return check_primaries(
+      elimination_, 0, units_, load_vector(body_count_, basis_, loads), driving_);
 }
 
 EquilibriumActions Equilibrium::solve(std::span<const double> known,

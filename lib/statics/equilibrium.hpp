@@ -50,6 +50,7 @@ class Equilibrium {
  private:
   CoordinateBasis basis_;
   std::vector<int> primaries_;
+  std::vector<int> driving_;   ///< actions of actuators
   std::vector<double> units_;  ///< SI per unit of the unknown of each action
   int body_count_ = 0;
   Elimination elimination_;

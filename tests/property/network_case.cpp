@@ -82,6 +82,29 @@ std::vector<Primary> choose_primaries(Random& random, const Check& check) {
   return primaries;
 }
 
+// What is proposed to be removed from up to three primaries too many leaves independent ones.
+template <class Check>
+void expect_good_removals(std::vector<Primary> primaries, int count, const Check& check) {
+  const std::size_t right = primaries.size();
+  for (int index = 0; index < count && primaries.size() < right + 3; ++index) {
+    if (std::ranges::find(primaries, index, &Primary::index) == primaries.end()) {
+      primaries.push_back(make_primary(index, 1.0));
+    }
+  }
+  const PrimaryCheck found = check(primaries);
+  EXPECT_EQ(found.removals.empty(), found.dependences.empty());
+  for (const std::vector<int>& removal : found.removals) {
+    EXPECT_EQ(removal.size(), found.dependences.size());
+    std::vector<Primary> rest = primaries;
+    std::erase_if(rest, [&](const Primary& one) {
+      return std::ranges::find(removal, one.index) != removal.end();
+    });
+    const PrimaryCheck after = check(rest);
+    EXPECT_TRUE(after.dependences.empty());
+    EXPECT_EQ(after.missing, found.missing);
+  }
+}
+
 }  // namespace
 
 bool is_clear(const RankEvidence& evidence) {
@@ -133,13 +156,16 @@ std::vector<Primary> choose_motions(const NetworkCase& network, Random& random) 
   for (int f = 0; f < topology.freedom_count(); ++f) {
     rate_units.push_back(rate_unit(topology, network.twist_basis, f));
   }
-  return choose_primaries(random, [&](const std::vector<Primary>& primaries) {
+  const auto check = [&](const std::vector<Primary>& primaries) {
     std::vector<int> columns;
     for (const Primary& primary : primaries) {
       columns.push_back(first + primary.index);
     }
     return check_primaries(Elimination(system, columns), first, rate_units);
-  });
+  };
+  std::vector<Primary> chosen = choose_primaries(random, check);
+  expect_good_removals(chosen, topology.freedom_count(), check);
+  return chosen;
 }
 
 std::vector<Primary> choose_actions(const NetworkCase& network, Random& random) {
@@ -150,13 +176,16 @@ std::vector<Primary> choose_actions(const NetworkCase& network, Random& random) 
   for (int a = 0; a < topology.action_count(); ++a) {
     action_units.push_back(action_unit(topology, network.wrench_basis, a));
   }
-  return choose_primaries(random, [&](const std::vector<Primary>& primaries) {
+  const auto check = [&](const std::vector<Primary>& primaries) {
     std::vector<int> columns;
     for (const Primary& primary : primaries) {
       columns.push_back(primary.index);
     }
     return check_primaries(Elimination(system, columns), 0, action_units);
-  });
+  };
+  std::vector<Primary> chosen = choose_primaries(random, check);
+  expect_good_removals(chosen, topology.action_count(), check);
+  return chosen;
 }
 
 VecX solve_partition(const MatX& N, const std::vector<Primary>& primaries) {

@@ -85,7 +85,9 @@ void add_contradiction(const Analysis& analysis, const CaseAnalysis& one, Diagno
       fmt::format("case '{}' has no equilibrium: {}{}{}",
                   one.which.label,
                   cutsets_text(analysis, action, side),
-                  action.unheld ? "; nothing holds the load: " : "",
+                  !action.unheld            ? ""
+                  : one.which.loads.empty() ? "; nothing resists the motion: "
+                                            : "; nothing holds the load: ",
                   action.unheld ? unheld_text(analysis, *action.unheld) : ""),
       removal_text(action.check, side) + " so that it is solved, or add what holds this motion");
 }
@@ -101,7 +103,10 @@ std::string names_of(const std::vector<CouplingId>& couplings, const Topology& t
 void add_undirected_friction(const Analysis& analysis,
                              const CaseAnalysis& one,
                              Diagnostics& found) {
-  const bool has_motion = one.motion && one.motion->status == SolveStatus::solved;
+  const bool has_motion = one.motion.has_value();
+  if (has_motion && one.motion->status != SolveStatus::solved) {
+    return;  // why it has no answer is said of the motion
+  }
   found.error("E0604",
               one.which.where,
               fmt::format("case '{}': the friction of {} has no direction, because {}",

@@ -25,6 +25,24 @@ std::string actuator_of(const Topology& topology, int ActuatorTopology::*member,
   return at == topology.actuators.end() ? std::string() : at->name;
 }
 
+std::string in_brackets(const std::string& unit) {
+  const bool is_plain = unit.find_first_of("*/ ") == std::string::npos;
+  return is_plain ? unit : "(" + unit + ")";
+}
+
+// "2.5 ", with the units where those of the magnitudes differ: "2.5 (N*m)/N "; nothing for 1.
+std::string factor_text(double share, const KnownSide& side, int of, int to) {
+  const QuantityKind here = side.kind(of);
+  const QuantityKind there = side.kind(to);
+  if (here != there) {
+    return fmt::format("{:.6g} {}/{} ",
+                       share,
+                       in_brackets(side.units.text(there)),
+                       in_brackets(side.units.text(here)));
+  }
+  return std::abs(share - 1.0) <= kRankZero ? "" : fmt::format("{:.6g} ", share);
+}
+
 // "a.Rx = 2.5 b.Rx - c.Rx + 12 N", or "a.Rx = 0", as numbers in the units of the file.
 std::string relation_text(const Dependence& dependence, const KnownSide& side) {
   const DependenceTerm& first = dependence.terms.front();
@@ -36,9 +54,7 @@ std::string relation_text(const Dependence& dependence, const KnownSide& side) {
   };
   for (const DependenceTerm& term : std::span(dependence.terms).subspan(1)) {
     const double share = -term.coefficient * side.unit(term.index) / size;
-    const bool is_one = std::abs(std::abs(share) - 1.0) <= kRankZero;
-    const std::string factor = is_one ? "" : fmt::format("{:.6g} ", std::abs(share));
-    add(share, factor + side.name(term.index));
+    add(share, factor_text(std::abs(share), side, term.index, first.index) + side.name(term.index));
   }
   if (dependence.constant != 0.0) {
     const double value = dependence.constant / size;
@@ -164,11 +180,18 @@ std::string cutsets_text(const Analysis& analysis,
 }
 
 std::string removal_text(const PrimaryCheck& check, const KnownSide& side) {
-  std::vector<std::string> names;
-  for (const DependenceTerm& term : check.dependences.front().terms) {
-    names.push_back(fmt::format("'{}'", side.name(term.index)));
+  std::vector<std::string> sets;
+  for (const std::vector<int>& set : check.removals) {
+    std::vector<std::string> names;
+    for (const int i : set) {
+      names.push_back(fmt::format("'{}'", side.name(i)));
+    }
+    sets.push_back(set.size() == 1 ? names.front() : "{" + plain_list(names) + "}");
   }
-  return fmt::format("remove {} from '{}:'", fmt::join(names, " or "), side.key);
+  if (sets.empty()) {
+    return fmt::format("remove from '{}:' what follows from the others", side.key);
+  }
+  return fmt::format("remove {} from '{}:'", fmt::join(sets, " or "), side.key);
 }
 
 SourceRange place_of_surplus(const std::vector<Primary>& primaries,

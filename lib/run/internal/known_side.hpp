@@ -42,7 +42,7 @@ std::string cutsets_text(const Analysis& analysis,
                          const StaticSolution& action,
                          const KnownSide& side);
 
-/// "remove 'a' or 'b' from 'motion:'": any one that takes part in the first relation.
+/// "remove 'a' or 'b' from 'motion:'"; sets in braces where several must go.
 std::string removal_text(const PrimaryCheck& check, const KnownSide& side);
 
 /// The place of the first magnitude of the first relation.

@@ -66,7 +66,8 @@ TEST(Velocity, WithoutPrimariesIsUnderdeterminedAndNamesTheCompletions) {
 
   EXPECT_EQ(solution.status, SolveStatus::underdetermined);
   EXPECT_EQ(solution.check.missing, 1);
-  EXPECT_EQ(solution.check.completions, (std::vector<std::vector<int>>{{0}, {1}, {2}, {3}}));
+  EXPECT_EQ(solution.check.completions,
+            (std::vector<std::vector<int>>{{0}, {3}, {1}, {2}}));  // actuators at 0 and 3
   EXPECT_TRUE(solution.rates.empty());
 }
 

@@ -34,6 +34,7 @@ TEST(PrimaryCheck, FindsNothingWrongWithIndependentAndSufficientPrimaries) {
   EXPECT_TRUE(check.dependences.empty());
   EXPECT_TRUE(check.undetermined.empty());
   EXPECT_TRUE(check.completions.empty());
+  EXPECT_TRUE(check.removals.empty());
 }
 
 TEST(PrimaryCheck, ListsEveryCompletionWhereOneMagnitudeIsMissing) {
@@ -81,6 +82,35 @@ TEST(PrimaryCheck, NamesTheConstantThatARightHandSideAddsToTheRelation) {
   const Dependence& dependence = check.dependences[0];
   EXPECT_DOUBLE_EQ(dependence.constant / dependence.terms.at(0).coefficient, 20.0);
   EXPECT_DOUBLE_EQ(dependence.constant / dependence.terms.at(1).coefficient, -2.0);
+}
+
+using Sets = std::vector<std::vector<int>>;
+
+TEST(PrimaryCheck, ProposesEveryMagnitudeOfOneRelationForRemoval) {
+  const Elimination elimination(chain_and_free(), std::vector<int>{0, 1, 3});
+
+  const PrimaryCheck check = check_primaries(elimination, 0, std::vector<double>(4, 1.0));
+
+  EXPECT_EQ(check.removals, (Sets{{0}, {1}}));
+}
+
+// Of each pair one must go: those that no actuator drives before those that one drives.
+TEST(PrimaryCheck, ProposesForRemovalOneMagnitudeARelation) {
+  const Elimination elimination(equal_pairs(2), std::vector<int>{0, 1, 2, 3});
+
+  const PrimaryCheck check =
+      check_primaries(elimination, 0, std::vector<double>(4, 1.0), {}, std::vector<int>{0, 3});
+
+  EXPECT_EQ(check.removals, (Sets{{1, 2}, {0, 2}, {1, 3}, {0, 3}}));
+}
+
+TEST(PrimaryCheck, ProposesMagnitudesOfActuatorsFirst) {
+  const Elimination elimination(equal_pairs(2), {});
+
+  const PrimaryCheck check =
+      check_primaries(elimination, 0, std::vector<double>(4, 1.0), {}, std::vector<int>{3});
+
+  EXPECT_EQ(check.completions, (Sets{{3, 0}, {3, 1}, {0, 2}, {1, 2}}));
 }
 
 TEST(PrimaryCheck, CountsMagnitudesFromTheFirstColumn) {
