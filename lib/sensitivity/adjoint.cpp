@@ -64,6 +64,44 @@ CoordinateBasis action_basis_for(const Mechanism& mechanism,
   return is_enough ? minimal : whole_basis(mechanism, mechanism.static_order, ScrewKind::wrench);
 }
 
+FactoredSide motion_equations(const DualCase& values, const CoordinateBasis& basis) {
+  const Topology& topology = values.topology();
+  std::vector<double> units;
+  for (int f = 0; f < topology.freedom_count(); ++f) {
+    units.push_back(rate_unit(topology, basis, f));
+  }
+  return {velocity_system(topology, values.mechanism().geometry, basis),
+          values.which().motions,
+          velocity_column(topology, basis, 0),
+          std::move(units)};
+}
+
+FactoredSide action_equations(const DualCase& values, const CoordinateBasis& basis) {
+  const Topology& topology = values.topology();
+  std::vector<double> units;
+  for (int a = 0; a < topology.action_count(); ++a) {
+    units.push_back(action_unit(topology, basis, a));
+  }
+  return {action_system(topology, values.mechanism().geometry, basis),
+          values.which().actions,
+          0,
+          std::move(units)};
+}
+
+// Those of the solution; where it leaves them open, any that are in equilibrium with the others.
+std::vector<double> action_magnitudes(const DualCase& values,
+                                      const FactoredSide& equations,
+                                      const CoordinateBasis& basis) {
+  std::vector<double> result;
+  for (const std::optional<double>& magnitude : values.action()->magnitudes) {
+    if (!magnitude) {
+      return equations.solve(known_actions(values, basis));
+    }
+    result.push_back(*magnitude);
+  }
+  return result;
+}
+
 }  // namespace
 
 AdjointBases find_adjoint_bases(const Mechanism& mechanism,
@@ -79,34 +117,26 @@ CaseAdjoint::~CaseAdjoint() = default;
 
 AdjointSide& CaseAdjoint::motion() {
   if (!motion_) {
-    const GeometryOf<double>& geometry = values_.mechanism().geometry;
-    const Topology& topology = values_.topology();
-    std::vector<double> units;
-    for (int f = 0; f < topology.freedom_count(); ++f) {
-      units.push_back(rate_unit(topology, bases_.motion, f));
-    }
-    motion_ = std::make_unique<AdjointSide>(velocity_system(topology, geometry, bases_.motion),
-                                            values_.which().motions,
-                                            velocity_column(topology, bases_.motion, 0),
-                                            std::move(units),
-                                            motion_changes(values_, bases_.motion));
+    motion_ = std::make_unique<AdjointSide>(
+        motion_equations(values_, bases_.motion),
+        ParameterChanges{.total = motion_changes(values_, bases_.motion), .open = {}});
   }
   return *motion_;
 }
 
 AdjointSide& CaseAdjoint::action() {
   if (!action_) {
-    const GeometryOf<double>& geometry = values_.mechanism().geometry;
-    const Topology& topology = values_.topology();
-    std::vector<double> units;
-    for (int a = 0; a < topology.action_count(); ++a) {
-      units.push_back(action_unit(topology, bases_.action, a));
+    FactoredSide equations = action_equations(values_, bases_.action);
+    ParameterChanges changes{.total = known_action_changes(values_, bases_.action), .open = {}};
+    add_action_changes(action_magnitudes(values_, equations, bases_.action),
+                       values_,
+                       bases_.action,
+                       changes.total);
+    for (const std::vector<double>& open : equations.open_magnitudes()) {
+      changes.open.emplace_back(values_.parameter_count());
+      add_action_changes(open, values_, bases_.action, changes.open.back());
     }
-    action_ = std::make_unique<AdjointSide>(action_system(topology, geometry, bases_.action),
-                                            values_.which().actions,
-                                            0,
-                                            std::move(units),
-                                            action_changes(values_, bases_.action));
+    action_ = std::make_unique<AdjointSide>(std::move(equations), std::move(changes));
   }
   return *action_;
 }

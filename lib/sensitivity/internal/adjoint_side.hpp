@@ -1,40 +1,36 @@
-// The equations of one side of a case, motions or actions, ready to be differentiated.
+// One side of a case, motions or actions, with what every parameter changes in it.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "mechanism/case.hpp"
-#include "sensitivity/internal/change.hpp"
+#include "sensitivity/internal/factored_side.hpp"
 
 namespace kinestat {
 
-/// The factors of the equations, the unit of each magnitude, and what every parameter changes.
+/// What parameters change, each in one Change.
+struct ParameterChanges {
+  std::vector<Change> total;
+  /// Of each self-stress of the open actions, what the parameters change under it. Nobody knows its
+  /// size, so a value that one of them would move has no derivative.
+  std::vector<std::vector<Change>> open;
+};
+
 class AdjointSide {
  public:
-  /// The magnitudes of the side begin at `first_column` of the system; `units` are their SI per
-  /// unit of the unknown, `changes` those of each parameter.
-  AdjointSide(SparseMatrix system,
-              const std::vector<Primary>& primaries,
-              int first_column,
-              std::vector<double> units,
-              std::vector<Change> changes);
+  AdjointSide(FactoredSide equations, ParameterChanges changes);
 
   /// Adds to `result`, one a parameter, the part of a value that moves by dv/dmagnitude with the
-  /// magnitudes of this side. A parameter whose change the redundant equations forbid leaves no
-  /// value.
+  /// magnitudes of this side. A parameter whose change the redundant equations forbid, or that
+  /// would show a self-stress, leaves no value.
   void add(const std::vector<double>& slopes, std::vector<std::optional<Sum>>& result) const;
 
  private:
-  std::vector<double> right_hand_side(const Change& change) const;
+  bool shows_open(const AdjointSolution& adjoint, std::size_t parameter) const;
 
-  std::size_t row_count_;
-  int column_count_;
-  Elimination elimination_;
-  int first_column_;
-  std::vector<double> units_;
-  std::vector<Change> changes_;    ///< of each parameter
-  std::vector<bool> is_possible_;  ///< likewise
+  FactoredSide equations_;
+  ParameterChanges changes_;
+  std::vector<bool> is_possible_;  ///< of each parameter
 };
 
 }  // namespace kinestat

@@ -1,7 +1,9 @@
 #include "sensitivity/internal/change.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/tolerance.hpp"
 #include "network/node_system.hpp"
 #include "sensitivity/internal/screw_slopes.hpp"
 
@@ -35,6 +37,24 @@ void add_known(const std::vector<Dual>& primaries,
   }
 }
 
+// Coordinate i of a wrench on a body, which adds to the left side of its equilibrium.
+void add_load(BodyId body, double size, int i, const CoordinateBasis& basis, Change& change) {
+  if (body.value > 0) {
+    add(-size, i, basis, basis.order() * (body.value - 1), change.rows);
+  }
+}
+
+// What each parameter changes of a wrench times `size`.
+void add_load(BodyId body,
+              const WrenchOf<Dual>& wrench,
+              double size,
+              const CoordinateBasis& basis,
+              std::vector<Change>& changes) {
+  for_each_slope(wrench, [&](std::size_t p, int i, double slope) {
+    add_load(body, size * slope, i, basis, changes[p]);
+  });
+}
+
 }  // namespace
 
 bool Change::is_nothing() const {
@@ -48,6 +68,17 @@ void add(const AdjointSolution& adjoint, const Change& change, Sum& sum) {
   for (std::size_t i = 0; i < change.known.size(); ++i) {
     sum.add(adjoint.known[static_cast<Eigen::Index>(i)] * change.known[i]);
   }
+}
+
+bool moves(const AdjointSolution& adjoint, const Change& change) {
+  const double steepest = adjoint.rows.size() == 0 ? 0.0 : adjoint.rows.cwiseAbs().maxCoeff();
+  double sum = 0.0;
+  double size = 0.0;
+  for (const auto& [row, value] : change.rows) {
+    sum += adjoint.rows[row] * value;
+    size += steepest * std::abs(value);
+  }
+  return std::abs(sum) > kConsistency * size;
 }
 
 // Moving a unit motion moves its coupling's twist by rate · d$: + Σ φ d$ on the right of
@@ -71,33 +102,48 @@ std::vector<Change> motion_changes(const DualCase& values, const CoordinateBasis
   return changes;
 }
 
-// The wrench of a coupling changes by ψ d$ on its head, and by the opposite on its tail; a load
-// adds to the left side of the equations, too.
-std::vector<Change> action_changes(const DualCase& values, const CoordinateBasis& basis) {
-  const Topology& topology = values.topology();
-  std::vector<Change> changes(values.parameter_count());
-  const auto add_on = [&](BodyId body, const WrenchOf<Dual>& wrench, double size) {
-    if (body.value > 0) {
-      for_each_slope(wrench, [&](std::size_t p, int i, double slope) {
-        add(-size * slope, i, basis, basis.order() * (body.value - 1), changes[p].rows);
-      });
+Change known_actions(const DualCase& values, const CoordinateBasis& basis) {
+  Change result;
+  for (const Load& load : values.which().loads) {
+    const Vec6 coordinates = load.acts.wrench.coordinates();
+    for (int i = 0; i < 6; ++i) {
+      add_load(load.acts.body, coordinates[i], i, basis, result);
     }
-  };
-  for (std::size_t a = 0; a < topology.actions.size(); ++a) {
-    const double size = values.action()->magnitudes[a].value_or(0.0);
-    const CouplingTopology& coupling = topology.coupling(topology.actions[a].coupling);
-    add_on(coupling.head, values.derivatives().geometry.actions[a], size);
-    add_on(coupling.tail, values.derivatives().geometry.actions[a], -size);
   }
-  for (std::size_t i = 0; i < values.primaries().loads.size(); ++i) {
-    add_on(values.which().loads[i].acts.body, values.primaries().loads[i], 1.0);
+  for (const Primary& primary : values.which().actions) {
+    result.known.push_back(primary.value / action_unit(values.topology(), basis, primary.index));
+  }
+  return result;
+}
+
+std::vector<Change> known_action_changes(const DualCase& values, const CoordinateBasis& basis) {
+  std::vector<Change> changes(values.parameter_count());
+  const std::vector<WrenchOf<Dual>>& loads = values.primaries().loads;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    add_load(values.which().loads[i].acts.body, loads[i], 1.0, basis, changes);
   }
   std::vector<double> units;
   for (const Primary& primary : values.which().actions) {
-    units.push_back(action_unit(topology, basis, primary.index));
+    units.push_back(action_unit(values.topology(), basis, primary.index));
   }
   add_known(values.primaries().actions, units, changes);
   return changes;
+}
+
+// The wrench of a coupling changes by ψ d$ on its head, and by the opposite on its tail.
+void add_action_changes(std::span<const double> magnitudes,
+                        const DualCase& values,
+                        const CoordinateBasis& basis,
+                        std::vector<Change>& changes) {
+  const Topology& topology = values.topology();
+  for (std::size_t a = 0; a < magnitudes.size(); ++a) {
+    if (magnitudes[a] != 0.0) {
+      const CouplingTopology& coupling = topology.coupling(topology.actions[a].coupling);
+      const WrenchOf<Dual>& screw = values.derivatives().geometry.actions[a];
+      add_load(coupling.head, screw, magnitudes[a], basis, changes);
+      add_load(coupling.tail, screw, -magnitudes[a], basis, changes);
+    }
+  }
 }
 
 }  // namespace kinestat

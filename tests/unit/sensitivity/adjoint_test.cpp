@@ -40,8 +40,11 @@ struct Solved {
     const Case& which = mechanism.cases.front();
     motion = solve_velocity(
         mechanism, motion_basis(mechanism.geometry, OrderChoice::minimal), which.motions);
-    action = solve_action(
-        mechanism, action_basis(mechanism.geometry, OrderChoice::minimal), which.actions);
+    const std::vector<BodyWrench> loads = wrenches_of(which.loads);
+    action = solve_action(mechanism,
+                          action_basis(mechanism.geometry, OrderChoice::minimal, loads),
+                          which.actions,
+                          loads);
   }
 
   DualCase values() const {
@@ -174,6 +177,33 @@ TEST(CaseAdjoint, HasNoDerivativeWhereRedundantCouplingsWouldNotFit) {
   EXPECT_FALSE(slopes[1].has_value());
   ASSERT_TRUE(slopes[2].has_value());
   EXPECT_NEAR(*slopes[2], 1.0, 1e-14);  // v_y = 1 + all
+}
+
+// Two coincident bearings share the force F as they like; the drive holds F p all the same.
+TEST(CaseAdjoint, CountsWhatOpenActionsBearTogether) {
+  const auto arm = [](const std::string& second) {
+    return "kinestat: 1\n"
+           "space: planar\n"
+           "parameters: {p: 2, q: 2, F: 5}\n"
+           "ground: f\n"
+           "bodies: [arm]\n"
+           "couplings:\n"
+           "  a: {type: revolute, bodies: [f, arm], at: [p, 0]}\n"
+           "  b: {type: revolute, bodies: [f, arm], at: [" +
+           second +
+           ", 0]}\n"
+           "actuators: {drive: {coupling: a}}\n"
+           "loads: {w: {body: arm, at: [0, 0], force: [0, F]}}\n"
+           "cases: {k: {motion: {drive: 1}, action: {}}}\n";
+  };
+  const auto together = Solved(arm("p + 0*q")).derivatives_of("drive");
+  const auto apart = Solved(arm("q")).derivatives_of("drive");
+
+  EXPECT_NEAR(*together[0], 5.0, 1e-14);
+  EXPECT_NEAR(*together[2], 2.0, 1e-14);
+  EXPECT_FALSE(apart[0].has_value());  // then the bearings hold the arm, and the drive is open
+  EXPECT_FALSE(apart[1].has_value());
+  EXPECT_NEAR(*apart[2], 2.0, 1e-14);
 }
 
 TEST(ReportedValue, IsFoundByItsShortNameAndByItsPath) {

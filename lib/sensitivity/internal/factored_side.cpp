@@ -1,0 +1,69 @@
+#include "sensitivity/internal/factored_side.hpp"
+
+#include <utility>
+
+namespace kinestat {
+
+namespace {
+
+std::vector<int> columns_of(const std::vector<Primary>& primaries, int first) {
+  std::vector<int> columns;
+  for (const Primary& primary : primaries) {
+    columns.push_back(first + primary.index);
+  }
+  return columns;
+}
+
+}  // namespace
+
+FactoredSide::FactoredSide(SparseMatrix system,
+                           const std::vector<Primary>& primaries,
+                           int first_column,
+                           std::vector<double> units)
+    : row_count_(static_cast<std::size_t>(system.rows)),
+      column_count_(system.columns),
+      elimination_(std::move(system), columns_of(primaries, first_column)),
+      first_column_(first_column),
+      units_(std::move(units)) {}
+
+std::vector<double> FactoredSide::solve(const Change& right) const {
+  return magnitudes_of(elimination_.solve(right.known, right_hand_side(right)).x);
+}
+
+AdjointSolution FactoredSide::solve_adjoint(const std::vector<double>& slopes) const {
+  VecX gradient = VecX::Zero(column_count_);
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    gradient[first_column_ + static_cast<int>(i)] = slopes[i] * units_[i];
+  }
+  return elimination_.solve_adjoint(gradient);
+}
+
+bool FactoredSide::allows(const Change& change) const {
+  return change.is_nothing() || elimination_.is_consistent(change.known, right_hand_side(change));
+}
+
+std::vector<std::vector<double>> FactoredSide::open_magnitudes() const {
+  std::vector<std::vector<double>> result;
+  for (const VecX& x : elimination_.null_vectors()) {
+    result.push_back(magnitudes_of(x));
+  }
+  return result;
+}
+
+std::vector<double> FactoredSide::right_hand_side(const Change& change) const {
+  std::vector<double> rhs(row_count_, 0.0);
+  for (const auto& [row, value] : change.rows) {
+    rhs[static_cast<std::size_t>(row)] += value;
+  }
+  return rhs;
+}
+
+std::vector<double> FactoredSide::magnitudes_of(const VecX& x) const {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < units_.size(); ++i) {
+    result.push_back(x[first_column_ + static_cast<int>(i)] * units_[i]);
+  }
+  return result;
+}
+
+}  // namespace kinestat

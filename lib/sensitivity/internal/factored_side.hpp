@@ -1,0 +1,44 @@
+// The equations of one side of a case, motions or actions, factored.
+#pragma once
+
+#include <vector>
+
+#include "mechanism/case.hpp"
+#include "sensitivity/internal/change.hpp"
+
+namespace kinestat {
+
+/// Takes magnitudes in SI.
+class FactoredSide {
+ public:
+  /// The magnitudes of the side begin at `first_column` of the system; `units` are their SI per
+  /// unit of the unknown.
+  FactoredSide(SparseMatrix system,
+               const std::vector<Primary>& primaries,
+               int first_column,
+               std::vector<double> units);
+
+  /// The magnitudes for a right-hand side; where they are open, one choice of many.
+  std::vector<double> solve(const Change& right) const;
+
+  /// For a value that moves by these slopes with the magnitudes.
+  AdjointSolution solve_adjoint(const std::vector<double>& slopes) const;
+
+  /// Whether the redundant equations hold when the right-hand side changes so.
+  bool allows(const Change& change) const;
+
+  /// A basis of the magnitudes that stay open.
+  std::vector<std::vector<double>> open_magnitudes() const;
+
+ private:
+  std::vector<double> right_hand_side(const Change& change) const;
+  std::vector<double> magnitudes_of(const VecX& x) const;
+
+  std::size_t row_count_;
+  int column_count_;
+  Elimination elimination_;
+  int first_column_;
+  std::vector<double> units_;
+};
+
+}  // namespace kinestat
