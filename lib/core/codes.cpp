@@ -346,6 +346,20 @@ constexpr auto kCodes = std::to_array<Code>({
      "The friction grows with the actions that it causes, and at these coefficients there is no "
      "finite solution for the motion of the case: the mechanism jams. The report has the status "
      "'locked' and no actions for the case."},
+    {"W0604",
+     done,
+     "a reaction does not rub",
+     "The coupling has friction and bears a force or couple that would press too, but the file "
+     "does "
+     "not say on what radius or length, so that it adds nothing to the friction. Give the "
+     "dimension "
+     "that the hint names; where the surface runs on rollers or balls, tau may stand for it."},
+    {"W0605",
+     done,
+     "a contact would have to pull",
+     "Two surfaces that touch can only push each other apart: along the normal, which points from "
+     "the tail to the head, the action must not be negative. In reality they would part, and the "
+     "answer of the case holds only for a contact that is held from both sides."},
 });
 
 }  // namespace

@@ -69,6 +69,10 @@ inline constexpr double kUnboundedFriction = 1e7;
 /// come to an end.
 inline constexpr double kLeastFrictionStep = 1e-7;
 
+/// A reaction below this share of the whole wrench of its coupling is no load for a bearing: some
+/// million roundings, far below what wears anything.
+inline constexpr double kNoReaction = 1e-9;
+
 /// Two axes count as parallel if the sine of their angle is below this: far below any joint that is
 /// drawn on purpose, far above rounding.
 inline constexpr double kParallelAxes = 1e-9;

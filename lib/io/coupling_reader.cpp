@@ -109,8 +109,9 @@ void read_passive(const YamlNode& node, const Place& place, CouplingDescription&
 FrictionKind friction_kind(CouplingType type) {
   switch (type) {
     case revolute:
-    case helical:
       return FrictionKind::journal;
+    case helical:
+      return FrictionKind::thread;
     case prismatic:
       return FrictionKind::guide;
     case point_contact:

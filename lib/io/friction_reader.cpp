@@ -17,7 +17,8 @@ std::optional<FrictionDescription> read_friction(const YamlNode& node,
   const int errors_before = found.error_count();
   FrictionDescription friction;
   friction.where = node.where;
-  if (node.kind == YamlKind::scalar && kind != journal) {
+  const bool turns = kind == journal || kind == thread;
+  if (node.kind == YamlKind::scalar && !turns) {
     friction.mu = read_value(node, what, found);
     return friction.mu ? std::optional(std::move(friction)) : std::nullopt;
   }
@@ -35,13 +36,18 @@ std::optional<FrictionDescription> read_friction(const YamlNode& node,
     return entry == nullptr ? std::nullopt : read_value(*entry, key, found);
   };
   friction.mu = read("mu");
-  if (kind == journal || kind == whatever) {
-    const bool needs_radius = kind == journal && friction.mu;
+  if (kind != sliding) {
+    const bool needs_radius = turns && friction.mu;
     const YamlNode* radius = needs_radius ? fields.require("radius") : fields.find("radius");
     friction.radius = radius == nullptr ? std::nullopt : read_value(*radius, "radius", found);
+  }
+  if (turns || kind == whatever) {
     friction.tau = read("tau");
   }
-  if (kind == guide || kind == whatever) {
+  if (kind == journal || kind == whatever) {
+    friction.thrust_radius = read("thrust_radius");
+  }
+  if (kind == journal || kind == guide || kind == whatever) {
     friction.length = read("length");
   }
   if (kind != sliding) {

@@ -9,16 +9,20 @@
 namespace kinestat {
 
 /// SI units. What each type uses:
-/// - revolute: couple μ r R, R the force across the axis; and tau + c |ω|;
+/// - revolute: couple μ r R, R the force across the axis, or μ r times the forces at the two ends
+///   of a journal of that length, which bear a couple across the axis too; μ r_t times the axial
+///   force; and tau + c |ω|;
 /// - helical: couple |Ra| (r tan(λ ± φ) ∓ h) with tan λ = h / r, tan φ = μ; and tau + c |ω|;
 /// - prismatic: force μ R, R the force across the axis, or the two edge forces of a guide of that
-///   length; and c |v|;
+///   length; μ / r times the couple about the axis; and c |v|;
 /// - contacts of surfaces or teeth: force μ N against the sliding.
 struct CouplingFriction {
   CouplingId coupling;
   double mu = 0.0;
-  double radius = 0.0;           ///< of the journal, or mean radius of the thread [m]
-  std::optional<double> length;  ///< of the guide [m]
+  double radius = 0.0;           ///< of the journal, mean one of the thread, or at which the guide
+                                 ///< is kept from turning; 0: its couple does not rub [m]
+  double thrust_radius = 0.0;    ///< mean one of the collar; 0: the axial force does not rub [m]
+  std::optional<double> length;  ///< of the guide or journal [m]
   double tau = 0.0;              ///< [N·m]
   double viscous = 0.0;          ///< c [N·m·s/rad or N·s/m]
   SourceRange where;

@@ -94,7 +94,7 @@ double power_of_actuators_and_friction(const Mechanism& mechanism,
 }  // namespace
 
 bool determines_power(const Mechanism& mechanism, const StaticSolution& action) {
-  return !action.magnitudes.empty() &&
+  return !action.magnitudes.empty() && action.open_friction.empty() &&
          std::ranges::all_of(mechanism.topology.actuators, [&](const ActuatorTopology& actuator) {
            return action.magnitudes[static_cast<std::size_t>(actuator.action)].has_value() &&
                   !is_by_convention(action, actuator.action);

@@ -33,8 +33,8 @@ struct PowerFlow {
   bool is_balanced = true;        ///< the residual is at most kPowerBalance (Tellegen)
 };
 
-/// Whether the actions of all actuators are known, not by convention. Passive constraints may be
-/// open, as in a mechanism with redundant ones: they do no work.
+/// Whether all friction and the actions of all actuators are known, not by convention. Passive
+/// constraints may be open, as in a mechanism with redundant ones: they do no work.
 bool determines_power(const Mechanism& mechanism, const StaticSolution& action);
 
 /// The motion must be solved and the actions must determine the power, of the same mechanism and

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "core/tolerance.hpp"
 #include "math/dense_solve.hpp"
 #include "statics/action.hpp"
+#include "statics/coupling_wrenches.hpp"
 #include "statics/equilibrium.hpp"
 
 namespace kinestat {
@@ -145,6 +148,84 @@ bool needs_open_action(const Mechanism& mechanism,
   });
 }
 
+// Which laws cannot be evaluated, and which actions cannot because of them.
+struct OpenFriction {
+  std::vector<bool> is_open;  ///< of each law
+  std::vector<int> actions;   ///< ascending; those that equilibrium leaves open among them
+};
+
+// A law that needs an open action opens all actions that its friction moves.
+OpenFriction find_open_friction(const Mechanism& mechanism,
+                                std::span<const FrictionLaw> laws,
+                                const std::vector<VecX>& responses,
+                                std::vector<int> undetermined) {
+  OpenFriction open{.is_open = std::vector<bool>(laws.size(), false),
+                    .actions = std::move(undetermined)};
+  for (bool goes_on = true; goes_on;) {
+    goes_on = false;
+    for (std::size_t i = 0; i < laws.size(); ++i) {
+      if (open.is_open[i] || !needs_open_action(mechanism, laws[i], open.actions)) {
+        continue;
+      }
+      open.is_open[i] = true;
+      goes_on = true;
+      const double largest = responses[i].cwiseAbs().maxCoeff();
+      for (int a = 0; a < responses[i].size(); ++a) {
+        if (std::abs(responses[i][a]) > kCancellation * largest) {
+          open.actions.push_back(a);
+        }
+      }
+      std::ranges::sort(open.actions);
+      const auto surplus = std::ranges::unique(open.actions);
+      open.actions.erase(surplus.begin(), surplus.end());
+    }
+  }
+  return open;
+}
+
+void leave_open(const Mechanism& mechanism,
+                std::span<const FrictionLaw> laws,
+                const OpenFriction& open,
+                StaticSolution& solution) {
+  for (std::size_t i = 0; i < laws.size(); ++i) {
+    if (open.is_open[i]) {
+      solution.open_friction.push_back(laws[i].coupling);
+    }
+  }
+  if (solution.open_friction.empty()) {
+    return;
+  }
+  solution.check.undetermined = open.actions;
+  for (const int a : open.actions) {
+    solution.magnitudes[static_cast<std::size_t>(a)].reset();
+  }
+  solution.wrenches = coupling_wrenches(mechanism, solution);
+}
+
+// Reactions that press but do not rub, where all actions of their coupling are known.
+std::vector<IgnoredReaction> find_ignored(const Mechanism& mechanism,
+                                          std::span<const FrictionLaw> laws,
+                                          const StaticSolution& solution) {
+  std::vector<IgnoredReaction> list;
+  const double length = mechanism.geometry.length;
+  VecX magnitudes(mechanism.topology.action_count());
+  for (Eigen::Index a = 0; a < magnitudes.size(); ++a) {
+    magnitudes[a] = solution.magnitudes[static_cast<std::size_t>(a)].value_or(std::nan(""));
+  }
+  for (const FrictionLaw& law : laws) {
+    const Vec6 wrench = coupling_wrench(mechanism, law.coupling, magnitudes);
+    const double force = wrench.tail<3>().norm() + wrench.head<3>().norm() / length;
+    for (const IgnoredPart& one : law.ignored) {
+      const double size = (one.part * wrench).norm();
+      const bool is_couple = one.reaction != Reaction::axial;
+      if (size > kNoReaction * force * (is_couple ? length : 1.0)) {
+        list.push_back({.coupling = law.coupling, .reaction = one.reaction, .size = size});
+      }
+    }
+  }
+  return list;
+}
+
 std::vector<FrictionFunction> find_functions(const Mechanism& mechanism,
                                              std::span<const FrictionLaw> laws,
                                              const VecX& frictionless,
@@ -192,10 +273,7 @@ StaticSolution solve_with_friction(const Mechanism& mechanism,
   StaticSolution frictionless = solve_action(mechanism, basis, primaries, loads);
   const bool has_answer = frictionless.status == SolveStatus::solved ||
                           frictionless.status == SolveStatus::underdetermined;
-  const bool is_open = std::ranges::any_of(laws, [&](const FrictionLaw& law) {
-    return needs_open_action(mechanism, law, frictionless.check.undetermined);
-  });
-  if (laws.empty() || !has_answer || is_open) {
+  if (laws.empty() || !has_answer) {
     return frictionless;
   }
   std::vector<int> indices;
@@ -210,8 +288,18 @@ StaticSolution solve_with_friction(const Mechanism& mechanism,
   for (const FrictionLaw& law : laws) {
     responses.push_back(equilibrium.solve(nothing, pair_of(mechanism, law, 1.0)).magnitudes);
   }
-  const std::vector<FrictionFunction> functions =
-      find_functions(mechanism, laws, equilibrium.solve(known, loads).magnitudes, responses);
+  const OpenFriction open =
+      find_open_friction(mechanism, laws, responses, frictionless.check.undetermined);
+  std::vector<FrictionLaw> closed;
+  std::vector<VecX> closed_responses;
+  for (std::size_t i = 0; i < laws.size(); ++i) {
+    if (!open.is_open[i]) {
+      closed.push_back(laws[i]);
+      closed_responses.push_back(responses[i]);
+    }
+  }
+  const std::vector<FrictionFunction> functions = find_functions(
+      mechanism, closed, equilibrium.solve(known, loads).magnitudes, closed_responses);
   const std::optional<VecX> f = Continuation(functions).run();
   if (!f) {
     frictionless.status = SolveStatus::locked;
@@ -220,14 +308,15 @@ StaticSolution solve_with_friction(const Mechanism& mechanism,
     return frictionless;
   }
   std::vector<BodyWrench> all(loads.begin(), loads.end());
-  for (std::size_t i = 0; i < laws.size(); ++i) {
-    for (BodyWrench& one : pair_of(mechanism, laws[i], (*f)[static_cast<Eigen::Index>(i)])) {
-      all.push_back(one);
-    }
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    std::ranges::copy(pair_of(mechanism, closed[i], (*f)[static_cast<Eigen::Index>(i)]),
+                      std::back_inserter(all));
   }
   StaticSolution solution = solve_action(mechanism, basis, primaries, all);
-  if (!solution.wrenches.empty()) {
-    add_friction(laws, *f, solution);
+  if (!solution.magnitudes.empty()) {
+    leave_open(mechanism, laws, open, solution);
+    add_friction(closed, *f, solution);
+    solution.ignored = find_ignored(mechanism, laws, solution);
   }
   return solution;
 }

@@ -13,9 +13,9 @@ namespace kinestat {
 /// Solves for the actions together with the friction that they cause: f_i = law_i(ψ(f)), in which
 /// ψ is affine in f. The friction grows from nothing to its full size while the solution is
 /// followed, so that of several solutions the one that belongs to the motion is found. Where the
-/// actions grow without bound before it has its full size, the status is `locked`. Where a law
-/// needs an action that equilibrium leaves open, the status is that of the frictionless case and
-/// `friction` stays empty.
+/// actions grow without bound before it has its full size, the status is `locked`. The friction of
+/// a law that needs an action which equilibrium leaves open is open too, and so is every action
+/// that depends on it: they count as undetermined and have no value.
 [[nodiscard]] StaticSolution solve_with_friction(const Mechanism& mechanism,
                                                  const CoordinateBasis& basis,
                                                  std::span<const Primary> primaries,

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/contract.hpp"
 #include "core/tolerance.hpp"
 
 namespace kinestat {
@@ -63,9 +64,65 @@ FrictionLaw turning(const Sliding& s) {
   return law;
 }
 
+// It presses at its two ends: R/2 ± (M x a)/length, M the couple across the axis about the middle.
+std::vector<PressingPart> edges(const Sliding& s, const Vec3& axis, double length, double weight) {
+  std::vector<PressingPart> parts;
+  for (const double side : {1.0, -1.0}) {
+    PressingPart edge = force_part(0.5 * across(axis), weight);
+    const Eigen::Matrix3d of_moment = (-side / length) * cross_matrix(axis) * across(axis);
+    edge.part.leftCols<3>() = of_moment;
+    edge.part.rightCols<3>() -= of_moment * cross_matrix(s.at);
+    parts.push_back(edge);
+  }
+  return parts;
+}
+
+// The couple across the axis about the place of the coupling.
+PressingPart tilting_part(const Sliding& s, const Vec3& axis) {
+  PressingPart result;
+  result.part.leftCols<3>() = across(axis);
+  result.part.rightCols<3>() = -across(axis) * cross_matrix(s.at);
+  return result;
+}
+
+// The couple about the axis.
+PressingPart torsion_part(const Sliding& s, const Vec3& axis, double weight) {
+  PressingPart result;
+  result.part.row(0).leftCols<3>() = axis.transpose();
+  result.part.row(0).rightCols<3>() = -axis.transpose() * cross_matrix(s.at);
+  result.weight = weight;
+  return result;
+}
+
+PressingPart axial_part(const Vec3& axis, double weight) {
+  PressingPart result;
+  result.part.row(0).rightCols<3>() = axis.transpose();
+  result.weight = weight;
+  return result;
+}
+
+// What presses across the axis, with the coefficient of its friction.
+void add_across(const Sliding& s, const Vec3& axis, double weight, FrictionLaw& law) {
+  if (s.friction.length) {
+    law.parts = edges(s, axis, *s.friction.length, weight);
+    return;
+  }
+  law.parts = {force_part(across(axis), weight)};
+  if (weight > 0.0) {
+    law.ignored.push_back({Reaction::tilting, tilting_part(s, axis).part});
+  }
+}
+
 FrictionLaw revolute(const Sliding& s) {
+  const Vec3 axis = s.unit().angular;
+  const double mu = s.friction.mu;
   FrictionLaw law = turning(s);
-  law.parts = {force_part(across(s.unit().angular), s.friction.mu * s.friction.radius)};
+  add_across(s, axis, mu * s.friction.radius, law);
+  if (s.friction.thrust_radius > 0.0) {
+    law.parts.push_back(axial_part(axis, mu * s.friction.thrust_radius));
+  } else if (mu > 0.0) {
+    law.ignored.push_back({Reaction::axial, axial_part(axis, 0.0).part});
+  }
   return law;
 }
 
@@ -87,38 +144,43 @@ FrictionLaw helical(const Sliding& s) {
   const double raising = steep < std::numbers::pi / 2 ? radius * std::tan(steep) - std::abs(pitch)
                                                       : std::numeric_limits<double>::infinity();
   const double lowering = std::abs(pitch) - radius * std::tan(lead - angle);
-  PressingPart part;
-  part.part.row(0).rightCols<3>() = axis.transpose();
-  part.weight = advance > 0.0 ? raising : lowering;
+  PressingPart part = axial_part(axis, advance > 0.0 ? raising : lowering);
   part.weight_if_negative = advance > 0.0 ? lowering : raising;
   part.is_signed = true;
   law.parts = {part};
   return law;
 }
 
-// The guide presses at its two ends: R/2 ± (M x a)/length, M the couple across the axis about the
-// middle of the guide.
-std::vector<PressingPart> edges(const Sliding& s, const Vec3& axis, double length) {
-  std::vector<PressingPart> parts;
-  for (const double side : {1.0, -1.0}) {
-    PressingPart edge = force_part(0.5 * across(axis), s.friction.mu);
-    const Eigen::Matrix3d of_moment = (-side / length) * cross_matrix(axis) * across(axis);
-    edge.part.leftCols<3>() = of_moment;
-    edge.part.rightCols<3>() -= of_moment * cross_matrix(s.at);
-    parts.push_back(edge);
-  }
-  return parts;
-}
-
 FrictionLaw prismatic(const Sliding& s) {
   const Vec3 axis = s.unit().linear;
   const double rate = s.twist.linear.dot(axis);
   const double against = rate > 0.0 ? -1.0 : 1.0;
+  const double mu = s.friction.mu;
   FrictionLaw law = law_of(s, unit_force(against * axis, s.at), std::abs(rate), false);
   law.constant = s.friction.viscous * std::abs(rate);
-  law.parts = s.friction.length ? edges(s, axis, *s.friction.length)
-                                : std::vector{force_part(across(axis), s.friction.mu)};
+  add_across(s, axis, mu, law);
+  if (s.friction.radius > 0.0) {
+    law.parts.push_back(torsion_part(s, axis, mu / s.friction.radius));
+  } else if (mu > 0.0) {
+    law.ignored.push_back({Reaction::torsion, torsion_part(s, axis, 0.0).part});
+  }
   return law;
+}
+
+// The force that a contact bears; binding has seen to it that there is one.
+std::size_t normal_action(const Sliding& s) {
+  const Topology& topology = s.mechanism.topology;
+  const int end = s.coupling.first_action + s.coupling.action_count;
+  int a = s.coupling.first_action;
+  const auto is_force = [&](int action) {
+    const ActionLabel& label = topology.actions[static_cast<std::size_t>(action)];
+    return label.actuator < 0 && !label.is_couple;
+  };
+  while (a < end && !is_force(a)) {
+    ++a;
+  }
+  KINESTAT_EXPECTS(a < end);
+  return static_cast<std::size_t>(a);
 }
 
 // Along the velocity of the head's point of contact; presses along the constraint.
@@ -127,8 +189,7 @@ FrictionLaw contact(const Sliding& s) {
   const double speed = velocity.norm();
   const Vec3 against = speed > 0.0 ? Vec3(-velocity / speed) : Vec3::Zero();
   FrictionLaw law = law_of(s, unit_force(against, s.at), speed, false);
-  const Vec3 normal =
-      s.mechanism.geometry.actions[static_cast<std::size_t>(s.coupling.first_action)].force;
+  const Vec3 normal = s.mechanism.geometry.actions[normal_action(s)].force;
   law.parts = {force_part(normal * normal.transpose(), s.friction.mu)};
   return law;
 }

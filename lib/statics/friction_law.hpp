@@ -17,6 +17,19 @@ struct PressingPart {
   bool is_signed = false;           ///< only then does the second weight count
 };
 
+/// A reaction that presses too, but for which the file gives no dimension.
+enum class Reaction {
+  axial,    ///< force along the axis of a journal without thrust_radius
+  tilting,  ///< couple across the axis of a journal or guide without length
+  torsion,  ///< couple about the axis of a guide without radius
+};
+
+/// Its size is |part · wrench of the coupling|.
+struct IgnoredPart {
+  Reaction reaction = Reaction::axial;
+  Eigen::Matrix<double, 3, 6> part = Eigen::Matrix<double, 3, 6>::Zero();
+};
+
 /// The friction of one coupling in one case: of tail on head `unit` times the magnitude
 /// constant + Σ weight |part · wrench of the coupling|, which is never negative. Screws are written
 /// about the origin of the Geometry.
@@ -27,6 +40,7 @@ struct FrictionLaw {
   bool is_couple = true;
   double constant = 0.0;  ///< what does not depend on the load [N·m or N]
   std::vector<PressingPart> parts;
+  std::vector<IgnoredPart> ignored;
 };
 
 /// The laws in a case with that motion, in the order of mechanism.frictions. Empty for a coupling

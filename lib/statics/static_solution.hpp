@@ -11,6 +11,7 @@
 #include "network/counts.hpp"
 #include "network/primary_check.hpp"
 #include "screw/wrench.hpp"
+#include "statics/friction_law.hpp"
 #include "statics/self_stress.hpp"
 #include "statics/unheld_motion.hpp"
 
@@ -22,6 +23,14 @@ struct FrictionAction {
   double magnitude = 0.0;  ///< [N·m or N], never negative
   bool is_couple = true;
   Wrench wrench;  ///< about the origin of the Geometry, against the motion
+};
+
+/// What presses in a coupling with friction although the file gives no dimension for it, so that it
+/// does not rub.
+struct IgnoredReaction {
+  CouplingId coupling;
+  Reaction reaction = Reaction::axial;
+  double size = 0.0;  ///< [N or N·m]
 };
 
 /// The word in files and reports.
@@ -59,8 +68,10 @@ struct StaticSolution {
                                                   ///< included; empty if one of its actions is
   std::vector<FrictionAction> friction;           ///< of the couplings that have any
   std::vector<CouplingId> at_rest;                ///< where friction has no direction
-  std::vector<SelfStress> self_stresses;          ///< of an underdetermined case; empty also where
-                                                  ///< there are too many to be read
+  std::vector<CouplingId> open_friction;  ///< that depends on actions which equilibrium leaves open
+  std::vector<IgnoredReaction> ignored;   ///< in the order of mechanism.frictions
+  std::vector<SelfStress> self_stresses;  ///< of an underdetermined case; empty also where
+                                          ///< there are too many to be read
   Completion completion;
   std::optional<UnheldMotion> unheld;  ///< of an inconsistent case
 };

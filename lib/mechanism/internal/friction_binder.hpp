@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "mechanism/coupling_geometry.hpp"
 #include "mechanism/friction.hpp"
 #include "mechanism/internal/evaluator.hpp"
 
@@ -11,10 +12,12 @@ namespace kinestat {
 /// Whether friction of this type of coupling is analysed.
 bool has_friction_law(const CouplingDescription& coupling);
 
-/// The numbers of the friction; complains of those that are negative. The coupling must have
+/// The numbers of the friction; complains of those that are negative, and of a coefficient where
+/// nothing presses: `screws` are what the coupling frees and bears. The coupling must have
 /// `friction`. Empty iff an error was added, or if there is no law.
 std::optional<CouplingFriction> bind_friction(const CouplingDescription& coupling,
                                               CouplingId id,
+                                              const CouplingScrews& screws,
                                               const FileUnits& units,
                                               Evaluator& evaluator,
                                               Diagnostics& found);

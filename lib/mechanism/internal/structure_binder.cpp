@@ -226,14 +226,17 @@ class StructureBinder {
     has_point_.push_back(has_place(coupling));
     add_screws(id, screws);
     actuators_.add(id, coupling, drawn, local.at);
-    add_friction(id, coupling);
+    add_friction(id, coupling, screws);
   }
 
   // What rubs with no force at all is left out.
-  void add_friction(CouplingId id, const CouplingDescription& coupling) {
-    const auto friction = coupling.friction
-                              ? bind_friction(coupling, id, description_.units, evaluator_, found_)
-                              : std::nullopt;
+  void add_friction(CouplingId id,
+                    const CouplingDescription& coupling,
+                    const CouplingScrews& screws) {
+    const auto friction =
+        coupling.friction
+            ? bind_friction(coupling, id, screws, description_.units, evaluator_, found_)
+            : std::nullopt;
     if (friction && (friction->mu > 0.0 || friction->tau > 0.0 || friction->viscous > 0.0)) {
       frictions_.push_back(*friction);
     }

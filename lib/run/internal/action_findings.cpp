@@ -149,20 +149,93 @@ void add_indeterminacy(const Analysis& analysis, const CaseAnalysis& one, Diagno
     return;  // completed as the file asks for
   }
   const bool has_completion = action.completion.by != IndeterminateChoice::report;
-  const bool waits_for_friction =
-      !has_completion && analysis.mechanism.indeterminate != IndeterminateChoice::report;
-  found.warning("W0601",
-                one.which.where,
-                fmt::format("case '{}' knows {} of the {} actions needed; {} {}{}",
-                            one.which.label,
-                            one.which.actions.size(),
-                            action.counts.net_constraint,
-                            has_completion ? "neither equilibrium nor stiffness determines"
-                                           : "equilibrium does not determine",
-                            plain_list(open),
-                            waits_for_friction ? ", on which friction depends" : ""),
-                waits_for_friction ? completions_text(action.check, side)
-                                   : ways_out(analysis, action.check, side));
+  const bool waits_for_friction = !action.open_friction.empty();
+  found.warning(
+      "W0601",
+      one.which.where,
+      fmt::format("case '{}' knows {} of the {} actions needed; {} {}{}",
+                  one.which.label,
+                  one.which.actions.size(),
+                  action.counts.net_constraint,
+                  has_completion ? "neither equilibrium nor stiffness determines"
+                                 : "equilibrium does not determine",
+                  plain_list(open),
+                  waits_for_friction
+                      ? fmt::format(", on which the friction of {} depends",
+                                    names_of(action.open_friction, analysis.mechanism.topology))
+                      : ""),
+      waits_for_friction ? "leave out with 'passive:' what a bearing does not take; or " +
+                               completions_text(action.check, side)
+                         : ways_out(analysis, action.check, side));
+}
+
+struct ReactionWords {
+  std::string_view what;
+  std::string_view key;
+};
+
+ReactionWords words_of(Reaction reaction) {
+  switch (reaction) {
+    case Reaction::axial:
+      return {"force along its axis", "'thrust_radius', the mean radius of what bears it"};
+    case Reaction::tilting:
+      return {"couple across its axis", "'length', over which its two ends bear it"};
+    case Reaction::torsion:
+      return {"couple about its axis", "'radius', at which it is kept from turning"};
+  }
+  return {};
+}
+
+void add_ignored_reactions(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
+  const FileUnits& units = analysis.description.units;
+  for (const IgnoredReaction& ignored : one.action->ignored) {
+    const QuantityKind kind =
+        ignored.reaction == Reaction::axial ? QuantityKind::force : QuantityKind::moment;
+    const CouplingTopology& coupling = analysis.mechanism.topology.coupling(ignored.coupling);
+    const ReactionWords words = words_of(ignored.reaction);
+    found.warning("W0604",
+                  coupling.where,
+                  fmt::format("case '{}': the friction of '{}' does not count its {} of {:.6g} {}",
+                              one.which.label,
+                              coupling.name,
+                              words.what,
+                              ignored.size / units.factor(kind),
+                              units.text(kind)),
+                  fmt::format("add to its friction {}", words.key));
+  }
+}
+
+// A contact of two surfaces can only push; positive is along its normal, from tail to head.
+void add_pulling_contacts(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
+  const Topology& topology = analysis.mechanism.topology;
+  const FileUnits& units = analysis.description.units;
+  double largest = 0.0;
+  for (std::size_t a = 0; a < one.action->magnitudes.size(); ++a) {
+    const double size = std::abs(one.action->magnitudes[a].value_or(0.0));
+    largest = topology.actions[a].is_couple ? largest : std::max(largest, size);
+  }
+  for (std::size_t a = 0; a < one.action->magnitudes.size(); ++a) {
+    const ActionLabel& label = topology.actions[a];
+    const CouplingTopology& coupling = topology.coupling(label.coupling);
+    const bool only_pushes = coupling.type == CouplingType::point_contact ||
+                             coupling.type == CouplingType::cam ||
+                             coupling.type == CouplingType::line_contact;
+    const double force = one.action->magnitudes[a].value_or(0.0);
+    if (!only_pushes || label.is_couple || label.actuator >= 0 ||
+        !(force < -kNoReaction * largest)) {
+      continue;
+    }
+    found.warning("W0605",
+                  coupling.where,
+                  fmt::format("case '{}': the surfaces of '{}' would have to pull on each other "
+                              "with {:.6g} {}",
+                              one.which.label,
+                              coupling.name,
+                              -force / units.factor(QuantityKind::force),
+                              units.text(QuantityKind::force)),
+                  "they part; or turn the normal round: it points from the first of the bodies to "
+                  "the second");
+  }
 }
 
 }  // namespace
@@ -200,6 +273,8 @@ void add_action_findings(const Analysis& analysis, const CaseAnalysis& one, Diag
   } else if (action.status == SolveStatus::underdetermined) {
     add_indeterminacy(analysis, one, found);
   }
+  add_ignored_reactions(analysis, one, found);
+  add_pulling_contacts(analysis, one, found);
 }
 
 }  // namespace kinestat

@@ -66,7 +66,10 @@ TEST(CouplingReader, TakesTheKeysOfFrictionThatTheTypeUses) {
   EXPECT_EQ(complaints(guide + "{mu: 0.1, length: 5 mm, c: 2}"), Complaints{});
   EXPECT_EQ(complaints(hinge + "{mu: 0.1}").size(), 1U);
   EXPECT_EQ(complaints(hinge + "0.1").size(), 1U);
-  EXPECT_EQ(complaints(guide + "{mu: 0.1, radius: 5 mm}").size(), 1U);
+  EXPECT_EQ(complaints(hinge + "{mu: 0.1, radius: 5 mm, thrust_radius: 6 mm, length: 9 mm}"),
+            Complaints{});
+  EXPECT_EQ(complaints(guide + "{mu: 0.1, radius: 5 mm}"), Complaints{});
+  EXPECT_EQ(complaints(guide + "{mu: 0.1, thrust_radius: 5 mm}").size(), 1U);
 }
 
 TEST(CouplingReader, ReadsWhatIsWritten) {

@@ -137,6 +137,92 @@ TEST(JournalFriction, IsACoupleAgainstTheMotion) {
   }
 }
 
+// A shaft along z whose bearing at z = 0.5 takes the forces and the couple of a load there.
+std::string shaft(const std::string& friction, const std::string& load) {
+  return fmt::format(
+      "ground: f\n"
+      "bodies: [shaft]\n"
+      "couplings:\n"
+      "  a: {{type: revolute, bodies: [f, shaft], at: [0, 0, 0.5], axis: z, friction: {}}}\n"
+      "actuators: {{drive: {{coupling: a}}}}\n"
+      "loads: {{w: {{body: shaft, at: [0, 0, 0.5], {}}}}}\n"
+      "cases: {{k: {{motion: {{drive: 1}}}}}}\n",
+      friction,
+      load);
+}
+
+TEST(JournalFriction, IsThatOfTheCollarToo) {
+  const std::string friction = "{mu: 0.1, radius: 0.03, thrust_radius: 0.05}";
+
+  EXPECT_NEAR(Solved(shaft(friction, "force: [30, 40, -200]")).action("drive"),
+              0.1 * (0.03 * 50.0 + 0.05 * 200.0),
+              1e-14);
+}
+
+// Ends 0.2 apart bear the couple 7 with 35 N each, across a force of 50 N in the same plane: while
+// 35 N exceed 25 N they press to opposite sides.
+TEST(JournalFriction, IsThatOfTheEndsOfALongJournal) {
+  const std::string friction = "{mu: 0.1, radius: 0.03, length: 0.2}";
+
+  EXPECT_NEAR(Solved(shaft(friction, "force: [50, 0, 0], couple: [0, 7, 0]")).action("drive"),
+              0.1 * 0.03 * 70.0,
+              1e-14);
+  EXPECT_NEAR(Solved(shaft(friction, "force: [50, 0, 0], couple: [0, 2, 0]")).action("drive"),
+              0.1 * 0.03 * 50.0,
+              1e-14);
+}
+
+TEST(JournalFriction, LeavesOutWhatHasNoDimensionAndSaysSo) {
+  const Solved solved(shaft("{mu: 0.1, radius: 0.03}", "force: [3, 4, -200], couple: [0, 7, 0]"));
+
+  EXPECT_NEAR(solved.action("drive"), 0.1 * 0.03 * 5.0, 1e-14);
+  ASSERT_EQ(solved.solution.ignored.size(), 2U);
+  EXPECT_EQ(solved.solution.ignored[0].reaction, Reaction::tilting);
+  EXPECT_NEAR(solved.solution.ignored[0].size, 7.0, 1e-13);
+  EXPECT_EQ(solved.solution.ignored[1].reaction, Reaction::axial);
+  EXPECT_NEAR(solved.solution.ignored[1].size, 200.0, 1e-12);
+}
+
+// One bearing that is known and two that share what equilibrium leaves open.
+TEST(JournalFriction, IsOpenWhereTheActionsAreThatPress) {
+  const Solved solved(
+      "space: planar\n"
+      "ground: f\n"
+      "bodies: [bar, wheel]\n"
+      "couplings:\n"
+      "  a: {type: revolute, bodies: [f, wheel], at: [0, 0], friction: {mu: 0.1, radius: 0.03}}\n"
+      "  b: {type: revolute, bodies: [f, wheel], at: [0, 0], friction: {mu: 0.2, radius: 0.03}}\n"
+      "  c: {type: revolute, bodies: [f, bar], at: [2, 0], friction: {mu: 0.3, radius: 0.03}}\n"
+      "actuators: {turn: {coupling: a}, swing: {coupling: c}}\n"
+      "loads:\n"
+      "  w: {body: wheel, at: [0, 0], force: [0, -80]}\n"
+      "  v: {body: bar, at: [2, 0], force: [0, -50]}\n"
+      "cases: {k: {motion: {turn: 1, swing: 1}}}\n");
+
+  EXPECT_EQ(solved.solution.status, SolveStatus::underdetermined);
+  EXPECT_TRUE(std::isnan(solved.action("turn")));
+  EXPECT_TRUE(std::isnan(solved.action("a.Ry")));
+  EXPECT_NEAR(solved.action("swing"), 0.3 * 0.03 * 50.0, 1e-14);
+  EXPECT_EQ(solved.solution.open_friction.size(), 2U);
+  ASSERT_EQ(solved.solution.friction.size(), 1U);
+  EXPECT_NEAR(solved.solution.friction[0].magnitude, 0.3 * 0.03 * 50.0, 1e-14);
+}
+
+// A spline that keeps a sleeve from turning at the radius 0.02.
+TEST(GuideFriction, IsThatOfACoupleAboutItsAxisToo) {
+  const Solved solved(
+      "ground: f\n"
+      "bodies: [sleeve]\n"
+      "couplings:\n"
+      "  a: {type: prismatic, bodies: [f, sleeve], at: [0, 0.3, 0], axis: x,\n"
+      "      friction: {mu: 0.1, radius: 0.02}}\n"
+      "actuators: {push: {coupling: a}}\n"
+      "loads: {w: {body: sleeve, at: [0, 0.3, 0], force: [0, -5, 0], couple: [8, 0, 0]}}\n"
+      "cases: {k: {motion: {push: 1}}}\n");
+
+  EXPECT_NEAR(solved.action("push"), 0.1 * 5.0 + 0.1 * 8.0 / 0.02, 1e-12);
+}
+
 std::string guide(const std::string& friction, double height) {
   return fmt::format(
       "space: planar\n"
