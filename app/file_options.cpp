@@ -17,6 +17,15 @@ CLI::Option& with_value(CLI::App& command, CLI::Option* option, const std::strin
   return *option->type_name(type);
 }
 
+void add_repeated(CLI::App& command,
+                  const std::string& name,
+                  std::vector<std::string>& values,
+                  const std::string& description,
+                  const std::string& type) {
+  CLI::Option& option = with_value(command, command.add_option(name, values, description), type);
+  option.expected(1)->take_all()->allow_extra_args(false);
+}
+
 void add_flag(CLI::App& command,
               const std::string& names,
               std::function<void()> action,

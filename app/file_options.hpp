@@ -47,6 +47,14 @@ CLI::Option& add_argument(CLI::App& command,
 /// Makes an option one that takes a value, described by `type`, which is not another option.
 CLI::Option& with_value(CLI::App& command, CLI::Option* option, const std::string& type);
 
+/// Declares an option that may be repeated and takes one value at a time, so that the file behind
+/// it is not taken for another.
+void add_repeated(CLI::App& command,
+                  const std::string& name,
+                  std::vector<std::string>& values,
+                  const std::string& description,
+                  const std::string& type);
+
 /// Declares a flag, which takes no value.
 void add_flag(CLI::App& command,
               const std::string& names,

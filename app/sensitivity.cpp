@@ -11,16 +11,6 @@ struct SensitivityOptions {
   SensitivityChoice choice;
 };
 
-// One value at a time, so that the file behind it is not taken for another.
-void add_repeated(CLI::App& command,
-                  const std::string& name,
-                  std::vector<std::string>& values,
-                  const std::string& description,
-                  const std::string& type) {
-  CLI::Option& option = with_value(command, command.add_option(name, values, description), type);
-  option.expected(1)->take_all()->allow_extra_args(false);
-}
-
 void add_choice_options(CLI::App& command, SensitivityChoice& choice) {
   add_repeated(command,
                "--of",

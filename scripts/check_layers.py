@@ -33,6 +33,7 @@ MAY_INCLUDE: dict[str, set[str]] = {
         "mechanism": "core math expression description graph screw",
         "network": "core math graph screw mechanism",
         "mobility": _MECHANICS,
+        "inputs": _MECHANICS,
         "kinematics": _MECHANICS,
         "statics": f"{_MECHANICS} kinematics",
         "sensitivity": _BOTH_SIDES,

@@ -163,6 +163,15 @@ class Reports(unittest.TestCase):
                     Path(file.name).write_bytes(output(command, "json", path))
                     self.assertEqual(check_schemas.check(Path(file.name), schema()), [], command)
 
+    def test_have_inputs_by_their_schema(self) -> None:
+        for path in self.for_each():
+            answer = json_of("inputs", path)
+            self.assertEqual(check_schemas.report_faults(answer, schema("inputs")), [])
+            counts = json_of("analyze", path)["mobility"]["minimal"]
+            self.assertEqual(answer["inputs"]["motion"]["needed"], counts["net_freedom"])
+            for row in (dict(zip(HEADER, row)) for row in rows_of("inputs", path)[1:]):
+                self.assertEqual((row["pass"], row["case"], row["unit"]), ("inputs", "", ""))
+
     def test_have_sensitivities_by_their_schema(self) -> None:
         for path in self.for_each():
             report = json_of("analyze", path)
@@ -233,7 +242,7 @@ class Goldens(unittest.TestCase):
 
 class Schema(unittest.TestCase):
     def test_describes_every_property(self) -> None:
-        for name in ("report", "sensitivity", "comparison"):
+        for name in ("report", "inputs", "sensitivity", "comparison"):
             self.assertEqual(list(undescribed(schema(name))), [], name)
 
     def test_refuses_an_unknown_key_anywhere(self) -> None:

@@ -34,6 +34,13 @@ class InputSets(unittest.TestCase):
         name = {"U": "Rx", "V": "Ry", "T": "Tz"}[kind]
         return f"{coupling}.{kind + coupling if kind + coupling in active else name}"
 
+    @staticmethod
+    def shown(label: str) -> str:
+        """Freedoms with their axes; the action of an actuator has the actuator's name alone."""
+        coupling, _, name = label.partition(".")
+        whole = {"v": "vy", "w": "wz"}.get(name, name)
+        return f"{coupling}_{name}" if name[1:] == coupling else f"{coupling}.{whole}"
+
     def statuses(self, texts: list[str]) -> list[tuple[int, list[str]]]:
         """Exit status and codes of each file; all are analysed by one call."""
         with tempfile.TemporaryDirectory() as folder:
@@ -60,6 +67,26 @@ class InputSets(unittest.TestCase):
         answers = self.statuses([model.text(line("test", one)) for one in known])
         for pair, one, answer in zip(pairs, known, answers):
             self.assertEqual(answer, (0, []) if pair in cobases else refusal, f"{name} {one}")
+
+    def test_are_what_the_command_lists(self) -> None:
+        for name in PULLEYS:
+            model = ReferenceCase(CASES[name])
+            text = model.text(model.motion("test", {}))
+            report = program.run("inputs", "--limit", "1000", "-", text=text)["inputs"]
+            for side, key, label in (("kin", "motion", self.motion_label),
+                                     ("stat", "action", self.action_label)):
+                columns = [self.shown(label(model, column))
+                           for column in model.expected[f"{side}_column_order"]]
+                wanted = {frozenset(columns[i] for i in pair)
+                          for pair in model.expected[f"{side}_cobases"]}
+                groups = report[key]["groups"]
+                self.assertEqual(len(groups), 1)
+                listed = {frozenset(one["magnitudes"]) for one in groups[0]["sets"]}
+                self.assertEqual(listed, wanted)
+                self.assertEqual(report[key]["count"], model.expected[f"n_{side}_cobases"])
+                ranks = [one["conditioning"] for one in groups[0]["sets"]]
+                self.assertTrue(all(0.0 < rank <= 1.0 for rank in ranks))
+                self.assertTrue(all(b <= a * (1 + 1e-8) for a, b in zip(ranks, ranks[1:])))
 
     def test_known_motions(self) -> None:
         for name in PULLEYS:

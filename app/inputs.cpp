@@ -1,0 +1,61 @@
+#include "run/inputs.hpp"
+
+#include "command.hpp"
+
+namespace kinestat::app {
+
+namespace {
+
+struct InputsOptions {
+  FileOptions files;
+  InputsChoice choice;
+};
+
+void add_choice_options(CLI::App& command, InputsChoice& choice) {
+  add_repeated(command,
+               "--among",
+               choice.among,
+               "a freedom, action or actuator that may be\n"
+               "given; may be repeated; default all",
+               "NAME");
+  add_flag(
+      command,
+      "--actuators",
+      [&choice] { choice.only_actuators = true; },
+      "only what actuators drive or bear may be given");
+  add_repeated(
+      command, "--with", choice.required, "one that every set has; may be repeated", "NAME");
+  add_repeated(command,
+               "--judge",
+               choice.judged,
+               "a set, with commas: says whether it is valid,\n"
+               "and if not, which circuit or cut-set it\n"
+               "contains; may be repeated",
+               "NAMES");
+  with_value(command,
+             command.add_option("--limit", choice.listed, "lists at most so many sets; default 20"),
+             "N");
+}
+
+}  // namespace
+
+void add_inputs(CLI::App& parent, Job& job) {
+  CLI::App* command = parent.add_subcommand(
+      "inputs", "List which motions and actions determine all others, the best first.");
+  command->footer(
+      "  kinestat inputs crank.yaml\n"
+      "  kinestat inputs --actuators --with motor train.yaml\n"
+      "  kinestat inputs --judge a.wz,d.wz crank.yaml\n");
+  auto options = std::make_shared<InputsOptions>();
+  add_files(*command, options->files);
+  add_format(*command, options->files);
+  add_strict(*command, options->files);
+  add_choice_options(*command, options->choice);
+  command->callback([options, &job] {
+    job = [options] {
+      return inputs_files(options->files.paths, options->choice, options->files.analyse);
+    };
+  });
+}
+
+}  // namespace kinestat::app

@@ -1,0 +1,202 @@
+#include "report/inputs_report.hpp"
+
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "report/analysis_csv.hpp"
+#include "report/analysis_json.hpp"
+#include "report/csv.hpp"
+#include "report/mechanism_json.hpp"
+#include "report/numbers.hpp"
+#include "report/solution_json.hpp"
+#include "report/table.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::vector<std::string> names_of(const std::vector<int>& magnitudes, const InputSide& side) {
+  std::vector<std::string> names;
+  for (const int m : magnitudes) {
+    names.push_back(side.names[static_cast<std::size_t>(m)]);
+  }
+  return names;
+}
+
+Json group_json(const InputGroup& group, const InputSide& side) {
+  Json result = object_of(8);
+  result["needed"] = group.needed;
+  result["magnitudes"] = names_of(group.magnitudes, side);
+  result["count"] = group.count;
+  result["complete"] = group.is_complete;
+  result["sets"] = Json::array();
+  for (const InputSet& set : group.best) {
+    Json one = object_of(2);
+    one["magnitudes"] = names_of(set.magnitudes, side);
+    one["conditioning"] = number(set.conditioning);
+    result["sets"].push_back(std::move(one));
+  }
+  return result;
+}
+
+Json side_json(const InputSide& side) {
+  Json result = object_of(8);
+  result["needed"] = side.sets.needed;
+  result["always_zero"] = names_of(side.sets.always_zero, side);
+  result["count"] = side.sets.count();
+  result["complete"] = side.sets.is_complete();
+  result["groups"] = Json::array();
+  for (const InputGroup& group : side.sets.groups) {
+    result["groups"].push_back(group_json(group, side));
+  }
+  result["evidence"] = evidence_json(side.evidence);
+  return result;
+}
+
+Json choice_json(const ChoiceVerdict& choice) {
+  Json result = object_of(8);
+  result["side"] = choice.key;
+  result["magnitudes"] = choice.names;
+  result["valid"] = choice.is_valid;
+  if (choice.is_valid) {
+    result["conditioning"] = number(choice.conditioning);
+  } else {
+    result["reason"] = choice.reason;
+    result["hint"] = choice.hint;
+  }
+  return result;
+}
+
+// The set is the element, its names joined by blanks.
+std::string csv_of(const std::string& mechanism,
+                   const std::vector<InputSide>& sides,
+                   const std::vector<ChoiceVerdict>& choices) {
+  std::string text(kCsvHeader);
+  const auto add = [&](const std::string& element,
+                       const std::string& quantity,
+                       const std::string& value,
+                       const std::string& status) {
+    text += csv_line(
+        std::array<std::string, 8>{mechanism, "", "inputs", element, quantity, value, "", status});
+  };
+  for (const InputSide& side : sides) {
+    add("", side.key + "/needed", std::to_string(side.sets.needed), "solved");
+    add("",
+        side.key + "/count",
+        std::to_string(side.sets.count()),
+        side.sets.is_complete() ? "solved" : "at least");
+    for (const InputGroup& group : side.sets.groups) {
+      for (const InputSet& set : group.best) {
+        add(fmt::format("{}", fmt::join(names_of(set.magnitudes, side), " ")),
+            side.key + "/conditioning",
+            format_exact(set.conditioning),
+            "solved");
+      }
+    }
+  }
+  for (const ChoiceVerdict& choice : choices) {
+    add(fmt::format("{}", fmt::join(choice.names, " ")),
+        choice.key + "/conditioning",
+        choice.is_valid ? format_exact(choice.conditioning) : "",
+        choice.is_valid ? "chosen" : "not valid");
+  }
+  return text;
+}
+
+std::string count_text(std::uint64_t count, bool is_complete) {
+  return fmt::format("{}{} set{}", is_complete ? "" : "at least ", count, count == 1 ? "" : "s");
+}
+
+std::string group_text(const InputGroup& group, const InputSide& side, bool is_alone) {
+  std::string text;
+  if (!is_alone) {
+    text += fmt::format("  {} of {}, whatever the others are: {}\n",
+                        group.needed,
+                        plain_list(names_of(group.magnitudes, side)),
+                        count_text(group.count, group.is_complete));
+  }
+  if (group.best.empty()) {
+    return text;
+  }
+  Table table({"Set", "conditioning"});
+  for (const InputSet& set : group.best) {
+    table.add({fmt::format("{}", fmt::join(names_of(set.magnitudes, side), ", ")),
+               format_short(set.conditioning)});
+  }
+  text += table.text("  ");
+  if (group.count > group.best.size()) {
+    text += fmt::format("  … and {} more\n", group.count - group.best.size());
+  }
+  return text;
+}
+
+std::string side_text(const InputSide& side) {
+  const InputSets& sets = side.sets;
+  std::string text = fmt::format("{}: {} of {} determine{} the others; {}\n",
+                                 side.key == "motion" ? "Motions" : "Actions",
+                                 sets.needed,
+                                 side.names.size(),
+                                 sets.needed == 1 ? "s" : "",
+                                 count_text(sets.count(), sets.is_complete()));
+  if (!sets.always_zero.empty()) {
+    text += fmt::format("  always 0: {}\n", plain_list(names_of(sets.always_zero, side)));
+  }
+  for (const InputGroup& group : sets.groups) {
+    text += group_text(group, side, sets.groups.size() == 1);
+  }
+  return text + "\n";
+}
+
+std::string choice_text(const ChoiceVerdict& choice) {
+  const std::string names = fmt::format("{}", fmt::join(choice.names, ", "));
+  if (choice.is_valid) {
+    return fmt::format("{}: valid, conditioning {}\n", names, format_short(choice.conditioning));
+  }
+  return fmt::format("{}: not valid: {}\n{}",
+                     names,
+                     choice.reason,
+                     choice.hint.empty() ? "" : fmt::format("  {}\n", choice.hint));
+}
+
+}  // namespace
+
+FileReport make_inputs_report(const std::string& file,
+                              const MechanismDescription& description,
+                              const std::vector<InputSide>& sides,
+                              const std::vector<ChoiceVerdict>& choices,
+                              const ReportForms& forms,
+                              const Diagnostics& found) {
+  FileReport report;
+  if (forms.json || forms.json_line) {
+    Json json = report_head(file, description);
+    json["inputs"] = object_of(sides.size());
+    for (const InputSide& side : sides) {
+      json["inputs"][side.key] = side_json(side);
+    }
+    json["choices"] = Json::array();
+    for (const ChoiceVerdict& choice : choices) {
+      json["choices"].push_back(choice_json(choice));
+    }
+    json["diagnostics"] = diagnostics_json(found);
+    report.json = forms.json ? json.dump(2) + "\n" : std::string();
+    report.json_line = forms.json_line ? json.dump() + "\n" : std::string();
+  }
+  if (forms.csv) {
+    report.csv.push_back({.pass = "inputs", .text = csv_of(description.name, sides, choices)});
+  }
+  if (forms.text) {
+    report.text = (description.name.empty() ? file : description.name) + "\n\n";
+    for (const InputSide& side : sides) {
+      report.text += side_text(side);
+    }
+    for (const ChoiceVerdict& choice : choices) {
+      report.text += choice_text(choice);
+    }
+  }
+  return report;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,40 @@
+// Which magnitudes may be given, in the forms of a report.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "inputs/input_sets.hpp"
+#include "math/rank.hpp"
+#include "report/file_report.hpp"
+
+namespace kinestat {
+
+/// The sets of one side, motions or actions; indices are into `names`.
+struct InputSide {
+  std::string key;                 ///< "motion" or "action"
+  std::vector<std::string> names;  ///< of all magnitudes
+  InputSets sets;
+  RankEvidence evidence;
+};
+
+/// What is said of a set that the user proposes.
+struct ChoiceVerdict {
+  std::string key;  ///< of the side
+  std::vector<std::string> names;
+  bool is_valid = false;
+  double conditioning = 0.0;
+  std::string reason;  ///< why it is not valid
+  std::string hint;    ///< what would be
+};
+
+/// JSON `inputs.<side>.groups/<i>/sets` and `choices`; tables with the best conditioned set first.
+FileReport make_inputs_report(const std::string& file,
+                              const MechanismDescription& description,
+                              const std::vector<InputSide>& sides,
+                              const std::vector<ChoiceVerdict>& choices,
+                              const ReportForms& forms,
+                              const Diagnostics& found);
+
+}  // namespace kinestat
