@@ -211,6 +211,13 @@ constexpr auto kCodes = std::to_array<Code>({
      "The expression is well written, but has no value: a division by zero, a root of a negative "
      "number, or a result that is too large or too small for a number. The message names the "
      "operation; with parameters, their values may be the cause."},
+    {"E0317",
+     wrong_input,
+     "rope cannot run as it is drawn",
+     "A rope, belt or chain runs straight from one station to the next and touches pulleys from "
+     "outside. Here no such line exists, because a point lies within a pulley, pulleys overlap or "
+     "do not lie in one plane, or the line passes through another pulley of the rope. The message "
+     "has the distances; 'kinestat help cables' shows how ropes run."},
     {"E0401",
      wrong_input,
      "mechanism falls apart",

@@ -77,4 +77,12 @@ inline constexpr double kNoReaction = 1e-9;
 /// drawn on purpose, far above rounding.
 inline constexpr double kParallelAxes = 1e-9;
 
+/// A rope that comes nearer to the centre of a pulley than its radius by less than this share of it
+/// passes by; centres that are closer than that share are the same. Far above rounding.
+inline constexpr double kGrazing = 1e-9;
+
+/// Points at which a rope is said to touch a pulley may lie inside its rim by this share of the
+/// radius: drawings are rounded.
+inline constexpr double kDrawnContact = 0.01;
+
 }  // namespace kinestat

@@ -1,5 +1,8 @@
 #include "description/cable_description.hpp"
 
+#include <map>
+#include <string_view>
+
 #include <fmt/format.h>
 
 namespace kinestat {
@@ -13,15 +16,27 @@ std::string segment_name(const CableDescription& cable, int segment) {
   return fmt::format("{}_{}", cable.name.text, segment);
 }
 
-std::string virtual_link_name(const CableDescription& cable, std::size_t station) {
-  const std::string& wheel = cable.over[station].body.text;
-  int number = 1;
-  for (std::size_t i = 0; i < station; ++i) {
-    const CableStation& before = cable.over[i];
-    number += before.is_pulley && before.slip && before.body.text == wheel ? 1 : 0;
+std::size_t end_station(const CableDescription& cable, int segment) {
+  return static_cast<std::size_t>(segment) % cable.over.size();
+}
+
+bool is_same_end(const CableStation& a, const CableStation& b) {
+  return !a.slip && !b.slip && a.body.text == b.body.text;
+}
+
+std::vector<VirtualLink> virtual_links(const CableDescription& cable) {
+  std::vector<VirtualLink> links;
+  std::map<std::string_view, int> contacts;  // with each wheel so far
+  for (std::size_t i = 0; i < cable.over.size(); ++i) {
+    const CableStation& station = cable.over[i];
+    if (station.is_pulley && station.slip) {
+      const int contact = ++contacts[station.body.text];
+      const std::string name = fmt::format("{}_{}", cable.name.text, station.body.text);
+      links.push_back(
+          {.station = i, .name = contact == 1 ? name : fmt::format("{}_{}", name, contact)});
+    }
   }
-  const std::string name = fmt::format("{}_{}", cable.name.text, wheel);
-  return number == 1 ? name : fmt::format("{}_{}", name, number);
+  return links;
 }
 
 }  // namespace kinestat

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "description/cable_description.hpp"
 #include "description/friction_description.hpp"
 #include "description/screw_description.hpp"
 #include "description/value.hpp"
@@ -97,6 +98,10 @@ struct CouplingDescription {
   std::optional<std::vector<Name>> passive;       ///< the constraints that it keeps
   std::shared_ptr<const FrictionDescription> friction;  ///< may be null
   std::vector<StiffnessDescription> stiffness;
+  std::shared_ptr<const CablePart> part;  ///< of a coupling that `cables` makes, otherwise null
+
+  /// Whether it is a segment that `cables` makes, whose ends follow from its stations.
+  bool is_segment() const { return part != nullptr && part->segment > 0; }
 };
 
 }  // namespace kinestat

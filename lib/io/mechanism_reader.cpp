@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/version.hpp"
+#include "description/cable_expansion.hpp"
 #include "io/actuator_reader.hpp"
 #include "io/body_reader.hpp"
 #include "io/cable_reader.hpp"
@@ -242,6 +243,9 @@ class MechanismReader {
 std::optional<MechanismDescription> read_mechanism(const YamlNode& root, Diagnostics& found) {
   const int errors_before = found.error_count();
   MechanismDescription result = MechanismReader(root, found).read();
+  if (found.error_count() == errors_before) {
+    expand_cables(result);
+  }
   return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;
 }
 

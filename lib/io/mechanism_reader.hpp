@@ -10,7 +10,8 @@
 namespace kinestat {
 
 /// Reads every section; complains about everything that is wrong in form, and about sections that
-/// have no analysis yet. Empty iff an error was added.
+/// have no analysis yet. What cables make is added to bodies and couplings. Empty iff an error was
+/// added.
 std::optional<MechanismDescription> read_mechanism(const YamlNode& root, Diagnostics& found);
 
 }  // namespace kinestat

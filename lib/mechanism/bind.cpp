@@ -5,8 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
 #include "core/text.hpp"
+#include "description/cable_expansion.hpp"
 #include "graph/components.hpp"
+#include "mechanism/internal/cable_check.hpp"
 #include "mechanism/internal/case_binder.hpp"
 #include "mechanism/internal/compliance_binder.hpp"
 #include "mechanism/internal/geometry_check.hpp"
@@ -184,7 +187,7 @@ bool bind_graph(const MechanismDescription& description, Diagnostics& found, Mec
 
 // Whether all couplings have their screws, so that freedoms and actions have names.
 bool has_all_screws(const MechanismDescription& description) {
-  return !description.gears && description.cables.empty() &&
+  return !description.gears && is_expanded(description) &&
          std::ranges::all_of(description.couplings, [](const CouplingDescription& coupling) {
            return !is_counted_only(coupling);
          });
@@ -222,20 +225,28 @@ void report_unanalysed(const std::vector<Unanalysed>& list, Purpose purpose, Dia
 }
 
 // All sections beside the structure; the cases, where they are bound, get their loads.
-void bind_sections(const MechanismDescription& description,
-                   Evaluator& evaluator,
-                   Diagnostics& found,
-                   Mechanism& result) {
-  const int errors_before = found.error_count();
-  const DeclaredNames names = declare_names(description, found);
-  const SectionContext context = {
-      .description = description, .names = names, .evaluator = evaluator, .found = found};
+void bind_sections(const SectionContext& context, Mechanism& result) {
+  const int errors_before = context.found.error_count();
   check_sections(context);
   std::vector<std::vector<Load>> loads = bind_loads(context, result.geometry.origin);
-  if (found.error_count() == errors_before && !result.cases.empty()) {
+  if (context.found.error_count() == errors_before && !result.cases.empty()) {
     add_loads(std::move(loads), result.cases);
-    check_order_of_loads(description, result.cases, found);
+    check_order_of_loads(context.description, result.cases, context.found);
   }
+}
+
+// The couplings that cables make are bound only if these are right, so that each mistake has one
+// complaint.
+bool bind_structure_and_cables(const SectionContext& context,
+                               ScrewSpaces spaces,
+                               Mechanism& result) {
+  const MechanismDescription& description = context.description;
+  if (check_cables(context)) {
+    return bind_structure(description, spaces, context.evaluator, context.found, result);
+  }
+  const MechanismDescription rest = without_cable_parts(description);
+  (void)bind_structure(rest, spaces, context.evaluator, context.found, result);
+  return false;
 }
 
 std::optional<Mechanism> bind_for(Purpose purpose,
@@ -245,13 +256,16 @@ std::optional<Mechanism> bind_for(Purpose purpose,
   const std::vector<Unanalysed> unanalysed = find_unanalysed(description);
   const bool is_undecided = std::ranges::any_of(unanalysed, &Unanalysed::decides);
   Evaluator evaluator = make_evaluator(description, found);
+  const DeclaredNames names = declare_names(description, found);
+  const SectionContext context = {
+      .description = description, .names = names, .evaluator = evaluator, .found = found};
   Mechanism result;
   const ScrewSpaces spaces = {.motions = description.space,
                               .actions = description.static_order == OrderChoice::spatial
                                              ? Space::spatial
                                              : description.space};
   if (description.has_mechanism()) {
-    const bool is_good = bind_structure(description, spaces, evaluator, found, result);
+    const bool is_good = bind_structure_and_cables(context, spaces, result);
     if (!is_good || !has_all_screws(description)) {
       check_cases(description, evaluator);
       check_case_names(description, found);
@@ -261,13 +275,14 @@ std::optional<Mechanism> bind_for(Purpose purpose,
       check_reported_quantities(description, result.topology, found);
     }
   }
-  bind_sections(description, evaluator, found, result);
+  bind_sections(context, result);
   if (found.error_count() == errors_before) {
     evaluator.warn_of_unused();
     warn_of_idle_stiffness(description, found);
     report_unanalysed(unanalysed, purpose, found);
   }
   const bool is_right = found.error_count() == errors_before;
+  KINESTAT_EXPECTS(!is_right || is_undecided || is_expanded(description));
   return is_right && description.has_mechanism() && !is_undecided ? std::optional(std::move(result))
                                                                   : std::nullopt;
 }

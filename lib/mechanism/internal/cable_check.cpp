@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
+#include "mechanism/internal/cable_route_check.hpp"
 
 namespace kinestat {
 
@@ -20,10 +21,11 @@ constexpr NumberRule kEfficiency = {.kind = QuantityKind::dimensionless,
                                     .allowed = "an efficiency above 0 and at most 1: 95 % is 0.95"};
 
 bool turns_on_revolute(const Name& body, const MechanismDescription& description) {
-  return std::ranges::any_of(description.couplings, [&](const CouplingDescription& coupling) {
-    return coupling.type == CouplingType::revolute &&
-           (coupling.tail.text == body.text || coupling.head.text == body.text);
-  });
+  return body.text != description.ground.text &&
+         std::ranges::any_of(description.couplings, [&](const CouplingDescription& coupling) {
+           return coupling.type == CouplingType::revolute &&
+                  (coupling.tail.text == body.text || coupling.head.text == body.text);
+         });
 }
 
 void check_axis(const CableStation& pulley,
@@ -73,12 +75,6 @@ void check_pulley(const CableStation& pulley,
   check_centre(pulley, what, context);
 }
 
-// A slipping pulley has a virtual link for each segment to end on, so that only what does not slip
-// can be the same body at both ends.
-bool is_same_end(const CableStation& a, const CableStation& b) {
-  return !a.slip && !b.slip && a.body.text == b.body.text;
-}
-
 void check_stations(const CableDescription& cable, const SectionContext& context) {
   const std::string what = fmt::format("cable '{}'", cable.name.text);
   for (const CableStation& station : cable.over) {
@@ -109,11 +105,13 @@ void check_segments(const CableDescription& cable, const SectionContext& context
 
 }  // namespace
 
-void check_cables(const SectionContext& context) {
+bool check_cables(const SectionContext& context) {
+  const int errors_before = context.found.error_count();
   for (const CableDescription& cable : context.description.cables) {
     check_stations(cable, context);
     check_segments(cable, context);
   }
+  return context.found.error_count() == errors_before && check_routes(context);
 }
 
 }  // namespace kinestat

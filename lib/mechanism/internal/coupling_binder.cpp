@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
+#include "mechanism/internal/cable_station_binder.hpp"
 #include "mechanism/internal/direction_binder.hpp"
 #include "mechanism/internal/geometry_check.hpp"
 #include "mechanism/internal/tooth_binder.hpp"
@@ -187,8 +188,23 @@ class GeometryBinder {
     }
   }
 
+  // Where the segment of a rope touches its stations; check_cables has complained if it cannot.
+  void bind_segment() {
+    const auto from = bind_station<Scalar>(coupling_.part->from, evaluator_);
+    const auto to = bind_station<Scalar>(coupling_.part->to, evaluator_);
+    if (from && to) {
+      const CableSpanOf<Scalar> span = tangent_span<Scalar>(*from, *to);
+      geometry_.from = span.from;
+      geometry_.to = span.to;
+      geometry_.at = span.to;
+    }
+  }
+
   // The force of a cable on the head acts at its end there.
   void bind_ends() {
+    if (coupling_.is_segment()) {
+      return bind_segment();
+    }
     if (!coupling_.from || !coupling_.to) {
       return;
     }
@@ -251,7 +267,7 @@ class GeometryBinder {
 
 bool has_place(const CouplingDescription& coupling) {
   const auto has_line = [](const ScrewDescription& screw) { return screw.at.has_value(); };
-  return coupling.at || (coupling.from && coupling.to) ||
+  return coupling.at || (coupling.from && coupling.to) || coupling.is_segment() ||
          std::ranges::any_of(coupling.freedoms, has_line) ||
          std::ranges::any_of(coupling.constraints, has_line);
 }

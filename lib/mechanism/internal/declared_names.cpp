@@ -61,15 +61,20 @@ class NameCollector {
       names_.bodies.add(description_.ground);
     }
     for (const BodyDescription& body : description_.bodies) {
-      names_.bodies.add(body.name);
+      if (!body.is_virtual) {
+        names_.bodies.add(body.name);
+      }
     }
   }
 
   void add_couplings() {
     for (const CouplingDescription& coupling : description_.couplings) {
+      by_name_.emplace(coupling.name.text, &coupling);
+      if (coupling.part != nullptr) {
+        continue;  // its cable adds its name
+      }
       names_.couplings.add(coupling.name);
       taken_.emplace(coupling.name.text, coupling.name.where);
-      by_name_.emplace(coupling.name.text, &coupling);
       if (is_gear(coupling.type)) {
         names_.meshes.add(coupling.name);
       }
@@ -121,16 +126,13 @@ class NameCollector {
     for (int i = 1; i <= segment_count(cable); ++i) {
       add_made_coupling(cable, segment_name(cable, i));
     }
-    for (std::size_t i = 0; i < cable.over.size(); ++i) {
-      if (!cable.over[i].is_pulley || !cable.over[i].slip) {
-        continue;
-      }
-      const std::string name = virtual_link_name(cable, i);
-      add_made_coupling(cable, name);
-      const int body = names_.bodies.find(name);
+    for (const VirtualLink& link : virtual_links(cable)) {
+      add_made_coupling(cable, link.name);
+      const int body = names_.bodies.find(link.name);
       if (body >= 0) {
-        clash(cable, name, "a body", names_.bodies.where(body));
+        clash(cable, link.name, "a body", names_.bodies.where(body));
       }
+      names_.bodies.add({.text = link.name, .where = cable.name.where});
     }
   }
 

@@ -96,7 +96,7 @@ class GeometryCheck {
   }
 
   void check_ends() {
-    if (coupling_.type != cable) {
+    if (coupling_.type != cable || coupling_.is_segment()) {
       return;
     }
     if (!coupling_.from || !coupling_.to) {

@@ -74,11 +74,51 @@ TEST(CableCheck, RefusesASegmentWithinOneBody) {
 }
 
 TEST(CableCheck, LetsARopeSlipTwiceOverOneWheel) {
-  EXPECT_EQ(complaints_of(check_of(
-                hoist("      - {body: block, at: [0, 0]}\n"
-                      "      - {pulley: wheel, radius: 1, wrap: clockwise, slip: true}\n"
-                      "      - {pulley: wheel, radius: 1, wrap: counterclockwise, slip: true}\n"
-                      "      - {body: frame, at: [1, 0]}\n"))),
+  EXPECT_EQ(complaints_of(check_of(hoist(
+                "      - {body: block, at: [-1, -30]}\n"
+                "      - {pulley: wheel, radius: 1, wrap: clockwise, slip: true}\n"
+                "      - {pulley: plate, at: [20, 0], radius: 1, wrap: clockwise, slip: true}\n"
+                "      - {pulley: wheel, radius: 1, wrap: clockwise, slip: true}\n"
+                "      - {body: frame, at: [0, 30]}\n"))),
+            Complaints{});
+}
+
+TEST(CableCheck, NeedsTheCentreOfAPulleyOnTheGround) {
+  EXPECT_EQ(complaints_of(
+                check_of(hoist("      - {body: block, at: [0, 0]}\n"
+                               "      - {pulley: frame, radius: 1, wrap: clockwise, slip: true}\n"
+                               "      - {body: block, at: [5, 0]}\n"))),
+            (Complaints{"13:9 E0314 pulley 'frame' of cable 'rope' has no centre: no revolute "
+                        "coupling joins its body"}));
+}
+
+TEST(CableCheck, RefusesARopeThatCannotRun) {
+  EXPECT_EQ(complaints_of(check_of(hoist(
+                "      - {body: block, at: [0, 9]}\n"
+                "      - {pulley: wheel, radius: 10, wrap: clockwise, slip: true}\n"
+                "      - {pulley: plate, at: [30, 0], radius: 21, wrap: counterclockwise}\n"))),
+            (Complaints{"12:9 E0317 segment 'rope_1' ends within pulley 'wheel': 9 mm from its "
+                        "centre, and the radius is 10 mm",
+                        "14:9 E0317 segment 'rope_2' crosses over between pulleys 'wheel' and "
+                        "'plate', which overlap: centres 30 mm apart, radii 10 mm and 21 mm"}));
+}
+
+TEST(CableCheck, RefusesASegmentThroughAnotherPulley) {
+  EXPECT_EQ(complaints_of(
+                check_of(hoist("      - {body: block, at: [-10, -30]}\n"
+                               "      - {pulley: wheel, radius: 10, wrap: clockwise, slip: true}\n"
+                               "      - {pulley: plate, at: [40, 40], radius: 2, wrap: clockwise}\n"
+                               "      - {body: frame, at: [-30, -10]}\n"))),
+            (Complaints{"13:9 E0317 segment 'rope_3' passes through pulley 'wheel'"}));
+}
+
+TEST(CableCheck, TakesPulleysOnOneAxleToStandSideBySide) {
+  EXPECT_EQ(complaints_of(check_of(hoist(
+                "      - {body: block, at: [-10, -30]}\n"
+                "      - {pulley: wheel, radius: 10, wrap: clockwise, slip: true}\n"
+                "      - {pulley: plate, at: [3, -50], radius: 5, wrap: clockwise, slip: true}\n"
+                "      - {pulley: wheel, radius: 4, wrap: clockwise, slip: true}\n"
+                "      - {body: frame, at: [30, -80]}\n"))),
             Complaints{});
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "io/mechanism_reader.hpp"
+#include "mechanism/internal/cable_check.hpp"
 #include "mechanism/internal/load_binder.hpp"
 #include "mechanism/internal/section_checks.hpp"
 #include "support/read_text.hpp"
@@ -41,6 +42,7 @@ inline void check_all_sections(const MechanismDescription& description,
   const DeclaredNames names = declare_names(description, found);
   const SectionContext context = {
       .description = description, .names = names, .evaluator = evaluator, .found = found};
+  (void)check_cables(context);
   check_sections(context);
   (void)bind_loads(context, Vec3::Zero());
 }

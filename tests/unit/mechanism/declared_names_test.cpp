@@ -82,8 +82,11 @@ TEST(DeclaredNames, NumberASecondContactOfARopeWithTheSameWheel) {
 
   EXPECT_EQ(segment_count(rope), 2);
   EXPECT_EQ(segment_name(rope, 2), "rope_2");
-  EXPECT_EQ(virtual_link_name(rope, 0), "rope_wheel");
-  EXPECT_EQ(virtual_link_name(rope, 2), "rope_wheel_2");
+  const std::vector<VirtualLink> links = virtual_links(rope);
+  ASSERT_EQ(links.size(), 2U);
+  EXPECT_EQ(links[0].name, "rope_wheel");
+  EXPECT_EQ(links[1].name, "rope_wheel_2");
+  EXPECT_EQ(links[1].station, 2U);
   rope.closed = true;
   EXPECT_EQ(segment_count(rope), 3);
 }
