@@ -15,6 +15,7 @@ using Job = std::function<Outcome()>;
 void add_analyze(CLI::App& parent, Job& job);
 void add_check(CLI::App& parent, Job& job);
 void add_graph(CLI::App& parent, Job& job);
+void add_mobility(CLI::App& parent, Job& job);
 void add_inputs(CLI::App& parent, Job& job);
 void add_sensitivity(CLI::App& parent, Job& job);
 void add_compare(CLI::App& parent, Job& job);

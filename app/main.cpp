@@ -47,6 +47,7 @@ void add_commands(CLI::App& app, Job& job) {
   kinestat::app::add_check(app, job);
   kinestat::app::add_analyze(app, job);
   kinestat::app::add_graph(app, job);
+  kinestat::app::add_mobility(app, job);
   kinestat::app::add_inputs(app, job);
   kinestat::app::add_sensitivity(app, job);
   kinestat::app::add_compare(app, job);

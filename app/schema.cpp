@@ -13,7 +13,7 @@ void add_schema(CLI::App& parent, Job& job) {
   add_argument(*command,
                "NAME",
                *name,
-               "mechanism (default), report, inputs, sensitivity,\ncomparison or diagnostics");
+               "mechanism (default), report, mobility, inputs,\nsensitivity, comparison or diagnostics");
   command->callback([name, &job] { job = [name] { return schema_text(*name); }; });
 }
 

@@ -85,4 +85,8 @@ inline constexpr double kGrazing = 1e-9;
 /// radius: drawings are rounded.
 inline constexpr double kDrawnContact = 0.01;
 
+/// A freedom that is added to mend a mechanism must work on a self-stress by this share of what the
+/// stress could do: below it, it would hardly give way, and another position might not need it.
+inline constexpr double kWorkingFreedom = 1e-4;
+
 }  // namespace kinestat

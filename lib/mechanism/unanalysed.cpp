@@ -22,19 +22,34 @@ std::string word(const CouplingDescription& coupling) {
   return fmt::format("{} '{}'", word_of(coupling.type), coupling.name.text);
 }
 
+// One for the file, at the first coupling without a place.
+void add_missing_places(const MechanismDescription& description, std::vector<Unanalysed>& list) {
+  const auto count = std::ranges::count_if(description.couplings, is_counted_only);
+  if (count == 0) {
+    return;
+  }
+  const auto first = std::ranges::find_if(description.couplings, is_counted_only);
+  const bool is_cable = first->type == CouplingType::cable;
+  list.push_back(
+      {.where = first->name.where,
+       .what =
+           fmt::format("a file that can only be counted, as {} has no {}{},",
+                       word(*first),
+                       is_cable ? "'from' and 'to'" : "'at'",
+                       count == 1 ? "" : fmt::format(", nor have {} others a place", count - 1)),
+       .hint = fmt::format("'kinestat mobility' counts it; for more, add {}",
+                           is_cable ? "from: and to:, its ends on the tail and on the head"
+                                    : "'at', the point of the coupling in the drawn position"),
+       .decides = true,
+       .can_be_counted = true});
+}
+
 void add_coupling(const CouplingDescription& coupling,
                   bool has_statics,
                   std::vector<Unanalysed>& list) {
   const auto add = [&](SourceRange where, std::string what, bool decides) {
     list.push_back({.where = where, .what = std::move(what), .hint = {}, .decides = decides});
   };
-  if (is_counted_only(coupling)) {
-    list.push_back(
-        {.where = coupling.name.where,
-         .what = fmt::format("a file that can only be counted, as {} has no 'at',", word(coupling)),
-         .hint = "add 'at', the point of the coupling in the drawn position",
-         .decides = true});
-  }
   if (coupling.at && !coupling.at->of_bodies.empty()) {
     add(coupling.at->where, fmt::format("misclosure of {}", word(coupling)), true);
   }
@@ -98,6 +113,7 @@ void add_passes(const MechanismDescription& description, std::vector<Unanalysed>
 std::vector<Unanalysed> find_unanalysed(const MechanismDescription& description) {
   std::vector<Unanalysed> list;
   const bool has_statics = asks_statics(description);
+  add_missing_places(description, list);
   for (const CouplingDescription& coupling : description.couplings) {
     add_coupling(coupling, has_statics, list);
   }

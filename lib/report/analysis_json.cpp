@@ -2,6 +2,7 @@
 
 #include "core/diagnostic.hpp"
 #include "report/affine_report.hpp"
+#include "report/counts_json.hpp"
 #include "report/in_units.hpp"
 #include "report/json_values.hpp"
 #include "report/mechanism_json.hpp"
@@ -12,35 +13,6 @@
 namespace kinestat {
 
 namespace {
-
-Json side_json(const SideCounts& side) {
-  Json result = object_of(8);
-  result["order"] = side.motions.order;
-  result["gross_freedom"] = side.motions.gross_freedom;
-  result["rank"] = side.motions.rank;
-  result["net_freedom"] = side.motions.net_freedom;
-  result["net_constraint"] = side.motions.net_constraint;
-  if (!side.actions) {
-    result["statics"] = nullptr;
-    return result;
-  }
-  Json& statics = result["statics"];
-  statics["order"] = side.actions->order;
-  statics["gross_constraint"] = side.actions->gross_constraint;
-  statics["rank"] = side.actions->rank;
-  statics["net_constraint"] = side.actions->net_constraint;
-  statics["net_freedom"] = side.actions->net_freedom;
-  return result;
-}
-
-Json mobility_json(const MobilityCounts& counts) {
-  Json result = object_of(8);
-  result["minimal"] = side_json(counts.minimal);
-  result["planar"] = counts.planar ? side_json(*counts.planar) : Json(nullptr);
-  result["spatial"] = side_json(counts.spatial);
-  result["evidence"] = evidence_json(counts.evidence);
-  return result;
-}
 
 Json primary_json(const Mechanism& mechanism, const Case& which) {
   Json result = object_of(8);
@@ -159,7 +131,7 @@ Json case_json(const Analysis& analysis, const CaseAnalysis& one) {
 Json analysis_json(const Analysis& analysis) {
   Json result = report_head(analysis.file, analysis.description);
   result["graph"] = graph_json(analysis.mechanism, analysis.description.units);
-  result["mobility"] = mobility_json(analysis.mobility);
+  result["mobility"] = mobility_counts_json(analysis.mobility);
   result["cases"] = object_of(8);
   for (const CaseAnalysis& one : analysis.cases) {
     result["cases"][one.which.label] = case_json(analysis, one);

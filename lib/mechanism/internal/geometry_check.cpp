@@ -96,7 +96,7 @@ class GeometryCheck {
   }
 
   void check_ends() {
-    if (coupling_.type != cable || coupling_.is_segment()) {
+    if (coupling_.type != cable || coupling_.is_segment() || is_counted_only(coupling_)) {
       return;
     }
     if (!coupling_.from || !coupling_.to) {
@@ -145,7 +145,9 @@ class GeometryCheck {
 }  // namespace
 
 bool is_counted_only(const CouplingDescription& coupling) {
-  return !coupling.at && demand_of(coupling.type).at;
+  const bool has_no_ends = coupling.type == cable && !coupling.is_segment() && !coupling.from &&
+                           !coupling.to;
+  return has_no_ends || (!coupling.at && demand_of(coupling.type).at);
 }
 
 bool check_geometry(const CouplingDescription& coupling,

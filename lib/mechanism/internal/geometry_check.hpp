@@ -5,7 +5,8 @@
 
 namespace kinestat {
 
-/// A coupling without a point whose type needs one: its file can only be counted.
+/// A coupling without a point whose type needs one, or a cable without ends: its file can only be
+/// counted.
 bool is_counted_only(const CouplingDescription& coupling);
 
 /// Whether the coupling may stand in that space, has the ends, pitch or screws that its type needs,

@@ -1,0 +1,24 @@
+#include "mobility/grubler.hpp"
+
+#include <algorithm>
+
+namespace kinestat {
+
+GrublerCount count_by_grubler(const Topology& topology, const Topology& in_space, int order) {
+  GrublerCount count{.order = order,
+                     .bodies = topology.body_count(),
+                     .couplings = topology.coupling_count(),
+                     .freedoms = topology.freedom_count(),
+                     .mobility = 0,
+                     .classes = {}};
+  for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
+    const int prevented = std::max(0, 6 - in_space.couplings[e].freedom_count);
+    PairClass& one = count.classes[static_cast<std::size_t>(prevented)];
+    one.couplings.push_back({static_cast<int>(e)});
+    one.freedoms += topology.couplings[e].freedom_count;
+  }
+  count.mobility = order * (count.bodies - 1 - count.couplings) + count.freedoms;
+  return count;
+}
+
+}  // namespace kinestat

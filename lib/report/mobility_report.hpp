@@ -1,0 +1,24 @@
+// The mobility of one file in the forms of a report.
+#pragma once
+
+#include <string>
+
+#include "mobility/mobility.hpp"
+#include "report/file_report.hpp"
+
+namespace kinestat {
+
+/// A mechanism, the same in space, and what was found.
+struct MobilityAnalysis {
+  std::string file;  ///< as the user gave it
+  MechanismDescription description;
+  Mechanism mechanism;
+  Mechanism in_space;
+  Mobility mobility;
+};
+
+FileReport make_mobility_report(const MobilityAnalysis& analysis,
+                                const ReportForms& forms,
+                                const Diagnostics& found);
+
+}  // namespace kinestat

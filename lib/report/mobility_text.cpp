@@ -1,0 +1,316 @@
+#include "report/mobility_text.hpp"
+
+#include <fmt/format.h>
+
+#include "report/analysis_text.hpp"
+#include "report/in_units.hpp"
+#include "report/mobility_words.hpp"
+#include "report/numbers.hpp"
+#include "report/table.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// "a b c d", the couplings of a list.
+std::string names_text(const Topology& topology, const std::vector<CouplingId>& couplings) {
+  std::vector<std::string> names;
+  for (const CouplingId id : couplings) {
+    names.push_back(topology.coupling(id).name);
+  }
+  return fmt::format("{}", fmt::join(names, " "));
+}
+
+class MobilityText {
+ public:
+  explicit MobilityText(const MobilityAnalysis& analysis)
+      : analysis_(analysis),
+        mobility_(analysis.mobility),
+        topology_(analysis.mechanism.topology),
+        in_(analysis.description.units, {}) {}
+
+  std::string run() const {
+    std::string text = head() + remarks() + counts();
+    text += mobility_.reshetov ? reshetov(*mobility_.reshetov) : "";
+    if (mobility_.exact) {
+      text += motions(mobility_.exact->motions);
+      text += redundancies("space", mobility_.exact->spatial, analysis_.in_space);
+      if (mobility_.exact->planar) {
+        text += redundancies("the plane", *mobility_.exact->planar, analysis_.mechanism);
+      }
+      text += repairs(mobility_.exact->repairs);
+    }
+    return text;
+  }
+
+ private:
+  std::string head() const {
+    const int circuits = analysis_.mechanism.graph.circuit_count();
+    return fmt::format("{}  {} bodies, {} couplings, {} circuit{}\n\n",
+                       title_text(analysis_.file, analysis_.description),
+                       topology_.body_count(),
+                       topology_.coupling_count(),
+                       circuits,
+                       circuits == 1 ? "" : "s");
+  }
+
+  std::string remarks() const {
+    std::string text;
+    for (const std::string& remark : mobility_remarks(analysis_)) {
+      text += "  " + remark + "\n";
+    }
+    return text + "\n";
+  }
+
+  std::string counts() const {
+    std::string text = "Grübler: M = order (bodies - 1 - couplings) + freedoms\n";
+    text += grubler("space", mobility_.spatial);
+    if (mobility_.planar) {
+      text += grubler("the plane", *mobility_.planar);
+    }
+    text += "\n" + classes(mobility_.spatial);
+    return mobility_.exact ? text + davies(mobility_.exact->counts) : text;
+  }
+
+  static std::string grubler(const char* where, const GrublerCount& count) {
+    return fmt::format("  in {}: M = {} ({} - 1 - {}) + {} = {}\n",
+                       where,
+                       count.order,
+                       count.bodies,
+                       count.couplings,
+                       count.freedoms,
+                       count.mobility);
+  }
+
+  std::string classes(const GrublerCount& count) const {
+    Table table({"Pairs", "number", "freedoms", "couplings"});
+    for (std::size_t i = 0; i < count.classes.size(); ++i) {
+      const PairClass& one = count.classes[i];
+      if (!one.couplings.empty()) {
+        table.add({class_words(i),
+                   std::to_string(one.couplings.size()),
+                   std::to_string(one.freedoms),
+                   names_text(topology_, one.couplings)});
+      }
+    }
+    return table.text("  ") + "\n";
+  }
+
+  static std::string davies(const MobilityCounts& counts) {
+    Table table({"Davies", "order", "freedoms F", "rank m", "net freedom F_N", "redundant C_N"});
+    const auto add = [&](const char* name, const MotionCounts& c) {
+      table.add({name,
+                 std::to_string(c.order),
+                 std::to_string(c.gross_freedom),
+                 std::to_string(c.rank),
+                 std::to_string(c.net_freedom),
+                 std::to_string(c.net_constraint)});
+    };
+    add("spatial", counts.spatial.motions);
+    if (counts.planar) {
+      add("planar", counts.planar->motions);
+    }
+    add("minimal", counts.minimal.motions);
+    return table.text("  ") + "\n";
+  }
+
+  // One line a circuit: what it is offered, then what covers each demand.
+  std::string reshetov(const ReshetovTable& table) const {
+    std::string text = "Reshetov: what closes each circuit without force\n";
+    for (const ReshetovCircuit& circuit : table.circuits) {
+      Table rows(
+          {topology_.coupling(circuit.chord).name, "Rx", "Ry", "Rz", "Tx", "Ty", "Tz", "oblique"});
+      std::vector<std::string> offered = {"offered"};
+      std::vector<std::string> covered = {"covered by"};
+      for (std::size_t i = 0; i < kClosures.size(); ++i) {
+        offered.push_back(circuit.offered[i] == 0 ? "." : std::to_string(circuit.offered[i]));
+        const std::optional<int>& cover = circuit.covered_by[i];
+        covered.push_back(cover ? analysis_.in_space.topology.freedom_name(*cover) : "missing");
+      }
+      const int oblique = circuit.oblique_rotations + circuit.oblique_translations;
+      offered.push_back(oblique == 0 ? "." : std::to_string(oblique));
+      covered.emplace_back("");
+      rows.add(std::move(offered));
+      rows.add(std::move(covered));
+      text += fmt::format("  circuit of {}: {}\n",
+                          topology_.coupling(circuit.chord).name,
+                          names_text(topology_, circuit.couplings));
+      text += rows.text("    ");
+    }
+    std::vector<std::string> unused;
+    for (const int f : table.unused) {
+      unused.push_back(analysis_.in_space.topology.freedom_name(f));
+    }
+    text += fmt::format("  missing: {} redundant; left over: mobility {}{}\n\n",
+                        table.redundant,
+                        table.mobility,
+                        unused.empty() ? "" : fmt::format(" ({})", fmt::join(unused, ", ")));
+    return text;
+  }
+
+  QuantityKind rate_kind(int f) const {
+    return topology_.freedoms[static_cast<std::size_t>(f)].is_rotation
+               ? QuantityKind::angular_velocity
+               : QuantityKind::velocity;
+  }
+
+  std::string motions(const MotionSpace& space) const {
+    if (space.net_freedom == 0) {
+      return "Motions: none\n\n";
+    }
+    std::string text = fmt::format(
+        "Motions: {}{}\n", space.net_freedom, space.motions.empty() ? ", too many to list" : "");
+    for (std::size_t i = 0; i < space.motions.size(); ++i) {
+      text += motion(i + 1, space.motions[i]);
+    }
+    return text + (space.motions.empty() ? "\n" : "");
+  }
+
+  std::string motion(std::size_t number, const FreeMotion& motion) const {
+    const FileUnits& units = in_.units();
+    const double first = units.factor(rate_kind(motion.first));
+    std::vector<std::string> rates;
+    for (int f = 0; f < topology_.freedom_count(); ++f) {
+      if (motion.rates[f] != 0.0) {
+        rates.push_back(
+            fmt::format("{} = {} {}",
+                        topology_.freedom_name(f),
+                        format_short(motion.rates[f] * (first / units.factor(rate_kind(f)))),
+                        units.text(rate_kind(f))));
+      }
+    }
+    std::string text = fmt::format("  {}. {}\n", number, fmt::join(rates, ", "));
+    if (motion.is_passive()) {
+      std::vector<std::string> bodies;
+      for (const BodyId body : motion.passive) {
+        bodies.push_back(topology_.body(body).name);
+      }
+      text += fmt::format("     passive: only {} moves, nothing else feels it\n",
+                          fmt::join(bodies, " and "));
+    }
+    return text + screws(motion) + "\n";
+  }
+
+  std::string screws(const FreeMotion& motion) const {
+    const Geometry& geometry = analysis_.mechanism.geometry;
+    const std::string length = in_.units().text(QuantityKind::length);
+    Table table({"Body", "motion", "through [" + length + "]", "pitch [" + length + "]"});
+    for (std::size_t b = 1; b < topology_.bodies.size(); ++b) {
+      const std::optional<ScrewAxis> found = find_axis(motion.bodies[b], geometry.length);
+      if (!found) {
+        continue;
+      }
+      const ScrewAxis axis = without_rounding(*found, geometry.length);
+      if (!axis.pitch) {
+        table.add({topology_.bodies[b].name,
+                   "shifts along " + direction_words(axis.direction),
+                   "",
+                   "infinite"});
+        continue;
+      }
+      const Vec3 point = in_.length(Vec3(*axis.point + geometry.origin));
+      table.add({topology_.bodies[b].name,
+                 "turns about " + direction_words(axis.direction),
+                 fmt::format("({}, {}, {})",
+                             format_short(point.x()),
+                             format_short(point.y()),
+                             format_short(point.z())),
+                 format_short(in_.length(*axis.pitch))});
+    }
+    return table.text("     ");
+  }
+
+  std::string redundancies(const char* where,
+                           const Redundancies& redundancies,
+                           const Mechanism& mechanism) const {
+    const int of_model = redundancies.net_constraint - redundancies.borne;
+    std::string text = fmt::format("Redundant in {}: {}", where, redundancies.net_constraint);
+    if (of_model > 0) {
+      text += fmt::format(", {} of the model only",
+                          redundancies.borne == 0 ? "all" : std::to_string(of_model));
+    }
+    text +=
+        redundancies.borne > 0 && redundancies.constraints.empty() ? ", too many to list\n" : "\n";
+    for (std::size_t i = 0; i < redundancies.constraints.size(); ++i) {
+      text += constraint(i + 1, redundancies.constraints[i], mechanism);
+    }
+    return text + "\n";
+  }
+
+  // "1. force along z, through a, b, c, d" and the shares.
+  std::string constraint(std::size_t number,
+                         const RedundantConstraint& one,
+                         const Mechanism& mechanism) const {
+    const FileUnits& units = in_.units();
+    const auto kind = [&](int a) {
+      return mechanism.topology.actions[static_cast<std::size_t>(a)].is_couple
+                 ? QuantityKind::moment
+                 : QuantityKind::force;
+    };
+    std::optional<double> first;
+    if (one.axis) {
+      first = units.factor(one.axis->pitch ? QuantityKind::force : QuantityKind::moment);
+    }
+    std::vector<std::string> shares;
+    for (int a = 0; a < mechanism.topology.action_count(); ++a) {
+      if (one.magnitudes[a] != 0.0) {
+        first = first.value_or(units.factor(kind(a)));
+        shares.push_back(
+            fmt::format("{} = {} {}",
+                        mechanism.topology.action_name(a),
+                        format_short(one.magnitudes[a] * (*first / units.factor(kind(a)))),
+                        units.text(kind(a))));
+      }
+    }
+    const std::string name = one.chord ? fmt::format("{} round the circuit of {}",
+                                                     constraint_words(analysis_, one),
+                                                     topology_.coupling(*one.chord).name)
+                                       : "through several circuits";
+    return fmt::format("  {}. {}\n     {}\n", number, name, fmt::join(shares, ", "));
+  }
+
+  std::string repairs(const std::vector<Repair>& repairs) const {
+    if (repairs.empty()) {
+      return {};
+    }
+    const Repair& any = repairs.front();
+    std::string text =
+        fmt::format("Advice: each of these removes {}; counted anew, {} freedom{} stay{}\n",
+                    any.freed == 1 ? "it" : fmt::format("all {}", any.freed),
+                    any.after.net_freedom,
+                    any.after.net_freedom == 1 ? "" : "s",
+                    any.after.net_freedom == 1 ? "s" : "");
+    for (std::size_t i = 0; i < repairs.size(); ++i) {
+      std::vector<std::string> changes;
+      for (const CouplingChange& change : repairs[i].changes) {
+        std::vector<std::string> added;
+        for (const Twist& twist : change.added) {
+          added.push_back(freedom_words(twist));
+        }
+        if (change.is_left_out) {
+          changes.push_back(fmt::format("{} left out", topology_.coupling(change.coupling).name));
+          continue;
+        }
+        changes.push_back(fmt::format("{} {} (+ {})",
+                                      topology_.coupling(change.coupling).name,
+                                      change.to ? word_of(*change.to) : "freer",
+                                      fmt::join(added, ", ")));
+      }
+      text += fmt::format("  {}. {}\n", i + 1, fmt::join(changes, "; "));
+    }
+    return text + "\n";
+  }
+
+  const MobilityAnalysis& analysis_;
+  const Mobility& mobility_;
+  const Topology& topology_;
+  InUnits in_;
+};
+
+}  // namespace
+
+std::string mobility_text(const MobilityAnalysis& analysis) {
+  return MobilityText(analysis).run();
+}
+
+}  // namespace kinestat

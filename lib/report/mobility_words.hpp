@@ -1,0 +1,31 @@
+// The findings of the mobility pass in words.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/mobility_report.hpp"
+
+namespace kinestat {
+
+/// "x", or "(0.6, 0, 0.8)" for a direction that is along no world axis.
+std::string direction_words(const Vec3& direction);
+
+/// "P_V", "P_VI"; "P_0" for pairs that prevent nothing.
+std::string class_words(std::size_t prevented);
+
+/// "couple about x", "force along z", "force along x through (0, 10, 0)", "wrench of pitch 3 mm
+/// along …"; empty where no single wrench goes round. A sign is meaningless and left out.
+std::string constraint_words(const MobilityAnalysis& analysis, const RedundantConstraint& one);
+
+/// "rotation about x", "translation along (0.6, 0, 0.8)": what a mended coupling frees more.
+std::string freedom_words(const Twist& twist);
+
+/// The axis without what is mere rounding beside the mechanism's length [m].
+ScrewAxis without_rounding(ScrewAxis axis, double length);
+
+/// Sentences on what the counts have to do with each other and what follows.
+std::vector<std::string> mobility_remarks(const MobilityAnalysis& analysis);
+
+}  // namespace kinestat

@@ -1,0 +1,79 @@
+#include "run/mobility.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "mechanism/bind.hpp"
+#include "mechanism/bind_counted.hpp"
+#include "report/mobility_report.hpp"
+#include "run/each_file.hpp"
+
+namespace kinestat {
+
+namespace {
+
+void count_without_geometry(MobilityAnalysis& analysis) {
+  Mobility& mobility = analysis.mobility;
+  mobility.spatial = count_by_grubler(analysis.in_space.topology, analysis.in_space.topology, 6);
+  if (analysis.mechanism.space == Space::planar) {
+    mobility.planar = count_by_grubler(analysis.mechanism.topology, analysis.in_space.topology, 3);
+  }
+  if (knows_directions(analysis.description)) {
+    mobility.reshetov = find_reshetov_table(analysis.in_space);
+  }
+}
+
+// Empty iff an error was added.
+std::optional<MobilityAnalysis> find_mobility(const std::string& path,
+                                              MechanismDescription description,
+                                              Diagnostics& found) {
+  MobilityAnalysis analysis;
+  const bool has_places = !can_only_be_counted(description);
+  if (has_places) {
+    std::optional<Mechanism> mechanism = bind(description, found);
+    std::optional<Mechanism> in_space =
+        mechanism ? bind_in_space(description, found) : std::nullopt;
+    if (!in_space) {
+      if (!found.has_errors()) {
+        found.error("E0303", {}, "the file holds no mechanism", "add ground, bodies and couplings");
+      }
+      return std::nullopt;
+    }
+    analysis.mechanism = *std::move(mechanism);
+    analysis.in_space = *std::move(in_space);
+  } else {
+    std::optional<CountedMechanism> counted = bind_counted(description, found);
+    if (!counted) {
+      return std::nullopt;
+    }
+    analysis.mechanism = std::move(counted->mechanism);
+    analysis.in_space = std::move(counted->in_space);
+  }
+  analysis.file = path;
+  analysis.description = std::move(description);
+  count_without_geometry(analysis);
+  if (has_places) {
+    analysis.mobility.exact = find_exact_mobility(analysis.mechanism, analysis.in_space);
+  }
+  return analysis;
+}
+
+}  // namespace
+
+Outcome mobility_of_files(const std::vector<std::string>& paths, const AnalyseOptions& options) {
+  const ReportForms forms = stream_forms(options.format, paths.size());
+  return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
+    SourceFile source;
+    Diagnostics found;
+    std::optional<MechanismDescription> description =
+        load_description(path, options.overrides, source, found);
+    if (description) {
+      if (const auto analysis = find_mobility(path, *std::move(description), found)) {
+        add_to_stream(make_mobility_report(*analysis, forms, found), options, outcome);
+      }
+    }
+    add_diagnostics(source, found, options.strictness, outcome);
+  });
+}
+
+}  // namespace kinestat
