@@ -145,8 +145,8 @@ class GeometryCheck {
 }  // namespace
 
 bool is_counted_only(const CouplingDescription& coupling) {
-  const bool has_no_ends = coupling.type == cable && !coupling.is_segment() && !coupling.from &&
-                           !coupling.to;
+  const bool has_no_ends =
+      coupling.type == cable && !coupling.is_segment() && !coupling.from && !coupling.to;
   return has_no_ends || (!coupling.at && demand_of(coupling.type).at);
 }
 
