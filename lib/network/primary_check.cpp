@@ -93,8 +93,9 @@ class BasisSearch {
 
 // Those that actuators drive first.
 std::vector<int> driven_first(std::vector<int> magnitudes, std::span<const int> driven) {
-  std::ranges::stable_partition(
-      magnitudes, [&](int m) { return std::ranges::find(driven, m) != driven.end(); });
+  std::stable_partition(magnitudes.begin(), magnitudes.end(), [&](int m) {
+    return std::ranges::find(driven, m) != driven.end();
+  });
   return magnitudes;
 }
 
