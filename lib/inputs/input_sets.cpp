@@ -164,7 +164,7 @@ InputSets find_input_sets(const MatX& solutions, const InputChoice& choice) {
   InputSets result;
   result.needed = static_cast<int>(solutions.cols());
   for (Eigen::Index m = 0; m < solutions.rows(); ++m) {
-    if (solutions.row(m).isZero(0.0)) {
+    if (solutions.cols() == 0 || solutions.row(m).isZero(0.0)) {
       result.always_zero.push_back(static_cast<int>(m));
     }
   }

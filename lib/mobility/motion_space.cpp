@@ -22,8 +22,9 @@ class MotionRows {
     for (const ActuatorTopology& actuator : mechanism.topology.actuators) {
       is_actuated[static_cast<std::size_t>(actuator.freedom)] = true;
     }
-    std::ranges::stable_partition(order_,
-                                  [&](int f) { return is_actuated[static_cast<std::size_t>(f)]; });
+    std::stable_partition(order_.begin(), order_.end(), [&](int f) {
+      return is_actuated[static_cast<std::size_t>(f)];
+    });
   }
 
   Eigen::Index columns() const { return freedoms() + 6 * bodies(); }

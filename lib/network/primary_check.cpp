@@ -93,8 +93,9 @@ class BasisSearch {
 
 // Those that actuators drive first.
 std::vector<int> driven_first(std::vector<int> magnitudes, std::span<const int> driven) {
-  std::ranges::stable_partition(
-      magnitudes, [&](int m) { return std::ranges::find(driven, m) != driven.end(); });
+  std::stable_partition(magnitudes.begin(), magnitudes.end(), [&](int m) {
+    return std::ranges::find(driven, m) != driven.end();
+  });
   return magnitudes;
 }
 
@@ -116,6 +117,9 @@ std::vector<std::vector<int>> find_removals(const std::vector<Dependence>& depen
           term.coefficient * units[static_cast<std::size_t>(term.index)];
     }
   }
+  if (shares.cols() == 0) {
+    return removals;
+  }
   const std::vector<int> involved = rows_in_use(shares);
   if (shares.cols() == 1) {
     for (const int magnitude : involved) {
@@ -124,7 +128,7 @@ std::vector<std::vector<int>> find_removals(const std::vector<Dependence>& depen
     return removals;
   }
   const std::size_t search = static_cast<std::size_t>(shares.cols()) * involved.size();
-  if (search == 0 || search > kLongestSearch) {
+  if (search > kLongestSearch) {
     return removals;
   }
   std::vector<int> candidates = driven_first(involved, driven);

@@ -176,8 +176,7 @@ OpenFriction find_open_friction(const Mechanism& mechanism,
         }
       }
       std::ranges::sort(open.actions);
-      const auto surplus = std::ranges::unique(open.actions);
-      open.actions.erase(surplus.begin(), surplus.end());
+      open.actions.erase(std::unique(open.actions.begin(), open.actions.end()), open.actions.end());
     }
   }
   return open;
