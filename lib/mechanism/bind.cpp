@@ -241,7 +241,7 @@ bool bind_structure_and_cables(const SectionContext& context,
                                ScrewSpaces spaces,
                                Mechanism& result) {
   const MechanismDescription& description = context.description;
-  if (check_cables(context)) {
+  if (description.cables.empty() || check_cables(context)) {
     return bind_structure(description, spaces, context.evaluator, context.found, result);
   }
   const MechanismDescription rest = without_cable_parts(description);
