@@ -5,6 +5,7 @@
 #include "core/contract.hpp"
 #include "mechanism/coupling_catalogue.hpp"
 #include "mechanism/internal/coupling_binder.hpp"
+#include "mechanism/internal/friction_binder.hpp"
 #include "mechanism/internal/reference_points.hpp"
 
 namespace kinestat {
@@ -40,6 +41,18 @@ class DerivativeBinder {
     result.references = bind_reference_points<Dual>(
         description_, has_point, mechanism_.topology, result, evaluator_);
     return result;
+  }
+
+  void bind_frictions(MechanismDerivatives& result) {
+    result.starts_friction.assign(result.parameter_count, false);
+    for (std::size_t e = 0; e < description_.couplings.size(); ++e) {
+      if (has_friction_law(description_.couplings[e]) && description_.couplings[e].friction) {
+        find_starts(friction_of(CouplingId{static_cast<int>(e)}), result.starts_friction);
+      }
+    }
+    for (const CouplingFriction& friction : mechanism_.frictions) {
+      result.frictions.push_back(friction_of(friction.coupling));
+    }
   }
 
   CaseDerivatives bind_case(const CaseDescription& description, const Case& bound) {
@@ -113,6 +126,25 @@ class DerivativeBinder {
     return expect(evaluator_.number(value, kind));
   }
 
+  CouplingFrictionOf<Dual> friction_of(CouplingId id) {
+    const CouplingDescription& coupling =
+        description_.couplings[static_cast<std::size_t>(id.value)];
+    return read_friction<Dual>(coupling, id, description_.units, evaluator_, found_);
+  }
+
+  // What is zero rubs not at all, and cannot become smaller.
+  static void find_starts(const CouplingFrictionOf<Dual>& friction, std::vector<bool>& starts) {
+    for (const Dual* number : {&friction.mu,
+                               &friction.radius,
+                               &friction.thrust_radius,
+                               &friction.tau,
+                               &friction.viscous}) {
+      for (std::size_t p = 0; p < starts.size() && number->value == 0.0; ++p) {
+        starts[p] = starts[p] || derivative(*number, p) != 0.0;
+      }
+    }
+  }
+
   void add_coupling(const CouplingDescription& coupling,
                     const CouplingTopology& topology,
                     GeometryOf<Dual>& result) {
@@ -172,8 +204,10 @@ MechanismDerivatives bind_derivatives(const MechanismDescription& description,
   DualEvaluator evaluator(
       description, evaluate_parameters(parameters_of(description), parameters).table, found);
   DerivativeBinder binder(description, mechanism, evaluator, found);
-  MechanismDerivatives result{
-      .parameter_count = parameters.size(), .geometry = binder.bind_geometries(), .cases = {}};
+  MechanismDerivatives result;
+  result.parameter_count = parameters.size();
+  result.geometry = binder.bind_geometries();
+  binder.bind_frictions(result);
   for (std::size_t c = 0; c < mechanism.cases.size(); ++c) {
     result.cases.push_back(binder.bind_case(description.cases[c], mechanism.cases[c]));
   }

@@ -16,16 +16,20 @@ namespace kinestat {
 /// - prismatic: force μ R, R the force across the axis, or the two edge forces of a guide of that
 ///   length; μ / r times the couple about the axis; and c |v|;
 /// - contacts of surfaces or teeth: force μ N against the sliding.
-struct CouplingFriction {
+/// `Scalar` is double or Dual.
+template <class Scalar>
+struct CouplingFrictionOf {
   CouplingId coupling;
-  double mu = 0.0;
-  double radius = 0.0;           ///< of the journal, mean one of the thread, or at which the guide
+  Scalar mu = 0.0;
+  Scalar radius = 0.0;           ///< of the journal, mean one of the thread, or at which the guide
                                  ///< is kept from turning; 0: its couple does not rub [m]
-  double thrust_radius = 0.0;    ///< mean one of the collar; 0: the axial force does not rub [m]
-  std::optional<double> length;  ///< of the guide or journal [m]
-  double tau = 0.0;              ///< [N·m]
-  double viscous = 0.0;          ///< c [N·m·s/rad or N·s/m]
+  Scalar thrust_radius = 0.0;    ///< mean one of the collar; 0: the axial force does not rub [m]
+  std::optional<Scalar> length;  ///< of the guide or journal [m]
+  Scalar tau = 0.0;              ///< [N·m]
+  Scalar viscous = 0.0;          ///< c [N·m·s/rad or N·s/m]
   SourceRange where;
 };
+
+using CouplingFriction = CouplingFrictionOf<double>;
 
 }  // namespace kinestat

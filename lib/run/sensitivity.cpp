@@ -171,9 +171,7 @@ class SensitivityJob {
                                               const MechanismDerivatives& derivatives) {
     const CaseAnalysis& one = analysis_.cases[case_index];
     const bool has_rates = one.motion && one.motion->status == SolveStatus::solved;
-    // With friction the actions are no solution of linear equations.
-    const bool has_actions =
-        one.action && !one.action->magnitudes.empty() && analysis_.mechanism.frictions.empty();
+    const bool has_actions = one.action && !one.action->magnitudes.empty();
     const std::optional<StaticSolution> action =
         has_actions ? std::optional(without_completion(analysis_.mechanism, *one.action))
                     : std::nullopt;
@@ -211,13 +209,11 @@ class SensitivityJob {
             "E0101",
             {},
             fmt::format("--of '{}': no case has such a value with derivatives", printable(name)),
-            !analysis_.mechanism.frictions.empty()
-                ? "actions and powers of a mechanism with friction have no derivatives yet"
-                : guess_before(name,
-                               known_names_,
-                               fmt::format("write one of {}, or a path of the report below a case: "
-                                           "kinematics/bodies/BODY/linear/0",
-                                           plain_list(known_names_))));
+            guess_before(name,
+                         known_names_,
+                         fmt::format("write one of {}, or a path of the report below a case: "
+                                     "kinematics/bodies/BODY/linear/0",
+                                     plain_list(known_names_))));
       }
     }
   }

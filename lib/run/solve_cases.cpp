@@ -54,28 +54,29 @@ struct Bases {
   CoordinateBasis action;
 };
 
-// Friction that knows no direction leaves the actions open.
-StaticSolution solve_with_laws(const Mechanism& mechanism,
-                               const CoordinateBasis& basis,
-                               const Case& which,
-                               const std::vector<BodyWrench>& loads,
-                               const KinematicSolution* motion) {
+// The frictions of a case, and the couplings where it has no direction.
+struct Frictions {
   std::vector<FrictionLaw> laws;
   std::vector<CouplingId> at_rest;
+};
+
+Frictions find_frictions(const Mechanism& mechanism, const KinematicSolution* motion) {
+  Frictions result;
   const auto found = motion != nullptr
                          ? find_friction_laws(mechanism, *motion)
                          : std::vector<std::optional<FrictionLaw>>(mechanism.frictions.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (found[i]) {
-      laws.push_back(*found[i]);
+      result.laws.push_back(*found[i]);
     } else {
-      at_rest.push_back(mechanism.frictions[i].coupling);
+      result.at_rest.push_back(mechanism.frictions[i].coupling);
     }
   }
-  if (at_rest.empty()) {
-    return solve_with_friction(mechanism, basis, which.actions, loads, laws);
-  }
-  StaticSolution solution = solve_action(mechanism, basis, which.actions, loads);
+  return result;
+}
+
+// Friction that knows no direction leaves the actions open.
+StaticSolution without_direction(StaticSolution solution, std::vector<CouplingId> at_rest) {
   solution.status = SolveStatus::undirected;
   solution.at_rest = std::move(at_rest);
   solution.magnitudes.clear();
@@ -83,17 +84,31 @@ StaticSolution solve_with_laws(const Mechanism& mechanism,
   return solution;
 }
 
+// Loads and frictions may leave the coordinates that the actions need.
+CoordinateBasis basis_for(const Mechanism& mechanism,
+                          const CoordinateBasis& common,
+                          std::vector<BodyWrench> outside,
+                          const std::vector<FrictionLaw>& laws) {
+  for (const FrictionLaw& law : laws) {
+    outside.push_back({.body = mechanism.topology.coupling(law.coupling).head, .wrench = law.unit});
+  }
+  return outside.empty() ? common
+                         : action_basis(mechanism.geometry, mechanism.static_order, outside);
+}
+
 StaticSolution solve_statics(const Mechanism& mechanism,
                              const CoordinateBasis& common,
                              const Case& which,
                              const KinematicSolution* motion) {
   const std::vector<BodyWrench> loads = wrenches_of(which.loads);
-  const bool has_outside = !loads.empty() || !mechanism.frictions.empty();
-  const CoordinateBasis basis =
-      has_outside ? action_basis(mechanism.geometry, mechanism.static_order, loads) : common;
-  StaticSolution solution = mechanism.frictions.empty()
-                                ? solve_action(mechanism, basis, which.actions, loads)
-                                : solve_with_laws(mechanism, basis, which, loads, motion);
+  Frictions frictions = find_frictions(mechanism, motion);
+  const CoordinateBasis basis = basis_for(mechanism, common, loads, frictions.laws);
+  if (!frictions.at_rest.empty()) {
+    return without_direction(solve_action(mechanism, basis, which.actions, loads),
+                             std::move(frictions.at_rest));
+  }
+  StaticSolution solution =
+      solve_with_friction(mechanism, basis, which.actions, loads, frictions.laws);
   return resolve_indeterminacy(mechanism, basis, which.actions, loads, std::move(solution));
 }
 

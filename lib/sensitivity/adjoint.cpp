@@ -9,6 +9,7 @@
 #include "network/bases.hpp"
 #include "network/node_system.hpp"
 #include "sensitivity/internal/adjoint_side.hpp"
+#include "sensitivity/internal/friction_slopes.hpp"
 #include "sensitivity/internal/screw_slopes.hpp"
 
 namespace kinestat {
@@ -57,7 +58,9 @@ CoordinateBasis action_basis_for(const Mechanism& mechanism,
     std::ranges::copy(wrenches_of(one.loads), std::back_inserter(loads));
   }
   CoordinateBasis minimal = action_basis(mechanism.geometry, mechanism.static_order, loads);
-  const bool is_enough = holds_slopes(minimal, derivatives.geometry.actions) &&
+  // Friction takes its direction from the motion.
+  const bool is_enough = mechanism.frictions.empty() &&
+                         holds_slopes(minimal, derivatives.geometry.actions) &&
                          std::ranges::all_of(derivatives.cases, [&](const CaseDerivatives& one) {
                            return holds_slopes(minimal, one.loads);
                          });
@@ -70,7 +73,8 @@ FactoredSide motion_equations(const DualCase& values, const CoordinateBasis& bas
   for (int f = 0; f < topology.freedom_count(); ++f) {
     units.push_back(rate_unit(topology, basis, f));
   }
-  return {velocity_system(topology, values.mechanism().geometry, basis),
+  return {basis,
+          velocity_system(topology, values.mechanism().geometry, basis),
           values.which().motions,
           velocity_column(topology, basis, 0),
           std::move(units)};
@@ -82,20 +86,19 @@ FactoredSide action_equations(const DualCase& values, const CoordinateBasis& bas
   for (int a = 0; a < topology.action_count(); ++a) {
     units.push_back(action_unit(topology, basis, a));
   }
-  return {action_system(topology, values.mechanism().geometry, basis),
+  return {basis,
+          action_system(topology, values.mechanism().geometry, basis),
           values.which().actions,
           0,
           std::move(units)};
 }
 
 // Those of the solution; where it leaves them open, any that are in equilibrium with the others.
-std::vector<double> action_magnitudes(const DualCase& values,
-                                      const FactoredSide& equations,
-                                      const CoordinateBasis& basis) {
+std::vector<double> action_magnitudes(const DualCase& values, const FactoredSide& equations) {
   std::vector<double> result;
   for (const std::optional<double>& magnitude : values.action()->magnitudes) {
     if (!magnitude) {
-      return equations.solve(known_actions(values, basis));
+      return equations.solve(known_actions(values, equations.basis()));
     }
     result.push_back(*magnitude);
   }
@@ -117,28 +120,55 @@ CaseAdjoint::~CaseAdjoint() = default;
 
 AdjointSide& CaseAdjoint::motion() {
   if (!motion_) {
-    motion_ = std::make_unique<AdjointSide>(
-        motion_equations(values_, bases_.motion),
-        ParameterChanges{.total = motion_changes(values_, bases_.motion), .open = {}});
+    ParameterChanges changes;
+    changes.total = motion_changes(values_, bases_.motion);
+    motion_ =
+        std::make_unique<AdjointSide>(motion_equations(values_, bases_.motion), std::move(changes));
   }
   return *motion_;
 }
 
 AdjointSide& CaseAdjoint::action() {
   if (!action_) {
-    FactoredSide equations = action_equations(values_, bases_.action);
-    ParameterChanges changes{.total = known_action_changes(values_, bases_.action), .open = {}};
-    add_action_changes(action_magnitudes(values_, equations, bases_.action),
-                       values_,
-                       bases_.action,
-                       changes.total);
-    for (const std::vector<double>& open : equations.open_magnitudes()) {
-      changes.open.emplace_back(values_.parameter_count());
-      add_action_changes(open, values_, bases_.action, changes.open.back());
-    }
-    action_ = std::make_unique<AdjointSide>(std::move(equations), std::move(changes));
+    action_ = std::make_unique<AdjointSide>(make_action());
   }
   return *action_;
+}
+
+AdjointSide CaseAdjoint::make_action() {
+  FactoredSide equations = action_equations(values_, bases_.action);
+  const std::vector<double> magnitudes = action_magnitudes(values_, equations);
+  ParameterChanges changes;
+  changes.is_possible = values_.derivatives().starts_friction;
+  changes.is_possible.flip();
+  changes.total = known_action_changes(values_, bases_.action);
+  add_action_changes(magnitudes, values_, bases_.action, changes.total);
+  changes.open = equations.open_magnitudes();
+  for (const std::vector<double>& open : changes.open) {
+    changes.by_open.emplace_back(values_.parameter_count());
+    add_action_changes(open, values_, bases_.action, changes.by_open.back());
+  }
+  RateSlopes rates;
+  for (std::size_t p = 0; friction_depends_on_rates(values_) && p < values_.parameter_count();
+       ++p) {
+    rates.push_back(motion().slopes_of(p));
+  }
+  add_open_frictions(values_, equations, rates, changes);
+  friction_slopes_ = add_friction_changes(values_, equations, magnitudes, rates, changes);
+  return {std::move(equations), std::move(changes)};
+}
+
+void CaseAdjoint::add_frictions(const std::vector<double>& slopes,
+                                std::vector<std::optional<Sum>>& result) {
+  const AdjointSide& side = action();
+  for (std::size_t p = 0; p < result.size(); ++p) {
+    if (!side.is_possible(p)) {
+      result[p] = std::nullopt;
+    }
+    for (std::size_t i = 0; result[p] && i < slopes.size(); ++i) {
+      result[p]->add(slopes[i] * friction_slopes_[p][i]);
+    }
+  }
 }
 
 std::vector<std::optional<double>> CaseAdjoint::derivatives_of(const ReportedValue& value) {
@@ -152,17 +182,22 @@ std::vector<std::optional<double>> CaseAdjoint::derivatives_of(const ReportedVal
   };
   const std::size_t rates = topology.freedoms.size();
   const std::size_t actions = topology.actions.size();
+  const std::size_t frictions = values_.friction_count();
   std::vector<std::optional<Sum>> sums;
-  for (const double direct : slopes(rates + actions, values_.parameter_count())) {
+  for (const double direct : slopes(values_.first_parameter(), values_.parameter_count())) {
     sums.emplace_back(Sum{.value = direct, .size = std::abs(direct)});
   }
   const auto by_rates = slopes(0, rates);
   const auto by_actions = slopes(rates, actions);
+  const auto by_frictions = slopes(rates + actions, frictions);
   if (!is_zero(by_rates)) {
     motion().add(by_rates, sums);
   }
   if (!is_zero(by_actions)) {
     action().add(by_actions, sums);
+  }
+  if (!is_zero(by_frictions)) {
+    add_frictions(by_frictions, sums);
   }
   std::vector<std::optional<double>> result;
   for (const std::optional<Sum>& sum : sums) {

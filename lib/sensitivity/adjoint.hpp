@@ -12,6 +12,7 @@
 namespace kinestat {
 
 class AdjointSide;
+struct Sum;
 
 /// The coordinates in which the equations of all cases are differentiated.
 struct AdjointBases {
@@ -41,11 +42,14 @@ class CaseAdjoint {
  private:
   AdjointSide& motion();
   AdjointSide& action();
+  AdjointSide make_action();
+  void add_frictions(const std::vector<double>& slopes, std::vector<std::optional<Sum>>& result);
 
   const DualCase& values_;
   const AdjointBases& bases_;
-  std::unique_ptr<AdjointSide> motion_;  ///< null until a value depends on a rate
-  std::unique_ptr<AdjointSide> action_;  ///< null until a value depends on an action
+  std::unique_ptr<AdjointSide> motion_;               ///< null until a value depends on a rate
+  std::unique_ptr<AdjointSide> action_;               ///< null until a value depends on an action
+  std::vector<std::vector<double>> friction_slopes_;  ///< by each parameter, once there are actions
 };
 
 }  // namespace kinestat

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/contract.hpp"
+
 namespace kinestat {
 
 DualCase::DualCase(const Mechanism& mechanism,
@@ -35,10 +37,16 @@ DualCase::DualCase(const Mechanism& mechanism,
       }
     }
   }
+  if (action != nullptr) {
+    laws_.resize(action->friction.size());
+    std::ranges::transform(action->friction, laws_.begin(), [&](const FrictionAction& one) {
+      return law_of(one.coupling);
+    });
+  }
 }
 
-std::size_t DualCase::variable_count() const {
-  return topology().freedoms.size() + topology().actions.size() + parameter_count();
+std::size_t DualCase::first_parameter() const {
+  return topology().freedoms.size() + topology().actions.size() + friction_count();
 }
 
 Dual DualCase::rate(std::size_t freedom) const {
@@ -56,7 +64,7 @@ std::optional<Dual> DualCase::magnitude(std::size_t action) const {
 Dual DualCase::placed(const Dual& dimension) const {
   Dual result(dimension.value);
   if (!dimension.derivatives.empty()) {
-    result.derivatives.resize(variable_count() - parameter_count(), 0.0);
+    result.derivatives.resize(first_parameter(), 0.0);
     result.derivatives.insert(
         result.derivatives.end(), dimension.derivatives.begin(), dimension.derivatives.end());
   }
@@ -67,14 +75,61 @@ Vec3Of<Dual> DualCase::placed(const Vec3Of<Dual>& vector) const {
   return {placed(vector[0]), placed(vector[1]), placed(vector[2])};
 }
 
+WrenchOf<Dual> DualCase::placed(const WrenchOf<Dual>& wrench) const {
+  return {.moment = placed(wrench.moment), .force = placed(wrench.force)};
+}
+
+TwistOf<Dual> DualCase::unit_motion(std::size_t freedom) const {
+  const TwistOf<Dual>& unit = derivatives_.geometry.motions[freedom];
+  return {.angular = placed(unit.angular), .linear = placed(unit.linear)};
+}
+
+WrenchOf<Dual> DualCase::unit_action(std::size_t action) const {
+  return placed(derivatives_.geometry.actions[action]);
+}
+
+Dual DualCase::friction(std::size_t friction) const {
+  return make_variable(action_->friction[friction].magnitude,
+                       topology().freedoms.size() + topology().actions.size() + friction,
+                       variable_count());
+}
+
+WrenchOf<Dual> DualCase::friction_wrench(std::size_t i) const {
+  return friction(i) * laws_[i].unit;
+}
+
+FrictionLawOf<Dual> DualCase::law_of(CouplingId id) const {
+  const auto e = static_cast<std::size_t>(id.value);
+  const auto found =
+      std::ranges::find(derivatives_.frictions, id, &CouplingFrictionOf<Dual>::coupling);
+  KINESTAT_EXPECTS(motion_ != nullptr && found != derivatives_.frictions.end());
+  CouplingFrictionOf<Dual> friction = *found;
+  for (Dual* number : {&friction.mu,
+                       &friction.radius,
+                       &friction.thrust_radius,
+                       &friction.tau,
+                       &friction.viscous}) {
+    *number = placed(*number);
+  }
+  if (friction.length) {
+    friction.length = placed(*friction.length);
+  }
+  const int freedom = topology().couplings[e].first_freedom;
+  return make_friction_law(SlidingOf<Dual>{
+      .topology = topology(),
+      .friction = friction,
+      .unit = unit_motion(static_cast<std::size_t>(freedom)),
+      .twist = coupling_twist(e),
+      .at = point(e) - mechanism_.geometry.origin.cast<Dual>(),
+      .unit_action = [&](int a) { return unit_action(static_cast<std::size_t>(a)); }});
+}
+
 TwistOf<Dual> DualCase::coupling_twist(std::size_t coupling) const {
   const CouplingTopology& edge = topology().couplings[coupling];
   TwistOf<Dual> sum;
   for (int i = edge.first_freedom; i < edge.first_freedom + edge.freedom_count; ++i) {
     const auto f = static_cast<std::size_t>(i);
-    const TwistOf<Dual>& unit = derivatives_.geometry.motions[f];
-    sum = sum +
-          rate(f) * TwistOf<Dual>{.angular = placed(unit.angular), .linear = placed(unit.linear)};
+    sum = sum + rate(f) * unit_motion(f);
   }
   return sum;
 }
@@ -100,10 +155,18 @@ std::optional<WrenchOf<Dual>> DualCase::coupling_wrench(std::size_t coupling) co
     if (!size) {
       return std::nullopt;
     }
-    const WrenchOf<Dual>& unit = derivatives_.geometry.actions[a];
-    sum = sum + *size * WrenchOf<Dual>{.moment = placed(unit.moment), .force = placed(unit.force)};
+    sum = sum + *size * unit_action(a);
+  }
+  for (std::size_t i = 0; i < friction_count(); ++i) {
+    if (laws_[i].coupling.value == static_cast<int>(coupling)) {
+      sum = sum + friction_wrench(i);
+    }
   }
   return sum;
+}
+
+WrenchOf<Dual> DualCase::load_wrench(std::size_t load) const {
+  return placed(primaries().loads[load]);
 }
 
 Vec3Of<Dual> DualCase::point(std::size_t coupling) const {

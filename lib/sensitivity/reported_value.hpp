@@ -13,8 +13,8 @@ namespace kinestat {
 /// What a reported number measures; a ratio is of a rate (or action) per another.
 enum class ValueKind { angular_velocity, velocity, moment, force, power, length };
 
-/// `value` has derivatives towards all rates, then all actions, then the parameters, as if these
-/// were independent of each other.
+/// `value` has derivatives towards all rates, then all actions, all frictions and the parameters,
+/// as if these were independent of each other.
 struct ReportedValue {
   std::string name;  ///< the path below the case: "kinematics/freedoms/d.wz"
   ValueKind kind = ValueKind::angular_velocity;

@@ -312,6 +312,9 @@ StaticSolution solve_with_friction(const Mechanism& mechanism,
                       std::back_inserter(all));
   }
   StaticSolution solution = solve_action(mechanism, basis, primaries, all);
+  if (solution.unheld) {
+    std::erase_if(solution.unheld->loads, [&](int load) { return load >= std::ssize(loads); });
+  }
   if (!solution.magnitudes.empty()) {
     leave_open(mechanism, laws, open, solution);
     add_friction(closed, *f, solution);

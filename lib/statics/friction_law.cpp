@@ -7,46 +7,43 @@
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
+#include "math/dual_vector.hpp"
 
 namespace kinestat {
 
 namespace {
 
-using Part = Eigen::Matrix<double, 3, 6>;
+template <class Scalar>
+using Mat3Of = Eigen::Matrix<Scalar, 3, 3>;
 
-Eigen::Matrix3d cross_matrix(const Vec3& v) {
-  Eigen::Matrix3d result;
-  result << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+template <class Scalar>
+Mat3Of<Scalar> cross_matrix(const Vec3Of<Scalar>& v) {
+  const Scalar zero(0.0);
+  Mat3Of<Scalar> result;
+  result << zero, -v.z(), v.y(), v.z(), zero, -v.x(), -v.y(), v.x(), zero;
   return result;
 }
 
 // Takes the component across a unit vector.
-Eigen::Matrix3d across(const Vec3& axis) {
-  return Eigen::Matrix3d::Identity() - axis * axis.transpose();
+template <class Scalar>
+Mat3Of<Scalar> across(const Vec3Of<Scalar>& axis) {
+  return Mat3Of<Scalar>::Identity() - axis * axis.transpose();
 }
 
-PressingPart force_part(const Eigen::Matrix3d& of_force, double weight) {
-  PressingPart result;
-  result.part.rightCols<3>() = of_force;
+template <class Scalar>
+PressingPartOf<Scalar> force_part(const Mat3Of<Scalar>& of_force, const Scalar& weight) {
+  PressingPartOf<Scalar> result;
+  result.part.template rightCols<3>() = of_force;
   result.weight = weight;
   return result;
 }
 
-// What all laws of a coupling begin with.
-struct Sliding {
-  const Mechanism& mechanism;
-  const CouplingFriction& friction;
-  const CouplingTopology& coupling;
-  Twist twist;  ///< head relative to tail
-  Vec3 at;      ///< of the coupling, from the origin of the geometry
-
-  const Twist& unit() const {
-    return mechanism.geometry.motions[static_cast<std::size_t>(coupling.first_freedom)];
-  }
-};
-
-FrictionLaw law_of(const Sliding& s, const Wrench& unit, double speed, bool is_couple) {
-  FrictionLaw law;
+template <class Scalar>
+FrictionLawOf<Scalar> law_of(const SlidingOf<Scalar>& s,
+                             const WrenchOf<Scalar>& unit,
+                             const Scalar& speed,
+                             bool is_couple) {
+  FrictionLawOf<Scalar> law;
   law.coupling = s.friction.coupling;
   law.unit = unit;
   law.speed = speed;
@@ -54,124 +51,154 @@ FrictionLaw law_of(const Sliding& s, const Wrench& unit, double speed, bool is_c
   return law;
 }
 
+// The sense against a rate.
+template <class Scalar>
+Scalar against(const Scalar& rate) {
+  return value_of(rate) > 0.0 ? -1.0 : 1.0;
+}
+
 // A couple about the axis, whose constant part is the same for journals and threads.
-FrictionLaw turning(const Sliding& s) {
-  const Vec3 axis = s.unit().angular;
-  const double rate = s.twist.angular.dot(axis);
-  const double against = rate > 0.0 ? -1.0 : 1.0;
-  FrictionLaw law = law_of(s, unit_couple(against * axis), std::abs(rate), true);
-  law.constant = s.friction.tau + s.friction.viscous * std::abs(rate);
+template <class Scalar>
+FrictionLawOf<Scalar> turning(const SlidingOf<Scalar>& s) {
+  const Vec3Of<Scalar> axis = s.unit.angular;
+  const Scalar rate = s.twist.angular.dot(axis);
+  const Scalar sense = against(rate);
+  FrictionLawOf<Scalar> law =
+      law_of(s, unit_couple<Scalar>(sense * axis), Scalar(-sense * rate), true);
+  law.constant = s.friction.tau + s.friction.viscous * law.speed;
   return law;
 }
 
 // It presses at its two ends: R/2 ± (M x a)/length, M the couple across the axis about the middle.
-std::vector<PressingPart> edges(const Sliding& s, const Vec3& axis, double length, double weight) {
-  std::vector<PressingPart> parts;
+template <class Scalar>
+std::vector<PressingPartOf<Scalar>> edges(const SlidingOf<Scalar>& s,
+                                          const Vec3Of<Scalar>& axis,
+                                          const Scalar& weight) {
+  std::vector<PressingPartOf<Scalar>> parts;
   for (const double side : {1.0, -1.0}) {
-    PressingPart edge = force_part(0.5 * across(axis), weight);
-    const Eigen::Matrix3d of_moment = (-side / length) * cross_matrix(axis) * across(axis);
-    edge.part.leftCols<3>() = of_moment;
-    edge.part.rightCols<3>() -= of_moment * cross_matrix(s.at);
+    const Mat3Of<Scalar> half = Scalar(0.5) * across<Scalar>(axis);
+    const Mat3Of<Scalar> of_moment =
+        (Scalar(-side) / *s.friction.length) * cross_matrix<Scalar>(axis) * across<Scalar>(axis);
+    PressingPartOf<Scalar> edge = force_part(half, weight);
+    edge.part.template leftCols<3>() = of_moment;
+    edge.part.template rightCols<3>() -= of_moment * cross_matrix<Scalar>(s.at);
     parts.push_back(edge);
   }
   return parts;
 }
 
 // The couple across the axis about the place of the coupling.
-PressingPart tilting_part(const Sliding& s, const Vec3& axis) {
-  PressingPart result;
-  result.part.leftCols<3>() = across(axis);
-  result.part.rightCols<3>() = -across(axis) * cross_matrix(s.at);
+template <class Scalar>
+IgnoredPartOf<Scalar> tilting_part(const SlidingOf<Scalar>& s, const Vec3Of<Scalar>& axis) {
+  IgnoredPartOf<Scalar> result{.reaction = Reaction::tilting};
+  result.part.template leftCols<3>() = across<Scalar>(axis);
+  result.part.template rightCols<3>() = -across<Scalar>(axis) * cross_matrix<Scalar>(s.at);
   return result;
 }
 
 // The couple about the axis.
-PressingPart torsion_part(const Sliding& s, const Vec3& axis, double weight) {
-  PressingPart result;
-  result.part.row(0).leftCols<3>() = axis.transpose();
-  result.part.row(0).rightCols<3>() = -axis.transpose() * cross_matrix(s.at);
+template <class Scalar>
+PressingPartOf<Scalar> torsion_part(const SlidingOf<Scalar>& s,
+                                    const Vec3Of<Scalar>& axis,
+                                    const Scalar& weight) {
+  PressingPartOf<Scalar> result;
+  result.part.row(0).template leftCols<3>() = axis.transpose();
+  result.part.row(0).template rightCols<3>() = -axis.transpose() * cross_matrix<Scalar>(s.at);
   result.weight = weight;
   return result;
 }
 
-PressingPart axial_part(const Vec3& axis, double weight) {
-  PressingPart result;
-  result.part.row(0).rightCols<3>() = axis.transpose();
+template <class Scalar>
+PressingPartOf<Scalar> axial_part(const Vec3Of<Scalar>& axis, const Scalar& weight) {
+  PressingPartOf<Scalar> result;
+  result.part.row(0).template rightCols<3>() = axis.transpose();
   result.weight = weight;
   return result;
 }
 
 // What presses across the axis, with the coefficient of its friction.
-void add_across(const Sliding& s, const Vec3& axis, double weight, FrictionLaw& law) {
+template <class Scalar>
+void add_across(const SlidingOf<Scalar>& s,
+                const Vec3Of<Scalar>& axis,
+                const Scalar& weight,
+                FrictionLawOf<Scalar>& law) {
   if (s.friction.length) {
-    law.parts = edges(s, axis, *s.friction.length, weight);
+    law.parts = edges(s, axis, weight);
     return;
   }
-  law.parts = {force_part(across(axis), weight)};
-  if (weight > 0.0) {
-    law.ignored.push_back({Reaction::tilting, tilting_part(s, axis).part});
+  law.parts = {force_part(across<Scalar>(axis), weight)};
+  if (value_of(weight) > 0.0) {
+    law.ignored.push_back(tilting_part(s, axis));
   }
 }
 
-FrictionLaw revolute(const Sliding& s) {
-  const Vec3 axis = s.unit().angular;
-  const double mu = s.friction.mu;
-  FrictionLaw law = turning(s);
-  add_across(s, axis, mu * s.friction.radius, law);
-  if (s.friction.thrust_radius > 0.0) {
-    law.parts.push_back(axial_part(axis, mu * s.friction.thrust_radius));
-  } else if (mu > 0.0) {
-    law.ignored.push_back({Reaction::axial, axial_part(axis, 0.0).part});
+template <class Scalar>
+FrictionLawOf<Scalar> revolute(const SlidingOf<Scalar>& s) {
+  const Vec3Of<Scalar> axis = s.unit.angular;
+  const Scalar mu = s.friction.mu;
+  FrictionLawOf<Scalar> law = turning(s);
+  add_across(s, axis, Scalar(mu * s.friction.radius), law);
+  if (value_of(s.friction.thrust_radius) > 0.0) {
+    law.parts.push_back(axial_part(axis, Scalar(mu * s.friction.thrust_radius)));
+  } else if (value_of(mu) > 0.0) {
+    law.ignored.push_back({Reaction::axial, axial_part(axis, Scalar(0.0)).part});
   }
   return law;
 }
 
-// The thread raises its load where the axial force works on the head: then the friction angle adds
-// to the lead angle, otherwise it is taken off.
-FrictionLaw helical(const Sliding& s) {
-  FrictionLaw law = turning(s);
-  const Vec3 axis = s.unit().angular;
-  const double pitch = velocity_at(s.unit(), s.at).dot(axis);
-  const double advance = velocity_at(s.twist, s.at).dot(axis);
-  const double radius = s.friction.radius;
-  if (radius == 0.0) {
+// The couple per axial force that works on the head, which advances by `rise` per radian: then the
+// thread raises the load and the friction angle adds to the lead angle. Of a load that is let down
+// the rise is negative, so that the lead angle is taken off.
+template <class Scalar>
+Scalar couple_of_thread(const SlidingOf<Scalar>& s, const Scalar& rise) {
+  using std::atan;
+  using std::tan;
+  const Scalar& radius = s.friction.radius;
+  const Scalar angle = atan(s.friction.mu) + atan(rise / radius);
+  // Steeper than the vertical nothing raises the load.
+  return value_of(angle) < std::numbers::pi / 2 ? Scalar(radius * tan(angle) - rise)
+                                                : Scalar(std::numeric_limits<double>::infinity());
+}
+
+template <class Scalar>
+FrictionLawOf<Scalar> helical(const SlidingOf<Scalar>& s) {
+  FrictionLawOf<Scalar> law = turning(s);
+  if (value_of(s.friction.radius) == 0.0) {
     return law;
   }
-  const double lead = std::atan(std::abs(pitch) / radius);
-  const double angle = std::atan(s.friction.mu);
-  // Steeper than the vertical nothing raises the load.
-  const double steep = lead + angle;
-  const double raising = steep < std::numbers::pi / 2 ? radius * std::tan(steep) - std::abs(pitch)
-                                                      : std::numeric_limits<double>::infinity();
-  const double lowering = std::abs(pitch) - radius * std::tan(lead - angle);
-  PressingPart part = axial_part(axis, advance > 0.0 ? raising : lowering);
-  part.weight_if_negative = advance > 0.0 ? lowering : raising;
+  const Vec3Of<Scalar> axis = s.unit.angular;
+  const Scalar pitch = velocity_at<Scalar>(s.unit, s.at).dot(axis);
+  const bool turns_forward = value_of(s.twist.angular.dot(axis)) > 0.0;
+  const Scalar rise = turns_forward ? pitch : Scalar(-pitch);
+  PressingPartOf<Scalar> part = axial_part(axis, couple_of_thread(s, rise));
+  part.weight_if_negative = couple_of_thread(s, Scalar(-rise));
   part.is_signed = true;
   law.parts = {part};
   return law;
 }
 
-FrictionLaw prismatic(const Sliding& s) {
-  const Vec3 axis = s.unit().linear;
-  const double rate = s.twist.linear.dot(axis);
-  const double against = rate > 0.0 ? -1.0 : 1.0;
-  const double mu = s.friction.mu;
-  FrictionLaw law = law_of(s, unit_force(against * axis, s.at), std::abs(rate), false);
-  law.constant = s.friction.viscous * std::abs(rate);
+template <class Scalar>
+FrictionLawOf<Scalar> prismatic(const SlidingOf<Scalar>& s) {
+  const Vec3Of<Scalar> axis = s.unit.linear;
+  const Scalar rate = s.twist.linear.dot(axis);
+  const Scalar sense = against(rate);
+  const Scalar mu = s.friction.mu;
+  FrictionLawOf<Scalar> law =
+      law_of(s, unit_force<Scalar>(sense * axis, s.at), Scalar(-sense * rate), false);
+  law.constant = s.friction.viscous * law.speed;
   add_across(s, axis, mu, law);
-  if (s.friction.radius > 0.0) {
-    law.parts.push_back(torsion_part(s, axis, mu / s.friction.radius));
-  } else if (mu > 0.0) {
-    law.ignored.push_back({Reaction::torsion, torsion_part(s, axis, 0.0).part});
+  if (value_of(s.friction.radius) > 0.0) {
+    law.parts.push_back(torsion_part(s, axis, Scalar(mu / s.friction.radius)));
+  } else if (value_of(mu) > 0.0) {
+    law.ignored.push_back({Reaction::torsion, torsion_part(s, axis, Scalar(0.0)).part});
   }
   return law;
 }
 
 // The force that a contact bears; binding has seen to it that there is one.
-std::size_t normal_action(const Sliding& s) {
-  const Topology& topology = s.mechanism.topology;
-  const int end = s.coupling.first_action + s.coupling.action_count;
-  int a = s.coupling.first_action;
+int normal_action(const Topology& topology, const CouplingTopology& coupling) {
+  const int end = coupling.first_action + coupling.action_count;
+  int a = coupling.first_action;
   const auto is_force = [&](int action) {
     const ActionLabel& label = topology.actions[static_cast<std::size_t>(action)];
     return label.actuator < 0 && !label.is_couple;
@@ -180,31 +207,22 @@ std::size_t normal_action(const Sliding& s) {
     ++a;
   }
   KINESTAT_EXPECTS(a < end);
-  return static_cast<std::size_t>(a);
+  return a;
 }
 
 // Along the velocity of the head's point of contact; presses along the constraint.
-FrictionLaw contact(const Sliding& s) {
-  const Vec3 velocity = velocity_at(s.twist, s.at);
-  const double speed = velocity.norm();
-  const Vec3 against = speed > 0.0 ? Vec3(-velocity / speed) : Vec3::Zero();
-  FrictionLaw law = law_of(s, unit_force(against, s.at), speed, false);
-  const Vec3 normal = s.mechanism.geometry.actions[normal_action(s)].force;
-  law.parts = {force_part(normal * normal.transpose(), s.friction.mu)};
+template <class Scalar>
+FrictionLawOf<Scalar> contact(const SlidingOf<Scalar>& s) {
+  using std::sqrt;
+  const Vec3Of<Scalar> velocity = velocity_at<Scalar>(s.twist, s.at);
+  const Scalar speed = sqrt(velocity.squaredNorm());
+  const Vec3Of<Scalar> direction =
+      value_of(speed) > 0.0 ? Vec3Of<Scalar>(-velocity / speed) : Vec3Of<Scalar>::Zero();
+  FrictionLawOf<Scalar> law = law_of(s, unit_force<Scalar>(direction, s.at), speed, false);
+  const CouplingTopology& coupling = s.topology.coupling(s.friction.coupling);
+  const Vec3Of<Scalar> normal = s.unit_action(normal_action(s.topology, coupling)).force;
+  law.parts = {force_part<Scalar>(normal * normal.transpose(), s.friction.mu)};
   return law;
-}
-
-FrictionLaw find_law(const Sliding& s) {
-  switch (s.coupling.type) {
-    case CouplingType::revolute:
-      return revolute(s);
-    case CouplingType::helical:
-      return helical(s);
-    case CouplingType::prismatic:
-      return prismatic(s);
-    default:
-      return contact(s);
-  }
 }
 
 // The fastest motion of a point of the mechanism's size, to tell sliding from rounding.
@@ -219,19 +237,39 @@ double fastest(const Mechanism& mechanism, const KinematicSolution& motion) {
 
 }  // namespace
 
+template <class Scalar>
+FrictionLawOf<Scalar> make_friction_law(const SlidingOf<Scalar>& sliding) {
+  switch (sliding.topology.coupling(sliding.friction.coupling).type) {
+    case CouplingType::revolute:
+      return revolute(sliding);
+    case CouplingType::helical:
+      return helical(sliding);
+    case CouplingType::prismatic:
+      return prismatic(sliding);
+    default:
+      return contact(sliding);
+  }
+}
+
+template FrictionLaw make_friction_law(const SlidingOf<double>&);
+template FrictionLawOf<Dual> make_friction_law(const SlidingOf<Dual>&);
+
 std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mechanism,
                                                            const KinematicSolution& motion) {
   std::vector<std::optional<FrictionLaw>> laws;
+  const Geometry& geometry = mechanism.geometry;
   const double scale = fastest(mechanism, motion);
   for (const CouplingFriction& friction : mechanism.frictions) {
     const auto e = static_cast<std::size_t>(friction.coupling.value);
-    const Sliding sliding{.mechanism = mechanism,
-                          .friction = friction,
-                          .coupling = mechanism.topology.couplings[e],
-                          .twist = motion.couplings[e],
-                          .at = mechanism.geometry.points[e] - mechanism.geometry.origin};
-    const FrictionLaw law = find_law(sliding);
-    const double speed = law.speed * (law.is_couple ? mechanism.geometry.length : 1.0);
+    const int freedom = mechanism.topology.couplings[e].first_freedom;
+    const FrictionLaw law = make_friction_law(SlidingOf<double>{
+        .topology = mechanism.topology,
+        .friction = friction,
+        .unit = geometry.motions[static_cast<std::size_t>(freedom)],
+        .twist = motion.couplings[e],
+        .at = geometry.points[e] - geometry.origin,
+        .unit_action = [&](int a) { return geometry.actions[static_cast<std::size_t>(a)]; }});
+    const double speed = law.speed * (law.is_couple ? geometry.length : 1.0);
     laws.push_back(speed > kReportZero * scale ? std::optional(law) : std::nullopt);
   }
   return laws;

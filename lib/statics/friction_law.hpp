@@ -1,6 +1,8 @@
 // What friction a coupling has, as a function of the actions that it bears.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "kinematics/kinematic_solution.hpp"
@@ -9,11 +11,12 @@
 namespace kinestat {
 
 /// A part of the reaction that presses: |part · wrench| times a weight. A scalar part may have
-/// another weight where it is negative.
-struct PressingPart {
-  Eigen::Matrix<double, 3, 6> part = Eigen::Matrix<double, 3, 6>::Zero();
-  double weight = 0.0;
-  double weight_if_negative = 0.0;  ///< of the first component, the others being zero
+/// another weight where it is negative. `Scalar` is double or Dual.
+template <class Scalar>
+struct PressingPartOf {
+  Eigen::Matrix<Scalar, 3, 6> part = Eigen::Matrix<Scalar, 3, 6>::Zero();
+  Scalar weight = 0.0;
+  Scalar weight_if_negative = 0.0;  ///< of the first component, the others being zero
   bool is_signed = false;           ///< only then does the second weight count
 };
 
@@ -25,23 +28,45 @@ enum class Reaction {
 };
 
 /// Its size is |part · wrench of the coupling|.
-struct IgnoredPart {
+template <class Scalar>
+struct IgnoredPartOf {
   Reaction reaction = Reaction::axial;
-  Eigen::Matrix<double, 3, 6> part = Eigen::Matrix<double, 3, 6>::Zero();
+  Eigen::Matrix<Scalar, 3, 6> part = Eigen::Matrix<Scalar, 3, 6>::Zero();
 };
 
 /// The friction of one coupling in one case: of tail on head `unit` times the magnitude
 /// constant + Σ weight |part · wrench of the coupling|, which is never negative. Screws are written
 /// about the origin of the Geometry.
-struct FrictionLaw {
+template <class Scalar>
+struct FrictionLawOf {
   CouplingId coupling;
-  Wrench unit;         ///< against the relative motion, whose power on it is -speed
-  double speed = 0.0;  ///< [rad/s or m/s]
+  WrenchOf<Scalar> unit;  ///< against the relative motion, whose power on it is -speed
+  Scalar speed = 0.0;     ///< [rad/s or m/s]
   bool is_couple = true;
-  double constant = 0.0;  ///< what does not depend on the load [N·m or N]
-  std::vector<PressingPart> parts;
-  std::vector<IgnoredPart> ignored;
+  Scalar constant = 0.0;  ///< what does not depend on the load [N·m or N]
+  std::vector<PressingPartOf<Scalar>> parts;
+  std::vector<IgnoredPartOf<Scalar>> ignored;
 };
+
+using PressingPart = PressingPartOf<double>;
+using IgnoredPart = IgnoredPartOf<double>;
+using FrictionLaw = FrictionLawOf<double>;
+
+/// A coupling with friction and its motion; points and screws from the origin of the Geometry.
+template <class Scalar>
+struct SlidingOf {
+  const Topology& topology;
+  const CouplingFrictionOf<Scalar>& friction;
+  TwistOf<Scalar> unit;                                   ///< its first freedom
+  TwistOf<Scalar> twist;                                  ///< head relative to tail
+  Vec3Of<Scalar> at;                                      ///< of the coupling
+  std::function<WrenchOf<Scalar>(int)> unit_action = {};  ///< the screw of an action
+};
+
+/// Of a coupling whose friction is analysed. The friction has the sense of the motion, however slow
+/// that is.
+template <class Scalar>
+FrictionLawOf<Scalar> make_friction_law(const SlidingOf<Scalar>& sliding);
 
 /// The laws in a case with that motion, in the order of mechanism.frictions. Empty for a coupling
 /// that does not move relative to its tail: its friction has no direction.

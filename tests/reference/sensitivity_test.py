@@ -2,15 +2,18 @@
 """Derivatives by the adjoint against central differences of whole analyses with --set.
 
 For every mechanism of the library with parameters: the usual values of its first case that is
-solved without friction, by every parameter. Parameters that are whole numbers of teeth move by a
-thousandth all the same: formulas do not mind.
+solved, by every parameter. Of those with friction, and of some that rub in every way there is: all
+actions, frictions and powers of every case, against differences of the report. Parameters that are
+whole numbers of teeth move by a thousandth all the same: formulas do not mind.
 """
 
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 from typing import Any
@@ -31,15 +34,136 @@ def values_of(report: dict[str, Any], label: str) -> dict[str, Any]:
     return report.get("cases", {}).get(label, {}).get("sensitivity", {})
 
 
+# Viscous journals, a guide that tilts, a cam that slips; loads by which the friction turns.
+RUBBING = {
+    "planar": """\
+kinestat: 1
+space: planar
+parameters: {x: 0.3, mu: 0.2, radius: 0.02, tau: 0.1, oil: 0.03, w: 2 rad/s, force: 40, side: 0.1, long: 0.25}
+ground: f
+bodies: [crank, rod, block, arm]
+couplings:
+  a: {type: revolute, bodies: [f, crank], at: [0, 0], friction: {mu: mu, radius: radius, tau: tau, c: oil}}
+  b: {type: revolute, bodies: [crank, rod], at: [x, 0.4], friction: {mu: 2*mu, radius: radius}}
+  c: {type: revolute, bodies: [rod, block], at: [1.5, 0.1], friction: {c: 0.01}}
+  d: {type: prismatic, bodies: [f, block], at: [1.5, 0], axis: x, friction: {mu: mu, length: long, c: 5}}
+  e: {type: revolute, bodies: [f, arm], at: [1.3, -1]}
+  g: {type: point_contact, bodies: [block, arm], at: [1.6, -side], normal: [x, -1], friction: mu}
+actuators: {motor: {coupling: a}, load: {coupling: d}, hold: {coupling: e}}
+loads: {push: {body: block, at: [1.7, side], force: [-force, -2*force]}}
+cases:
+  there: {motion: {motor: w}, action: {load: -3*force, hold: force}, input: motor, output: load}
+  back: {motion: {motor: -w}, action: {load: -3*force, hold: 2}, input: load, output: motor}
+""",
+    "spatial": """\
+kinestat: 1
+parameters: {x: 0.3, z: 0.1, mu: 0.15, w: 2 rad/s, v: 3 rad/s, force: 90, q: 0.2 rad, up: 0.1}
+ground: f
+bodies: [disc, slide, wheel]
+couplings:
+  a: {type: revolute, bodies: [f, disc], at: [0, 0, 0], axis: [0, sin(q), cos(q)], friction: {mu: mu, radius: 0.02}}
+  b: {type: prismatic, bodies: [f, slide], at: [x, 0.9, 0.2], axis: [0, sin(q), cos(q)]}
+  c: {type: revolute, bodies: [slide, wheel], at: [x, 0.5 + up*sin(q), up*cos(q)], axis: [1, z, 0.2], friction: {mu: mu, radius: 0.01, c: 0.2}}
+  d: {type: point_contact, bodies: [disc, wheel], at: [x, 0.5, 0], normal: [0, sin(q), cos(q)], friction: 2*mu}
+actuators: {one: {coupling: a}, two: {coupling: c}}
+loads: {weight: {body: wheel, at: [x, 0.7, 0.2], force: [5, 0, -force]}}
+cases:
+  slipping: {motion: {one: w, two: v}, action: {}}
+  dragged: {motion: {one: w, two: -v}, action: {}}
+""",
+}
+
+
+def moved_to(parameter: str, known: dict[str, Any], by: float) -> str:
+    """For --set."""
+    unit = f"*{known['unit']}" if known["unit"] else ""
+    return f"{parameter}=({known['value'] + by!r}){unit}"
+
+
+def numbers_in(node: Any, path: str = "") -> dict[str, float]:
+    """The numbers of a part of the report, by their paths."""
+    if isinstance(node, dict | list):
+        items = node.items() if isinstance(node, dict) else enumerate(node)
+        return {at: number for key, item in items
+                for at, number in numbers_in(item, f"{path}/{key}").items()}
+    return {path[1:]: node} if isinstance(node, float | int) else {}
+
+
+def physics_of(case: dict[str, Any]) -> dict[str, float]:
+    """What a case says of actions and powers."""
+    names = {"statics": ("actions", "couplings", "friction"),
+             "power": ("couplings", "supplied", "actuators", "loads", "friction", "efficiency",
+                       "input")}
+    chosen = {part: {name: case.get(part, {}).get(name) for name in those}
+              for part, those in names.items()}
+    found = {path: number for path, number in numbers_in(chosen).items() if "/screw/" not in path}
+    ratio = case.get("torque_ratio")
+    return found | ({"torque_ratio": ratio} if ratio is not None else {})
+
+
 class Sensitivity(unittest.TestCase):
     def test_agrees_with_differences(self) -> None:
         compared = 0
         for path in sorted(MECHANISMS.glob("**/*.yaml")):
             text = path.read_text(encoding="utf-8")
-            if "\nparameters:" in text and "friction:" not in text:
+            if "\nparameters:" in text:
                 with self.subTest(path.name):
                     compared += self.compare(str(path))
         self.assertGreater(compared, 100)
+
+    def test_agrees_with_differences_where_there_is_friction(self) -> None:
+        paths = [path for path in sorted(MECHANISMS.glob("**/*.yaml"))
+                 if re.search(r"^parameters:.*friction:", path.read_text(encoding="utf-8"),
+                              re.DOTALL | re.MULTILINE)]
+        self.assertGreaterEqual(len(paths), 4)
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in RUBBING.items():
+                paths.append(Path(folder, f"{name}.yaml"))
+                paths[-1].write_text(text, encoding="utf-8")
+            for path in paths:
+                with self.subTest(path.name):
+                    self.assertGreater(self.compare_report(str(path)), 100)
+
+    def compare_report(self, path: str) -> int:
+        """How many derivatives of actions and powers agree with differences of the report."""
+        compared = 0
+        report = run("analyze", path)
+        for label, case in report["cases"].items():
+            known = physics_of(case)
+            chosen = [word for name in known for word in ("--of", name)]
+            answer = run("sensitivity", "--case", label, *chosen, path)
+            self.assertEqual(values_of(answer, label).keys(), known.keys())
+            for name, entry in values_of(answer, label).items():
+                self.assertAlmostEqual(entry["value"], known[name],
+                                       delta=1e-11 * self.scale(known, name), msg=name)
+            for name, parameter in answer["mechanism"]["parameters"].items():
+                compared += self.compare_parameter(path, label, values_of(answer, label), name,
+                                                   parameter)
+        return compared
+
+    @staticmethod
+    def scale(known: dict[str, float], name: str) -> float:
+        """The largest value beside a name, for zero is what is rounding of that."""
+        group = name.split("/")[:2]
+        return max(abs(value) for other, value in known.items() if other.split("/")[:2] == group)
+
+    def compare_parameter(self, path: str, label: str, values: dict[str, Any], name: str,
+                          parameter: dict[str, Any]) -> int:
+        size = abs(parameter["value"]) or 1.0
+        low, high = (physics_of(run("analyze", "--set", moved_to(name, parameter, sign * STEP * size),
+                                    path).get("cases", {}).get(label, {}))
+                     for sign in (-1.0, 1.0))
+        known = {value: entry["value"] for value, entry in values.items()}
+        compared = 0
+        for value, entry in values.items():
+            derivative = entry["by"][name]["derivative"]
+            if derivative is not None and value in low and value in high:
+                difference = (high[value] - low[value]) / (2.0 * STEP * size)
+                delta = 1e-6 * (abs(difference) + self.scale(known, value) / size)
+                self.assertAlmostEqual(derivative, difference, delta=delta,
+                                       msg=f"{label}: {value} by {name}")
+                compared += 1
+        return compared
 
     def compare(self, path: str) -> int:
         report = run("sensitivity", path)
@@ -71,10 +195,9 @@ class Sensitivity(unittest.TestCase):
     def moved(path: str, label: str, names: list[str], parameter: str, known: dict[str, Any],
               by: float) -> dict[str, Any]:
         """The values with the parameter moved; empty where the mechanism no longer fits."""
-        unit = f"*{known['unit']}" if known["unit"] else ""
         chosen = [word for name in names for word in ("--of", name)]
         report = run("sensitivity", "--case", label, *chosen, "--by", parameter,
-                     "--set", f"{parameter}=({known['value'] + by!r}){unit}", path)
+                     "--set", moved_to(parameter, known, by), path)
         return values_of(report, label)
 
 

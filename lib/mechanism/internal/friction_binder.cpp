@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
+#include "math/dual.hpp"
 
 namespace kinestat {
 
@@ -14,19 +15,26 @@ namespace {
 
 using enum CouplingType;
 
-class FrictionBinder {
- public:
-  FrictionBinder(const CouplingDescription& coupling,
-                 const CouplingScrews& screws,
-                 const FileUnits& units,
-                 Evaluator& evaluator,
-                 Diagnostics& found)
-      : coupling_(coupling), screws_(screws), units_(units), evaluator_(evaluator), found_(found) {}
+std::string title_of(const CouplingDescription& coupling) {
+  return fmt::format("{} '{}'", word_of(coupling.type), coupling.name.text);
+}
 
-  std::optional<CouplingFriction> bind(CouplingId id) {
-    const int errors_before = found_.error_count();
+void refuse(Diagnostics& found, SourceRange where, std::string message, std::string hint) {
+  found.error("E0305", where, std::move(message), std::move(hint));
+}
+
+template <class Scalar>
+class FrictionReader {
+ public:
+  FrictionReader(const CouplingDescription& coupling,
+                 const FileUnits& units,
+                 EvaluatorOf<Scalar>& evaluator,
+                 Diagnostics& found)
+      : coupling_(coupling), units_(units), evaluator_(evaluator), found_(found) {}
+
+  CouplingFrictionOf<Scalar> read(CouplingId id) {
     const FrictionDescription& friction = *coupling_.friction;
-    CouplingFriction result;
+    CouplingFrictionOf<Scalar> result;
     result.coupling = id;
     result.where = friction.where;
     result.mu = number(friction.mu, QuantityKind::dimensionless).value_or(0.0);
@@ -35,33 +43,87 @@ class FrictionBinder {
     result.length = number(friction.length, QuantityKind::length);
     result.tau = number(friction.tau, QuantityKind::moment).value_or(0.0);
     result.viscous = viscous(friction.c);
-    if (result.length && *result.length == 0.0) {
-      refuse(friction.length->where,
-             fmt::format("the friction of {} has a length of zero", title()),
-             "leave 'length' out where the couple across the axis does not count");
-    }
-    check_numbers(friction, result);
-    if (result.mu > 0.0 && has_friction_law(coupling_) && !has_pressing_action(result)) {
-      refuse(friction.mu->where,
-             fmt::format("nothing presses in {}: it bears no action that its friction depends on",
-                         title()),
-             coupling_.passive ? "add the action that presses to 'passive:'"
-                               : "give the radius on which it rubs, or remove the coefficient");
-    }
-    return has_friction_law(coupling_) && found_.error_count() == errors_before
-               ? std::optional(result)
-               : std::nullopt;
+    return result;
   }
 
  private:
-  std::string title() const {
-    return fmt::format("{} '{}'", word_of(coupling_.type), coupling_.name.text);
+  void check_not_negative(const Value& value, double number) {
+    if (number < 0.0) {
+      refuse(found_,
+             value.where,
+             fmt::format("a number of the friction of {} is negative", title_of(coupling_)),
+             "friction acts against the motion by itself; write a positive number");
+    }
   }
 
-  void refuse(SourceRange where, std::string message, std::string hint) {
-    found_.error("E0305", where, std::move(message), std::move(hint));
+  std::optional<Scalar> number(const std::optional<Value>& value, QuantityKind kind) {
+    const auto number = value ? evaluator_.number(*value, kind) : std::nullopt;
+    if (number) {
+      check_not_negative(*value, value_of(*number));
+    }
+    return number;
   }
 
+  // A couple per angular velocity, of a prismatic a force per velocity. A bare number counts in the
+  // units of the file.
+  Scalar viscous(const std::optional<Value>& value) {
+    const auto quantity = value ? evaluator_.quantity(*value) : std::nullopt;
+    if (!quantity) {
+      return 0.0;
+    }
+    const bool slides = coupling_.type == prismatic;
+    const QuantityKind action = slides ? QuantityKind::force : QuantityKind::moment;
+    const QuantityKind rate = slides ? QuantityKind::velocity : QuantityKind::angular_velocity;
+    Scalar number = quantity->value;
+    if (is_bare(quantity->dimension)) {
+      number = number * Scalar(units_.factor(action) / units_.factor(rate));
+    } else if (quantity->dimension != dimension_of(action) / dimension_of(rate)) {
+      found_.error("E0309",
+                   value->where,
+                   fmt::format("'c' of the friction of {} is a {} per {}",
+                               title_of(coupling_),
+                               slides ? "force" : "couple",
+                               slides ? "velocity" : "angular velocity"),
+                   slides ? "write for example c: 5 N*s/m" : "write for example c: 0.1 N*m*s/rad");
+    }
+    check_not_negative(*value, value_of(number));
+    return number;
+  }
+
+  const CouplingDescription& coupling_;
+  const FileUnits& units_;
+  EvaluatorOf<Scalar>& evaluator_;
+  Diagnostics& found_;
+};
+
+// Whether the numbers make sense together.
+class FrictionCheck {
+ public:
+  FrictionCheck(const CouplingDescription& coupling,
+                const CouplingScrews& screws,
+                Diagnostics& found)
+      : coupling_(coupling), screws_(screws), found_(found) {}
+
+  void check(const CouplingFriction& bound) {
+    const FrictionDescription& friction = *coupling_.friction;
+    if (bound.length && *bound.length == 0.0) {
+      refuse(found_,
+             friction.length->where,
+             fmt::format("the friction of {} has a length of zero", title_of(coupling_)),
+             "leave 'length' out where the couple across the axis does not count");
+    }
+    check_numbers(friction, bound);
+    if (bound.mu > 0.0 && has_friction_law(coupling_) && !has_pressing_action(bound)) {
+      refuse(found_,
+             friction.mu->where,
+             fmt::format("nothing presses in {}: it bears no action that its friction depends on",
+                         title_of(coupling_)),
+             coupling_.passive ? "add the action that presses to 'passive:'"
+                               : "give the radius on which it rubs, or remove the coefficient");
+    }
+  }
+
+ private:
   // Whether the coupling bears one of the actions that its law counts.
   bool has_pressing_action(const CouplingFriction& friction) const {
     const bool turns = coupling_.type == revolute;
@@ -86,64 +148,22 @@ class FrictionBinder {
   void check_numbers(const FrictionDescription& friction, const CouplingFriction& bound) {
     const bool has_force = friction.mu || friction.tau || friction.c;
     if (!has_force) {
-      refuse(friction.where,
-             fmt::format("the friction of {} has no coefficient", title()),
+      refuse(found_,
+             friction.where,
+             fmt::format("the friction of {} has no coefficient", title_of(coupling_)),
              coupling_.type == revolute || coupling_.type == helical ? "add 'mu', 'tau' or 'c'"
                                                                      : "add 'mu' or 'c'");
     }
     if (coupling_.type == helical && friction.radius && bound.radius == 0.0) {
-      refuse(friction.radius->where,
-             fmt::format("the thread of {} has the radius zero", title()),
+      refuse(found_,
+             friction.radius->where,
+             fmt::format("the thread of {} has the radius zero", title_of(coupling_)),
              "write its mean radius");
     }
   }
 
-  void check_not_negative(const Value& value, double number) {
-    if (number < 0.0) {
-      refuse(value.where,
-             fmt::format("a number of the friction of {} is negative", title()),
-             "friction acts against the motion by itself; write a positive number");
-    }
-  }
-
-  std::optional<double> number(const std::optional<Value>& value, QuantityKind kind) {
-    const auto number = value ? evaluator_.number(*value, kind) : std::nullopt;
-    if (number) {
-      check_not_negative(*value, *number);
-    }
-    return number;
-  }
-
-  // A couple per angular velocity, of a prismatic a force per velocity. A bare number counts in the
-  // units of the file.
-  double viscous(const std::optional<Value>& value) {
-    const auto quantity = value ? evaluator_.quantity(*value) : std::nullopt;
-    if (!quantity) {
-      return 0.0;
-    }
-    const bool slides = coupling_.type == prismatic;
-    const QuantityKind action = slides ? QuantityKind::force : QuantityKind::moment;
-    const QuantityKind rate = slides ? QuantityKind::velocity : QuantityKind::angular_velocity;
-    double number = quantity->value;
-    if (is_bare(quantity->dimension)) {
-      number *= units_.factor(action) / units_.factor(rate);
-    } else if (quantity->dimension != dimension_of(action) / dimension_of(rate)) {
-      found_.error("E0309",
-                   value->where,
-                   fmt::format("'c' of the friction of {} is a {} per {}",
-                               title(),
-                               slides ? "force" : "couple",
-                               slides ? "velocity" : "angular velocity"),
-                   slides ? "write for example c: 5 N*s/m" : "write for example c: 0.1 N*m*s/rad");
-    }
-    check_not_negative(*value, number);
-    return number;
-  }
-
   const CouplingDescription& coupling_;
   const CouplingScrews& screws_;
-  const FileUnits& units_;
-  Evaluator& evaluator_;
   Diagnostics& found_;
 };
 
@@ -167,13 +187,31 @@ bool has_friction_law(const CouplingDescription& coupling) {
   }
 }
 
+template <class Scalar>
+CouplingFrictionOf<Scalar> read_friction(const CouplingDescription& coupling,
+                                         CouplingId id,
+                                         const FileUnits& units,
+                                         EvaluatorOf<Scalar>& evaluator,
+                                         Diagnostics& found) {
+  return FrictionReader<Scalar>(coupling, units, evaluator, found).read(id);
+}
+
+template CouplingFriction read_friction(
+    const CouplingDescription&, CouplingId, const FileUnits&, Evaluator&, Diagnostics&);
+template CouplingFrictionOf<Dual> read_friction(
+    const CouplingDescription&, CouplingId, const FileUnits&, EvaluatorOf<Dual>&, Diagnostics&);
+
 std::optional<CouplingFriction> bind_friction(const CouplingDescription& coupling,
                                               CouplingId id,
                                               const CouplingScrews& screws,
                                               const FileUnits& units,
                                               Evaluator& evaluator,
                                               Diagnostics& found) {
-  return FrictionBinder(coupling, screws, units, evaluator, found).bind(id);
+  const int errors_before = found.error_count();
+  const CouplingFriction result = read_friction(coupling, id, units, evaluator, found);
+  FrictionCheck(coupling, screws, found).check(result);
+  return has_friction_law(coupling) && found.error_count() == errors_before ? std::optional(result)
+                                                                            : std::nullopt;
 }
 
 }  // namespace kinestat

@@ -62,12 +62,14 @@ void add_unheld_loads(const Analysis& analysis, const CaseAnalysis& one, Diagnos
   const std::optional<UnheldMotion>& unheld = one.action->unheld;
   const bool is_named = unheld && !unheld->loads.empty();
   const auto& loads = one.which.loads;
+  const std::string nameless =
+      analysis.mechanism.frictions.empty() ? "the loads" : "what friction causes";
   found.error(
       "E0602",
       is_named ? loads[static_cast<std::size_t>(unheld->loads.front())].where : one.which.where,
       fmt::format("case '{}' has no equilibrium: nothing holds {}{}",
                   one.which.label,
-                  is_named ? loads_text(loads, unheld->loads) : "the loads",
+                  is_named ? loads_text(loads, unheld->loads) : nameless,
                   unheld ? ": " + unheld_text(analysis, *unheld) : ""),
       "add an actuator or a coupling that holds this motion, or remove the load");
 }

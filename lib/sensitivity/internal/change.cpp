@@ -44,6 +44,14 @@ void add_load(BodyId body, double size, int i, const CoordinateBasis& basis, Cha
   }
 }
 
+void add_load(
+    BodyId body, const Wrench& wrench, double size, const CoordinateBasis& basis, Change& change) {
+  const Vec6 coordinates = wrench.coordinates();
+  for (int i = 0; i < 6; ++i) {
+    add_load(body, size * coordinates[i], i, basis, change);
+  }
+}
+
 // What each parameter changes of a wrench times `size`.
 void add_load(BodyId body,
               const WrenchOf<Dual>& wrench,
@@ -70,13 +78,18 @@ void add(const AdjointSolution& adjoint, const Change& change, Sum& sum) {
   }
 }
 
-bool moves(const AdjointSolution& adjoint, const Change& change) {
+bool moves(const AdjointSolution& adjoint, const Change& change, double directly) {
   const double steepest = adjoint.rows.size() == 0 ? 0.0 : adjoint.rows.cwiseAbs().maxCoeff();
-  double sum = 0.0;
-  double size = 0.0;
+  double sum = directly;
+  double size = std::abs(directly);
   for (const auto& [row, value] : change.rows) {
     sum += adjoint.rows[row] * value;
     size += steepest * std::abs(value);
+  }
+  for (std::size_t i = 0; i < change.known.size(); ++i) {
+    const double term = adjoint.known[static_cast<Eigen::Index>(i)] * change.known[i];
+    sum += term;
+    size += std::abs(term);
   }
   return std::abs(sum) > kConsistency * size;
 }
@@ -105,10 +118,10 @@ std::vector<Change> motion_changes(const DualCase& values, const CoordinateBasis
 Change known_actions(const DualCase& values, const CoordinateBasis& basis) {
   Change result;
   for (const Load& load : values.which().loads) {
-    const Vec6 coordinates = load.acts.wrench.coordinates();
-    for (int i = 0; i < 6; ++i) {
-      add_load(load.acts.body, coordinates[i], i, basis, result);
-    }
+    add_load(load.acts.body, load.acts.wrench, 1.0, basis, result);
+  }
+  for (const FrictionAction& friction : values.action()->friction) {
+    add_pair(values.topology().coupling(friction.coupling), friction.wrench, basis, result);
   }
   for (const Primary& primary : values.which().actions) {
     result.known.push_back(primary.value / action_unit(values.topology(), basis, primary.index));
@@ -130,7 +143,23 @@ std::vector<Change> known_action_changes(const DualCase& values, const Coordinat
   return changes;
 }
 
-// The wrench of a coupling changes by ψ d$ on its head, and by the opposite on its tail.
+void add_pair(const CouplingTopology& coupling,
+              const Wrench& wrench,
+              const CoordinateBasis& basis,
+              Change& change) {
+  add_load(coupling.head, wrench, 1.0, basis, change);
+  add_load(coupling.tail, wrench, -1.0, basis, change);
+}
+
+void add_pair_changes(const CouplingTopology& coupling,
+                      const WrenchOf<Dual>& unit,
+                      double size,
+                      const CoordinateBasis& basis,
+                      std::vector<Change>& changes) {
+  add_load(coupling.head, unit, size, basis, changes);
+  add_load(coupling.tail, unit, -size, basis, changes);
+}
+
 void add_action_changes(std::span<const double> magnitudes,
                         const DualCase& values,
                         const CoordinateBasis& basis,
@@ -140,8 +169,7 @@ void add_action_changes(std::span<const double> magnitudes,
     if (magnitudes[a] != 0.0) {
       const CouplingTopology& coupling = topology.coupling(topology.actions[a].coupling);
       const WrenchOf<Dual>& screw = values.derivatives().geometry.actions[a];
-      add_load(coupling.head, screw, magnitudes[a], basis, changes);
-      add_load(coupling.tail, screw, -magnitudes[a], basis, changes);
+      add_pair_changes(coupling, screw, magnitudes[a], basis, changes);
     }
   }
 }

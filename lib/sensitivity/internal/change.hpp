@@ -23,16 +23,31 @@ struct Change {
 /// Adds what a value moves by, if the right-hand side changes so.
 void add(const AdjointSolution& adjoint, const Change& change, Sum& sum);
 
-/// Whether a value moves with the right-hand side by more than the rounding of both.
-bool moves(const AdjointSolution& adjoint, const Change& change);
+/// Whether a value moves with the right-hand side, and beside that by `directly`, by more than the
+/// rounding of all.
+bool moves(const AdjointSolution& adjoint, const Change& change, double directly = 0.0);
 
 /// Of each parameter, in the equations of the motions.
 std::vector<Change> motion_changes(const DualCase& values, const CoordinateBasis& basis);
 
-/// What the case knows: primary actions and loads. Their right-hand side itself, and how each
-/// parameter changes it.
+/// The right-hand side of the equilibrium: primary actions, loads and frictions.
 Change known_actions(const DualCase& values, const CoordinateBasis& basis);
+
+/// How each parameter changes the primary actions and the loads.
 std::vector<Change> known_action_changes(const DualCase& values, const CoordinateBasis& basis);
+
+/// Adds a wrench on the head of a coupling, and its opposite on the tail.
+void add_pair(const CouplingTopology& coupling,
+              const Wrench& wrench,
+              const CoordinateBasis& basis,
+              Change& change);
+
+/// Adds how each parameter, and nothing else, changes such a pair of wrenches of that size.
+void add_pair_changes(const CouplingTopology& coupling,
+                      const WrenchOf<Dual>& unit,
+                      double size,
+                      const CoordinateBasis& basis,
+                      std::vector<Change>& changes);
 
 /// Adds to `changes` how each parameter changes the wrenches of actions of these magnitudes.
 void add_action_changes(std::span<const double> magnitudes,

@@ -16,11 +16,13 @@ std::vector<int> columns_of(const std::vector<Primary>& primaries, int first) {
 
 }  // namespace
 
-FactoredSide::FactoredSide(SparseMatrix system,
+FactoredSide::FactoredSide(CoordinateBasis basis,
+                           SparseMatrix system,
                            const std::vector<Primary>& primaries,
                            int first_column,
                            std::vector<double> units)
-    : row_count_(static_cast<std::size_t>(system.rows)),
+    : basis_(std::move(basis)),
+      row_count_(static_cast<std::size_t>(system.rows)),
       column_count_(system.columns),
       elimination_(std::move(system), columns_of(primaries, first_column)),
       first_column_(first_column),

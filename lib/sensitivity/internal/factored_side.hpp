@@ -11,12 +11,15 @@ namespace kinestat {
 /// Takes magnitudes in SI.
 class FactoredSide {
  public:
-  /// The magnitudes of the side begin at `first_column` of the system; `units` are their SI per
-  /// unit of the unknown.
-  FactoredSide(SparseMatrix system,
+  /// The system is written in the basis; the magnitudes of the side begin at its `first_column`.
+  /// `units` are their SI per unit of the unknown.
+  FactoredSide(CoordinateBasis basis,
+               SparseMatrix system,
                const std::vector<Primary>& primaries,
                int first_column,
                std::vector<double> units);
+
+  const CoordinateBasis& basis() const { return basis_; }
 
   /// The magnitudes for a right-hand side; where they are open, one choice of many.
   std::vector<double> solve(const Change& right) const;
@@ -34,6 +37,7 @@ class FactoredSide {
   std::vector<double> right_hand_side(const Change& change) const;
   std::vector<double> magnitudes_of(const VecX& x) const;
 
+  CoordinateBasis basis_;
   std::size_t row_count_;
   int column_count_;
   Elimination elimination_;

@@ -5,63 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "io/mechanism_reader.hpp"
-#include "io/yaml_tree.hpp"
-#include "kinematics/velocity.hpp"
-#include "mechanism/bind.hpp"
-#include "network/bases.hpp"
 #include "sensitivity/dual_solution.hpp"
-#include "statics/action.hpp"
-#include "support/read_text.hpp"
+#include "sensitivity/solved_case.hpp"
 
 namespace kinestat {
 namespace {
-
-// The first case of a mechanism file, solved and ready to be differentiated by all parameters.
-struct Solved {
-  MechanismDescription description;
-  Mechanism mechanism;
-  MechanismDerivatives derivatives;
-  KinematicSolution motion;
-  StaticSolution action;
-
-  explicit Solved(const std::string& text) {
-    Diagnostics found;
-    const auto root = read_yaml({.path = "test.yaml", .text = text}, ReadLimits{}, found);
-    description = read_mechanism(root.value(), found).value_or(MechanismDescription{});
-    auto bound = bind(description, found);
-    EXPECT_EQ(complaints_of(found), Complaints{});
-    mechanism = std::move(bound).value();
-    std::vector<int> all;
-    for (std::size_t i = 0; i < description.parameters.size(); ++i) {
-      all.push_back(static_cast<int>(i));
-    }
-    derivatives = bind_derivatives(description, mechanism, all);
-    const Case& which = mechanism.cases.front();
-    motion = solve_velocity(
-        mechanism, motion_basis(mechanism.geometry, OrderChoice::minimal), which.motions);
-    const std::vector<BodyWrench> loads = wrenches_of(which.loads);
-    action = solve_action(mechanism,
-                          action_basis(mechanism.geometry, OrderChoice::minimal, loads),
-                          which.actions,
-                          loads);
-  }
-
-  DualCase values() const {
-    return {mechanism,
-            0,
-            motion.status == SolveStatus::solved ? &motion : nullptr,
-            action.magnitudes.empty() ? nullptr : &action,
-            derivatives};
-  }
-
-  std::vector<std::optional<double>> derivatives_of(const std::string& name) const {
-    const DualCase dual = values();
-    const AdjointBases bases = find_adjoint_bases(mechanism, derivatives);
-    CaseAdjoint adjoint(dual, bases);
-    return adjoint.derivatives_of(find_reported_value(dual, name).value());
-  }
-};
 
 const std::string kSliderCrank =
     "kinestat: 1\n"
