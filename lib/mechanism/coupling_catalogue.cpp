@@ -296,22 +296,6 @@ NamedWrenchOf<Scalar> internal_action(const NamedTwistOf<Scalar>& freedom,
                                        : unit_force<Scalar>(freedom.screw.linear, at)};
 }
 
-double reciprocity_error(const CouplingScrews& screws, double length) {
-  const auto scaled = [&](const Vec3& first, const Vec3& second) {
-    const double size = std::max(first.norm(), second.norm() / length);
-    return std::pair<Vec3, Vec3>(first / size, second / (size * length));
-  };
-  double worst = 0.0;
-  for (const NamedTwist& freedom : screws.freedoms) {
-    const auto [angular, linear] = scaled(freedom.screw.angular, freedom.screw.linear);
-    for (const NamedWrench& constraint : screws.constraints) {
-      const auto [force, moment] = scaled(constraint.screw.force, constraint.screw.moment);
-      worst = std::max(worst, std::abs(force.dot(linear) + moment.dot(angular)));
-    }
-  }
-  return worst;
-}
-
 template CouplingScrewsOf<double> coupling_screws(CouplingType, Space, const CouplingGeometry&);
 template CouplingScrewsOf<Dual> coupling_screws(CouplingType,
                                                 Space,

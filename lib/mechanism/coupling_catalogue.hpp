@@ -33,8 +33,4 @@ template <class Scalar>
 NamedWrenchOf<Scalar> internal_action(const NamedTwistOf<Scalar>& freedom,
                                       const Vec3In<Scalar>& at);
 
-/// The largest power of a unit constraint on a unit freedom, lengths counted in `length` [m]; zero
-/// for a coupling that is reciprocal.
-double reciprocity_error(const CouplingScrews& screws, double length);
-
 }  // namespace kinestat

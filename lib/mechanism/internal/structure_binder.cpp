@@ -15,6 +15,7 @@
 #include "mechanism/internal/geometry_check.hpp"
 #include "mechanism/internal/passive_constraints.hpp"
 #include "mechanism/internal/reference_points.hpp"
+#include "mechanism/reciprocity.hpp"
 
 namespace kinestat {
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "math/rank.hpp"
+#include "mechanism/reciprocity.hpp"
 
 namespace kinestat {
 namespace {
