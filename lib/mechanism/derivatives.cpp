@@ -7,6 +7,8 @@
 #include "mechanism/internal/coupling_binder.hpp"
 #include "mechanism/internal/friction_binder.hpp"
 #include "mechanism/internal/reference_points.hpp"
+#include "mechanism/internal/rounding_slopes.hpp"
+#include "mechanism/reciprocity.hpp"
 
 namespace kinestat {
 
@@ -29,17 +31,19 @@ class DerivativeBinder {
                    Diagnostics& found)
       : description_(description), mechanism_(mechanism), evaluator_(evaluator), found_(found) {}
 
-  GeometryOf<Dual> bind_geometries() {
+  // Also finds which parameters break a coupling.
+  GeometryOf<Dual> bind_geometries(std::vector<bool>& breaks) {
     GeometryOf<Dual> result;
     result.origin = mechanism_.geometry.origin;
     result.length = mechanism_.geometry.length;
     std::vector<bool> has_point;
     for (std::size_t e = 0; e < description_.couplings.size(); ++e) {
-      add_coupling(description_.couplings[e], mechanism_.topology.couplings[e], result);
+      add_coupling(description_.couplings[e], mechanism_.topology.couplings[e], result, breaks);
       has_point.push_back(has_place(description_.couplings[e]));
     }
     result.references = bind_reference_points<Dual>(
         description_, has_point, mechanism_.topology, result, evaluator_);
+    drop_rounding(result, breaks.size());
     return result;
   }
 
@@ -147,7 +151,8 @@ class DerivativeBinder {
 
   void add_coupling(const CouplingDescription& coupling,
                     const CouplingTopology& topology,
-                    GeometryOf<Dual>& result) {
+                    GeometryOf<Dual>& result,
+                    std::vector<bool>& breaks) {
     CouplingGeometryOf<Dual> geometry =
         expect(bind_geometry<Dual>(coupling, description_.space, evaluator_, found_));
     if (!has_place(coupling)) {
@@ -158,6 +163,9 @@ class DerivativeBinder {
     const auto screws = coupling_screws<Dual>(coupling.type, description_.space, geometry);
     for (const NamedTwistOf<Dual>& freedom : screws.freedoms) {
       result.motions.push_back(freedom.screw);
+    }
+    if (coupling.type == CouplingType::screws || coupling.screw) {
+      find_breaking_parameters(screws, breaks);
     }
     const bool is_in_space =
         mechanism_.static_order == OrderChoice::spatial && !coupling.passive.has_value();
@@ -206,7 +214,8 @@ MechanismDerivatives bind_derivatives(const MechanismDescription& description,
   DerivativeBinder binder(description, mechanism, evaluator, found);
   MechanismDerivatives result;
   result.parameter_count = parameters.size();
-  result.geometry = binder.bind_geometries();
+  result.breaks_coupling.assign(parameters.size(), false);
+  result.geometry = binder.bind_geometries(result.breaks_coupling);
   binder.bind_frictions(result);
   for (std::size_t c = 0; c < mechanism.cases.size(); ++c) {
     result.cases.push_back(binder.bind_case(description.cases[c], mechanism.cases[c]));

@@ -23,6 +23,7 @@ struct CaseDerivatives {
 struct MechanismDerivatives {
   std::size_t parameter_count = 0;
   GeometryOf<Dual> geometry;
+  std::vector<bool> breaks_coupling;  ///< of each parameter: reciprocity is lost when it moves
   std::vector<CouplingFrictionOf<Dual>> frictions;
   std::vector<bool> starts_friction;  ///< of each parameter: where there is none as yet
   std::vector<CaseDerivatives> cases;

@@ -184,8 +184,11 @@ std::vector<std::optional<double>> CaseAdjoint::derivatives_of(const ReportedVal
   const std::size_t actions = topology.actions.size();
   const std::size_t frictions = values_.friction_count();
   std::vector<std::optional<Sum>> sums;
+  const std::vector<bool>& breaks = values_.derivatives().breaks_coupling;
   for (const double direct : slopes(values_.first_parameter(), values_.parameter_count())) {
-    sums.emplace_back(Sum{.value = direct, .size = std::abs(direct)});
+    const bool is_possible = !breaks[sums.size()];
+    sums.push_back(is_possible ? std::optional(Sum{.value = direct, .size = std::abs(direct)})
+                               : std::nullopt);
   }
   const auto by_rates = slopes(0, rates);
   const auto by_actions = slopes(rates, actions);

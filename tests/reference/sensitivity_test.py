@@ -181,7 +181,10 @@ class Sensitivity(unittest.TestCase):
                     for sign in (-1.0, 1.0)]
             for value, entry in values.items():
                 derivative = entry["by"][name]["derivative"]
-                if derivative is None or not all(value in end for end in ends):
+                # No derivative exactly where the mechanism does not fit beside these numbers.
+                self.assertEqual(derivative is None, not all(value in end for end in ends),
+                                 msg=f"{label}: {value} by {name}")
+                if derivative is None:
                     continue
                 low, high = (end[value]["value"] for end in ends)
                 difference = (high - low) / (2.0 * step)

@@ -1,5 +1,7 @@
 #include "sensitivity/internal/factored_side.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace kinestat {
@@ -53,10 +55,12 @@ std::vector<std::vector<double>> FactoredSide::open_magnitudes() const {
 }
 
 std::vector<double> FactoredSide::right_hand_side(const Change& change) const {
-  std::vector<double> rhs(row_count_, 0.0);
+  std::vector<Sum> sums(row_count_);
   for (const auto& [row, value] : change.rows) {
-    rhs[static_cast<std::size_t>(row)] += value;
+    sums[static_cast<std::size_t>(row)].add(value);
   }
+  std::vector<double> rhs;
+  std::ranges::transform(sums, std::back_inserter(rhs), &Sum::rounded);
   return rhs;
 }
 
