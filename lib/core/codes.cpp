@@ -367,6 +367,12 @@ constexpr auto kCodes = std::to_array<Code>({
      "Two surfaces that touch can only push each other apart: along the normal, which points from "
      "the tail to the head, the action must not be negative. In reality they would part, and the "
      "answer of the case holds only for a contact that is held from both sides."},
+    {"W0901",
+     done,
+     "tolerance meets no value",
+     "No value of the two reports is at the place that '--tolerance' names, or below it, so it "
+     "loosens nothing: a key is misspelt, or a name has changed. Places are JSON Pointers as in the "
+     "differences, for example /cases/drive/ratio; '*' stands for any one key."},
 });
 
 }  // namespace

@@ -94,10 +94,20 @@ class Comparer {
         add_missing(DifferenceType::only_in_b, value);
       }
     }
+    for (const ToleranceRule& rule : tolerances_.rules) {
+      if (rule.is_place() && !is_met(a_, rule.key) && !is_met(b_, rule.key)) {
+        result_.unmet_places.push_back(rule.key);
+      }
+    }
     return std::move(result_);
   }
 
  private:
+  static bool is_met(const ReportValues& values, std::string_view pattern) {
+    return std::ranges::any_of(
+        values.items(), [&](const ReportValue& value) { return is_within(value.place, pattern); });
+  }
+
   void compare_values(const ReportValue& a, const ReportValue& b) {
     const bool are_numbers = a.type == ValueType::number && b.type == ValueType::number;
     if (are_numbers) {

@@ -39,6 +39,7 @@ struct Difference {
 struct ReportComparison {
   std::size_t value_count = 0;  ///< places that either report has
   std::vector<Difference> differences;
+  std::vector<std::string> unmet_places;  ///< of tolerances: neither report has a value there
 };
 
 /// Compares two reports of one form by the places of their values; the order of the values does not

@@ -15,10 +15,6 @@ namespace kinestat {
 
 namespace {
 
-bool is_place(std::string_view key) {
-  return key.starts_with('/');
-}
-
 // Says what is wrong with one option.
 class OptionReader {
  public:
@@ -91,7 +87,8 @@ std::optional<ToleranceRule> read_rule(const std::string& text, Diagnostics& fou
     return reader.refuse("this is not KEY=VALUE", "write for example --tolerance moment=1e-6");
   }
   const std::string key = text.substr(0, equals);
-  if (!is_place(key) && std::ranges::find(value_kinds(), key) == value_kinds().end()) {
+  const bool is_place = key.starts_with('/');
+  if (!is_place && std::ranges::find(value_kinds(), key) == value_kinds().end()) {
     const std::string guess = did_you_mean(key, value_kinds());
     return reader.refuse(fmt::format("there is no kind of quantity '{}'", key),
                          fmt::format("{}{}kinds are {}; a place begins with '/'",
@@ -103,7 +100,7 @@ std::optional<ToleranceRule> read_rule(const std::string& text, Diagnostics& fou
   if (!rule) {
     return {};
   }
-  if (rule->dimension && !is_place(key) && !measures(*rule->dimension, key)) {
+  if (rule->dimension && !is_place && !measures(*rule->dimension, key)) {
     return reader.refuse(fmt::format("this is {}, not a {}", phrase_of(*rule->dimension), key),
                          "write a unit that fits, or the number alone");
   }
@@ -113,7 +110,7 @@ std::optional<ToleranceRule> read_rule(const std::string& text, Diagnostics& fou
 
 bool fits(const ToleranceRule& rule, const NumberPair& pair) {
   const bool is_meant =
-      is_place(rule.key) ? is_within(pair.place, rule.key) : rule.key == pair.unit.kind;
+      rule.is_place() ? is_within(pair.place, rule.key) : rule.key == pair.unit.kind;
   return is_meant && (!rule.dimension || *rule.dimension == pair.unit.dimension);
 }
 

@@ -27,6 +27,9 @@ struct ToleranceRule {
   double value = 0.0;
   bool is_relative = false;            ///< a share of the larger value
   std::optional<Dimension> dimension;  ///< of a value in SI; none: it counts in the unit of A
+
+  /// Whether the key is a pattern of places, and not a kind.
+  bool is_place() const { return key.starts_with('/'); }
 };
 
 struct Tolerances {

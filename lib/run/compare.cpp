@@ -2,6 +2,9 @@
 
 #include <optional>
 
+#include <fmt/format.h>
+
+#include "core/utf8.hpp"
 #include "io/read_file.hpp"
 #include "report/compare.hpp"
 #include "report/compare_report.hpp"
@@ -70,6 +73,19 @@ std::string text_of(const ReportComparison& comparison,
                                               : comparison_text(comparison);
 }
 
+void warn_of_unmet_places(const ReportComparison& comparison, Outcome& outcome) {
+  Diagnostics found;
+  for (const std::string& place : comparison.unmet_places) {
+    found.warning("W0901",
+                  {},
+                  fmt::format("--tolerance '{}': no value is there or below", printable(place)),
+                  "'kinestat compare --format json' and the JSON report name the places");
+  }
+  if (!found.items().empty()) {
+    add_diagnostics({}, found, Strictness::normal, outcome);
+  }
+}
+
 }  // namespace
 
 Outcome compare_reports(const std::string& path_a,
@@ -93,6 +109,7 @@ Outcome compare_reports(const std::string& path_a,
   }
   const ReportComparison comparison = compare(*a, *b, *tolerances);
   outcome.out = text_of(comparison, path_a, path_b, options);
+  warn_of_unmet_places(comparison, outcome);
   if (!comparison.differences.empty()) {
     outcome.status = worst(outcome.status, ExitStatus::check_failed);
   }

@@ -196,9 +196,10 @@ class SensitivityJob {
   }
 
   static std::optional<ReportedValue> find_value(const DualCase& values, const std::string& name) {
-    const std::string prefix = fmt::format("/cases/{}/", values.which().label);
+    const std::string_view path = name.starts_with('/') ? std::string_view(name).substr(1) : name;
+    const std::string prefix = fmt::format("cases/{}/", values.which().label);
     return find_reported_value(values,
-                               name.starts_with(prefix) ? name.substr(prefix.size()) : name);
+                               path.starts_with(prefix) ? path.substr(prefix.size()) : path);
   }
 
   // A value may be missing in some cases, but not in all.
@@ -209,11 +210,13 @@ class SensitivityJob {
             "E0101",
             {},
             fmt::format("--of '{}': no case has such a value with derivatives", printable(name)),
-            guess_before(name,
-                         known_names_,
-                         fmt::format("write one of {}, or a path of the report below a case: "
-                                     "kinematics/bodies/BODY/linear/0",
-                                     plain_list(known_names_))));
+            known_names_.empty()
+                ? "no case is solved: 'kinestat analyze' says why"
+                : guess_before(name,
+                               known_names_,
+                               fmt::format("write one of {}, or a path of the report below a case: "
+                                           "kinematics/bodies/BODY/linear/0",
+                                           plain_list(known_names_))));
       }
     }
   }

@@ -113,6 +113,7 @@ class FrictionCheck {
              "leave 'length' out where the couple across the axis does not count");
     }
     check_numbers(friction, bound);
+    check_place(friction);
     if (bound.mu > 0.0 && has_friction_law(coupling_) && !has_pressing_action(bound)) {
       refuse(found_,
              friction.mu->where,
@@ -124,6 +125,19 @@ class FrictionCheck {
   }
 
  private:
+  // A couple that presses is one about the place of the coupling.
+  void check_place(const FrictionDescription& friction) {
+    const bool is_without = coupling_.type == prismatic && !coupling_.at;
+    const std::optional<Value>& value = friction.length ? friction.length : friction.radius;
+    if (is_without && value) {
+      refuse(found_,
+             value->where,
+             fmt::format("the friction of {} depends on a couple, but the coupling has no place",
+                         title_of(coupling_)),
+             "add 'at:', the middle of the guide");
+    }
+  }
+
   // Whether the coupling bears one of the actions that its law counts.
   bool has_pressing_action(const CouplingFriction& friction) const {
     const bool turns = coupling_.type == revolute;
