@@ -371,7 +371,8 @@ constexpr auto kCodes = std::to_array<Code>({
      done,
      "tolerance meets no value",
      "No value of the two reports is at the place that '--tolerance' names, or below it, so it "
-     "loosens nothing: a key is misspelt, or a name has changed. Places are JSON Pointers as in the "
+     "loosens nothing: a key is misspelt, or a name has changed. Places are JSON Pointers as in "
+     "the "
      "differences, for example /cases/drive/ratio; '*' stands for any one key."},
 });
 
