@@ -37,7 +37,7 @@ MAY_INCLUDE: dict[str, set[str]] = {
         "kinematics": _MECHANICS,
         "statics": f"{_MECHANICS} kinematics",
         "sensitivity": _BOTH_SIDES,
-        "power": "core math screw mechanism network kinematics statics",
+        "power": "core math graph screw mechanism network kinematics statics",
         "shift": f"{_BOTH_SIDES} power",
         "motion": f"{_MECHANICS} mobility kinematics",
         "synthesis": "core math screw description",

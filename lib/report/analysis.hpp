@@ -9,6 +9,7 @@
 #include "mechanism/mechanism.hpp"
 #include "mobility/counts.hpp"
 #include "power/power_flow.hpp"
+#include "power/power_graph.hpp"
 #include "power/ratio.hpp"
 #include "sensitivity/affine.hpp"
 #include "statics/static_solution.hpp"
@@ -34,6 +35,7 @@ struct CaseAnalysis {
   std::optional<KinematicSolution> motion;
   std::optional<StaticSolution> action;
   std::optional<PowerFlow> power;
+  std::optional<PowerGraph> power_graph;        ///< beside `power`
   std::optional<Ratios> ratios;
   std::vector<AffineMagnitude> affine_rates;    ///< only those that depend on a free parameter
   std::vector<AffineMagnitude> affine_actions;  ///< likewise

@@ -76,7 +76,8 @@ class CsvWriter {
     const std::string group = quantity.substr(0, quantity.find('/'));
     const char last = quantity.empty() ? ' ' : quantity.back();
     if (place.pass == "power") {
-      const bool is_share = group == "balance_residual" || group == "efficiency";
+      const bool is_share =
+          group == "balance_residual" || group == "efficiency" || group == "recirculation";
       return is_share ? "" : units.text(QuantityKind::power);
     }
     if (group == "rate") {
@@ -216,6 +217,9 @@ void add_case(CsvWriter& writer, const Place& place, const Json& pass) {
     if (pass.contains("efficiency")) {
       writer.add(place, "efficiency/friction", pass["efficiency"]["friction"]);
     }
+    add_elements(writer, place, pass["bodies"], "body");
+    add_elements_if_any(writer, place, pass, "meshes", "mesh");
+    writer.add(place, "recirculation/factor", pass["recirculation"]["factor"]);
     writer.add(place, "input", pass["input"]);
     writer.add(place, "balance_residual", pass["balance_residual"]);
   }

@@ -6,6 +6,7 @@
 #include "report/in_units.hpp"
 #include "report/json_values.hpp"
 #include "report/mechanism_json.hpp"
+#include "report/power_json.hpp"
 #include "report/ratio_in_units.hpp"
 #include "report/solution_json.hpp"
 #include "report/statics_json.hpp"
@@ -56,45 +57,6 @@ Json kinematics_json(const Mechanism& mechanism,
   }
   result["evidence"] = evidence_json(motion.evidence);
   result["evidence"]["residual"] = is_solved ? number(motion.residual) : Json(nullptr);
-  return result;
-}
-
-Json power_json(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
-  const Topology& topology = mechanism.topology;
-  const PowerFlow& flow = *one.power;
-  Json result = object_of(8);
-  result["status"] = flow.is_balanced ? "solved" : "inconsistent";
-  result["couplings"] = object_of(topology.couplings.size());
-  result["supplied"] = object_of(topology.couplings.size());
-  for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
-    result["couplings"][topology.couplings[e].name] =
-        flow.into_head[e] ? number(in.power(*flow.into_head[e])) : Json(nullptr);
-    result["supplied"][topology.couplings[e].name] = number(in.power(flow.supplied[e]));
-  }
-  result["actuators"] = object_of(8);
-  for (std::size_t i = 0; i < topology.actuators.size(); ++i) {
-    result["actuators"][topology.actuators[i].name] = number(in.power(flow.actuators[i]));
-  }
-  if (!flow.loads.empty()) {
-    result["loads"] = object_of(flow.loads.size());
-    for (std::size_t i = 0; i < flow.loads.size(); ++i) {
-      result["loads"][one.which.loads[i].name] = number(in.power(flow.loads[i]));
-    }
-  }
-  if (!flow.friction.empty()) {
-    result["friction"] = object_of(flow.friction.size());
-    for (std::size_t i = 0; i < flow.friction.size(); ++i) {
-      const CouplingId coupling = one.action->friction[i].coupling;
-      result["friction"][topology.coupling(coupling).name] = number(in.power(flow.friction[i]));
-    }
-    result["efficiency"]["friction"] = number(flow.efficiency);
-    if (!flow.no_efficiency.empty()) {
-      result["efficiency"]["reason"] = flow.no_efficiency;
-    }
-    result["self_locking"] = flow.is_self_locking;
-  }
-  result["input"] = number(in.power(flow.input));
-  result["balance_residual"] = number(flow.balance_residual);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include "report/in_units.hpp"
 #include "report/numbers.hpp"
 #include "report/ratio_in_units.hpp"
+#include "report/power_text.hpp"
 #include "report/statics_text.hpp"
 #include "report/table.hpp"
 
@@ -117,6 +118,9 @@ std::string case_text(const Analysis& analysis, const CaseAnalysis& one) {
   }
   if (one.action) {
     text += statics_text(mechanism, one, in);
+  }
+  if (one.power) {
+    text += power_text(mechanism, one, in);
   }
   return text + affine_text(analysis, one);
 }

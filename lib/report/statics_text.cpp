@@ -1,7 +1,5 @@
 #include "report/statics_text.hpp"
 
-#include <string_view>
-
 #include <fmt/format.h>
 
 #include "report/column_table.hpp"
@@ -182,29 +180,6 @@ std::string friction_text(const Mechanism& mechanism, const CaseAnalysis& one, c
   return table.text("  ") + "\n";
 }
 
-std::string efficiency_text(const PowerFlow& flow) {
-  if (flow.is_self_locking) {
-    return "; self-locking: friction takes more than the inputs give";
-  }
-  if (flow.efficiency) {
-    return fmt::format("; efficiency {}", format_short(*flow.efficiency));
-  }
-  return flow.no_efficiency.empty() ? "" : "; no efficiency: " + flow.no_efficiency;
-}
-
-std::string power_text(const PowerFlow& flow, const InUnits& in) {
-  const std::string_view all =
-      flow.loads.empty() ? "the powers of all couplings" : "the powers of all couplings and loads";
-  return fmt::format(
-      "  input power {} {}{}; {}\n\n",
-      format_short(in.power(flow.input)),
-      in.units().text(QuantityKind::power),
-      efficiency_text(flow),
-      flow.is_balanced
-          ? fmt::format("{} sum to zero", all)
-          : fmt::format("{} sum to {:.3g} of the largest", all, flow.balance_residual));
-}
-
 }  // namespace
 
 std::string statics_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
@@ -219,9 +194,6 @@ std::string statics_text(const Mechanism& mechanism, const CaseAnalysis& one, co
                     : constraints_text(mechanism.topology, *one.action, in) +
                           self_stresses_text(mechanism.topology, *one.action, in);
   text += loads_text(mechanism, one, in) + friction_text(mechanism, one, in);
-  if (one.power) {
-    text += power_text(*one.power, in);
-  }
   return text;
 }
 

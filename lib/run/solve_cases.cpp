@@ -125,6 +125,8 @@ CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Ca
   if (is_solved(result.motion) && has_answer(result.action) &&
       determines_power(mechanism, *result.action)) {
     result.power = find_power(mechanism, which, *result.motion, *result.action);
+    result.power_graph =
+        find_power_graph(mechanism, which, *result.motion, *result.action, *result.power);
   }
   if (is_solved(result.motion) && !which.inputs.empty() && which.outputs.size() == 1) {
     result.ratios = find_ratios(

@@ -33,7 +33,7 @@ SECTIONS = {
     "statics": {"action": "actions", "load": "loads", "friction": "friction",
                 None: "couplings"},
     "power": {"into_head": "couplings", "supplied": "supplied", "actuator": "actuators",
-              "load": "loads", "friction": "friction"},
+              "load": "loads", "friction": "friction", "body": "bodies", "mesh": "meshes"},
 }
 
 
@@ -110,6 +110,7 @@ def repeated_values(report: Any) -> list[Any]:
         if "power" in case:
             found += numbers(case["power"].get("efficiency", {}))
             found += [case["power"]["input"], case["power"]["balance_residual"]]
+            found += [case["power"]["recirculation"]["factor"]]
     return found
 
 

@@ -1,0 +1,169 @@
+#include "power/power_graph.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/tolerance.hpp"
+#include "graph/strong_components.hpp"
+
+namespace kinestat {
+
+namespace {
+
+class GraphBuilder {
+ public:
+  GraphBuilder(const Mechanism& mechanism,
+               const Case& which,
+               const KinematicSolution& motion,
+               const StaticSolution& action,
+               const PowerFlow& flow)
+      : topology_(mechanism.topology),
+        geometry_(mechanism.geometry),
+        which_(which),
+        motion_(motion),
+        action_(action),
+        flow_(flow) {}
+
+  PowerGraph run() {
+    graph_.bodies.assign(topology_.bodies.size(), BodyPower{});
+    for (int e = 0; e < topology_.coupling_count(); ++e) {
+      add_coupling(CouplingId{e});
+    }
+    for (std::size_t i = 0; i < flow_.loads.size(); ++i) {
+      add_to(which_.loads[i].acts.body, flow_.loads[i]);
+    }
+    drop_rounding();
+    find_mesh_powers();
+    find_loops();
+    if (flow_.input > 0.0) {
+      double largest = 0.0;
+      for (const PowerArc& arc : graph_.arcs) {
+        largest = std::max(largest, arc.power);
+      }
+      graph_.factor = largest / flow_.input;
+    }
+    return std::move(graph_);
+  }
+
+ private:
+  void add_coupling(CouplingId id) {
+    const auto e = static_cast<std::size_t>(id.value);
+    const CouplingTopology& coupling = topology_.couplings[e];
+    if (!flow_.into_head[e]) {
+      graph_.bodies[static_cast<std::size_t>(coupling.tail.value)] = std::nullopt;
+      graph_.bodies[static_cast<std::size_t>(coupling.head.value)] = std::nullopt;
+      return;
+    }
+    const double into_head = *flow_.into_head[e];
+    const double out_of_tail =
+        power(*action_.wrenches[e], motion_.bodies[static_cast<std::size_t>(coupling.tail.value)]);
+    add_to(coupling.head, into_head);
+    add_to(coupling.tail, -out_of_tail);
+    largest_ = std::max({largest_, std::abs(into_head), std::abs(out_of_tail)});
+    const double through = std::min(std::abs(into_head), std::abs(out_of_tail));
+    if (into_head > 0.0 && out_of_tail > 0.0) {
+      graph_.arcs.push_back(
+          {.coupling = id, .from = coupling.tail, .to = coupling.head, .power = through});
+    } else if (into_head < 0.0 && out_of_tail < 0.0) {
+      graph_.arcs.push_back(
+          {.coupling = id, .from = coupling.head, .to = coupling.tail, .power = through});
+    }
+  }
+
+  void add_to(BodyId body, double power) {
+    std::optional<BodyPower>& powers = graph_.bodies[static_cast<std::size_t>(body.value)];
+    if (powers) {
+      powers->received += std::max(power, 0.0);
+      powers->given += std::max(-power, 0.0);
+    }
+  }
+
+  bool is_rounding(double power) const { return std::abs(power) <= kPowerBalance * largest_; }
+
+  void drop_rounding() {
+    std::erase_if(graph_.arcs, [&](const PowerArc& arc) { return is_rounding(arc.power); });
+  }
+
+  void find_mesh_powers() {
+    for (const Mesh& mesh : find_meshes(topology_, geometry_)) {
+      const auto e = static_cast<std::size_t>(mesh.coupling.value);
+      if (mesh.carrier && flow_.into_head[e]) {
+        const auto head = static_cast<std::size_t>(topology_.couplings[e].head.value);
+        const auto carrier = static_cast<std::size_t>(mesh.carrier->value);
+        const double rolling =
+            power(*action_.wrenches[e], motion_.bodies[head] - motion_.bodies[carrier]);
+        graph_.meshes.push_back({.coupling = mesh.coupling,
+                                 .carrier = *mesh.carrier,
+                                 .rolling = is_rounding(rolling) ? 0.0 : rolling});
+      }
+    }
+  }
+
+  void find_loops() {
+    Digraph flow{.vertex_count = topology_.body_count(), .edges = {}};
+    for (const PowerArc& arc : graph_.arcs) {
+      flow.edges.push_back({.tail = arc.from.value, .head = arc.to.value});
+    }
+    for (const std::vector<int>& part : find_strong_components(flow)) {
+      graph_.loops.push_back(loop_of(part));
+    }
+  }
+
+  PowerLoop loop_of(const std::vector<int>& part) const {
+    PowerLoop loop;
+    const auto is_member = [&](BodyId body) { return std::ranges::count(part, body.value) > 0; };
+    for (const int body : part) {
+      loop.bodies.push_back(BodyId{body});
+    }
+    for (std::size_t i = 0; i < graph_.arcs.size(); ++i) {
+      const PowerArc& arc = graph_.arcs[i];
+      if (is_member(arc.from) && is_member(arc.to)) {
+        loop.arcs.push_back(i);
+        loop.rolls = loop.rolls || rolls(arc.coupling);
+      }
+    }
+    if (loop.arcs.size() == loop.bodies.size()) {
+      put_in_order(loop);
+    }
+    return loop;
+  }
+
+  bool rolls(CouplingId coupling) const {
+    const auto mesh = std::ranges::find(graph_.meshes, coupling, &MeshPower::coupling);
+    return mesh != graph_.meshes.end() && mesh->rolling != 0.0;
+  }
+
+  // As many arcs as bodies are a single circle: each body has one arc that leaves it.
+  void put_in_order(PowerLoop& loop) const {
+    const std::vector<std::size_t> arcs = loop.arcs;
+    BodyId at = loop.bodies.front();
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      const auto next =
+          *std::ranges::find(arcs, at, [&](std::size_t arc) { return graph_.arcs[arc].from; });
+      loop.bodies[i] = at;
+      loop.arcs[i] = next;
+      at = graph_.arcs[next].to;
+    }
+  }
+
+  const Topology& topology_;
+  const Geometry& geometry_;
+  const Case& which_;
+  const KinematicSolution& motion_;
+  const StaticSolution& action_;
+  const PowerFlow& flow_;
+  PowerGraph graph_;
+  double largest_ = 0.0;
+};
+
+}  // namespace
+
+PowerGraph find_power_graph(const Mechanism& mechanism,
+                            const Case& which,
+                            const KinematicSolution& motion,
+                            const StaticSolution& action,
+                            const PowerFlow& flow) {
+  return GraphBuilder(mechanism, which, motion, action, flow).run();
+}
+
+}  // namespace kinestat

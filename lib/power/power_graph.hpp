@@ -1,0 +1,63 @@
+// Which way the power goes from body to body in one case, and whether it goes in circles.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "kinematics/kinematic_solution.hpp"
+#include "mechanism/mechanism.hpp"
+#include "mechanism/mesh.hpp"
+#include "power/power_flow.hpp"
+#include "statics/static_solution.hpp"
+
+namespace kinestat {
+
+/// Power that a coupling hands on from one body to another.
+struct PowerArc {
+  CouplingId coupling;
+  BodyId from;
+  BodyId to;
+  double power =
+      0.0;  ///< [W], positive: what leaves `from` and what reaches `to`, whichever is less
+};
+
+/// What a body gets and gives through its couplings and loads [W]; in balance they are equal.
+struct BodyPower {
+  double received = 0.0;
+  double given = 0.0;
+};
+
+/// Teeth seen from their carrier, where only what rolls transmits power.
+struct MeshPower {
+  CouplingId coupling;
+  BodyId carrier;
+  double rolling = 0.0;  ///< into the head in the carrier's frame [W]; |rolling| is what losses of
+                         ///< the mesh are a share of (rolling, latent or potential power)
+};
+
+/// Bodies each of which sends power, by way of others, to all the others: power that goes in a
+/// circle and loads its members without reaching the output.
+struct PowerLoop {
+  std::vector<BodyId> bodies;     ///< in the sense of the flow where that is a single circle
+  std::vector<std::size_t> arcs;  ///< indices into PowerGraph::arcs, likewise
+  bool rolls = false;             ///< whether a mesh among them rolls, and so loses power
+};
+
+/// Seen from the ground, so that a train that turns as a block carries power too. Couplings whose
+/// wrench is open are left out, and with them the balance of their bodies.
+struct PowerGraph {
+  std::vector<PowerArc> arcs;                    ///< in the order of the couplings
+  std::vector<std::optional<BodyPower>> bodies;  ///< of all bodies; the ground, at rest, has zeros
+  std::vector<MeshPower> meshes;                 ///< those whose carrier is known
+  std::vector<PowerLoop> loops;
+  std::optional<double> factor;  ///< γ: largest power of an arc over the input; none without input
+};
+
+/// The flow must be that of the motion and the actions.
+PowerGraph find_power_graph(const Mechanism& mechanism,
+                            const Case& which,
+                            const KinematicSolution& motion,
+                            const StaticSolution& action,
+                            const PowerFlow& flow);
+
+}  // namespace kinestat

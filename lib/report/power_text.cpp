@@ -1,0 +1,98 @@
+#include "report/power_text.hpp"
+
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "report/numbers.hpp"
+#include "report/table.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Power through a mesh as the ground sees it, and as its carrier does.
+std::string meshes_text(const Topology& topology, const CaseAnalysis& one, const InUnits& in) {
+  const std::vector<MeshPower>& meshes = one.power_graph->meshes;
+  if (meshes.empty()) {
+    return {};
+  }
+  const std::string unit = in.units().text(QuantityKind::power);
+  Table table(
+      {"Mesh", "carrier", fmt::format("power [{}]", unit), fmt::format("rolling [{}]", unit)});
+  for (const MeshPower& mesh : meshes) {
+    const auto e = static_cast<std::size_t>(mesh.coupling.value);
+    table.add({topology.couplings[e].name,
+               topology.body(mesh.carrier).name,
+               format_short(in.power(*one.power->into_head[e])),
+               format_short(in.power(mesh.rolling))});
+  }
+  return table.text("  ") + "\n";
+}
+
+// "carrier -(f)-> planet5 -(i)-> planet6 -(g)-> carrier", or the members where there are several
+// circles.
+std::string circle_text(const Topology& topology, const PowerGraph& graph, const PowerLoop& loop) {
+  std::string text;
+  for (std::size_t i = 0; i < loop.bodies.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + topology.body(loop.bodies[i]).name;
+  }
+  if (loop.arcs.size() != loop.bodies.size()) {
+    return "among " + text;
+  }
+  text.clear();
+  for (const std::size_t arc : loop.arcs) {
+    text += fmt::format("{} -({})-> ",
+                        topology.body(graph.arcs[arc].from).name,
+                        topology.coupling(graph.arcs[arc].coupling).name);
+  }
+  return text + topology.body(loop.bodies.front()).name;
+}
+
+std::string loops_text(const Topology& topology, const PowerGraph& graph, const InUnits& in) {
+  std::string text;
+  for (const PowerLoop& loop : graph.loops) {
+    double largest = 0.0;
+    for (const std::size_t arc : loop.arcs) {
+      largest = std::max(largest, graph.arcs[arc].power);
+    }
+    text += fmt::format("  power goes in a circle: {}, up to {} {}; {}\n",
+                        circle_text(topology, graph, loop),
+                        format_short(in.power(largest)),
+                        in.units().text(QuantityKind::power),
+                        loop.rolls ? "its teeth roll" : "no teeth roll in it");
+  }
+  return text;
+}
+
+std::string efficiency_text(const PowerFlow& flow) {
+  if (flow.is_self_locking) {
+    return "; self-locking: friction takes more than the inputs give";
+  }
+  if (flow.efficiency) {
+    return fmt::format("; efficiency {}", format_short(*flow.efficiency));
+  }
+  return flow.no_efficiency.empty() ? "" : "; no efficiency: " + flow.no_efficiency;
+}
+
+std::string balance_text(const PowerFlow& flow, const InUnits& in) {
+  const std::string_view all =
+      flow.loads.empty() ? "the powers of all couplings" : "the powers of all couplings and loads";
+  return fmt::format(
+      "  input power {} {}{}; {}\n\n",
+      format_short(in.power(flow.input)),
+      in.units().text(QuantityKind::power),
+      efficiency_text(flow),
+      flow.is_balanced
+          ? fmt::format("{} sum to zero", all)
+          : fmt::format("{} sum to {:.3g} of the largest", all, flow.balance_residual));
+}
+
+}  // namespace
+
+std::string power_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
+  return meshes_text(mechanism.topology, one, in) +
+         loops_text(mechanism.topology, *one.power_graph, in) + balance_text(*one.power, in);
+}
+
+}  // namespace kinestat
