@@ -339,7 +339,7 @@ constexpr auto kCodes = std::to_array<Code>({
      "is overconstrained, or fewer actions are given than it needs. Determined ones have values, "
      "the others are listed, and the report has the self-stresses that are possible. Give more "
      "actions (the hint names sets that would do), release constraints by 'passive:', give "
-     "couplings a stiffness, or ask for the values of least norm; 'kinestat help loads' has "
+     "couplings a stiffness, or ask for the values of least norm; 'kinestat help stiffness' has "
      "examples."},
     {"W0602",
      done,
