@@ -93,8 +93,7 @@ void add_model_sections(const MechanismDescription& description,
       const auto add = [&](std::string_view what) {
         list.push_back({.where = station.where,
                         .what = fmt::format("{} of pulley '{}'", what, station.body.text),
-                        .hint = "remove it; where the rope slips, an actuator on its virtual "
-                                "coupling may give a couple: 'kinestat help cables'",
+                        .hint = {},
                         .decides = has_statics});
       };
       if (station.friction) {
