@@ -26,7 +26,7 @@ void add_analyze(CLI::App& parent, Job& job) {
   command->footer(
       "  kinestat analyze mechanisms/planar/four_bar.yaml\n"
       "  kinestat analyze --out reports mechanisms/transmissions/*.yaml\n"
-      "  kinestat analyze --format json --set N1=24 train.yaml\n"
+      "  kinestat analyze --format json --set Ns=24 train.yaml\n"
       "  generator | kinestat analyze --format csv -\n");
   auto options = std::make_shared<FileOptions>();
   AnalyseOptions& analyse = options->analyse;

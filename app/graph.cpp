@@ -35,7 +35,7 @@ void add_graph(CLI::App& parent, Job& job) {
       "graph", "Show the coupling graph: tree, circuits, cut-sets, matrices.");
   command->footer(
       "  kinestat graph mechanisms/planar/four_bar.yaml\n"
-      "  kinestat graph --matrices --format csv --case M1 train.yaml\n");
+      "  kinestat graph --matrices --format csv --case 'gear 1' train.yaml\n");
   auto options = std::make_shared<GraphOptions>();
   add_files(*command, options->files);
   add_format(*command, options->files);

@@ -44,7 +44,7 @@ void add_inputs(CLI::App& parent, Job& job) {
       "inputs", "List which motions and actions determine all others, the best first.");
   command->footer(
       "  kinestat inputs crank.yaml\n"
-      "  kinestat inputs --actuators --with motor train.yaml\n"
+      "  kinestat inputs --actuators --with in train.yaml\n"
       "  kinestat inputs --judge a.wz,d.wz crank.yaml\n");
   auto options = std::make_shared<InputsOptions>();
   add_files(*command, options->files);

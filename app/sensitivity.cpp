@@ -33,8 +33,8 @@ void add_sensitivity(CLI::App& parent, Job& job) {
       "sensitivity", "Show how answers move with each parameter (derivatives).");
   command->footer(
       "  kinestat sensitivity mechanisms/transmissions/ravigneaux.yaml\n"
-      "  kinestat sensitivity --of ratio --of c.Rx --by crank four_bar.yaml\n"
-      "  kinestat sensitivity --of kinematics/bodies/coupler/linear/0 four_bar.yaml\n");
+      "  kinestat sensitivity --of ratio --of c.Rx --by frame_length crank.yaml\n"
+      "  kinestat sensitivity --of kinematics/bodies/coupler/linear/0 crank.yaml\n");
   auto options = std::make_shared<SensitivityOptions>();
   add_files(*command, options->files);
   add_format(*command, options->files);

@@ -47,8 +47,8 @@ constexpr auto kCodes = std::to_array<Code>({
      environment,
      "out of memory",
      "The machine, or the limit set for this process, has too little memory for the input. No "
-     "file was left half written. Raise the limit ('ulimit -v'), or leave out of the file what is "
-     "not of the mechanism."},
+     "file was left half written. Raise the limit ('ulimit -v'), or leave out of the file what "
+     "does not belong to the mechanism."},
     {"E0155",
      bug,
      "internal error",
@@ -140,8 +140,10 @@ constexpr auto kCodes = std::to_array<Code>({
     {"E0305",
      wrong_input,
      "value is not one of those allowed",
-     "The place takes one of a few words, and this is another. The hint lists them all; 'kinestat "
-     "help couplings' says what the types of couplings mean."},
+     "The place takes one of a few words, or numbers within limits, and this is another: a type "
+     "of coupling that does not exist, a negative stiffness, or a coefficient of friction where "
+     "nothing presses. The hint says what may stand; 'kinestat help couplings' says what the "
+     "types of couplings mean."},
     {"E0306",
      wrong_input,
      "name cannot be used",
@@ -152,9 +154,9 @@ constexpr auto kCodes = std::to_array<Code>({
     {"E0307",
      wrong_input,
      "name is declared twice",
-     "Two things of one kind have the same name, so that a reference to it could mean either. "
-     "Bodies have one name space; couplings and actuators share another. The note shows the first "
-     "place; rename one of the two."},
+     "Two things of one kind have the same name, so that a reference to it could mean either, or "
+     "one name is given twice where it may stand once. Bodies have one name space; couplings and "
+     "actuators share another. The note shows the first place; rename or remove one of the two."},
     {"E0308",
      wrong_input,
      "number or expression cannot be read",
@@ -202,9 +204,10 @@ constexpr auto kCodes = std::to_array<Code>({
      no_answer,
      "mechanism is not analysed yet",
      "The file is right, but something in it that decides the answer belongs to the format and "
-     "not yet to the analysis of this version. Without it an answer would be wrong, so there is "
-     "none, and the exit status is 5. 'kinestat help couplings' and 'kinestat help format' say "
-     "what is analysed."},
+     "not yet to the analysis of this version: the section 'gears', a freewheel, a point that "
+     "differs from body to body, friction of some types, or a coupling without its place. "
+     "Without it an answer would be wrong, so there is none, and the exit status is 5. The hint "
+     "says what to write instead; 'kinestat help format' lists what is not analysed."},
     {"E0316",
      wrong_input,
      "value has no result",
@@ -269,9 +272,9 @@ constexpr auto kCodes = std::to_array<Code>({
     {"E0604",
      wrong_input,
      "friction has no direction",
-     "Friction acts against the motion of its coupling, so the case must say how that moves: give "
-     "'motion:'. Where the coupling rests, friction may have any size up to its limit, and statics "
-     "alone cannot tell: leave it out of such a coupling."},
+     "Friction acts against the motion of its coupling, so the case must say how that moves: "
+     "give 'motion:'. Where the coupling rests, friction may have any size up to its limit, and "
+     "statics alone cannot tell: leave it out of such a coupling. See 'kinestat help friction'."},
     {"E0701",
      no_answer,
      "power balance is violated",
@@ -313,13 +316,15 @@ constexpr auto kCodes = std::to_array<Code>({
     {"W0301",
      done,
      "declared but never used",
-     "It may stand, but nothing depends on it. Often a name is misspelt where it is used, or "
-     "something was forgotten there."},
+     "It may stand, but nothing depends on it: a parameter in no expression, a stiffness that "
+     "'statics:' does not ask for, gravity without masses, a load on the ground. Often a name is "
+     "misspelt where it is used, or something was forgotten there."},
     {"W0302",
      done,
      "section is not analysed yet",
-     "The section is read and checked, but this version has no analysis for it. The rest of the "
-     "file is analysed as if the section were absent; no other answer depends on it."},
+     "The section or key is read and checked, but this version has no analysis for it. The rest "
+     "of the file is analysed as if it were absent; no other answer depends on it. 'kinestat "
+     "check' warns in this way also of what leaves 'kinestat analyze' without an answer (E0315)."},
     {"W0303",
      done,
      "angle is more than a full turn",
@@ -337,30 +342,30 @@ constexpr auto kCodes = std::to_array<Code>({
      "actions are statically indeterminate",
      "Equilibrium alone does not determine every action with those that are known: the mechanism "
      "is overconstrained, or fewer actions are given than it needs. Determined ones have values, "
-     "the others are listed, and the report has the self-stresses that are possible. Give more "
-     "actions (the hint names sets that would do), release constraints by 'passive:', give "
-     "couplings a stiffness, or ask for the values of least norm; 'kinestat help loads' has "
-     "examples."},
+     "the others are listed, and the report has the self-stresses that are possible. Friction "
+     "that such actions cause is open, too. Give more actions (the hint names sets that would "
+     "do), release constraints by 'passive:', give couplings a stiffness, or ask for the values "
+     "of least norm; 'kinestat help stiffness' has examples."},
     {"W0602",
      done,
      "mechanism is self-locking in this case",
-     "With friction the input alone does not move the output: the output, too, must give power. "
-     "Without friction it would take some. In a screw jack it means that the load does not lower "
-     "itself; then it is a result and no mistake."},
+     "With friction the input alone does not move the output: the output, too, must give power, "
+     "although without friction it would take some. In a screw jack it means that the load does "
+     "not lower itself; then it is a result and no mistake."},
     {"W0603",
      done,
      "friction locks the mechanism",
      "The friction grows with the actions that it causes, and at these coefficients there is no "
      "finite solution for the motion of the case: the mechanism jams. The report has the status "
-     "'locked' and no actions for the case."},
+     "'locked' and no actions for the case. Less friction, a longer guide or another direction "
+     "of motion may have an answer; 'kinestat help friction' says how friction is counted."},
     {"W0604",
      done,
      "a reaction does not rub",
      "The coupling has friction and bears a force or couple that would press too, but the file "
-     "does "
-     "not say on what radius or length, so that it adds nothing to the friction. Give the "
-     "dimension "
-     "that the hint names; where the surface runs on rollers or balls, tau may stand for it."},
+     "does not say on what radius or length, so that it adds nothing to the friction. Give the "
+     "dimension that the hint names; where the surface runs on rollers or balls, tau may stand "
+     "for it."},
     {"W0605",
      done,
      "a contact would have to pull",

@@ -212,12 +212,11 @@ void report_unanalysed(const std::vector<Unanalysed>& list, Purpose purpose, Dia
   for (const Unanalysed& one : list) {
     std::string message = fmt::format("{} is not analysed yet", one.what);
     if (one.decides && purpose == Purpose::analyse) {
-      found.error("E0315",
-                  one.where,
-                  std::move(message),
-                  !one.hint.empty() ? one.hint
-                                    : "'kinestat check' validates the file; 'kinestat help "
-                                      "format' lists what this version analyses");
+      found.error(
+          "E0315",
+          one.where,
+          std::move(message),
+          !one.hint.empty() ? one.hint : "'kinestat help format' lists what this version analyses");
     } else {
       found.warning("W0302", one.where, std::move(message), one.hint);
     }

@@ -32,12 +32,11 @@ void add_missing_places(const MechanismDescription& description, std::vector<Una
   const bool is_cable = first->type == CouplingType::cable;
   list.push_back(
       {.where = first->name.where,
-       .what =
-           fmt::format("a file that can only be counted, as {} has no {}{},",
-                       word(*first),
-                       is_cable ? "'from' and 'to'" : "'at'",
-                       count == 1 ? "" : fmt::format(", nor have {} others a place", count - 1)),
-       .hint = fmt::format("'kinestat mobility' counts it; for more, add {}",
+       .what = fmt::format("{} has no {}{}, and a file that can only be counted",
+                           word(*first),
+                           is_cable ? "'from' and 'to'" : "'at'",
+                           count == 1 ? "" : fmt::format(", nor have {} more a place", count - 1)),
+       .hint = fmt::format("add {}; 'kinestat mobility' counts the file as it is",
                            is_cable ? "from: and to:, its ends on the tail and on the head"
                                     : "'at', the point of the coupling in the drawn position"),
        .decides = true,
@@ -47,22 +46,36 @@ void add_missing_places(const MechanismDescription& description, std::vector<Una
 void add_coupling(const CouplingDescription& coupling,
                   bool has_statics,
                   std::vector<Unanalysed>& list) {
-  const auto add = [&](SourceRange where, std::string what, bool decides) {
-    list.push_back({.where = where, .what = std::move(what), .hint = {}, .decides = decides});
+  const auto add = [&](SourceRange where, std::string what, std::string hint, bool decides) {
+    list.push_back(
+        {.where = where, .what = std::move(what), .hint = std::move(hint), .decides = decides});
   };
   if (coupling.at && !coupling.at->of_bodies.empty()) {
-    add(coupling.at->where, fmt::format("misclosure of {}", word(coupling)), true);
+    add(coupling.at->where,
+        fmt::format("misclosure of {}", word(coupling)),
+        "write one point after 'at:', where both bodies are drawn to meet",
+        true);
   }
   if (coupling.at && coupling.at->along_axis) {
     add(coupling.at->where,
         fmt::format("position of {} along its axis alone", word(coupling)),
+        "write the whole point, at: [x, y, z]",
         true);
   }
   if (coupling.one_way) {
-    add(coupling.name.where, fmt::format("freewheel {}", word(coupling)), true);
+    add(coupling.name.where,
+        fmt::format("freewheel {}", word(coupling)),
+        fmt::format(
+            "remove 'one_way'; each case says whether it is engaged, motion: {{{0}: 0}}, or "
+            "open, action: {{{0}: 0}}",
+            coupling.name.text),
+        true);
   }
   if (coupling.friction && !has_friction_law(coupling)) {
-    add(coupling.friction->where, fmt::format("friction of {}", word(coupling)), has_statics);
+    add(coupling.friction->where,
+        fmt::format("friction of {}", word(coupling)),
+        "remove it; 'kinestat help friction' lists the types whose friction is analysed",
+        has_statics);
   }
 }
 
@@ -70,7 +83,10 @@ void add_model_sections(const MechanismDescription& description,
                         bool has_statics,
                         std::vector<Unanalysed>& list) {
   if (description.gears) {
-    list.push_back({description.gears->where, "section 'gears'", "", true});
+    list.push_back({description.gears->where,
+                    "section 'gears'",
+                    "write each mesh as a coupling of type gear: 'kinestat help couplings'",
+                    true});
   }
   for (const CableDescription& cable : description.cables) {
     for (const CableStation& station : cable.over) {
