@@ -61,6 +61,10 @@ constexpr auto kRules = std::to_array<std::pair<std::string_view, Rule>>({
     {"/cases/*/power/couplings", Rule::power},
     {"/cases/*/power/supplied", Rule::power},
     {"/cases/*/power/actuators", Rule::power},
+    {"/cases/*/power/arcs", Rule::power},
+    {"/cases/*/power/bodies", Rule::power},
+    {"/cases/*/power/meshes", Rule::power},
+    {"/cases/*/power/recirculation", Rule::bare},
     {"/cases/*/power/input", Rule::power},
     {"/cases/*/affine/*/*", Rule::affine},
 });
