@@ -35,7 +35,7 @@ struct CaseAnalysis {
   std::optional<KinematicSolution> motion;
   std::optional<StaticSolution> action;
   std::optional<PowerFlow> power;
-  std::optional<PowerGraph> power_graph;        ///< beside `power`
+  std::optional<PowerGraph> power_graph;  ///< beside `power`
   std::optional<Ratios> ratios;
   std::vector<AffineMagnitude> affine_rates;    ///< only those that depend on a free parameter
   std::vector<AffineMagnitude> affine_actions;  ///< likewise

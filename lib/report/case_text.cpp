@@ -7,8 +7,8 @@
 #include "report/column_table.hpp"
 #include "report/in_units.hpp"
 #include "report/numbers.hpp"
-#include "report/ratio_in_units.hpp"
 #include "report/power_text.hpp"
+#include "report/ratio_in_units.hpp"
 #include "report/statics_text.hpp"
 #include "report/table.hpp"
 
