@@ -64,7 +64,8 @@ std::string wrenches_text(const Mechanism& mechanism,
   std::vector<TextColumn> columns = {std::move(names)};
   force.add_to(columns);
   moment.add_to(columns);
-  return table_text(columns);
+  const bool is_empty = columns.size() == 1;
+  return is_empty ? "" : table_text(columns);
 }
 
 // Every passive action by itself, "?" where equilibrium does not determine it.

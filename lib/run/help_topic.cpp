@@ -48,7 +48,9 @@ Outcome help_topic(const std::string& word, std::span<const std::string> command
   const std::string guess = did_you_mean(word, words);
   add_message("E0101",
               fmt::format("there is no help on '{}'", printable(word)),
-              guess.empty() ? fmt::format("topics are {}", plain_list(help_topics())) : guess,
+              guess.empty()
+                  ? fmt::format("topics are {}", plain_list(help_topics(), help_topics().size()))
+                  : guess,
               outcome);
   return outcome;
 }

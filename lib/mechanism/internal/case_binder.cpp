@@ -172,6 +172,13 @@ class CaseBinder {
     }
   }
 
+  // "actuators are M1, M2; "
+  std::string actuators_text() const {
+    return actuators_.names().empty()
+               ? "there are no actuators; "
+               : fmt::format("actuators are {}; ", plain_list(actuators_.names()));
+  }
+
   // "did you mean 'a.wz'? that coupling has a.wz"
   std::string hint_for(const Name& target,
                        std::string_view word,
@@ -188,13 +195,11 @@ class CaseBinder {
       }
     }
     const std::string guess = did_you_mean(target.text, candidates);
-    const std::string hint = same_coupling.empty()
-                                 ? fmt::format("actuators are {}; {}s are {}",
-                                               plain_list(actuators_.names()),
-                                               word,
-                                               plain_list(names))
-                                 : fmt::format("write {}, or declare an actuator on that coupling",
-                                               fmt::join(same_coupling, " or "));
+    const std::string hint =
+        same_coupling.empty()
+            ? fmt::format("{}{}s are {}", actuators_text(), word, plain_list(names))
+            : fmt::format("write {}, or declare an actuator on that coupling",
+                          fmt::join(same_coupling, " or "));
     return guess.empty() ? hint : fmt::format("{} {}", guess, hint);
   }
 
