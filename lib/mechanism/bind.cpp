@@ -10,6 +10,7 @@
 #include "description/cable_expansion.hpp"
 #include "graph/components.hpp"
 #include "mechanism/internal/cable_check.hpp"
+#include "mechanism/internal/cable_contact_binder.hpp"
 #include "mechanism/internal/case_binder.hpp"
 #include "mechanism/internal/compliance_binder.hpp"
 #include "mechanism/internal/geometry_check.hpp"
@@ -272,6 +273,7 @@ std::optional<Mechanism> bind_for(Purpose purpose,
     } else if (bind_graph(description, found, result)) {
       result.cases = bind_cases(description, result.topology, evaluator, found);
       result.compliances = bind_compliances(description, result.topology, evaluator);
+      bind_contacts(description, evaluator, found, result);
       check_reported_quantities(description, result.topology, found);
     }
   }

@@ -37,7 +37,7 @@ void add_missing_places(const MechanismDescription& description, std::vector<Una
                        word(*first),
                        is_cable ? "'from' and 'to'" : "'at'",
                        count == 1 ? "" : fmt::format(", nor have {} others a place", count - 1)),
-       .hint = fmt::format("'kinestat mobility' counts it; for more, add {}",
+       .hint = fmt::format("add {}; 'kinestat mobility' counts the file as it is",
                            is_cable ? "from: and to:, its ends on the tail and on the head"
                                     : "'at', the point of the coupling in the drawn position"),
        .decides = true,
@@ -66,27 +66,9 @@ void add_coupling(const CouplingDescription& coupling,
   }
 }
 
-void add_model_sections(const MechanismDescription& description,
-                        bool has_statics,
-                        std::vector<Unanalysed>& list) {
+void add_model_sections(const MechanismDescription& description, std::vector<Unanalysed>& list) {
   if (description.gears) {
     list.push_back({description.gears->where, "section 'gears'", "", true});
-  }
-  for (const CableDescription& cable : description.cables) {
-    for (const CableStation& station : cable.over) {
-      const auto add = [&](std::string_view what) {
-        list.push_back({.where = station.where,
-                        .what = fmt::format("{} of pulley '{}'", what, station.body.text),
-                        .hint = {},
-                        .decides = has_statics});
-      };
-      if (station.friction) {
-        add("friction");
-      }
-      if (station.eta) {
-        add("'eta'");
-      }
-    }
   }
 }
 
@@ -117,7 +99,7 @@ std::vector<Unanalysed> find_unanalysed(const MechanismDescription& description)
   for (const CouplingDescription& coupling : description.couplings) {
     add_coupling(coupling, has_statics, list);
   }
-  add_model_sections(description, has_statics, list);
+  add_model_sections(description, list);
   add_passes(description, list);
   return list;
 }

@@ -11,6 +11,7 @@
 #include "power/power_flow.hpp"
 #include "power/ratio.hpp"
 #include "sensitivity/affine.hpp"
+#include "statics/contact_state.hpp"
 #include "statics/static_solution.hpp"
 
 namespace kinestat {
@@ -33,6 +34,8 @@ struct CaseAnalysis {
   Case which;
   std::optional<KinematicSolution> motion;
   std::optional<StaticSolution> action;
+  std::vector<ContactState> contacts;  ///< of ropes with pulleys, in the order of the mechanism's
+  std::optional<VecX> pretension;      ///< of each action, which keeps pushed segments taut
   std::optional<PowerFlow> power;
   std::optional<Ratios> ratios;
   std::vector<AffineMagnitude> affine_rates;    ///< only those that depend on a free parameter

@@ -113,10 +113,36 @@ void add_across(const Sliding& s, const Vec3& axis, double weight, FrictionLaw& 
   }
 }
 
+// The tension of a segment.
+PressingPart tension_part(const Mechanism& mechanism, CouplingId segment, double weight) {
+  const auto a = static_cast<std::size_t>(mechanism.topology.coupling(segment).first_action);
+  PressingPart result = axial_part(mechanism.geometry.actions[a].force, weight);
+  result.of = segment;
+  return result;
+}
+
+// Ropes hold back a pulley by the difference of their tensions, that behind being the k-th part of
+// that ahead (Eytelwein: k = exp(μ θ)).
+void add_ropes(const Sliding& s, FrictionLaw& law) {
+  const double rate = s.twist.angular.dot(s.unit().angular);
+  for (const RopeFriction& rope : s.friction.ropes) {
+    const bool runs_on = rate * rope.radius > 0.0;
+    const std::optional<CouplingId>& ahead = runs_on ? rope.leaves : rope.arrives;
+    const std::optional<CouplingId>& behind = runs_on ? rope.arrives : rope.leaves;
+    const double share = ahead ? 1.0 - 1.0 / rope.ratio : rope.ratio - 1.0;
+    law.parts.push_back(
+        tension_part(s.mechanism, ahead ? *ahead : *behind, std::abs(rope.radius) * share));
+  }
+}
+
 FrictionLaw revolute(const Sliding& s) {
   const Vec3 axis = s.unit().angular;
   const double mu = s.friction.mu;
   FrictionLaw law = turning(s);
+  add_ropes(s, law);
+  if (mu == 0.0) {
+    return law;
+  }
   add_across(s, axis, mu * s.friction.radius, law);
   if (s.friction.thrust_radius > 0.0) {
     law.parts.push_back(axial_part(axis, mu * s.friction.thrust_radius));

@@ -1,6 +1,7 @@
 // What friction a coupling has, as a function of the actions that it bears.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "kinematics/kinematic_solution.hpp"
@@ -11,6 +12,7 @@ namespace kinestat {
 /// A part of the reaction that presses: |part · wrench| times a weight. A scalar part may have
 /// another weight where it is negative.
 struct PressingPart {
+  std::optional<CouplingId> of;  ///< whose wrench presses; empty: that of the law's own coupling
   Eigen::Matrix<double, 3, 6> part = Eigen::Matrix<double, 3, 6>::Zero();
   double weight = 0.0;
   double weight_if_negative = 0.0;  ///< of the first component, the others being zero
@@ -31,7 +33,7 @@ struct IgnoredPart {
 };
 
 /// The friction of one coupling in one case: of tail on head `unit` times the magnitude
-/// constant + Σ weight |part · wrench of the coupling|, which is never negative. Screws are written
+/// constant + Σ weight |part · wrench of a coupling|, which is never negative. Screws are written
 /// about the origin of the Geometry.
 struct FrictionLaw {
   CouplingId coupling;

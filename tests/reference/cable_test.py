@@ -11,9 +11,10 @@ from __future__ import annotations
 
 import sys
 import unittest
+from fractions import Fraction
 
 import program
-from reference_case import CASES, ReferenceCase, number
+from reference_case import CASES, TABLES, ReferenceCase, number
 from reference_test_case import ReferenceTest
 
 PULLEYS = ("alves_davies_maxima_1_2_10", "alves_davies_matroid_3_6_10", "alves_davies_slanted")
@@ -129,6 +130,112 @@ class Ropes(ReferenceTest):
                     self.assertEqual(report["mobility"]["planar"]["net_freedom"], 1)
                     self.near(rates["e.wz"], -1.0 / place(model, "e")[0], "w_e")
                     self.near(rates["b.vy"], -1.0, "v_b")
+
+
+def tackle(falls: int, eta: float) -> str:
+    """Sheaves in turn above and below, a fall beside each; an odd number hangs at the block."""
+    couplings, stations, bodies = [], [], []
+    for i in range(1, falls + 1):
+        above = i % 2 == 1
+        owner, y = ("beam", 500) if above else ("block", 0)
+        bodies.append(f"s{i}")
+        couplings.append(
+            f"  B{i}: {{type: revolute, bodies: [{owner}, s{i}], at: [{100 * i}, {y}]}}")
+        stations.append(f"      - {{pulley: s{i}, radius: 50, eta: {eta}, "
+                        f"wrap: {'' if above else 'counter'}clockwise}}")
+    end = ("block", 0) if falls % 2 else ("beam", 500)
+    stations.append(f"      - {{body: {end[0]}, at: [{100 * falls + 50}, {end[1]}]}}")
+    lines = ["kinestat: 1", "space: planar", "units: {length: mm}", "ground: beam",
+             f"bodies: [hand, block, {', '.join(bodies)}]", "couplings:",
+             "  H: {type: prismatic, bodies: [beam, hand], at: [50, 0], axis: y}",
+             "  L: {type: prismatic, bodies: [beam, block], at: [300, 0], axis: y}", *couplings,
+             "cables:", "  rope:", "    over:", "      - {body: hand, at: [50, 0]}", *stations,
+             "actuators: {hand: {coupling: H}, load: {coupling: L}}", "cases:",
+             "  up: {motion: {hand: -12}, action: {hand: -1 N}, input: hand, output: load}",
+             "  down: {motion: {hand: 12}, action: {load: -1 N}, input: load, output: hand}"]
+    return "\n".join(lines) + "\n"
+
+
+class Tackles(ReferenceTest):
+    """n falls: the load rises with the n-th part of the speed; MA = eta (1 - eta^n)/(1 - eta)."""
+
+    def test_without_losses(self) -> None:
+        for falls in range(1, 7):
+            with self.subTest(falls):
+                case = program.run("analyze", "-", text=tackle(falls, 1.0))["cases"]["up"]
+                self.near(case["kinematics"]["freedoms"]["L.vy"], 12.0 / falls, "speed")
+                self.near(case["statics"]["actions"]["load"], -falls, "load", falls)
+                reference = CASES.get(f"block_tackle_{falls}")
+                if reference:
+                    self.assertEqual(reference["expected"]["MA"], falls)
+
+    def test_with_losses(self) -> None:
+        eta = Fraction(95, 100)
+        for falls in range(1, 7):
+            with self.subTest(falls):
+                cases = program.run("analyze", "-", text=tackle(falls, 0.95))["cases"]
+                advantage = eta * (1 - eta ** falls) / (1 - eta)
+                up, down = cases["up"], cases["down"]
+                self.near(up["statics"]["actions"]["load"], -float(advantage), "load", falls)
+                self.near(up["power"]["efficiency"]["friction"], float(advantage / falls), "eta")
+                self.near(up["torque_ratio"], 1.0 / float(advantage), "torque ratio")
+                behind = sum(1 / eta ** k for k in range(1, falls + 1))
+                self.near(down["statics"]["actions"]["hand"], -float(1 / behind), "hand")
+                for k in range(1, falls + 2):
+                    tension = up["statics"]["actions"][f"rope_{k}.F"]
+                    self.near(tension, float(eta ** (k - 1)), f"tension {k}")
+        self.assertEqual(eta * (1 - eta ** 4) / (1 - eta), Fraction("3.52438125"))
+
+
+class Capstans(ReferenceTest):
+    """exp(mu theta) against the table of davies.json, the rope being pulled either way."""
+
+    # Where the rope comes from and goes to, the axes of its ends, and full turns beside the arc.
+    ROUTES = {"pi": ("[-1, -9]", "y", "[1, -9]", "y", 0),
+              "pi/2": ("[-1, -9]", "y", "[9, 1]", "x", 0),
+              "2 pi": ("[-9, 1]", "x", "[9, 1]", "x", 1),
+              "6 pi": ("[-9, 1]", "x", "[9, 1]", "x", 3)}
+
+    def test_ratios(self) -> None:
+        self.assertEqual(len(TABLES["capstan"]), 4)
+        for row in TABLES["capstan"]:
+            start, first, end, last, turns = self.ROUTES[row["theta_expr"]]
+            text = f"""\
+kinestat: 1
+space: planar
+ground: frame
+bodies: [first, last]
+couplings:
+  a: {{type: prismatic, bodies: [frame, first], at: {start}, axis: {first}}}
+  b: {{type: prismatic, bodies: [frame, last], at: {end}, axis: {last}}}
+cables:
+  rope:
+    over:
+      - {{body: first, at: {start}}}
+      - {{pulley: frame, at: [0, 0], radius: 1, wrap: clockwise, slip: true, turns: {turns},
+         friction: {row['mu']}}}
+      - {{body: last, at: {end}}}
+cases:
+  onwards: {{motion: {{rope_frame.wz: -2}}, action: {{rope_1.F: 1}}}}
+  back: {{motion: {{rope_frame.wz: 2}}, action: {{rope_1.F: 1}}}}
+actuators: {{A: {{coupling: a}}, B: {{coupling: b}}}}
+"""
+            with self.subTest(row["theta_expr"]):
+                cases = program.run("analyze", "-", text=text)["cases"]
+                for label, ratio in (("onwards", row["ratio"]), ("back", 1 / row["ratio"])):
+                    statics = cases[label]["statics"]
+                    contact = statics["contacts"]["rope_frame"]
+                    self.near(contact["wrap"], row["theta"], "theta", row["theta"])
+                    self.near(contact["limit"], row["ratio"], "limit", row["ratio"])
+                    self.near(statics["actions"]["rope_2.F"], ratio, "T_2", ratio)
+                    self.near(contact["ratio"], row["ratio"], "ratio", row["ratio"])
+                    self.assertEqual(contact["grip"], "slips")
+                    # Clockwise is the order of the rope: onwards at the speed 2.
+                    speed = 2.0 if label == "onwards" else -2.0
+                    self.near(contact["slip_speed"], speed, "slip")
+                    power = (1 - ratio) * speed
+                    self.near(contact["slip_power"], power, "power", abs(power))
+                    self.assertLess(contact["slip_power"], 0.0)
 
 
 if __name__ == "__main__":
