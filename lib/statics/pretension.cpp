@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/tolerance.hpp"
+#include "math/linear_programme.hpp"
+#include "math/orthonormal.hpp"
 #include "statics/equilibrium.hpp"
 
 namespace kinestat {
@@ -31,43 +33,30 @@ double least_force(const Mechanism& mechanism, const StaticSolution& solution) {
   return kNoReaction * largest;
 }
 
-VecX scales_of(const Mechanism& mechanism) {
-  VecX scales(mechanism.topology.action_count());
-  for (Eigen::Index a = 0; a < scales.size(); ++a) {
-    const bool is_couple = mechanism.topology.actions[static_cast<std::size_t>(a)].is_couple;
-    scales[a] = is_couple ? mechanism.geometry.length : 1.0;
+// The self-stresses that no actuator takes part in, one a column.
+MatX passive_stresses(const Mechanism& mechanism, const CoordinateBasis& basis) {
+  const Equilibrium equilibrium(mechanism, basis, mechanism.topology.driving_actions());
+  const std::vector<VecX> vectors = equilibrium.self_stresses();
+  MatX stresses(mechanism.topology.action_count(), static_cast<Eigen::Index>(vectors.size()));
+  for (std::size_t j = 0; j < vectors.size(); ++j) {
+    stresses.col(static_cast<Eigen::Index>(j)) = vectors[j];
   }
-  return scales;
+  return stresses;
 }
 
-// The self-stresses that no actuator takes part in.
-std::vector<SelfStress> passive_stresses(const Mechanism& mechanism, const CoordinateBasis& basis) {
-  std::vector<int> driving;
-  for (const ActuatorTopology& actuator : mechanism.topology.actuators) {
-    driving.push_back(actuator.action);
-  }
-  const Equilibrium equilibrium(mechanism, basis, std::move(driving));
-  return list_self_stresses(equilibrium.self_stresses(), scales_of(mechanism));
-}
-
-// In the sense in which it pulls; empty if it pushes on a segment too, or pulls on none.
-std::optional<VecX> pulling(const SelfStress& stress,
-                            const std::vector<int>& tensions,
-                            Eigen::Index count) {
-  VecX vector = VecX::Zero(count);
-  for (const DependenceTerm& term : stress.terms) {
-    vector[term.index] = term.coefficient;
-  }
-  double low = 0.0;
-  double high = 0.0;
-  for (const int a : tensions) {
-    low = std::min(low, vector[a]);
-    high = std::max(high, vector[a]);
-  }
-  if ((low < 0.0) == (high > 0.0)) {
-    return std::nullopt;
-  }
-  return low < 0.0 ? VecX(-vector) : vector;
+// The factors y of the columns of `pulls` for which they pull at least `least` on each segment and
+// the sum is least: pulls y - s = least with s >= 0. Empty if there are none.
+std::optional<VecX> least_factors(const MatX& pulls, const VecX& least) {
+  const Eigen::Index n = pulls.cols();
+  const Eigen::Index segments = pulls.rows();
+  MatX A(segments, 2 * n + segments);
+  A.leftCols(n) = pulls;
+  A.middleCols(n, n) = -pulls;
+  A.rightCols(segments) = -MatX::Identity(segments, segments);
+  VecX costs = VecX::Zero(A.cols());
+  costs.tail(segments).setOnes();
+  const std::optional<VecX> x = find_least_cost(A, least, costs);
+  return x ? std::optional<VecX>(x->head(n) - x->segment(n, n)) : std::nullopt;
 }
 
 }  // namespace
@@ -91,31 +80,27 @@ std::optional<VecX> find_pretension(const Mechanism& mechanism,
                                     const CoordinateBasis& basis,
                                     const StaticSolution& solution) {
   const std::vector<int> tensions = find_tensions(mechanism.topology);
-  VecX forces(mechanism.topology.action_count());
-  for (const int a : tensions) {
-    const std::optional<double> force = solution.magnitudes[static_cast<std::size_t>(a)];
+  VecX least(static_cast<Eigen::Index>(tensions.size()));
+  for (std::size_t i = 0; i < tensions.size(); ++i) {
+    const std::optional<double> force = solution.magnitudes[static_cast<std::size_t>(tensions[i])];
     if (!force) {
       return std::nullopt;
     }
-    forces[a] = *force;
+    least[static_cast<Eigen::Index>(i)] = std::max(0.0, -*force);
   }
-  VecX sum = VecX::Zero(forces.size());
-  for (const SelfStress& stress : passive_stresses(mechanism, basis)) {
-    const std::optional<VecX> vector = pulling(stress, tensions, forces.size());
-    double multiple = 0.0;
-    for (const int a : vector ? tensions : std::vector<int>{}) {
-      if ((*vector)[a] > 0.0) {
-        multiple = std::max(multiple, -(forces[a] + sum[a]) / (*vector)[a]);
-      }
-    }
-    if (multiple > 0.0) {
-      sum += multiple * *vector;
-    }
+  const MatX stresses = passive_stresses(mechanism, basis);
+  if (stresses.cols() == 0 || tensions.empty()) {
+    return std::nullopt;
   }
-  const double least = least_force(mechanism, solution);
-  const bool is_taut =
-      std::ranges::all_of(tensions, [&](int a) { return forces[a] + sum[a] >= -least; });
-  return is_taut ? std::optional(sum) : std::nullopt;
+  // Only combinations that differ in the tensions, so that nothing else is stressed for nothing.
+  const MatX parts = orthonormal_range(stresses(tensions, Eigen::all).transpose());
+  const MatX pulls = stresses(tensions, Eigen::all) * parts;
+  const double size = pulls.cols() == 0 ? 0.0 : pulls.cwiseAbs().maxCoeff();
+  if (size == 0.0) {
+    return std::nullopt;
+  }
+  const std::optional<VecX> factors = least_factors(pulls / size, least);
+  return factors ? std::optional<VecX>(stresses * (parts * (*factors / size))) : std::nullopt;
 }
 
 }  // namespace kinestat

@@ -13,10 +13,10 @@ namespace kinestat {
 std::vector<CouplingId> find_pushed_segments(const Mechanism& mechanism,
                                              const StaticSolution& solution);
 
-/// The least actions [N·m or N], one an action, that keep every segment from being pushed when they
-/// are added: multiples of self-stresses without an actuator that pull on segments and push on
-/// none. A segment is then just slack. Empty where no self-stress does, or if a force is not known.
-/// Where several self-stresses pull on the same segment, it takes the first that is listed.
+/// The actions [N·m or N], one an action, that keep every segment from being pushed when they are
+/// added: the self-stress without an actuator that pulls or leaves alone every segment and whose
+/// sum of tensions is least. A segment is then just slack. Empty where no self-stress does, or if a
+/// force is not known.
 std::optional<VecX> find_pretension(const Mechanism& mechanism,
                                     const CoordinateBasis& basis,
                                     const StaticSolution& solution);

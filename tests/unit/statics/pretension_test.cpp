@@ -85,6 +85,26 @@ TEST(Pretension, LiftsTheSlackSegmentOfEachBeltToZero) {
   EXPECT_NEAR(belt.pretension("in"), 0.0, 1e-10);
 }
 
+TEST(Pretension, CombinesSelfStressesSoThatTheSumOfTensionsIsLeast) {
+  // A slide between ropes in one line, two to the left and one to the right: T1 + T2 = T3.
+  const Solved ropes(
+      "space: planar\n"
+      "ground: frame\n"
+      "bodies: [slide]\n"
+      "couplings:\n"
+      "  a: {type: prismatic, bodies: [frame, slide], at: [0, 0], axis: x}\n"
+      "  r1: {type: cable, bodies: [frame, slide], from: [-5, 0], to: [0, 0]}\n"
+      "  r2: {type: cable, bodies: [frame, slide], from: [-5, 0], to: [0, 0]}\n"
+      "  r3: {type: cable, bodies: [frame, slide], from: [5, 0], to: [0, 0]}\n"
+      "cases: {one: {action: {r1.F: -8, r2.F: 3}}}\n");
+
+  // r3 is -8 + 3 = -5: r1 needs 8, which r3 bears too; r2 stays as it is.
+  EXPECT_EQ(ropes.pushed(), (Names{"r1", "r3"}));
+  EXPECT_NEAR(ropes.pretension("r1.F"), 8.0, 1e-10);
+  EXPECT_NEAR(ropes.pretension("r2.F"), 0.0, 1e-10);
+  EXPECT_NEAR(ropes.pretension("r3.F"), 8.0, 1e-10);
+}
+
 TEST(Pretension, DoesNotExistForARopeThatNothingStretches) {
   const Solved rope(
       "space: planar\n"
