@@ -16,16 +16,22 @@ std::optional<double> tension(const Mechanism& mechanism,
   return solution.magnitudes[static_cast<std::size_t>(action)];
 }
 
-// The rate of the virtual link relative to the pulley; no slip without a virtual link.
+// The rate of the virtual link relative to the pulley; no slip without a virtual link. What is
+// rounding beside the fastest motion is none, as for friction.
 double slip_speed(const Mechanism& mechanism,
                   const CableContact& contact,
                   const KinematicSolution& motion) {
   if (!contact.slips) {
     return 0.0;
   }
+  const double length = mechanism.geometry.length;
+  double fastest = 0.0;
+  for (const Twist& twist : motion.bodies) {
+    fastest = std::max({fastest, twist.angular.norm() * length, twist.linear.norm()});
+  }
   const CouplingTopology& coupling = mechanism.topology.coupling(*contact.slips);
-  const auto freedom = static_cast<std::size_t>(coupling.first_freedom);
-  return motion.rates[freedom] * contact.radius;
+  const double rate = motion.rates[static_cast<std::size_t>(coupling.first_freedom)];
+  return std::abs(rate) * length > kReportZero * fastest ? rate * contact.radius : 0.0;
 }
 
 Grip grip_of(const ContactState& state) {
