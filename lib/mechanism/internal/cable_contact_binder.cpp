@@ -107,10 +107,13 @@ class ContactBinder {
                                      .friction = mu,
                                      .where = station.where});
     }
+    if ((mu.value_or(0.0) > 0.0 || eta < 1.0) && !check_sense(station)) {
+      return;
+    }
     // Only what slips rubs; the friction of what does not is a limit.
     rope.radius = pulley.radius;
     rope.ratio = (slips ? std::exp(mu.value_or(0.0) * wrap.value_or(0.0)) : 1.0) / eta;
-    if (rope.ratio > 1.0 && check_sense(station)) {
+    if (rope.ratio > 1.0) {
       add_friction(station, pulley, slips, rope);
     }
   }
