@@ -444,6 +444,48 @@ class TautRopes(ReferenceTest):
         return "\n".join([start, *lines, "cases:", f"  taut: {{action: {{{known}}}}}", ""])
 
 
+class Tables(ReferenceTest):
+    """Alves 2023, tables 3.1 to 3.7: links, pairs, freedoms, circuits, M."""
+
+    # Bodies, pairs of class I and V, circuits, mobility in space; eqs. 3.1, 3.2, 3.4 to 3.7. For the
+    # instrument the source prints fourteen circuits, which its own tables make 37 - 26 + 1 = 12.
+    PRINTED = {
+        "pulley_without_slip": (4, 2, 3, 2, 1),
+        "pulley": (5, 2, 4, 2, 2),
+        "two_pulleys": (7, 3, 6, 3, 3),
+        "two_pulleys_with_weights": (7, 3, 4, 1, 13),
+        "finger_rehabilitation": (9, 4, 8, 4, 4),
+        "surgical_instrument": (26, 12, 25, 12, 13),
+    }
+
+    def test_mobility(self) -> None:
+        for name, (bodies, ropes, others, circuits, mobility) in self.PRINTED.items():
+            with self.subTest(name):
+                path = MECHANISMS / "cables" / f"{name}.yaml"
+                report = program.run("mobility", str(path))["mobility"]
+                count = report["grubler"]["spatial"]
+                self.assertEqual(count["bodies"], bodies)
+                self.assertEqual(count["couplings"], ropes + others)
+                self.assertEqual(count["freedoms"], 5 * ropes + others)
+                self.assertEqual(count["mobility"], mobility)
+                self.assertEqual(len(count["classes"]["P_I"]["couplings"]), ropes)
+                self.assertEqual(len(count["classes"]["P_V"]["couplings"]), others)
+                self.assertEqual(report["circuits"], circuits)
+                if report["counts"]:
+                    exact = report["counts"]["spatial"]
+                    self.assertEqual(exact["net_freedom"], mobility)
+                    self.assertEqual(exact["net_constraint"], 0)
+
+    def test_slip_adds_one_freedom_a_pulley(self) -> None:
+        for name, pulleys in (("pulley", 1), ("two_pulleys", 2), ("two_pulleys_with_weights", 2),
+                              ("finger_rehabilitation", 3), ("pulley_without_slip", 0)):
+            with self.subTest(name):
+                path = MECHANISMS / "cables" / f"{name}.yaml"
+                ropes = program.run("inputs", str(path))["inputs"]["ropes"]
+                self.assertEqual(ropes["net_freedom"], self.PRINTED[name][-1])
+                self.assertEqual(ropes["without_slip"], self.PRINTED[name][-1] - pulleys)
+
+
 class Capstans(ReferenceTest):
     """exp(mu theta) against the table of davies.json, the rope being pulled either way."""
 
