@@ -176,7 +176,7 @@ cases:
 
 
 class Slip(ReferenceTest):
-    """A rope drawn over a driven pulley: T_high/T_low = exp(mu pi) in the sense in which it slips."""
+    """A rope drawn over a driven pulley: T_high/T_low = exp(mu pi) in the sense of the slip."""
 
     def test_power(self) -> None:
         mu, radius, pull = 0.25, 1.5, 40.0
@@ -185,7 +185,8 @@ class Slip(ReferenceTest):
         for speed, turn in ((2.0, 0.0), (-2.0, 0.0), (1.0, 3.0), (1.0, -3.0)):
             with self.subTest(speed=speed, turn=turn):
                 case = f"one: {{motion: {{Va: {speed}, Te: {turn}}}, action: {{Va: -{pull}}}}}"
-                one = program.run("analyze", "-", text=pulley(radius, True, case, mu))["cases"]["one"]
+                report = program.run("analyze", "-", text=pulley(radius, True, case, mu))
+                one = report["cases"]["one"]
                 contact = one["statics"]["contacts"]["rope_wheel"]
                 slip = speed + turn * radius
                 after = pull * (high if slip > 0 else 1 / high)
@@ -306,7 +307,7 @@ class Hoists(ReferenceTest):
                 self.near(cases["raising"]["ratio"], -advantage, "ratio", advantage)
 
     def test_raising_with_losses(self) -> None:
-        """W = T_2 + T_3, T_3 = s T_2; F R l + T_3 r m = T_2 R: the small drum gives m of its work."""
+        """W = T_2 + T_3, T_3 = s T_2; F R l + T_3 r m = T_2 R: the small drum gives m of it."""
         for large, small in self.RADII:
             for first, sheave, last in ((0.95, 1, 1), (1, 0.9, 1), (1, 1, 0.8), (0.95, 0.9, 0.8)):
                 with self.subTest(large=large, small=small, losses=(first, sheave, last)):
@@ -447,8 +448,8 @@ class TautRopes(ReferenceTest):
 class Tables(ReferenceTest):
     """Alves 2023, tables 3.1 to 3.7: links, pairs, freedoms, circuits, M."""
 
-    # Bodies, pairs of class I and V, circuits, mobility in space; eqs. 3.1, 3.2, 3.4 to 3.7. For the
-    # instrument the source prints fourteen circuits, which its own tables make 37 - 26 + 1 = 12.
+    # Bodies, pairs of class I and V, circuits, mobility in space; eqs. 3.1, 3.2, 3.4 to 3.7. For
+    # the instrument the source prints 14 circuits; its own tables make 37 - 26 + 1 = 12.
     PRINTED = {
         "pulley_without_slip": (4, 2, 3, 2, 1),
         "pulley": (5, 2, 4, 2, 2),
