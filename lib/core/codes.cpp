@@ -372,6 +372,19 @@ constexpr auto kCodes = std::to_array<Code>({
      "Two surfaces that touch can only push each other apart: along the normal, which points from "
      "the tail to the head, the action must not be negative. In reality they would part, and the "
      "answer of the case holds only for a contact that is held from both sides."},
+    {"W0606",
+     done,
+     "rope would be pushed",
+     "A rope, belt or chain pulls and cannot push. Equilibrium asks for a force that would push "
+     "this segment, so in truth it goes slack and the answer does not hold. Where a pretension, a "
+     "self-stress that pulls on segments and pushes on none, keeps all segments taut, the hint has "
+     "the least one: add it to the tension that the case knows."},
+    {"W0607",
+     done,
+     "rope would slip",
+     "Friction holds a rope on a pulley as long as the ratio of its tensions is at most exp(mu "
+     "theta), theta being the contact angle (Euler and Eytelwein). The case does not let the rope "
+     "slip, and the ratio is larger: so it will slip, or needs more pretension."},
     {"W0901",
      done,
      "tolerance meets no value",

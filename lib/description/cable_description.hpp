@@ -22,7 +22,8 @@ struct CableStation {
   std::optional<Value> radius;         ///< the rest is of a pulley
   std::optional<Wrap> wrap;
   std::optional<AxisDescription> axis;
-  bool slip = false;  ///< false: a drum or toothed wheel
+  bool slip = false;           ///< false: a drum or toothed wheel
+  std::optional<Value> turns;  ///< whole ones that the rope makes beside the arc that is drawn
   std::optional<Value> friction;
   std::optional<Value> eta;              ///< efficiency of a sheave
   std::vector<PointDescription> points;  ///< none, or where the rope meets and leaves the pulley

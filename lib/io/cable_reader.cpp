@@ -107,6 +107,7 @@ void read_pulley(Fields& fields, Space space, CableStation& station, Diagnostics
         read_axis(*node, fmt::format("the axis of {}", fields.what()), Space::spatial, found);
   }
   station.slip = find_bool(fields, "slip", found);
+  station.turns = find_value(fields, "turns", found);
   station.friction = find_value(fields, "friction", found);
   station.eta = find_value(fields, "eta", found);
 }

@@ -6,13 +6,13 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
-#include "core/text.hpp"
 #include "description/cable_expansion.hpp"
-#include "graph/components.hpp"
 #include "mechanism/internal/cable_check.hpp"
+#include "mechanism/internal/cable_contact_binder.hpp"
 #include "mechanism/internal/case_binder.hpp"
 #include "mechanism/internal/compliance_binder.hpp"
 #include "mechanism/internal/geometry_check.hpp"
+#include "mechanism/internal/graph_binder.hpp"
 #include "mechanism/internal/load_binder.hpp"
 #include "mechanism/internal/section_checks.hpp"
 #include "mechanism/internal/structure_binder.hpp"
@@ -21,95 +21,6 @@
 namespace kinestat {
 
 namespace {
-
-std::vector<std::string> body_names(const Topology& topology, const std::vector<int>& bodies) {
-  std::vector<std::string> names;
-  for (const int b : bodies) {
-    names.push_back(topology.bodies[static_cast<std::size_t>(b)].name);
-  }
-  return names;
-}
-
-bool check_connected(const Topology& topology, const Digraph& graph, Diagnostics& found) {
-  const std::vector<std::vector<int>> parts = find_components(graph);
-  if (parts.size() <= 1) {
-    return true;
-  }
-  std::string list;
-  constexpr std::size_t kMostParts = 8;  // that are listed
-  for (std::size_t i = 1; i < std::min(parts.size(), kMostParts + 1); ++i) {
-    list += fmt::format("{}{{{}}}", i == 1 ? "" : ", ", plain_list(body_names(topology, parts[i])));
-  }
-  if (parts.size() > kMostParts + 1) {
-    list += fmt::format(" and {} more", parts.size() - 1 - kMostParts);
-  }
-  found.error("E0401",
-              topology.bodies[static_cast<std::size_t>(parts[1].front())].where,
-              fmt::format("the mechanism falls apart: nothing joins {} to the ground's part {{{}}}",
-                          list,
-                          plain_list(body_names(topology, parts[0]))),
-              "add the couplings that are missing, or remove these bodies");
-  return false;
-}
-
-// The given tree as edge numbers; complains about names that are no coupling.
-std::optional<std::vector<int>> find_branches(const MechanismDescription& description,
-                                              const Topology& topology,
-                                              Diagnostics& found) {
-  std::vector<int> branches;
-  std::vector<std::string> names;
-  for (const CouplingTopology& coupling : topology.couplings) {
-    names.push_back(coupling.name);
-  }
-  bool is_good = true;
-  for (const Name& name : *description.tree) {
-    const auto at = std::ranges::find(names, name.text);
-    const int branch = static_cast<int>(at - names.begin());
-    if (at != names.end() && std::ranges::find(branches, branch) != branches.end()) {
-      is_good = false;
-      found.error("E0307",
-                  name.where,
-                  fmt::format("the tree names coupling '{}' twice", name.text),
-                  "remove one of the two");
-    }
-    branches.push_back(branch);
-    if (at == names.end()) {
-      is_good = false;
-      found.error("E0313",
-                  name.where,
-                  fmt::format("the tree names coupling '{}', which is not declared", name.text),
-                  fmt::format("declared couplings are {}", plain_list(names)));
-    }
-  }
-  return is_good ? std::optional(std::move(branches)) : std::nullopt;
-}
-
-std::optional<SpanningTree> bind_tree(const MechanismDescription& description,
-                                      const Topology& topology,
-                                      const Digraph& graph,
-                                      Diagnostics& found) {
-  if (!description.tree) {
-    return find_spanning_tree(graph);
-  }
-  const auto branches = find_branches(description, topology, found);
-  if (!branches) {
-    return std::nullopt;
-  }
-  std::optional<SpanningTree> tree = find_spanning_tree(graph, *branches);
-  if (!tree) {
-    const std::size_t needed = topology.bodies.size() - 1;
-    found.error(
-        "E0402",
-        description.tree_where,
-        branches->size() == needed
-            ? "the couplings of the tree close a circuit"
-            : fmt::format("the tree has {} couplings; it needs {}, one for each moving body",
-                          branches->size(),
-                          needed),
-        "remove 'tree' to take the first couplings that close no circuit");
-  }
-  return tree;
-}
 
 // Whether a twist or a wrench has more than wz, vx, vy or Tz, Fx, Fy.
 template <class Screw>
@@ -174,13 +85,9 @@ bool bind_structure(const MechanismDescription& description,
 bool bind_graph(const MechanismDescription& description, Diagnostics& found, Mechanism& result) {
   const int errors_before = found.error_count();
   check_order(description, result.geometry, found);
-  Digraph graph = result.topology.coupling_graph();
-  if (!check_connected(result.topology, graph, found)) {
-    return false;
-  }
-  std::optional<SpanningTree> tree = bind_tree(description, result.topology, graph, found);
-  if (tree) {
-    result.graph = make_coupling_graph(std::move(graph), *std::move(tree));
+  std::optional<CouplingGraph> graph = bind_coupling_graph(description, result.topology, found);
+  if (graph) {
+    result.graph = *std::move(graph);
   }
   return found.error_count() == errors_before;
 }
@@ -271,6 +178,7 @@ std::optional<Mechanism> bind_for(Purpose purpose,
     } else if (bind_graph(description, found, result)) {
       result.cases = bind_cases(description, result.topology, evaluator, found);
       result.compliances = bind_compliances(description, result.topology, evaluator);
+      bind_contacts(description, evaluator, found, result);
       check_reported_quantities(description, result.topology, found);
     }
   }

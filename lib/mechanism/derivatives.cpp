@@ -130,9 +130,15 @@ class DerivativeBinder {
     return expect(evaluator_.number(value, kind));
   }
 
+  // Without the ropes, which are not differentiated.
   CouplingFrictionOf<Dual> friction_of(CouplingId id) {
     const CouplingDescription& coupling =
         description_.couplings[static_cast<std::size_t>(id.value)];
+    if (!coupling.friction) {
+      CouplingFrictionOf<Dual> result;
+      result.coupling = id;
+      return result;
+    }
     return read_friction<Dual>(coupling, id, description_.units, evaluator_, found_);
   }
 

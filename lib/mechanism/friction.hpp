@@ -2,11 +2,21 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/source.hpp"
 #include "core/types.hpp"
 
 namespace kinestat {
+
+/// A rope that runs over a pulley: the tension ahead, where it runs to, is `ratio` times that
+/// behind. A drum has the rope on one side alone.
+struct RopeFriction {
+  std::optional<CouplingId> arrives;  ///< the segment before the pulley in the order of the rope
+  std::optional<CouplingId> leaves;   ///< the segment after it
+  double radius = 0.0;  ///< [m] signed: the rope runs onwards at the rate of the coupling times it
+  double ratio = 1.0;   ///< exp(μ θ) of a rope that slips, divided by the efficiency η
+};
 
 /// SI units. What each type uses:
 /// - revolute: couple μ r R, R the force across the axis, or μ r times the forces at the two ends
@@ -15,6 +25,9 @@ namespace kinestat {
 /// - helical: couple |Ra| (r tan(λ ± φ) ∓ h) with tan λ = h / r, tan φ = μ; and tau + c |ω|;
 /// - prismatic: force μ R, R the force across the axis, or the two edge forces of a guide of that
 ///   length; μ / r times the couple about the axis; and c |v|;
+/// - a revolute under a pulley: couple |r| (1 - 1/k) T, T being the tension ahead and k the ratio
+/// of
+///   the rope (Eytelwein); of a drum that winds up, |r| (k - 1) T;
 /// - contacts of surfaces or teeth: force μ N against the sliding.
 /// `Scalar` is double or Dual.
 template <class Scalar>
@@ -27,6 +40,7 @@ struct CouplingFrictionOf {
   std::optional<Scalar> length;  ///< of the guide or journal [m]
   Scalar tau = 0.0;              ///< [N·m]
   Scalar viscous = 0.0;          ///< c [N·m·s/rad or N·s/m]
+  std::vector<RopeFriction> ropes;  ///< over the pulley that turns on the coupling
   SourceRange where;
 };
 

@@ -7,6 +7,7 @@
 #include "description/mechanism_description.hpp"
 #include "expression/file_units.hpp"
 #include "graph/coupling_graph.hpp"
+#include "mechanism/cable_contact.hpp"
 #include "mechanism/case.hpp"
 #include "mechanism/friction.hpp"
 #include "mechanism/geometry.hpp"
@@ -21,6 +22,7 @@ struct Mechanism {
   Topology topology;
   Geometry geometry;
   std::vector<CouplingFriction> frictions;  ///< of the couplings that have any
+  std::vector<CableContact> contacts;       ///< of cables with pulleys
   CouplingGraph graph;
   OrderChoice kinematic_order = OrderChoice::minimal;
   OrderChoice static_order = OrderChoice::minimal;

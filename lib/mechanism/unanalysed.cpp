@@ -79,30 +79,12 @@ void add_coupling(const CouplingDescription& coupling,
   }
 }
 
-void add_model_sections(const MechanismDescription& description,
-                        bool has_statics,
-                        std::vector<Unanalysed>& list) {
+void add_model_sections(const MechanismDescription& description, std::vector<Unanalysed>& list) {
   if (description.gears) {
     list.push_back({description.gears->where,
                     "section 'gears'",
                     "write each mesh as a coupling of type gear: 'kinestat help couplings'",
                     true});
-  }
-  for (const CableDescription& cable : description.cables) {
-    for (const CableStation& station : cable.over) {
-      const auto add = [&](std::string_view what) {
-        list.push_back({.where = station.where,
-                        .what = fmt::format("{} of pulley '{}'", what, station.body.text),
-                        .hint = {},
-                        .decides = has_statics});
-      };
-      if (station.friction) {
-        add("friction");
-      }
-      if (station.eta) {
-        add("'eta'");
-      }
-    }
   }
 }
 
@@ -133,7 +115,7 @@ std::vector<Unanalysed> find_unanalysed(const MechanismDescription& description)
   for (const CouplingDescription& coupling : description.couplings) {
     add_coupling(coupling, has_statics, list);
   }
-  add_model_sections(description, has_statics, list);
+  add_model_sections(description, list);
   add_passes(description, list);
   return list;
 }

@@ -12,6 +12,7 @@
 #include "power/power_graph.hpp"
 #include "power/ratio.hpp"
 #include "sensitivity/affine.hpp"
+#include "statics/contact_state.hpp"
 #include "statics/static_solution.hpp"
 
 namespace kinestat {
@@ -34,6 +35,8 @@ struct CaseAnalysis {
   Case which;
   std::optional<KinematicSolution> motion;
   std::optional<StaticSolution> action;
+  std::vector<ContactState> contacts;  ///< of ropes with pulleys, in the order of the mechanism's
+  std::optional<VecX> pretension;      ///< of each action, which keeps pushed segments taut
   std::optional<PowerFlow> power;
   std::optional<PowerGraph> power_graph;  ///< beside `power`
   std::optional<Ratios> ratios;

@@ -94,7 +94,19 @@ class CsvWriter {
               ? (is_first_half ? QuantityKind::angular_velocity : QuantityKind::velocity)
               : (is_first_half ? QuantityKind::moment : QuantityKind::force));
     }
-    return simple_unit(units, quantity, group);
+    return path.starts_with("contact/") ? contact_unit(units, path)
+                                        : simple_unit(units, quantity, group);
+  }
+
+  static std::string contact_unit(const FileUnits& units, const std::string& path) {
+    const std::string quantity = path.substr(path.find('/') + 1);
+    if (quantity == "before" || quantity == "after") {
+      return units.text(QuantityKind::force);
+    }
+    if (quantity == "slip_speed" || quantity == "slip_power") {
+      return units.text(quantity == "slip_speed" ? QuantityKind::velocity : QuantityKind::power);
+    }
+    return quantity == "wrap" ? units.text(QuantityKind::angle) : "";
   }
 
   static std::string simple_unit(const FileUnits& units,
@@ -200,6 +212,7 @@ void add_statics(CsvWriter& writer, const Place& place, const Json& pass) {
   add_elements_but(writer, place, pass["couplings"], "", completed);
   add_elements_if_any(writer, place, pass, "loads", "load");
   add_elements_if_any(writer, place, pass, "friction", "friction");
+  add_elements_if_any(writer, place, pass, "contacts", "contact");
 }
 
 void add_case(CsvWriter& writer, const Place& place, const Json& pass) {

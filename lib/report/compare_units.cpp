@@ -15,6 +15,7 @@ namespace {
 
 enum class Rule {
   length,
+  angle,
   angular,
   linear,
   twist,
@@ -53,6 +54,13 @@ constexpr auto kRules = std::to_array<std::pair<std::string_view, Rule>>({
     {"/cases/*/statics/couplings/*/wrench/*", Rule::wrench},
     {"/cases/*/statics/couplings/*/moment", Rule::moment},
     {"/cases/*/statics/couplings/*/force", Rule::force},
+    {"/cases/*/statics/contacts/*/wrap", Rule::angle},
+    {"/cases/*/statics/contacts/*/before", Rule::force},
+    {"/cases/*/statics/contacts/*/after", Rule::force},
+    {"/cases/*/statics/contacts/*/ratio", Rule::bare},
+    {"/cases/*/statics/contacts/*/limit", Rule::bare},
+    {"/cases/*/statics/contacts/*/slip_speed", Rule::linear},
+    {"/cases/*/statics/contacts/*/slip_power", Rule::power},
     {"/cases/*/*/*/*/at", Rule::length},
     {"/cases/*/*/*/*/screw/direction", Rule::direction},
     {"/cases/*/*/*/*/screw/point", Rule::length},
@@ -169,6 +177,8 @@ ValueUnit ReportUnits::at(std::string_view place) const {
   switch (row->second) {
     case Rule::length:
       return of(QuantityKind::length);
+    case Rule::angle:
+      return of(QuantityKind::angle);
     case Rule::angular:
       return of(QuantityKind::angular_velocity);
     case Rule::linear:
@@ -229,14 +239,15 @@ ValueUnit ReportUnits::rate(std::string_view freedom) const {
   }
 }
 
-// The reaction of a coupling, "a.Rx" or "a.Tz", or an actuator.
+// The reaction of a coupling, "a.Rx", "a.Tz" or "rope_1.F", or an actuator.
 ValueUnit ReportUnits::action(std::string_view name) const {
   const auto actuator = actuators_.find(name);
   const char kind = actuator == actuators_.end() ? letter_of(name) : actuator->second;
   if (kind == 'T' || kind == 'w') {
     return of(QuantityKind::moment);
   }
-  return kind == 'R' || kind == 'v' ? of(QuantityKind::force) : unknown();
+  const bool is_force = kind == 'R' || kind == 'F' || kind == 'v';
+  return is_force ? of(QuantityKind::force) : unknown();
 }
 
 // The ratio of two alike is bare; which two it is of, the report does not tell.

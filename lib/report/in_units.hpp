@@ -22,6 +22,8 @@ class InUnits {
 
   double power(double v) const { return of(QuantityKind::power, v, zero_.power); }
 
+  double angle(double v) const { return of(QuantityKind::angle, v, 0.0); }
+
   double length(double v) const { return of(QuantityKind::length, v, 0.0); }
 
   /// Of a freedom. The solver has already made zeros of what is rounding, so nothing else is.

@@ -70,19 +70,53 @@ Json choice_json(const ChoiceVerdict& choice) {
   return result;
 }
 
+QuantityKind kind_of(const TautDrive& drive) {
+  return drive.is_couple ? QuantityKind::moment : QuantityKind::force;
+}
+
+// For one unit of force in each segment.
+double action_of(const TautDrive& drive, const FileUnits& units) {
+  return drive.action * units.factor(QuantityKind::force) / units.factor(kind_of(drive));
+}
+
+const std::string& name_of(const TautDrive& drive, const InputsAnalysis& inputs) {
+  return inputs.sides.front().names[static_cast<std::size_t>(drive.freedom)];
+}
+
+Json ropes_json(const InputsAnalysis& inputs, const FileUnits& units) {
+  const TautRopes& ropes = *inputs.ropes;
+  Json result = object_of(8);
+  result["segments"] = ropes.segments;
+  result["net_freedom"] = ropes.net_freedom;
+  result["without_slip"] = ropes.without_slip;
+  result["possible"] = ropes.is_possible;
+  result["actuators"] = ropes.is_possible ? Json(ropes.actuators) : Json(nullptr);
+  result["least"] = ropes.is_possible && ropes.is_least();
+  result["drives"] = object_of(ropes.drives.size());
+  for (const TautDrive& drive : ropes.drives) {
+    result["drives"][name_of(drive, inputs)] = number(action_of(drive, units));
+  }
+  return result;
+}
+
 // The set is the element, its names joined by blanks.
-std::string csv_of(const std::string& mechanism,
-                   const std::vector<InputSide>& sides,
-                   const std::vector<ChoiceVerdict>& choices) {
+std::string csv_of(const MechanismDescription& description, const InputsAnalysis& inputs) {
   std::string text(kCsvHeader);
+  const auto add_with_unit = [&](const std::string& element,
+                                 const std::string& quantity,
+                                 const std::string& value,
+                                 const std::string& unit,
+                                 const std::string& status) {
+    text += csv_line(std::array<std::string, 8>{
+        description.name, "", "inputs", element, quantity, value, unit, status});
+  };
   const auto add = [&](const std::string& element,
                        const std::string& quantity,
                        const std::string& value,
                        const std::string& status) {
-    text += csv_line(
-        std::array<std::string, 8>{mechanism, "", "inputs", element, quantity, value, "", status});
+    add_with_unit(element, quantity, value, "", status);
   };
-  for (const InputSide& side : sides) {
+  for (const InputSide& side : inputs.sides) {
     add("", side.key + "/needed", std::to_string(side.sets.needed), "solved");
     add("",
         side.key + "/count",
@@ -97,7 +131,26 @@ std::string csv_of(const std::string& mechanism,
       }
     }
   }
-  for (const ChoiceVerdict& choice : choices) {
+  if (inputs.ropes) {
+    const TautRopes& ropes = *inputs.ropes;
+    add("", "ropes/segments", std::to_string(ropes.segments), "solved");
+    add("", "ropes/net_freedom", std::to_string(ropes.net_freedom), "solved");
+    add("", "ropes/without_slip", std::to_string(ropes.without_slip), "solved");
+    add("",
+        "ropes/actuators",
+        ropes.is_possible ? std::to_string(ropes.actuators) : "",
+        !ropes.is_possible ? "none"
+        : ropes.is_least() ? "solved"
+                           : "at most");
+    for (const TautDrive& drive : ropes.drives) {
+      add_with_unit(name_of(drive, inputs),
+                    "ropes/drives",
+                    format_exact(action_of(drive, description.units)),
+                    description.units.text(kind_of(drive)),
+                    "solved");
+    }
+  }
+  for (const ChoiceVerdict& choice : inputs.choices) {
     add(fmt::format("{}", fmt::join(choice.names, " ")),
         choice.key + "/conditioning",
         choice.is_valid ? format_exact(choice.conditioning) : "",
@@ -161,23 +214,63 @@ std::string choice_text(const ChoiceVerdict& choice) {
                      choice.hint.empty() ? "" : fmt::format("  {}\n", choice.hint));
 }
 
+// How many actuators, and which pull against each other.
+std::string ropes_text(const InputsAnalysis& inputs, const FileUnits& units) {
+  const TautRopes& ropes = *inputs.ropes;
+  const auto count = [](int number, const char* what) {
+    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+  };
+  std::string text = fmt::format("Ropes: {}; {}{}\n",
+                                 count(ropes.segments, "segment"),
+                                 count(ropes.net_freedom, "freedom"),
+                                 ropes.without_slip == ropes.net_freedom
+                                     ? ""
+                                     : fmt::format(", {} if none slips", ropes.without_slip));
+  if (!ropes.is_possible) {
+    return text + "  no actuators pull on every segment: loads must keep them taut\n\n";
+  }
+  if (ropes.drives.empty()) {
+    return text +
+           fmt::format("  a pretension of their own keeps every segment taut: {} suffice{}\n\n",
+                       count(ropes.actuators, "actuator"),
+                       ropes.actuators == 1 ? "s" : "");
+  }
+  std::vector<std::string> drives;
+  for (const TautDrive& drive : ropes.drives) {
+    drives.push_back(fmt::format("{} {} {}",
+                                 name_of(drive, inputs),
+                                 format_short(action_of(drive, units)),
+                                 units.text(kind_of(drive))));
+  }
+  return text + fmt::format(
+                    "  {}{}, {} more than the freedoms, move it and keep every segment taut:\n"
+                    "  {} pull at least 1 {} in each\n\n",
+                    ropes.is_least() ? "" : "at most ",
+                    count(ropes.actuators, "actuator"),
+                    ropes.actuators - ropes.net_freedom,
+                    plain_list(drives),
+                    units.text(QuantityKind::force));
+}
+
 }  // namespace
 
 FileReport make_inputs_report(const std::string& file,
                               const MechanismDescription& description,
-                              const std::vector<InputSide>& sides,
-                              const std::vector<ChoiceVerdict>& choices,
+                              const InputsAnalysis& inputs,
                               const ReportForms& forms,
                               const Diagnostics& found) {
   FileReport report;
   if (forms.json || forms.json_line) {
     Json json = report_head(file, description);
-    json["inputs"] = object_of(sides.size());
-    for (const InputSide& side : sides) {
+    json["inputs"] = object_of(inputs.sides.size() + 1);
+    for (const InputSide& side : inputs.sides) {
       json["inputs"][side.key] = side_json(side);
     }
+    if (inputs.ropes) {
+      json["inputs"]["ropes"] = ropes_json(inputs, description.units);
+    }
     json["choices"] = Json::array();
-    for (const ChoiceVerdict& choice : choices) {
+    for (const ChoiceVerdict& choice : inputs.choices) {
       json["choices"].push_back(choice_json(choice));
     }
     json["diagnostics"] = diagnostics_json(found);
@@ -185,14 +278,17 @@ FileReport make_inputs_report(const std::string& file,
     report.json_line = forms.json_line ? json.dump() + "\n" : std::string();
   }
   if (forms.csv) {
-    report.csv.push_back({.pass = "inputs", .text = csv_of(description.name, sides, choices)});
+    report.csv.push_back({.pass = "inputs", .text = csv_of(description, inputs)});
   }
   if (forms.text) {
     report.text = (description.name.empty() ? file : description.name) + "\n\n";
-    for (const InputSide& side : sides) {
+    for (const InputSide& side : inputs.sides) {
       report.text += side_text(side);
     }
-    for (const ChoiceVerdict& choice : choices) {
+    if (inputs.ropes) {
+      report.text += ropes_text(inputs, description.units);
+    }
+    for (const ChoiceVerdict& choice : inputs.choices) {
       report.text += choice_text(choice);
     }
   }

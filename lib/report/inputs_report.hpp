@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "inputs/input_sets.hpp"
+#include "inputs/taut_ropes.hpp"
 #include "math/rank.hpp"
 #include "report/file_report.hpp"
 
@@ -29,11 +30,17 @@ struct ChoiceVerdict {
   std::string hint;    ///< what would be
 };
 
-/// JSON `inputs.<side>.groups/<i>/sets` and `choices`; tables with the best conditioned set first.
+struct InputsAnalysis {
+  std::vector<InputSide> sides;  ///< motions, then actions
+  std::vector<ChoiceVerdict> choices;
+  std::optional<TautRopes> ropes;
+};
+
+/// JSON `inputs.<side>.groups/<i>/sets`, `inputs.ropes` and `choices`; tables with the best
+/// conditioned set first.
 FileReport make_inputs_report(const std::string& file,
                               const MechanismDescription& description,
-                              const std::vector<InputSide>& sides,
-                              const std::vector<ChoiceVerdict>& choices,
+                              const InputsAnalysis& inputs,
                               const ReportForms& forms,
                               const Diagnostics& found);
 

@@ -6,6 +6,7 @@
 #include "report/in_units.hpp"
 #include "report/mobility_words.hpp"
 #include "report/numbers.hpp"
+#include "report/redundancy_text.hpp"
 #include "report/table.hpp"
 
 namespace kinestat {
@@ -34,11 +35,7 @@ class MobilityText {
     text += mobility_.reshetov ? reshetov(*mobility_.reshetov) : "";
     if (mobility_.exact) {
       text += motions(mobility_.exact->motions);
-      text += redundancies("space", mobility_.exact->spatial, analysis_.in_space);
-      if (mobility_.exact->planar) {
-        text += redundancies("the plane", *mobility_.exact->planar, analysis_.mechanism);
-      }
-      text += repairs(mobility_.exact->repairs);
+      text += redundancies_text(analysis_);
     }
     return text;
   }
@@ -218,87 +215,6 @@ class MobilityText {
                  format_short(in_.length(*axis.pitch))});
     }
     return table.text("     ");
-  }
-
-  std::string redundancies(const char* where,
-                           const Redundancies& redundancies,
-                           const Mechanism& mechanism) const {
-    const int of_model = redundancies.net_constraint - redundancies.borne;
-    std::string text = fmt::format("Redundant in {}: {}", where, redundancies.net_constraint);
-    if (of_model > 0) {
-      text += fmt::format(", {} of the model only",
-                          redundancies.borne == 0 ? "all" : std::to_string(of_model));
-    }
-    text +=
-        redundancies.borne > 0 && redundancies.constraints.empty() ? ", too many to list\n" : "\n";
-    for (std::size_t i = 0; i < redundancies.constraints.size(); ++i) {
-      text += constraint(i + 1, redundancies.constraints[i], mechanism);
-    }
-    return text + "\n";
-  }
-
-  // "1. force along z, through a, b, c, d" and the shares.
-  std::string constraint(std::size_t number,
-                         const RedundantConstraint& one,
-                         const Mechanism& mechanism) const {
-    const FileUnits& units = in_.units();
-    const auto kind = [&](int a) {
-      return mechanism.topology.actions[static_cast<std::size_t>(a)].is_couple
-                 ? QuantityKind::moment
-                 : QuantityKind::force;
-    };
-    std::optional<double> first;
-    if (one.axis) {
-      first = units.factor(one.axis->pitch ? QuantityKind::force : QuantityKind::moment);
-    }
-    std::vector<std::string> shares;
-    for (int a = 0; a < mechanism.topology.action_count(); ++a) {
-      if (one.magnitudes[a] != 0.0) {
-        first = first.value_or(units.factor(kind(a)));
-        shares.push_back(
-            fmt::format("{} = {} {}",
-                        mechanism.topology.action_name(a),
-                        format_short(one.magnitudes[a] * (*first / units.factor(kind(a)))),
-                        units.text(kind(a))));
-      }
-    }
-    const std::string name = one.chord ? fmt::format("{} round the circuit of {}",
-                                                     constraint_words(analysis_, one),
-                                                     topology_.coupling(*one.chord).name)
-                                       : "through several circuits";
-    return fmt::format("  {}. {}\n     {}\n", number, name, fmt::join(shares, ", "));
-  }
-
-  std::string repairs(const std::vector<Repair>& repairs) const {
-    if (repairs.empty()) {
-      return {};
-    }
-    const Repair& any = repairs.front();
-    std::string text =
-        fmt::format("Advice: each of these removes {}; counted anew, {} freedom{} stay{}\n",
-                    any.freed == 1 ? "it" : fmt::format("all {}", any.freed),
-                    any.after.net_freedom,
-                    any.after.net_freedom == 1 ? "" : "s",
-                    any.after.net_freedom == 1 ? "s" : "");
-    for (std::size_t i = 0; i < repairs.size(); ++i) {
-      std::vector<std::string> changes;
-      for (const CouplingChange& change : repairs[i].changes) {
-        std::vector<std::string> added;
-        for (const Twist& twist : change.added) {
-          added.push_back(freedom_words(twist));
-        }
-        if (change.is_left_out) {
-          changes.push_back(fmt::format("{} left out", topology_.coupling(change.coupling).name));
-          continue;
-        }
-        changes.push_back(fmt::format("{} {} (+ {})",
-                                      topology_.coupling(change.coupling).name,
-                                      change.to ? word_of(*change.to) : "freer",
-                                      fmt::join(added, ", ")));
-      }
-      text += fmt::format("  {}. {}\n", i + 1, fmt::join(changes, "; "));
-    }
-    return text + "\n";
   }
 
   const MobilityAnalysis& analysis_;

@@ -80,16 +80,19 @@ std::string passive_remark(const MotionSpace& space) {
   if (passive == 0) {
     return {};
   }
-  return sentence(
-      fmt::format("{}, which no other body and no actuator feels; {} remain{}.",
-                  passive == space.net_freedom && passive > 1
-                      ? fmt::format("All {} are passive motions", freedoms_words(passive))
-                      : fmt::format("{} of the {} {} passive",
-                                    number_words(passive),
-                                    freedoms_words(space.net_freedom),
-                                    passive == 1 ? "is" : "are"),
-                  number_words(space.net_freedom - passive),
-                  space.net_freedom - passive == 1 ? "s" : ""));
+  const int rest = space.net_freedom - passive;
+  if (rest == 0) {
+    return fmt::format("{} {} is passive: no other body and no actuator feels it.",
+                       passive == 1 ? "The" : "Each of the",
+                       freedoms_words(passive));
+  }
+  return sentence(fmt::format(
+      "{} of the {} {} passive, which no other body and no actuator feels; {} remain{}.",
+      number_words(passive),
+      freedoms_words(space.net_freedom),
+      passive == 1 ? "is" : "are",
+      number_words(rest),
+      rest == 1 ? "s" : ""));
 }
 
 std::string model_remark(const Redundancies& spatial) {

@@ -86,6 +86,23 @@ Json completion_json(const Topology& topology, const Completion& completion, con
   return result;
 }
 
+Json contact_json(const CableContact& contact, const ContactState& state, const InUnits& in) {
+  const auto in_unit = [](const std::optional<double>& value, const auto& converted) {
+    return value ? number(converted(*value)) : Json(nullptr);
+  };
+  const auto force = [&](double v) { return in.force(v); };
+  Json result = object_of(8);
+  result["wrap"] = in_unit(contact.wrap, [&](double v) { return in.angle(v); });
+  result["before"] = in_unit(state.before, force);
+  result["after"] = in_unit(state.after, force);
+  result["ratio"] = number(state.ratio);
+  result["limit"] = number(state.limit);
+  result["slip_speed"] = in_unit(state.slip_speed, [&](double v) { return in.linear(v); });
+  result["slip_power"] = in_unit(state.slip_power, [&](double v) { return in.power(v); });
+  result["grip"] = word_of(state.grip);
+  return result;
+}
+
 }  // namespace
 
 Json statics_json(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
@@ -131,6 +148,13 @@ Json statics_json(const Mechanism& mechanism, const CaseAnalysis& one, const InU
     for (const FrictionAction& friction : action.friction) {
       result["friction"][topology.coupling(friction.coupling).name] =
           friction_json(mechanism, friction, in);
+    }
+  }
+  if (!one.contacts.empty()) {
+    result["contacts"] = object_of(one.contacts.size());
+    for (std::size_t i = 0; i < one.contacts.size(); ++i) {
+      result["contacts"][mechanism.contacts[i].name] =
+          contact_json(mechanism.contacts[i], one.contacts[i], in);
     }
   }
   result["evidence"] = evidence_json(action.evidence);

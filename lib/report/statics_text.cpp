@@ -181,6 +181,41 @@ std::string friction_text(const Mechanism& mechanism, const CaseAnalysis& one, c
   return table.text("  ") + "\n";
 }
 
+// Slip is shown where a rope slips.
+std::string contacts_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
+  if (one.contacts.empty()) {
+    return {};
+  }
+  const FileUnits& units = in.units();
+  const auto head = [&](std::string_view what, QuantityKind kind) {
+    return fmt::format("{} [{}]", what, units.text(kind));
+  };
+  Table table({"Contact",
+               head("wrap", QuantityKind::angle),
+               head("before", QuantityKind::force),
+               head("after", QuantityKind::force),
+               "ratio",
+               "limit",
+               head("slip", QuantityKind::velocity),
+               "grip"});
+  for (std::size_t i = 0; i < one.contacts.size(); ++i) {
+    const ContactState& state = one.contacts[i];
+    const std::optional<double>& wrap = mechanism.contacts[i].wrap;
+    const auto force = [&](const std::optional<double>& v) {
+      return cell_of(v ? std::optional(in.force(*v)) : std::nullopt);
+    };
+    table.add({mechanism.contacts[i].name,
+               cell_of(wrap ? std::optional(in.angle(*wrap)) : std::nullopt),
+               force(state.before),
+               force(state.after),
+               state.ratio ? format_short(*state.ratio) : "",
+               state.limit ? format_short(*state.limit) : "",
+               state.slip_speed ? format_short(in.linear(*state.slip_speed)) : "",
+               std::string(word_of(state.grip))});
+  }
+  return table.text("  ") + "\n";
+}
+
 }  // namespace
 
 std::string statics_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
@@ -194,7 +229,8 @@ std::string statics_text(const Mechanism& mechanism, const CaseAnalysis& one, co
   text += is_solved ? wrenches_text(mechanism, *one.action, in)
                     : constraints_text(mechanism.topology, *one.action, in) +
                           self_stresses_text(mechanism.topology, *one.action, in);
-  text += loads_text(mechanism, one, in) + friction_text(mechanism, one, in);
+  text += loads_text(mechanism, one, in) + friction_text(mechanism, one, in) +
+          contacts_text(mechanism, one, in);
   return text;
 }
 

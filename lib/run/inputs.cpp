@@ -86,14 +86,15 @@ class InputsJob {
     if (found_.error_count() > errors_before) {
       return std::nullopt;
     }
-    std::vector<InputSide> shown;
+    InputsAnalysis inputs;
     for (Side& side : sides_) {
       side.shown.sets = find_input_sets(side.space.basis, choice_of(side));
       side.shown.evidence = side.space.evidence;
-      shown.push_back(std::move(side.shown));
+      inputs.sides.push_back(std::move(side.shown));
     }
-    return make_inputs_report(
-        analysis_.file, analysis_.description, shown, verdicts_, forms, found_);
+    inputs.choices = verdicts_;
+    inputs.ropes = find_taut_ropes(analysis_.mechanism);
+    return make_inputs_report(analysis_.file, analysis_.description, inputs, forms, found_);
   }
 
   bool has_refused() const {

@@ -103,6 +103,7 @@ class SensitivityJob {
         cases.push_back({.label = one.which.label, .values = differentiate(c, bases, derivatives)});
       }
     }
+    warn_of_ropes();
     check_answered();
     if (found_.error_count() > errors_before) {
       return std::nullopt;
@@ -171,7 +172,8 @@ class SensitivityJob {
                                               const MechanismDerivatives& derivatives) {
     const CaseAnalysis& one = analysis_.cases[case_index];
     const bool has_rates = one.motion && one.motion->status == SolveStatus::solved;
-    const bool has_actions = one.action && !one.action->magnitudes.empty();
+    const bool has_actions =
+        one.action && !one.action->magnitudes.empty() && rubbing_rope() == nullptr;
     const std::optional<StaticSolution> action =
         has_actions ? std::optional(without_completion(analysis_.mechanism, *one.action))
                     : std::nullopt;
@@ -193,6 +195,26 @@ class SensitivityJob {
       known_names_ = reported_value_names(values);
     }
     return result;
+  }
+
+  // A friction of ropes, whose derivatives are not known.
+  const CouplingFriction* rubbing_rope() const {
+    const auto& frictions = analysis_.mechanism.frictions;
+    const auto at = std::ranges::find_if(
+        frictions, [](const CouplingFriction& one) { return !one.ropes.empty(); });
+    return at == frictions.end() ? nullptr : &*at;
+  }
+
+  void warn_of_ropes() {
+    const CouplingFriction* rope = rubbing_rope();
+    const bool has_actions = std::ranges::any_of(
+        analysis_.cases, [](const CaseAnalysis& one) { return one.action.has_value(); });
+    if (rope != nullptr && has_actions) {
+      found_.warning("W0302",
+                     rope->where,
+                     "derivatives of actions are not analysed yet where ropes rub",
+                     "compare two analyses with --set");
+    }
   }
 
   static std::optional<ReportedValue> find_value(const DualCase& values, const std::string& name) {

@@ -11,6 +11,7 @@
 #include "statics/action.hpp"
 #include "statics/friction.hpp"
 #include "statics/indeterminacy.hpp"
+#include "statics/pretension.hpp"
 
 namespace kinestat {
 
@@ -54,6 +55,18 @@ struct Bases {
   CoordinateBasis action;
 };
 
+// Where a rope does not slip, the couple of an actuator holds it: its size is an action.
+bool is_held(const Mechanism& mechanism, const CouplingFriction& friction) {
+  const bool is_rope_alone = !friction.ropes.empty() && friction.mu == 0.0 && friction.tau == 0.0 &&
+                             friction.viscous == 0.0;
+  const Topology& topology = mechanism.topology;
+  return is_rope_alone &&
+         std::ranges::any_of(topology.actuators, [&](const ActuatorTopology& actuator) {
+           const auto freedom = static_cast<std::size_t>(actuator.freedom);
+           return topology.freedoms[freedom].coupling == friction.coupling;
+         });
+}
+
 // The frictions of a case, and the couplings where it has no direction.
 struct Frictions {
   std::vector<FrictionLaw> laws;
@@ -68,7 +81,7 @@ Frictions find_frictions(const Mechanism& mechanism, const KinematicSolution* mo
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (found[i]) {
       result.laws.push_back(*found[i]);
-    } else {
+    } else if (!is_held(mechanism, mechanism.frictions[i])) {
       result.at_rest.push_back(mechanism.frictions[i].coupling);
     }
   }
@@ -121,6 +134,13 @@ CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Ca
   if (which.asks_actions) {
     result.action = solve_statics(
         mechanism, bases.action, which, is_solved(result.motion) ? &*result.motion : nullptr);
+  }
+  if (has_answer(result.action)) {
+    result.contacts = find_contact_states(
+        mechanism, *result.action, is_solved(result.motion) ? &*result.motion : nullptr);
+    if (!find_pushed_segments(mechanism, *result.action).empty()) {
+      result.pretension = find_pretension(mechanism, bases.action, *result.action);
+    }
   }
   if (is_solved(result.motion) && has_answer(result.action) &&
       determines_power(mechanism, *result.action)) {

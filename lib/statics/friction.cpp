@@ -137,14 +137,13 @@ Vec6 coupling_wrench(const Mechanism& mechanism, CouplingId id, const VecX& magn
 bool needs_open_action(const Mechanism& mechanism,
                        const FrictionLaw& law,
                        const std::vector<int>& undetermined) {
-  const CouplingTopology& coupling = mechanism.topology.coupling(law.coupling);
   return std::ranges::any_of(undetermined, [&](int a) {
-    const bool is_own =
-        a >= coupling.first_action && a < coupling.first_action + coupling.action_count;
+    const CouplingId owner = mechanism.topology.actions[static_cast<std::size_t>(a)].coupling;
     const Vec6 screw = mechanism.geometry.actions[static_cast<std::size_t>(a)].coordinates();
-    return is_own && std::ranges::any_of(law.parts, [&](const PressingPart& part) {
-             return (part.part * screw).norm() > kCancellation * screw.norm() * part.part.norm();
-           });
+    return std::ranges::any_of(law.parts, [&](const PressingPart& part) {
+      return owner == part.of.value_or(law.coupling) &&
+             (part.part * screw).norm() > kCancellation * screw.norm() * part.part.norm();
+    });
   });
 }
 
@@ -235,11 +234,12 @@ std::vector<FrictionFunction> find_functions(const Mechanism& mechanism,
     for (const PressingPart& part : law.parts) {
       PressingForce force;
       force.part = &part;
-      force.constant = part.part * coupling_wrench(mechanism, law.coupling, frictionless);
+      const CouplingId pressed = part.of.value_or(law.coupling);
+      force.constant = part.part * coupling_wrench(mechanism, pressed, frictionless);
       force.slopes.resize(3, static_cast<Eigen::Index>(laws.size()));
       for (std::size_t j = 0; j < laws.size(); ++j) {
         force.slopes.col(static_cast<Eigen::Index>(j)) =
-            part.part * coupling_wrench(mechanism, law.coupling, responses[j]);
+            part.part * coupling_wrench(mechanism, pressed, responses[j]);
       }
       function.forces.push_back(std::move(force));
     }

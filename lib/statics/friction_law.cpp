@@ -132,15 +132,45 @@ void add_across(const SlidingOf<Scalar>& s,
   }
 }
 
+// The tension of a segment.
+template <class Scalar>
+PressingPartOf<Scalar> tension_part(const SlidingOf<Scalar>& s,
+                                    CouplingId segment,
+                                    const Scalar& weight) {
+  const Vec3Of<Scalar> along = s.unit_action(s.topology.coupling(segment).first_action).force;
+  PressingPartOf<Scalar> result = axial_part<Scalar>(along, weight);
+  result.of = segment;
+  return result;
+}
+
+// Ropes hold back a pulley by the difference of their tensions, that behind being the k-th part of
+// that ahead (Eytelwein: k = exp(μ θ)).
+template <class Scalar>
+void add_ropes(const SlidingOf<Scalar>& s, FrictionLawOf<Scalar>& law) {
+  const double rate = value_of(s.twist.angular.dot(s.unit.angular));
+  for (const RopeFriction& rope : s.friction.ropes) {
+    const bool runs_on = rate * rope.radius > 0.0;
+    const std::optional<CouplingId>& ahead = runs_on ? rope.leaves : rope.arrives;
+    const std::optional<CouplingId>& behind = runs_on ? rope.arrives : rope.leaves;
+    const double share = ahead ? 1.0 - 1.0 / rope.ratio : rope.ratio - 1.0;
+    law.parts.push_back(
+        tension_part(s, ahead ? *ahead : *behind, Scalar(std::abs(rope.radius) * share)));
+  }
+}
+
 template <class Scalar>
 FrictionLawOf<Scalar> revolute(const SlidingOf<Scalar>& s) {
   const Vec3Of<Scalar> axis = s.unit.angular;
   const Scalar mu = s.friction.mu;
   FrictionLawOf<Scalar> law = turning(s);
+  add_ropes(s, law);
+  if (value_of(mu) == 0.0) {
+    return law;
+  }
   add_across(s, axis, Scalar(mu * s.friction.radius), law);
   if (value_of(s.friction.thrust_radius) > 0.0) {
     law.parts.push_back(axial_part(axis, Scalar(mu * s.friction.thrust_radius)));
-  } else if (value_of(mu) > 0.0) {
+  } else {
     law.ignored.push_back({Reaction::axial, axial_part(axis, Scalar(0.0)).part});
   }
   return law;

@@ -14,6 +14,7 @@ namespace kinestat {
 /// another weight where it is negative. `Scalar` is double or Dual.
 template <class Scalar>
 struct PressingPartOf {
+  std::optional<CouplingId> of;  ///< whose wrench presses; empty: that of the law's own coupling
   Eigen::Matrix<Scalar, 3, 6> part = Eigen::Matrix<Scalar, 3, 6>::Zero();
   Scalar weight = 0.0;
   Scalar weight_if_negative = 0.0;  ///< of the first component, the others being zero
@@ -35,7 +36,7 @@ struct IgnoredPartOf {
 };
 
 /// The friction of one coupling in one case: of tail on head `unit` times the magnitude
-/// constant + Σ weight |part · wrench of the coupling|, which is never negative. Screws are written
+/// constant + Σ weight |part · wrench of a coupling|, which is never negative. Screws are written
 /// about the origin of the Geometry.
 template <class Scalar>
 struct FrictionLawOf {

@@ -59,8 +59,8 @@ MatX scaled_columns(const std::vector<VecX>& stresses, const VecX& scales) {
 }
 
 // Friction that could not be found may depend on the actions that are open.
-bool is_friction_known(const Mechanism& mechanism, const StaticSolution& solution) {
-  return mechanism.frictions.size() == solution.friction.size();
+bool is_friction_known(const StaticSolution& solution) {
+  return solution.open_friction.empty();
 }
 
 // What the equilibrium of a case knows.
@@ -117,8 +117,7 @@ StaticSolution resolve_indeterminacy(const Mechanism& mechanism,
   const std::vector<BodyWrench> all = with_friction(mechanism, loads, solution);
   const std::vector<VecX> stresses = equilibrium.self_stresses();
   solution.self_stresses = list_self_stresses(stresses, scales_of(mechanism));
-  if (mechanism.indeterminate == IndeterminateChoice::report ||
-      !is_friction_known(mechanism, solution)) {
+  if (mechanism.indeterminate == IndeterminateChoice::report || !is_friction_known(solution)) {
     return solution;
   }
   return completed(

@@ -1,7 +1,6 @@
 // Times the solves of one case, and what surrounds them, in units of a dense solve by LAPACK.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "dense_statics.hpp"
 #include "interleave.hpp"
 #include "io/mechanism_reader.hpp"
 #include "io/read_file.hpp"
@@ -19,7 +19,6 @@
 #include "mechanism/bind.hpp"
 #include "mobility/counts.hpp"
 #include "network/bases.hpp"
-#include "network/network_matrices.hpp"
 #include "network/node_system.hpp"
 #include "report/file_report.hpp"
 #include "run/analyse.hpp"
@@ -27,93 +26,11 @@
 #include "statics/action.hpp"
 #include "subject.hpp"
 
-// Solves A X = B by Gaussian elimination with partial pivoting, in place.
-extern "C" void dgesv_(const int* n,
-                       const int* nrhs,
-                       double* A,
-                       const int* lda,
-                       int* pivots,
-                       double* B,
-                       const int* ldb,
-                       int* info);
-
 namespace kinestat::bench {
 
 namespace {
 
 constexpr double kTarget = 2.0;
-constexpr double kAgreement = 1e-10;
-
-/// A_NS ψ_S = -A_NP ψ_P as the textbook writes it, solved by LAPACK: the unit D.
-class DenseStatics {
- public:
-  DenseStatics(const Mechanism& mechanism, const CoordinateBasis& basis, const Case& which) {
-    const Topology& topology = mechanism.topology;
-    std::vector<std::string> primary;
-    for (const Primary& one : which.actions) {
-      primary.push_back(topology.action_name(one.index));
-    }
-    const LabelledMatrix A_N =
-        action_matrices(topology, mechanism.geometry, mechanism.graph, basis).back();
-    const std::vector<LabelledMatrix> parts = partition_of(A_N, primary);
-    A_NS_ = parts[0].value;
-    names_ = parts[0].columns;
-    VecX known(static_cast<Eigen::Index>(primary.size()));
-    for (Eigen::Index i = 0; i < known.size(); ++i) {
-      const auto place = std::ranges::find(primary, parts[1].columns[static_cast<std::size_t>(i)]);
-      known[i] = which.actions[static_cast<std::size_t>(place - primary.begin())].value;
-    }
-    right_ = -parts[1].value * known;
-    pivots_.resize(names_.size());
-  }
-
-  Eigen::Index size() const { return A_NS_.rows(); }
-
-  bool is_square() const { return A_NS_.rows() == A_NS_.cols(); }
-
-  /// The copies are part of D: LAPACK overwrites what it is given.
-  void copy() {
-    A_ = A_NS_;
-    x_ = right_;
-  }
-
-  void solve() {
-    copy();
-    const int n = static_cast<int>(size());
-    const int one = 1;
-    int info = 0;
-    dgesv_(&n, &one, A_.data(), &n, pivots_.data(), x_.data(), &n, &info);
-    if (info != 0) {
-      throw std::runtime_error("dgesv finds the statics singular");
-    }
-  }
-
-  /// Whether the passes of the program find the same magnitudes.
-  bool agrees(const Topology& topology, const StaticSolution& solution) {
-    solve();
-    const double largest = x_.cwiseAbs().maxCoeff();
-    for (int a = 0; a < topology.action_count(); ++a) {
-      const auto place = std::ranges::find(names_, topology.action_name(a));
-      if (place == names_.end()) {
-        continue;
-      }
-      const double magnitude =
-          solution.magnitudes.at(static_cast<std::size_t>(a)).value_or(std::nan(""));
-      if (!(std::abs(magnitude - x_[place - names_.begin()]) <= kAgreement * largest)) {
-        return false;
-      }
-    }
-    return true;
-  }
-
- private:
-  MatX A_NS_;
-  VecX right_;
-  std::vector<std::string> names_;
-  MatX A_;
-  VecX x_;
-  std::vector<int> pivots_;
-};
 
 /// One linear system with the columns and values of its primaries.
 struct System {

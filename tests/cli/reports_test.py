@@ -27,11 +27,13 @@ HEADER = ["mechanism", "case", "pass", "element", "quantity", "value", "unit", "
 STATES = ["c66_parameter_never_used", "e0501_motions_missing", "e0602_no_equilibrium",
           "w0601_actions_indeterminate", "loads_on_a_linkage", "w0601_self_stresses",
           "stiffness_shares_a_load", "minimum_norm_is_labelled"]
+# A topology without dimensions, which only `kinestat mobility` answers.
+COUNTED = ROOT / "mechanisms" / "cables" / "surgical_instrument.yaml"
 # Where the CSV table of a pass finds its values: the quantity names the section.
 SECTIONS = {
     "kinematics": {"rate": "freedoms", None: "bodies"},
     "statics": {"action": "actions", "load": "loads", "friction": "friction",
-                None: "couplings"},
+                "contact": "contacts", None: "couplings"},
     "power": {"into_head": "couplings", "supplied": "supplied", "actuator": "actuators",
               "load": "loads", "friction": "friction", "body": "bodies", "mesh": "meshes"},
 }
@@ -39,6 +41,7 @@ SECTIONS = {
 
 def files() -> list[Path]:
     found = sorted((ROOT / "mechanisms").rglob("*.yaml"))
+    found.remove(COUNTED)
     return found + [ROOT / "tests" / "cli" / name / "file.yaml" for name in STATES]
 
 
@@ -126,7 +129,7 @@ def status_of(report: Any, row: dict[str, str]) -> str:
                  if any(action in coupling["actuators"] or
                         action.startswith(coupling["name"] + ".") for action in actions)]
     is_action = row["quantity"] == "action"
-    is_coupling = not re.match(r"action|load|friction|self_stress", row["quantity"])
+    is_coupling = not re.match(r"action|load|friction|contact|self_stress", row["quantity"])
     is_completed = row["element"] in (actions if is_action else couplings if is_coupling else [])
     return value["completion"]["method"] if is_completed else value["status"]
 
@@ -171,7 +174,16 @@ class Reports(unittest.TestCase):
             counts = json_of("analyze", path)["mobility"]["minimal"]
             self.assertEqual(answer["inputs"]["motion"]["needed"], counts["net_freedom"])
             for row in (dict(zip(HEADER, row)) for row in rows_of("inputs", path)[1:]):
-                self.assertEqual((row["pass"], row["case"], row["unit"]), ("inputs", "", ""))
+                self.assertEqual((row["pass"], row["case"]), ("inputs", ""))
+                side, key = row["quantity"].split("/")
+                value = answer["inputs"][side].get(key)
+                if key == "drives":
+                    self.assertIn(row["unit"], ("N", "N*m", "N*mm"))
+                    self.assertEqual(row["value"], json.dumps(value[row["element"]]), row)
+                    continue
+                self.assertEqual(row["unit"], "", row)
+                if row["element"] == "" and row["status"] != "none":
+                    self.assertEqual(row["value"], json.dumps(value), row)
 
     def test_have_sensitivities_by_their_schema(self) -> None:
         for path in self.for_each():
@@ -181,6 +193,29 @@ class Reports(unittest.TestCase):
                 faults = check_schemas.report_faults(answer, schema("sensitivity"))
                 self.assertEqual(faults, [])
                 self.assertEqual(answer["mechanism"], report["mechanism"])
+
+    def test_have_a_mobility_by_its_schema(self) -> None:
+        for path in self.for_each():
+            report = json_of("analyze", path)
+            if "mobility" in report:
+                answer = json_of("mobility", path)
+                faults = check_schemas.report_faults(answer, schema("mobility"))
+                self.assertEqual(faults, [])
+                self.assertEqual(answer["mechanism"], report["mechanism"])
+
+    def test_count_a_file_without_dimensions(self) -> None:
+        answer = json_of("mobility", COUNTED)
+
+        self.assertEqual(check_schemas.report_faults(answer, schema("mobility")), [])
+        self.assertIsNone(answer["mobility"]["counts"])
+        self.assertEqual(answer["mobility"]["grubler"]["spatial"]["mobility"], 13)
+
+    def test_have_the_same_mobility_in_csv_and_json(self) -> None:
+        for path in self.for_each():
+            mobility = json_of("mobility", path)["mobility"]
+            for row in (dict(zip(HEADER, row)) for row in rows_of("mobility", path)[1:]):
+                value = at(mobility[row["element"]], row["quantity"])
+                self.assertEqual(row["value"], json.dumps(value), row)
 
     def test_end_lines_with_lf_and_hold_no_minus_zero(self) -> None:
         for path in self.for_each():
@@ -243,7 +278,7 @@ class Goldens(unittest.TestCase):
 
 class Schema(unittest.TestCase):
     def test_describes_every_property(self) -> None:
-        for name in ("report", "inputs", "sensitivity", "comparison"):
+        for name in ("report", "mobility", "inputs", "sensitivity", "comparison"):
             self.assertEqual(list(undescribed(schema(name))), [], name)
 
     def test_refuses_an_unknown_key_anywhere(self) -> None:

@@ -16,6 +16,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 TIMEOUT_S = 240
+# A topology without dimensions is only counted.
+COUNTED = {ROOT / "mechanisms" / "cables" / "surgical_instrument.yaml"}
 # Of `kinestat analyze`: a mechanism may be there for a case without an answer.
 WITH_REPORT = {0, 5}
 
@@ -28,7 +30,8 @@ def golden_of(mechanism: Path) -> Path:
 
 def analyse(program: Path, mechanism: Path) -> subprocess.CompletedProcess[bytes]:
     """Runs in the repository, so that the report names the same path on every machine."""
-    command = [program, "analyze", "--format", "json", mechanism.relative_to(ROOT)]
+    word = "mobility" if mechanism in COUNTED else "analyze"
+    command = [program, word, "--format", "json", mechanism.relative_to(ROOT)]
     return subprocess.run(
         command, cwd=ROOT, capture_output=True, check=False, timeout=TIMEOUT_S
     )

@@ -11,11 +11,15 @@ namespace {
 
 const std::filesystem::path kFolder = std::filesystem::path(KINESTAT_SOURCE_DIR) / "mechanisms";
 
+// A topology without dimensions.
+const std::string kCounted = "cables/surgical_instrument.yaml";
+
 std::vector<std::string> list_files() {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(kFolder)) {
-    if (entry.path().extension() == ".yaml") {
-      files.push_back(std::filesystem::relative(entry.path(), kFolder).string());
+    const std::string name = std::filesystem::relative(entry.path(), kFolder).string();
+    if (entry.path().extension() == ".yaml" && name != kCounted) {
+      files.push_back(name);
     }
   }
   std::ranges::sort(files);

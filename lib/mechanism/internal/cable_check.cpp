@@ -20,6 +20,10 @@ constexpr NumberRule kEfficiency = {.kind = QuantityKind::dimensionless,
                                     .accepts = [](double x) { return x > 0.0 && x <= 1.0; },
                                     .allowed = "an efficiency above 0 and at most 1: 95 % is 0.95"};
 
+constexpr NumberRule kTurns = {.kind = QuantityKind::dimensionless,
+                               .accepts = [](double x) { return x >= 0.0 && is_whole(x); },
+                               .allowed = "a whole number, of full turns"};
+
 bool turns_on_revolute(const Name& body, const MechanismDescription& description) {
   return body.text != description.ground.text &&
          std::ranges::any_of(description.couplings, [&](const CouplingDescription& coupling) {
@@ -66,6 +70,7 @@ void check_pulley(const CableStation& pulley,
   const std::string what = fmt::format("pulley '{}' of {}", pulley.body.text, cable);
   context.names.bodies.check(pulley.body, cable + " wraps", context.found);
   context.number(pulley.radius, kAboveZeroLength, "'radius' of " + what);
+  context.number(pulley.turns, kTurns, "'turns' of " + what);
   context.number(pulley.friction, kFriction, "'friction' of " + what);
   context.number(pulley.eta, kEfficiency, "'eta' of " + what);
   for (const PointDescription& point : pulley.points) {

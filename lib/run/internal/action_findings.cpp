@@ -8,6 +8,7 @@
 
 #include "core/text.hpp"
 #include "core/tolerance.hpp"
+#include "run/internal/cable_findings.hpp"
 #include "run/internal/known_side.hpp"
 #include "screw/screw_axis.hpp"
 
@@ -102,6 +103,14 @@ std::string names_of(const std::vector<CouplingId>& couplings, const Topology& t
   return plain_list(names);
 }
 
+// Whether a rope rests on its pulley.
+bool is_of_rope(const StaticSolution& action, const Mechanism& mechanism) {
+  return std::ranges::any_of(mechanism.contacts, [&](const CableContact& contact) {
+    return contact.slips &&
+           std::ranges::find(action.at_rest, *contact.slips) != action.at_rest.end();
+  });
+}
+
 void add_undirected_friction(const Analysis& analysis,
                              const CaseAnalysis& one,
                              Diagnostics& found) {
@@ -116,8 +125,11 @@ void add_undirected_friction(const Analysis& analysis,
                           names_of(one.action->at_rest, analysis.mechanism.topology),
                           has_motion ? "nothing moves there" : "the case gives no motion"),
               has_motion
-                  ? "friction at rest may have any size up to its limit: remove it from this "
-                    "coupling, or give a motion in which it moves"
+                  ? is_of_rope(*one.action, analysis.mechanism)
+                        ? "friction at rest may have any size up to its limit: declare an actuator "
+                          "on this coupling, which then holds the rope, or let the rope slip"
+                        : "friction at rest may have any size up to its limit: remove it from this "
+                          "coupling, or give a motion in which it moves"
                   : "add 'motion:' to the case; its direction decides, and its size where there is "
                     "viscous friction");
 }
@@ -277,6 +289,7 @@ void add_action_findings(const Analysis& analysis, const CaseAnalysis& one, Diag
   }
   add_ignored_reactions(analysis, one, found);
   add_pulling_contacts(analysis, one, found);
+  add_cable_findings(analysis, one, found);
 }
 
 }  // namespace kinestat

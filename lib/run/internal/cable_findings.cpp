@@ -1,0 +1,82 @@
+#include "run/internal/cable_findings.hpp"
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "statics/pretension.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// "belt_1.F = 12 N and belt_2.F = 12 N", what the pretension adds to the segments.
+std::string pretension_text(const Analysis& analysis, const VecX& pretension) {
+  const Topology& topology = analysis.mechanism.topology;
+  const FileUnits& units = analysis.description.units;
+  std::vector<std::string> names;
+  for (const CouplingTopology& coupling : topology.couplings) {
+    const double force =
+        coupling.type == CouplingType::cable ? pretension[coupling.first_action] : 0.0;
+    if (force > 0.0) {
+      names.push_back(fmt::format("{} {:.6g} {}",
+                                  topology.action_name(coupling.first_action),
+                                  units.from_si(QuantityKind::force, force),
+                                  units.text(QuantityKind::force)));
+    }
+  }
+  return plain_list(names);
+}
+
+void add_pushed_segments(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
+  const Topology& topology = analysis.mechanism.topology;
+  const FileUnits& units = analysis.description.units;
+  const std::string hint =
+      one.pretension
+          ? fmt::format("a pretension keeps the ropes taut: add at least {}",
+                        pretension_text(analysis, *one.pretension))
+          : "a rope only pulls, and no pretension can keep this one taut: turn round the load or "
+            "the motion, or hold the rope by another actuator";
+  for (const CouplingId id : find_pushed_segments(analysis.mechanism, *one.action)) {
+    const CouplingTopology& segment = topology.coupling(id);
+    const double force =
+        one.action->magnitudes[static_cast<std::size_t>(segment.first_action)].value_or(0.0);
+    found.warning("W0606",
+                  segment.where,
+                  fmt::format("case '{}': segment '{}' would be pushed with {:.6g} {}",
+                              one.which.label,
+                              segment.name,
+                              units.from_si(QuantityKind::force, -force),
+                              units.text(QuantityKind::force)),
+                  hint);
+  }
+}
+
+void add_slipping_ropes(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
+  for (std::size_t i = 0; i < one.contacts.size(); ++i) {
+    const ContactState& state = one.contacts[i];
+    if (state.grip != Grip::would_slip) {
+      continue;
+    }
+    const CableContact& contact = analysis.mechanism.contacts[i];
+    found.warning(
+        "W0607",
+        contact.where,
+        fmt::format("case '{}': the rope would slip in '{}': friction holds tensions of a ratio of "
+                    "up to {:.6g}, and this is {}",
+                    one.which.label,
+                    contact.name,
+                    *state.limit,
+                    state.ratio ? fmt::format("{:.6g}", *state.ratio) : "more than any ratio"),
+        "more pretension, a larger contact angle or more friction hold it; or let it slip: 'slip: "
+        "true', and a motion of the virtual link");
+  }
+}
+
+}  // namespace
+
+void add_cable_findings(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
+  add_pushed_segments(analysis, one, found);
+  add_slipping_ropes(analysis, one, found);
+}
+
+}  // namespace kinestat

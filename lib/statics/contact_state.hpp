@@ -1,0 +1,53 @@
+// Whether ropes stick to their pulleys or slip.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "kinematics/kinematic_solution.hpp"
+#include "mechanism/mechanism.hpp"
+#include "statics/static_solution.hpp"
+
+namespace kinestat {
+
+enum class Grip {
+  unknown,     ///< without friction, or without both tensions
+  sticks,      ///< the ratio of the tensions is within the limit
+  slips,       ///< the case moves the rope over the pulley
+  would_slip,  ///< the ratio is beyond the limit, and the case does not let the rope slip
+};
+
+/// The word in reports.
+constexpr std::string_view word_of(Grip grip) {
+  switch (grip) {
+    case Grip::unknown:
+      return "unknown";
+    case Grip::sticks:
+      return "sticks";
+    case Grip::slips:
+      return "slips";
+    case Grip::would_slip:
+      return "would slip";
+  }
+  return "";
+}
+
+/// One contact of a rope with a pulley in one case, SI units.
+struct ContactState {
+  std::optional<double> before;      ///< tension T_1 of the segment that arrives [N]
+  std::optional<double> after;       ///< tension T_2 of the segment that leaves [N]
+  std::optional<double> ratio;       ///< of the larger tension to the smaller, if both pull
+  std::optional<double> limit;       ///< exp(μ θ), the largest ratio that friction holds
+  std::optional<double> slip_speed;  ///< of the rope over the pulley in its order [m/s]
+  std::optional<double> slip_power;  ///< (T_1 - T_2) times the slip speed [W]
+  Grip grip = Grip::unknown;
+};
+
+/// In the order of mechanism.contacts; empty if the case has no actions. Without `motion` it is not
+/// known whether ropes slip.
+std::vector<ContactState> find_contact_states(const Mechanism& mechanism,
+                                              const StaticSolution& solution,
+                                              const KinematicSolution* motion);
+
+}  // namespace kinestat

@@ -1,0 +1,106 @@
+#include "statics/pretension.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/tolerance.hpp"
+#include "math/linear_programme.hpp"
+#include "math/orthonormal.hpp"
+#include "statics/equilibrium.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// The tensions of the segments, as the actions that they are.
+std::vector<int> find_tensions(const Topology& topology) {
+  std::vector<int> tensions;
+  for (const CouplingTopology& coupling : topology.couplings) {
+    if (coupling.type == CouplingType::cable && coupling.action_count > 0) {
+      tensions.push_back(coupling.first_action);
+    }
+  }
+  return tensions;
+}
+
+// Forces below this are none.
+double least_force(const Mechanism& mechanism, const StaticSolution& solution) {
+  double largest = 0.0;
+  for (std::size_t a = 0; a < solution.magnitudes.size(); ++a) {
+    const bool is_force = !mechanism.topology.actions[a].is_couple;
+    largest = std::max(largest, is_force ? std::abs(solution.magnitudes[a].value_or(0.0)) : 0.0);
+  }
+  return kNoReaction * largest;
+}
+
+// The self-stresses that no actuator takes part in, one a column.
+MatX passive_stresses(const Mechanism& mechanism, const CoordinateBasis& basis) {
+  const Equilibrium equilibrium(mechanism, basis, mechanism.topology.driving_actions());
+  const std::vector<VecX> vectors = equilibrium.self_stresses();
+  MatX stresses(mechanism.topology.action_count(), static_cast<Eigen::Index>(vectors.size()));
+  for (std::size_t j = 0; j < vectors.size(); ++j) {
+    stresses.col(static_cast<Eigen::Index>(j)) = vectors[j];
+  }
+  return stresses;
+}
+
+// The factors y of the columns of `pulls` for which they pull at least `least` on each segment and
+// the sum is least: pulls y - s = least with s >= 0. Empty if there are none.
+std::optional<VecX> least_factors(const MatX& pulls, const VecX& least) {
+  const Eigen::Index n = pulls.cols();
+  const Eigen::Index segments = pulls.rows();
+  MatX A(segments, 2 * n + segments);
+  A.leftCols(n) = pulls;
+  A.middleCols(n, n) = -pulls;
+  A.rightCols(segments) = -MatX::Identity(segments, segments);
+  VecX costs = VecX::Zero(A.cols());
+  costs.tail(segments).setOnes();
+  const std::optional<VecX> x = find_least_cost(A, least, costs);
+  return x ? std::optional<VecX>(x->head(n) - x->segment(n, n)) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<CouplingId> find_pushed_segments(const Mechanism& mechanism,
+                                             const StaticSolution& solution) {
+  std::vector<CouplingId> pushed;
+  if (solution.magnitudes.empty()) {
+    return pushed;
+  }
+  const double least = least_force(mechanism, solution);
+  for (const int a : find_tensions(mechanism.topology)) {
+    if (solution.magnitudes[static_cast<std::size_t>(a)].value_or(0.0) < -least) {
+      pushed.push_back(mechanism.topology.actions[static_cast<std::size_t>(a)].coupling);
+    }
+  }
+  return pushed;
+}
+
+std::optional<VecX> find_pretension(const Mechanism& mechanism,
+                                    const CoordinateBasis& basis,
+                                    const StaticSolution& solution) {
+  const std::vector<int> tensions = find_tensions(mechanism.topology);
+  VecX least(static_cast<Eigen::Index>(tensions.size()));
+  for (std::size_t i = 0; i < tensions.size(); ++i) {
+    const std::optional<double> force = solution.magnitudes[static_cast<std::size_t>(tensions[i])];
+    if (!force) {
+      return std::nullopt;
+    }
+    least[static_cast<Eigen::Index>(i)] = std::max(0.0, -*force);
+  }
+  const MatX stresses = passive_stresses(mechanism, basis);
+  if (stresses.cols() == 0 || tensions.empty()) {
+    return std::nullopt;
+  }
+  // Only combinations that differ in the tensions, so that nothing else is stressed for nothing.
+  const MatX parts = orthonormal_range(stresses(tensions, Eigen::all).transpose());
+  const MatX pulls = stresses(tensions, Eigen::all) * parts;
+  const double size = pulls.cols() == 0 ? 0.0 : pulls.cwiseAbs().maxCoeff();
+  if (size == 0.0) {
+    return std::nullopt;
+  }
+  const std::optional<VecX> factors = least_factors(pulls / size, least);
+  return factors ? std::optional<VecX>(stresses * (parts * (*factors / size))) : std::nullopt;
+}
+
+}  // namespace kinestat
