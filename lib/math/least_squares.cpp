@@ -45,7 +45,15 @@ class RowUnknowns {
       const VecX right = -weights_.cwiseProduct(b_);
       unknowns = Eigen::ColPivHouseholderQR<MatX>(G).solve(right);
     }
-    return {.values = values(M, unit, unknowns), .is_open = open_rows(rank), .evidence = evidence_};
+    LeastSquares result{.values = values(M, unit, unknowns),
+                        .is_open = {},
+                        .evidence = evidence_,
+                        .measured = M * unit.asDiagonal(),
+                        .open = open_columns(rank)};
+    for (Eigen::Index r = 0; r < A_.rows(); ++r) {
+      result.is_open.push_back(!result.open.row(r).isZero(0.0));
+    }
+    return result;
   }
 
  private:
@@ -131,15 +139,12 @@ class RowUnknowns {
     return result;
   }
 
-  // What the columns that found no unknown move.
-  std::vector<bool> open_rows(Eigen::Index rank) const {
-    std::vector<bool> open(static_cast<std::size_t>(A_.rows()), false);
-    for (Eigen::Index c = rank; c < A_.cols(); ++c) {
-      const double zero = kRankZero * std::max(1.0, A_.col(c).cwiseAbs().maxCoeff());
-      for (Eigen::Index r = 0; r < A_.rows(); ++r) {
-        const auto i = static_cast<std::size_t>(r);
-        open[i] = open[i] || std::abs(A_(r, c)) > zero;
-      }
+  // Those that found no unknown, without what is rounding in them.
+  MatX open_columns(Eigen::Index rank) const {
+    MatX open = A_.rightCols(A_.cols() - rank);
+    for (Eigen::Index c = 0; c < open.cols(); ++c) {
+      const double zero = kRankZero * std::max(1.0, open.col(c).cwiseAbs().maxCoeff());
+      open.col(c) = (open.col(c).array().abs() <= zero).select(0.0, open.col(c));
     }
     return open;
   }

@@ -12,6 +12,9 @@ struct LeastSquares {
   VecX values;                ///< v; where open, one of many
   std::vector<bool> is_open;  ///< which values the weights do not determine
   RankEvidence evidence;      ///< of the rows of A that have a weight
+  MatX measured;  ///< columns that span those of A, together with `open`; with the weights they are
+                  ///< well-conditioned
+  MatX open;      ///< which the weights do not see
 };
 
 /// Weights are not negative; values of weight 0 follow from the others or stay open. The columns of

@@ -1,10 +1,13 @@
 #include "mechanism/derivatives.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/contract.hpp"
 #include "mechanism/coupling_catalogue.hpp"
+#include "mechanism/internal/compliance_binder.hpp"
 #include "mechanism/internal/coupling_binder.hpp"
+#include "mechanism/internal/extent.hpp"
 #include "mechanism/internal/friction_binder.hpp"
 #include "mechanism/internal/reference_points.hpp"
 #include "mechanism/internal/rounding_slopes.hpp"
@@ -32,19 +35,25 @@ class DerivativeBinder {
       : description_(description), mechanism_(mechanism), evaluator_(evaluator), found_(found) {}
 
   // Also finds which parameters break a coupling.
-  GeometryOf<Dual> bind_geometries(std::vector<bool>& breaks) {
-    GeometryOf<Dual> result;
-    result.origin = mechanism_.geometry.origin;
-    result.length = mechanism_.geometry.length;
+  void bind_geometries(MechanismDerivatives& result) {
+    GeometryOf<Dual>& geometry = result.geometry;
+    geometry.origin = mechanism_.geometry.origin;
+    geometry.length = mechanism_.geometry.length;
+    result.breaks_coupling.assign(result.parameter_count, false);
     std::vector<bool> has_point;
+    std::vector<Vec3Of<Dual>> points;
     for (std::size_t e = 0; e < description_.couplings.size(); ++e) {
-      add_coupling(description_.couplings[e], mechanism_.topology.couplings[e], result, breaks);
-      has_point.push_back(has_place(description_.couplings[e]));
+      const CouplingDescription& coupling = description_.couplings[e];
+      CouplingGeometryOf<Dual> drawn =
+          expect(bind_geometry<Dual>(coupling, description_.space, evaluator_, found_));
+      add_points(coupling, drawn, points);
+      add_coupling(e, std::move(drawn), result);
+      has_point.push_back(has_place(coupling));
     }
-    result.references = bind_reference_points<Dual>(
-        description_, has_point, mechanism_.topology, result, evaluator_);
-    drop_rounding(result, breaks.size());
-    return result;
+    geometry.references = bind_reference_points<Dual>(
+        description_, has_point, mechanism_.topology, geometry, evaluator_);
+    drop_rounding(geometry, result.parameter_count);
+    result.length = find_length(points, result.parameter_count);
   }
 
   void bind_frictions(MechanismDerivatives& result) {
@@ -155,23 +164,23 @@ class DerivativeBinder {
     }
   }
 
-  void add_coupling(const CouplingDescription& coupling,
-                    const CouplingTopology& topology,
-                    GeometryOf<Dual>& result,
-                    std::vector<bool>& breaks) {
-    CouplingGeometryOf<Dual> geometry =
-        expect(bind_geometry<Dual>(coupling, description_.space, evaluator_, found_));
+  void add_coupling(std::size_t e,
+                    CouplingGeometryOf<Dual> geometry,
+                    MechanismDerivatives& result) {
+    const CouplingDescription& coupling = description_.couplings[e];
+    const CouplingTopology& topology = mechanism_.topology.couplings[e];
+    const Vec3Of<Dual> origin = result.geometry.origin.cast<Dual>();
     if (!has_place(coupling)) {
-      geometry.at = result.origin.cast<Dual>();
+      geometry.at = origin;
     }
-    result.points.push_back(geometry.at);
-    geometry = measured_from<Dual>(result.origin.cast<Dual>(), std::move(geometry));
+    result.geometry.points.push_back(geometry.at);
+    geometry = measured_from<Dual>(origin, std::move(geometry));
     const auto screws = coupling_screws<Dual>(coupling.type, description_.space, geometry);
     for (const NamedTwistOf<Dual>& freedom : screws.freedoms) {
-      result.motions.push_back(freedom.screw);
+      result.geometry.motions.push_back(freedom.screw);
     }
     if (coupling.type == CouplingType::screws || coupling.screw) {
-      find_breaking_parameters(screws, breaks);
+      find_breaking_parameters(screws, result.breaks_coupling);
     }
     const bool is_in_space =
         mechanism_.static_order == OrderChoice::spatial && !coupling.passive.has_value();
@@ -179,7 +188,7 @@ class DerivativeBinder {
         is_in_space ? coupling_screws<Dual>(coupling.type, Space::spatial, geometry).constraints
                     : screws.constraints;
     for (int a = topology.first_action; a < topology.first_action + topology.action_count; ++a) {
-      add_action(a, topology, screws, constraints, geometry.at, result);
+      add_action(a, topology, screws, constraints, geometry.at, result.geometry);
     }
   }
 
@@ -220,9 +229,9 @@ MechanismDerivatives bind_derivatives(const MechanismDescription& description,
   DerivativeBinder binder(description, mechanism, evaluator, found);
   MechanismDerivatives result;
   result.parameter_count = parameters.size();
-  result.breaks_coupling.assign(parameters.size(), false);
-  result.geometry = binder.bind_geometries(result.breaks_coupling);
+  binder.bind_geometries(result);
   binder.bind_frictions(result);
+  result.compliances = bind_compliances<Dual>(description, mechanism.topology, evaluator);
   for (std::size_t c = 0; c < mechanism.cases.size(); ++c) {
     result.cases.push_back(binder.bind_case(description.cases[c], mechanism.cases[c]));
   }

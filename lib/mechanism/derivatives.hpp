@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "description/mechanism_description.hpp"
-#include "math/dual.hpp"
+#include "math/dual_vector.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {
@@ -23,9 +23,11 @@ struct CaseDerivatives {
 struct MechanismDerivatives {
   std::size_t parameter_count = 0;
   GeometryOf<Dual> geometry;
+  Dual length;                        ///< of the geometry; NaN where it has a corner or a jump
   std::vector<bool> breaks_coupling;  ///< of each parameter: reciprocity is lost when it moves
   std::vector<CouplingFrictionOf<Dual>> frictions;
   std::vector<bool> starts_friction;  ///< of each parameter: where there is none as yet
+  std::vector<Dual> compliances;      ///< of each action
   std::vector<CaseDerivatives> cases;
 };
 

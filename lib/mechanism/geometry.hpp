@@ -9,7 +9,7 @@ namespace kinestat {
 
 /// World frame, SI units. Each list is parallel to one of the Topology. Screws are written about
 /// `origin`: the world origin, unless the mechanism stands far away from it. `Scalar` is double or
-/// Dual; the origin and the size never change with a parameter.
+/// Dual; the origin and the size are plain numbers in both.
 template <class Scalar>
 struct GeometryOf {
   std::vector<TwistOf<Scalar>> motions;    ///< unit screw of each freedom: head relative to tail

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include "report/mechanism_json.hpp"
 #include "report/numbers.hpp"
 #include "report/table.hpp"
+#include "statics/static_solution.hpp"
 
 namespace kinestat {
 
@@ -32,6 +34,9 @@ Json value_json(const SensitivityValue& value, const Parameters& parameters) {
   Json result = object_of(8);
   result["value"] = number(value.value);
   result["unit"] = value.unit;
+  if (value.completed_by != IndeterminateChoice::report) {
+    result["completion"] = word_of(value.completed_by);
+  }
   result["by"] = object_of(parameters.size());
   for (std::size_t p = 0; p < parameters.size(); ++p) {
     Json entry = object_of(8);
@@ -41,6 +46,13 @@ Json value_json(const SensitivityValue& value, const Parameters& parameters) {
     result["by"][parameters[p].name] = std::move(entry);
   }
   return result;
+}
+
+// As the CSV of the analysis has it.
+std::string status_of(const SensitivityValue& value) {
+  return value.completed_by == IndeterminateChoice::report
+             ? "solved"
+             : std::string(word_of(value.completed_by));
 }
 
 std::string csv_of(const std::string& mechanism,
@@ -55,7 +67,7 @@ std::string csv_of(const std::string& mechanism,
       for (std::size_t p = 0; p < parameters.size(); ++p) {
         const auto derivative = value.derivatives[p];
         const auto relative = relative_sensitivity(value, parameters[p], derivative);
-        const std::string status = derivative ? "solved" : "no derivative";
+        const std::string status = derivative ? status_of(value) : "no derivative";
         text += csv_line(std::array<std::string, 8>{mechanism,
                                                     one.label,
                                                     "sensitivity",
@@ -105,6 +117,19 @@ std::string table_of(const SensitivityValue& value, const Parameters& parameters
   return table.text("    ");
 }
 
+// Behind a value that equilibrium alone leaves open.
+std::string_view note_of(const SensitivityValue& value) {
+  switch (value.completed_by) {
+    case IndeterminateChoice::report:
+      return "";
+    case IndeterminateChoice::minimum_norm:
+      return "; a convention: least norm";
+    case IndeterminateChoice::stiffness:
+      return "; by the stiffness of couplings";
+  }
+  return "";
+}
+
 std::string text_of(const MechanismDescription& description,
                     const std::string& file,
                     const std::vector<CaseSensitivity>& cases,
@@ -113,11 +138,12 @@ std::string text_of(const MechanismDescription& description,
   for (const CaseSensitivity& one : cases) {
     text += fmt::format("Case {}\n", one.label);
     for (const SensitivityValue& value : one.values) {
-      text += fmt::format("  {} = {}{}{}\n{}\n",
+      text += fmt::format("  {} = {}{}{}{}\n{}\n",
                           value.name,
                           format_short(value.value),
                           value.unit.empty() ? "" : " ",
                           value.unit,
+                          note_of(value),
                           table_of(value, parameters));
     }
   }

@@ -21,6 +21,8 @@ struct SensitivityValue {
   std::string name;
   std::string unit;
   double value = 0.0;
+  /// What completes the actions of which it is made, where equilibrium leaves these open.
+  IndeterminateChoice completed_by = IndeterminateChoice::report;
   /// One a parameter, in `unit` per its unit; empty where there is none.
   std::vector<std::optional<double>> derivatives;
 };

@@ -16,7 +16,6 @@
 #include "run/findings.hpp"
 #include "run/solve_cases.hpp"
 #include "sensitivity/adjoint.hpp"
-#include "statics/indeterminacy.hpp"
 
 namespace kinestat {
 
@@ -174,13 +173,10 @@ class SensitivityJob {
     const bool has_rates = one.motion && one.motion->status == SolveStatus::solved;
     const bool has_actions =
         one.action && !one.action->magnitudes.empty() && rubbing_rope() == nullptr;
-    const std::optional<StaticSolution> action =
-        has_actions ? std::optional(without_completion(analysis_.mechanism, *one.action))
-                    : std::nullopt;
     const DualCase values(analysis_.mechanism,
                           case_index,
                           has_rates ? &*one.motion : nullptr,
-                          has_actions ? &*action : nullptr,
+                          has_actions ? &*one.action : nullptr,
                           derivatives);
     CaseAdjoint adjoint(values, bases);
     std::vector<SensitivityValue> result;
@@ -188,6 +184,9 @@ class SensitivityJob {
          choice_.values.empty() ? usual_value_names(values) : choice_.values) {
       if (const auto value = find_value(values, name)) {
         result.push_back(in_file_units(*value, name, adjoint));
+        if (is_completed(values, *value)) {
+          result.back().completed_by = one.action->completion.by;
+        }
         answered_.insert(name);
       }
     }
@@ -250,6 +249,7 @@ class SensitivityJob {
     SensitivityValue result{.name = name,
                             .unit = unit,
                             .value = value.value.value / factor,
+                            .completed_by = IndeterminateChoice::report,
                             .derivatives = adjoint.derivatives_of(value)};
     for (std::size_t p = 0; p < variables_.size(); ++p) {
       if (result.derivatives[p]) {

@@ -8,6 +8,7 @@
 
 #include "network/bases.hpp"
 #include "network/node_system.hpp"
+#include "sensitivity/internal/action_state.hpp"
 #include "sensitivity/internal/adjoint_side.hpp"
 #include "sensitivity/internal/friction_slopes.hpp"
 #include "sensitivity/internal/screw_slopes.hpp"
@@ -93,18 +94,6 @@ FactoredSide action_equations(const DualCase& values, const CoordinateBasis& bas
           std::move(units)};
 }
 
-// Those of the solution; where it leaves them open, any that are in equilibrium with the others.
-std::vector<double> action_magnitudes(const DualCase& values, const FactoredSide& equations) {
-  std::vector<double> result;
-  for (const std::optional<double>& magnitude : values.action()->magnitudes) {
-    if (!magnitude) {
-      return equations.solve(known_actions(values, equations.basis()));
-    }
-    result.push_back(*magnitude);
-  }
-  return result;
-}
-
 }  // namespace
 
 AdjointBases find_adjoint_bases(const Mechanism& mechanism,
@@ -137,15 +126,18 @@ AdjointSide& CaseAdjoint::action() {
 
 AdjointSide CaseAdjoint::make_action() {
   FactoredSide equations = action_equations(values_, bases_.action);
-  const std::vector<double> magnitudes = action_magnitudes(values_, equations);
+  const ActionState state = find_action_state(values_, equations);
   ParameterChanges changes;
   changes.is_possible = values_.derivatives().starts_friction;
   changes.is_possible.flip();
   changes.total = known_action_changes(values_, bases_.action);
-  add_action_changes(magnitudes, values_, bases_.action, changes.total);
-  changes.open = equations.open_magnitudes();
+  add_action_changes(state.magnitudes, values_, bases_.action, changes.total);
+  changes.open = state.stresses;
+  changes.completed_count = state.completed_count;
+  const Change nothing{.rows = {},
+                       .known = std::vector<double>(values_.which().actions.size(), 0.0)};
   for (const std::vector<double>& open : changes.open) {
-    changes.by_open.emplace_back(values_.parameter_count());
+    changes.by_open.emplace_back(values_.parameter_count(), nothing);
     add_action_changes(open, values_, bases_.action, changes.by_open.back());
   }
   RateSlopes rates;
@@ -154,8 +146,12 @@ AdjointSide CaseAdjoint::make_action() {
     rates.push_back(motion().slopes_of(p));
   }
   add_open_frictions(values_, equations, rates, changes);
-  friction_slopes_ = add_friction_changes(values_, equations, magnitudes, rates, changes);
-  return {std::move(equations), std::move(changes)};
+  friction_slopes_ = add_friction_changes(values_, equations, state.magnitudes, rates, changes);
+  std::optional<Compatibility> compatibility;
+  if (state.completed_count > 0) {
+    compatibility.emplace(values_, equations, state.magnitudes, changes);
+  }
+  return {std::move(equations), std::move(changes), std::move(compatibility)};
 }
 
 void CaseAdjoint::add_frictions(const std::vector<double>& slopes,

@@ -60,6 +60,10 @@ std::optional<Dual> DualCase::magnitude(std::size_t action) const {
                    : std::nullopt;
 }
 
+std::optional<Dual> DualCase::real_magnitude(std::size_t action) const {
+  return is_by_convention(*action_, static_cast<int>(action)) ? std::nullopt : magnitude(action);
+}
+
 // The derivatives towards parameters come last.
 Dual DualCase::placed(const Dual& dimension) const {
   Dual result(dimension.value);

@@ -51,8 +51,11 @@ class DualCase {
 
   Dual rate(std::size_t freedom) const;
 
-  /// Empty where equilibrium leaves the magnitude open.
+  /// Empty where the magnitude is open.
   std::optional<Dual> magnitude(std::size_t action) const;
+
+  /// Empty also where it is a convention (least norm), which no power or ratio is made of.
+  std::optional<Dual> real_magnitude(std::size_t action) const;
 
   /// Tail on head, about the origin of the geometry, as the next ones are.
   WrenchOf<Dual> unit_action(std::size_t action) const;

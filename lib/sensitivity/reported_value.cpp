@@ -1,8 +1,11 @@
 #include "sensitivity/reported_value.hpp"
 
 #include <algorithm>
+#include <iterator>
 
+#include "core/tolerance.hpp"
 #include "sensitivity/internal/value_path.hpp"
+#include "statics/completed_actions.hpp"
 
 namespace kinestat {
 
@@ -30,11 +33,12 @@ std::string joined(const PathParts& parts) {
   return path;
 }
 
+// Empty if one is open, or a convention.
 std::optional<Dual> sum_of_actions(const DualCase& values, const std::vector<int>& actuators) {
   std::optional<Dual> sum = Dual(0.0);
   for (const int i : actuators) {
     const auto& actuator = values.topology().actuators[static_cast<std::size_t>(i)];
-    const auto one = values.magnitude(static_cast<std::size_t>(actuator.action));
+    const auto one = values.real_magnitude(static_cast<std::size_t>(actuator.action));
     sum = sum && one ? std::optional(*sum + *one) : std::nullopt;
   }
   return sum;
@@ -84,10 +88,28 @@ Found find_formula(const DualCase& values, const PathParts& parts) {
                                                          : std::nullopt;
 }
 
+// Slopes towards actions that are rounding of others, as of passive constraints that do no work on
+// a motion: the value would seem to depend on them.
+void drop_rounding(const DualCase& values, Dual& value) {
+  if (values.action() == nullptr || value.derivatives.empty()) {
+    return;
+  }
+  const VecX scales = action_scales(values.mechanism());
+  const auto first = static_cast<Eigen::Index>(values.topology().freedoms.size());
+  Eigen::Map<VecX> all(value.derivatives.data(), std::ssize(value.derivatives));
+  Eigen::Ref<VecX> slopes = all.segment(first, scales.size());
+  const VecX sizes = slopes.cwiseAbs().cwiseProduct(scales);
+  const double largest = sizes.size() == 0 ? 0.0 : sizes.maxCoeff();
+  for (Eigen::Index a = 0; a < slopes.size(); ++a) {
+    slopes[a] = sizes[a] <= kCancellation * largest ? 0.0 : slopes[a];
+  }
+}
+
 Found find_at(const DualCase& values, const PathParts& parts) {
   Found result = find_formula(values, parts);
   if (result) {
     result->name = joined(parts);
+    drop_rounding(values, result->value);
   }
   return result;
 }
@@ -108,6 +130,14 @@ std::optional<ReportedValue> find_reported_value(const DualCase& values, std::st
     result = find_at(values, {"statics", "actions", parts[0]});
   }
   return result;
+}
+
+bool is_completed(const DualCase& values, const ReportedValue& value) {
+  const std::size_t first = values.topology().freedoms.size();
+  return values.action() != nullptr &&
+         std::ranges::any_of(values.action()->completion.actions, [&](int action) {
+           return derivative(value.value, first + static_cast<std::size_t>(action)) != 0.0;
+         });
 }
 
 std::vector<std::string> reported_value_names(const DualCase& values) {

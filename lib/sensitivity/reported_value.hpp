@@ -27,6 +27,9 @@ struct ReportedValue {
 /// in the case, or none that has derivatives (the axis and pitch of a screw, counts).
 std::optional<ReportedValue> find_reported_value(const DualCase& values, std::string_view name);
 
+/// Whether it depends on actions that equilibrium leaves open and something else completes.
+bool is_completed(const DualCase& values, const ReportedValue& value);
+
 /// Short names and paths that have a value, for a hint.
 std::vector<std::string> reported_value_names(const DualCase& values);
 

@@ -25,8 +25,4 @@ namespace kinestat {
                                                    std::span<const BodyWrench> loads,
                                                    StaticSolution solution);
 
-/// What equilibrium alone says: without the values that were completed.
-[[nodiscard]] StaticSolution without_completion(const Mechanism& mechanism,
-                                                StaticSolution solution);
-
 }  // namespace kinestat

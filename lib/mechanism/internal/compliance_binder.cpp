@@ -8,14 +8,15 @@
 
 namespace kinestat {
 
-std::vector<double> bind_compliances(const MechanismDescription& description,
+template <class Scalar>
+std::vector<Scalar> bind_compliances(const MechanismDescription& description,
                                      const Topology& topology,
-                                     Evaluator& evaluator) {
+                                     EvaluatorOf<Scalar>& evaluator) {
   std::map<std::string, std::size_t> actions;
   for (std::size_t a = 0; a < topology.actions.size(); ++a) {
     actions.emplace(topology.action_name(static_cast<int>(a)), a);
   }
-  std::vector<double> compliances(topology.actions.size(), 0.0);
+  std::vector<Scalar> compliances(topology.actions.size(), Scalar(0.0));
   for (const CouplingDescription& coupling : description.couplings) {
     for (const StiffnessDescription& one : coupling.stiffness) {
       const std::size_t a = actions.at(coupling.name.text + "." + one.action.text);
@@ -23,12 +24,19 @@ std::vector<double> bind_compliances(const MechanismDescription& description,
       const auto stiffness = evaluator.number(
           one.value, is_couple ? QuantityKind::angular_stiffness : QuantityKind::stiffness);
       if (stiffness) {
-        compliances[a] = 1.0 / *stiffness;
+        compliances[a] = Scalar(1.0) / *stiffness;
       }
     }
   }
   return compliances;
 }
+
+template std::vector<double> bind_compliances(const MechanismDescription&,
+                                              const Topology&,
+                                              EvaluatorOf<double>&);
+template std::vector<Dual> bind_compliances(const MechanismDescription&,
+                                            const Topology&,
+                                            EvaluatorOf<Dual>&);
 
 void warn_of_idle_stiffness(const MechanismDescription& description, Diagnostics& found) {
   const auto first = std::ranges::find_if(

@@ -10,10 +10,11 @@
 namespace kinestat {
 
 /// Of each action [m/N or rad/(N·m)]: 1 by its stiffness; 0, which is rigid, where there is none.
-/// The names and numbers must have been checked with the structure.
-std::vector<double> bind_compliances(const MechanismDescription& description,
+/// The names and numbers must have been checked with the structure. `Scalar` is double or Dual.
+template <class Scalar>
+std::vector<Scalar> bind_compliances(const MechanismDescription& description,
                                      const Topology& topology,
-                                     Evaluator& evaluator);
+                                     EvaluatorOf<Scalar>& evaluator);
 
 /// Warns of stiffness that nothing uses, and of a section `statics` that finds none.
 void warn_of_idle_stiffness(const MechanismDescription& description, Diagnostics& found);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/tolerance.hpp"
-
 namespace kinestat {
 
 template <class Scalar>
@@ -49,25 +47,5 @@ template std::vector<Vec3Of<Dual>> bind_reference_points(const MechanismDescript
                                                          const Topology&,
                                                          const GeometryOf<Dual>&,
                                                          EvaluatorOf<Dual>&);
-
-Extent find_extent(const std::vector<Vec3>& points) {
-  if (points.empty()) {
-    return {};
-  }
-  Vec3 low = points.front();
-  Vec3 high = low;
-  for (const Vec3& point : points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  const Vec3 centre = low + 0.5 * (high - low);
-  const double diagonal = (high - low).norm();
-  Extent extent;
-  extent.length = diagonal > 0.0 ? diagonal : 1.0;
-  if (centre.norm() > kFarOrigin * extent.length) {
-    extent.origin = centre;
-  }
-  return extent;
-}
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// Where the velocities of bodies are reported, and how large the mechanism is.
+// Where the velocities of bodies are reported.
 #pragma once
 
 #include <vector>
@@ -17,13 +17,5 @@ std::vector<Vec3Of<Scalar>> bind_reference_points(const MechanismDescription& de
                                                   const Topology& topology,
                                                   const GeometryOf<Scalar>& geometry,
                                                   EvaluatorOf<Scalar>& evaluator);
-
-/// How large a mechanism is and where it stands [m].
-struct Extent {
-  double length = 1.0;         ///< the diagonal of the box around all points; 1 if that is zero
-  Vec3 origin = Vec3::Zero();  ///< the world origin; the centre of the box if that is far away
-};
-
-Extent find_extent(const std::vector<Vec3>& points);
 
 }  // namespace kinestat

@@ -11,6 +11,7 @@
 #include "mechanism/coupling_catalogue.hpp"
 #include "mechanism/internal/actuator_binder.hpp"
 #include "mechanism/internal/coupling_binder.hpp"
+#include "mechanism/internal/extent.hpp"
 #include "mechanism/internal/friction_binder.hpp"
 #include "mechanism/internal/geometry_check.hpp"
 #include "mechanism/internal/passive_constraints.hpp"
@@ -176,7 +177,7 @@ class StructureBinder {
   void place(std::vector<Joint>& joints) {
     std::vector<Vec3> points;
     for (const Joint& joint : joints) {
-      add_points(joint, points);
+      add_points(*joint.description, joint.geometry, points);
     }
     const Extent extent = find_extent(points);
     geometry_.length = extent.length;
@@ -184,25 +185,6 @@ class StructureBinder {
     for (Joint& joint : joints) {
       if (!has_place(*joint.description)) {
         joint.geometry.at = extent.origin;
-      }
-    }
-  }
-
-  static void add_points(const Joint& joint, std::vector<Vec3>& points) {
-    const CouplingDescription& coupling = *joint.description;
-    if (has_place(coupling)) {
-      points.push_back(joint.geometry.at);
-    }
-    if (coupling.type == CouplingType::cable) {
-      points.push_back(joint.geometry.from);
-    }
-    for (const auto* list : {&coupling.freedoms, &coupling.constraints}) {
-      const auto& screws =
-          list == &coupling.freedoms ? joint.geometry.freedoms : joint.geometry.constraints;
-      for (std::size_t i = 0; i < list->size(); ++i) {
-        if ((*list)[i].at) {
-          points.push_back(screws[i].at);
-        }
       }
     }
   }

@@ -1,6 +1,7 @@
 // What parameters change in the equations of a case.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
@@ -18,6 +19,16 @@ struct Change {
   std::vector<double> known;                 ///< of the primaries, in the units of the unknowns
 
   bool is_nothing() const;
+};
+
+/// What parameters change, each in one Change. Nobody knows the size of a self-stress that is open,
+/// so a value that one of them would move has no derivative.
+struct ParameterChanges {
+  std::vector<Change> total;
+  std::vector<bool> is_possible;             ///< whether the change has a size at all
+  std::vector<std::vector<double>> open;     ///< magnitudes of each self-stress
+  std::vector<std::vector<Change>> by_open;  ///< what the parameters change under it
+  std::size_t completed_count = 0;           ///< the first of these are not open but completed
 };
 
 /// Adds what a value moves by, if the right-hand side changes so.

@@ -15,11 +15,12 @@ class PowerFormula {
  public:
   explicit PowerFormula(const DualCase& values) : values_(values), topology_(values.topology()) {}
 
-  // Needs the actions of all actuators.
+  // Needs all frictions and the actions of all actuators.
   bool exists() const {
-    return std::ranges::all_of(topology_.actuators, [&](const ActuatorTopology& actuator) {
-      return values_.magnitude(static_cast<std::size_t>(actuator.action)).has_value();
-    });
+    return values_.action()->open_friction.empty() &&
+           std::ranges::all_of(topology_.actuators, [&](const ActuatorTopology& actuator) {
+             return values_.real_magnitude(static_cast<std::size_t>(actuator.action)).has_value();
+           });
   }
 
   Found find(const PathParts& parts) const {
@@ -50,7 +51,7 @@ class PowerFormula {
       return std::nullopt;
     }
     if (group == "couplings") {
-      const auto wrench = values_.coupling_wrench(*e);
+      const auto wrench = real_wrench(*e);
       const auto head = static_cast<std::size_t>(topology_.couplings[*e].head.value);
       return wrench ? std::optional(power(*wrench, values_.body_twist(head))) : std::nullopt;
     }
@@ -58,6 +59,13 @@ class PowerFormula {
       return supplied(*e);
     }
     return group == "friction" ? of_friction(*e) : std::nullopt;
+  }
+
+  // Empty where it is open, or a convention.
+  std::optional<WrenchOf<Dual>> real_wrench(std::size_t coupling) const {
+    return is_by_convention(*values_.action(), topology_.couplings[coupling])
+               ? std::nullopt
+               : values_.coupling_wrench(coupling);
   }
 
   Dual of_actuator(std::size_t i) const {
@@ -81,9 +89,9 @@ class PowerFormula {
     return std::nullopt;
   }
 
-  // Where passive constraints are open, by the rest: these do no work.
+  // Where passive constraints have no value, by the rest: these do no work.
   Dual supplied(std::size_t coupling) const {
-    if (const auto wrench = values_.coupling_wrench(coupling)) {
+    if (const auto wrench = real_wrench(coupling)) {
       return power(*wrench, values_.coupling_twist(coupling));
     }
     Dual sum = of_friction(coupling).value_or(Dual(0.0));

@@ -73,7 +73,9 @@ class LawReader {
  private:
   // What equilibrium leaves open is no variable.
   Dual magnitude(std::size_t action) const {
-    return values_.magnitude(action).value_or(Dual(magnitudes_[action]));
+    const bool is_open = is_completed(*values_.action(), static_cast<int>(action));
+    const auto known = is_open ? std::nullopt : values_.magnitude(action);
+    return known.value_or(Dual(magnitudes_[action]));
   }
 
   void add_part(const FrictionLawOf<Dual>& law,

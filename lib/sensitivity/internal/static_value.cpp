@@ -13,11 +13,17 @@ Vec3Of<Dual> origin_of(const DualCase& values) {
 
 Found coupling_value(const DualCase& values, const PathParts& parts) {
   const auto e = index_of(values.topology().couplings, parts[2]);
-  const auto wrench = e ? values.coupling_wrench(*e) : std::nullopt;
-  if (!wrench || parts.size() != 5) {
+  if (!e || parts.size() != 5) {
     return std::nullopt;
   }
   const Vec3Of<Dual> at = values.point(*e);
+  if (parts[3] == "at") {
+    return component(parts, {{length, at}});
+  }
+  const auto wrench = values.coupling_wrench(*e);
+  if (!wrench) {
+    return std::nullopt;
+  }
   if (parts[3] == "wrench") {
     const WrenchOf<Dual> world = about_world(*wrench, origin_of(values));
     return component(parts, {{moment, world.moment}, {force, world.force}});
@@ -25,10 +31,7 @@ Found coupling_value(const DualCase& values, const PathParts& parts) {
   if (parts[3] == "moment") {
     return component(parts, {{moment, moment_at(*wrench, at - origin_of(values))}});
   }
-  if (parts[3] == "force") {
-    return component(parts, {{force, wrench->force}});
-  }
-  return parts[3] == "at" ? component(parts, {{length, at}}) : std::nullopt;
+  return parts[3] == "force" ? component(parts, {{force, wrench->force}}) : std::nullopt;
 }
 
 // Its size as a couple or a drag; the moment is about the point of the coupling.

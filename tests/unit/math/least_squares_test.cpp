@@ -55,6 +55,22 @@ TEST(LeastSquares, LeaveOpenWhatNoWeightHolds) {
   EXPECT_EQ(found.is_open, (Flags{false, false, true, true}));
 }
 
+TEST(LeastSquares, SplitTheirColumnsByWhatTheWeightsSee) {
+  // The sum of both columns is seen as well, so the second is not by itself open: their difference
+  // is.
+  MatX A(3, 2);
+  A << 2, 2, 1, 0, 0, 1;
+
+  const LeastSquares found = find_least_squares(A, Vec3::Zero(), Vec3(4.0, 0.0, 0.0));
+
+  ASSERT_EQ(found.measured.cols(), 1);
+  ASSERT_EQ(found.open.cols(), 1);
+  EXPECT_NEAR(std::abs(4.0 * found.measured(0, 0)), 1.0, kTight);
+  EXPECT_EQ(found.open(0, 0), 0.0);
+  EXPECT_NEAR(found.open(1, 0), -found.open(2, 0), kTight);
+  EXPECT_NE(found.open(1, 0), 0.0);
+}
+
 TEST(LeastSquares, WithoutUnknownsAreTheConstants) {
   const LeastSquares found = find_least_squares(MatX(2, 0), Eigen::Vector2d(1, 2), VecX::Ones(2));
 

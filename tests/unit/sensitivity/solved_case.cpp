@@ -8,13 +8,14 @@
 #include "mechanism/bind.hpp"
 #include "network/bases.hpp"
 #include "statics/friction.hpp"
+#include "statics/indeterminacy.hpp"
 #include "support/read_text.hpp"
 
 namespace kinestat {
 
 namespace {
 
-// With friction, if there is any.
+// With friction, if there is any, and completed if the file asks for it.
 StaticSolution solve_statics(const Mechanism& mechanism, const KinematicSolution& motion) {
   std::vector<FrictionLaw> laws;
   for (const auto& law : find_friction_laws(mechanism, motion)) {
@@ -22,11 +23,12 @@ StaticSolution solve_statics(const Mechanism& mechanism, const KinematicSolution
   }
   const Case& which = mechanism.cases.front();
   const std::vector<BodyWrench> loads = wrenches_of(which.loads);
-  return solve_with_friction(mechanism,
-                             action_basis(mechanism.geometry, OrderChoice::minimal, loads),
-                             which.actions,
-                             loads,
-                             laws);
+  const CoordinateBasis basis = action_basis(mechanism.geometry, OrderChoice::minimal, loads);
+  return resolve_indeterminacy(mechanism,
+                               basis,
+                               which.actions,
+                               loads,
+                               solve_with_friction(mechanism, basis, which.actions, loads, laws));
 }
 
 }  // namespace

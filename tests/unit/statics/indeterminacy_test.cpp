@@ -223,20 +223,6 @@ TEST(Report, GivesNoValuesButTheSelfStress) {
   EXPECT_NEAR(terms[1].coefficient, -1.0, 1e-14);
 }
 
-TEST(WithoutCompletion, IsWhatEquilibriumAloneSays) {
-  const Mechanism mechanism = mechanism_of(
-      kShaft + ", stiffness: {Rx: 3e7}" + kShaftEnd +
-      ", stiffness: {Rx: 1e7}}\nloads: {push: {body: shaft, at: [0.5, 0, 0], force: [8, 4, 0]}}\n" +
-      statics("stiffness"));
-
-  const StaticSolution solution = without_completion(mechanism, solve(mechanism));
-
-  EXPECT_EQ(solution.status, SolveStatus::underdetermined);
-  EXPECT_TRUE(std::isnan(magnitude(mechanism, solution, "a.Rx")));
-  EXPECT_NEAR(magnitude(mechanism, solution, "a.Ry"), -3.0, 1e-13);
-  EXPECT_FALSE(solution.wrenches.at(0).has_value());
-}
-
 // A pin-jointed truss: joints are bodies, bars are couplings that bear along their line only.
 struct Truss {
   int free_count = 0;
