@@ -130,8 +130,8 @@ void meet(const std::vector<Vec3>& way,
           std::vector<Meeting>& meetings) {
   bool has_stopped = false;
   double last = 0.0;
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const Vec3 forward = (way[i] - way[i - 1]).normalized();
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const Vec3 forward = i == 0 ? Vec3(way[1] - way[0]) : Vec3(way[i] - way[i - 1]);
     Vec3 tangent = tracer.tangent_at(way[i]);
     tangent = tangent.dot(forward) < 0.0 ? Vec3(-tangent) : tangent;
     const double rate = input_rate(input, way[i], tangent);
