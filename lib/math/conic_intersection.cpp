@@ -1,9 +1,5 @@
 #include "math/conic_intersection.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +7,11 @@
 #include <limits>
 #include <optional>
 #include <utility>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SVD>
 
 #include "core/tolerance.hpp"
 
@@ -144,8 +145,7 @@ class Intersection {
     const Mat64& first = products[static_cast<std::size_t>((best + 1) % 3)];
     const Mat64& second = products[static_cast<std::size_t>((best + 2) % 3)];
     for (const double mixing : {0.6180339887, -1.7320508076, 0.3141592654}) {
-      std::vector<Point> found =
-          eigen_points(cubics, denominator.solve(first + mixing * second));
+      std::vector<Point> found = eigen_points(cubics, denominator.solve(first + mixing * second));
       const double miss = worst_residual(found);
       if (miss < worst) {
         worst = miss;
@@ -277,9 +277,8 @@ class Intersection {
   static double miss(const Mat3& conic, const Vec3& line) {
     const Vec3 p = line.unitOrthogonal();
     const Vec3 q = line.cross(p);
-    return std::max({std::abs(p.dot(conic * p)),
-                     std::abs(p.dot(conic * q)),
-                     std::abs(q.dot(conic * q))});
+    return std::max(
+        {std::abs(p.dot(conic * p)), std::abs(p.dot(conic * q)), std::abs(q.dot(conic * q))});
   }
 
   // The other line of a conic that holds this one: conic = line mᵀ + m lineᵀ.

@@ -6,37 +6,13 @@
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "math/conic_intersection.hpp"
-#include "math/null_space.hpp"
 #include "synthesis/internal/condition_rows.hpp"
+#include "synthesis/internal/condition_space.hpp"
 #include "synthesis/internal/dyad_point.hpp"
 
 namespace kinestat {
 
 namespace {
-
-MatX matrix_of(const ConditionRows& system) {
-  MatX matrix(static_cast<Eigen::Index>(system.rows.size()), 7);
-  for (std::size_t i = 0; i < system.rows.size(); ++i) {
-    for (std::size_t j = 0; j < 7; ++j) {
-      matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = system.rows[i][j];
-    }
-  }
-  return matrix;
-}
-
-// What rounding of the positions moves the null space by.
-double find_loss(const NullSpace& space, const std::vector<double>& noise) {
-  double loss = kEpsilon;
-  for (std::size_t i = 0; i < noise.size(); ++i) {
-    loss += noise[i] * space.inverse.col(static_cast<Eigen::Index>(i)).norm();
-  }
-  return loss;
-}
-
-double digits_of(double loss) {
-  constexpr double kMost = 16.0;
-  return std::isnan(loss) ? 0.0 : std::clamp(-std::log10(loss), 0.0, kMost);
-}
 
 Mat3 symmetric_product(const Vec3& a, const Vec3& b) {
   return 0.5 * (a * b.transpose() + b * a.transpose());
@@ -48,53 +24,19 @@ class Solver {
       : positions_(positions), system_(make_condition_rows(positions)) {}
 
   BurmesterSolution run() {
-    const NullSpace space = find_null_space(matrix_of(system_));
-    loss_ = find_loss(space, system_.noise);
-    solution_.flatness = space.flatness();
-    solution_.digits = digits_of(loss_);
-    if (!(loss_ < kUselessLoss)) {
-      find_why_flat(space);
-      return std::move(solution_);
+    const ConditionSpace space = find_condition_space(system_, positions_);
+    loss_ = space.loss;
+    solution_.status = space.status;
+    solution_.reason = space.reason;
+    solution_.flatness = space.flatness;
+    solution_.digits = space.digits;
+    if (space.status == BurmesterStatus::solved) {
+      intersect(space.space.basis);
     }
-    intersect(space.basis);
     return std::move(solution_);
   }
 
  private:
-  // Rows that depend on each other leave a clear gap in the singular values, and rounding is far
-  // below them; positions that close in on each other leave neither.
-  void find_why_flat(const NullSpace& space) {
-    const VecX& values = space.singular_values;
-    double smallest_counted = values[0];
-    for (const double value : values) {
-      smallest_counted = value > kRankZero * values[0] ? value : smallest_counted;
-    }
-    const bool is_repeated = std::ranges::any_of(system_.rows, [](const auto& row) {
-      return std::ranges::all_of(row, [](double entry) { return entry == 0.0; });
-    });
-    const bool is_noisy =
-        std::ranges::any_of(system_.noise, [](double noise) { return noise > kNoisyRow; });
-    const bool is_clear = smallest_counted > kClearGap * values[0] &&
-                          values[values.size() - 1] < kCancellation * values[0];
-    if (is_repeated) {
-      set_family(Degeneracy::repeated_position);
-    } else if (!is_noisy && is_clear) {
-      set_family(is_translation() ? Degeneracy::translation : Degeneracy::dependent);
-    } else {
-      solution_.status = BurmesterStatus::no_digits;
-    }
-  }
-
-  bool is_translation() const {
-    return std::ranges::all_of(positions_, [&](const PositionJets& position) {
-      const bool stands =
-          std::ranges::all_of(position.angle.begin() + 1, position.angle.end(), [](double rate) {
-            return std::abs(rate) < kSameAngle;
-          });
-      return stands && std::abs(position.angle[0] - positions_[0].angle[0]) < kSameAngle;
-    });
-  }
-
   void set_family(Degeneracy reason) {
     solution_.status = BurmesterStatus::family;
     solution_.reason = reason;

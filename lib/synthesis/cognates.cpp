@@ -40,9 +40,8 @@ std::optional<Cognates> find_cognates(const Linkage& linkage,
   const Point third = a0 + share * (b0 - a0);
   return Cognates{
       .third_pivot = third,
-      .linkages = {
-          places_of({a0, third}, {a0 + share * (b - a), third + share * (b - b0)}),
-          places_of({b0, third}, {b0 - rest * (b - a), third + rest * (a - a0)})}};
+      .linkages = {places_of({a0, third}, {a0 + share * (b - a), third + share * (b - b0)}),
+                   places_of({b0, third}, {b0 - rest * (b - a), third + rest * (a - a0)})}};
 }
 
 }  // namespace kinestat

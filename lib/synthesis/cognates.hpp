@@ -23,6 +23,8 @@ struct Cognates {
 
 /// Of a four-bar for the path of a point of its coupler [moving frame]. Empty if the linkage is
 /// none, or if the point is A or B, where a cognate degenerates.
-std::optional<Cognates> find_cognates(const Linkage& linkage, const Pose& pose, const Point& tracer);
+std::optional<Cognates> find_cognates(const Linkage& linkage,
+                                      const Pose& pose,
+                                      const Point& tracer);
 
 }  // namespace kinestat

@@ -188,8 +188,8 @@ DriveCurve::Range DriveCurve::range() const {
   }
   // s from -1 to 1, or above over_root².
   const double a = ((is_over_root_ ? over_root_ * over_root_ : -1.0) - constant_) / factor_;
-  const double b = is_over_root_ ? (factor_ > 0.0 ? kInfinity : -kInfinity)
-                                 : (1.0 - constant_) / factor_;
+  const double b =
+      is_over_root_ ? (factor_ > 0.0 ? kInfinity : -kInfinity) : (1.0 - constant_) / factor_;
   const auto [low, high] = std::minmax(a, b);
   return {.low = std::max(low, whole.low), .high = std::min(high, whole.high)};
 }
@@ -235,8 +235,7 @@ Pose DriveCurve::pose_of_inverted_input(double x, int side) const {
   const Point other_normal = output_.kind == DyadKind::slider
                                  ? normal_of(output_)
                                  : unit_vector(pose.angle) * normal_of(output_);
-  const double slide =
-      dot(other_normal, output_.centre_point - place) / dot(other_normal, along);
+  const double slide = dot(other_normal, output_.centre_point - place) / dot(other_normal, along);
   pose.origin = place + slide * along - unit_vector(pose.angle) * output_.circle_point;
   return pose;
 }

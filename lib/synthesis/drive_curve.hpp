@@ -44,6 +44,7 @@ class DriveCurve {
   enum class Argument { cosine, square, linear, none };
 
   Argument argument() const { return argument_; }
+
   Range range() const;
 
   /// At the ends of the range the output runs to infinity, so that nothing connects the sides.

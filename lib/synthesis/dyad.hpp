@@ -10,14 +10,17 @@ namespace kinestat {
 enum class DyadKind {
   crank,           ///< circle point and centre point at a distance
   slider,          ///< the centre lies at infinity: the circle point moves on a straight line
-  inverted_slider  ///< the circle point lies at infinity: a line of the plane slides on a fixed point
+  inverted_slider  ///< the circle point lies at infinity: a line of the plane slides on a fixed
+                   ///< point
 };
 
 /// (pt: díade) What of it is used depends on the kind.
 struct Dyad {
   DyadKind kind = DyadKind::crank;
-  Point circle_point = {0.0, 0.0};  ///< moving frame; of an inverted slider the point of the line at its foot
-  Point centre_point = {0.0, 0.0};  ///< fixed frame; of a slider the circle point in the first position
+  Point circle_point = {
+      0.0, 0.0};  ///< moving frame; of an inverted slider the point of the line at its foot
+  Point centre_point = {0.0,
+                        0.0};  ///< fixed frame; of a slider the circle point in the first position
 
   /// Unit vector. Of a slider: along its path, fixed frame. Of an inverted slider: along the line,
   /// moving frame; its foot is where the perpendicular from the origin of the frame meets it.

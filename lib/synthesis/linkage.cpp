@@ -82,11 +82,10 @@ std::optional<FourBarLengths> lengths_of(const Linkage& linkage) {
   if (linkage.type() != LinkageType::four_bar) {
     return std::nullopt;
   }
-  return FourBarLengths{
-      .ground = std::abs(linkage.other.centre_point - linkage.one.centre_point),
-      .crank_one = linkage.one.length,
-      .coupler = std::abs(linkage.other.circle_point - linkage.one.circle_point),
-      .crank_other = linkage.other.length};
+  return FourBarLengths{.ground = std::abs(linkage.other.centre_point - linkage.one.centre_point),
+                        .crank_one = linkage.one.length,
+                        .coupler = std::abs(linkage.other.circle_point - linkage.one.circle_point),
+                        .crank_other = linkage.other.length};
 }
 
 std::string_view word_of(GrashofClass which) {

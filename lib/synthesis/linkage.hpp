@@ -62,11 +62,11 @@ struct FourBarLengths {
 std::optional<FourBarLengths> lengths_of(const Linkage& linkage);
 
 enum class GrashofClass {
-  crank_rocker,  ///< the shortest link is a crank, see `which`
-  double_crank,  ///< the shortest link is the ground (drag link)
-  double_rocker, ///< the shortest link is the coupler, which turns fully
-  triple_rocker, ///< not Grashof: no link turns fully
-  change_point   ///< shortest and longest equal the other two: a position with all in line
+  crank_rocker,   ///< the shortest link is a crank, see `which`
+  double_crank,   ///< the shortest link is the ground (drag link)
+  double_rocker,  ///< the shortest link is the coupler, which turns fully
+  triple_rocker,  ///< not Grashof: no link turns fully
+  change_point    ///< shortest and longest equal the other two: a position with all in line
 };
 
 std::string_view word_of(GrashofClass which);

@@ -17,7 +17,7 @@ constexpr double kPi = std::numbers::pi;
 struct Interval {
   double low = 0.0;
   double high = 0.0;
-  bool is_turn = false;    // a full turn
+  bool is_turn = false;  // a full turn
   bool low_dead = true;
   bool high_dead = true;
 };
@@ -75,11 +75,8 @@ Interval interval_of(const DriveCurve& curve, double x, double reach) {
 
 }  // namespace
 
-LinkageMotion trace_circuit(const Linkage& linkage,
-                            Drive drive,
-                            const Pose& start,
-                            int count,
-                            double reach) {
+LinkageMotion trace_circuit(
+    const Linkage& linkage, Drive drive, const Pose& start, int count, double reach) {
   KINESTAT_EXPECTS(count > 1);
   const DriveCurve curve(linkage, drive);
   const int side = curve.side_of(start);
@@ -93,8 +90,8 @@ LinkageMotion trace_circuit(const Linkage& linkage,
     const double turn = 2.0 * kPi * share;
     const double middle = 0.5 * (interval.low + interval.high);
     const double half = 0.5 * (interval.high - interval.low);
-    const double x = goes_round ? middle - half * std::cos(turn)
-                                : interval.low + 2.0 * half * share;
+    const double x =
+        goes_round ? middle - half * std::cos(turn) : interval.low + 2.0 * half * share;
     const int now = goes_round && turn > kPi ? -side : side;
     if (const auto pose = curve.pose_at(x, now)) {
       motion.poses.push_back(*pose);

@@ -16,11 +16,8 @@ struct LinkageMotion {
 /// Poses along the circuit that holds `start`, `count` of them: over the full turn of the input, or
 /// forth on one side of its dead points and back on the other. What reaches to infinity is cut at
 /// `reach` [length] of a sliding input.
-LinkageMotion trace_circuit(const Linkage& linkage,
-                            Drive drive,
-                            const Pose& start,
-                            int count,
-                            double reach);
+LinkageMotion trace_circuit(
+    const Linkage& linkage, Drive drive, const Pose& start, int count, double reach);
 
 /// The path of a point of the moving plane [moving frame] along those poses.
 std::vector<Point> coupler_curve(const LinkageMotion& motion, const Point& moving);

@@ -14,7 +14,8 @@ PathCurvature find_path_curvature(const PositionJets& position, const Point& mov
   const std::vector<Point> z = point_jets(position, moving);
   // K = N q^(-3/2) with N = Z' x Z'' and q = Z' . Z'.
   const double q = std::norm(z[1]);
-  const double size = std::abs(position.angle[1]) * std::abs(moving) + std::abs(origin(position, 1));
+  const double size =
+      std::abs(position.angle[1]) * std::abs(moving) + std::abs(origin(position, 1));
   if (!(std::sqrt(q) > kCancellation * size)) {
     return result;
   }

@@ -46,8 +46,9 @@ std::optional<SpecialFrame> find_special_frame(const PositionJets& position) {
   frame.angle = frame.diameter > 0.0 ? std::atan2(-diameter.real(), diameter.imag()) : 0.0;
   const Point arm = origin(jets) - *pole;
   for (int k = 0; k < jets.order(); ++k) {
-    const Point of_pole = k == 0 ? Point(0.0, 0.0)
-                                 : origin(jets, k) - quarter_turns(static_cast<std::size_t>(k)) * arm;
+    const Point of_pole = k == 0
+                              ? Point(0.0, 0.0)
+                              : origin(jets, k) - quarter_turns(static_cast<std::size_t>(k)) * arm;
     frame.derivatives.push_back(unit_vector(-frame.angle) * of_pole);
   }
   // What holds by the choice of the frame holds exactly.
@@ -85,9 +86,8 @@ std::optional<StationaryCurvature> find_stationary_curvature(const SpecialFrame&
     return std::nullopt;
   }
   // α3 = 3 d²/M - 3 d, β3 = 3 d²/N; do Valle 1983, eqs. 2.41 to 2.45.
-  return StationaryCurvature{
-      .inverse_m = (frame.derivatives[3].real() / d + 3.0) / (3.0 * d),
-      .inverse_n = frame.derivatives[3].imag() / d / (3.0 * d)};
+  return StationaryCurvature{.inverse_m = (frame.derivatives[3].real() / d + 3.0) / (3.0 * d),
+                             .inverse_n = frame.derivatives[3].imag() / d / (3.0 * d)};
 }
 
 std::optional<Point> find_ball_point(const SpecialFrame& frame) {

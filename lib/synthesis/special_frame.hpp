@@ -31,7 +31,8 @@ struct Circle {
 };
 
 /// Reciprocals of M and N [1/length]: the cubic of stationary curvature in polar coordinates of the
-/// special frame is 1/r = 1/(M sin φ) + 1/(N cos φ); zero where it falls apart into circle and line.
+/// special frame is 1/r = 1/(M sin φ) + 1/(N cos φ); zero where it falls apart into circle and
+/// line.
 struct StationaryCurvature {
   double inverse_m = 0.0;
   double inverse_n = 0.0;

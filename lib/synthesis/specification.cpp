@@ -90,8 +90,7 @@ class Specifier {
     const PolarPoint f{.radius = r_f, .sine = to_f.imag() / r_f, .cosine = to_f.real() / r_f};
     const Point diameter = solve_pair(e, f, j_e, j_f);
     frame_.diameter = std::abs(diameter);
-    frame_.angle =
-        frame_.diameter > 0.0 ? std::atan2(-diameter.real(), diameter.imag()) : 0.0;
+    frame_.angle = frame_.diameter > 0.0 ? std::atan2(-diameter.real(), diameter.imag()) : 0.0;
     frame_.derivatives.emplace_back(0.0, frame_.diameter);
     return none;
   }

@@ -32,13 +32,13 @@ struct PositionSpecification {
 /// Why no motion meets a specification.
 enum class SpecificationFault {
   none,
-  point_in_pole,       ///< E is the pole: its path has a cusp and no centre to be given
-  free_point_in_pole,  ///< F is the pole
-  aligned_points,      ///< E, F and the pole on one line: two conditions say the same
-  centre_off_normal,   ///< O_E is not on the line from E to the pole
-  centre_in_point,     ///< O_E is E: the path would have no radius
-  zero_ratio,          ///< m is zero: the path of F would have no radius
-  no_inflection_circle ///< the inflection circle is a point: no higher curvature can be prescribed
+  point_in_pole,        ///< E is the pole: its path has a cusp and no centre to be given
+  free_point_in_pole,   ///< F is the pole
+  aligned_points,       ///< E, F and the pole on one line: two conditions say the same
+  centre_off_normal,    ///< O_E is not on the line from E to the pole
+  centre_in_point,      ///< O_E is E: the path would have no radius
+  zero_ratio,           ///< m is zero: the path of F would have no radius
+  no_inflection_circle  ///< the inflection circle is a point: no higher curvature can be prescribed
 };
 
 struct SpecifiedPosition {

@@ -45,7 +45,9 @@ class Connections {
   }
 
  private:
-  static std::size_t index(int side, double x) { return (x < 0.0 ? 2U : 0U) + (side < 0 ? 1U : 0U); }
+  static std::size_t index(int side, double x) {
+    return (x < 0.0 ? 2U : 0U) + (side < 0 ? 1U : 0U);
+  }
 
   void join(std::size_t a, std::size_t b) {
     const int from = std::max(label_[a], label_[b]);
@@ -209,7 +211,8 @@ class Judge {
 
   TransmissionRange full_range() const {
     TransmissionRange range{.least = kPi, .most = 0.0};
-    for (const double angle : {argument_transmission(range_.low), argument_transmission(range_.high)}) {
+    for (const double angle :
+         {argument_transmission(range_.low), argument_transmission(range_.high)}) {
       include(range, angle);
     }
     return range;

@@ -40,8 +40,8 @@ struct DriveVerdict {
   bool same_branch = false;
   Passage passage = Passage::none;
 
-  TransmissionRange full;                         ///< over all that the first branch can reach
-  std::optional<TransmissionRange> working_arc;   ///< from the first to the last position
+  TransmissionRange full;                        ///< over all that the first branch can reach
+  std::optional<TransmissionRange> working_arc;  ///< from the first to the last position
   double arc = 0.0;  ///< what the input moves from first to last [rad or length], with its sign
 
   bool is_defect_free() const { return same_circuit && same_branch && passage != Passage::none; }

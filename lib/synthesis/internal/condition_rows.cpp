@@ -46,8 +46,8 @@ class RowMaker {
     system_.y = y / static_cast<double>(positions_.size());
     double radius = 0.0;
     for (const PositionJetsOf<Scalar>& position : positions_) {
-      radius = std::max(radius,
-                        size_of(Scalar(position.x[0] - system_.x), Scalar(position.y[0] - system_.y)));
+      radius = std::max(
+          radius, size_of(Scalar(position.x[0] - system_.x), Scalar(position.y[0] - system_.y)));
     }
     system_.radius = radius;
   }
@@ -60,7 +60,8 @@ class RowMaker {
     for (std::size_t k = 0; k < 5 && lever == kNone; ++k) {
       for (const DisplacementJetsOf<Scalar>& d : displacements_) {
         for (std::size_t i = k; i < std::min(d.x.size(), std::max<std::size_t>(k + 1, 2)); ++i) {
-          const double turn = i == 0 ? size_of(d.versine, d.sine[0]) : size_of(d.cosine[i], d.sine[i]);
+          const double turn =
+              i == 0 ? size_of(d.versine, d.sine[0]) : size_of(d.cosine[i], d.sine[i]);
           const double shift = size_of(d.x[i], d.y[i]);
           lever = turn > 0.0 && shift > 0.0 ? std::min(lever, shift / turn) : lever;
         }
@@ -78,8 +79,8 @@ class RowMaker {
     const PositionJetsOf<Scalar>& other = positions_[j];
     const double length = static_cast<double>(system_.length);
     const double places = (size_of(one.x[0], one.y[0]) + size_of(other.x[0], other.y[0])) / length;
-    const double angles = std::abs(static_cast<double>(one.angle[0])) +
-                          std::abs(static_cast<double>(other.angle[0]));
+    const double angles =
+        std::abs(static_cast<double>(one.angle[0])) + std::abs(static_cast<double>(other.angle[0]));
     return kUnit * (places + angles * (1.0 + system_.radius));
   }
 

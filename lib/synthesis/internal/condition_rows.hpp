@@ -47,7 +47,8 @@ DisplacementJetsOf<Scalar> displacement_jets(const PositionJetsOf<Scalar>& first
   std::vector<Scalar> angle = position.angle;
   angle[0] -= first.angle[0];
   auto [cosine, sine] = turn_jets(angle);
-  DisplacementJetsOf<Scalar> result{.cosine = cosine, .sine = sine, .x = {}, .y = {}, .versine = {}};
+  DisplacementJetsOf<Scalar> result{
+      .cosine = cosine, .sine = sine, .x = {}, .y = {}, .versine = {}};
   const Scalar half = sin(angle[0] / 2);
   result.versine = 2 * half * half;
   const Scalar p_x = first.x[0] - centre_x;

@@ -17,6 +17,7 @@ struct Quotient {
   Point denominator;
 
   bool is_far() const { return std::abs(numerator) > kInfinitePoint * std::abs(denominator); }
+
   bool is_empty() const { return std::abs(numerator) + std::abs(denominator) < kCancellation; }
 };
 
@@ -72,6 +73,7 @@ class CrankImprover {
   }
 
   Point circle_point() const { return {at_[0], at_[1]}; }
+
   Point centre() const { return {at_[2], at_[3]}; }
 
  private:
@@ -139,13 +141,15 @@ class DyadMaker {
 
  private:
   Point fixed(const Point& z) const { return origin_ + length_ * z; }
+
   Point moving(const Point& z) const {
     return to_moving_ * ((origin_ - frame_origin_) + length_ * z);
   }
 
   // Of the two directions of a line the one to the right, and of a vertical one upwards.
   static Point upward(const Point& direction) {
-    const bool flips = direction.real() < 0.0 || (direction.real() == 0.0 && direction.imag() < 0.0);
+    const bool flips =
+        direction.real() < 0.0 || (direction.real() == 0.0 && direction.imag() < 0.0);
     return flips ? -direction : direction;
   }
 

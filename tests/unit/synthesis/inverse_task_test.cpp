@@ -38,9 +38,11 @@ void check_known(const Dyad& known, const BurmesterSolution& solution, Tally& ta
 
 TEST_P(InverseTasks, HaveTheKnownDyadsAmongTheirAnswers) {
   using enum DyadKind;
-  const std::vector<std::pair<DyadKind, DyadKind>> kinds = {
-      {crank, crank}, {crank, crank}, {crank, slider}, {crank, inverted_slider},
-      {slider, inverted_slider}};
+  const std::vector<std::pair<DyadKind, DyadKind>> kinds = {{crank, crank},
+                                                            {crank, crank},
+                                                            {crank, slider},
+                                                            {crank, inverted_slider},
+                                                            {slider, inverted_slider}};
   Random random(1983);
   Tally tally;
   for (int seed = 0; tally.tasks < 2 * kTasksOfAForm; ++seed) {

@@ -55,13 +55,12 @@ std::vector<Point> shared_points(const Locus& one, const Locus& other) {
   }
   const Point between = other.centre - one.centre;
   const double distance = std::abs(between);
-  const double along = (distance * distance + one.radius * one.radius -
-                        other.radius * other.radius) / (2.0 * distance);
+  const double along =
+      (distance * distance + one.radius * one.radius - other.radius * other.radius) /
+      (2.0 * distance);
   const Point normal = between / distance;
-  const Locus chord{.is_line = true,
-                    .centre = {},
-                    .normal = normal,
-                    .offset = dot(normal, one.centre) + along};
+  const Locus chord{
+      .is_line = true, .centre = {}, .normal = normal, .offset = dot(normal, one.centre) + along};
   return on_line(chord, one);
 }
 
@@ -128,8 +127,8 @@ Dyad random_dyad(Random& random, DyadKind kind, const Point& at, double angle) {
     dyad.centre_point = place;
   } else {
     dyad.circle_point -= dyad.direction * dot(dyad.circle_point, dyad.direction);
-    dyad.centre_point = at + unit_vector(angle) * (dyad.circle_point +
-                                                   random.between(-2.0, 2.0) * dyad.direction);
+    dyad.centre_point =
+        at + unit_vector(angle) * (dyad.circle_point + random.between(-2.0, 2.0) * dyad.direction);
   }
   return dyad;
 }

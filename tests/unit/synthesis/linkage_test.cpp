@@ -75,8 +75,8 @@ TEST_P(ReferenceFourBars, HaveTheirVerdicts) {
     EXPECT_EQ(found.is_defect_free(), !expected.working_arc.empty());
     EXPECT_EQ(found.turns_fully, expected.turns_fully);
     for (std::size_t j = 0; j < expected.angles.size(); ++j) {
-      const double turn = std::remainder(found.coordinates[j] - expected.angles[j] * kDegree,
-                                         360.0 * kDegree);
+      const double turn =
+          std::remainder(found.coordinates[j] - expected.angles[j] * kDegree, 360.0 * kDegree);
       EXPECT_NEAR(turn, 0.0, 1e-12);
       EXPECT_NEAR(found.transmission[j], expected.transmission[j] * kDegree, 1e-11);
     }
@@ -129,8 +129,8 @@ INSTANTIATE_TEST_SUITE_P(Synthesis,
                          });
 
 TEST(Grashof, OfEqualSumsIsAChangePoint) {
-  const Grashof found = classify(
-      {.ground = 3.0, .crank_one = 1.0, .coupler = 3.0, .crank_other = 1.0});
+  const Grashof found =
+      classify({.ground = 3.0, .crank_one = 1.0, .coupler = 3.0, .crank_other = 1.0});
 
   EXPECT_EQ(found.kind, GrashofClass::change_point);
 }
