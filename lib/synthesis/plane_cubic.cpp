@@ -64,8 +64,23 @@ struct Slices {
     const double ct = polynomial_value(c, t);
     const double root = std::sqrt(std::max(bt * bt - 4.0 * at * ct, 0.0));
     const bool adds = (bt <= 0.0) == (sign > 0.0);
-    const double s = adds ? (-bt + sign * root) / (2.0 * at) : 2.0 * ct / (-bt - sign * root);
+    const double denominator = -bt - sign * root;
+    const bool is_double = !adds && denominator == 0.0;
+    const double s = adds || is_double ? (-bt + sign * root) / (2.0 * at) : 2.0 * ct / denominator;
     return n * t + e * s;
+  }
+};
+
+// The two roots over an interval of t as one way: one root forth for turns from 0 to π, the other
+// back; t = middle - half cos(turn), so that ends in which they meet are passed smoothly.
+struct Way {
+  const Slices& slices;
+  double low = 0.0;
+  double high = 0.0;
+
+  Point point(double turn) const {
+    const double t = 0.5 * (low + high) - 0.5 * (high - low) * std::cos(turn);
+    return slices.point(t, turn <= std::numbers::pi ? 1.0 : -1.0);
   }
 };
 
@@ -75,29 +90,67 @@ class Sampler {
       : cubic_(cubic),
         slices_(cubic),
         middle_((middle - cubic.centre) / cubic.length),
-        radius_(radius / cubic.length),
-        count_(count) {}
+        radius_(radius / cubic.length) {
+    find_intervals();
+    double length = 0.0;
+    for (const Interval& interval : intervals_) {
+      length += length_inside({.slices = slices_, .low = interval.low, .high = interval.high});
+    }
+    longest_step_ = length / count;
+  }
 
   std::vector<CurveBranch> run() {
-    const double at = dot(slices_.n, middle_);
-    std::vector<double> marks = find_sign_changes(discriminant(), at - radius_, at + radius_);
-    marks.insert(marks.begin(), at - radius_);
-    marks.push_back(at + radius_);
-    for (std::size_t i = 1; i < marks.size(); ++i) {
-      const double between = 0.5 * (marks[i - 1] + marks[i]);
-      if (polynomial_value(discriminant(), between) >= 0.0 && marks[i] > marks[i - 1]) {
-        add_interval(marks[i - 1], marks[i], i > 1, i + 1 < marks.size());
-      }
+    for (const Interval& interval : intervals_) {
+      add_interval(interval);
     }
     add_line();
     return std::move(branches_);
   }
 
  private:
-  std::vector<double> discriminant() const { return slices_.discriminant(); }
+  struct Interval {
+    double low = 0.0;
+    double high = 0.0;
+    bool low_meets = false;  // whether the two roots meet in the end
+    bool high_meets = false;
+  };
+
+  static constexpr int kCoarseSteps = 128;
+  static constexpr int kHalvings = 12;
+
+  void find_intervals() {
+    const double at = dot(slices_.n, middle_);
+    const std::vector<double> discriminant = slices_.discriminant();
+    std::vector<double> marks = find_sign_changes(discriminant, at - radius_, at + radius_);
+    marks.insert(marks.begin(), at - radius_);
+    marks.push_back(at + radius_);
+    for (std::size_t i = 1; i < marks.size(); ++i) {
+      const double between = 0.5 * (marks[i - 1] + marks[i]);
+      // Rounding splits a touching zero, as of a line that belongs to the curve, into two.
+      const bool is_wide = marks[i] - marks[i - 1] > kDoublePoint * radius_;
+      if (is_wide && polynomial_value(discriminant, between) >= 0.0) {
+        intervals_.push_back({.low = marks[i - 1],
+                              .high = marks[i],
+                              .low_meets = i > 1,
+                              .high_meets = i + 1 < marks.size()});
+      }
+    }
+  }
 
   bool is_inside(const Point& point) const {
     return std::abs(point - middle_) <= radius_ * (1.0 + kSameValue);
+  }
+
+  double length_inside(const Way& way) const {
+    double length = 0.0;
+    Point before = way.point(0.0);
+    for (int i = 1; i <= kCoarseSteps; ++i) {
+      const Point now = way.point(2.0 * std::numbers::pi * i / kCoarseSteps);
+      const double step = std::abs(now - before);
+      length += is_inside(now) && is_inside(before) ? step : 0.0;
+      before = now;
+    }
+    return length;
   }
 
   void add_point(const Point& point) {
@@ -116,31 +169,37 @@ class Sampler {
     current_ = {};
   }
 
-  // One root forth, the other back; they meet in ends that are zeros of the discriminant.
-  void add_interval(double low, double high, bool low_meets, bool high_meets) {
-    constexpr int kFewest = 24;
-    const double share = (high - low) / (2.0 * radius_);
-    const int steps = std::max(kFewest, static_cast<int>(share * count_ / 2));
+  // The way from one turn to another without its beginning, halved until its steps are short.
+  // What leaves the circle is followed to its edge.
+  void add_way(const Way& way, double from, double to, int halvings) {
+    const Point begin = way.point(from);
+    const Point end = way.point(to);
+    const bool matters = is_inside(begin) || is_inside(end);
+    if (halvings > 0 && matters && !(std::abs(end - begin) <= longest_step_)) {
+      const double middle = 0.5 * (from + to);
+      add_way(way, from, middle, halvings - 1);
+      add_way(way, middle, to, halvings - 1);
+      return;
+    }
+    add_point(end);
+  }
+
+  void add_interval(const Interval& interval) {
+    const Way way{.slices = slices_, .low = interval.low, .high = interval.high};
     const std::size_t first = branches_.size();
     has_gap_ = false;
-    for (const double sign : {1.0, -1.0}) {
-      for (int i = 0; i <= steps; ++i) {
-        const double turn = std::numbers::pi * i / steps;
-        const double middle = 0.5 * (low + high);
-        const double t = middle - sign * 0.5 * (high - low) * std::cos(turn);
-        // The joint is a point of the first pass.
-        if (!(sign < 0.0 && i == 0 && high_meets)) {
-          add_point(slices_.point(t, sign));
-        }
-      }
-      if (sign > 0.0 && !high_meets) {
+    add_point(way.point(0.0));
+    for (int i = 0; i < kCoarseSteps; ++i) {
+      const double step = 2.0 * std::numbers::pi / kCoarseSteps;
+      if (2 * i == kCoarseSteps && !interval.high_meets) {
         finish();
         has_gap_ = true;
       }
+      add_way(way, step * i, step * (i + 1), kHalvings);
     }
-    current_.is_closed = low_meets && !has_gap_;
+    current_.is_closed = interval.low_meets && !has_gap_;
     finish();
-    join_ends(first, low_meets);
+    join_ends(first, interval.low_meets);
   }
 
   // Where the way begins and ends in one point, but has a gap elsewhere, both parts are one.
@@ -150,7 +209,7 @@ class Sampler {
     }
     CurveBranch& head = branches_[first];
     CurveBranch& tail = branches_.back();
-    if (std::abs(tail.points.back() - head.points.front()) > kSameValue * radius_ * cubic_.length) {
+    if (std::abs(tail.points.back() - head.points.front()) > kDoublePoint * radius_ * cubic_.length) {
       return;
     }
     tail.points.insert(tail.points.end(), head.points.begin() + 1, head.points.end());
@@ -184,7 +243,8 @@ class Sampler {
   Slices slices_;
   Point middle_;
   double radius_;
-  int count_;
+  double longest_step_ = 0.0;
+  std::vector<Interval> intervals_;
   std::vector<CurveBranch> branches_;
   CurveBranch current_;
   bool has_gap_ = false;

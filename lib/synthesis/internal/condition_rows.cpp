@@ -67,8 +67,11 @@ class RowMaker {
         }
       }
     }
-    const double bounded = system_.radius > 0.0 ? std::min(lever, kLongestLever * system_.radius)
-                                                : (lever == kNone ? 1.0 : lever);
+    if (lever == kNone) {
+      return system_.radius > 0.0 ? system_.radius : 1.0;
+    }
+    const double bounded =
+        system_.radius > 0.0 ? std::min(lever, kLongestLever * system_.radius) : lever;
     return std::max(bounded, system_.radius);
   }
 
