@@ -23,7 +23,7 @@ struct PlaneCubic {
   std::array<double, 2> l{};
   double c = 0.0;
   Point centre = {0.0, 0.0};  ///< [length], fixed frame
-  double length = 1.0;  ///< the unit of u and v
+  double length = 1.0;        ///< the unit of u and v
 
   /// The left side at Z, by the sum of the sizes of its terms: rounding on the curve.
   double miss(const Point& point) const;

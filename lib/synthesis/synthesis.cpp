@@ -50,7 +50,8 @@ double margin_of(const DriveVerdict& verdict) {
 // The later in the list of defects, the better; then the margin.
 bool is_better(Defect one, double one_margin, Defect other, double other_margin) {
   const auto rank = [](Defect defect) {
-    return defect == Defect::none ? 0 : 1 + static_cast<int>(Defect::size) - static_cast<int>(defect);
+    return defect == Defect::none ? 0
+                                  : 1 + static_cast<int>(Defect::size) - static_cast<int>(defect);
   };
   return rank(one) != rank(other) ? rank(one) < rank(other) : one_margin > other_margin;
 }
@@ -58,8 +59,8 @@ bool is_better(Defect one, double one_margin, Defect other, double other_margin)
 void choose_drive(LinkageCandidate& candidate, const LinkageLimits& limits) {
   const Defect one = defect_of(candidate.verdicts[0], limits);
   const Defect other = defect_of(candidate.verdicts[1], limits);
-  const bool takes_other = is_better(
-      other, margin_of(candidate.verdicts[1]), one, margin_of(candidate.verdicts[0]));
+  const bool takes_other =
+      is_better(other, margin_of(candidate.verdicts[1]), one, margin_of(candidate.verdicts[0]));
   candidate.best_drive = takes_other ? Drive::other : Drive::one;
   candidate.defect = takes_other ? other : one;
 }

@@ -44,8 +44,8 @@ struct LinkageCandidate {
   std::optional<Cognates> cognates;  ///< for the path of the origin of the moving frame
   std::array<DriveVerdict, 2> verdicts;
   Drive best_drive = Drive::one;
-  double longest = 0.0;  ///< of the links that have a length [length]
-  double ratio = 1.0;    ///< longest by shortest of them
+  double longest = 0.0;          ///< of the links that have a length [length]
+  double ratio = 1.0;            ///< longest by shortest of them
   Defect defect = Defect::none;  ///< with the best drive
 
   const DriveVerdict& best() const;

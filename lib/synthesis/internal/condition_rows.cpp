@@ -6,6 +6,7 @@
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
+#include "math/big_float.hpp"
 
 namespace kinestat {
 
@@ -77,14 +78,14 @@ class RowMaker {
 
   // Rounding of what is given for position j and the first, relative to the system's units.
   double rounding(std::size_t j) const {
-    constexpr double kUnit = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
+    const double unit = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     const PositionJetsOf<Scalar>& one = positions_[0];
     const PositionJetsOf<Scalar>& other = positions_[j];
     const double length = static_cast<double>(system_.length);
     const double places = (size_of(one.x[0], one.y[0]) + size_of(other.x[0], other.y[0])) / length;
     const double angles =
         std::abs(static_cast<double>(one.angle[0])) + std::abs(static_cast<double>(other.angle[0]));
-    return kUnit * (places + angles * (1.0 + system_.radius));
+    return unit * (places + angles * (1.0 + system_.radius));
   }
 
   void add_rows(std::size_t j) {
@@ -103,8 +104,8 @@ class RowMaker {
       // The first position has no displacement; its derivatives feel the centre only through E.
       const double turns = k == 0 ? 1.0 : size_of(d.cosine[k], d.sine[k]);
       const double size = static_cast<double>(largest);
-      constexpr double kUnit = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
-      system_.noise.push_back(size > 0.0 ? kUnit + rounding(j) * turns / size : 1.0);
+      const double unit = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
+      system_.noise.push_back(size > 0.0 ? unit + rounding(j) * turns / size : 1.0);
       for (Scalar& entry : row) {
         entry /= size > 0.0 ? largest : Scalar(1);
       }
@@ -127,5 +128,7 @@ ConditionRowsOf<Scalar> make_condition_rows(std::span<const PositionJetsOf<Scala
 
 template ConditionRowsOf<double> make_condition_rows(
     std::span<const PositionJetsOf<double>> positions);
+template ConditionRowsOf<BigFloat> make_condition_rows(
+    std::span<const PositionJetsOf<BigFloat>> positions);
 
 }  // namespace kinestat

@@ -85,7 +85,4 @@ std::array<Scalar, 7> condition_row(const DisplacementJetsOf<Scalar>& d, std::si
 template <class Scalar>
 ConditionRowsOf<Scalar> make_condition_rows(std::span<const PositionJetsOf<Scalar>> positions);
 
-extern template ConditionRowsOf<double> make_condition_rows(
-    std::span<const PositionJetsOf<double>> positions);
-
 }  // namespace kinestat

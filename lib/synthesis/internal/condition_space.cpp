@@ -39,14 +39,11 @@ bool is_translation(std::span<const PositionJets> positions) {
   });
 }
 
-// Rounding is far below what counts.
+// Every singular value clearly counts or is rounding.
 bool has_clear_gap(const VecX& values) {
-  double smallest_counted = values[0];
-  for (const double value : values) {
-    smallest_counted = value > kRankZero * values[0] ? value : smallest_counted;
-  }
-  return smallest_counted > kClearGap * values[0] &&
-         values[values.size() - 1] < kCancellation * values[0];
+  return std::ranges::all_of(values, [&](double value) {
+    return value > kClearGap * values[0] || value < kCancellation * values[0];
+  });
 }
 
 void find_why_flat(const ConditionRows& system,

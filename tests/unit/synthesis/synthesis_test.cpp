@@ -37,8 +37,7 @@ TEST(Synthesis, RanksByTheMarginOfTheTransmissionAngle) {
 
 TEST(Synthesis, NamesTheLimitThatALinkageMisses) {
   EXPECT_EQ(linkages_of("case7", {.transmission = 30.0 * kDegree})[0].defect, Defect::none);
-  EXPECT_EQ(linkages_of("case7", {.transmission = 30.0 * kDegree})[1].defect,
-            Defect::transmission);
+  EXPECT_EQ(linkages_of("case7", {.transmission = 30.0 * kDegree})[1].defect, Defect::transmission);
   EXPECT_EQ(linkages_of("case7", {.ratio = 1.01})[0].defect, Defect::ratio);
   EXPECT_EQ(linkages_of("case7", {.size = 0.1})[0].defect, Defect::size);
 }
