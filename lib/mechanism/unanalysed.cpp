@@ -101,9 +101,6 @@ void add_passes(const MechanismDescription& description, std::vector<Unanalysed>
   if (description.sweep) {
     list.push_back({description.sweep->where, "section 'sweep'", "", false});
   }
-  if (description.synthesis) {
-    list.push_back({description.synthesis->where, "section 'synthesis'", "", false});
-  }
 }
 
 }  // namespace

@@ -1,0 +1,37 @@
+// The answers to the synthesis task of one file in the forms of a report.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "description/mechanism_description.hpp"
+#include "report/file_report.hpp"
+#include "synthesis/burmester.hpp"
+#include "synthesis/few_positions.hpp"
+#include "synthesis/special_frame.hpp"
+#include "synthesis/synthesis.hpp"
+
+namespace kinestat {
+
+/// One choice of the angles that a file lists, and what was found for it. Lengths in SI.
+struct SynthesisTask {
+  std::vector<PositionJets> positions;
+  std::optional<BurmesterSolution> dyads;    ///< of five positions
+  std::optional<FourPositionCurves> curves;  ///< of four
+  std::optional<Circle> straight_paths;      ///< of three
+  std::vector<LinkageCandidate> linkages;    ///< the best first
+};
+
+struct SynthesisAnalysis {
+  std::string file;  ///< as the user gave it
+  MechanismDescription description;
+  int curve_count = 200;  ///< points of each curve
+  std::vector<SynthesisTask> tasks;
+};
+
+FileReport make_synthesis_report(const SynthesisAnalysis& analysis,
+                                 const ReportForms& forms,
+                                 const Diagnostics& found);
+
+}  // namespace kinestat
