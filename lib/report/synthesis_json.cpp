@@ -1,6 +1,7 @@
 #include "report/synthesis_json.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
 #include "report/in_units.hpp"
@@ -51,18 +52,19 @@ class SynthesisJson {
   explicit SynthesisJson(const SynthesisAnalysis& analysis)
       : analysis_(analysis), in_(analysis.description.units, {}) {}
 
-  Json run() const {
+  Json run() {
     Json result = object_of(2);
     result["form"] = form_of(analysis_.tasks.front().positions);
     result["tasks"] = Json::array();
     for (const SynthesisTask& task : analysis_.tasks) {
+      zero_ = zero_length(task);
       result["tasks"].push_back(task_json(task));
     }
     return result;
   }
 
  private:
-  Json length(double value) const { return number(in_.length(value)); }
+  Json length(double value) const { return number(in_.length(snap(value, zero_))); }
 
   Json angle(double value) const { return number(in_.angle(value)); }
 
@@ -72,13 +74,8 @@ class SynthesisJson {
     return Json::array({number(p.real()), number(p.imag())});
   }
 
-  // By the file's unit of length to a power.
-  Json of_length(double value, int power) const {
-    double factor = 1.0;
-    for (int i = 0; i < std::abs(power); ++i) {
-      factor *= in_.units().factor(QuantityKind::length);
-    }
-    return number(power > 0 ? value / factor : value * factor);
+  Json per_length(const std::optional<double>& value) const {
+    return value ? number(*value * in_.units().factor(QuantityKind::length)) : Json(nullptr);
   }
 
   Json task_json(const SynthesisTask& task) const {
@@ -116,6 +113,10 @@ class SynthesisJson {
     }
     const auto pole = find_pole(position);
     result["pole"] = pole ? point(*pole) : Json(nullptr);
+    // Of the path of the point `at`, by the parameter.
+    const PathCurvature curvature = find_path_curvature(position, {0.0, 0.0});
+    result["path_curvature"] = Json::array(
+        {per_length(curvature.k), per_length(curvature.k_prime), per_length(curvature.k_second)});
     const auto frame = find_special_frame(position);
     result["special_frame"] = frame ? frame_json(*frame) : Json(nullptr);
     return result;
@@ -132,8 +133,8 @@ class SynthesisJson {
     result["inflection_circle"] = circle_json(inflection_circle(frame));
     result["cuspidal_circle"] = circle_json(cuspidal_circle(frame));
     const auto cubic = find_stationary_curvature(frame);
-    result["inverse_m"] = cubic ? of_length(cubic->inverse_m, -1) : Json(nullptr);
-    result["inverse_n"] = cubic ? of_length(cubic->inverse_n, -1) : Json(nullptr);
+    result["inverse_m"] = per_length(cubic ? std::optional(cubic->inverse_m) : std::nullopt);
+    result["inverse_n"] = per_length(cubic ? std::optional(cubic->inverse_n) : std::nullopt);
     const auto ball = find_ball_point(frame);
     result["ball_point"] = ball ? point(*ball) : Json(nullptr);
     return result;
@@ -328,6 +329,7 @@ class SynthesisJson {
 
   const SynthesisAnalysis& analysis_;
   InUnits in_;
+  double zero_ = 0.0;  // below it a length of the task is rounding [m]
 };
 
 }  // namespace

@@ -1,5 +1,9 @@
 #include "report/synthesis_report.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/tolerance.hpp"
 #include "report/analysis_json.hpp"
 #include "report/mechanism_json.hpp"
 #include "report/synthesis_csv.hpp"
@@ -7,6 +11,16 @@
 #include "report/synthesis_text.hpp"
 
 namespace kinestat {
+
+double zero_length(const SynthesisTask& task) {
+  double size = 0.0;
+  for (const PositionJets& position : task.positions) {
+    size = std::max(size, std::abs(origin(position)));
+    const auto pole = find_pole(position);
+    size = pole ? std::max(size, std::abs(*pole)) : size;
+  }
+  return kReportZero * size;
+}
 
 FileReport make_synthesis_report(const SynthesisAnalysis& analysis,
                                  const ReportForms& forms,

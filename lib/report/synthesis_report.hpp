@@ -30,6 +30,9 @@ struct SynthesisAnalysis {
   std::vector<SynthesisTask> tasks;
 };
 
+/// Lengths below this are rounding of the positions and reported as zero [m].
+double zero_length(const SynthesisTask& task);
+
 FileReport make_synthesis_report(const SynthesisAnalysis& analysis,
                                  const ReportForms& forms,
                                  const Diagnostics& found);

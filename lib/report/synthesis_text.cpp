@@ -60,20 +60,21 @@ class SynthesisText {
   explicit SynthesisText(const SynthesisAnalysis& analysis)
       : analysis_(analysis), in_(analysis.description.units, {}) {}
 
-  std::string run() const {
+  std::string run() {
     std::string text = fmt::format("{}  task {}, lengths in {}, angles in {}\n",
                                    title_text(analysis_.file, analysis_.description),
                                    form_of(analysis_.tasks.front().positions),
                                    in_.units().text(QuantityKind::length),
                                    in_.units().text(QuantityKind::angle));
     for (const SynthesisTask& task : analysis_.tasks) {
+      zero_ = zero_length(task);
       text += task_text(task);
     }
     return text;
   }
 
  private:
-  std::string length(double value) const { return format_short(in_.length(value)); }
+  std::string length(double value) const { return format_short(in_.length(snap(value, zero_))); }
 
   std::string angle(double value) const { return format_short(in_.angle(value)); }
 
@@ -145,8 +146,12 @@ class SynthesisText {
   }
 
   std::string linkages_text(const SynthesisTask& task) const {
+    if (task.dyads->status == BurmesterStatus::no_digits) {
+      return "";
+    }
     if (task.linkages.empty()) {
-      return "no linkage: that takes two real dyads\n";
+      return task.dyads->dyads.size() < 2 ? "no linkage: that takes two real dyads\n"
+                                          : "no linkage of the kind that 'linkage' asks for\n";
     }
     Table table({"linkage", "dyads", "drive", "verdict", "margin", "full turn", "ratio", "class"});
     for (const LinkageCandidate& candidate : task.linkages) {
@@ -195,6 +200,7 @@ class SynthesisText {
 
   const SynthesisAnalysis& analysis_;
   InUnits in_;
+  double zero_ = 0.0;  // below it a length of the task is rounding [m]
 };
 
 }  // namespace

@@ -32,6 +32,7 @@ class Solver {
     solution_.digits = space.digits;
     if (space.status == BurmesterStatus::solved) {
       intersect(space.space.basis);
+      sort_dyads(solution_.dyads);
     }
     return std::move(solution_);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "synthesis/internal/jets.hpp"
@@ -90,6 +91,13 @@ double find_residual(const Dyad& dyad, std::span<const PositionJets> positions) 
     }
   }
   return worst;
+}
+
+void sort_dyads(std::vector<Dyad>& dyads) {
+  const auto key = [](const Dyad& dyad) {
+    return std::tuple(dyad.kind, dyad.length, dyad.circle_point.real(), dyad.centre_point.real());
+  };
+  std::ranges::stable_sort(dyads, [&](const Dyad& a, const Dyad& b) { return key(a) < key(b); });
 }
 
 }  // namespace kinestat

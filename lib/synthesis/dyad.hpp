@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "synthesis/position_jets.hpp"
 
@@ -35,5 +36,9 @@ struct Dyad {
 /// keeps constant (of the square of the length, or of the distance from the line), and the largest
 /// prescribed derivative of it, each as a share of the terms of its sum.
 double find_residual(const Dyad& dyad, std::span<const PositionJets> positions);
+
+/// A fixed order, whatever the order in which they were found: cranks by their length, then
+/// sliders, then inverted sliders.
+void sort_dyads(std::vector<Dyad>& dyads);
 
 }  // namespace kinestat

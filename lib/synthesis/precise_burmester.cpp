@@ -236,6 +236,7 @@ class PreciseSolver {
     for (const ConicPoint& point : shared.points) {
       add_point(point, first, second, *basis);
     }
+    sort_dyads(solution_.dyads);
     return std::move(solution_);
   }
 
