@@ -14,7 +14,7 @@ void add_schema(CLI::App& parent, Job& job) {
       *command,
       "NAME",
       *name,
-      "mechanism (default), report, mobility, inputs,\nsensitivity, comparison or diagnostics");
+      "mechanism (default), report, mobility, inputs,\nsensitivity, synthesis, comparison or diagnostics");
   command->callback([name, &job] { job = [name] { return schema_text(*name); }; });
 }
 
