@@ -32,8 +32,7 @@ void write(const EmbeddedText& starter,
   Diagnostics found;
   if (write_files(files, overwrite, found)) {
     const std::string_view command = starter.name == "synthesis" ? "synthesize" : "analyze";
-    outcome.out =
-        fmt::format("{0}: written; see 'kinestat {1} {0}'\n", printable(path), command);
+    outcome.out = fmt::format("{0}: written; see 'kinestat {1} {0}'\n", printable(path), command);
     return;
   }
   if (found.items().front().code == "E0153") {

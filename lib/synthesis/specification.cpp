@@ -49,7 +49,8 @@ double burmester_side(const PolarPoint& point, double d, const Point& third) {
 
 class Specifier {
  public:
-  explicit Specifier(const PositionSpecification& given) : given_(given) {}
+  Specifier(const PositionSpecification& given, const EffectiveFreedom* freedom)
+      : given_(given), freedom_(freedom) {}
 
   SpecifiedPosition run() {
     if (!given_.pole) {
@@ -74,50 +75,70 @@ class Specifier {
   // Euler and Savary with signed lengths from the pole: where the line of a point meets the
   // inflection circle, j = r r_O / (r_O - r), and for F j = r (1 - 1/m).
   SpecificationFault add_curvature(const CurvatureSpecification& given) {
-    using enum SpecificationFault;
     const Point to_e = given_.at - frame_.pole;
-    const Point to_f = given.free_point - frame_.pole;
-    const Point to_centre = given.centre - frame_.pole;
-    const double r_e = std::abs(to_e);
-    const double r_f = std::abs(to_f);
-    if (const SpecificationFault fault = check(given, to_e, to_f); fault != none) {
+    if (const SpecificationFault fault = check(given, to_e); fault != SpecificationFault::none) {
       return fault;
     }
-    const double r_o = dot(to_centre, to_e) / r_e;
+    const double r_e = std::abs(to_e);
+    const Point e = to_e / r_e;
+    const double r_o = dot(given.centre - frame_.pole, e);
     const double j_e = r_e * r_o / (r_o - r_e);
+    set_diameter(freedom_ != nullptr ? j_e * e + freedom_->s * left_of(e)
+                                     : diameter_by_free_point(given, e, j_e));
+    return SpecificationFault::none;
+  }
+
+  Point diameter_by_free_point(const CurvatureSpecification& given,
+                               const Point& e,
+                               double j_e) const {
+    const Point to_f = given.free_point - frame_.pole;
+    const double r_f = std::abs(to_f);
     const double j_f = r_f * (1.0 - 1.0 / given.ratio);
-    const PolarPoint e{.radius = r_e, .sine = to_e.imag() / r_e, .cosine = to_e.real() / r_e};
-    const PolarPoint f{.radius = r_f, .sine = to_f.imag() / r_f, .cosine = to_f.real() / r_f};
-    const Point diameter = solve_pair(e, f, j_e, j_f);
+    return solve_pair({.radius = 1.0, .sine = e.imag(), .cosine = e.real()},
+                      {.radius = r_f, .sine = to_f.imag() / r_f, .cosine = to_f.real() / r_f},
+                      j_e,
+                      j_f);
+  }
+
+  void set_diameter(const Point& diameter) {
     frame_.diameter = std::abs(diameter);
     frame_.angle = frame_.diameter > 0.0 ? std::atan2(-diameter.real(), diameter.imag()) : 0.0;
     frame_.derivatives.emplace_back(0.0, frame_.diameter);
-    return none;
   }
 
-  SpecificationFault check(const CurvatureSpecification& given,
-                           const Point& to_e,
-                           const Point& to_f) const {
+  SpecificationFault check(const CurvatureSpecification& given, const Point& to_e) const {
     using enum SpecificationFault;
     const Point arm = given.centre - given_.at;
     const double size = std::max({std::abs(given_.at), std::abs(*given_.pole), std::abs(to_e)});
     if (!(std::abs(to_e) > kCancellation * size)) {
       return point_in_pole;
     }
-    if (!(std::abs(to_f) > kCancellation * size)) {
-      return free_point_in_pole;
+    if (freedom_ == nullptr) {
+      if (const SpecificationFault fault = check_free_point(given, to_e, size); fault != none) {
+        return fault;
+      }
     }
     if (!(std::abs(arm) > kCancellation * size)) {
       return centre_in_point;
     }
+    return std::abs(cross(to_e, arm)) > kCollinearSpecification * std::abs(to_e) * std::abs(arm)
+               ? centre_off_normal
+               : none;
+  }
+
+  SpecificationFault check_free_point(const CurvatureSpecification& given,
+                                      const Point& to_e,
+                                      double size) const {
+    using enum SpecificationFault;
+    const Point to_f = given.free_point - frame_.pole;
+    if (!(std::abs(to_f) > kCancellation * size)) {
+      return free_point_in_pole;
+    }
     if (given.ratio == 0.0) {
       return zero_ratio;
     }
-    if (std::abs(cross(to_e, to_f)) < kCollinearSpecification * std::abs(to_e) * std::abs(to_f)) {
-      return aligned_points;
-    }
-    return std::abs(cross(to_e, arm)) > kCollinearSpecification * std::abs(to_e) * std::abs(arm)
-               ? centre_off_normal
+    return std::abs(cross(to_e, to_f)) < kCollinearSpecification * std::abs(to_e) * std::abs(to_f)
+               ? aligned_points
                : none;
   }
 
@@ -125,28 +146,56 @@ class Specifier {
     KINESTAT_EXPECTS(given_.curvature.has_value());
     const double d = frame_.diameter;
     const PolarPoint e = polar_of(frame_, given_.at);
-    const PolarPoint f = polar_of(frame_, given_.curvature->free_point);
     if (!(d > kCancellation * e.radius)) {
       return SpecificationFault::no_inflection_circle;
     }
-    const Point inverse = solve_pair(e, f, stationary_side(e), stationary_side(f));
+    const PolarPoint f = polar_of(frame_, given_.curvature->free_point);
+    const Point inverse = freedom_ != nullptr
+                              ? on_line(e, stationary_side(e), freedom_->tau / d)
+                              : solve_pair(e, f, stationary_side(e), stationary_side(f));
     const Point third(3.0 * d * d * inverse.real() - 3.0 * d, 3.0 * d * d * inverse.imag());
     frame_.derivatives.push_back(third);
     if (given_.is_burmester) {
-      frame_.derivatives.push_back(
-          solve_pair(e, f, burmester_side(e, d, third), burmester_side(f, d, third)));
+      const double of_e = burmester_side(e, d, third);
+      frame_.derivatives.push_back(freedom_ != nullptr
+                                       ? on_line(e, of_e, freedom_->tau_2 * d)
+                                       : solve_pair(e, f, of_e, burmester_side(f, d, third)));
     }
     return SpecificationFault::none;
   }
 
+  // x cos + y sin = right leaves a line; its point at a distance to the left of the normal.
+  static Point on_line(const PolarPoint& e, double right, double along) {
+    const Point normal(e.cosine, e.sine);
+    return right * normal + along * left_of(normal);
+  }
+
   const PositionSpecification& given_;
+  const EffectiveFreedom* freedom_;  // instead of the free point; may be null
   SpecialFrame frame_;
 };
 
 }  // namespace
 
 SpecifiedPosition find_jets(const PositionSpecification& specification) {
-  return Specifier(specification).run();
+  return Specifier(specification, nullptr).run();
+}
+
+SpecifiedPosition find_jets(const PositionSpecification& specification,
+                            const EffectiveFreedom& freedom) {
+  return Specifier(specification, &freedom).run();
+}
+
+std::optional<double> find_ratio(const PositionJets& position, const Point& free_point) {
+  const std::optional<SpecialFrame> frame = find_special_frame(position);
+  const Point arm = frame ? free_point - frame->pole : Point(0.0, 0.0);
+  const double r = std::abs(arm);
+  if (!(r > 0.0)) {
+    return std::nullopt;
+  }
+  // m = r / (r - j), j where the line of the point meets the inflection circle.
+  const Point diameter = unit_vector(frame->angle) * Point(0.0, frame->diameter);
+  return r / (r - dot(diameter, arm) / r);
 }
 
 }  // namespace kinestat

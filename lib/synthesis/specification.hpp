@@ -41,6 +41,15 @@ enum class SpecificationFault {
   no_inflection_circle  ///< the inflection circle is a point: no higher curvature can be prescribed
 };
 
+/// What the conditions of E alone leave free: of the free point F and its ratio m only this
+/// matters, one number for each order. do Valle 1983, recommendation 5.2.
+struct EffectiveFreedom {
+  double s = 0.0;      ///< component of the vector from pole to inflection pole to the left of the
+                       ///< direction from the pole to E [length]
+  double tau = 0.0;    ///< of (d/M, d/N) likewise, in the special frame; plain number
+  double tau_2 = 0.0;  ///< of the fourth derivative (α4, β4)/d likewise; plain number
+};
+
 struct SpecifiedPosition {
   std::optional<PositionJets> jets;  ///< by the angle; empty if there is a fault
   SpecificationFault fault = SpecificationFault::none;
@@ -49,5 +58,14 @@ struct SpecifiedPosition {
 /// Free of the divisions by cosines, tangents and coordinates of the pole that fail in the source;
 /// its equation 2.53 in the corrected form.
 SpecifiedPosition find_jets(const PositionSpecification& specification);
+
+/// The same for the conditions of E alone: pole, centre of curvature of its path, and whether it is
+/// a point of the cubic and a Burmester point. The free point and its ratio are not looked at.
+SpecifiedPosition find_jets(const PositionSpecification& specification,
+                            const EffectiveFreedom& freedom);
+
+/// The ratio m that another free point has in such a motion, infinite on the inflection circle: the
+/// way back from effective freedom to what a user specifies. Empty in the pole.
+std::optional<double> find_ratio(const PositionJets& position, const Point& free_point);
 
 }  // namespace kinestat
