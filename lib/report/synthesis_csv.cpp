@@ -15,7 +15,7 @@ namespace {
 
 // Keys below which all numbers are lengths, or angles. The coordinates of a drive are one or the
 // other, and coefficients, ratios and counts neither.
-constexpr std::array<std::string_view, 17> kLengths = {"at",
+constexpr std::array<std::string_view, 18> kLengths = {"at",
                                                        "pole",
                                                        "diameter",
                                                        "centre",
@@ -31,7 +31,8 @@ constexpr std::array<std::string_view, 17> kLengths = {"at",
                                                        "offset",
                                                        "points",
                                                        "centre_point",
-                                                       "straight_paths"};
+                                                       "straight_paths",
+                                                       "free_point"};
 constexpr std::array<std::string_view, 5> kAngles = {
     "angle", "margin", "transmission", "working_transmission", "full_transmission"};
 

@@ -54,7 +54,14 @@ class SynthesisJson {
 
   Json run() {
     Json result = object_of(2);
-    result["form"] = form_of(analysis_.tasks.front().positions);
+    result["form"] = analysis_.form;
+    result["selection"] = Json(nullptr);
+    if (analysis_.selection) {
+      result["selection"] = object_of(3);
+      result["selection"]["samples"] = analysis_.selection->samples;
+      result["selection"]["with_linkage"] = analysis_.selection->with_linkage;
+      result["selection"]["usable"] = analysis_.selection->usable;
+    }
     result["tasks"] = Json::array();
     for (const SynthesisTask& task : analysis_.tasks) {
       zero_ = zero_length(task);
@@ -80,6 +87,12 @@ class SynthesisJson {
 
   Json task_json(const SynthesisTask& task) const {
     Json result = object_of(8);
+    if (task.choice) {
+      result["choice"] = object_of(2);
+      result["choice"]["m"] = number(task.choice->m);
+      result["choice"]["free_point"] =
+          task.choice->free_point ? point(*task.choice->free_point) : Json(nullptr);
+    }
     result["positions"] = Json::array();
     for (const PositionJets& position : task.positions) {
       result["positions"].push_back(position_json(position));

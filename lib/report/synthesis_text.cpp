@@ -63,9 +63,12 @@ class SynthesisText {
   std::string run() {
     std::string text = fmt::format("{}  task {}, lengths in {}, angles in {}\n",
                                    title_text(analysis_.file, analysis_.description),
-                                   form_of(analysis_.tasks.front().positions),
+                                   analysis_.form,
                                    in_.units().text(QuantityKind::length),
                                    in_.units().text(QuantityKind::angle));
+    if (analysis_.selection) {
+      text += selection_text(*analysis_.selection);
+    }
     for (const SynthesisTask& task : analysis_.tasks) {
       zero_ = zero_length(task);
       text += task_text(task);
@@ -82,9 +85,24 @@ class SynthesisText {
     return fmt::format("({}, {})", length(p.real()), length(p.imag()));
   }
 
+  static std::string selection_text(const SelectionCounts& counts) {
+    return fmt::format("{} choices tried, {} with a linkage, {} with a usable one{}\n",
+                       counts.samples,
+                       counts.with_linkage,
+                       counts.usable,
+                       counts.usable > 0         ? "; the best are:"
+                       : counts.with_linkage > 0 ? "; the nearest is:"
+                                                 : "");
+  }
+
   std::string task_text(const SynthesisTask& task) const {
     std::string text = "\n";
-    if (analysis_.tasks.size() > 1) {
+    if (task.choice) {
+      text += task.choice->m ? "m " + format_short(*task.choice->m) : "";
+      text += task.choice->m && task.choice->free_point ? ", " : "";
+      text += task.choice->free_point ? "free_point " + point(*task.choice->free_point) : "";
+      text += "\n";
+    } else if (analysis_.tasks.size() > 1) {
       text += "angles";
       for (const PositionJets& position : task.positions) {
         text += " " + angle(position.angle[0]);

@@ -27,15 +27,17 @@ struct SelectedLinkage {
 };
 
 struct Selection {
-  std::vector<SelectedLinkage> best;  ///< the best first, at most one of each sample
+  std::vector<SelectedLinkage>
+      best;  ///< usable, the best first: each better than what is around it
+  std::optional<SelectedLinkage> nearest;  ///< without a usable one: what comes nearest
   int samples = 0;
   int with_linkage = 0;  ///< samples that have a linkage at all
   int usable = 0;        ///< samples that have one without defect and within the limits
 };
 
-/// Every combination of the ranges, then the best ones improved between their neighbours, step by
-/// step along each number, as long as the margin of the transmission angle grows. The same result
-/// in every run. Five positions a task.
+/// Every combination of the ranges; those that no neighbour surpasses are improved between their
+/// neighbours, step by step along each number, as long as the margin of the transmission angle
+/// grows, and the best are kept. The same result in every run. Five positions a task.
 Selection select_linkages(std::span<const SelectionRange> ranges,
                           const TaskMaker& make_task,
                           const LinkageLimits& limits,

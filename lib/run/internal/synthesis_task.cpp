@@ -78,6 +78,7 @@ PositionJets SynthesisValues::with_derivatives(const PositionDescription& positi
 
 std::optional<PositionJets> SynthesisValues::position(std::size_t index,
                                                       double angle,
+                                                      const SynthesisChoice& choice,
                                                       Diagnostics& found) const {
   const PositionDescription& given = task_.positions[index];
   if (!given.derivatives.empty()) {
@@ -89,19 +90,10 @@ std::optional<PositionJets> SynthesisValues::position(std::size_t index,
   }
   if (given.curvature) {
     const CurvatureDescription& curvature = *given.curvature;
-    if (!curvature.free_point || !curvature.m) {
-      found.error("E0315",
-                  curvature.where,
-                  fmt::format("selection over 'vary' is not there yet, and position {} needs its "
-                              "values",
-                              index + 1),
-                  "give 'free_point' and 'm' in 'curvature'");
-      return std::nullopt;
-    }
-    specification.curvature =
-        CurvatureSpecification{.centre = point(curvature.centre),
-                               .free_point = point(*curvature.free_point),
-                               .ratio = number(*curvature.m, QuantityKind::dimensionless)};
+    const Point free_point = choice.free_point ? *choice.free_point : point(*curvature.free_point);
+    const double m = choice.m ? *choice.m : number(*curvature.m, QuantityKind::dimensionless);
+    specification.curvature = CurvatureSpecification{
+        .centre = point(curvature.centre), .free_point = free_point, .ratio = m};
   }
   specification.is_stationary = given.stationary;
   specification.is_burmester = given.burmester;
@@ -114,13 +106,13 @@ std::optional<PositionJets> SynthesisValues::position(std::size_t index,
 }
 
 std::optional<std::vector<std::vector<PositionJets>>> SynthesisValues::positions_of_tasks(
-    Diagnostics& found) const {
+    const SynthesisChoice& choice, Diagnostics& found) const {
   std::vector<std::vector<PositionJets>> tasks(1);
   for (std::size_t i = 0; i < task_.positions.size(); ++i) {
     std::vector<std::vector<PositionJets>> longer;
     for (const std::vector<PositionJets>& task : tasks) {
       for (const Value& angle : task_.positions[i].angles) {
-        const auto jets = position(i, number(angle, QuantityKind::angle), found);
+        const auto jets = position(i, number(angle, QuantityKind::angle), choice, found);
         if (!jets) {
           return std::nullopt;
         }
@@ -131,6 +123,37 @@ std::optional<std::vector<std::vector<PositionJets>>> SynthesisValues::positions
     tasks = std::move(longer);
   }
   return tasks;
+}
+
+std::vector<SelectionRange> SynthesisValues::ranges() const {
+  constexpr double kSamples = 4000.0;
+  std::vector<SelectionRange> result;
+  for (const SynthesisRange& range : task_.vary) {
+    const QuantityKind kind =
+        range.name.text == "m" ? QuantityKind::dimensionless : QuantityKind::length;
+    for (std::size_t i = 0; i < range.from.size(); ++i) {
+      result.push_back({.from = number(range.from[i], kind), .to = number(range.to[i], kind)});
+    }
+  }
+  const double each = std::pow(kSamples, 1.0 / static_cast<double>(result.size()));
+  for (SelectionRange& range : result) {
+    range.count = static_cast<int>(each) + 1;
+  }
+  return result;
+}
+
+SynthesisChoice SynthesisValues::choice_of(std::span<const double> numbers) const {
+  SynthesisChoice choice;
+  std::size_t at = 0;
+  for (const SynthesisRange& range : task_.vary) {
+    if (range.name.text == "m") {
+      choice.m = numbers[at];
+    } else {
+      choice.free_point = Point(numbers[at], numbers[at + 1]);
+    }
+    at += range.from.size();
+  }
+  return choice;
 }
 
 LinkageLimits SynthesisValues::limits() const {
