@@ -121,6 +121,10 @@ inline constexpr double kSameAngle = 1e-13;
 /// this: coordinates typed with nine figures pass.
 inline constexpr double kCollinearSpecification = 1e-7;
 
+/// Two choices of a selection give the same linkage if its ratio of links and longest link agree to
+/// this share: the search has come much nearer to the best place by then.
+inline constexpr double kSameLinkage = 1e-5;
+
 /// Four links are at a change point if shortest and longest equal the other two to this share of
 /// their sum.
 inline constexpr double kChangePoint = 1e-10;

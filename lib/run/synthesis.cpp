@@ -17,31 +17,13 @@ namespace kinestat {
 
 namespace {
 
-bool fits(LinkageKind wanted, LinkageType type) {
-  switch (wanted) {
-    case LinkageKind::any:
-      return true;
-    case LinkageKind::four_bar:
-      return type == LinkageType::four_bar;
-    case LinkageKind::slider_crank:
-      return type == LinkageType::slider_crank;
-    case LinkageKind::inverted_slider_crank:
-      return type == LinkageType::inverted_slider_crank;
-  }
-  return false;
-}
-
-SynthesisTask solve_task(std::vector<PositionJets> positions,
-                         const LinkageLimits& limits,
-                         LinkageKind wanted) {
+SynthesisTask solve_task(std::vector<PositionJets> positions, const LinkageLimits& limits) {
   SynthesisTask task;
   task.positions = std::move(positions);
   const int count = position_count(task.positions);
   if (count == 5) {
     task.dyads = solve_burmester(task.positions);
     task.linkages = rank_linkages(task.dyads->dyads, task.positions, limits);
-    std::erase_if(task.linkages,
-                  [&](const LinkageCandidate& one) { return !fits(wanted, one.linkage.type()); });
   } else if (count == 4) {
     task.curves = find_curves(task.positions);
   } else if (count == 3) {
@@ -52,17 +34,13 @@ SynthesisTask solve_task(std::vector<PositionJets> positions,
 
 using Tasks = std::vector<std::vector<PositionJets>>;
 
-bool solve_tasks(const SynthesisValues& values,
-                 const MechanismDescription& description,
-                 Diagnostics& found,
-                 SynthesisAnalysis& analysis) {
+bool solve_tasks(const SynthesisValues& values, Diagnostics& found, SynthesisAnalysis& analysis) {
   const std::optional<Tasks> tasks = values.positions_of_tasks({}, found);
   if (!tasks) {
     return false;
   }
   for (const std::vector<PositionJets>& positions : *tasks) {
-    analysis.tasks.push_back(
-        solve_task(positions, values.limits(), description.synthesis->linkage));
+    analysis.tasks.push_back(solve_task(positions, values.limits()));
   }
   analysis.form = form_of(tasks->front());
   return true;
@@ -89,10 +67,7 @@ std::optional<Tasks> find_possible_tasks(const SynthesisValues& values,
 }
 
 // The best choices for the positions of one choice of angles.
-void select_task(const SynthesisValues& values,
-                 std::size_t task,
-                 LinkageKind wanted,
-                 SynthesisAnalysis& analysis) {
+void select_task(const SynthesisValues& values, std::size_t task, SynthesisAnalysis& analysis) {
   constexpr int kKept = 5;
   const std::vector<SelectionRange> ranges = values.ranges();
   const TaskMaker make_task =
@@ -110,7 +85,7 @@ void select_task(const SynthesisValues& values,
     shown.push_back(*selection.nearest);
   }
   for (const SelectedLinkage& one : shown) {
-    analysis.tasks.push_back(solve_task(*make_task(one.choice), values.limits(), wanted));
+    analysis.tasks.push_back(solve_task(*make_task(one.choice), values.limits()));
     analysis.tasks.back().choice = values.choice_of(one.choice);
   }
 }
@@ -133,7 +108,7 @@ bool select_tasks(const SynthesisValues& values,
   }
   analysis.selection = SelectionCounts{};
   for (std::size_t task = 0; task < possible->size(); ++task) {
-    select_task(values, task, description.synthesis->linkage, analysis);
+    select_task(values, task, analysis);
   }
   return true;
 }
@@ -156,7 +131,7 @@ std::optional<SynthesisAnalysis> find_synthesis(const std::string& path,
   analysis.file = path;
   const SynthesisValues values(description);
   const bool is_right = description.synthesis->vary.empty()
-                            ? solve_tasks(values, description, found, analysis)
+                            ? solve_tasks(values, found, analysis)
                             : select_tasks(values, description, found, analysis);
   if (!is_right) {
     return std::nullopt;

@@ -73,6 +73,43 @@ Interval interval_of(const DriveCurve& curve, double x, double reach) {
   return {};
 }
 
+// Dead points lead from one side to the other: through both of them round, through one of them to
+// it and back; without any the side stays.
+enum class Course { along, back_from_low, back_from_high, round };
+
+Course course_of(const Interval& interval) {
+  if (interval.is_turn || (!interval.low_dead && !interval.high_dead)) {
+    return Course::along;
+  }
+  if (interval.low_dead && interval.high_dead) {
+    return Course::round;
+  }
+  return interval.low_dead ? Course::back_from_low : Course::back_from_high;
+}
+
+struct Place {
+  double x = 0.0;
+  bool is_other_side = false;
+};
+
+// The place at a share of the way, which slows down at dead points.
+Place place_on(const Interval& interval, Course course, double share) {
+  const double middle = 0.5 * (interval.low + interval.high);
+  const double half = 0.5 * (interval.high - interval.low);
+  const double way = 2.0 * share - 1.0;  // -1 to 1
+  switch (course) {
+    case Course::along:
+      return {.x = middle + half * way};
+    case Course::round:
+      return {.x = middle + half * std::cos(kPi * way), .is_other_side = way > 0.0};
+    case Course::back_from_low:
+      return {.x = interval.low + 2.0 * half * way * way, .is_other_side = way > 0.0};
+    case Course::back_from_high:
+      return {.x = interval.high - 2.0 * half * way * way, .is_other_side = way > 0.0};
+  }
+  return {};
+}
+
 }  // namespace
 
 LinkageMotion trace_circuit(
@@ -81,19 +118,13 @@ LinkageMotion trace_circuit(
   const DriveCurve curve(linkage, drive);
   const int side = curve.side_of(start);
   const Interval interval = interval_of(curve, curve.coordinate_of(start), reach);
-  const bool goes_round = interval.low_dead && interval.high_dead && !interval.is_turn;
+  const Course course = course_of(interval);
   LinkageMotion motion;
-  motion.is_closed = interval.is_turn || goes_round;
-  // A way that dead points bound is gone forth and back, slowly near them; another one evenly.
+  motion.is_closed = interval.is_turn || course == Course::round;
   for (int i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / (motion.is_closed ? count : count - 1);
-    const double turn = 2.0 * kPi * share;
-    const double middle = 0.5 * (interval.low + interval.high);
-    const double half = 0.5 * (interval.high - interval.low);
-    const double x =
-        goes_round ? middle - half * std::cos(turn) : interval.low + 2.0 * half * share;
-    const int now = goes_round && turn > kPi ? -side : side;
-    if (const auto pose = curve.pose_at(x, now)) {
+    const auto [x, is_other_side] = place_on(interval, course, share);
+    if (const auto pose = curve.pose_at(x, is_other_side ? -side : side)) {
       motion.poses.push_back(*pose);
     }
   }

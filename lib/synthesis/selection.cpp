@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/contract.hpp"
+#include "core/tolerance.hpp"
 
 namespace kinestat {
 
@@ -141,13 +142,21 @@ class Selector {
     return true;
   }
 
-  // Two peaks of the grid may lead to one and the same.
+  // Two peaks of the grid may lead to one and the same, and where the free numbers are more than
+  // what they are free for, very different ones too.
   void keep_if_new(SelectedLinkage one) {
-    const bool is_known = std::ranges::any_of(
-        selection_.best, [&](const SelectedLinkage& other) { return is_near(one, other); });
+    const bool is_known = std::ranges::any_of(selection_.best, [&](const SelectedLinkage& other) {
+      return is_near(one, other) || is_same(one.candidate, other.candidate);
+    });
     if (!is_known) {
       selection_.best.push_back(std::move(one));
     }
+  }
+
+  static bool is_same(const LinkageCandidate& one, const LinkageCandidate& other) {
+    return one.linkage.type() == other.linkage.type() &&
+           std::abs(one.ratio - other.ratio) < kSameLinkage * one.ratio &&
+           std::abs(one.longest - other.longest) < kSameLinkage * one.longest;
   }
 
   bool is_near(const SelectedLinkage& one, const SelectedLinkage& other) const {

@@ -128,7 +128,11 @@ std::vector<LinkageCandidate> rank_linkages(std::span<const Dyad> dyads,
   std::vector<LinkageCandidate> candidates;
   for (std::size_t i = 0; i < dyads.size(); ++i) {
     for (std::size_t j = i + 1; j < dyads.size(); ++j) {
-      candidates.push_back(judge({.one = dyads[i], .other = dyads[j]}, positions, limits));
+      const Linkage linkage{.one = dyads[i], .other = dyads[j]};
+      if (limits.type && linkage.type() != *limits.type) {
+        continue;
+      }
+      candidates.push_back(judge(linkage, positions, limits));
       candidates.back().dyads = {i, j};
     }
   }

@@ -17,7 +17,8 @@ namespace kinestat {
 
 /// What a linkage must keep to.
 struct LinkageLimits {
-  double transmission = 0.0;  ///< least margin of the transmission angle [rad]
+  std::optional<LinkageType> type = std::nullopt;  ///< others are not looked at
+  double transmission = 0.0;                       ///< least margin of the transmission angle [rad]
   double ratio = std::numeric_limits<double>::infinity();  ///< longest by shortest link
   double size = std::numeric_limits<double>::infinity();   ///< longest link [length]
 };

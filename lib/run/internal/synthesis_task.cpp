@@ -44,6 +44,20 @@ std::pair<std::string, std::string> words_of(SpecificationFault fault) {
   return {};
 }
 
+std::optional<LinkageType> type_of(LinkageKind kind) {
+  switch (kind) {
+    case LinkageKind::any:
+      return std::nullopt;
+    case LinkageKind::four_bar:
+      return LinkageType::four_bar;
+    case LinkageKind::slider_crank:
+      return LinkageType::slider_crank;
+    case LinkageKind::inverted_slider_crank:
+      return LinkageType::inverted_slider_crank;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 SynthesisValues::SynthesisValues(const MechanismDescription& description)
@@ -159,6 +173,7 @@ SynthesisChoice SynthesisValues::choice_of(std::span<const double> numbers) cons
 LinkageLimits SynthesisValues::limits() const {
   const SynthesisLimits& given = task_.limits;
   LinkageLimits limits;
+  limits.type = type_of(task_.linkage);
   if (given.transmission_angle) {
     limits.transmission = number(*given.transmission_angle, QuantityKind::angle);
   }

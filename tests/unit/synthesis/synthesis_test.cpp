@@ -42,6 +42,12 @@ TEST(Synthesis, NamesTheLimitThatALinkageMisses) {
   EXPECT_EQ(linkages_of("case7", {.size = 0.1})[0].defect, Defect::size);
 }
 
+TEST(Synthesis, LooksAtLinkagesOfTheTypeOnly) {
+  EXPECT_EQ(linkages_of("IC16", {}).size(), 6U);
+  EXPECT_EQ(linkages_of("IC16", {.type = LinkageType::four_bar}).size(), 3U);
+  EXPECT_EQ(linkages_of("IC16", {.type = LinkageType::slider_crank}).size(), 3U);
+}
+
 // The linkage of table 2 has its positions in two circuits.
 TEST(Synthesis, NamesACircuitDefect) {
   const auto found = linkages_of("table2", {});
