@@ -263,7 +263,7 @@ class Intersection {
   // The two lines of a conic of rank two, if they are real.
   static std::optional<std::array<Vec3, 2>> lines_of(const Mat3& conic) {
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(conic);
-    const Vec3 values = solver.eigenvalues();
+    const Vec3& values = solver.eigenvalues();
     // Ascending: a pair of real lines has one value below zero, one above, and one near zero.
     if (!(values[0] < kRealPoint && values[2] > -kRealPoint)) {
       return std::nullopt;

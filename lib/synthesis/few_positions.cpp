@@ -33,15 +33,18 @@ struct Polynomial {
   Polynomial operator*(const Polynomial& other) const {
     Polynomial result;
     for (std::size_t i = 0; i < 16; ++i) {
-      for (std::size_t j = 0; j < 16; ++j) {
-        const std::size_t power_u = i / 4 + j / 4;
-        const std::size_t power_v = i % 4 + j % 4;
-        if (power_u < 4 && power_v < 4) {
-          result.of[power_u][power_v] += of[i / 4][i % 4] * other.of[j / 4][j % 4];
-        }
-      }
+      result.add_shifted(other, i / 4, i % 4, of[i / 4][i % 4]);
     }
     return result;
+  }
+
+  // Adds a multiple of the other times u^i v^j; what exceeds the third degree is never there.
+  void add_shifted(const Polynomial& other, std::size_t i, std::size_t j, double factor) {
+    for (std::size_t k = 0; k < 16; ++k) {
+      if (i + k / 4 < 4 && j + k % 4 < 4) {
+        of[i + k / 4][j + k % 4] += factor * other.of[k / 4][k % 4];
+      }
+    }
   }
 
   Polynomial& add(const Polynomial& other, double factor) {
@@ -173,8 +176,8 @@ FourPositionCurves find_curves(std::span<const PositionJets> positions) {
   if (space.status != BurmesterStatus::solved) {
     return result;
   }
-  std::array<LinearRow, 3> of_circle_points;
-  std::array<LinearRow, 3> of_centres;
+  std::array<LinearRow, 3> of_circle_points{};
+  std::array<LinearRow, 3> of_centres{};
   for (std::size_t i = 0; i < 3; ++i) {
     of_circle_points[i] = row_for_circle_point(system.rows[i]);
     of_centres[i] = row_for_centre(system.rows[i]);

@@ -11,24 +11,27 @@ std::size_t index(int k) {
   return static_cast<std::size_t>(k);
 }
 
-// Derivatives of f by γ from those by t: d/dγ = (1/γ') d/dt, again and again. `speed` is γ' and its
-// derivatives by t.
+// The derivatives of (df/dt) / γ' by t from those of df/dt, order by order (Leibniz). `speed` is γ'
+// with its derivatives by t.
+std::vector<double> over_speed(const std::vector<double>& slope, const std::vector<double>& speed) {
+  std::vector<double> result(slope.size());
+  for (std::size_t n = 0; n < slope.size(); ++n) {
+    double sum = slope[n];
+    for (std::size_t i = 1; i <= n; ++i) {
+      sum -= binomial(n, i) * speed[i] * result[n - i];
+    }
+    result[n] = sum / speed[0];
+  }
+  return result;
+}
+
+// Derivatives of f by γ from those by t: d/dγ = (1/γ') d/dt, again and again.
 std::vector<double> by_angle(std::vector<double> jets, const std::vector<double>& speed) {
   const std::size_t count = jets.size();
   std::vector<double> result;
   for (std::size_t k = 0; k < count; ++k) {
     result.push_back(jets[0]);
-    std::vector<double> slope(jets.begin() + 1, jets.end());
-    // Solve speed * next = slope, order by order (Leibniz).
-    std::vector<double> next(slope.size());
-    for (std::size_t n = 0; n < slope.size(); ++n) {
-      double sum = slope[n];
-      for (std::size_t i = 1; i <= n; ++i) {
-        sum -= binomial(n, i) * speed[i] * next[n - i];
-      }
-      next[n] = sum / speed[0];
-    }
-    jets = next;
+    jets = over_speed(std::vector<double>(jets.begin() + 1, jets.end()), speed);
   }
   return result;
 }

@@ -68,14 +68,14 @@ class NullSpaceFinder {
     std::size_t best_row = step;
     std::size_t best = step;
     BigFloat largest(-1);
-    for (std::size_t i = step; i < rows_.size(); ++i) {
-      for (std::size_t j = step; j < 7; ++j) {
-        const BigFloat size = abs(rows_[i][columns_[j]]);
-        if (size > largest) {
-          largest = size;
-          best_row = i;
-          best = j;
-        }
+    for (std::size_t at = 0; at < rows_.size() * columns_.size(); ++at) {
+      const std::size_t i = at / columns_.size();
+      const std::size_t j = at % columns_.size();
+      const BigFloat size = i < step || j < step ? BigFloat(-1) : abs(rows_[i][columns_[j]]);
+      if (size > largest) {
+        largest = size;
+        best_row = i;
+        best = j;
       }
     }
     std::swap(rows_[step], rows_[best_row]);
@@ -116,14 +116,18 @@ class NullSpaceFinder {
     return sum;
   }
 
+  static void take_out(Row& one, const Row& unit) {
+    const BigFloat share = inner(one, unit);
+    for (std::size_t k = 0; k < one.size(); ++k) {
+      one[k] -= share * unit[k];
+    }
+  }
+
   static void make_orthonormal(Basis& basis) {
     for (std::size_t i = 0; i < 3; ++i) {
       Row& one = basis.vectors[i];
       for (std::size_t j = 0; j < i; ++j) {
-        const BigFloat share = inner(one, basis.vectors[j]);
-        for (std::size_t k = 0; k < 7; ++k) {
-          one[k] -= share * basis.vectors[j][k];
-        }
+        take_out(one, basis.vectors[j]);
       }
       const BigFloat length = sqrt(inner(one, one));
       for (BigFloat& entry : one) {

@@ -188,18 +188,23 @@ class Selector {
   bool improve_by(SelectedLinkage& one, double share) const {
     bool helps = false;
     for (std::size_t i = 0; i < ranges_.size(); ++i) {
-      for (const double sign : {1.0, -1.0}) {
-        std::vector<double> choice = one.choice;
-        const auto [low, high] = std::minmax(ranges_[i].from, ranges_[i].to);
-        choice[i] = std::clamp(choice[i] + sign * share * step(i), low, high);
-        std::optional<LinkageCandidate> found = best_of(choice);
-        if (found && is_better(*found, one.candidate)) {
-          one = {.choice = std::move(choice), .candidate = *std::move(found)};
-          helps = true;
-        }
-      }
+      const bool helps_up = improve_along(one, i, share);
+      const bool helps_down = improve_along(one, i, -share);
+      helps = helps || helps_up || helps_down;
     }
     return helps;
+  }
+
+  bool improve_along(SelectedLinkage& one, std::size_t i, double share) const {
+    const auto [low, high] = std::minmax(ranges_[i].from, ranges_[i].to);
+    std::vector<double> choice = one.choice;
+    choice[i] = std::clamp(choice[i] + share * step(i), low, high);
+    std::optional<LinkageCandidate> found = best_of(choice);
+    if (!found || !is_better(*found, one.candidate)) {
+      return false;
+    }
+    one = {.choice = std::move(choice), .candidate = *std::move(found)};
+    return true;
   }
 
   std::span<const SelectionRange> ranges_;

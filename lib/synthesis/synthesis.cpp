@@ -126,12 +126,11 @@ std::vector<LinkageCandidate> rank_linkages(std::span<const Dyad> dyads,
                                             std::span<const PositionJets> positions,
                                             const LinkageLimits& limits) {
   std::vector<LinkageCandidate> candidates;
-  for (std::size_t i = 0; i < dyads.size(); ++i) {
-    for (std::size_t j = i + 1; j < dyads.size(); ++j) {
-      const Linkage linkage{.one = dyads[i], .other = dyads[j]};
-      if (limits.type && linkage.type() != *limits.type) {
-        continue;
-      }
+  for (std::size_t pair = 0; pair < dyads.size() * dyads.size(); ++pair) {
+    const std::size_t i = pair / dyads.size();
+    const std::size_t j = pair % dyads.size();
+    const Linkage linkage{.one = dyads[i], .other = dyads[j]};
+    if (i < j && (!limits.type || linkage.type() == *limits.type)) {
       candidates.push_back(judge(linkage, positions, limits));
       candidates.back().dyads = {i, j};
     }

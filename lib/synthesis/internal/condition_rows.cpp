@@ -57,16 +57,9 @@ class RowMaker {
   // derivatives count only where the lower ones leave nothing to go by.
   double find_length() const {
     constexpr double kNone = std::numeric_limits<double>::infinity();
-    double lever = kNone;
-    for (std::size_t k = 0; k < 5 && lever == kNone; ++k) {
-      for (const DisplacementJetsOf<Scalar>& d : displacements_) {
-        for (std::size_t i = k; i < std::min(d.x.size(), std::max<std::size_t>(k + 1, 2)); ++i) {
-          const double turn =
-              i == 0 ? size_of(d.versine, d.sine[0]) : size_of(d.cosine[i], d.sine[i]);
-          const double shift = size_of(d.x[i], d.y[i]);
-          lever = turn > 0.0 && shift > 0.0 ? std::min(lever, shift / turn) : lever;
-        }
-      }
+    double lever = std::min(least_lever(0), least_lever(1));
+    for (std::size_t k = 2; k < 5 && lever == kNone; ++k) {
+      lever = least_lever(k);
     }
     if (lever == kNone) {
       return system_.radius > 0.0 ? system_.radius : 1.0;
@@ -74,6 +67,20 @@ class RowMaker {
     const double bounded =
         system_.radius > 0.0 ? std::min(lever, kLongestLever * system_.radius) : lever;
     return std::max(bounded, system_.radius);
+  }
+
+  // Over all positions that have a derivative k; infinite if none moves and turns.
+  double least_lever(std::size_t k) const {
+    double lever = std::numeric_limits<double>::infinity();
+    for (const DisplacementJetsOf<Scalar>& d : displacements_) {
+      if (k >= d.x.size()) {
+        continue;
+      }
+      const double turn = k == 0 ? size_of(d.versine, d.sine[0]) : size_of(d.cosine[k], d.sine[k]);
+      const double shift = size_of(d.x[k], d.y[k]);
+      lever = turn > 0.0 && shift > 0.0 ? std::min(lever, shift / turn) : lever;
+    }
+    return lever;
   }
 
   // Rounding of what is given for position j and the first, relative to the system's units.
