@@ -199,6 +199,33 @@ void add_self_stresses(CsvWriter& writer, const Place& place, const Json& pass) 
   }
 }
 
+// What a contact does is its status.
+void add_contacts(CsvWriter& writer, Place place, const Json& pass) {
+  for (const auto& [name, contact] : pass["contacts"].items()) {
+    place.element = name;
+    place.status = contact["grip"];
+    writer.add(place, "contact", contact);
+  }
+}
+
+// The power of an arc stands beside the bodies that it joins, that of a coupling in a circle of
+// power beside the number of the circle.
+void add_power_graph(CsvWriter& writer, Place place, const Json& pass) {
+  for (const auto& [coupling, arc] : pass["arcs"].items()) {
+    const auto from = arc["from"].get<std::string>();
+    const auto to = arc["to"].get<std::string>();
+    place.element = coupling;
+    writer.add(place, "arc/" + from + "/" + to, arc["power"]);
+  }
+  const Json& loops = pass["recirculation"]["loops"];
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    for (const Json& coupling : loops[i]["couplings"]) {
+      place.element = coupling;
+      writer.add(place, "loop/" + std::to_string(i), pass["arcs"][place.element]["power"]);
+    }
+  }
+}
+
 // What completes equilibrium has its method as its status.
 void add_statics(CsvWriter& writer, const Place& place, const Json& pass) {
   Exceptions completed;
@@ -212,7 +239,9 @@ void add_statics(CsvWriter& writer, const Place& place, const Json& pass) {
   add_elements_but(writer, place, pass["couplings"], "", completed);
   add_elements_if_any(writer, place, pass, "loads", "load");
   add_elements_if_any(writer, place, pass, "friction", "friction");
-  add_elements_if_any(writer, place, pass, "contacts", "contact");
+  if (pass.contains("contacts")) {
+    add_contacts(writer, place, pass);
+  }
 }
 
 void add_case(CsvWriter& writer, const Place& place, const Json& pass) {
@@ -232,6 +261,7 @@ void add_case(CsvWriter& writer, const Place& place, const Json& pass) {
     }
     add_elements(writer, place, pass["bodies"], "body");
     add_elements_if_any(writer, place, pass, "meshes", "mesh");
+    add_power_graph(writer, place, pass);
     writer.add(place, "recirculation/factor", pass["recirculation"]["factor"]);
     writer.add(place, "input", pass["input"]);
     writer.add(place, "balance_residual", pass["balance_residual"]);

@@ -82,6 +82,24 @@ def at(value: Any, path: str) -> Any:
     return value
 
 
+def facts(value: Any) -> Iterator[Any]:
+    """The words, numbers, and yes or no of a JSON value."""
+    if isinstance(value, (dict, list)):
+        for item in value.values() if isinstance(value, dict) else value:
+            yield from facts(item)
+    elif value is not None:
+        yield value
+
+
+def mobility_value(value: Any, path: str) -> str:
+    """As the CSV writes it: words that end a path are 1, yes and no are 1 and 0."""
+    for token in path.split("/"):
+        if isinstance(value, str):
+            return "1" if value == token else "another word"
+        value = value[int(token)] if isinstance(value, list) else value[token]
+    return json.dumps(int(value) if isinstance(value, bool) else value)
+
+
 def json_value(report: Any, row: dict[str, str]) -> Any:
     """The value of the JSON report that a row of the CSV repeats."""
     if row["pass"] == "mobility":
@@ -93,6 +111,13 @@ def json_value(report: Any, row: dict[str, str]) -> Any:
     section, _, path = row["quantity"].partition("/")
     if section == "self_stress":
         return value["self_stresses"][int(path)]["actions"][row["element"]]
+    if section == "arc":
+        arc = value["arcs"][row["element"]]
+        return arc["power"] if path == f"{arc['from']}/{arc['to']}" else "another way"
+    if section == "loop":
+        loop = value["recirculation"]["loops"][int(path)]
+        is_in_it = row["element"] in loop["couplings"]
+        return value["arcs"][row["element"]]["power"] if is_in_it else "not in it"
     if section in sections:
         return at(value[sections[section]][row["element"]], path)
     return at(value[sections[None]][row["element"]], row["quantity"])
@@ -114,14 +139,20 @@ def repeated_values(report: Any) -> list[Any]:
             found += numbers(case["power"].get("efficiency", {}))
             found += [case["power"]["input"], case["power"]["balance_residual"]]
             found += [case["power"]["recirculation"]["factor"]]
+            arcs = case["power"]["arcs"]
+            found += numbers(arcs)
+            for loop in case["power"]["recirculation"]["loops"]:
+                found += [arcs[coupling]["power"] for coupling in loop["couplings"]]
     return found
 
 
 def status_of(report: Any, row: dict[str, str]) -> str:
-    """That of the pass, but of what completes equilibrium the method."""
+    """That of the pass, but of contacts their grip and of what completes equilibrium the method."""
     if row["pass"] == "mobility":
         return "solved"
     value = report["cases"][row["case"]][row["pass"]]
+    if row["pass"] == "statics" and row["quantity"].startswith("contact/"):
+        return value["contacts"][row["element"]]["grip"]
     if row["pass"] != "statics" or "completion" not in value:
         return value["status"]
     actions = value["completion"]["actions"]
@@ -214,8 +245,10 @@ class Reports(unittest.TestCase):
         for path in self.for_each():
             mobility = json_of("mobility", path)["mobility"]
             for row in (dict(zip(HEADER, row)) for row in rows_of("mobility", path)[1:]):
-                value = at(mobility[row["element"]], row["quantity"])
-                self.assertEqual(row["value"], json.dumps(value), row)
+                value = mobility_value(mobility[row["element"]], row["quantity"])
+                self.assertEqual(row["value"], value, row)
+            words = [row for row in rows_of("mobility", path)[1:] if row[3] == "repairs"]
+            self.assertEqual(len(words), sum(1 for _ in facts(mobility["repairs"])), path)
 
     def test_end_lines_with_lf_and_hold_no_minus_zero(self) -> None:
         for path in self.for_each():
