@@ -337,6 +337,14 @@ constexpr auto kCodes = std::to_array<Code>({
      "A bare number of 'gravity' counts in the units of the file, length by time squared: with "
      "'units: {length: mm}', 9.81 is 9.81 mm/s^2, a thousandth of the earth's. Write the unit, "
      "9.81 m/s^2; with its unit, any value is taken without a word."},
+    {"W0308",
+     done,
+     "rope crosses itself at a pulley",
+     "It is led around the far side, turns by more than half a turn and comes back over itself. "
+     "That is right for a capstan, on which a rope lies beside itself, but more often 'wrap' names "
+     "the other sense of turning, and then torques and speeds have the wrong sign. 'wrap' is the "
+     "sense for someone who follows the rope in listed order; 'turns: 0' says that the far side "
+     "is meant."},
     {"W0601",
      done,
      "actions are statically indeterminate",
@@ -390,8 +398,7 @@ constexpr auto kCodes = std::to_array<Code>({
      "tolerance meets no value",
      "No value of the two reports is at the place that '--tolerance' names, or below it, so it "
      "loosens nothing: a key is misspelt, or a name has changed. Places are JSON Pointers as in "
-     "the "
-     "differences, for example /cases/drive/ratio; '*' stands for any one key."},
+     "the differences, for example /cases/drive/ratio; '*' stands for any one key."},
 });
 
 }  // namespace
