@@ -93,9 +93,10 @@ def facts(value: Any) -> Iterator[Any]:
 
 def mobility_value(value: Any, path: str) -> str:
     """As the CSV writes it: words that end a path are 1, yes and no are 1 and 0."""
-    for token in path.split("/"):
+    tokens = list(filter(None, path.split("/")))
+    for i, token in enumerate(tokens):
         if isinstance(value, str):
-            return "1" if value == token else "another word"
+            return "1" if value == "/".join(tokens[i:]) else "another word"
         value = value[int(token)] if isinstance(value, list) else value[token]
     return json.dumps(int(value) if isinstance(value, bool) else value)
 
