@@ -339,12 +339,13 @@ constexpr auto kCodes = std::to_array<Code>({
      "9.81 m/s^2; with its unit, any value is taken without a word."},
     {"W0308",
      done,
-     "rope crosses itself at a pulley",
-     "It is led around the far side, turns by more than half a turn and comes back over itself. "
-     "That is right for a capstan, on which a rope lies beside itself, but more often 'wrap' names "
-     "the other sense of turning, and then torques and speeds have the wrong sign. 'wrap' is the "
-     "sense for someone who follows the rope in listed order; 'turns: 0' says that the far side "
-     "is meant."},
+     "rope does not run around its pulley as it should",
+     "It is led around the far side, turns by more than half a turn and comes back over itself; or "
+     "its 'points' give it two levers about the axis. The first is right for a capstan, on which a "
+     "rope lies beside itself, and 'turns: 0' says so, but more often 'wrap', the sense of turning "
+     "for someone who follows the rope in listed order, names the other sense: then torques and "
+     "speeds have the wrong sign. The second is a rope on an arm rather than on a round pulley: the "
+     "tensions of its two sides differ as the levers do."},
     {"W0601",
      done,
      "actions are statically indeterminate",

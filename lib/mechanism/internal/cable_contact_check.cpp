@@ -37,19 +37,20 @@ std::optional<double> find_lever(const DrawnContact& contact,
                        units.text(QuantityKind::length));
   };
   const std::string& pulley = contact.station->body.text;
-  found.error("E0317",
-              contact.station->where,
-              before * after < 0.0
-                  ? fmt::format("the rope meets pulley '{}' in one sense of turning and leaves it "
-                                "in the other",
-                                pulley)
-                  : fmt::format("the rope passes the centre of pulley '{}' at {} before its "
-                                "'points' and at {} behind them",
-                                pulley,
-                                length(before),
-                                length(after)),
-              "correct 'points', [MEETS, LEAVES], where the rope is tangent to one circle about "
-              "the centre; 'radius' and 'wrap' instead let them be computed");
+  found.warning(
+      "W0308",
+      contact.station->where,
+      before * after < 0.0
+          ? fmt::format("the rope meets pulley '{}' in one sense of turning and leaves it "
+                        "in the other",
+                        pulley)
+          : fmt::format("the rope passes the centre of pulley '{}' at {} before its "
+                        "'points' and at {} behind them",
+                        pulley,
+                        length(before),
+                        length(after)),
+      "a round pulley has one lever: correct 'points', [MEETS, LEAVES], or give 'radius' "
+      "and 'wrap' instead; as they are, the tensions of the two sides differ");
   return std::nullopt;
 }
 
@@ -78,7 +79,11 @@ void check_contact(const DrawnContact& contact, const FileUnits& units, Diagnost
   }
   CableStationGeometry pulley = contact.pulley;
   if (pulley.radius == 0.0) {
-    pulley.radius = find_lever(contact, units, found).value_or(0.0);
+    const std::optional<double> lever = find_lever(contact, units, found);
+    if (!lever) {
+      return;
+    }
+    pulley.radius = *lever;
   }
   const double wrap = wrap_angle<double>(pulley, contact.arrives, contact.leaves);
   const bool is_on_purpose = station.turns || contact.cable->over.size() == 2;

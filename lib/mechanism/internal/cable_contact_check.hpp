@@ -17,10 +17,10 @@ struct DrawnContact {
   CableSpan leaves;
 };
 
-/// Complains of points without a radius where the rope has two levers about the axis (E0317), which
-/// no round pulley gives, and warns of a rope that goes around the far side and crosses itself
-/// (W0308), unless the file says `turns` or it is a belt on two pulleys, crossed on purpose. Says
-/// nothing of a point, or of a pulley whose centre is not known.
+/// Warns (W0308) of points without a radius where the rope has two levers about the axis, which no
+/// round pulley gives, and of a rope that goes around the far side and crosses itself, unless the
+/// file says `turns` or it is a belt on two pulleys, crossed on purpose. Says nothing of a point,
+/// or of a pulley whose centre is not known.
 void check_contact(const DrawnContact& contact, const FileUnits& units, Diagnostics& found);
 
 }  // namespace kinestat
