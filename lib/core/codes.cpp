@@ -344,7 +344,8 @@ constexpr auto kCodes = std::to_array<Code>({
      "its 'points' give it two levers about the axis. The first is right for a capstan, on which a "
      "rope lies beside itself, and 'turns: 0' says so, but more often 'wrap', the sense of turning "
      "for someone who follows the rope in listed order, names the other sense: then torques and "
-     "speeds have the wrong sign. The second is a rope on an arm rather than on a round pulley: the "
+     "speeds have the wrong sign. The second is a rope on an arm rather than on a round pulley: "
+     "the "
      "tensions of its two sides differ as the levers do."},
     {"W0601",
      done,
