@@ -42,10 +42,11 @@ class DerivativeBinder {
     result.breaks_coupling.assign(result.parameter_count, false);
     std::vector<bool> has_point;
     std::vector<Vec3Of<Dual>> points;
+    gears_ = bind_gear_frame<Dual>(description_, evaluator_);
     for (std::size_t e = 0; e < description_.couplings.size(); ++e) {
       const CouplingDescription& coupling = description_.couplings[e];
-      CouplingGeometryOf<Dual> drawn =
-          expect(bind_geometry<Dual>(coupling, description_.space, evaluator_, found_));
+      CouplingGeometryOf<Dual> drawn = expect(bind_geometry<Dual>(
+          coupling, description_.space, gears_ ? &*gears_ : nullptr, evaluator_, found_));
       add_points(coupling, drawn, points);
       add_coupling(e, std::move(drawn), result);
       has_point.push_back(has_place(coupling));
@@ -190,6 +191,16 @@ class DerivativeBinder {
     for (int a = topology.first_action; a < topology.first_action + topology.action_count; ++a) {
       add_action(a, topology, screws, constraints, geometry.at, result.geometry);
     }
+    if (geometry.other_flank) {
+      geometry.line_of_action = *geometry.other_flank;
+      const auto other = coupling_screws<Dual>(coupling.type, flank_space(), geometry);
+      result.geometry.other_flanks.push_back(
+          {.action = topology.first_action, .screw = other.constraints.front().screw});
+    }
+  }
+
+  Space flank_space() const {
+    return mechanism_.static_order == OrderChoice::spatial ? Space::spatial : description_.space;
   }
 
   // By its name, as `passive` may have left some out.
@@ -216,6 +227,7 @@ class DerivativeBinder {
   const Mechanism& mechanism_;
   DualEvaluator& evaluator_;
   Diagnostics& found_;
+  std::optional<GearFrameOf<Dual>> gears_;
 };
 
 }  // namespace

@@ -125,15 +125,62 @@ StaticSolution solve_statics(const Mechanism& mechanism,
   return resolve_indeterminacy(mechanism, basis, which.actions, loads, std::move(solution));
 }
 
-CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Case& which) {
+// The teeth whose force is negative press with their other flank; a force that is not known or zero
+// leaves them as they are.
+std::vector<int> find_turned_flanks(const Geometry& geometry, const StaticSolution& solution) {
+  std::vector<int> turned;
+  for (std::size_t i = 0; i < geometry.other_flanks.size(); ++i) {
+    const auto action = static_cast<std::size_t>(geometry.other_flanks[i].action);
+    if (solution.magnitudes[action].value_or(0.0) < 0.0) {
+      turned.push_back(static_cast<int>(i));
+    }
+  }
+  return turned;
+}
+
+// The mechanism with the flanks on which the teeth press in this case. Torques decide on them
+// wherever equilibrium does, whatever the flank; then the first answer is the last.
+struct LoadedFlanks {
+  std::vector<int> turned;
+  std::optional<Mechanism> mechanism;  ///< empty if none is turned
+};
+
+LoadedFlanks find_loaded_flanks(const Mechanism& mechanism,
+                                const CoordinateBasis& basis,
+                                const Case& which,
+                                const KinematicSolution* motion) {
+  LoadedFlanks result;
+  if (mechanism.geometry.other_flanks.empty()) {
+    return result;
+  }
+  const StaticSolution first = solve_statics(mechanism, basis, which, motion);
+  if (!first.magnitudes.empty()) {
+    result.turned = find_turned_flanks(mechanism.geometry, first);
+  }
+  if (!result.turned.empty()) {
+    result.mechanism = mechanism;
+    turn_flanks(result.turned, result.mechanism->geometry);
+  }
+  return result;
+}
+
+CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const Case& which) {
   CaseAnalysis result;
   result.which = which;
   if (which.asks_motions) {
-    result.motion = solve_velocity(mechanism, bases.motion, which.motions);
+    result.motion = solve_velocity(drawn, bases.motion, which.motions);
   }
+  const KinematicSolution* motion = is_solved(result.motion) ? &*result.motion : nullptr;
+  LoadedFlanks flanks;
   if (which.asks_actions) {
-    result.action = solve_statics(
-        mechanism, bases.action, which, is_solved(result.motion) ? &*result.motion : nullptr);
+    flanks = find_loaded_flanks(drawn, bases.action, which, motion);
+    result.turned_flanks = flanks.turned;
+  }
+  const Mechanism& mechanism = flanks.mechanism ? *flanks.mechanism : drawn;
+  if (which.asks_actions) {
+    const CoordinateBasis basis =
+        flanks.mechanism ? action_basis(mechanism.geometry, mechanism.static_order) : bases.action;
+    result.action = solve_statics(mechanism, basis, which, motion);
   }
   if (has_answer(result.action)) {
     result.contacts = find_contact_states(

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "mechanism/internal/cable_station_binder.hpp"
 #include "mechanism/internal/direction_binder.hpp"
@@ -23,10 +24,12 @@ class GeometryBinder {
  public:
   GeometryBinder(const CouplingDescription& coupling,
                  Space space,
+                 const GearFrameOf<Scalar>* gears,
                  EvaluatorOf<Scalar>& evaluator,
                  Diagnostics& found)
       : coupling_(coupling),
         space_(space),
+        gears_(gears),
         evaluator_(evaluator),
         found_(found),
         directions_(coupling, space, evaluator, found) {}
@@ -51,8 +54,12 @@ class GeometryBinder {
     }
   }
 
-  // The origin where the file gives no point, which leaves it to counts or to `gears`.
+  // The origin where the file gives no point, which leaves it to counts.
   void bind_point() {
+    if (coupling_.is_mesh()) {
+      geometry_.at = mesh().pitch_point;
+      return;
+    }
     if (!coupling_.at) {
       return;
     }
@@ -60,9 +67,17 @@ class GeometryBinder {
       take(evaluator_.point(*coupling_.at->point), geometry_.at);
     } else if (!coupling_.at->of_bodies.empty()) {
       bind_points_of_bodies();
-    } else {
+    } else if (gears_ != nullptr) {
+      geometry_.at = gears_->layout.axis_of(coupling_.tail.text, coupling_.head.text);
+    }
+    if (coupling_.at->along_axis) {
       take(evaluator_.number(*coupling_.at->along_axis, QuantityKind::length), geometry_.at[2]);
     }
+  }
+
+  const MeshLayoutOf<Scalar>& mesh() const {
+    KINESTAT_EXPECTS(gears_ != nullptr);
+    return gears_->layout.meshes[static_cast<std::size_t>(coupling_.mesh)];
   }
 
   // The points as drawn on the two bodies; the tail's counts.
@@ -166,6 +181,9 @@ class GeometryBinder {
   }
 
   void bind_teeth() {
+    if (coupling_.is_mesh()) {
+      return bind_mesh();
+    }
     geometry_.is_contact = coupling_.contact;
     const int errors_before = found_.error_count();
     if (coupling_.screw) {
@@ -176,6 +194,17 @@ class GeometryBinder {
     if (found_.error_count() == errors_before) {
       take(bind_line_of_action<Scalar>(coupling_, space_, geometry_.axis, evaluator_, found_),
            geometry_.line_of_action);
+    }
+  }
+
+  void bind_mesh() {
+    MeshTeethOf<Scalar> teeth = teeth_of<Scalar>(*gears_, coupling_);
+    take(bind_mesh_line_of_action<Scalar>(coupling_, space_, teeth, evaluator_, found_),
+         geometry_.line_of_action);
+    if (gears_->gears->flank == Flank::loaded) {
+      teeth.flank = -teeth.flank;
+      geometry_.other_flank =
+          bind_mesh_line_of_action<Scalar>(coupling_, space_, teeth, evaluator_, found_);
     }
   }
 
@@ -256,6 +285,7 @@ class GeometryBinder {
 
   const CouplingDescription& coupling_;
   Space space_;
+  const GearFrameOf<Scalar>* gears_;
   EvaluatorOf<Scalar>& evaluator_;
   Diagnostics& found_;
   DirectionBinder<Scalar> directions_;
@@ -267,26 +297,23 @@ class GeometryBinder {
 
 bool has_place(const CouplingDescription& coupling) {
   const auto has_line = [](const ScrewDescription& screw) { return screw.at.has_value(); };
-  return coupling.at || (coupling.from && coupling.to) || coupling.is_segment() ||
-         std::ranges::any_of(coupling.freedoms, has_line) ||
+  return coupling.at || coupling.is_mesh() || (coupling.from && coupling.to) ||
+         coupling.is_segment() || std::ranges::any_of(coupling.freedoms, has_line) ||
          std::ranges::any_of(coupling.constraints, has_line);
 }
 
 template <class Scalar>
 std::optional<CouplingGeometryOf<Scalar>> bind_geometry(const CouplingDescription& coupling,
                                                         Space space,
+                                                        const GearFrameOf<Scalar>* gears,
                                                         EvaluatorOf<Scalar>& evaluator,
                                                         Diagnostics& found) {
-  return GeometryBinder<Scalar>(coupling, space, evaluator, found).bind();
+  return GeometryBinder<Scalar>(coupling, space, gears, evaluator, found).bind();
 }
 
-template std::optional<CouplingGeometry> bind_geometry(const CouplingDescription&,
-                                                       Space,
-                                                       EvaluatorOf<double>&,
-                                                       Diagnostics&);
-template std::optional<CouplingGeometryOf<Dual>> bind_geometry(const CouplingDescription&,
-                                                               Space,
-                                                               EvaluatorOf<Dual>&,
-                                                               Diagnostics&);
+template std::optional<CouplingGeometry> bind_geometry(
+    const CouplingDescription&, Space, const GearFrame*, Evaluator&, Diagnostics&);
+template std::optional<CouplingGeometryOf<Dual>> bind_geometry(
+    const CouplingDescription&, Space, const GearFrameOf<Dual>*, EvaluatorOf<Dual>&, Diagnostics&);
 
 }  // namespace kinestat

@@ -10,6 +10,7 @@
 #include "core/utf8.hpp"
 #include "mechanism/coupling_catalogue.hpp"
 #include "mechanism/internal/actuator_binder.hpp"
+#include "mechanism/internal/axis_place_check.hpp"
 #include "mechanism/internal/coupling_binder.hpp"
 #include "mechanism/internal/extent.hpp"
 #include "mechanism/internal/friction_binder.hpp"
@@ -63,6 +64,7 @@ class StructureBinder {
     for (const ActuatorDescription& actuator : description_.actuators) {
       declare(actuator.name);
     }
+    gears_ = bind_gear_frame<double>(description_, evaluator_);
     std::vector<Joint> joints;
     for (const CouplingDescription& coupling : description_.couplings) {
       if (const std::optional<Joint> joint = bind_joint(coupling)) {
@@ -136,20 +138,6 @@ class StructureBinder {
     return std::nullopt;
   }
 
-  // A single number places a coupling only along an axis that `gears` finds.
-  bool check_along_axis(const CouplingDescription& coupling) {
-    if (!coupling.at || !coupling.at->along_axis || description_.gears) {
-      return true;
-    }
-    found_.error("E0314",
-                 coupling.at->where,
-                 fmt::format("the point of coupling '{}' is a single number", coupling.name.text),
-                 fmt::format("write {}; a single number is a position along the axis, for the "
-                             "couplings of the members of 'gears'",
-                             description_.space == Space::planar ? "[x, y]" : "[x, y, z]"));
-    return false;
-  }
-
   // What a coupling joins and where it is; empty if an error was added.
   std::optional<Joint> bind_joint(const CouplingDescription& coupling) {
     const std::optional<BodyId> tail = find_body(coupling, coupling.tail);
@@ -163,9 +151,11 @@ class StructureBinder {
           "name two different bodies");
       return std::nullopt;
     }
-    const bool has_point = check_along_axis(coupling);
+    const bool has_point =
+        check_axis_place(coupling, description_, gears_ ? &*gears_ : nullptr, found_);
     const bool is_complete = check_geometry(coupling, description_.space, evaluator_, found_);
-    const auto geometry = bind_geometry<double>(coupling, description_.space, evaluator_, found_);
+    const auto geometry = bind_geometry<double>(
+        coupling, description_.space, gears_ ? &*gears_ : nullptr, evaluator_, found_);
     if (!tail || !head || !has_point || !is_complete || !geometry) {
       return std::nullopt;
     }
@@ -208,8 +198,19 @@ class StructureBinder {
     geometry_.points.push_back(joint.geometry.at);
     has_point_.push_back(has_place(coupling));
     add_screws(id, screws);
+    if (local.other_flank) {
+      add_other_flank(coupling, local);
+    }
     actuators_.add(id, coupling, drawn, local.at);
     add_friction(id, coupling, screws);
+  }
+
+  // Of the mesh that was added last; its force is its only constraint.
+  void add_other_flank(const CouplingDescription& coupling, CouplingGeometry local) {
+    local.line_of_action = *local.other_flank;
+    const CouplingScrews screws = counted_screws(coupling, local, drawn_screws(coupling, local));
+    geometry_.other_flanks.push_back(
+        {.action = topology_.action_count() - 1, .screw = screws.constraints.front().screw});
   }
 
   // What rubs with no force at all is left out.
@@ -307,6 +308,7 @@ class StructureBinder {
   std::map<std::string, BodyId> body_ids_;
   std::map<std::string, SourceRange> declared_;
   std::vector<bool> has_point_;  ///< of each coupling of the topology
+  std::optional<GearFrame> gears_;
   ActuatorBinder actuators_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "io/mechanism_reader.hpp"
 #include "mechanism/internal/cable_check.hpp"
+#include "mechanism/internal/gear_check.hpp"
 #include "mechanism/internal/load_binder.hpp"
 #include "mechanism/internal/section_checks.hpp"
 #include "support/read_text.hpp"
@@ -42,6 +43,7 @@ inline void check_all_sections(const MechanismDescription& description,
   const DeclaredNames names = declare_names(description, found);
   const SectionContext context = {
       .description = description, .names = names, .evaluator = evaluator, .found = found};
+  (void)check_gears(context);
   (void)check_cables(context);
   check_sections(context);
   (void)bind_loads(context, Vec3::Zero());
