@@ -26,7 +26,7 @@ inline std::string gear_set(const std::string& sections) {
       "couplings:\n"
       "  a: {type: revolute, bodies: [housing, sun], at: [0, 0, 0], axis: z}\n"
       "  c: {type: revolute, bodies: [housing, carrier], at: [0, 0, 9], axis: z}\n"
-      "  p: {type: revolute, bodies: [carrier, planet], at: [0, 34, 5], axis: z}\n"
+      "  p: {type: revolute, bodies: [carrier, planet], at: 5, axis: z}\n"
       "  s: {type: revolute, bodies: [housing, shaft], at: [0, 0, -9], axis: z}\n"
       "  slide: {type: prismatic, bodies: [housing, block], axis: y}\n"
       "  C1: {type: clutch, bodies: [shaft, sun], at: [0, 0, -1], axis: z}\n"
