@@ -16,6 +16,7 @@
 #include "mechanism/internal/geometry_check.hpp"
 #include "mechanism/internal/graph_binder.hpp"
 #include "mechanism/internal/load_binder.hpp"
+#include "mechanism/internal/planet_set.hpp"
 #include "mechanism/internal/section_checks.hpp"
 #include "mechanism/internal/structure_binder.hpp"
 #include "mechanism/unanalysed.hpp"
@@ -182,6 +183,7 @@ std::optional<Mechanism> bind_for(Purpose purpose,
       check_case_names(description, found);
     } else if (bind_graph(description, found, result)) {
       result.cases = bind_cases(description, result.topology, evaluator, found);
+      result.planet_counts = bind_planet_counts(description, result.topology, evaluator);
       result.compliances = bind_compliances(description, result.topology, evaluator);
       bind_contacts(description, evaluator, found, result);
       check_reported_quantities(description, result.topology, found);

@@ -43,6 +43,7 @@ class DerivativeBinder {
     std::vector<bool> has_point;
     std::vector<Vec3Of<Dual>> points;
     gears_ = bind_gear_frame<Dual>(description_, evaluator_);
+    find_whole_numbers(result.breaks_coupling);
     for (std::size_t e = 0; e < description_.couplings.size(); ++e) {
       const CouplingDescription& coupling = description_.couplings[e];
       CouplingGeometryOf<Dual> drawn = expect(bind_geometry<Dual>(
@@ -55,6 +56,31 @@ class DerivativeBinder {
         description_, has_point, mechanism_.topology, geometry, evaluator_);
     drop_rounding(geometry, result.parameter_count);
     result.length = find_length(points, result.parameter_count);
+  }
+
+  // Teeth, planets and turns of ropes come one by one.
+  void find_whole_numbers(std::vector<bool>& breaks) {
+    if (description_.gears) {
+      for (const GearMember& member : description_.gears->members) {
+        add_whole_number(member.teeth, breaks);
+        add_whole_number(member.count, breaks);
+      }
+    }
+    for (const CableDescription& cable : description_.cables) {
+      for (const CableStation& station : cable.over) {
+        add_whole_number(station.turns, breaks);
+      }
+    }
+  }
+
+  void add_whole_number(const std::optional<Value>& value, std::vector<bool>& breaks) {
+    if (!value) {
+      return;
+    }
+    const Dual number = expect(evaluator_.number(*value, QuantityKind::dimensionless));
+    for (std::size_t p = 0; p < breaks.size(); ++p) {
+      breaks[p] = breaks[p] || derivative(number, p) != 0.0;
+    }
   }
 
   void bind_frictions(MechanismDerivatives& result) {

@@ -150,17 +150,38 @@ class TrainFinder {
     return false;
   }
 
+  // Whether bodies that mesh with each other, from this one on, have one on the main axis.
+  bool reaches_main_axis(std::size_t begin) const {
+    std::vector<std::size_t> reached = {begin};
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      const std::size_t body = reached[i];
+      if (bodies_[body].place == Place::main_axis) {
+        return true;
+      }
+      for (const int mesh : bodies_[body].meshes) {
+        const std::size_t other = body_of(mate(mesh, body));
+        if (std::ranges::find(reached, other) == reached.end()) {
+          reached.push_back(other);
+        }
+      }
+    }
+    return false;
+  }
+
+  // The first body without a place that meshes its way to none on the main axis begins there.
+  bool place_first() {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      if (bodies_[b].place == Place::unknown && !reaches_main_axis(b)) {
+        bodies_[b].place = Place::main_axis;
+        return true;
+      }
+    }
+    return false;
+  }
+
   void place_the_rest() {
-    while (true) {
-      if (place_one(Place::main_axis, Place::planet) ||
-          place_one(Place::planet, Place::main_axis)) {
-        continue;
-      }
-      const auto next = std::ranges::find(bodies_, Place::unknown, &GearBody::place);
-      if (next == bodies_.end()) {
-        return;
-      }
-      next->place = Place::main_axis;
+    while (place_one(Place::main_axis, Place::planet) || place_first() ||
+           place_one(Place::planet, Place::main_axis)) {
     }
   }
 

@@ -167,7 +167,7 @@ class SensitivityJob {
   }
 
   std::vector<SensitivityValue> differentiate(std::size_t case_index,
-                                              const AdjointBases& bases,
+                                              const AdjointBases& drawn_bases,
                                               const MechanismDerivatives& common) {
     const CaseAnalysis& one = analysis_.cases[case_index];
     const bool has_rates = one.motion && one.motion->status == SolveStatus::solved;
@@ -182,6 +182,8 @@ class SensitivityJob {
                           has_rates ? &*one.motion : nullptr,
                           has_actions ? &*one.action : nullptr,
                           derivatives);
+    const AdjointBases bases =
+        one.turned_flanks.empty() ? drawn_bases : find_adjoint_bases(mechanism, derivatives);
     CaseAdjoint adjoint(values, bases);
     std::vector<SensitivityValue> result;
     for (const std::string& name :

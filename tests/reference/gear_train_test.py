@@ -11,7 +11,10 @@ import random
 import re
 import sys
 import unittest
+from fractions import Fraction
 from pathlib import Path
+
+import yaml
 
 import program
 from reference_test_case import ReferenceTest
@@ -170,26 +173,26 @@ cases: {turning: {motion: {i: 1}, action: {i: 1}, input: i, output: o}}
 
 
 class Derivatives(ReferenceTest):
-    def test_by_numbers_of_teeth(self) -> None:
-        """i = 1 + R/S: -R/S², 1/S and nothing."""
-        head = "parameters: {zs: 24, zp: 18, zr: 60}\n"
-        report = program.run("sensitivity", "--of", "ratio", "-",
-                             text=planetary("zs", "zp", "zr", head))
+    def test_by_numbers_of_teeth_there_is_none(self) -> None:
+        """Teeth are whole, in whatever expression; --set refuses others."""
+        head = "parameters: {zs: 24, zp: (zr - zs)/2, zr: 60, size: 2}\n"
+        text = planetary("zs", "zp", "zr", head).replace("module: 2", "module: size")
+        report = program.run("sensitivity", "--of", "ratio", "-", text=text)
         by = report["cases"]["ring held"]["sensitivity"]["ratio"]["by"]
-        self.near(by["zs"]["derivative"], -60 / 24**2, "zs")
-        self.near(by["zr"]["derivative"], 1 / 24, "zr")
-        self.near(by["zp"]["derivative"], 0.0, "zp")
+        self.assertEqual({name: by[name]["derivative"] for name in by},
+                         {"zs": None, "zp": None, "zr": None, "size": 0.0})
+        for change in ("zs=24.001", "zr=60.001"):
+            self.assertNotEqual(program.call("analyze", "--set", change, "-", text=text).returncode, 0)
 
     def test_of_planets_in_line(self) -> None:
-        """M1 of the Ravigneaux train: N3/N1, although its flat triangle has no derivative."""
+        """Their flat triangle has no derivative, yet they stay in line: torques do not depend on the
+        module, forces go with 1/module."""
         path = str(MECHANISMS / "transmissions" / "ravigneaux_teeth.yaml")
-        report = program.run("sensitivity", "--case", "M1", "--of", "ratio", path)
-        by = report["cases"]["M1"]["sensitivity"]["ratio"]["by"]
-        # i = N3 N6i/(N6jk N1)
-        ratio = 85 * 14 / (22 * 19)
-        self.near(by["N1"]["derivative"], -ratio / 19, "N1")
-        self.near(by["N3"]["derivative"], ratio / 85, "N3")
-        self.near(by["N5"]["derivative"], 0.0, "N5")
+        report = program.run("sensitivity", "--case", "M1", "--of", "out", "--of", "i.Rc", path)
+        values = report["cases"]["M1"]["sensitivity"]
+        self.near(values["out"]["by"]["module"]["derivative"], 0.0, "out")
+        self.near(values["i.Rc"]["by"]["module"]["derivative"], -values["i.Rc"]["value"], "i.Rc",
+                  abs(values["i.Rc"]["value"]))
 
     def test_of_forces_on_turned_flanks(self) -> None:
         """The bearing of the ring bears tan(α) times the tangential force, on either flank."""
@@ -240,6 +243,121 @@ class Flanks(ReferenceTest):
         self.near(actions["P.Rz"], 0.0, "planet")
         self.near(abs(actions["S.Rz"]), thrust, "sun")
         self.near(actions["S.Rz"] + actions["R.Rz"], 0.0, "sun and ring")
+
+
+class PlanetLoads(ReferenceTest):
+    """Three planets share what one has in their place."""
+
+    def test_of_each_planet(self) -> None:
+        alone = analyze(planetary(24, 18, 60))["cases"]["ring held"]["statics"]
+        text = planetary(24, 18, 60).replace("teeth: 18}", "teeth: 18, count: 3}")
+        shared = analyze(text)["cases"]["ring held"]["statics"]
+        self.assertNotIn("planets", alone)
+        self.assertEqual(shared["actions"], alone["actions"])
+        self.assertEqual(set(shared["planets"]), {"P.Rx", "P.Ry", "sp.Rc", "rp.Rc"})
+        for name, one in shared["planets"].items():
+            self.assertEqual(one["count"], 3)
+            self.near(one["each"], alone["actions"][name] / 3, name)
+        # 1 N·m of the sun on a pitch radius of 24 m.
+        force = 1 / 24 / math.cos(math.radians(20)) / 3
+        self.near(abs(shared["planets"]["sp.Rc"]["each"]), force, "sp.Rc")
+
+
+class Exactly:
+    """The speeds of a file in fractions: Willis of each mesh, what cases hold and drive."""
+
+    def __init__(self, path: Path) -> None:
+        self.file = yaml.safe_load(path.read_text(encoding="utf-8"))
+        self.bodies = [*self.file["bodies"]]
+        given = self.file.get("parameters", {})
+        self.numbers = {name: Fraction(value) if isinstance(value, int) else Fraction(1)
+                        for name, value in given.items()}
+
+    def number(self, text: object) -> Fraction:
+        """Of speeds the unit drops out of ratios."""
+        text = str(text).removesuffix(" rpm")
+        return Fraction(eval(text, {"__builtins__": {}}, self.numbers))
+
+    def row(self, *terms: tuple[str, Fraction]) -> list[Fraction]:
+        row = [Fraction(0)] * (len(self.bodies) + 1)
+        for body, factor in terms:
+            if body in self.bodies:
+                row[self.bodies.index(body)] += factor
+        return row
+
+    def meshes(self) -> list[list[Fraction]]:
+        members, rows = self.file["gears"]["members"], []
+        for mesh in self.file["gears"]["meshes"].values():
+            gears = [members[name] for name in mesh["members"]]
+            teeth = [self.number(one["teeth"]) * (-1 if one.get("internal") else 1) for one in gears]
+            rows.append(self.row((gears[0]["body"], teeth[0]), (gears[1]["body"], teeth[1]),
+                                 (mesh.get("carrier", ""), -sum(teeth))))
+        return rows
+
+    def turning(self, name: str) -> list[Fraction]:
+        """The turning of a coupling, head less tail; of an actuator, that of its coupling."""
+        name = self.file["actuators"].get(name, {"coupling": name})["coupling"]
+        tail, head = self.file["couplings"][name]["bodies"]
+        return self.row((head, Fraction(1)), (tail, Fraction(-1)))
+
+    def ratio(self, case: dict) -> Fraction:
+        rows = self.meshes()
+        for name, value in case["motion"].items():
+            rows.append(self.turning(name))
+            rows[-1][-1] = self.number(value)
+        speeds = solve(rows)
+        turning = [sum(a * b for a, b in zip(self.turning(case[end]), speeds))
+                   for end in ("input", "output")]
+        return turning[0] / turning[1]
+
+
+def solve(rows: list[list[Fraction]]) -> list[Fraction]:
+    """Gauss and Jordan; the speeds that a case leaves open count as zero."""
+    size, begin = len(rows[0]) - 1, 0
+    pivots = {}
+    for column in range(size):
+        at = next((i for i in range(begin, len(rows)) if rows[i][column]), None)
+        if at is None:
+            continue
+        rows[begin], rows[at] = rows[at], rows[begin]
+        rows[begin] = [x / rows[begin][column] for x in rows[begin]]
+        for i, row in enumerate(rows):
+            if i != begin and row[column]:
+                rows[i] = [x - row[column] * y for x, y in zip(row, rows[begin])]
+        pivots[column], begin = begin, begin + 1
+    assert all(not any(row) for row in rows[begin:]), "the case contradicts itself"
+    return [rows[pivots[c]][-1] if c in pivots else Fraction(0) for c in range(size)]
+
+
+class Fractions(ReferenceTest):
+    """Every ratio of the library whose file is in teeth."""
+
+    # What the sources print as fractions, by file and case.
+    PRINTED = {
+        "simpson_4hp22": ["181/73", "108/73", "1", "83/114", "-73/35"],
+        "lepelletier_6hp26": ["9180/2201", "211140/90241", "108/71", "9180/8033", "4590/5293",
+                              "85/123", "-4590/1349"],
+        "zf_8hp70": ["108/23", "72/23", "162/77", "5/3", "8826/6871", "1", "120/143", "2/3",
+                     "-1744/529"],
+    }
+
+    def test_ratios(self) -> None:
+        compared = 0
+        for path in sorted(MECHANISMS.glob("transmissions/*.yaml")):
+            if not re.search(r"^gears:", path.read_text(encoding="utf-8"), re.MULTILINE):
+                continue
+            exactly = Exactly(path)
+            reported = program.run("analyze", str(path))["cases"]
+            found = {label: exactly.ratio(case) for label, case in exactly.file["cases"].items()
+                     if isinstance(case.get("input"), str) and isinstance(case.get("output"), str)}
+            for label, ratio in found.items():
+                with self.subTest(path.name, gear=label):
+                    self.near_each({"": reported[str(label)]["ratio"]}, {"": float(ratio)})
+            printed = self.PRINTED.get(path.stem)
+            if printed:
+                self.assertEqual([*found.values()], [Fraction(one) for one in printed], path.name)
+            compared += len(found)
+        self.assertGreater(compared, 40)
 
 
 class Gearboxes(ReferenceTest):

@@ -45,6 +45,8 @@ EXCEPTIONS = [
     (r"the sweep has .* states; at most .*", "multiplies the numbers of values"),
     (r"the task .* has \d+ positions?; a dyad takes two to five", "adds the orders of positions"),
     (r"mesh '.*' needs a carrier: its member '.*' is fixed to the ground", "follows references"),
+    (r"mesh '.*' needs a carrier: its planet '.*' turns on '.*', not on the ground",
+     "follows references"),
     (r"mesh '.*' has no teeth to find its loss from", "follows references"),
     (r"body '.*' has a mass, on which gravity acts, but no centre of mass", "looks at 'gravity' too"),
     (r"'gears' lacks the key 'module'", "looks at members and meshes, where it may be instead"),

@@ -5,11 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "core/contract.hpp"
 #include "core/tolerance.hpp"
-#include "mechanism/internal/cable_station_binder.hpp"
 #include "mechanism/internal/direction_binder.hpp"
 #include "mechanism/internal/geometry_check.hpp"
+#include "mechanism/internal/place_binder.hpp"
 #include "mechanism/internal/tooth_binder.hpp"
 
 namespace kinestat {
@@ -36,10 +35,9 @@ class GeometryBinder {
 
   std::optional<CouplingGeometryOf<Scalar>> bind() {
     const int errors_before = found_.error_count();
-    bind_point();
+    bind_place<Scalar>(coupling_, gears_, evaluator_, found_, geometry_);
     bind_directions();
     bind_pitch();
-    bind_ends();
     bind_screws(coupling_.freedoms, geometry_.freedoms);
     bind_screws(coupling_.constraints, geometry_.constraints);
     return found_.error_count() == errors_before ? std::optional(geometry_) : std::nullopt;
@@ -51,48 +49,6 @@ class GeometryBinder {
   static void take(const std::optional<Item>& answer, Item& where) {
     if (answer) {
       where = *answer;
-    }
-  }
-
-  // The origin where the file gives no point, which leaves it to counts.
-  void bind_point() {
-    if (coupling_.is_mesh()) {
-      geometry_.at = mesh().pitch_point;
-      return;
-    }
-    if (!coupling_.at) {
-      return;
-    }
-    if (coupling_.at->point) {
-      take(evaluator_.point(*coupling_.at->point), geometry_.at);
-    } else if (!coupling_.at->of_bodies.empty()) {
-      bind_points_of_bodies();
-    } else if (gears_ != nullptr) {
-      geometry_.at = gears_->layout.axis_of(coupling_.tail.text, coupling_.head.text);
-    }
-    if (coupling_.at->along_axis) {
-      take(evaluator_.number(*coupling_.at->along_axis, QuantityKind::length), geometry_.at[2]);
-    }
-  }
-
-  const MeshLayoutOf<Scalar>& mesh() const {
-    KINESTAT_EXPECTS(gears_ != nullptr);
-    return gears_->layout.meshes[static_cast<std::size_t>(coupling_.mesh)];
-  }
-
-  // The points as drawn on the two bodies; the tail's counts.
-  void bind_points_of_bodies() {
-    for (const auto& [body, point] : coupling_.at->of_bodies) {
-      const std::optional<Vec3Of<Scalar>> drawn = evaluator_.point(point);
-      if (body.text == coupling_.tail.text) {
-        take(drawn, geometry_.at);
-      } else if (body.text != coupling_.head.text) {
-        found_.error(
-            "E0313",
-            body.where,
-            fmt::format("'{}' is not a body of {}", body.text, directions_.title()),
-            fmt::format("its bodies are {} and {}", coupling_.tail.text, coupling_.head.text));
-      }
     }
   }
 
@@ -198,10 +154,12 @@ class GeometryBinder {
   }
 
   void bind_mesh() {
+    const int errors_before = found_.error_count();
     MeshTeethOf<Scalar> teeth = teeth_of<Scalar>(*gears_, coupling_);
     take(bind_mesh_line_of_action<Scalar>(coupling_, space_, teeth, evaluator_, found_),
          geometry_.line_of_action);
-    if (gears_->gears->flank == Flank::loaded) {
+    const bool is_good = found_.error_count() == errors_before;
+    if (is_good && gears_->gears->flank == Flank::loaded) {
       teeth.flank = -teeth.flank;
       geometry_.other_flank =
           bind_mesh_line_of_action<Scalar>(coupling_, space_, teeth, evaluator_, found_);
@@ -215,31 +173,6 @@ class GeometryBinder {
       take(evaluator_.number(*coupling_.lead, QuantityKind::lead), geometry_.pitch);
       geometry_.pitch = geometry_.pitch / Scalar(2.0 * std::numbers::pi);
     }
-  }
-
-  // Where the segment of a rope touches its stations; check_cables has complained if it cannot.
-  void bind_segment() {
-    const auto from = bind_station<Scalar>(coupling_.part->from, evaluator_);
-    const auto to = bind_station<Scalar>(coupling_.part->to, evaluator_);
-    if (from && to) {
-      const CableSpanOf<Scalar> span = tangent_span<Scalar>(*from, *to);
-      geometry_.from = span.from;
-      geometry_.to = span.to;
-      geometry_.at = span.to;
-    }
-  }
-
-  // The force of a cable on the head acts at its end there.
-  void bind_ends() {
-    if (coupling_.is_segment()) {
-      return bind_segment();
-    }
-    if (!coupling_.from || !coupling_.to) {
-      return;
-    }
-    take(evaluator_.point(*coupling_.from), geometry_.from);
-    take(evaluator_.point(*coupling_.to), geometry_.to);
-    geometry_.at = geometry_.to;
   }
 
   // The first screw with a line places the coupling.

@@ -8,6 +8,7 @@
 
 #include "core/tolerance.hpp"
 #include "mechanism/internal/gear_binder.hpp"
+#include "mechanism/internal/planet_member_check.hpp"
 #include "mechanism/internal/planet_spacing_check.hpp"
 
 namespace kinestat {
@@ -25,8 +26,9 @@ class GearTrainCheck {
     for (std::size_t m = 0; m < gears_.meshes.size(); ++m) {
       check_axes(m);
     }
-    for (std::size_t p = 0; p < train_.planets.size(); ++p) {
-      check_distance(p);
+    check_planet_members(context_, train_, numbers_);
+    for (const CouplingDescription& coupling : context_.description.couplings) {
+      check_axis(coupling);
     }
     return context_.found.error_count() == errors_before;
   }
@@ -64,33 +66,6 @@ class GearTrainCheck {
                     mesh.second.text),
         "a planet turns on its carrier alone; 'count' or 'centre_distance' say of a gear that it "
         "is one");
-  }
-
-  void check_distance(std::size_t p) {
-    const PlanetAxis& planet = train_.planets[p];
-    const GearMember& first = member(planet.members.front());
-    const bool has_distance =
-        numbers_.distance[p] || std::ranges::any_of(planet.on_main, [&](int m) {
-          return numbers_.module[static_cast<std::size_t>(m)].has_value();
-        });
-    if (!has_distance) {
-      context_.found.error(
-          "E0303",
-          first.name.where,
-          fmt::format("planet '{}' has no distance from the main axis", first.name.text),
-          planet.on_main.empty()
-              ? "add 'centre_distance', as it meshes with no gear on the main axis"
-              : "add 'module' to 'gears' or to its mesh, or 'centre_distance' to the planet");
-    }
-    if (planet.neighbour_mesh >= 0 &&
-        !numbers_.module[static_cast<std::size_t>(planet.neighbour_mesh)]) {
-      const Name& mesh = gears_.meshes[static_cast<std::size_t>(planet.neighbour_mesh)].name;
-      context_.found.error(
-          "E0303",
-          mesh.where,
-          fmt::format("mesh '{}' between two planets lacks the key 'module'", mesh.text),
-          "add it here or to 'gears': the distance of the planets follows from it");
-    }
   }
 
   std::string length(double metres) const {
@@ -171,14 +146,32 @@ class GearTrainCheck {
            });
   }
 
+  bool is_part(const Name& body) const { return has_member(body) || holds_gears(body); }
+
+  bool is_bearing(const CouplingDescription& coupling) const {
+    return coupling.type == CouplingType::revolute && is_part(coupling.tail) &&
+           is_part(coupling.head);
+  }
+
+  void check_axis(const CouplingDescription& coupling) {
+    const bool is_in_space = context_.description.space == Space::spatial;
+    const auto axis = is_in_space && is_bearing(coupling) && coupling.axis
+                          ? context_.evaluator.axis(*coupling.axis)
+                          : std::nullopt;
+    if (axis && axis->direction.head<2>().norm() > kParallelAxes) {
+      context_.found.error(
+          "E0314",
+          coupling.axis->where,
+          fmt::format("revolute '{}' bears gears of 'gears', which turn about z",
+                      coupling.name.text),
+          "write axis: z; meshes of gears on other axes are couplings: 'kinestat help couplings'");
+    }
+  }
+
   // A bearing whose whole point is given stands where its gear does.
   void check_bearing(const GearLayout& layout, const CouplingDescription& coupling) {
-    if (coupling.type != CouplingType::revolute || !coupling.at || !coupling.at->point) {
-      return;
-    }
-    const bool is_bearing = (has_member(coupling.tail) && holds_gears(coupling.head)) ||
-                            (has_member(coupling.head) && holds_gears(coupling.tail));
-    const auto point = is_bearing ? context_.evaluator.point(*coupling.at->point) : std::nullopt;
+    const bool has_point = is_bearing(coupling) && coupling.at && coupling.at->point;
+    const auto point = has_point ? context_.evaluator.point(*coupling.at->point) : std::nullopt;
     const Vec3 axis = layout.axis_of(coupling.tail.text, coupling.head.text);
     if (!point || (point->head<2>() - axis.head<2>()).norm() <= kReportsAgree * point->norm() ||
         (point->norm() == 0.0 && axis.norm() == 0.0)) {

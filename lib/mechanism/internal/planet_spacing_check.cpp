@@ -9,15 +9,13 @@
 #include <fmt/format.h>
 
 #include "mechanism/internal/planet_assembly.hpp"
+#include "mechanism/internal/planet_set.hpp"
 
 namespace kinestat {
 
 namespace {
 
 constexpr int kMostCount = 64;  // that the file may say
-
-// Planets that mesh with each other, by index; the first stands on +y.
-using Chain = std::vector<int>;
 
 class PlanetSpacingCheck {
  public:
@@ -31,60 +29,57 @@ class PlanetSpacingCheck {
         layout_(layout) {}
 
   void run() {
-    for (const Chain& chain : chains()) {
-      const GearMember* counted = find_counted(chain);
-      const int count = counted == nullptr ? 1 : count_of(*counted);
-      if (count > 1) {
-        check_assembly(chain, *counted, count);
-        check_neighbours(chain, *counted, count);
+    for (const PlanetSet& set : bind_planet_sets(gears_, train_, context_.evaluator)) {
+      if (check_counts(set) && set.count > 1) {
+        check_assembly(set);
+        check_neighbours(set);
       }
     }
   }
 
  private:
-  std::vector<Chain> chains() const {
-    std::vector<Chain> result;
-    for (std::size_t p = 0; p < train_.planets.size(); ++p) {
-      if (train_.planets[p].neighbour < 0) {
-        result.emplace_back();
-      }
-      result.back().push_back(static_cast<int>(p));
-    }
-    return result;
-  }
-
   const GearMember& member(int index) const {
     return gears_.members[static_cast<std::size_t>(index)];
   }
 
   int planet_of(int member) const { return train_.planet_of[static_cast<std::size_t>(member)]; }
 
-  // The first member of the chain that says how many there are.
-  const GearMember* find_counted(const Chain& chain) const {
-    for (const int p : chain) {
-      for (const int m : train_.planets[static_cast<std::size_t>(p)].members) {
-        if (member(m).count) {
-          return &member(m);
-        }
-      }
-    }
-    return nullptr;
-  }
-
-  int count_of(const GearMember& counted) const {
-    const auto count = context_.evaluator.number(*counted.count, QuantityKind::dimensionless);
-    return static_cast<int>(std::lround(count.value_or(1.0)));
-  }
-
   long long teeth(int member) const {
     return std::llround(numbers_.teeth[static_cast<std::size_t>(member)]);
   }
 
-  std::vector<AssemblyMesh> meshes_of(const Chain& chain) const {
+  // One set stands for all, so that its planets have one count.
+  bool check_counts(const PlanetSet& set) {
+    for (const int p : set.planets) {
+      for (const int m : train_.planets[static_cast<std::size_t>(p)].members) {
+        if (member(m).count && number_of(*member(m).count) != set.count) {
+          context_.found.error(
+              "E0314",
+              member(m).count->where,
+              fmt::format("planets '{}' and '{}' belong to one set, but their counts are {} and {}",
+                          set.counted->name.text,
+                          member(m).name.text,
+                          set.count,
+                          number_of(*member(m).count)),
+              "planets of one body or in mesh with each other stand round the main axis together: "
+              "write the same 'count', or only one");
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  int number_of(const Value& count) const {
+    const auto number = context_.evaluator.number(count, QuantityKind::dimensionless);
+    return static_cast<int>(std::lround(number.value_or(1.0)));
+  }
+
+  std::vector<AssemblyMesh> meshes_of(const PlanetSet& set) const {
     std::vector<AssemblyMesh> result;
     const auto place = [&](int member) {
-      const auto at = std::ranges::find(chain, planet_of(member));
-      return at == chain.end() ? -1 : static_cast<int>(at - chain.begin());
+      const auto at = std::ranges::find(set.planets, planet_of(member));
+      return at == set.planets.end() ? -1 : static_cast<int>(at - set.planets.begin());
     };
     for (std::size_t m = 0; m < gears_.meshes.size(); ++m) {
       int planet = train_.first[m];
@@ -113,27 +108,28 @@ class PlanetSpacingCheck {
   }
 
   // More planets in a chain than any transmission has would outgrow whole numbers.
-  void check_assembly(const Chain& chain, const GearMember& counted, int count) const {
+  void check_assembly(const PlanetSet& set) const {
     constexpr std::size_t kMostPlanets = 3;
-    if (chain.size() > kMostPlanets) {
+    const std::size_t planets = set.planets.size();
+    if (planets > kMostPlanets) {
       return;
     }
-    const std::vector<AssemblyMesh> meshes = meshes_of(chain);
-    const std::vector<long long> sums = assembly_teeth(meshes, static_cast<int>(chain.size()));
+    const std::vector<AssemblyMesh> meshes = meshes_of(set);
+    const std::vector<long long> sums = assembly_teeth(meshes, static_cast<int>(planets));
     const auto blocking =
-        std::ranges::find_if(sums, [&](long long sum) { return sum % count != 0; });
+        std::ranges::find_if(sums, [&](long long sum) { return sum % set.count != 0; });
     if (blocking == sums.end()) {
       return;
     }
     context_.found.warning(
         "W0306",
-        counted.count->where,
+        set.counted->count->where,
         fmt::format("{} planets '{}' cannot stand at equal angles: {}/{} = {:.6g} is not whole",
-                    count,
-                    counted.name.text,
+                    set.count,
+                    set.counted->name.text,
                     sum_in_teeth(meshes, *blocking),
-                    count,
-                    static_cast<double>(*blocking) / count),
+                    set.count,
+                    static_cast<double>(*blocking) / set.count),
         fitting_counts(sums));
   }
 
@@ -161,27 +157,27 @@ class PlanetSpacingCheck {
     return 0.0;
   }
 
-  void check_neighbours(const Chain& chain, const GearMember& counted, int count) {
-    for (const int p : chain) {
+  void check_neighbours(const PlanetSet& set) {
+    for (const int p : set.planets) {
       for (const int m : train_.planets[static_cast<std::size_t>(p)].members) {
-        check_pair(m, m, counted, count);
+        check_pair(m, m, set);
       }
     }
     for (std::size_t m = 0; m < gears_.meshes.size(); ++m) {
       const int a = train_.first[m];
       const int b = train_.second[m];
-      const bool is_in_chain = std::ranges::find(chain, planet_of(a)) != chain.end();
-      if (is_in_chain && planet_of(b) >= 0) {
-        check_pair(a, b, counted, count);
+      const bool is_in_set = std::ranges::find(set.planets, planet_of(a)) != set.planets.end();
+      if (is_in_set && planet_of(b) >= 0) {
+        check_pair(a, b, set);
       }
     }
   }
 
   // A planet against another of the next sets on either side, or against its own like.
-  void check_pair(int a, int b, const GearMember& counted, int count) {
+  void check_pair(int a, int b, const PlanetSet& set) {
     const Vec3& centre_a = layout_.centres[static_cast<std::size_t>(planet_of(a))];
     const Vec3& centre_b = layout_.centres[static_cast<std::size_t>(planet_of(b))];
-    const double angle = 2.0 * std::numbers::pi / count;
+    const double angle = 2.0 * std::numbers::pi / set.count;
     double distance = std::numeric_limits<double>::infinity();
     for (const double turn : {angle, -angle}) {
       const Vec3 next = Eigen::AngleAxisd(turn, Vec3::UnitZ()) * centre_b;
@@ -202,10 +198,10 @@ class PlanetSpacingCheck {
                : fmt::format("'{}' and '{}'", member(a).name.text, member(b).name.text);
     context_.found.warning(
         "W0307",
-        counted.count->where,
+        set.counted->count->where,
         fmt::format("of {} planets {}, neighbours touch: {} between centres, {} between tips in "
                     "contact",
-                    count,
+                    set.count,
                     names,
                     length(distance),
                     length(needed)),

@@ -82,7 +82,7 @@ TEST(GearCheck, WantsAToothFormThatCanBe) {
 }
 
 TEST(GearCheck, NeedsAModuleOrADistance) {
-  const std::string meshes = "  meshes: {h: {members: [a, b]}}\n";
+  const std::string meshes = "  meshes: {h: {members: [a, b], carrier: carrier}}\n";
   EXPECT_EQ(
       complaints_about("gears:\n"
                        "  members: {a: {body: sun, teeth: 9}, b: {body: planet, teeth: 9}}\n" +
@@ -156,7 +156,7 @@ TEST(GearCheck, WarnsOfAMemberWithoutAMesh) {
                              "    a: {body: sun, teeth: 9}\n"
                              "    b: {body: planet, teeth: 9}\n"
                              "    idle: {body: ring, teeth: 9}\n"
-                             "  meshes: {h: {members: [a, b]}}\n"),
+                             "  meshes: {h: {members: [a, b], carrier: carrier}}\n"),
             (Complaints{"35:5 W0301 gear member 'idle' is in no mesh"}));
 }
 
