@@ -35,10 +35,10 @@ struct GearTrain {
 
 /// Rings stand on the main axis; what meshes with a ring, has a count, a centre distance or a side,
 /// or turns on its carrier alone, is a planet. The first body of a train where none stands on the
-/// main axis does. Of the rest, what meshes with a gear on the main axis is a planet, and what meshes
-/// with planets alone stands on the main axis. Planets that mesh with each other form a chain, of
-/// which the first of the file stands on +y. Hands alternate along external meshes, beginning with
-/// the first gear of the first mesh. The meshes must join members.
+/// main axis does. Of the rest, what meshes with a gear there is a planet, and what meshes with
+/// planets alone stands on the main axis. Planets that mesh with each other form a chain, of which
+/// the first of the file stands on +y. Hands alternate along external meshes, beginning with the
+/// first gear of the first mesh. The meshes must join members.
 GearTrain find_gear_train(const MechanismDescription& description);
 
 }  // namespace kinestat
