@@ -282,6 +282,13 @@ constexpr auto kCodes = std::to_array<Code>({
      "that the "
      "numbers cannot be trusted at this position, so they are reported with this error. Compare a "
      "position nearby, and look for lengths of very different size."},
+    {"E0711",
+     wrong_input,
+     "too many combinations of shift elements",
+     "'shift' enumerates every combination of as many elements as a gear engages: the net degree "
+     "of freedom less the inputs. With many elements that are more than a table can show. Name "
+     "fewer elements, those between which you choose; what is always engaged or always open needs "
+     "no element."},
     {"E0901",
      check_failed,
      "published value is missed",
@@ -385,6 +392,12 @@ constexpr auto kCodes = std::to_array<Code>({
      "Friction holds a rope on a pulley as long as the ratio of its tensions is at most exp(mu "
      "theta), theta being the contact angle (Euler and Eytelwein). The case does not let the rope "
      "slip, and the ratio is larger: so it will slip, or needs more pretension."},
+    {"W0711",
+     done,
+     "too few shift elements for a gear",
+     "A gear engages as many elements as the net degree of freedom has more than there are "
+     "inputs, and 'shift' names fewer: so no combination holds all that must be held. An element "
+     "is missing, or a body of the train is held by nothing."},
     {"W0901",
      done,
      "tolerance meets no value",

@@ -12,6 +12,7 @@
 #include "power/power_graph.hpp"
 #include "power/ratio.hpp"
 #include "sensitivity/affine.hpp"
+#include "shift/shift_solution.hpp"
 #include "statics/contact_state.hpp"
 #include "statics/static_solution.hpp"
 
@@ -44,13 +45,20 @@ struct CaseAnalysis {
   std::vector<AffineMagnitude> affine_actions;  ///< likewise
 };
 
-/// One mechanism with its counts and its cases, in file order.
+/// The section `shift` and the states of the transmission.
+struct ShiftAnalysis {
+  ShiftPlan plan;
+  ShiftSolution solution;
+};
+
+/// One mechanism with its counts and its cases, in file order, then its gears.
 struct Analysis {
   std::string file;  ///< as the user gave it
   MechanismDescription description;
   Mechanism mechanism;
   MobilityCounts mobility;
   std::vector<CaseAnalysis> cases;
+  std::optional<ShiftAnalysis> shift;
   std::vector<FreeParameterLabel> free_parameters;
 };
 

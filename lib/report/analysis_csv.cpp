@@ -6,6 +6,7 @@
 #include "core/utf8.hpp"
 #include "report/csv.hpp"
 #include "report/numbers.hpp"
+#include "report/shift_csv.hpp"
 
 namespace kinestat {
 
@@ -266,6 +267,9 @@ std::vector<CsvTable> analysis_csv(const Analysis& analysis, const Json& report)
     if (has_rows) {
       tables.push_back(std::move(table));
     }
+  }
+  if (analysis.shift) {
+    tables.push_back({.pass = "shift", .text = shift_csv(analysis, report["shift"])});
   }
   return tables;
 }

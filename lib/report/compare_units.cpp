@@ -75,6 +75,20 @@ constexpr auto kRules = std::to_array<std::pair<std::string_view, Rule>>({
     {"/cases/*/power/recirculation", Rule::bare},
     {"/cases/*/power/input", Rule::power},
     {"/cases/*/affine/*/*", Rule::affine},
+    {"/shift/possibilities", Rule::count},
+    {"/shift/net_freedom", Rule::count},
+    {"/shift/engaged", Rule::count},
+    {"/shift/span", Rule::bare},
+    {"/shift/states/*/freedom", Rule::count},
+    {"/shift/states/*/ratio", Rule::ratio},
+    {"/shift/states/*/torque_ratio", Rule::ratio},
+    {"/shift/states/*/step", Rule::bare},
+    {"/shift/states/*/efficiency", Rule::efficiency},
+    {"/shift/states/*/recirculation", Rule::bare},
+    {"/shift/states/*/elements/*/torque", Rule::moment},
+    {"/shift/states/*/elements/*/slip", Rule::angular},
+    {"/shift/states/*/worst_bearing/force", Rule::force},
+    {"/shift/states/*/worst_mesh/force", Rule::force},
 });
 
 const std::pair<std::string_view, Rule>* find_rule(std::string_view place) {

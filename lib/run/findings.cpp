@@ -1,5 +1,7 @@
 #include "run/findings.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/text.hpp"
@@ -9,6 +11,16 @@
 namespace kinestat {
 
 namespace {
+
+// A gear may leave freedoms beside it: the shift table says so.
+bool is_idle_gear(const Analysis& analysis, const CaseAnalysis& one) {
+  if (!analysis.shift) {
+    return false;
+  }
+  const std::vector<NamedShiftState>& states = analysis.shift->solution.states;
+  const auto state = std::ranges::find(states, one.which.label, &NamedShiftState::name);
+  return state != states.end() && state->state.kind == ShiftClass::gear && state->state.idle > 0;
+}
 
 void add_motion_findings(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
   const KinematicSolution& motion = *one.motion;
@@ -28,7 +40,7 @@ void add_motion_findings(const Analysis& analysis, const CaseAnalysis& one, Diag
                 one.which.where,
                 fmt::format("case '{}': velocities are too large for a number", one.which.label),
                 "give smaller motions; the answer is proportional to them");
-  } else if (motion.status == SolveStatus::underdetermined) {
+  } else if (motion.status == SolveStatus::underdetermined && !is_idle_gear(analysis, one)) {
     found.error("E0501",
                 one.which.where,
                 fmt::format("case '{}' knows {} of the {} motions needed (net degree of freedom "

@@ -172,6 +172,7 @@ Analysis solve_cases(std::string file, Loaded loaded) {
   analysis.file = std::move(file);
   analysis.mobility = counts_of(loaded);
   analysis.cases = solve_all_cases(loaded.mechanism);
+  analysis.shift = std::move(loaded.shift);
   analysis.description = std::move(loaded.description);
   analysis.mechanism = std::move(loaded.mechanism);
   find_affine_dependence(analysis);
