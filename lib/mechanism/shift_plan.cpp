@@ -75,7 +75,8 @@ class PlanBinder {
  private:
   void add_input(std::size_t i) {
     const Name& name = shift_.inputs[i];
-    ShiftInput input{.actuator = actuator_of(topology_, name)};
+    ShiftInput input;
+    input.actuator = actuator_of(topology_, name);
     const ActuatorTopology& actuator =
         topology_.actuators[static_cast<std::size_t>(input.actuator)];
     if (const Value* speed = value_of(shift_.input_motion, name)) {

@@ -27,7 +27,10 @@ class ReasonWriter {
       return cause;
     }
     const std::string number =
-        fmt::format("engages {} of the {} elements needed", count, network_.needed());
+        fmt::format("engages {} element{} where a gear needs {}",
+                    count == 0 ? "no" : std::to_string(count),
+                    count == 1 ? "" : "s",
+                    network_.needed());
     return cause.empty() ? number : fmt::format("{}: {}", number, cause);
   }
 

@@ -10,7 +10,7 @@
 namespace kinestat {
 
 /// Beyond this many combinations nobody reads a table; a sweep asks for single states.
-inline constexpr double kMostCombinations = 20000;
+inline constexpr double kMostCombinations = 5000;
 
 /// Which combinations are asked for beside those of the size that a gear needs.
 struct ShiftOptions {
