@@ -67,6 +67,11 @@ class PlanBinder {
     for (const GearLabel& label : shift_.names) {
       add_label(label);
     }
+    for (int a = 0; a < static_cast<int>(topology_.actuators.size()); ++a) {
+      if (!has_part(a)) {
+        plan_.others.push_back(a);
+      }
+    }
     plan_.asks_actions = !shift_.input_action.empty();
     plan_.where = shift_.where;
     return std::move(plan_);
@@ -93,6 +98,14 @@ class PlanBinder {
           evaluator_.number(*action, is_couple ? QuantityKind::moment : QuantityKind::force);
     }
     plan_.inputs.push_back(input);
+  }
+
+  bool has_part(int actuator) const {
+    return std::ranges::find(plan_.inputs, actuator, &ShiftInput::actuator) !=
+               plan_.inputs.end() ||
+           std::ranges::find(plan_.outputs, actuator) != plan_.outputs.end() ||
+           std::ranges::find(plan_.elements, actuator, &ShiftElement::actuator) !=
+               plan_.elements.end();
   }
 
   void add_label(const GearLabel& label) {
@@ -176,20 +189,11 @@ class GearDescriber {
       result.actions.push_back(
           nothing(shift_.elements[static_cast<std::size_t>(e)].text, gear));
     }
-    for (int a = 0; a < static_cast<int>(topology_.actuators.size()); ++a) {
-      if (!has_role(a)) {
-        result.actions.push_back(
-            nothing(topology_.actuators[static_cast<std::size_t>(a)].name, gear));
-      }
+    for (const int o : gear.others) {
+      const int actuator = plan_.others[static_cast<std::size_t>(o)];
+      result.actions.push_back(
+          nothing(topology_.actuators[static_cast<std::size_t>(actuator)].name, gear));
     }
-  }
-
-  bool has_role(int actuator) const {
-    return std::ranges::find(plan_.inputs, actuator, &ShiftInput::actuator) !=
-               plan_.inputs.end() ||
-           std::ranges::find(plan_.outputs, actuator) != plan_.outputs.end() ||
-           std::ranges::find(plan_.elements, actuator, &ShiftElement::actuator) !=
-               plan_.elements.end();
   }
 
   const ShiftDescription& shift_;

@@ -34,6 +34,7 @@ struct ShiftPlan {
   std::vector<ShiftInput> inputs;
   std::vector<int> outputs;  ///< actuators
   std::vector<ShiftElement> elements;
+  std::vector<int> others;  ///< actuators without a part in it: they bear nothing
   std::vector<ShiftLabel> labels;
   bool asks_actions = false;  ///< an action of an input is given
   SourceRange where;
@@ -50,11 +51,11 @@ struct GearCase {
   SourceRange where;
   std::vector<int> moving;   ///< inputs whose speed is known, indices into ShiftPlan::inputs
   std::vector<int> engaged;  ///< elements without motion of which none follows from the others
-  std::vector<int> open;     ///< elements without action
+  std::vector<int> open;     ///< elements whose action is given as none
+  std::vector<int> others;   ///< indices into ShiftPlan::others, likewise
 };
 
 /// The gears as cases of the description: so they depend on its parameters as it does itself.
-/// Actuators that the section does not name bear nothing.
 std::vector<CaseDescription> describe_gears(const MechanismDescription& description,
                                             const Topology& topology,
                                             const ShiftPlan& plan,

@@ -12,14 +12,27 @@ namespace kinestat {
 
 namespace {
 
-GearCase gear_case(const NamedShiftState& one, std::size_t element_count) {
-  GearCase gear{
-      .label = one.name, .where = one.where, .moving = one.state.moving, .engaged = {}, .open = {}};
-  for (int e = 0; e < static_cast<int>(element_count); ++e) {
+void add_unless(const std::vector<int>& known, int index, std::vector<int>& list) {
+  if (std::ranges::find(known, index) == known.end()) {
+    list.push_back(index);
+  }
+}
+
+GearCase gear_case(const NamedShiftState& one, const ShiftPlan& plan) {
+  GearCase gear{.label = one.name,
+                .where = one.where,
+                .moving = one.state.moving,
+                .engaged = {},
+                .open = {},
+                .others = {}};
+  for (int o = 0; o < static_cast<int>(plan.others.size()); ++o) {
+    add_unless(one.state.unloaded_others, o, gear.others);
+  }
+  for (int e = 0; e < static_cast<int>(plan.elements.size()); ++e) {
     if (!std::ranges::binary_search(one.engaged, e)) {
-      gear.open.push_back(e);
-    } else if (std::ranges::find(one.state.surplus, e) == one.state.surplus.end()) {
-      gear.engaged.push_back(e);
+      add_unless(one.state.unloaded, e, gear.open);
+    } else {
+      add_unless(one.state.surplus, e, gear.engaged);
     }
   }
   return gear;
@@ -32,7 +45,7 @@ void add_cases(const ShiftAnalysis& shift,
   std::vector<GearCase> gears;
   for (const NamedShiftState& one : shift.solution.states) {
     if (one.state.kind == ShiftClass::gear) {
-      gears.push_back(gear_case(one, shift.plan.elements.size()));
+      gears.push_back(gear_case(one, shift.plan));
     }
   }
   MechanismDescription alone = description;

@@ -50,6 +50,7 @@ ShiftNetwork make_shift_network(const Mechanism& mechanism,
   ShiftNetwork network{.inputs = rates(actuators_of(plan.inputs, &ShiftInput::actuator)),
                        .outputs = rates(plan.outputs),
                        .elements = rates(actuators_of(plan.elements, &ShiftElement::actuator)),
+                       .others = rates(plan.others),
                        .bodies = {},
                        .order = basis.order()};
   const Eigen::Index rows = basis.order() * (mechanism.topology.body_count() - 1);

@@ -16,6 +16,7 @@ struct ShiftNetwork {
   MatX inputs;
   MatX outputs;
   MatX elements;
+  MatX others;  ///< actuators that only hang on
   MatX bodies;
   int order = 0;  ///< rows of `bodies` a body
 

@@ -20,6 +20,7 @@ class StateSolver {
     engage();
     if (move_inputs() && outputs_follow() && outputs_move() && is_no_tie_up()) {
       fill_rates();
+      find_unloaded();
       find_torques();
       check_freewheels();
     }
@@ -105,6 +106,21 @@ class StateSolver {
                                  ? std::nullopt
                                  : std::optional(is_open ? left_.rate(network_.elements.row(e))
                                                          : 0.0));
+    }
+  }
+
+  // An idle motion that moves open elements alone says that their torques do no work on it: one of
+  // them follows from the others. (Virtual power.)
+  void find_unloaded() {
+    for (Eigen::Index e = 0; e < network_.elements.rows(); ++e) {
+      if (!is_engaged(static_cast<int>(e)) && left_.prescribe(network_.elements.row(e), 0.0)) {
+        state_.unloaded.push_back(static_cast<int>(e));
+      }
+    }
+    for (Eigen::Index o = 0; o < network_.others.rows(); ++o) {
+      if (left_.prescribe(network_.others.row(o), 0.0)) {
+        state_.unloaded_others.push_back(static_cast<int>(o));
+      }
     }
   }
 

@@ -51,6 +51,8 @@ struct ShiftState {
   int freedom = 0;           ///< what is left of the net degree of freedom with these elements
   int idle = 0;              ///< of it, what is left while the inputs rest
   std::vector<int> surplus;  ///< engaged elements whose rest follows from those before them
+  std::vector<int> unloaded;         ///< open elements that bear nothing by equilibrium alone
+  std::vector<int> unloaded_others;  ///< others likewise
   std::vector<int> moving;   ///< inputs whose speed does not follow from those before them
   std::vector<double> inputs;                 ///< rate of each input
   std::vector<std::optional<double>> outputs;  ///< rate of each output
