@@ -14,6 +14,7 @@
 #include "mechanism/internal/geometry_check.hpp"
 #include "mechanism/internal/graph_binder.hpp"
 #include "mechanism/internal/load_binder.hpp"
+#include "mechanism/internal/loss_binder.hpp"
 #include "mechanism/internal/section_checks.hpp"
 #include "mechanism/internal/structure_binder.hpp"
 #include "mechanism/unanalysed.hpp"
@@ -179,6 +180,8 @@ std::optional<Mechanism> bind_for(Purpose purpose,
       result.cases = bind_cases(description, result.topology, evaluator, found);
       result.compliances = bind_compliances(description, result.topology, evaluator);
       bind_contacts(description, evaluator, found, result);
+      result.lossy_meshes = bind_losses(description, evaluator);
+      result.loss_model = description.losses ? description.losses->model : LossModel::carrier;
       check_reported_quantities(description, result.topology, found);
     }
   }

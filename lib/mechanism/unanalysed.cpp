@@ -89,9 +89,6 @@ void add_model_sections(const MechanismDescription& description, std::vector<Una
 }
 
 void add_passes(const MechanismDescription& description, std::vector<Unanalysed>& list) {
-  if (description.losses) {
-    list.push_back({description.losses->where, "section 'losses'", "", false});
-  }
   if (description.shift) {
     list.push_back({description.shift->where, "section 'shift'", "", false});
   }

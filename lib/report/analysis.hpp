@@ -11,6 +11,7 @@
 #include "power/power_flow.hpp"
 #include "power/power_graph.hpp"
 #include "power/ratio.hpp"
+#include "power/transmission_efficiency.hpp"
 #include "sensitivity/affine.hpp"
 #include "statics/contact_state.hpp"
 #include "statics/static_solution.hpp"
@@ -38,7 +39,9 @@ struct CaseAnalysis {
   std::vector<ContactState> contacts;  ///< of ropes with pulleys, in the order of the mechanism's
   std::optional<VecX> pretension;      ///< of each action, which keeps pushed segments taut
   std::optional<PowerFlow> power;
-  std::optional<PowerGraph> power_graph;  ///< beside `power`
+  std::optional<PowerGraph> power_graph;             ///< beside `power`
+  std::optional<TransmissionEfficiency> efficiency;  ///< beside `power`, where meshes lose any
+  std::vector<CouplingId> without_carrier;           ///< lossy meshes whose loss is left out
   std::optional<Ratios> ratios;
   std::vector<AffineMagnitude> affine_rates;    ///< only those that depend on a free parameter
   std::vector<AffineMagnitude> affine_actions;  ///< likewise

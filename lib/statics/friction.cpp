@@ -115,13 +115,15 @@ class Continuation {
   double size_ = 0.0;
 };
 
-// The friction on both bodies of its coupling.
+// The friction on both bodies.
 std::vector<BodyWrench> pair_of(const Mechanism& mechanism,
                                 const FrictionLaw& law,
                                 double magnitude) {
   const CouplingTopology& coupling = mechanism.topology.coupling(law.coupling);
-  return {{.body = coupling.head, .wrench = magnitude * law.unit},
-          {.body = coupling.tail, .wrench = -magnitude * law.unit}};
+  const BodyPair bodies =
+      law.between.value_or(BodyPair{.tail = coupling.tail, .head = coupling.head});
+  return {{.body = bodies.head, .wrench = magnitude * law.unit},
+          {.body = bodies.tail, .wrench = -magnitude * law.unit}};
 }
 
 Vec6 coupling_wrench(const Mechanism& mechanism, CouplingId id, const VecX& magnitudes) {
@@ -253,10 +255,11 @@ void add_friction(std::span<const FrictionLaw> laws, const VecX& f, StaticSoluti
     const double magnitude = f[static_cast<Eigen::Index>(i)];
     const auto e = static_cast<std::size_t>(laws[i].coupling.value);
     solution.friction.push_back({.coupling = laws[i].coupling,
+                                 .between = laws[i].between,
                                  .magnitude = magnitude,
                                  .is_couple = laws[i].is_couple,
                                  .wrench = magnitude * laws[i].unit});
-    if (e < solution.wrenches.size() && solution.wrenches[e]) {
+    if (!laws[i].between && e < solution.wrenches.size() && solution.wrenches[e]) {
       solution.wrenches[e] = *solution.wrenches[e] + solution.friction.back().wrench;
     }
   }
