@@ -50,8 +50,9 @@ class RowUnknowns {
                         .evidence = evidence_,
                         .measured = M * unit.asDiagonal(),
                         .open = open_columns(rank)};
+    const bool has_open = result.open.cols() > 0;
     for (Eigen::Index r = 0; r < A_.rows(); ++r) {
-      result.is_open.push_back(!result.open.row(r).isZero(0.0));
+      result.is_open.push_back(has_open && !result.open.row(r).isZero(0.0));
     }
     return result;
   }

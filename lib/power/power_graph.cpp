@@ -38,7 +38,7 @@ class GraphBuilder {
     if (flow_.input > 0.0) {
       double largest = 0.0;
       for (const PowerArc& arc : graph_.arcs) {
-        largest = std::max(largest, arc.power);
+        largest = std::max(largest, net_power(arc));
       }
       graph_.factor = largest / flow_.input;
     }
@@ -99,10 +99,33 @@ class GraphBuilder {
     }
   }
 
+  bool is_cable(const PowerArc& arc) const {
+    return topology_.coupling(arc.coupling).type == CouplingType::cable;
+  }
+
+  // Of an arc its power; of the strands of a belt between two bodies what one side carries more
+  // than the other, for pretension does not recirculate. Zero on the side that carries less.
+  double net_power(const PowerArc& arc) const {
+    if (!is_cable(arc)) {
+      return arc.power;
+    }
+    double sum = 0.0;
+    for (const PowerArc& other : graph_.arcs) {
+      if (is_cable(other) && other.from == arc.from && other.to == arc.to) {
+        sum += other.power;
+      } else if (is_cable(other) && other.from == arc.to && other.to == arc.from) {
+        sum -= other.power;
+      }
+    }
+    return std::max(sum, 0.0);
+  }
+
   void find_loops() {
     Digraph flow{.vertex_count = topology_.body_count(), .edges = {}};
     for (const PowerArc& arc : graph_.arcs) {
-      flow.edges.push_back({.tail = arc.from.value, .head = arc.to.value});
+      if (!is_rounding(net_power(arc))) {
+        flow.edges.push_back({.tail = arc.from.value, .head = arc.to.value});
+      }
     }
     for (const std::vector<int>& part : find_strong_components(flow)) {
       graph_.loops.push_back(loop_of(part));
@@ -117,7 +140,7 @@ class GraphBuilder {
     }
     for (std::size_t i = 0; i < graph_.arcs.size(); ++i) {
       const PowerArc& arc = graph_.arcs[i];
-      if (is_member(arc.from) && is_member(arc.to)) {
+      if (is_member(arc.from) && is_member(arc.to) && !is_rounding(net_power(arc))) {
         loop.arcs.push_back(i);
         loop.rolls = loop.rolls || rolls(arc.coupling);
       }

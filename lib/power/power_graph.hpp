@@ -50,7 +50,8 @@ struct PowerGraph {
   std::vector<std::optional<BodyPower>> bodies;  ///< of all bodies; the ground, at rest, has zeros
   std::vector<MeshPower> meshes;                 ///< those whose carrier is known
   std::vector<PowerLoop> loops;
-  std::optional<double> factor;  ///< γ: largest power of an arc over the input; none without input
+  std::optional<double>
+      factor;  ///< γ: largest power of an arc, of belts net, over the input, if any
 };
 
 /// The flow must be that of the motion and the actions.

@@ -56,11 +56,14 @@ std::string loops_text(const Topology& topology, const PowerGraph& graph, const 
     for (const std::size_t arc : loop.arcs) {
       largest = std::max(largest, graph.arcs[arc].power);
     }
-    text += fmt::format("  power goes in a circle: {}, up to {} {}; {}\n",
+    const std::string_view teeth = graph.meshes.empty() ? ""
+                                   : loop.rolls         ? "; its teeth roll"
+                                                        : "; no teeth roll in it";
+    text += fmt::format("  power goes in a circle: {}, up to {} {}{}\n",
                         circle_text(topology, graph, loop),
                         format_short(in.power(largest)),
                         in.units().text(QuantityKind::power),
-                        loop.rolls ? "its teeth roll" : "no teeth roll in it");
+                        teeth);
   }
   return text;
 }

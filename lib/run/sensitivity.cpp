@@ -196,16 +196,20 @@ class SensitivityJob {
     return result;
   }
 
-  // A friction of ropes, whose derivatives are not known.
-  const CouplingFriction* rubbing_rope() const {
-    const auto& frictions = analysis_.mechanism.frictions;
-    const auto at = std::ranges::find_if(
-        frictions, [](const CouplingFriction& one) { return !one.ropes.empty(); });
-    return at == frictions.end() ? nullptr : &*at;
+  // A pulley where ropes rub, or would with other numbers: their derivatives are not known.
+  const CableStation* rubbing_rope() const {
+    for (const CableDescription& cable : analysis_.description.cables) {
+      for (const CableStation& station : cable.over) {
+        if (station.eta || (station.friction && station.slip)) {
+          return &station;
+        }
+      }
+    }
+    return nullptr;
   }
 
   void warn_of_ropes() {
-    const CouplingFriction* rope = rubbing_rope();
+    const CableStation* rope = rubbing_rope();
     const bool has_actions = std::ranges::any_of(
         analysis_.cases, [](const CaseAnalysis& one) { return one.action.has_value(); });
     if (rope != nullptr && has_actions) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -123,10 +124,10 @@ void add_across(const SlidingOf<Scalar>& s,
                 const Scalar& weight,
                 FrictionLawOf<Scalar>& law) {
   if (s.friction.length) {
-    law.parts = edges(s, axis, weight);
+    std::ranges::move(edges(s, axis, weight), std::back_inserter(law.parts));
     return;
   }
-  law.parts = {force_part(across<Scalar>(axis), weight)};
+  law.parts.push_back(force_part(across<Scalar>(axis), weight));
   if (value_of(weight) > 0.0) {
     law.ignored.push_back(tilting_part(s, axis));
   }

@@ -18,8 +18,11 @@ double size_of(const Twist& twist, const Vec3& reference, double length) {
 }
 
 // The motion of a body in a virtual motion of all, which is given in the coordinates that are dual
-// to those of `basis`.
+// to those of `basis`. The ground, on which friction acts too, stays where it is.
 Twist motion_of(BodyId body, const VecX& motion, const CoordinateBasis& basis) {
+  if (body.value == 0) {
+    return {};
+  }
   const VecX part = motion.segment(basis.order() * (body.value - 1), basis.order());
   return Twist::from_coordinates((basis.basis * part).cwiseQuotient(basis.unit));
 }

@@ -258,6 +258,26 @@ class Tackles(ReferenceTest):
                     self.near(tension, float(eta ** (k - 1)), f"tension {k}")
         self.assertEqual(eta * (1 - eta ** 4) / (1 - eta), Fraction("3.52438125"))
 
+    def test_over_a_pulley_whose_journal_rubs_too(self) -> None:
+        """(T - W) r = mu r_j (T + W) + (1 - eta) T r"""
+        radius, journal, mu, eta, weight = 50, 10, 0.2, 0.9, 1000
+        lines = ["kinestat: 1", "space: planar", "ground: frame", "bodies: [load, hand, wheel]",
+                 "couplings:",
+                 f"  L: {{type: prismatic, bodies: [frame, load], at: [{-radius}, 0], axis: y}}",
+                 f"  H: {{type: prismatic, bodies: [frame, hand], at: [{radius}, 0], axis: y}}",
+                 "  A: {type: revolute, bodies: [frame, wheel], at: [0, 500], "
+                 f"friction: {{mu: {mu}, radius: {journal}}}}}",
+                 "cables:", "  rope:", "    over:",
+                 f"      - {{body: load, at: [{-radius}, 0]}}",
+                 f"      - {{pulley: wheel, radius: {radius}, wrap: clockwise, eta: {eta}}}",
+                 f"      - {{body: hand, at: [{radius}, 0]}}",
+                 "actuators: {load: {coupling: L}, hand: {coupling: H}}", "cases:",
+                 f"  up: {{motion: {{load: 1}}, action: {{load: {-weight}}}}}"]
+        case = program.run("analyze", "-", text="\n".join(lines) + "\n")["cases"]["up"]
+        drag = mu * journal
+        self.near(case["statics"]["actions"]["hand"],
+                  -weight * (radius + drag) / (eta * radius - drag), "hand", weight)
+
 
 def hoist(large: float, small: float, losses: tuple[float, float, float]) -> str:
     """Weston's: the chain over the large drum, round the sheave, up to the small drum."""

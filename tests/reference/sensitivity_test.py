@@ -190,31 +190,29 @@ class Sensitivity(unittest.TestCase):
                  if re.search(r"^parameters:.*friction:", path.read_text(encoding="utf-8"),
                               re.DOTALL | re.MULTILINE)
                  and "\ncables:" not in path.read_text(encoding="utf-8")]  # ropes: not yet
-        self.assertGreaterEqual(len(paths), 4)
-        with tempfile.TemporaryDirectory() as folder:
-            for name, text in RUBBING.items():
-                paths.append(Path(folder, f"{name}.yaml"))
-                paths[-1].write_text(text, encoding="utf-8")
-            for path in paths:
-                with self.subTest(path.name):
-                    self.assertGreater(self.compare_report(str(path)), 100)
+        self.compare_reports(paths, 4, RUBBING, 100)
 
     def test_agrees_with_differences_where_actions_are_completed(self) -> None:
         paths = [path for path in sorted(MECHANISMS.glob("**/*.yaml"))
                  if re.search(r"^parameters:.*^statics: {indeterminate: (stiffness|minimum_norm)}",
                               path.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)]
-        self.assertGreaterEqual(len(paths), 3)
+        self.compare_reports(paths, 3, SHARING, 30)
+
+    def compare_reports(self, paths: list[Path], least_paths: int, texts: dict[str, str],
+                        least: int) -> None:
+        """Of the files, and of the texts written to files."""
+        self.assertGreaterEqual(len(paths), least_paths)
         with tempfile.TemporaryDirectory() as folder:
-            for name, text in SHARING.items():
+            for name, text in texts.items():
                 paths.append(Path(folder, f"{name}.yaml"))
                 paths[-1].write_text(text, encoding="utf-8")
             for path in paths:
                 with self.subTest(path.name):
-                    self.assertGreater(self.compare_report(str(path), is_exact=True), 30)
+                    self.assertGreater(self.compare_report(str(path)), least)
 
-    def compare_report(self, path: str, is_exact: bool = False) -> int:
-        """How many derivatives of actions and powers agree with differences of the report; if exact,
-        with none missing but where the report beside has no value."""
+    def compare_report(self, path: str) -> int:
+        """How many derivatives of actions and powers agree with differences of the report; none is
+        missing but where the report beside has no value."""
         compared = 0
         report = run("analyze", path)
         for label, case in report["cases"].items():
@@ -227,7 +225,7 @@ class Sensitivity(unittest.TestCase):
                                        delta=1e-11 * self.scale(known, name), msg=name)
             for name, parameter in answer["mechanism"]["parameters"].items():
                 compared += self.compare_parameter(path, label, values_of(answer, label),
-                                                   (name, parameter), is_exact)
+                                                   (name, parameter))
         return compared
 
     @staticmethod
@@ -237,26 +235,29 @@ class Sensitivity(unittest.TestCase):
         return max(abs(value) for other, value in known.items() if other.split("/")[:2] == group)
 
     def compare_parameter(self, path: str, label: str, values: dict[str, Any],
-                          named: tuple[str, dict[str, Any]], is_exact: bool) -> int:
+                          named: tuple[str, dict[str, Any]]) -> int:
         name, parameter = named
         size = abs(parameter["value"]) or 1.0
         low, high = (physics_of(run("analyze", "--set", moved_to(name, parameter, sign * STEP * size),
                                     path).get("cases", {}).get(label, {}))
                      for sign in (-1.0, 1.0))
         known = {value: entry["value"] for value, entry in values.items()}
-        compared = 0
-        for value, entry in values.items():
-            derivative = entry["by"][name]["derivative"]
-            if is_exact:
-                self.assertEqual(derivative is None, not (value in low and value in high),
-                                 msg=f"{label}: {value} by {name}")
-            if derivative is not None and value in low and value in high:
-                difference = (high[value] - low[value]) / (2.0 * STEP * size)
-                delta = 1e-6 * (abs(difference) + self.scale(known, value) / size)
-                self.assertAlmostEqual(derivative, difference, delta=delta,
-                                       msg=f"{label}: {value} by {name}")
-                compared += 1
-        return compared
+        return sum(self.agrees(entry["by"][name]["derivative"],
+                               [end[value] for end in (low, high) if value in end], size,
+                               self.scale(known, value), f"{label}: {value} by {name}")
+                   for value, entry in values.items())
+
+    def agrees(self, derivative: float | None, ends: list[float], size: float, scale: float,
+               where: str) -> bool:
+        """Whether there is a derivative, which must be where both ends have a value and nowhere
+        else, and must agree with their difference."""
+        self.assertEqual(derivative is None, len(ends) < 2, msg=where)
+        if derivative is None:
+            return False
+        difference = (ends[1] - ends[0]) / (2.0 * STEP * size)
+        self.assertAlmostEqual(derivative, difference,
+                               delta=1e-6 * (abs(difference) + scale / size), msg=where)
+        return True
 
     def compare(self, path: str) -> int:
         report = run("sensitivity", path)
@@ -269,22 +270,13 @@ class Sensitivity(unittest.TestCase):
         compared = 0
         values = values_of(report, label)
         for name, parameter in report["mechanism"]["parameters"].items():
-            step = STEP * (abs(parameter["value"]) or 1.0)
-            ends = [self.moved(path, label, list(values), name, parameter, sign * step)
+            size = abs(parameter["value"]) or 1.0
+            ends = [self.moved(path, label, list(values), name, parameter, sign * STEP * size)
                     for sign in (-1.0, 1.0)]
-            for value, entry in values.items():
-                derivative = entry["by"][name]["derivative"]
-                # No derivative exactly where the mechanism does not fit beside these numbers.
-                self.assertEqual(derivative is None, not all(value in end for end in ends),
-                                 msg=f"{label}: {value} by {name}")
-                if derivative is None:
-                    continue
-                low, high = (end[value]["value"] for end in ends)
-                difference = (high - low) / (2.0 * step)
-                size = abs(entry["value"]) / (abs(parameter["value"]) or 1.0)
-                self.assertAlmostEqual(derivative, difference, delta=1e-6 * (abs(difference) + size),
-                                       msg=f"{label}: {value} by {name}")
-                compared += 1
+            compared += sum(self.agrees(entry["by"][name]["derivative"],
+                                        [end[value]["value"] for end in ends if value in end], size,
+                                        abs(entry["value"]), f"{label}: {value} by {name}")
+                            for value, entry in values.items())
         return compared
 
     @staticmethod

@@ -150,8 +150,19 @@ class ContactBinder {
                     const CableStationGeometry& pulley,
                     const std::optional<CouplingId>& slips,
                     RopeFriction rope) {
-    const std::optional<CouplingId> coupling = slips ? slips : find_bearing(station, pulley);
-    if (!coupling) {
+    const std::vector<CouplingId> bearings =
+        slips ? std::vector<CouplingId>{*slips} : find_bearings(station, pulley);
+    if (bearings.size() > 1) {
+      found_.error("E0314",
+                   station.where,
+                   fmt::format("pulley '{}' has an 'eta', but turns on '{}' and on '{}'",
+                               station.body.text,
+                               mechanism_.topology.coupling(bearings[0]).name,
+                               mechanism_.topology.coupling(bearings[1]).name),
+                   "remove 'eta', and give the coupling that rubs its own 'friction:'");
+      return;
+    }
+    if (bearings.empty()) {
       found_.error(
           "E0314",
           station.where,
@@ -160,15 +171,16 @@ class ContactBinder {
           "add the coupling on which it turns, or remove 'eta'");
       return;
     }
-    const CouplingTopology& turns_on = mechanism_.topology.coupling(*coupling);
+    const CouplingId coupling = bearings.front();
+    const CouplingTopology& turns_on = mechanism_.topology.coupling(coupling);
     const bool is_head = slips || mechanism_.topology.body(turns_on.head).name == station.body.text;
     const double along = axis_of(turns_on).dot(pulley.axis);
     rope.radius *= (along > 0.0 ? 1.0 : -1.0) * (is_head ? 1.0 : -1.0);
     auto& frictions = mechanism_.frictions;
-    auto at = std::ranges::find(frictions, *coupling, &CouplingFriction::coupling);
+    auto at = std::ranges::find(frictions, coupling, &CouplingFriction::coupling);
     if (at == frictions.end()) {
       CouplingFriction friction;
-      friction.coupling = *coupling;
+      friction.coupling = coupling;
       friction.where = station.where;
       at = frictions.insert(frictions.end(), friction);
     }
@@ -179,8 +191,10 @@ class ContactBinder {
     return mechanism_.geometry.motions[static_cast<std::size_t>(coupling.first_freedom)].angular;
   }
 
-  std::optional<CouplingId> find_bearing(const CableStation& station,
-                                         const CableStationGeometry& pulley) const {
+  // On which the pulley turns, at its centre.
+  std::vector<CouplingId> find_bearings(const CableStation& station,
+                                        const CableStationGeometry& pulley) const {
+    std::vector<CouplingId> found;
     const Topology& topology = mechanism_.topology;
     for (int e = 0; e < topology.coupling_count(); ++e) {
       const CouplingTopology& coupling = topology.coupling(CouplingId{e});
@@ -194,10 +208,10 @@ class ContactBinder {
       const Vec3 arm = mechanism_.geometry.points[static_cast<std::size_t>(e)] - pulley.centre;
       if (axis.cross(pulley.axis).norm() <= kParallelAxes &&
           arm.cross(pulley.axis).norm() <= kGrazing * std::abs(pulley.radius)) {
-        return CouplingId{e};
+        found.push_back(CouplingId{e});
       }
     }
-    return std::nullopt;
+    return found;
   }
 
   const MechanismDescription& description_;

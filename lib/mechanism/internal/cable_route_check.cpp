@@ -53,6 +53,7 @@ class RouteCheck {
     }
     places.push_back({.station = &stretches.back().part->to, .geometry = &stretches.back().to});
     for (std::size_t i = 0; i < stretches.size(); ++i) {
+      check_points(stretches[i]);
       check_passing(stretches[i], i, places);
     }
   }
@@ -144,6 +145,46 @@ class RouteCheck {
     return (a.centre - b.centre).norm() <= kGrazing * radius;
   }
 
+  // Points that the file gives agree with the radius and the sense that it gives too; one complaint
+  // a rope.
+  void check_points(const Stretch& stretch) {
+    const int errors_before = found_.error_count();
+    const Vec3 along = stretch.span.to - stretch.span.from;
+    if (stretch.from.leaves && !has_wrong_points_) {
+      check_point(stretch.part->from, stretch.from, *stretch.from.leaves, along);
+    }
+    if (stretch.to.meets && !has_wrong_points_) {
+      check_point(stretch.part->to, stretch.to, *stretch.to.meets, along);
+    }
+    has_wrong_points_ = has_wrong_points_ || found_.error_count() > errors_before;
+  }
+
+  void check_point(const CableStation& station,
+                   const CableStationGeometry& pulley,
+                   const Vec3& point,
+                   const Vec3& along) {
+    if (!station.is_pulley || !station.at || pulley.radius == 0.0) {
+      return;
+    }
+    const Vec3 arm = point - pulley.centre;
+    const double distance = arm.cross(pulley.axis).norm();
+    const double radius = std::abs(pulley.radius);
+    if (distance > (1.0 + kDrawnContact) * radius) {
+      refuse(station,
+             fmt::format("the rope touches pulley '{}' {} from its centre, and the radius is {}",
+                         station.body.text,
+                         length(distance),
+                         length(radius)),
+             "correct 'points', which lie on the rim, or 'radius' or 'at'");
+    } else if (arm.cross(along).dot(pulley.axis) * pulley.radius < 0.0) {
+      refuse(station,
+             fmt::format("at its 'points' the rope turns about pulley '{}' in the other sense than "
+                         "'wrap' says",
+                         station.body.text),
+             "correct 'wrap', or exchange the two points");
+    }
+  }
+
   // The segment goes from place i to the next. Computed ends touch their own pulleys; where the
   // file gives rounded points, they may cut in.
   void check_passing(const Stretch& stretch, std::size_t i, const std::vector<Place>& places) {
@@ -168,6 +209,7 @@ class RouteCheck {
   const CableDescription& cable_;
   const FileUnits& units_;
   Diagnostics& found_;
+  bool has_wrong_points_ = false;
 };
 
 }  // namespace

@@ -34,8 +34,10 @@ void add_pushed_segments(const Analysis& analysis, const CaseAnalysis& one, Diag
       one.pretension
           ? fmt::format("a pretension keeps the ropes taut: add at least {}",
                         pretension_text(analysis, *one.pretension))
-          : "a rope only pulls, and no pretension can keep this one taut: turn round the load or "
-            "the motion, or hold the rope by another actuator";
+          : "a rope only pulls, and no self-stress beside the known actions pulls at this one: "
+            "raise "
+            "a known action, turn round the load or the motion, or hold the rope by another "
+            "actuator";
   for (const CouplingId id : find_pushed_segments(analysis.mechanism, *one.action)) {
     const CouplingTopology& segment = topology.coupling(id);
     const double force =

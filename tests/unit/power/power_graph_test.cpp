@@ -93,6 +93,25 @@ TEST_F(Ring, HasNoArcThroughACouplingThatFeedsBothSidesOrNeither) {
   }
 }
 
+// A belt with the strands "a" of 10 W and "d" of 4 N back at 2 m/s.
+TEST_F(Ring, CountsTheStrandsOfABeltAsOne) {
+  join("d", 2, 1, 4.0);
+  for (const std::size_t strand : {0U, 3U}) {
+    mechanism_.topology.couplings[strand].type = CouplingType::cable;
+  }
+  mechanism_.topology.couplings.erase(mechanism_.topology.couplings.begin() + 1,
+                                      mechanism_.topology.couplings.begin() + 3);
+  action_.wrenches.erase(action_.wrenches.begin() + 1, action_.wrenches.begin() + 3);
+  flow_.into_head.erase(flow_.into_head.begin() + 1, flow_.into_head.begin() + 3);
+  flow_.input = 6.0;
+
+  const PowerGraph result = graph();
+
+  EXPECT_EQ(result.arcs.size(), 2U);
+  EXPECT_TRUE(result.loops.empty());
+  EXPECT_EQ(result.factor, 1.0);  // 10 - 4 of 6 W
+}
+
 TEST_F(Ring, HasAFactorOnlyWithAnInput) {
   EXPECT_FALSE(graph().factor.has_value());
   flow_.input = 16.0;
