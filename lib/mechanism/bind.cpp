@@ -180,12 +180,14 @@ std::optional<Mechanism> bind_for(Purpose purpose,
       result.cases = bind_cases(description, result.topology, evaluator, found);
       result.compliances = bind_compliances(description, result.topology, evaluator);
       bind_contacts(description, evaluator, found, result);
-      result.lossy_meshes = bind_losses(description, evaluator);
-      result.loss_model = description.losses ? description.losses->model : LossModel::carrier;
       check_reported_quantities(description, result.topology, found);
     }
   }
   bind_sections(context, result);
+  if (found.error_count() == errors_before && description.losses) {
+    result.lossy_meshes = bind_losses(description, evaluator, found);
+    result.loss_model = description.losses->model;
+  }
   if (found.error_count() == errors_before) {
     evaluator.warn_of_unused();
     warn_of_idle_stiffness(description, found);

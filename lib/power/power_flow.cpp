@@ -102,11 +102,13 @@ PowerFlow find_power(const Mechanism& mechanism,
   }
   flow.input = input_power(which, flow);
   if (!flow.friction.empty()) {
-    Efficiency found = find_efficiency(which, flow.actuators, flow.loads);
+    Efficiency found = find_efficiency(
+        which, {.actuators = flow.actuators, .loads = flow.loads, .largest = largest});
     flow.efficiency = found.value;
     flow.no_efficiency = std::move(found.reason);
     flow.is_self_locking = found.is_self_locking;
   }
+  flow.largest = largest;
   flow.balance_residual = largest == 0.0 ? 0.0 : std::abs(sum) / largest;
   flow.is_balanced = flow.balance_residual <= kPowerBalance;
   return flow;

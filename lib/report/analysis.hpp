@@ -41,7 +41,6 @@ struct CaseAnalysis {
   std::optional<PowerFlow> power;
   std::optional<PowerGraph> power_graph;             ///< beside `power`
   std::optional<TransmissionEfficiency> efficiency;  ///< beside `power`, where meshes lose any
-  std::vector<CouplingId> without_carrier;           ///< lossy meshes whose loss is left out
   std::optional<Ratios> ratios;
   std::vector<AffineMagnitude> affine_rates;    ///< only those that depend on a free parameter
   std::vector<AffineMagnitude> affine_actions;  ///< likewise

@@ -1,5 +1,7 @@
 #include "report/power_json.hpp"
 
+#include "report/efficiency_json.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -66,51 +68,6 @@ void add_graph(const Topology& topology, const PowerGraph& graph, const InUnits&
   }
 }
 
-// Beside that of friction: by both models, and what the carrier model loses where.
-void add_efficiency(const Topology& topology,
-                    const TransmissionEfficiency& efficiency,
-                    const InUnits& in,
-                    Json& result) {
-  Json& shares = result["efficiency"];
-  Json reasons = object_of(4);
-  Json locking = Json::array();
-  const auto add = [&](const char* name, const Efficiency& one) {
-    shares[name] = number(one.value);
-    if (!one.reason.empty()) {
-      reasons[name] = one.reason;
-    }
-    if (one.is_self_locking) {
-      locking.push_back(name);
-    }
-  };
-  add("carrier", efficiency.carrier);
-  add("carrier_backward", efficiency.carrier_backward);
-  add("absolute", efficiency.absolute);
-  if (!reasons.empty()) {
-    shares["reasons"] = std::move(reasons);
-  }
-  if (!locking.empty()) {
-    shares["self_locking"] = std::move(locking);
-  }
-  Json& losses = result["losses"];
-  losses["meshes"] = object_of(efficiency.losses.size());
-  for (std::size_t i = 0; i < efficiency.losses.size(); ++i) {
-    const FrictionAction& loss = efficiency.losses[i];
-    Json& mesh = losses["meshes"][topology.coupling(loss.coupling).name];
-    mesh["driven"] = topology.body(loss.between->head).name;
-    mesh["couple"] = number(in.action(loss.magnitude, true));
-    mesh["power"] = number(in.power(efficiency.loss_powers[i]));
-  }
-  losses["actuators"] = object_of(topology.actuators.size());
-  for (const ActuatorTopology& actuator : topology.actuators) {
-    const auto a = static_cast<std::size_t>(actuator.action);
-    losses["actuators"][actuator.name] =
-        efficiency.actions.empty() || !efficiency.actions[a]
-            ? Json(nullptr)
-            : number(in.action(*efficiency.actions[a], topology.actions[a].is_couple));
-  }
-}
-
 }  // namespace
 
 Json power_json(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
@@ -148,7 +105,7 @@ Json power_json(const Mechanism& mechanism, const CaseAnalysis& one, const InUni
     result["self_locking"] = flow.is_self_locking;
   }
   if (one.efficiency) {
-    add_efficiency(topology, *one.efficiency, in, result);
+    add_efficiency(mechanism, one, in, result);
   }
   result["input"] = number(in.power(flow.input));
   result["balance_residual"] = number(flow.balance_residual);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "report/efficiency_text.hpp"
 #include "report/numbers.hpp"
 #include "report/table.hpp"
 
@@ -91,28 +92,11 @@ std::string balance_text(const PowerFlow& flow, const InUnits& in) {
           : fmt::format("{} sum to {:.3g} of the largest", all, flow.balance_residual));
 }
 
-std::string share_text(const Efficiency& one) {
-  return one.value             ? format_short(*one.value)
-         : one.is_self_locking ? "self-locking"
-                               : fmt::format("none ({})", one.reason);
-}
-
-std::string efficiencies_text(const CaseAnalysis& one) {
-  if (!one.efficiency) {
-    return {};
-  }
-  return fmt::format(
-      "  with losses of meshes: efficiency {}, backwards {}; by powers seen from the ground {}\n",
-      share_text(one.efficiency->carrier),
-      share_text(one.efficiency->carrier_backward),
-      share_text(one.efficiency->absolute));
-}
-
 }  // namespace
 
 std::string power_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
   return meshes_text(mechanism.topology, one, in) +
-         loops_text(mechanism.topology, *one.power_graph, in) + efficiencies_text(one) +
+         loops_text(mechanism.topology, *one.power_graph, in) + losses_text(mechanism, one) +
          balance_text(*one.power, in);
 }
 

@@ -1,7 +1,6 @@
 #include "run/solve_cases.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "core/contract.hpp"
@@ -12,7 +11,6 @@
 #include "statics/action.hpp"
 #include "statics/friction.hpp"
 #include "statics/indeterminacy.hpp"
-#include "statics/mesh_loss.hpp"
 #include "statics/pretension.hpp"
 
 namespace kinestat {
@@ -105,9 +103,7 @@ CoordinateBasis basis_for(const Mechanism& mechanism,
                           std::vector<BodyWrench> outside,
                           const std::vector<FrictionLaw>& laws) {
   for (const FrictionLaw& law : laws) {
-    const BodyId head =
-        law.between ? law.between->head : mechanism.topology.coupling(law.coupling).head;
-    outside.push_back({.body = head, .wrench = law.unit});
+    outside.push_back({.body = mechanism.topology.coupling(law.coupling).head, .wrench = law.unit});
   }
   return outside.empty() ? common
                          : action_basis(mechanism.geometry, mechanism.static_order, outside);
@@ -127,21 +123,6 @@ StaticSolution solve_statics(const Mechanism& mechanism,
   StaticSolution solution =
       solve_with_friction(mechanism, basis, which.actions, loads, frictions.laws);
   return resolve_indeterminacy(mechanism, basis, which.actions, loads, std::move(solution));
-}
-
-// With the losses of its meshes, which the answers of the case itself leave out.
-void find_efficiencies(const Mechanism& mechanism, const Bases& bases, CaseAnalysis& one) {
-  if (mechanism.lossy_meshes.empty() || !one.power) {
-    return;
-  }
-  std::vector<FrictionLaw> laws = find_frictions(mechanism, &*one.motion).laws;
-  MeshLossLaws losses = find_mesh_loss_laws(mechanism, *one.motion);
-  std::ranges::move(losses.laws, std::back_inserter(laws));
-  const CoordinateBasis basis =
-      basis_for(mechanism, bases.action, wrenches_of(one.which.loads), laws);
-  one.efficiency = find_transmission_efficiency(
-      mechanism, basis, one.which, *one.motion, laws, *one.power, *one.power_graph);
-  one.without_carrier = std::move(losses.without_carrier);
 }
 
 CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Case& which) {
@@ -166,7 +147,14 @@ CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Ca
     result.power = find_power(mechanism, which, *result.motion, *result.action);
     result.power_graph =
         find_power_graph(mechanism, which, *result.motion, *result.action, *result.power);
-    find_efficiencies(mechanism, bases, result);
+    if (!mechanism.lossy_meshes.empty()) {
+      result.efficiency = find_transmission_efficiency(mechanism,
+                                                       bases.action,
+                                                       {.which = which,
+                                                        .motion = *result.motion,
+                                                        .power = *result.power,
+                                                        .graph = *result.power_graph});
+    }
   }
   if (is_solved(result.motion) && !which.inputs.empty() && which.outputs.size() == 1) {
     result.ratios = find_ratios(

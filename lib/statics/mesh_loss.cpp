@@ -1,6 +1,7 @@
 #include "statics/mesh_loss.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
@@ -17,42 +18,51 @@ Eigen::Matrix<double, 1, 6> power_on(const Twist& twist) {
   return row;
 }
 
-class LossLaws {
+class LawMaker {
  public:
-  LossLaws(const Mechanism& mechanism, const KinematicSolution& motion)
+  LawMaker(const Mechanism& mechanism, const KinematicSolution& motion)
       : mechanism_(mechanism), motion_(motion) {
     for (const Twist& twist : motion.bodies) {
       fastest_ = std::max(fastest_, twist.angular.norm());
     }
   }
 
-  // Of one of the two gears, where the mesh drives it: `sign` times the power into the head is then
-  // positive.
-  void add(const LossyMesh& mesh, BodyId carrier, BodyId gear, double sign) {
+  // Empty if it does not roll: what is rounding of the power is that of the speed.
+  std::optional<MeshLossLaw> law_of(const LossyMesh& mesh, BodyId carrier) const {
     const CouplingTopology& coupling = mechanism_.topology.coupling(mesh.coupling);
-    const Twist rolling = twist_of(coupling.head) - twist_of(carrier);
-    const Vec3 turning = (twist_of(gear) - twist_of(carrier)).angular;
-    const double speed = turning.norm();
-    if (speed <= kReportZero * fastest_) {
-      return;
+    if (speed_of(coupling.head, carrier) <= kPowerBalance * fastest_ ||
+        speed_of(coupling.tail, carrier) <= kPowerBalance * fastest_) {
+      return std::nullopt;
     }
+    return MeshLossLaw{.head_driven = law_where_driven(mesh, carrier, coupling.head, 1.0),
+                       .tail_driven = law_where_driven(mesh, carrier, coupling.tail, -1.0)};
+  }
+
+ private:
+  Vec3 turning_of(BodyId gear, BodyId carrier) const {
+    return (twist_of(gear) - twist_of(carrier)).angular;
+  }
+
+  double speed_of(BodyId gear, BodyId carrier) const { return turning_of(gear, carrier).norm(); }
+
+  // `sign` times the power into the head is positive where the mesh drives that gear.
+  FrictionLaw law_where_driven(const LossyMesh& mesh,
+                               BodyId carrier,
+                               BodyId gear,
+                               double sign) const {
+    const BodyId head = mechanism_.topology.coupling(mesh.coupling).head;
     FrictionLaw law;
     law.coupling = mesh.coupling;
     law.between = BodyPair{.tail = carrier, .head = gear};
-    law.unit = unit_couple(Vec3(-turning / speed));
-    law.speed = speed;
+    law.speed = speed_of(gear, carrier);
+    law.unit = unit_couple(Vec3(-turning_of(gear, carrier) / law.speed));
     PressingPart part;
-    part.part.row(0) = sign / speed * power_on(rolling);
+    part.part.row(0) = sign / law.speed * power_on(twist_of(head) - twist_of(carrier));
     part.weight = mesh.share;
-    part.weight_if_negative = 0.0;
-    part.is_signed = true;
     law.parts = {part};
-    result.laws.push_back(law);
+    return law;
   }
 
-  MeshLossLaws result;
-
- private:
   const Twist& twist_of(BodyId body) const {
     return motion_.bodies[static_cast<std::size_t>(body.value)];
   }
@@ -65,23 +75,27 @@ class LossLaws {
 }  // namespace
 
 MeshLossLaws find_mesh_loss_laws(const Mechanism& mechanism, const KinematicSolution& motion) {
-  LossLaws laws(mechanism, motion);
+  MeshLossLaws result;
   if (mechanism.lossy_meshes.empty()) {
-    return std::move(laws.result);
+    return result;
   }
+  const LawMaker maker(mechanism, motion);
   const std::vector<Mesh> meshes = find_meshes(mechanism.topology, mechanism.geometry);
   for (const LossyMesh& lossy : mechanism.lossy_meshes) {
     const auto mesh = std::ranges::find(meshes, lossy.coupling, &Mesh::coupling);
     KINESTAT_EXPECTS(mesh != meshes.end());
     if (!mesh->carrier) {
-      laws.result.without_carrier.push_back(lossy.coupling);
+      result.without_carrier.push_back(lossy.coupling);
       continue;
     }
-    const CouplingTopology& coupling = mechanism.topology.coupling(lossy.coupling);
-    laws.add(lossy, *mesh->carrier, coupling.head, 1.0);
-    laws.add(lossy, *mesh->carrier, coupling.tail, -1.0);
+    std::optional<MeshLossLaw> law = maker.law_of(lossy, *mesh->carrier);
+    if (law) {
+      result.laws.push_back(*std::move(law));
+    } else {
+      result.not_rolling.push_back(lossy.coupling);
+    }
   }
-  return std::move(laws.result);
+  return result;
 }
 
 }  // namespace kinestat

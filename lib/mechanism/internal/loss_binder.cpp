@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
 
 namespace kinestat {
 
@@ -9,8 +12,11 @@ namespace {
 
 class LossBinder {
  public:
-  LossBinder(const MechanismDescription& description, Evaluator& evaluator)
-      : description_(description), losses_(*description.losses), evaluator_(evaluator) {}
+  LossBinder(const MechanismDescription& description, Evaluator& evaluator, Diagnostics& found)
+      : description_(description),
+        losses_(*description.losses),
+        evaluator_(evaluator),
+        found_(found) {}
 
   std::vector<LossyMesh> run() {
     std::vector<LossyMesh> result;
@@ -49,24 +55,50 @@ class LossBinder {
       case LossForm::efficiency:
         return 1.0 - value;
       case LossForm::teeth:
-        return value * tooth_term(mesh);
+        return share_by_teeth(loss, value, mesh);
     }
     return 0.0;
   }
 
-  // 1/z1 + 1/z2, or |1/z1 - 1/z2| with a ring; 0 for a mesh that 'gears' does not have.
-  double tooth_term(const std::string& mesh) {
-    const GearsDescription* gears = description_.gears ? &*description_.gears : nullptr;
-    if (gears == nullptr) {
+  // k (1/z1 + 1/z2), or k |1/z1 - 1/z2| with a ring.
+  double share_by_teeth(const LossValue& loss, double k, const std::string& mesh) {
+    const std::optional<double> term = tooth_term(mesh);
+    if (!term) {
+      found_.error("E0303",
+                   loss.value.where,
+                   fmt::format("mesh '{}' has no teeth to find its loss from", mesh),
+                   "write the loss itself, or describe the mesh in 'gears'");
       return 0.0;
     }
-    const auto at = std::ranges::find(
-        gears->meshes, mesh, [](const MeshDescription& one) { return one.name.text; });
+    const double share = k * *term;
+    if (share < 1.0) {
+      return share;
+    }
+    found_.error("E0305",
+                 loss.value.where,
+                 fmt::format("'k' of the loss of mesh '{}' cannot be {:.6g}: with its teeth the mesh "
+                             "would lose {:.6g} of its power",
+                             mesh,
+                             k,
+                             share),
+                 fmt::format("give less than {:.6g}; usual are values near 0.2", 1.0 / *term));
+    return 0.0;
+  }
+
+  // Empty for a mesh that 'gears' does not have.
+  std::optional<double> tooth_term(const std::string& mesh) {
+    const auto name_of = [](const MeshDescription& one) { return one.name.text; };
+    if (!description_.gears) {
+      return std::nullopt;
+    }
+    const GearsDescription& gears = *description_.gears;
+    const auto at = std::ranges::find(gears.meshes, mesh, name_of);
+    if (at == gears.meshes.end()) {
+      return std::nullopt;
+    }
     double sum = 0.0;
-    for (const GearMember& member : gears->members) {
-      const bool takes_part = at != gears->meshes.end() && (member.name.text == at->first.text ||
-                                                            member.name.text == at->second.text);
-      if (takes_part) {
+    for (const GearMember& member : gears.members) {
+      if (member.name.text == at->first.text || member.name.text == at->second.text) {
         sum += (member.internal ? -1.0 : 1.0) / number(member.teeth);
       }
     }
@@ -80,12 +112,15 @@ class LossBinder {
   const MechanismDescription& description_;
   const LossDescription& losses_;
   Evaluator& evaluator_;
+  Diagnostics& found_;
 };
 
 }  // namespace
 
-std::vector<LossyMesh> bind_losses(const MechanismDescription& description, Evaluator& evaluator) {
-  return description.losses ? LossBinder(description, evaluator).run() : std::vector<LossyMesh>{};
+std::vector<LossyMesh> bind_losses(const MechanismDescription& description,
+                                   Evaluator& evaluator,
+                                   Diagnostics& found) {
+  return LossBinder(description, evaluator, found).run();
 }
 
 }  // namespace kinestat

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/diagnostic.hpp"
 #include "description/mechanism_description.hpp"
 #include "mechanism/internal/evaluator.hpp"
 #include "mechanism/lossy_mesh.hpp"
@@ -10,7 +11,10 @@
 namespace kinestat {
 
 /// The meshes that lose anything, in the order of the couplings: each has the loss that 'meshes:'
-/// gives for it, or else that of its kind. The section, if there is one, must be right.
-std::vector<LossyMesh> bind_losses(const MechanismDescription& description, Evaluator& evaluator);
+/// gives for it, or else that of its kind. The section must be there and all numbers be right;
+/// complains of teeth that a mesh does not have, or that leave nothing of its power.
+std::vector<LossyMesh> bind_losses(const MechanismDescription& description,
+                                   Evaluator& evaluator,
+                                   Diagnostics& found);
 
 }  // namespace kinestat
