@@ -169,8 +169,10 @@ LossyState state_of(const Mechanism& mechanism,
                     const MeshLossLaws& losses) {
   LossyState state;
   for (const LossyMesh& mesh : mechanism.lossy_meshes) {
-    state.meshes.push_back({.mesh = mesh.coupling,
-                            .rolls = std::ranges::count(losses.not_rolling, mesh.coupling) == 0});
+    MeshLossPower one;
+    one.mesh = mesh.coupling;
+    one.rolls = std::ranges::count(losses.not_rolling, mesh.coupling) == 0;
+    state.meshes.push_back(one);
   }
   const PowerFlow& flow = *direction.flow;
   double sum = 0.0;
