@@ -393,6 +393,20 @@ constexpr auto kCodes = std::to_array<Code>({
      "Friction holds a rope on a pulley as long as the ratio of its tensions is at most exp(mu "
      "theta), theta being the contact angle (Euler and Eytelwein). The case does not let the rope "
      "slip, and the ratio is larger: so it will slip, or needs more pretension."},
+    {"W0701",
+     done,
+     "loss of a mesh is not known",
+     "A mesh loses a share of the power that rolls as seen from its carrier, the body in which the "
+     "axes of both gears stand. Here no body holds both axes, or several do, so that the carrier "
+     "model gives no efficiency. The axes of a gear are those of its revolute and cylindrical "
+     "couplings, clutches and brakes; the absolute model needs no carrier."},
+    {"W0702",
+     done,
+     "losses of meshes lock the case",
+     "With the losses of its meshes the train cannot be driven by the input alone: whichever gears "
+     "drive, the output, too, would have to give power. It is a result and no mistake: a train of "
+     "high ratio may hold a load without a brake. The report has the efficiency of the other "
+     "direction; 'kinestat help losses' has an example."},
     {"W0711",
      done,
      "too few shift elements for a gear",

@@ -101,9 +101,6 @@ void add_model_sections(const MechanismDescription& description, std::vector<Una
 }
 
 void add_passes(const MechanismDescription& description, std::vector<Unanalysed>& list) {
-  if (description.losses) {
-    list.push_back({description.losses->where, "section 'losses'", "", false});
-  }
   if (description.motion) {
     list.push_back({description.motion->where, "section 'motion'", "", false});
   }

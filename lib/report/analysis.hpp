@@ -11,6 +11,7 @@
 #include "power/power_flow.hpp"
 #include "power/power_graph.hpp"
 #include "power/ratio.hpp"
+#include "power/transmission_efficiency.hpp"
 #include "sensitivity/affine.hpp"
 #include "shift/shift_solution.hpp"
 #include "statics/contact_state.hpp"
@@ -39,7 +40,8 @@ struct CaseAnalysis {
   std::vector<ContactState> contacts;  ///< of ropes with pulleys, in the order of the mechanism's
   std::optional<VecX> pretension;      ///< of each action, which keeps pushed segments taut
   std::optional<PowerFlow> power;
-  std::optional<PowerGraph> power_graph;  ///< beside `power`
+  std::optional<PowerGraph> power_graph;             ///< beside `power`
+  std::optional<TransmissionEfficiency> efficiency;  ///< beside `power`, where meshes lose any
   std::optional<Ratios> ratios;
   std::vector<AffineMagnitude> affine_rates;    ///< only those that depend on a free parameter
   std::vector<AffineMagnitude> affine_actions;  ///< likewise

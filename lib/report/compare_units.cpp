@@ -25,6 +25,7 @@ enum class Rule {
   power,
   rate,
   action,
+  lossy_action,
   ratio,
   affine,
   parameter,
@@ -66,6 +67,10 @@ constexpr auto kRules = std::to_array<std::pair<std::string_view, Rule>>({
     {"/cases/*/*/*/*/screw/point", Rule::length},
     {"/cases/*/*/*/*/screw/pitch", Rule::length},
     {"/cases/*/power/efficiency", Rule::efficiency},
+    {"/cases/*/power/losses/meshes/*/couple", Rule::moment},
+    {"/cases/*/power/losses/meshes/*/power", Rule::power},
+    {"/cases/*/power/losses/friction", Rule::power},
+    {"/cases/*/power/losses/actuators/*", Rule::lossy_action},
     {"/cases/*/power/couplings", Rule::power},
     {"/cases/*/power/supplied", Rule::power},
     {"/cases/*/power/actuators", Rule::power},
@@ -211,6 +216,8 @@ ValueUnit ReportUnits::at(std::string_view place) const {
       return rate(keys[4]);
     case Rule::action:
       return action(keys[4]);
+    case Rule::lossy_action:
+      return action(keys[5]);
     case Rule::ratio:
       return ratio();
     case Rule::affine:

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "report/efficiency_text.hpp"
 #include "report/numbers.hpp"
 #include "report/table.hpp"
 
@@ -95,7 +96,8 @@ std::string balance_text(const PowerFlow& flow, const InUnits& in) {
 
 std::string power_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
   return meshes_text(mechanism.topology, one, in) +
-         loops_text(mechanism.topology, *one.power_graph, in) + balance_text(*one.power, in);
+         loops_text(mechanism.topology, *one.power_graph, in) + losses_text(mechanism, one) +
+         balance_text(*one.power, in);
 }
 
 }  // namespace kinestat

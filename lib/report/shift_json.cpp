@@ -115,7 +115,11 @@ class ShiftWriter {
   }
 
   static Json efficiency_json(const CaseAnalysis& one) {
+    const TransmissionEfficiency* lossy = one.efficiency ? &*one.efficiency : nullptr;
     Json result = object_of(4);
+    result["carrier"] = lossy ? number(lossy->carrier.value) : Json(nullptr);
+    result["carrier_backward"] = lossy ? number(lossy->carrier_backward.value) : Json(nullptr);
+    result["absolute"] = lossy ? number(lossy->absolute.value) : Json(nullptr);
     result["friction"] = one.power ? number(one.power->efficiency) : Json(nullptr);
     return result;
   }

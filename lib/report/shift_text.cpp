@@ -101,6 +101,31 @@ class ShiftTables {
     columns.push_back(std::move(column));
   }
 
+  // By the carrier and by the absolute model, and with friction alone, as far as the file has any.
+  void add_efficiencies(std::vector<TextColumn>& columns) const {
+    TextColumn carrier{.head = "efficiency", .cells = {}};
+    TextColumn absolute{.head = "absolute", .cells = {}};
+    TextColumn friction{.head = "with friction", .cells = {}};
+    bool is_lossy = false;
+    bool rubs = false;
+    for (std::size_t s = 0; s < gears_.size(); ++s) {
+      const CaseAnalysis& one = *find_gear_case(analysis_, solution_.states[s]);
+      const auto& lossy = one.efficiency;
+      carrier.cells.push_back(shown(lossy ? lossy->carrier.value : std::nullopt));
+      absolute.cells.push_back(shown(lossy ? lossy->absolute.value : std::nullopt));
+      friction.cells.push_back(shown(one.power ? one.power->efficiency : std::nullopt));
+      is_lossy = is_lossy || lossy.has_value();
+      rubs = rubs || (one.power && one.power->efficiency);
+    }
+    if (is_lossy) {
+      columns.push_back(std::move(carrier));
+      columns.push_back(std::move(absolute));
+    }
+    if (rubs) {
+      columns.push_back(std::move(friction));
+    }
+  }
+
   std::string gears_text() const {
     if (gears_.empty()) {
       return {};
@@ -114,6 +139,7 @@ class ShiftTables {
     }
     add_column(
         "step", [](const GearValues& gear) { return gear.step ? shown(gear.step) : ""; }, columns);
+    add_efficiencies(columns);
     if (plan_.outputs.size() == 1 && plan_.asks_actions) {
       add_column(
           "torque ratio",

@@ -54,6 +54,46 @@ void add_motion_findings(const Analysis& analysis, const CaseAnalysis& one, Diag
   }
 }
 
+// At the coupling of the output.
+void add_locking(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
+  const Topology& topology = analysis.mechanism.topology;
+  const ActuatorTopology& output =
+      topology.actuators[static_cast<std::size_t>(one.which.outputs.front())];
+  const CouplingId coupling = topology.freedoms[static_cast<std::size_t>(output.freedom)].coupling;
+  const TransmissionEfficiency& efficiency = *one.efficiency;
+  found.warning(
+      "W0702",
+      topology.coupling(coupling).where,
+      fmt::format("case '{}' is self-locking: {}, so output '{}' cannot be driven like that",
+                  one.which.label,
+                  efficiency.carrier.reason,
+                  output.name),
+      efficiency.carrier_backward.value
+          ? fmt::format("driven by the output, its efficiency is {:.6g}; that may be what is wanted",
+                        *efficiency.carrier_backward.value)
+          : "that may be what is wanted; smaller losses or another ratio would let it turn");
+}
+
+// Once for the file: no motion moves the axes to another body.
+void add_missing_carriers(const Analysis& analysis, Diagnostics& found) {
+  for (const CaseAnalysis& one : analysis.cases) {
+    if (!one.efficiency || one.efficiency->without_carrier.empty()) {
+      continue;
+    }
+    for (const CouplingId mesh : one.efficiency->without_carrier) {
+      const CouplingTopology& coupling = analysis.mechanism.topology.coupling(mesh);
+      found.warning("W0701",
+                    coupling.where,
+                    fmt::format("the loss of mesh '{}' is not known, since no one body holds the "
+                                "axes of its gears",
+                                coupling.name),
+                    "join each of them to its carrier by a coupling of type revolute, or take the "
+                    "mesh out of 'losses'");
+    }
+    return;
+  }
+}
+
 }  // namespace
 
 void add_findings(const Analysis& analysis, Diagnostics& found) {
@@ -64,13 +104,17 @@ void add_findings(const Analysis& analysis, Diagnostics& found) {
     if (one.action) {
       add_action_findings(analysis, one, found);
     }
-    if (one.power && one.power->is_self_locking) {
+    const bool is_locked_anyway = one.power && one.power->is_self_locking;
+    if (is_locked_anyway) {
       found.warning("W0602",
                     one.which.where,
                     fmt::format("case '{}' is self-locking: friction takes more than the input "
                                 "gives, so the output must drive too",
                                 one.which.label),
                     "in this direction nothing moves by itself; that may be what is wanted");
+    }
+    if (one.efficiency && one.efficiency->carrier.is_self_locking && !is_locked_anyway) {
+      add_locking(analysis, one, found);
     }
     if (one.power && !one.power->is_balanced) {
       found.error("E0701",
@@ -81,6 +125,7 @@ void add_findings(const Analysis& analysis, Diagnostics& found) {
                   "the position is close to singular, or the scales are too far apart");
     }
   }
+  add_missing_carriers(analysis, found);
 }
 
 }  // namespace kinestat

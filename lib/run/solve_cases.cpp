@@ -147,6 +147,14 @@ CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Ca
     result.power = find_power(mechanism, which, *result.motion, *result.action);
     result.power_graph =
         find_power_graph(mechanism, which, *result.motion, *result.action, *result.power);
+    if (!mechanism.lossy_meshes.empty()) {
+      result.efficiency = find_transmission_efficiency(mechanism,
+                                                       bases.action,
+                                                       {.which = which,
+                                                        .motion = *result.motion,
+                                                        .power = *result.power,
+                                                        .graph = *result.power_graph});
+    }
   }
   if (is_solved(result.motion) && !which.inputs.empty() && which.outputs.size() == 1) {
     result.ratios = find_ratios(

@@ -38,6 +38,8 @@ SECTIONS = {
               "load": "loads", "friction": "friction", "body": "bodies", "mesh": "meshes"},
 }
 
+LOSSES = {"loss": "meshes", "lossy_friction": "friction", "lossy_action": "actuators"}
+
 
 def files() -> list[Path]:
     found = sorted((ROOT / "mechanisms").rglob("*.yaml"))
@@ -91,6 +93,10 @@ def json_value(report: Any, row: dict[str, str]) -> Any:
         return at(value, row["quantity"])
     sections = SECTIONS[row["pass"]]
     section, _, path = row["quantity"].partition("/")
+    if section in LOSSES:
+        return at(value["losses"][LOSSES[section]][row["element"]], path)
+    if section == "lossy_balance_residual":
+        return value["losses"]["balance_residual"]
     if section == "self_stress":
         return value["self_stresses"][int(path)]["actions"][row["element"]]
     if section in sections:
@@ -112,6 +118,7 @@ def repeated_values(report: Any) -> list[Any]:
             found += numbers(stress["actions"])
         if "power" in case:
             found += numbers(case["power"].get("efficiency", {}))
+            found += numbers(case["power"].get("losses", {}))
             found += [case["power"]["input"], case["power"]["balance_residual"]]
             found += [case["power"]["recirculation"]["factor"]]
     return found

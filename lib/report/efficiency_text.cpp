@@ -1,0 +1,48 @@
+#include "report/efficiency_text.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "report/numbers.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::string share_text(const Efficiency& one) {
+  if (one.is_self_locking) {
+    return "self-locking (" + one.reason + ")";
+  }
+  return one.value ? format_short(*one.value) : "none (" + one.reason + ")";
+}
+
+bool nothing_rolls(const LossyState& state) {
+  return std::ranges::none_of(state.meshes, &MeshLossPower::rolls);
+}
+
+}  // namespace
+
+std::string losses_text(const Mechanism& mechanism, const CaseAnalysis& one) {
+  if (!one.efficiency) {
+    return {};
+  }
+  const TransmissionEfficiency& efficiency = *one.efficiency;
+  const std::string carrier =
+      fmt::format("  efficiency with mesh losses, of what rolls in each carrier: {}; backwards {}\n",
+                  share_text(efficiency.carrier),
+                  share_text(efficiency.carrier_backward));
+  const std::string absolute =
+      fmt::format("  efficiency with mesh losses, of all power seen from the ground: {}\n",
+                  share_text(efficiency.absolute));
+  const std::string_view block =
+      efficiency.state && nothing_rolls(*efficiency.state)
+          ? "  no lossy mesh rolls, as in a train that turns as a block: its teeth lose nothing;\n"
+            "  the figure seen from the ground takes a share of power that only rides along with them\n"
+          : "";
+  return (mechanism.loss_model == LossModel::carrier ? carrier + absolute : absolute + carrier) +
+         std::string(block);
+}
+
+}  // namespace kinestat
