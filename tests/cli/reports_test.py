@@ -96,8 +96,6 @@ def json_value(report: Any, row: dict[str, str]) -> Any:
     section, _, path = row["quantity"].partition("/")
     if section in LOSSES:
         return at(value["losses"][LOSSES[section]][row["element"]], path)
-    if section == "lossy_balance_residual":
-        return value["losses"]["balance_residual"]
     if section == "self_stress":
         return value["self_stresses"][int(path)]["actions"][row["element"]]
     if section in sections:
