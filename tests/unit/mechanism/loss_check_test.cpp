@@ -71,9 +71,10 @@ TEST(LossCheck, TakesOnlyMeshesOfGears) {
       "  r: {type: rack, bodies: [p, bar], at: [0, 1], line_of_action: x}\n"
       "losses: {meshes: {r: 0.02}}\n");
 
-  EXPECT_EQ(complaints_of(found),
-            (Complaints{"9:19 E0313 'losses' names 'r', a rack; only meshes of gears lose a share of "
-                        "their power"}));
+  EXPECT_EQ(
+      complaints_of(found),
+      (Complaints{"9:19 E0313 'losses' names 'r', a rack; only meshes of gears lose a share of "
+                  "their power"}));
 }
 
 }  // namespace
