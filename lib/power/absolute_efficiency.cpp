@@ -58,8 +58,7 @@ class OutsideFinder {
  private:
   void add(CouplingId id) {
     const auto e = static_cast<std::size_t>(id.value);
-    if (!flow_.into_head[e] ||
-        std::abs(flow_.supplied[e]) <= kReportZero * flow_.largest) {
+    if (!flow_.into_head[e] || std::abs(flow_.supplied[e]) <= kReportZero * flow_.largest) {
       return;
     }
     const Exchange exchange = exchange_of(*flow_.into_head[e], flow_.supplied[e]);
@@ -70,8 +69,7 @@ class OutsideFinder {
 
   void add(BodyId body, double into, double useful) {
     const auto b = static_cast<std::size_t>(body.value);
-    (into > 0.0 ? result_.enters[b] : result_.leaves[b]) +=
-        into > 0.0 ? into : useful * -into;
+    (into > 0.0 ? result_.enters[b] : result_.leaves[b]) += into > 0.0 ? into : useful * -into;
   }
 
   // What the outputs on the coupling supply: negative, and all that it does unless there is

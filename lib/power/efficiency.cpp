@@ -75,7 +75,10 @@ Efficiency find_efficiency(const Case& which, const CasePowers& powers) {
   if (out >= -kPowerBalance * in) {
     return {.value = 0.0, .reason = "friction takes all that the inputs give"};
   }
-  return {.value = -out / in, .reason = ""};
+  if (-out > (1.0 + kPowerBalance) * in) {
+    return none("the powers do not balance");
+  }
+  return {.value = std::min(-out / in, 1.0), .reason = ""};
 }
 
 }  // namespace kinestat

@@ -23,7 +23,7 @@ struct PowerFlow {
   std::vector<double> friction;   ///< of each friction of the statics; never positive
   double input = 0.0;             ///< of the inputs named by the case, else the sum of all positive
                                   ///< powers of actuators and loads
-  double largest = 0.0;  ///< size of the largest of all powers but those of friction
+  double largest = 0.0;           ///< size of the largest of all powers but those of friction
   /// Power of the outputs over that of the inputs, where the statics has friction and the case
   /// names both; empty where it has none: `no_efficiency` says why (see Efficiency).
   std::optional<double> efficiency;

@@ -73,15 +73,11 @@ class LossyCase {
 
   Direction solve(const Case& which) const {
     const std::vector<BodyWrench> loads = wrenches_of(which.loads);
-    LossyActions found = solve_with_losses(mechanism_,
-                                           basis_,
-                                           {.primaries = which.actions,
-                                            .loads = loads,
-                                            .frictions = frictions_,
-                                            .meshes = meshes_},
-                                           [&](const VecX& actions) {
-                                             return passes_on(which, actions);
-                                           });
+    LossyActions found = solve_with_losses(
+        mechanism_,
+        basis_,
+        {.primaries = which.actions, .loads = loads, .frictions = frictions_, .meshes = meshes_},
+        [&](const VecX& actions) { return passes_on(which, actions); });
     Direction result{.search = found.search, .action = std::move(found.solution), .flow = {}};
     if (determines_power(mechanism_, result.action)) {
       result.flow = find_power(mechanism_, which, motion_, result.action);
@@ -113,9 +109,8 @@ class LossyCase {
       return self_locking("losses take more than the inputs give");
     }
     if (result.value && *result.value == 0.0) {
-      return {.value = 0.0,
-              .reason = "losses take all that the inputs give",
-              .is_self_locking = true};
+      return {
+          .value = 0.0, .reason = "losses take all that the inputs give", .is_self_locking = true};
     }
     return result;
   }
@@ -134,9 +129,8 @@ class LossyCase {
       add(mesh.head_driven);
       add(mesh.tail_driven);
     }
-    return outside.empty()
-               ? common
-               : action_basis(mechanism_.geometry, mechanism_.static_order, outside);
+    return outside.empty() ? common
+                           : action_basis(mechanism_.geometry, mechanism_.static_order, outside);
   }
 
   // Whether power leaves by the outputs, of those that the case names.
@@ -188,8 +182,7 @@ LossyState state_of(const Mechanism& mechanism,
       state.friction.push_back(flow.friction[i]);
       continue;
     }
-    MeshLossPower& mesh =
-        *std::ranges::find(state.meshes, friction.coupling, &MeshLossPower::mesh);
+    MeshLossPower& mesh = *std::ranges::find(state.meshes, friction.coupling, &MeshLossPower::mesh);
     if (friction.magnitude > 0.0) {
       mesh.driven = friction.between->head;
       mesh.couple = friction.magnitude;
@@ -237,7 +230,8 @@ TransmissionEfficiency find_transmission_efficiency(const Mechanism& mechanism,
   const MeshLossLaws losses = find_mesh_loss_laws(mechanism, solved.motion);
   result.without_carrier = losses.without_carrier;
   if (!losses.without_carrier.empty()) {
-    result.carrier = none("no carrier is known of " + plain_names(mechanism, losses.without_carrier));
+    result.carrier =
+        none("no carrier is known of " + plain_names(mechanism, losses.without_carrier));
     result.carrier_backward = result.carrier;
     return result;
   }

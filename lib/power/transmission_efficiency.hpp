@@ -44,8 +44,8 @@ struct TransmissionEfficiency {
   /// Losses by the power through each mesh as seen from the ground (Cazangi 2008, section 4.4.4).
   Efficiency absolute;
   std::optional<LossyState> state;          ///< forwards; empty where the losses lock, or are open
-  std::vector<CouplingId> without_carrier;  ///< lossy meshes whose carrier is not known: the carrier
-                                            ///< model has no answer
+  std::vector<CouplingId> without_carrier;  ///< lossy meshes whose carrier is not known: the
+                                            ///< carrier model has no answer
 };
 
 /// A case that is solved without the losses of its meshes, but with the friction of its couplings.

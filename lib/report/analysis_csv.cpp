@@ -107,7 +107,7 @@ class CsvWriter {
     if (quantity == "loss/couple") {
       return units.text(QuantityKind::moment);
     }
-    const bool is_share = group == "balance_residual" || group == "lossy_balance_residual" ||
+    const bool is_share = group == "balance_residual" || group == "losses" ||
                           group == "efficiency" || group == "recirculation";
     return is_share ? "" : units.text(QuantityKind::power);
   }
@@ -241,7 +241,7 @@ void add_losses(CsvWriter& writer, const Place& place, const Json& losses) {
   add_elements(writer, place, losses["meshes"], "loss");
   add_elements_if_any(writer, place, losses, "friction", "lossy_friction");
   add_elements(writer, place, losses["actuators"], "lossy_action");
-  writer.add(place, "lossy_balance_residual", losses["balance_residual"]);
+  writer.add(place, "losses/balance_residual", losses["balance_residual"]);
 }
 
 void add_case(CsvWriter& writer, const Place& place, const Json& pass) {

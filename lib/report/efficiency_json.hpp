@@ -7,8 +7,8 @@
 
 namespace kinestat {
 
-/// Adds `efficiency` by both models, with the reason where there is none, and `losses`: what is lost
-/// where and what acts then in the carrier model, if it has an answer. The case must have
+/// Adds `efficiency` by both models, with the reason where there is none, and `losses`: what is
+/// lost where and what acts then in the carrier model, if it has an answer. The case must have
 /// efficiencies.
 void add_efficiency(const Mechanism& mechanism,
                     const CaseAnalysis& one,

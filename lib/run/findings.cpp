@@ -69,8 +69,9 @@ void add_locking(const Analysis& analysis, const CaseAnalysis& one, Diagnostics&
                   efficiency.carrier.reason,
                   output.name),
       efficiency.carrier_backward.value
-          ? fmt::format("driven by the output, its efficiency is {:.6g}; that may be what is wanted",
-                        *efficiency.carrier_backward.value)
+          ? fmt::format(
+                "driven by the output, its efficiency is {:.6g}; that may be what is wanted",
+                *efficiency.carrier_backward.value)
           : "that may be what is wanted; smaller losses or another ratio would let it turn");
 }
 

@@ -137,8 +137,7 @@ class SenseSearch {
     const auto power_of = [&](std::size_t i) {
       const std::size_t at = frictions_.size() + i;
       const FrictionLaw& law = system_.law(found.laws[at]);
-      return found.magnitudes[static_cast<Eigen::Index>(at)] * law.speed /
-             law.parts.front().weight;
+      return found.magnitudes[static_cast<Eigen::Index>(at)] * law.speed / law.parts.front().weight;
     };
     double largest = 0.0;
     for (std::size_t i = 0; i < meshes_.size(); ++i) {
@@ -180,14 +179,17 @@ class SenseSearch {
       right.rest.row(r) = share * force.slopes.row(0).head(friction_count);
       system.row(r) -= share * force.slopes.row(0).tail(count);
     }
-    LinearLosses solved = right;
-    for (Eigen::Index c = -1; c < friction_count; ++c) {
-      const VecX column = c < 0 ? right.first : VecX(right.rest.col(c));
-      const std::optional<VecX> x = solve_dense(system, column);
-      if (!x) {
+    const std::optional<VecX> first = solve_dense(system, right.first);
+    if (!first) {
+      return std::nullopt;
+    }
+    LinearLosses solved{.first = *first, .rest = right.rest};
+    for (Eigen::Index c = 0; c < friction_count; ++c) {
+      const std::optional<VecX> column = solve_dense(system, VecX(right.rest.col(c)));
+      if (!column) {
         return std::nullopt;
       }
-      (c < 0 ? solved.first : solved.rest.col(c)) = *x;
+      solved.rest.col(c) = *column;
     }
     return solved;
   }

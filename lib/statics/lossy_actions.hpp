@@ -39,9 +39,10 @@ struct LossyStatics {
 
 /// The senses begin as without losses and are turned where a power contradicts them, until none
 /// does; where that goes in circles, or what it finds is not accepted, all are tried, those that
-/// turn the fewest meshes first (at most kMostSearchedMeshes meshes). With the senses the losses are
-/// linear and solved at once; friction of couplings is followed as in solve_with_friction.
-/// `is_accepted` is given the magnitudes of all actions. `basis` must hold the wrenches of all laws.
+/// turn the fewest meshes first (at most kMostSearchedMeshes meshes). With the senses the losses
+/// are linear and solved at once; friction of couplings is followed as in solve_with_friction.
+/// `is_accepted` is given the magnitudes of all actions. `basis` must hold the wrenches of all
+/// laws.
 [[nodiscard]] LossyActions solve_with_losses(const Mechanism& mechanism,
                                              const CoordinateBasis& basis,
                                              const LossyStatics& given,

@@ -19,8 +19,8 @@ struct MeshLossLaw {
   FrictionLaw tail_driven;
 };
 
-/// Of all lossy meshes in a case with some motion. A mesh that does not roll in its carrier, as in a
-/// train that turns as a block, loses nothing.
+/// Of all lossy meshes in a case with some motion. A mesh that does not roll in its carrier, as in
+/// a train that turns as a block, loses nothing.
 struct MeshLossLaws {
   std::vector<MeshLossLaw> laws;            ///< in the order of mechanism.lossy_meshes
   std::vector<CouplingId> not_rolling;      ///< likewise

@@ -26,7 +26,8 @@ HEADER = ["mechanism", "case", "pass", "element", "quantity", "value", "unit", "
 # Cases whose reports have states that no good mechanism has: null values among them.
 STATES = ["c66_parameter_never_used", "e0501_motions_missing", "e0602_no_equilibrium",
           "w0601_actions_indeterminate", "loads_on_a_linkage", "w0601_self_stresses",
-          "stiffness_shares_a_load", "minimum_norm_is_labelled"]
+          "stiffness_shares_a_load", "minimum_norm_is_labelled",
+          "losses_and_friction_of_bearings", "c82_drive_in_reverse"]
 # A topology without dimensions, which only `kinestat mobility` answers.
 COUNTED = ROOT / "mechanisms" / "cables" / "surgical_instrument.yaml"
 # Where the CSV table of a pass finds its values: the quantity names the section.
@@ -95,8 +96,6 @@ def json_value(report: Any, row: dict[str, str]) -> Any:
     section, _, path = row["quantity"].partition("/")
     if section in LOSSES:
         return at(value["losses"][LOSSES[section]][row["element"]], path)
-    if section == "lossy_balance_residual":
-        return value["losses"]["balance_residual"]
     if section == "self_stress":
         return value["self_stresses"][int(path)]["actions"][row["element"]]
     if section in sections:

@@ -120,7 +120,7 @@ def case_text(label: str, drive: str, driven: str, train: Train, held: list[str]
 
 def powers_of(text: str) -> dict[str, dict]:
     cases = program.report(program.call("analyze", "-", text=text))["cases"]
-    return {label: case["power"] for label, case in cases.items()}
+    return {label: case["power"] for label, case in cases.items() if "power" in case}
 
 
 def simple_set(sun: int, ring: int, losses: tuple[str, str]) -> Train:
@@ -303,7 +303,7 @@ class ClosedForms(unittest.TestCase):
 
         power = powers_of(text)["run"]
 
-        self.assertEqual(power["efficiency"]["carrier"], 1.0)
+        self.assertAlmostEqual(power["efficiency"]["carrier"], 1.0, delta=1e-12)
         self.assertAlmostEqual(power["efficiency"]["absolute"], 0.939918, delta=1e-6)
         self.assertEqual({mesh["rolls"] for mesh in power["losses"]["meshes"].values()}, {False})
 

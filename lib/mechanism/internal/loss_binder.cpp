@@ -74,14 +74,15 @@ class LossBinder {
     if (share < 1.0) {
       return share;
     }
-    found_.error("E0305",
-                 loss.value.where,
-                 fmt::format("'k' of the loss of mesh '{}' cannot be {:.6g}: with its teeth the mesh "
-                             "would lose {:.6g} of its power",
-                             mesh,
-                             k,
-                             share),
-                 fmt::format("give less than {:.6g}; usual are values near 0.2", 1.0 / *term));
+    found_.error(
+        "E0305",
+        loss.value.where,
+        fmt::format("'k' of the loss of mesh '{}' cannot be {:.6g}: with its teeth the mesh "
+                    "would lose {:.6g} of its power",
+                    mesh,
+                    k,
+                    share),
+        fmt::format("give less than {:.6g}; usual are values near 0.2", 1.0 / *term));
     return 0.0;
   }
 

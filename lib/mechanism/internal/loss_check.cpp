@@ -54,9 +54,7 @@ const CouplingDescription* find_unlike(const std::string& name,
   return at == description.couplings.end() ? nullptr : &*at;
 }
 
-void refuse_unlike(const MeshLoss& mesh,
-                   const CouplingDescription& coupling,
-                   Diagnostics& found) {
+void refuse_unlike(const MeshLoss& mesh, const CouplingDescription& coupling, Diagnostics& found) {
   found.error("E0313",
               mesh.coupling.where,
               fmt::format("'losses' names '{}', a {}; only meshes of gears lose a share of their "

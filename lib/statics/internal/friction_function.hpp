@@ -22,8 +22,8 @@ struct FrictionFunction {
   std::vector<PressingForce> forces;
 };
 
-/// Where f = share · functions(f) is solved, the share of the friction growing from 0 to 1. Empty if
-/// the friction grows beyond all bounds on the way.
+/// Where f = share · functions(f) is solved, the share of the friction growing from 0 to 1. Empty
+/// if the friction grows beyond all bounds on the way.
 std::optional<VecX> follow_friction(const std::vector<FrictionFunction>& functions);
 
 }  // namespace kinestat

@@ -126,8 +126,7 @@ FrictionFunction FrictionSystem::function_of(std::size_t i,
 VecX FrictionSystem::actions_with(const ChosenFrictions& frictions) const {
   VecX actions = frictionless_;
   for (std::size_t i = 0; i < frictions.laws.size(); ++i) {
-    actions +=
-        frictions.magnitudes[static_cast<Eigen::Index>(i)] * response(frictions.laws[i]);
+    actions += frictions.magnitudes[static_cast<Eigen::Index>(i)] * response(frictions.laws[i]);
   }
   return actions;
 }
@@ -190,9 +189,9 @@ void FrictionSystem::add_ignored(StaticSolution& solution) const {
 StaticSolution FrictionSystem::solution_with(const ChosenFrictions& frictions) const {
   std::vector<BodyWrench> all(loads_.begin(), loads_.end());
   for (std::size_t i = 0; i < frictions.laws.size(); ++i) {
-    std::ranges::copy(pair_of(laws_[frictions.laws[i]],
-                              frictions.magnitudes[static_cast<Eigen::Index>(i)]),
-                      std::back_inserter(all));
+    std::ranges::copy(
+        pair_of(laws_[frictions.laws[i]], frictions.magnitudes[static_cast<Eigen::Index>(i)]),
+        std::back_inserter(all));
   }
   StaticSolution solution = solve_action(mechanism_, equilibrium_.basis(), primaries_, all);
   if (solution.unheld) {

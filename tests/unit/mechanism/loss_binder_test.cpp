@@ -31,8 +31,7 @@ struct Bound {
   std::vector<LossyMesh> meshes;
 
   explicit Bound(const std::string& losses, const std::string& train = kTrain) {
-    const auto root =
-        read_yaml({.path = "test.yaml", .text = train + losses}, ReadLimits{}, found);
+    const auto root = read_yaml({.path = "test.yaml", .text = train + losses}, ReadLimits{}, found);
     const auto description = root ? read_mechanism(*root, found) : std::nullopt;
     EXPECT_TRUE(description.has_value());
     if (description) {

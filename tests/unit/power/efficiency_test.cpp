@@ -51,6 +51,11 @@ TEST(Efficiency, HasNoValueInReverse) {
             "the inputs take power, the outputs drive");
 }
 
+TEST(Efficiency, IsNeverAboveOne) {
+  EXPECT_EQ(efficiency_of(drive(), {100.0, 0.0, -100.00000000000001, 0.0}).value, 1.0);
+  EXPECT_EQ(efficiency_of(drive(), {100.0, 0.0, -101.0, 0.0}).reason, "the powers do not balance");
+}
+
 // Rounding of the powers inside must not become an efficiency.
 TEST(Efficiency, HasNoValueWithoutPower) {
   EXPECT_EQ(efficiency_of(drive(), {0.0, 0.0, 0.0, 0.0}).reason, "the inputs give no power");

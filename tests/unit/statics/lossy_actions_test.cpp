@@ -127,18 +127,19 @@ TEST(LossyActions, DoNotExistWhereNoSenseAgrees) {
 }
 
 TEST(MeshLoss, IsNoneWhereTheTrainTurnsAsABlock) {
-  const std::string free = "space: planar\n"
-                           "ground: housing\n"
-                           "bodies: [sun, carrier, planet]\n"
-                           "couplings:\n"
-                           "  a: {type: revolute, bodies: [housing, sun], at: [0, 0]}\n"
-                           "  c: {type: revolute, bodies: [housing, carrier], at: [0, 0]}\n"
-                           "  p: {type: revolute, bodies: [carrier, planet], at: [0, 3]}\n"
-                           "  s: {type: gear, bodies: [sun, planet], at: [0, 2], tangent: x,\n"
-                           "      pressure_angle: 0.3}\n"
-                           "actuators: {sun: {coupling: a}, arm: {coupling: c}}\n"
-                           "losses: {gear_external: 0.02}\n"
-                           "cases: {k: {motion: {sun: 1, arm: 1}, action: {sun: 0, arm: 0}}}\n";
+  const std::string free =
+      "space: planar\n"
+      "ground: housing\n"
+      "bodies: [sun, carrier, planet]\n"
+      "couplings:\n"
+      "  a: {type: revolute, bodies: [housing, sun], at: [0, 0]}\n"
+      "  c: {type: revolute, bodies: [housing, carrier], at: [0, 0]}\n"
+      "  p: {type: revolute, bodies: [carrier, planet], at: [0, 3]}\n"
+      "  s: {type: gear, bodies: [sun, planet], at: [0, 2], tangent: x,\n"
+      "      pressure_angle: 0.3}\n"
+      "actuators: {sun: {coupling: a}, arm: {coupling: c}}\n"
+      "losses: {gear_external: 0.02}\n"
+      "cases: {k: {motion: {sun: 1, arm: 1}, action: {sun: 0, arm: 0}}}\n";
   const Lossy block(free);
 
   EXPECT_TRUE(block.losses.laws.empty());
@@ -153,7 +154,7 @@ TEST(MeshLoss, NeedsACarrier) {
       "couplings:\n"
       "  a: {type: revolute, bodies: [frame, wheel], at: [0, 0]}\n"
       "  b: {type: screws, bodies: [frame, pinion],\n"
-      "      freedoms: [{rotation: [0, 0, 1], at: [0, 3, 0]}]}\n"
+      "      freedoms: [{rotation: [0, 0, 1], at: [0, 3]}]}\n"
       "  g: {type: gear, bodies: [wheel, pinion], at: [0, 2], tangent: x, pressure_angle: 0.3}\n"
       "actuators: {in: {coupling: a}, out: {coupling: b}}\n"
       "losses: {gear_external: 0.02}\n"
