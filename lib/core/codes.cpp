@@ -204,9 +204,8 @@ constexpr auto kCodes = std::to_array<Code>({
      no_answer,
      "mechanism is not analysed yet",
      "The file is right, but something in it that decides the answer belongs to the format and "
-     "not yet to the analysis of this version: the section 'gears', a freewheel that 'shift' "
-     "does not name, a point that differs from body to body, friction of some types, or a coupling "
-     "without its place. "
+     "not yet to the analysis of this version: a freewheel that 'shift' does not name, a point that "
+     "differs from body to body, friction of some types, or a coupling without its place. "
      "Without it an answer would be wrong, so there is none, and the exit status is 5. The hint "
      "says what to write instead; 'kinestat help format' lists what is not analysed."},
     {"E0316",
@@ -345,6 +344,29 @@ constexpr auto kCodes = std::to_array<Code>({
      "A bare number of 'gravity' counts in the units of the file, length by time squared: with "
      "'units: {length: mm}', 9.81 is 9.81 mm/s^2, a thousandth of the earth's. Write the unit, "
      "9.81 m/s^2; with its unit, any value is taken without a word."},
+    {"W0305",
+     done,
+     "teeth ask for different centre distances",
+     "Two gears without profile shift mesh where their centres are half the sum of their teeth, "
+     "or with a ring half the difference, times the module apart. The meshes of a planet ask for "
+     "different distances, or for another one than 'centre_distance' and the triangle of two "
+     "planets give, or a bearing stands beside the axis of its gears; of a plain set, ring = sun "
+     "+ 2*planet is not met. Ratios are exact all the same, because each pitch point divides the "
+     "distance in the ratio of teeth. With profile shift write 'centre_distance' of the planet; a "
+     "difference of less than a module is then taken without a word."},
+    {"W0306",
+     done,
+     "planets cannot be assembled at equal angles",
+     "From one of several equal planets to the next, the teeth of the gears on the main axis must "
+     "repeat: of a sun and a ring, (sun + ring)/count must be whole, and of stepped or paired "
+     "planets the number that the message gives. Planets at unequal angles, or turned against "
+     "each other on their shafts, may be meant; motions and actions do not change."},
+    {"W0307",
+     done,
+     "neighbouring planets touch",
+     "With so many planets the tip circles of two neighbours, one module outside their pitch "
+     "circles, would overlap. The message gives the distance of their centres and the one they "
+     "need. Motions and actions do not change."},
     {"W0601",
      done,
      "actions are statically indeterminate",

@@ -1,6 +1,7 @@
 // A mechanism ready for analysis: topology, geometry and cases.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,13 @@ struct Mechanism {
   OrderChoice static_order = OrderChoice::minimal;
   IndeterminateChoice indeterminate = IndeterminateChoice::report;
   std::vector<double> compliances;  ///< of each action [m/N or rad/(N·m)]; 0: rigid
+  std::vector<int> planet_counts;   ///< of each action: how many equal planets share it
   std::vector<Case> cases;
 };
+
+/// Whether actions are shared by several equal planets.
+inline bool has_planets(const Mechanism& mechanism) {
+  return std::ranges::any_of(mechanism.planet_counts, [](int count) { return count > 1; });
+}
 
 }  // namespace kinestat

@@ -68,12 +68,6 @@ void add_coupling(const CouplingDescription& coupling,
         "write one point after 'at:', where both bodies are drawn to meet",
         true);
   }
-  if (coupling.at && coupling.at->along_axis) {
-    add(coupling.at->where,
-        fmt::format("position of {} along its axis alone", word(coupling)),
-        "write the whole point, at: [x, y, z]",
-        true);
-  }
   if (coupling.one_way && !is_shift_element) {
     add(coupling.name.where,
         fmt::format("freewheel {}", word(coupling)),
@@ -88,15 +82,6 @@ void add_coupling(const CouplingDescription& coupling,
         fmt::format("friction of {}", word(coupling)),
         "remove it; 'kinestat help friction' lists the types whose friction is analysed",
         has_statics);
-  }
-}
-
-void add_model_sections(const MechanismDescription& description, std::vector<Unanalysed>& list) {
-  if (description.gears) {
-    list.push_back({description.gears->where,
-                    "section 'gears'",
-                    "write each mesh as a coupling of type gear: 'kinestat help couplings'",
-                    true});
   }
 }
 
@@ -121,7 +106,6 @@ std::vector<Unanalysed> find_unanalysed(const MechanismDescription& description)
   for (const CouplingDescription& coupling : description.couplings) {
     add_coupling(coupling, is_shifted(description, coupling), has_statics, list);
   }
-  add_model_sections(description, list);
   add_passes(description, list);
   return list;
 }

@@ -83,7 +83,10 @@ class CsvWriter {
       return units.text(is_rotation(place.element) ? QuantityKind::angular_velocity
                                                    : QuantityKind::velocity);
     }
-    if (group == "action" || group == "self_stress") {
+    if (path == "planet/count") {
+      return "";
+    }
+    if (group == "action" || group == "planet" || group == "self_stress") {
       return units.text(is_couple(place.element) ? QuantityKind::moment : QuantityKind::force);
     }
     if (group == "twist" || group == "wrench") {
@@ -222,6 +225,9 @@ void add_statics(CsvWriter& writer, const Place& place, const Json& pass) {
   }
   add_elements_but(writer, place, pass["actions"], "action", completed);
   add_self_stresses(writer, place, pass);
+  if (pass.contains("planets")) {
+    add_elements_but(writer, place, pass["planets"], "planet", completed);
+  }
   completed.elements = writer.couplings_of(completed.elements);
   add_elements_but(writer, place, pass["couplings"], "", completed);
   add_elements_if_any(writer, place, pass, "loads", "load");

@@ -55,6 +55,8 @@ constexpr auto kRules = std::to_array<std::pair<std::string_view, Rule>>({
     {"/cases/*/statics/couplings/*/wrench/*", Rule::wrench},
     {"/cases/*/statics/couplings/*/moment", Rule::moment},
     {"/cases/*/statics/couplings/*/force", Rule::force},
+    {"/cases/*/statics/planets/*/count", Rule::count},
+    {"/cases/*/statics/planets/*/each", Rule::action},
     {"/cases/*/statics/contacts/*/wrap", Rule::angle},
     {"/cases/*/statics/contacts/*/before", Rule::force},
     {"/cases/*/statics/contacts/*/after", Rule::force},

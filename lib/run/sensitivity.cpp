@@ -167,17 +167,23 @@ class SensitivityJob {
   }
 
   std::vector<SensitivityValue> differentiate(std::size_t case_index,
-                                              const AdjointBases& bases,
-                                              const MechanismDerivatives& derivatives) {
+                                              const AdjointBases& drawn_bases,
+                                              const MechanismDerivatives& common) {
     const CaseAnalysis& one = analysis_.cases[case_index];
     const bool has_rates = one.motion && one.motion->status == SolveStatus::solved;
     const bool has_actions =
         one.action && !one.action->magnitudes.empty() && rubbing_rope() == nullptr;
-    const DualCase values(analysis_.mechanism,
+    Mechanism mechanism = analysis_.mechanism;
+    MechanismDerivatives derivatives = common;
+    turn_flanks(one.turned_flanks, mechanism.geometry);
+    turn_flanks(one.turned_flanks, derivatives.geometry);
+    const DualCase values(mechanism,
                           case_index,
                           has_rates ? &*one.motion : nullptr,
                           has_actions ? &*one.action : nullptr,
                           derivatives);
+    const AdjointBases bases =
+        one.turned_flanks.empty() ? drawn_bases : find_adjoint_bases(mechanism, derivatives);
     CaseAdjoint adjoint(values, bases);
     std::vector<SensitivityValue> result;
     for (const std::string& name :

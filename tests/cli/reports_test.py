@@ -34,7 +34,7 @@ COUNTED = ROOT / "mechanisms" / "cables" / "surgical_instrument.yaml"
 SECTIONS = {
     "kinematics": {"rate": "freedoms", None: "bodies"},
     "statics": {"action": "actions", "load": "loads", "friction": "friction",
-                "contact": "contacts", None: "couplings"},
+                "planet": "planets", "contact": "contacts", None: "couplings"},
     "power": {"into_head": "couplings", "supplied": "supplied", "actuator": "actuators",
               "load": "loads", "friction": "friction", "body": "bodies", "mesh": "meshes"},
 }
@@ -134,8 +134,8 @@ def status_of(report: Any, row: dict[str, str]) -> str:
     couplings = [coupling["name"] for coupling in report["graph"]["couplings"]
                  if any(action in coupling["actuators"] or
                         action.startswith(coupling["name"] + ".") for action in actions)]
-    is_action = row["quantity"] == "action"
-    is_coupling = not re.match(r"action|load|friction|contact|self_stress", row["quantity"])
+    is_action = re.match(r"action|planet", row["quantity"])
+    is_coupling = not re.match(r"action|load|friction|planet|contact|self_stress", row["quantity"])
     is_completed = row["element"] in (actions if is_action else couplings if is_coupling else [])
     return value["completion"]["method"] if is_completed else value["status"]
 
