@@ -204,7 +204,8 @@ constexpr auto kCodes = std::to_array<Code>({
      no_answer,
      "mechanism is not analysed yet",
      "The file is right, but something in it that decides the answer belongs to the format and "
-     "not yet to the analysis of this version: a freewheel that 'shift' does not name, a point that "
+     "not yet to the analysis of this version: a freewheel that 'shift' does not name, a point "
+     "that "
      "differs from body to body, friction of some types, or a coupling without its place. "
      "Without it an answer would be wrong, so there is none, and the exit status is 5. The hint "
      "says what to write instead; 'kinestat help format' lists what is not analysed."},

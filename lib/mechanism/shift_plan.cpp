@@ -86,10 +86,9 @@ class PlanBinder {
         topology_.actuators[static_cast<std::size_t>(input.actuator)];
     if (const Value* speed = value_of(shift_.input_motion, name)) {
       const bool turns = topology_.freedoms[static_cast<std::size_t>(actuator.freedom)].is_rotation;
-      input.speed = evaluator_
-                        .number(*speed,
-                                turns ? QuantityKind::angular_velocity : QuantityKind::velocity)
-                        .value_or(input.speed);
+      input.speed =
+          evaluator_.number(*speed, turns ? QuantityKind::angular_velocity : QuantityKind::velocity)
+              .value_or(input.speed);
     }
     const Value* action = value_of(shift_.input_action, name);
     if (action != nullptr && !is_left_to_equilibrium(shift_.input_action, i)) {
@@ -101,8 +100,7 @@ class PlanBinder {
   }
 
   bool has_part(int actuator) const {
-    return std::ranges::find(plan_.inputs, actuator, &ShiftInput::actuator) !=
-               plan_.inputs.end() ||
+    return std::ranges::find(plan_.inputs, actuator, &ShiftInput::actuator) != plan_.inputs.end() ||
            std::ranges::find(plan_.outputs, actuator) != plan_.outputs.end() ||
            std::ranges::find(plan_.elements, actuator, &ShiftElement::actuator) !=
                plan_.elements.end();
@@ -128,9 +126,8 @@ class PlanBinder {
 };
 
 Value plain_number(std::string_view text, SourceRange where) {
-  return {.expression = std::get<Expression>(parse_expression(text)),
-          .where = where,
-          .text_column = 0};
+  return {
+      .expression = std::get<Expression>(parse_expression(text)), .where = where, .text_column = 0};
 }
 
 class GearDescriber {
@@ -172,8 +169,7 @@ class GearDescriber {
                                 .value = given ? *given : plain_number("1", gear.where)});
     }
     for (const int e : gear.engaged) {
-      result.motions.push_back(
-          nothing(shift_.elements[static_cast<std::size_t>(e)].text, gear));
+      result.motions.push_back(nothing(shift_.elements[static_cast<std::size_t>(e)].text, gear));
     }
   }
 
@@ -186,8 +182,7 @@ class GearDescriber {
       }
     }
     for (const int e : gear.open) {
-      result.actions.push_back(
-          nothing(shift_.elements[static_cast<std::size_t>(e)].text, gear));
+      result.actions.push_back(nothing(shift_.elements[static_cast<std::size_t>(e)].text, gear));
     }
     for (const int o : gear.others) {
       const int actuator = plan_.others[static_cast<std::size_t>(o)];
@@ -222,16 +217,13 @@ std::vector<CaseDescription> describe_gears(const MechanismDescription& descript
 }
 
 std::vector<Case> bind_described_cases(const MechanismDescription& description,
-                                   const Mechanism& mechanism) {
+                                       const Mechanism& mechanism) {
   Diagnostics said_before;
   Evaluator evaluator = make_evaluator(description, said_before);
   const DeclaredNames names = declare_names(description, said_before);
-  const SectionContext context = {.description = description,
-                                  .names = names,
-                                  .evaluator = evaluator,
-                                  .found = said_before};
-  std::vector<Case> cases =
-      bind_cases(description, mechanism.topology, evaluator, said_before);
+  const SectionContext context = {
+      .description = description, .names = names, .evaluator = evaluator, .found = said_before};
+  std::vector<Case> cases = bind_cases(description, mechanism.topology, evaluator, said_before);
   KINESTAT_EXPECTS(!said_before.has_errors());
   add_loads(bind_loads(context, mechanism.geometry.origin), cases);
   return cases;

@@ -27,8 +27,7 @@ class GearReader {
         plan_(analysis.shift->plan),
         state_(analysis.shift->solution.states[state]),
         one_(*find_gear_case(analysis, state_)),
-        in_(analysis.description.units,
-            find_zero_snap(one_, analysis.mechanism.geometry.length)) {
+        in_(analysis.description.units, find_zero_snap(one_, analysis.mechanism.geometry.length)) {
     values_.step = analysis.shift->solution.table.steps[state];
   }
 
@@ -62,10 +61,8 @@ class GearReader {
     which.outputs = {plan_.outputs[o]};
     Ratios ratios;
     if (is_solved()) {
-      ratios = find_ratios(analysis_.mechanism,
-                           which,
-                           *one_.motion,
-                           has_actions() ? &*one_.action : nullptr);
+      ratios = find_ratios(
+          analysis_.mechanism, which, *one_.motion, has_actions() ? &*one_.action : nullptr);
     } else if (const double slow = state_.state.outputs[o].value_or(0.0); slow != 0.0) {
       ratios.ratio = state_.state.inputs.front() / slow;
     }

@@ -24,7 +24,7 @@ struct GearValues {
   std::vector<std::optional<double>> torques;        ///< of each element, tail on head
   std::vector<std::optional<double>> slips;          ///< of each element, head minus tail
   std::optional<double> step;
-  std::optional<double> recirculation;  ///< γ
+  std::optional<double> recirculation;    ///< γ
   std::optional<LoadedCoupling> bearing;  ///< the one with the largest force
   std::optional<LoadedCoupling> mesh;     ///< likewise
 };

@@ -146,7 +146,8 @@ class ShiftTables {
           [](const GearValues& gear) { return shown(gear.torque_ratios.front()); },
           columns);
       add_column(
-          "recirculation", [](const GearValues& gear) { return shown(gear.recirculation); },
+          "recirculation",
+          [](const GearValues& gear) { return shown(gear.recirculation); },
           columns);
     }
     return table_text(columns);
@@ -156,8 +157,7 @@ class ShiftTables {
     std::string text;
     for (std::size_t s = 0; s < gears_.size(); ++s) {
       const std::string& reason = solution_.states[s].reason;
-      text += reason.empty() ? ""
-                             : fmt::format("  {}: {}\n", name_of(static_cast<int>(s)), reason);
+      text += reason.empty() ? "" : fmt::format("  {}: {}\n", name_of(static_cast<int>(s)), reason);
       for (const std::string& no_ratio : gears_[s].reasons) {
         text += no_ratio.empty()
                     ? ""
@@ -205,9 +205,8 @@ class ShiftTables {
     const FileUnits& units = analysis_.description.units;
     std::string text;
     if (plan_.asks_actions) {
-      text += values_text(fmt::format("Torque [{}]", units.text(QuantityKind::moment)),
-                          &GearValues::torques,
-                          true);
+      text += values_text(
+          fmt::format("Torque [{}]", units.text(QuantityKind::moment)), &GearValues::torques, true);
     }
     return text + values_text(fmt::format("Slip [{}]", units.text(QuantityKind::angular_velocity)),
                               &GearValues::slips,

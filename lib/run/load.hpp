@@ -28,8 +28,8 @@ std::optional<MechanismDescription> load_description(const std::string& path,
                                                      SourceFile& source,
                                                      Diagnostics& found);
 
-/// Reads, applies the overrides and binds, gears included, whose `sizes` may be more than the usual; a file
-/// without a mechanism is an error. Empty iff an error was added.
+/// Reads, applies the overrides and binds, gears included, whose `sizes` may be more than the
+/// usual; a file without a mechanism is an error. Empty iff an error was added.
 std::optional<Loaded> load(const std::string& path,
                            const std::vector<Override>& overrides,
                            SourceFile& source,

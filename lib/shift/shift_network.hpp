@@ -25,9 +25,7 @@ struct ShiftNetwork {
 
   /// How many elements a gear engages: what the inputs leave of the mobility; none if they leave
   /// nothing.
-  int needed() const {
-    return std::max(0, net_freedom() - static_cast<int>(inputs.rows()));
-  }
+  int needed() const { return std::max(0, net_freedom() - static_cast<int>(inputs.rows())); }
 };
 
 /// From one elimination of the velocity system without primaries (Davies; Cazangi 2008, section

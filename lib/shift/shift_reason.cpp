@@ -26,11 +26,10 @@ class ReasonWriter {
     if (count == network_.needed()) {
       return cause;
     }
-    const std::string number =
-        fmt::format("engages {} element{} where a gear needs {}",
-                    count == 0 ? "no" : std::to_string(count),
-                    count == 1 ? "" : "s",
-                    network_.needed());
+    const std::string number = fmt::format("engages {} element{} where a gear needs {}",
+                                           count == 0 ? "no" : std::to_string(count),
+                                           count == 1 ? "" : "s",
+                                           network_.needed());
     return cause.empty() ? number : fmt::format("{}: {}", number, cause);
   }
 
@@ -52,17 +51,14 @@ class ReasonWriter {
             actuator_name(plan_.inputs[static_cast<std::size_t>(state_.which)].actuator),
             freedoms_text(state_.freedom, false));
       case ShiftCause::output_free:
-        return fmt::format(
-            "output '{}' is free: with {} at rest {}; {}",
-            actuator_name(plan_.outputs[static_cast<std::size_t>(state_.which)]),
-            plan_.inputs.size() == 1 ? "the input" : "the inputs",
-            freedoms_text(state_.idle, true),
-            held_text());
+        return fmt::format("output '{}' is free: with {} at rest {}; {}",
+                           actuator_name(plan_.outputs[static_cast<std::size_t>(state_.which)]),
+                           plan_.inputs.size() == 1 ? "the input" : "the inputs",
+                           freedoms_text(state_.idle, true),
+                           held_text());
       case ShiftCause::outputs_held:
-        return fmt::format("{} held: {}; {}",
-                           outputs_text(),
-                           held_text(),
-                           freedoms_text(state_.freedom, false));
+        return fmt::format(
+            "{} held: {}; {}", outputs_text(), held_text(), freedoms_text(state_.freedom, false));
       case ShiftCause::redundant:
         return fmt::format(
             "{} {} no slip already through the other elements, so that their torques are open; {}",
@@ -150,8 +146,9 @@ class ReasonWriter {
       return "no freedom is left";
     }
     const Names names = bodies(motions(has_inputs_at_rest), true);
-    return count == 1 ? fmt::format("1 freedom is left, which moves {}", plain_list(names))
-                      : fmt::format("{} freedoms are left, which move {}", count, plain_list(names));
+    return count == 1
+               ? fmt::format("1 freedom is left, which moves {}", plain_list(names))
+               : fmt::format("{} freedoms are left, which move {}", count, plain_list(names));
   }
 
   const Topology& topology_;

@@ -119,10 +119,10 @@ class ShiftSolver {
         continue;
       }
       const double output = one.state.outputs.front().value_or(0.0);
-      gears.push_back({.state = static_cast<int>(s),
-                       .ratio = output == 0.0 ? std::nullopt
-                                              : std::optional(one.state.inputs.front() / output),
-                       .engaged = one.engaged});
+      gears.push_back(
+          {.state = static_cast<int>(s),
+           .ratio = output == 0.0 ? std::nullopt : std::optional(one.state.inputs.front() / output),
+           .engaged = one.engaged});
     }
     sort_gears(gears);
     std::vector<NamedShiftState> states;

@@ -59,9 +59,8 @@ class StateSolver {
       } else if (std::abs(left_.rate(network_.inputs.row(i)) - speed) >
                  kConsistency * std::abs(speed)) {
         const bool is_held = left_.rate(network_.inputs.row(i)) == 0.0;
-        return refuse(ShiftClass::locked,
-                      is_held ? ShiftCause::input_held : ShiftCause::inputs_coupled,
-                      i);
+        return refuse(
+            ShiftClass::locked, is_held ? ShiftCause::input_held : ShiftCause::inputs_coupled, i);
       }
     }
     state_.idle = left_.count();
@@ -102,10 +101,10 @@ class StateSolver {
     }
     for (Eigen::Index e = 0; e < network_.elements.rows(); ++e) {
       const bool is_open = !is_engaged(static_cast<int>(e));
-      state_.slips.push_back(is_open && left_.changes(network_.elements.row(e))
-                                 ? std::nullopt
-                                 : std::optional(is_open ? left_.rate(network_.elements.row(e))
-                                                         : 0.0));
+      state_.slips.push_back(
+          is_open && left_.changes(network_.elements.row(e))
+              ? std::nullopt
+              : std::optional(is_open ? left_.rate(network_.elements.row(e)) : 0.0));
     }
   }
 
@@ -193,8 +192,7 @@ class StateSolver {
         if (state_.slips[e] && holds * sign_of(*state_.slips[e], most_slip) < 0.0) {
           refuse(ShiftClass::tie_up, ShiftCause::freewheel_engages, element);
         }
-      } else if (!state_.torques.empty() &&
-                 holds * sign_of(state_.torques[e], most_torque) < 0.0) {
+      } else if (!state_.torques.empty() && holds * sign_of(state_.torques[e], most_torque) < 0.0) {
         refuse(ShiftClass::neutral, ShiftCause::freewheel_lets_go, element);
       }
     }

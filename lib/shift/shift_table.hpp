@@ -24,11 +24,11 @@ struct GearChange {
 
 /// Lists of states are indices into ShiftSolution::states.
 struct ShiftTable {
-  std::vector<std::optional<double>> steps;   ///< of each gear, in their order: ratio of the next
-                                              ///< lower gear / its own; empty for the first and
-                                              ///< for reverse gears
-  std::optional<double> span;                 ///< ratio of the first / ratio of the last forward
-                                              ///< gear; empty with fewer than two
+  std::vector<std::optional<double>> steps;    ///< of each gear, in their order: ratio of the next
+                                               ///< lower gear / its own; empty for the first and
+                                               ///< for reverse gears
+  std::optional<double> span;                  ///< ratio of the first / ratio of the last forward
+                                               ///< gear; empty with fewer than two
   std::vector<std::vector<int>> equal_ratios;  ///< gears of one ratio by different elements
   std::vector<GearChange> changes;
 };

@@ -85,10 +85,30 @@ def at(value: Any, path: str) -> Any:
     return value
 
 
+def shift_value(shift: Any, row: dict[str, str]) -> Any:
+    if not row["case"]:
+        return shift[row["quantity"]]
+    state = shift["states"][row["case"]]
+    if row["quantity"] == "engaged":
+        return int(row["element"] in state["engaged"])
+    return at(state["elements"][row["element"]] if row["element"] else state, row["quantity"])
+
+
+def shift_values(shift: Any) -> list[Any]:
+    found = [shift[key] for key in ("possibilities", "net_freedom", "engaged", "span")]
+    for state in shift["states"].values():
+        found += state["engaged"]
+        for key, value in state.items():
+            found += numbers(value) if key != "direction" else []
+    return found
+
+
 def json_value(report: Any, row: dict[str, str]) -> Any:
     """The value of the JSON report that a row of the CSV repeats."""
     if row["pass"] == "mobility":
         return at(report["mobility"][row["element"]], row["quantity"])
+    if row["pass"] == "shift":
+        return shift_value(report["shift"], row)
     value = report["cases"][row["case"]][row["pass"]]
     if not row["element"]:
         return at(value, row["quantity"])
@@ -120,6 +140,8 @@ def repeated_values(report: Any) -> list[Any]:
             found += numbers(case["power"].get("losses", {}))
             found += [case["power"]["input"], case["power"]["balance_residual"]]
             found += [case["power"]["recirculation"]["factor"]]
+    if "shift" in report:
+        found += shift_values(report["shift"])
     return found
 
 
@@ -127,6 +149,8 @@ def status_of(report: Any, row: dict[str, str]) -> str:
     """That of the pass, but of what completes equilibrium the method."""
     if row["pass"] == "mobility":
         return "solved"
+    if row["pass"] == "shift":
+        return report["shift"]["states"][row["case"]]["class"] if row["case"] else "solved"
     value = report["cases"][row["case"]][row["pass"]]
     if row["pass"] != "statics" or "completion" not in value:
         return value["status"]
@@ -172,6 +196,16 @@ class Reports(unittest.TestCase):
                 with tempfile.NamedTemporaryFile(suffix=".json") as file:
                     Path(file.name).write_bytes(output(command, "json", path))
                     self.assertEqual(check_schemas.check(Path(file.name), schema()), [], command)
+
+    def test_have_the_same_shift_table_alone(self) -> None:
+        for path in self.for_each():
+            report = json_of("analyze", path)
+            if "shift" in report:
+                answer = json_of("shift", path)
+                self.assertEqual(check_schemas.report_faults(answer, schema()), [])
+                self.assertEqual(answer["shift"], report["shift"])
+                rows = [row for row in rows_of("analyze", path) if row[2] == "shift"]
+                self.assertEqual(rows_of("shift", path)[1:], rows)
 
     def test_have_inputs_by_their_schema(self) -> None:
         for path in self.for_each():

@@ -33,6 +33,29 @@ def ravigneaux() -> Train:
         input="shaft", output="ring")
 
 
+def zf_8hp70() -> Train:
+    """Four simple sets: S1=S2, C1=R4, C2=input, R2=S3, R3=S4, C4=output."""
+    return Train(
+        shafts=["in", "out", "s12", "r1", "c1", "s3", "c3", "s4"],
+        sets=[simple_set("s12", "r1", "c1", (48, 96)), simple_set("s12", "s3", "in", (48, 96)),
+              simple_set("s3", "s4", "c3", (69, 111)), simple_set("s4", "c1", "out", (23, 85))],
+        elements={"A": (HOUSING, "s12"), "B": (HOUSING, "r1"), "C": ("in", "s4"),
+                  "D": ("c3", "out"), "E": ("s3", "s4")},
+        input="in", output="out")
+
+
+def lepelletier_6hp26() -> Train:
+    """A simple set with its sun at rest, ring driven, before a Ravigneaux set 31/38/85."""
+    first = {"in": Fraction(71), "c0": Fraction(-37 - 71)}
+    small = {"s1": Fraction(31), "out": Fraction(-85), "c": Fraction(85 - 31)}
+    return Train(
+        shafts=["in", "c0", "s1", "s2", "c", "out"],
+        sets=[first, small, simple_set("s2", "out", "c", (38, 85))],
+        elements={"A": ("c0", "s1"), "B": ("c0", "s2"), "C": (HOUSING, "s2"), "D": (HOUSING, "c"),
+                  "E": ("in", "c")},
+        input="in", output="out")
+
+
 class ShiftTest(ReferenceTest):
     """Compares the states of a report with those of an exact train."""
 
@@ -129,6 +152,48 @@ class Ravigneaux(ShiftTest):
                 worst = self.shift["states"][name][key]
                 self.assertEqual(worst["coupling"], max(force, key=force.get))
                 self.near(worst["force"], max(force.values()), name, worst["force"])
+
+
+class Library(ShiftTest):
+    """The gearboxes of the library."""
+
+    def shift_of(self, name: str, *options: str) -> dict:
+        path = MECHANISMS / "transmissions" / f"{name}.yaml"
+        return program.run("shift", *options, str(path))["shift"]
+
+    def test_8hp70_has_nine_gears_and_one_lock(self) -> None:
+        kinds = self.check_shift(zf_8hp70(), self.shift_of("zf_8hp70"), Fraction(100))
+        self.assertEqual(kinds, ["gear"] * 9 + ["locked"])
+        self.check_shift(zf_8hp70(), self.shift_of("zf_8hp70", "--one-more", "--one-fewer"),
+                         Fraction(100))
+
+    def test_8hp70_changes_one_element_between_neighbours(self) -> None:
+        """The design of this transmission: each gear shares two elements with the next."""
+        changes = self.shift_of("zf_8hp70")["changes"]
+        pairs = {frozenset((c["from"], c["to"])) for c in changes}
+        for low, high in zip("1234567", "2345678"):
+            self.assertIn(frozenset((low, high)), pairs)
+
+    def test_6hp26_has_seven_gears(self) -> None:
+        shift = self.shift_of("lepelletier_6hp26", "--one-more", "--one-fewer")
+        self.check_shift(lepelletier_6hp26(), shift, Fraction(100))
+        of_two = [s["class"] for s in shift["states"].values() if len(s["engaged"]) == 2]
+        self.assertEqual((len(of_two), of_two.count("gear")), (10, 7))
+
+    def test_balances_power_in_every_gear(self) -> None:
+        gears = 0
+        for path in sorted((MECHANISMS / "transmissions").glob("*.yaml")):
+            report = program.run("analyze", str(path))
+            for name, case in report["cases"].items():
+                with self.subTest(file=path.name, case=name):
+                    self.assertLess(case["power"]["balance_residual"], 1e-9)
+            for name, state in report.get("shift", {"states": {}})["states"].items():
+                with self.subTest(file=path.name, state=name):
+                    if state["class"] == "gear":
+                        gears += 1
+                        self.near(state["ratio"] * state["torque_ratio"], -1.0, name)
+                        self.assertIn(name, report["cases"])
+        self.assertGreaterEqual(gears, 9 + 7 + 5 + 5 + 5 + 4 + 4)
 
 
 class RandomTrains(ShiftTest):

@@ -97,9 +97,8 @@ class ShiftCheck {
 
   const CouplingDescription* find_coupling(const Name& element) const {
     const std::vector<CouplingDescription>& couplings = context_.description.couplings;
-    const auto at = std::ranges::find_if(couplings, [&](const CouplingDescription& one) {
-      return one.name.text == element.text;
-    });
+    const auto at = std::ranges::find_if(
+        couplings, [&](const CouplingDescription& one) { return one.name.text == element.text; });
     return at == couplings.end() ? nullptr : &*at;
   }
 

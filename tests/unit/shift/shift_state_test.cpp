@@ -16,10 +16,10 @@ class TwoSpeedTrain : public ::testing::Test {
     return solve_shift_state(network_of(mechanism_, plan_), plan_, engaged);
   }
 
-  Mechanism mechanism_ = mechanism_of(two_speed_text(
-      "  D: {type: brake, bodies: [housing, ring], at: [0, 0]}\n"
-      "  E: {type: brake, bodies: [housing, carrier], at: [0, 0]}\n"
-      "  S: {type: brake, bodies: [housing, sun], at: [0, 0]}\n"));
+  Mechanism mechanism_ =
+      mechanism_of(two_speed_text("  D: {type: brake, bodies: [housing, ring], at: [0, 0]}\n"
+                                  "  E: {type: brake, bodies: [housing, carrier], at: [0, 0]}\n"
+                                  "  S: {type: brake, bodies: [housing, sun], at: [0, 0]}\n"));
   ShiftPlan plan_ = plan_of(mechanism_, {"C", "B", "D", "E", "S"});
 };
 
@@ -124,7 +124,7 @@ TEST_F(TwoSpeedTrain, LetsAFreewheelWithoutSlipBeOpen) {
 
 // Sun and ring driven: carrier by Willis (30·10 + 70·4)/100, torques as 30 : 70 : -100.
 TEST_F(TwoSpeedTrain, AddsTheSpeedsOfTwoInputs) {
-  Mechanism mechanism = mechanism_of(two_speed_text() .replace(
+  Mechanism mechanism = mechanism_of(two_speed_text().replace(
       two_speed_text().find("out: {coupling: c}"), 18, "out: {coupling: c}, in2: {coupling: r}"));
   ShiftPlan plan = plan_of(mechanism, {});
   plan.inputs.push_back(shift_input(mechanism, "in2", 4.0, std::nullopt));

@@ -30,8 +30,11 @@ TEST(ShiftTable, OrdersForwardGearsThenReverseOnesThenThoseWithoutRatio) {
 }
 
 TEST(ShiftTable, StepsFromTheNextLowerGear) {
-  const std::vector<TableGear> gears = {
-      gear(0, 4.0, {0}), gear(1, 2.0, {1}), gear(2, 2.0, {2}), gear(3, 1.0, {3}), gear(4, -3.0, {4})};
+  const std::vector<TableGear> gears = {gear(0, 4.0, {0}),
+                                        gear(1, 2.0, {1}),
+                                        gear(2, 2.0, {2}),
+                                        gear(3, 1.0, {3}),
+                                        gear(4, -3.0, {4})};
 
   const ShiftTable table = make_shift_table(gears);
 
