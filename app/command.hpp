@@ -17,6 +17,7 @@ void add_check(CLI::App& parent, Job& job);
 void add_graph(CLI::App& parent, Job& job);
 void add_mobility(CLI::App& parent, Job& job);
 void add_inputs(CLI::App& parent, Job& job);
+void add_shift(CLI::App& parent, Job& job);
 void add_sensitivity(CLI::App& parent, Job& job);
 void add_compare(CLI::App& parent, Job& job);
 void add_new(CLI::App& parent, Job& job);

@@ -204,10 +204,11 @@ constexpr auto kCodes = std::to_array<Code>({
      no_answer,
      "mechanism is not analysed yet",
      "The file is right, but something in it that decides the answer belongs to the format and "
-     "not yet to the analysis of this version: a freewheel, a point that differs from body to "
-     "body, friction of some types, or a coupling without its place. Without it an answer would "
-     "be wrong, so there is none, and the exit status is 5. The hint says what to write instead; "
-     "'kinestat help format' lists what is not analysed."},
+     "not yet to the analysis of this version: a freewheel that 'shift' does not name, a point "
+     "that "
+     "differs from body to body, friction of some types, or a coupling without its place. "
+     "Without it an answer would be wrong, so there is none, and the exit status is 5. The hint "
+     "says what to write instead; 'kinestat help format' lists what is not analysed."},
     {"E0316",
      wrong_input,
      "value has no result",
@@ -282,6 +283,13 @@ constexpr auto kCodes = std::to_array<Code>({
      "that the "
      "numbers cannot be trusted at this position, so they are reported with this error. Compare a "
      "position nearby, and look for lengths of very different size."},
+    {"E0711",
+     wrong_input,
+     "too many combinations of shift elements",
+     "'shift' enumerates every combination of as many elements as a gear engages: the net degree "
+     "of freedom less the inputs. With many elements that are more than a table can show. Name "
+     "fewer elements, those between which you choose; what is always engaged or always open needs "
+     "no element."},
     {"E0901",
      check_failed,
      "published value is missed",
@@ -417,6 +425,26 @@ constexpr auto kCodes = std::to_array<Code>({
      "Friction holds a rope on a pulley as long as the ratio of its tensions is at most exp(mu "
      "theta), theta being the contact angle (Euler and Eytelwein). The case does not let the rope "
      "slip, and the ratio is larger: so it will slip, or needs more pretension."},
+    {"W0701",
+     done,
+     "loss of a mesh is not known",
+     "A mesh loses a share of the power that rolls as seen from its carrier, the body in which the "
+     "axes of both gears stand. Here no body holds both axes, or several do, so that the carrier "
+     "model gives no efficiency. The axes of a gear are those of its revolute and cylindrical "
+     "couplings, clutches and brakes; the absolute model needs no carrier."},
+    {"W0702",
+     done,
+     "losses of meshes lock the case",
+     "With the losses of its meshes the train cannot be driven by the input alone: whichever gears "
+     "drive, the output, too, would have to give power. It is a result and no mistake: a train of "
+     "high ratio may hold a load without a brake. The report has the efficiency of the other "
+     "direction; 'kinestat help losses' has an example."},
+    {"W0711",
+     done,
+     "too few shift elements for a gear",
+     "A gear engages as many elements as the net degree of freedom has more than there are "
+     "inputs, and 'shift' names fewer: so no combination holds all that must be held. An element "
+     "is missing, or a body of the train is held by nothing."},
     {"W0901",
      done,
      "tolerance meets no value",

@@ -16,6 +16,7 @@
 #include "mechanism/internal/geometry_check.hpp"
 #include "mechanism/internal/graph_binder.hpp"
 #include "mechanism/internal/load_binder.hpp"
+#include "mechanism/internal/loss_binder.hpp"
 #include "mechanism/internal/planet_set.hpp"
 #include "mechanism/internal/section_checks.hpp"
 #include "mechanism/internal/structure_binder.hpp"
@@ -192,6 +193,10 @@ std::optional<Mechanism> bind_for(Purpose purpose,
     (void)check_gears(context);
   }
   bind_sections(context, result);
+  if (found.error_count() == errors_before && description.losses) {
+    result.lossy_meshes = bind_losses(description, evaluator, found);
+    result.loss_model = description.losses->model;
+  }
   if (found.error_count() == errors_before) {
     evaluator.warn_of_unused();
     warn_of_idle_stiffness(description, found);

@@ -12,6 +12,7 @@
 #include "mechanism/case.hpp"
 #include "mechanism/friction.hpp"
 #include "mechanism/geometry.hpp"
+#include "mechanism/lossy_mesh.hpp"
 #include "mechanism/topology.hpp"
 
 namespace kinestat {
@@ -24,6 +25,8 @@ struct Mechanism {
   Geometry geometry;
   std::vector<CouplingFriction> frictions;  ///< of the couplings that have any
   std::vector<CableContact> contacts;       ///< of cables with pulleys
+  std::vector<LossyMesh> lossy_meshes;
+  LossModel loss_model = LossModel::carrier;  ///< whose efficiency counts
   CouplingGraph graph;
   OrderChoice kinematic_order = OrderChoice::minimal;
   OrderChoice static_order = OrderChoice::minimal;

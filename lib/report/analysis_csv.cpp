@@ -6,6 +6,7 @@
 #include "core/utf8.hpp"
 #include "report/csv.hpp"
 #include "report/numbers.hpp"
+#include "report/shift_csv.hpp"
 
 namespace kinestat {
 
@@ -76,9 +77,7 @@ class CsvWriter {
     const std::string group = quantity.substr(0, quantity.find('/'));
     const char last = quantity.empty() ? ' ' : quantity.back();
     if (place.pass == "power") {
-      const bool is_share =
-          group == "balance_residual" || group == "efficiency" || group == "recirculation";
-      return is_share ? "" : units.text(QuantityKind::power);
+      return power_unit(units, place.element, group, quantity);
     }
     if (group == "rate") {
       return units.text(is_rotation(place.element) ? QuantityKind::angular_velocity
@@ -99,6 +98,21 @@ class CsvWriter {
     }
     return path.starts_with("contact/") ? contact_unit(units, path)
                                         : simple_unit(units, quantity, group);
+  }
+
+  std::string power_unit(const FileUnits& units,
+                         const std::string& element,
+                         const std::string& group,
+                         const std::string& quantity) const {
+    if (group == "lossy_action") {
+      return units.text(is_couple(element) ? QuantityKind::moment : QuantityKind::force);
+    }
+    if (quantity == "loss/couple") {
+      return units.text(QuantityKind::moment);
+    }
+    const bool is_share = group == "balance_residual" || group == "losses" ||
+                          group == "efficiency" || group == "recirculation";
+    return is_share ? "" : units.text(QuantityKind::power);
   }
 
   static std::string contact_unit(const FileUnits& units, const std::string& path) {
@@ -250,6 +264,21 @@ void add_statics(CsvWriter& writer, const Place& place, const Json& pass) {
   }
 }
 
+void add_efficiency(CsvWriter& writer, const Place& place, const Json& shares) {
+  for (const char* model : {"friction", "carrier", "carrier_backward", "absolute"}) {
+    if (shares.contains(model)) {
+      writer.add(place, std::string("efficiency/") + model, shares[model]);
+    }
+  }
+}
+
+void add_losses(CsvWriter& writer, const Place& place, const Json& losses) {
+  add_elements(writer, place, losses["meshes"], "loss");
+  add_elements_if_any(writer, place, losses, "friction", "lossy_friction");
+  add_elements(writer, place, losses["actuators"], "lossy_action");
+  writer.add(place, "losses/balance_residual", losses["balance_residual"]);
+}
+
 void add_case(CsvWriter& writer, const Place& place, const Json& pass) {
   if (place.pass == "kinematics") {
     add_elements(writer, place, pass["freedoms"], "rate");
@@ -263,7 +292,10 @@ void add_case(CsvWriter& writer, const Place& place, const Json& pass) {
     add_elements_if_any(writer, place, pass, "loads", "load");
     add_elements_if_any(writer, place, pass, "friction", "friction");
     if (pass.contains("efficiency")) {
-      writer.add(place, "efficiency/friction", pass["efficiency"]["friction"]);
+      add_efficiency(writer, place, pass["efficiency"]);
+    }
+    if (pass.contains("losses")) {
+      add_losses(writer, place, pass["losses"]);
     }
     add_elements(writer, place, pass["bodies"], "body");
     add_elements_if_any(writer, place, pass, "meshes", "mesh");
@@ -302,6 +334,9 @@ std::vector<CsvTable> analysis_csv(const Analysis& analysis, const Json& report)
     if (has_rows) {
       tables.push_back(std::move(table));
     }
+  }
+  if (analysis.shift) {
+    tables.push_back({.pass = "shift", .text = shift_csv(analysis, report["shift"])});
   }
   return tables;
 }

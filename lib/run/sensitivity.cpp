@@ -226,6 +226,12 @@ class SensitivityJob {
     }
   }
 
+  static bool is_of_mesh_losses(const std::string& name) {
+    return name.find("power/losses/") != std::string::npos ||
+           name.find("power/efficiency/carrier") != std::string::npos ||
+           name.find("power/efficiency/absolute") != std::string::npos;
+  }
+
   static std::optional<ReportedValue> find_value(const DualCase& values, const std::string& name) {
     const std::string_view path = name.starts_with('/') ? std::string_view(name).substr(1) : name;
     const std::string prefix = fmt::format("cases/{}/", values.which().label);
@@ -241,7 +247,10 @@ class SensitivityJob {
             "E0101",
             {},
             fmt::format("--of '{}': no case has such a value with derivatives", printable(name)),
-            known_names_.empty()
+            is_of_mesh_losses(name)
+                ? "what losses of meshes make of a case has no derivatives yet; "
+                  "compare two analyses with --set"
+            : known_names_.empty()
                 ? "no case is solved: 'kinestat analyze' says why"
                 : guess_before(name,
                                known_names_,

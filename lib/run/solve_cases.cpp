@@ -223,6 +223,14 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const Case& 
     result.power = find_power(mechanism, which, *result.motion, *result.action);
     result.power_graph =
         find_power_graph(mechanism, which, *result.motion, *result.action, *result.power);
+    if (!mechanism.lossy_meshes.empty()) {
+      result.efficiency = find_transmission_efficiency(mechanism,
+                                                       bases.action,
+                                                       {.which = which,
+                                                        .motion = *result.motion,
+                                                        .power = *result.power,
+                                                        .graph = *result.power_graph});
+    }
   }
   if (is_solved(result.motion) && !which.inputs.empty() && which.outputs.size() == 1) {
     result.ratios = find_ratios(
@@ -248,6 +256,7 @@ Analysis solve_cases(std::string file, Loaded loaded) {
   analysis.file = std::move(file);
   analysis.mobility = counts_of(loaded);
   analysis.cases = solve_all_cases(loaded.mechanism);
+  analysis.shift = std::move(loaded.shift);
   analysis.description = std::move(loaded.description);
   analysis.mechanism = std::move(loaded.mechanism);
   find_affine_dependence(analysis);
