@@ -65,12 +65,37 @@ class GearReader {
           analysis_.mechanism, which, *one_.motion, has_actions() ? &*one_.action : nullptr);
     } else if (const double slow = state_.state.outputs[o].value_or(0.0); slow != 0.0) {
       ratios.ratio = state_.state.inputs.front() / slow;
+      ratios.torque_ratio = torque_ratio_to(plan_.outputs[o]);
     }
     const RatiosInUnits shown =
         ratios_in_units(ratios, which, analysis_.mechanism, analysis_.description.units);
     values_.ratios.push_back(shown.ratio.value);
     values_.torque_ratios.push_back(shown.torque_ratio.value);
     values_.reasons.push_back(ratios.reason);
+  }
+
+  // The actions of all inputs over that of the output.
+  std::optional<double> torque_ratio_to(int output) const {
+    if (!has_actions()) {
+      return std::nullopt;
+    }
+    double sum = 0.0;
+    for (const ShiftInput& input : plan_.inputs) {
+      const std::optional<double> action = action_of(input.actuator);
+      if (!action) {
+        return std::nullopt;
+      }
+      sum += *action;
+    }
+    const std::optional<double> out = action_of(output);
+    return out && *out != 0.0 ? std::optional(sum / *out) : std::nullopt;
+  }
+
+  std::optional<double> action_of(int index) const {
+    const int action = actuator(index).action;
+    return is_by_convention(*one_.action, action)
+               ? std::nullopt
+               : one_.action->magnitudes[static_cast<std::size_t>(action)];
   }
 
   void add_element(std::size_t e) {

@@ -18,6 +18,9 @@ namespace {
 constexpr const char* kEngaged = "●";
 constexpr const char* kOpen = "·";
 
+// Combinations that are no gear: beyond so many nobody reads their reasons.
+constexpr std::size_t kMostShown = 40;
+
 // A cell of the table; empty where there is no value.
 std::string shown(const std::optional<double>& value) {
   return value ? format_short(*value) : "-";
@@ -54,14 +57,12 @@ class ShiftTables {
   }
 
   std::string head_text() const {
-    const std::size_t elements = plan_.elements.size();
     const std::size_t inputs = plan_.inputs.size();
     std::string text = fmt::format(
-        "Shift table: {} of {} element{} engaged (net degree of freedom {}, {} input{}), {:.0f} "
-        "possibilit{}, {} gear{}\n\n",
+        "Shift table: a gear engages {} of {} elements (net degree of freedom {}, {} input{}), "
+        "{:.0f} possibilit{}, {} gear{}\n\n",
         solution_.needed,
-        elements,
-        elements == 1 ? "" : "s",
+        plan_.elements.size(),
         solution_.net_freedom,
         inputs,
         inputs == 1 ? "" : "s",
@@ -180,7 +181,8 @@ class ShiftTables {
   // Combinations that are no gear, each with its reason below the table.
   std::string others_text() const {
     const std::size_t first = gears_.size();
-    const std::size_t count = solution_.states.size() - first;
+    const std::size_t all = solution_.states.size() - first;
+    const std::size_t count = std::min(all, kMostShown);
     if (count == 0) {
       return {};
     }
@@ -194,6 +196,9 @@ class ShiftTables {
       reasons += fmt::format("  {}: {}\n", name_of(static_cast<int>(s)), one.reason);
     }
     columns.push_back(std::move(kinds));
+    if (count < all) {
+      reasons += fmt::format("  and {} more, which --format csv lists\n", all - count);
+    }
     return table_text(columns) + reasons + "\n";
   }
 

@@ -138,7 +138,9 @@ class ReasonWriter {
 
   std::string held_text() const {
     const Names names = bodies(motions(false), false);
-    return names.empty() ? "no body is held" : fmt::format("held are {}", plain_list(names));
+    return names.empty()
+               ? "no body is held"
+               : fmt::format("held {} {}", names.size() == 1 ? "is" : "are", plain_list(names));
   }
 
   std::string freedoms_text(int count, bool has_inputs_at_rest) const {
