@@ -35,9 +35,10 @@ bool is_between_inputs_and_outputs(const Case& which, const CasePowers& powers) 
   return beside <= kPowerBalance * largest;
 }
 
-bool takes_any(const std::vector<int>& chosen, const CasePowers& powers) {
+// Whether one of them has a power of that sign, +1 or -1.
+bool has_power(const std::vector<int>& chosen, double sign, const CasePowers& powers) {
   return std::ranges::any_of(chosen, [&](int i) {
-    return powers.actuators[static_cast<std::size_t>(i)] < -kPowerBalance * powers.largest;
+    return sign * powers.actuators[static_cast<std::size_t>(i)] > kPowerBalance * powers.largest;
   });
 }
 
@@ -64,13 +65,16 @@ Efficiency find_efficiency(const Case& which, const CasePowers& powers) {
     return none(out > nothing ? "the inputs take power, the outputs drive"
                               : "the inputs take power");
   }
-  if (takes_any(which.inputs, powers)) {
+  if (has_power(which.inputs, -1.0, powers)) {
     return none("one of the inputs takes power");
   }
   if (out > kPowerBalance * in) {
     return {.value = std::nullopt,
             .reason = "friction takes more than the inputs give",
             .is_self_locking = true};
+  }
+  if (has_power(which.outputs, 1.0, powers)) {
+    return none("one of the outputs gives power");
   }
   if (out >= -kPowerBalance * in) {
     return {.value = 0.0, .reason = "friction takes all that the inputs give"};

@@ -10,9 +10,9 @@
 namespace kinestat {
 
 /// Power of the outputs over that of the inputs, each summed. Empty where the case does not name
-/// both, where an input takes power or none gives any, where the outputs too give some
-/// (self-locking), and where loads or other actuators exchange power: the reason says so, but for a
-/// case that does not name both. Never below 0; where it is 0 there is a reason too.
+/// both, where an input takes power or none gives any, where an output gives some (self-locking if
+/// all of them together do), and where loads or other actuators exchange power: the reason says so,
+/// but for a case that does not name both. Never below 0; where it is 0 there is a reason too.
 struct Efficiency {
   std::optional<double> value;
   std::string reason;

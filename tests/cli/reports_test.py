@@ -75,7 +75,7 @@ def numbers(value: Any) -> Iterator[Any]:
     if isinstance(value, (dict, list)):
         for item in value.values() if isinstance(value, dict) else value:
             yield from numbers(item)
-    elif value is None or isinstance(value, (int, float)):
+    elif value is None or isinstance(value, (int, float)) and not isinstance(value, bool):
         yield value
 
 

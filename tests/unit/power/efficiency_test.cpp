@@ -46,6 +46,14 @@ TEST(Efficiency, HasNoValueWhereOneInputTakesPower) {
             "one of the inputs takes power");
 }
 
+TEST(Efficiency, HasNoValueWhereOneOutputGivesPower) {
+  Case which = drive();
+  which.outputs = {2, 3};
+
+  EXPECT_EQ(efficiency_of(which, {100.0, 0.0, -110.0, 20.0}).reason,
+            "one of the outputs gives power");
+}
+
 TEST(Efficiency, HasNoValueInReverse) {
   EXPECT_EQ(efficiency_of(drive(), {-97.0, 0.0, 100.0, 0.0}).reason,
             "the inputs take power, the outputs drive");
