@@ -1,5 +1,7 @@
 #include "report/shift_json.hpp"
 
+#include <cstdint>
+
 #include "core/contract.hpp"
 #include "report/gear_values.hpp"
 
@@ -17,7 +19,7 @@ class ShiftWriter {
 
   Json run() const {
     Json result = object_of(8);
-    result["possibilities"] = number(solution_.possibilities);
+    result["possibilities"] = static_cast<std::int64_t>(solution_.possibilities);
     result["net_freedom"] = solution_.net_freedom;
     result["engaged"] = solution_.needed;
     result["states"] = object_of(solution_.states.size());

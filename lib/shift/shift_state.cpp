@@ -23,6 +23,9 @@ class StateSolver {
       find_unloaded();
       find_torques();
       check_freewheels();
+      if (!plan_.asks_actions) {
+        forget_torques();
+      }
     }
     return std::move(state_);
   }
@@ -132,7 +135,7 @@ class StateSolver {
       unknown.push_back(network_.elements.row(element));
     }
     for (Eigen::Index i = 0; i < network_.inputs.rows(); ++i) {
-      const std::optional<double>& action = plan_.inputs[static_cast<std::size_t>(i)].action;
+      const std::optional<double> action = action_of(static_cast<std::size_t>(i));
       if (action) {
         work -= *action * network_.inputs.row(i).transpose();
       } else {
@@ -142,7 +145,7 @@ class StateSolver {
     for (Eigen::Index o = 0; o < network_.outputs.rows(); ++o) {
       unknown.push_back(network_.outputs.row(o));
     }
-    if (!plan_.asks_actions || static_cast<Eigen::Index>(unknown.size()) != motions) {
+    if (static_cast<Eigen::Index>(unknown.size()) != motions) {
       return;
     }
     MatX powers(motions, motions);
@@ -160,12 +163,27 @@ class StateSolver {
     for (const int element : engaged_) {
       state_.torques[static_cast<std::size_t>(element)] = torques[next++];
     }
-    for (const ShiftInput& input : plan_.inputs) {
-      state_.input_torques.push_back(input.action ? *input.action : torques[next++]);
+    for (std::size_t i = 0; i < plan_.inputs.size(); ++i) {
+      const std::optional<double> action = action_of(i);
+      state_.input_torques.push_back(action ? *action : torques[next++]);
     }
     for (std::size_t o = 0; o < plan_.outputs.size(); ++o) {
       state_.output_torques.push_back(torques[next++]);
     }
+  }
+
+  // The action of an input. Where the file gives none, the first one is taken to drive, so that
+  // torques have a sense.
+  std::optional<double> action_of(std::size_t input) const {
+    const ShiftInput& one = plan_.inputs[input];
+    return plan_.asks_actions || input > 0 ? one.action
+                                           : std::optional(std::copysign(1.0, one.speed));
+  }
+
+  void forget_torques() {
+    state_.torques.clear();
+    state_.input_torques.clear();
+    state_.output_torques.clear();
   }
 
   // What is smaller than rounding of the largest has no sign.

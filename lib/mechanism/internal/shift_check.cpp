@@ -46,7 +46,6 @@ class ShiftCheck {
     check_actuators(shift_.elements, "'elements' of 'shift'");
     check_roles();
     check_elements();
-    check_freewheels();
     check_values(shift_.input_motion, kMotion, "'input_motion'");
     check_values(shift_.input_action, kAction, "'input_action'");
     for (const GearLabel& gear : shift_.names) {
@@ -117,22 +116,6 @@ class ShiftCheck {
                                          "[…, …], at: …}}, and name that",
                                          element.text + "_brake"));
       }
-    }
-  }
-
-  // The sign of the torque decides about a freewheel.
-  void check_freewheels() {
-    const auto freewheel = std::ranges::find_if(shift_.elements, [&](const Name& element) {
-      const CouplingDescription* coupling = find_coupling(element);
-      return coupling != nullptr && coupling->one_way.has_value();
-    });
-    if (freewheel != shift_.elements.end() && shift_.input_action.empty()) {
-      context_.found.error("E0303",
-                           shift_.where,
-                           fmt::format("'shift' has the freewheel '{}' and no 'input_action', "
-                                       "whose sense decides when it holds",
-                                       freewheel->text),
-                           "add for example input_action: 100 N*m");
     }
   }
 

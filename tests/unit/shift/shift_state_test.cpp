@@ -105,6 +105,17 @@ TEST_F(TwoSpeedTrain, IdlesWithAFreewheelOfTheOtherSign) {
   EXPECT_EQ(state({1}).which, 1);
 }
 
+TEST_F(TwoSpeedTrain, TakesAnInputWithoutActionToDrive) {
+  plan_.asks_actions = false;
+  plan_.inputs.front().action.reset();
+  plan_.elements[1].one_way = 1;
+  EXPECT_EQ(state({1}).kind, ShiftClass::gear);
+  EXPECT_TRUE(state({1}).torques.empty());
+
+  plan_.elements[1].one_way = -1;
+  EXPECT_EQ(state({1}).cause, ShiftCause::freewheel_lets_go);
+}
+
 // With the clutch engaged the ring turns forwards: a freewheel that holds it in that sense ties up.
 TEST_F(TwoSpeedTrain, TiesUpWhereAnOpenFreewheelWouldHold) {
   plan_.elements[1].one_way = -1;
