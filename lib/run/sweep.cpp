@@ -359,8 +359,9 @@ void sweep_into(const std::string& path,
   Diagnostics found;
   std::string told;
   if (std::optional<Loaded> loaded = load(path, options.overrides, source, found)) {
-    const auto task = make_sweep_task(source, *std::move(loaded), options, found);
+    std::optional<SweepTask> task = make_sweep_task(source, *std::move(loaded), options, found);
     if (task) {
+      task->tapes = record_tapes(*task);
       Outcome counted;
       options.folder.empty() ? stream(*task, options, hooks, found, counted)
                              : store(*task, options, hooks, found, counted);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
@@ -24,6 +23,7 @@ TapeRecorder::TapeRecorder(const SparseMatrix& matrix,
                            const std::vector<bool>& varies,
                            std::span<const int> last)
     : rows_(static_cast<std::size_t>(matrix.rows)),
+      columns_(static_cast<std::size_t>(matrix.columns)),
       active_(rows_.size(), true),
       varies_(varies) {
   tape_.scaling_ = find_scaling(without_zeros(matrix));
@@ -34,6 +34,7 @@ TapeRecorder::TapeRecorder(const SparseMatrix& matrix,
     const bool is_new =
         at(rows_, entry.row).emplace(entry.column, static_cast<int>(tape_.cells_.size())).second;
     KINESTAT_EXPECTS(is_new);
+    at(columns_, entry.column).insert(entry.row);
     tape_.scale_.push_back(scale);
     tape_.cells_.push_back(entry.value * scale);
   }
@@ -49,35 +50,23 @@ double TapeRecorder::size_of(int cell) const {
   return std::abs(at(values_, cell));
 }
 
-int TapeRecorder::count_of(int column) const {
-  int count = 0;
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
-    count += active_[r] && rows_[r].contains(column) ? 1 : 0;
-  }
-  return count;
-}
-
 // The sparsest row with a sufficient entry; false where all are small.
 bool TapeRecorder::choose(int column, Pivot& pivot) const {
   double largest = 0.0;
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
-    const auto cell = rows_[r].find(column);
-    if (active_[r] && cell != rows_[r].end()) {
-      largest = std::max(largest, size_of(cell->second));
-    }
+  for (const int r : at(columns_, column)) {
+    largest = std::max(largest, size_of(at(rows_, r).at(column)));
   }
   if (largest < kPivotWaits) {
     return false;
   }
   std::size_t shortest = 0;
   bool is_found = false;
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
-    const auto cell = rows_[r].find(column);
-    const bool is_good = active_[r] && cell != rows_[r].end() &&
-                         size_of(cell->second) >= kPivotShare * largest;
-    if (is_good && (!is_found || rows_[r].size() < shortest)) {
-      pivot = {.row = static_cast<int>(r), .column = column, .cell = cell->second};
-      shortest = rows_[r].size();
+  for (const int r : at(columns_, column)) {
+    const Row& row = at(rows_, r);
+    const int cell = row.at(column);
+    if (size_of(cell) >= kPivotShare * largest && (!is_found || row.size() < shortest)) {
+      pivot = {.row = r, .column = column, .cell = cell};
+      shortest = row.size();
       is_found = true;
     }
   }
@@ -88,7 +77,7 @@ bool TapeRecorder::choose(int column, Pivot& pivot) const {
 bool TapeRecorder::pivot_once() {
   std::vector<std::pair<int, int>> by_count;
   for (const int column : open_) {
-    by_count.emplace_back(count_of(column), column);
+    by_count.emplace_back(static_cast<int>(at(columns_, column).size()), column);
   }
   std::ranges::sort(by_count);
   for (const auto& [count, column] : by_count) {
@@ -107,10 +96,12 @@ void TapeRecorder::eliminate(const Pivot& pivot) {
   if (at(varies_, pivot.cell)) {
     tape_.pivots_.push_back(pivot.cell);
   }
-  for (std::size_t r = 0; r < rows_.size(); ++r) {
-    if (active_[r] && rows_[r].contains(pivot.column)) {
-      subtract(static_cast<int>(r), pivot);
-    }
+  for (const auto& [column, cell] : at(rows_, pivot.row)) {
+    at(columns_, column).erase(pivot.row);
+  }
+  const std::set<int> others = at(columns_, pivot.column);
+  for (const int r : others) {
+    subtract(r, pivot);
   }
   pivots_.push_back(pivot);
 }
@@ -124,6 +115,7 @@ void TapeRecorder::subtract(int row, const Pivot& pivot) {
   EliminationTape::Subtraction one{
       .entry = entry, .pivot = pivot.cell, .first_step = static_cast<int>(tape_.steps_.size())};
   target.erase(pivot.column);
+  at(columns_, pivot.column).erase(row);
   std::vector<EliminationTape::Step> fills;
   for (const auto& [column, cell] : at(rows_, pivot.row)) {
     const auto present = target.find(column);
@@ -132,6 +124,7 @@ void TapeRecorder::subtract(int row, const Pivot& pivot) {
     }
     if (present == target.end()) {
       const EliminationTape::Step fill{.target = fill_in(target, column), .source = cell};
+      at(columns_, column).insert(row);
       if (step(fill, factor, varies, true)) {
         fills.push_back(fill);
       }
@@ -211,6 +204,10 @@ void TapeRecorder::record_substitutions(std::span<const int> wanted) {
 }
 
 bool TapeRecorder::run(std::span<const int> wanted) {
+  constexpr std::size_t kMostColumns = 1000;  // a larger one takes longer to record than to solve
+  if (columns_.size() > kMostColumns) {
+    return false;
+  }
   while (!open_.empty()) {
     if (!pivot_once()) {
       return false;

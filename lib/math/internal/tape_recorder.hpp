@@ -2,6 +2,8 @@
 #pragma once
 
 #include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "math/elimination_tape.hpp"
@@ -30,7 +32,6 @@ class TapeRecorder {
   };
 
   double size_of(int cell) const;
-  int count_of(int column) const;
   bool choose(int column, Pivot& pivot) const;
   bool pivot_once();
   void eliminate(const Pivot& pivot);
@@ -43,6 +44,7 @@ class TapeRecorder {
   EliminationTape tape_;  // its cells are left as they are before the first step that varies
   std::vector<double> values_;  ///< of each cell, for the matrix that is recorded
   std::vector<Row> rows_;
+  std::vector<std::set<int>> columns_;  ///< active rows that hold the column
   std::vector<bool> active_;
   std::vector<bool> varies_;  ///< of each cell
   std::vector<int> open_;     ///< columns that have no pivot yet

@@ -26,19 +26,12 @@ Expression expression_of(const Quantity& value) {
   return std::get<Expression>(std::move(parsed));
 }
 
-std::string_view motion_status(const KinematicSolution& motion, int usual_rank) {
-  const bool is_undecided = motion.status == SolveStatus::dependent ||
-                            motion.status == SolveStatus::underdetermined;
-  if (motion.status == SolveStatus::dependent && motion.counts.net_freedom <= 0) {
-    return "locked";
-  }
-  return is_undecided && motion.evidence.rank < usual_rank ? "singular" : word_of(motion.status);
-}
-
-std::string_view action_status(const StaticSolution& action, int usual_rank) {
-  const bool is_singular =
-      action.status != SolveStatus::solved && action.evidence.rank < usual_rank;
-  return is_singular ? "singular" : word_of(action.status);
+// Known magnitudes that no longer fit where they usually do: the position is to blame.
+std::string_view status_word(SolveStatus status, bool is_usually_solved) {
+  const bool is_of_choice = status == SolveStatus::dependent ||
+                            status == SolveStatus::underdetermined ||
+                            status == SolveStatus::inconsistent;
+  return is_usually_solved && is_of_choice ? "singular" : word_of(status);
 }
 
 bool has_solved_motion(const CaseAnalysis& one) {
@@ -62,13 +55,14 @@ std::string_view ratio_status(const CaseAnalysis& one, const Topology& topology)
 
 std::string_view row_status(const CaseAnalysis& one,
                             const SweepTask& task,
-                            int motion_rank,
-                            int action_rank) {
+                            bool is_usually_solved) {
   if (one.motion && one.motion->status != SolveStatus::solved) {
-    return motion_status(*one.motion, motion_rank);
+    return one.motion->status == SolveStatus::dependent && one.motion->counts.net_freedom <= 0
+               ? "locked"
+               : status_word(one.motion->status, is_usually_solved);
   }
   if (one.action && one.action->status != SolveStatus::solved) {
-    return action_status(*one.action, action_rank);
+    return status_word(one.action->status, is_usually_solved);
   }
   const bool asks_power = std::ranges::any_of(
       task.quantities, [](const SweepQuantity& quantity) { return needs_power(quantity.kind); });
@@ -145,7 +139,7 @@ void StateSolver::analyse(const StateWalk& walk) {
       solve_some_cases(*mechanism, chosen_cases(task_, *mechanism));
   for (std::size_t i = 0; i < cases.size(); ++i) {
     fill_row(task_, *mechanism, cases[i], rows_[i]);
-    rows_[i].status = row_status(cases[i], task_, task_.motion_ranks[i], task_.action_ranks[i]);
+    rows_[i].status = row_status(cases[i], task_, task_.is_usually_solved[i]);
   }
 }
 

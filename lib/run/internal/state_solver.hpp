@@ -54,11 +54,8 @@ void fill_row(const SweepTask& task,
               SweepRow& row);
 
 /// What the status of a row says of a case: that of its motion, of its actions where they are asked
-/// for, or why it has no ratio. `motion_rank` and `action_rank` are those of the mechanism as the
-/// file has it: where a state has less, its position is singular.
-std::string_view row_status(const CaseAnalysis& one,
-                            const SweepTask& task,
-                            int motion_rank,
-                            int action_rank);
+/// for, or why it has no ratio. What is known suffices and is independent with the parameters of
+/// the file if `is_usually_solved`: then a state in which it is not stands in a singular position.
+std::string_view row_status(const CaseAnalysis& one, const SweepTask& task, bool is_usually_solved);
 
 }  // namespace kinestat

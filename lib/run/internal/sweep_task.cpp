@@ -171,8 +171,7 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
                  .plan = std::move(plan),
                  .chosen = std::move(chosen),
                  .cases = {},
-                 .motion_ranks = {},
-                 .action_ranks = {},
+                 .is_usually_solved = {},
                  .quantities = *std::move(quantities),
                  .has_statics = false,
                  .key = key,
@@ -182,11 +181,11 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
       task.quantities, [](const SweepQuantity& one) { return needs_statics(one.kind); });
   task.cases = chosen_cases(task, task.mechanism);
   for (const CaseAnalysis& one : solve_some_cases(task.mechanism, task.cases)) {
-    task.motion_ranks.push_back(one.motion ? one.motion->evidence.rank : -1);
-    task.action_ranks.push_back(one.action ? one.action->evidence.rank : -1);
+    task.is_usually_solved.push_back(
+        (!one.motion || one.motion->status == SolveStatus::solved) &&
+        (!one.action || one.action->status == SolveStatus::solved));
   }
   task.header = header_of(source, options, task);
-  task.tapes = record_tapes(task);
   return task;
 }
 

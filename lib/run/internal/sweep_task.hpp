@@ -19,12 +19,12 @@ struct SweepTask {
   SweepPlan plan;
   std::vector<std::size_t> chosen;  ///< which of all cases are run
   std::vector<Case> cases;          ///< these, with the parameters of the file
-  std::vector<int> motion_ranks;    ///< of each of them, with the parameters of the file
-  std::vector<int> action_ranks;    ///< likewise; -1 where there are no actions
+  std::vector<bool> is_usually_solved;  ///< of each: whether it has an answer as the file has it
   std::vector<SweepQuantity> quantities;
   bool has_statics = false;        ///< whether a quantity needs actions
   std::optional<std::size_t> key;  ///< the quantity by which the top rows are chosen
-  std::optional<SweepTapes> tapes;  ///< empty where every state is analysed as a whole
+  std::optional<SweepTapes> tapes;  ///< which refer to the task, so that it must stay in its place;
+                                    ///< empty where every state is analysed as a whole
   SweepHeader header;
 };
 
@@ -34,7 +34,7 @@ std::vector<Case> sweepable_cases(const Mechanism& mechanism);
 /// The cases of a sweep with no more passes than its quantities need.
 std::vector<Case> chosen_cases(const SweepTask& task, const Mechanism& mechanism);
 
-/// Empty iff an error was added.
+/// Without tapes. Empty iff an error was added.
 std::optional<SweepTask> make_sweep_task(const SourceFile& source,
                                          Loaded loaded,
                                          const SweepOptions& options,

@@ -215,7 +215,7 @@ bool TapedSolver::solve(const StateWalk& walk, std::span<SweepRow> rows) {
   }
   for (std::size_t i = 0; i < analyses_.size(); ++i) {
     fill_row(task_, task_.mechanism, analyses_[i], rows[i]);
-    rows[i].status = row_status(analyses_[i], task_, -1, -1);
+    rows[i].status = row_status(analyses_[i], task_, true);
   }
   return true;
 }
