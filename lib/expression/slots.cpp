@@ -1,6 +1,7 @@
 #include "expression/slots.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -9,6 +10,37 @@
 #include "expression/internal/condition_value.hpp"
 
 namespace kinestat {
+
+namespace {
+
+// The usual case of an operation, as `operate` has it: results that are finite and no zeros, which
+// might be underflow, of bare numbers or a sum. Empty for whatever needs a closer look.
+std::optional<Quantity> usual_result(const Node& node, const Quantity& a, const Quantity& b) {
+  double value = 0.0;
+  switch (node.kind) {
+    case NodeKind::add:
+      value = a.value + b.value;
+      break;
+    case NodeKind::subtract:
+      value = a.value - b.value;
+      break;
+    case NodeKind::multiply:
+      value = a.value * b.value;
+      break;
+    case NodeKind::divide:
+      value = a.value / b.value;
+      break;
+    default:
+      return std::nullopt;
+  }
+  const bool is_sum = node.kind == NodeKind::add || node.kind == NodeKind::subtract;
+  const bool has_dimension =
+      is_sum ? a.dimension == b.dimension : is_bare(a.dimension) && is_bare(b.dimension);
+  const bool is_usual = has_dimension && std::isfinite(value) && value != 0.0;
+  return is_usual ? std::optional(Quantity{value, a.dimension}) : std::nullopt;
+}
+
+}  // namespace
 
 SlotExpression::SlotExpression(Expression expression, const SlotOf& slot_of)
     : expression_(std::move(expression)) {
@@ -37,10 +69,14 @@ std::optional<Quantity> SlotExpression::evaluate(const Slots& slots,
     }
     const int right = node.right < 0 ? node.left : node.right;
     const Unit* unit = node.right < 0 ? nullptr : nodes[static_cast<std::size_t>(right)].unit;
-    const Outcome outcome = operate(node,
-                                    scratch[static_cast<std::size_t>(node.left)],
-                                    scratch[static_cast<std::size_t>(right)],
-                                    unit);
+    const Quantity& a = scratch[static_cast<std::size_t>(node.left)];
+    const Quantity& b = scratch[static_cast<std::size_t>(right)];
+    const std::optional<Quantity> usual = unit == nullptr ? usual_result(node, a, b) : std::nullopt;
+    if (usual) {
+      scratch.push_back(*usual);
+      continue;
+    }
+    const Outcome outcome = operate(node, a, b, unit);
     const auto* value = std::get_if<Quantity>(&outcome);
     if (value == nullptr) {
       return std::nullopt;

@@ -39,12 +39,30 @@ class Dependence {
 
   bool of(const PointDescription& point) const { return of(point.coordinates); }
 
+  bool of(const CouplingPoint& at) const {
+    return of(at.point) || of(at.along_axis) ||
+           std::ranges::any_of(at.of_bodies, [&](const auto& one) { return of(one.second); });
+  }
+
+  bool of(const ScrewDescription& screw) const {
+    return of(screw.direction) || of(screw.at) || of(screw.pitch);
+  }
+
   // Of whatever shapes the coupling, its point excepted.
   bool of_shape(const CouplingDescription& coupling) const {
     return of(coupling.axis) || of(coupling.normal) || of(coupling.line) || of(coupling.slot) ||
            of(coupling.pitch) || of(coupling.lead) || of(coupling.tangent) ||
            of(coupling.line_of_action) || of(coupling.pressure_angle) || of(coupling.helix_angle) ||
            std::ranges::any_of(coupling.axes, [&](const AxisDescription& one) { return of(one); });
+  }
+
+  // Of any number of the coupling that is drawn.
+  bool of_all(const CouplingDescription& coupling) const {
+    const auto of_screw = [&](const ScrewDescription& screw) { return of(screw); };
+    return of_shape(coupling) || of(coupling.at) || of(coupling.from) || of(coupling.to) ||
+           (coupling.screw != nullptr && of(*coupling.screw)) ||
+           std::ranges::any_of(coupling.freedoms, of_screw) ||
+           std::ranges::any_of(coupling.constraints, of_screw);
   }
 
  private:
@@ -64,7 +82,7 @@ bool is_always_right(const CouplingDescription& coupling) {
     case rack:
       return false;
     case gear:
-      return !coupling.line_of_action && coupling.screw == nullptr && !coupling.contact;
+      return coupling.screw == nullptr && !coupling.contact;
     default:
       return true;
   }
@@ -77,12 +95,39 @@ bool has_more_than_couplings(const MechanismDescription& description, const Mech
          std::ranges::any_of(description.cases, has_loads);
 }
 
+// Whether every screw of a coupling is a line through its point, or has no line: then a point that
+// moves takes them along, and nothing else of the coupling changes.
+bool has_lines_through(const Topology& topology,
+                       std::size_t coupling,
+                       const Geometry& geometry,
+                       const Vec3& at) {
+  const CouplingTopology& one = topology.couplings[coupling];
+  const Vec3 point = at - geometry.origin;
+  const auto motions = std::span(geometry.motions)
+                           .subspan(static_cast<std::size_t>(one.first_freedom),
+                                    static_cast<std::size_t>(one.freedom_count));
+  const auto actions = std::span(geometry.actions)
+                           .subspan(static_cast<std::size_t>(one.first_action),
+                                    static_cast<std::size_t>(one.action_count));
+  return std::ranges::all_of(motions,
+                             [&](const Twist& twist) {
+                               return twist.angular.isZero(0.0) ||
+                                      twist.linear == moment_of_line(point, twist.angular);
+                             }) &&
+         std::ranges::all_of(actions, [&](const Wrench& wrench) {
+           return wrench.force.isZero(0.0) || wrench.moment == moment_of_line(point, wrench.force);
+         });
+}
+
 std::optional<double> number_of(const SlotExpression& value,
                                 QuantityKind kind,
                                 const FileUnits& units,
                                 const Slots& slots,
                                 std::vector<Quantity>& scratch) {
   const std::optional<Quantity> quantity = value.evaluate(slots, scratch);
+  if (quantity && is_bare(quantity->dimension) && units.scale(kind) == UnitScale{}) {
+    return quantity->value;  // as fit has it
+  }
   const auto fitted = quantity ? fit<double>(*quantity, kind, units)
                                : std::variant<double, ExpressionError>(ExpressionError{});
   const double* number = std::get_if<double>(&fitted);
@@ -134,7 +179,7 @@ bool Rebinder::add_coupling(std::size_t e,
   const std::size_t point = points_.size();
   add_points(coupling, *drawn, points_);
   if (!is_plain) {
-    return false;  // what it depends on is not looked into
+    return !depends.of_all(coupling);
   }
   const bool shape_varies = depends.of_shape(coupling);
   if (!shape_varies && !(coupling.at && depends.of(coupling.at->point))) {
@@ -170,6 +215,8 @@ bool Rebinder::add_coupling(std::size_t e,
     moving.constraints.push_back(
         label.actuator >= 0 ? -1 : static_cast<int>(at - screws.constraints.begin()));
   }
+  moving.is_through_point =
+      !shape_varies && has_lines_through(*topology_, e, mechanism.geometry, drawn->at);
   moves_[e] = true;
   moving_.push_back(std::move(moving));
   return has_place(coupling);
@@ -219,7 +266,8 @@ bool Rebinder::rebind_geometry(const Slots& slots, Geometry& geometry) {
     return false;
   }
   for (const MovingCoupling& moving : moving_) {
-    write_screws(moving, geometry.origin, geometry);
+    moving.is_through_point ? move_lines(moving, geometry.origin, geometry)
+                            : write_screws(moving, geometry.origin, geometry);
   }
   return true;
 }
@@ -285,6 +333,26 @@ void Rebinder::write_screws(const MovingCoupling& moving,
                                                   topology.first_freedom);
     geometry.actions[action] =
         internal_action<double>(screws.freedoms[freedom], local.at).screw;
+  }
+}
+
+void Rebinder::move_lines(const MovingCoupling& moving,
+                          const Vec3& origin,
+                          Geometry& geometry) const {
+  const CouplingTopology& topology =
+      topology_->couplings[static_cast<std::size_t>(moving.coupling)];
+  const Vec3 point = moving.drawn.at - origin;
+  for (int f = topology.first_freedom; f < topology.first_freedom + topology.freedom_count; ++f) {
+    Twist& twist = geometry.motions[static_cast<std::size_t>(f)];
+    if (!twist.angular.isZero(0.0)) {
+      twist.linear = moment_of_line(point, twist.angular);
+    }
+  }
+  for (int a = topology.first_action; a < topology.first_action + topology.action_count; ++a) {
+    Wrench& wrench = geometry.actions[static_cast<std::size_t>(a)];
+    if (!wrench.force.isZero(0.0)) {
+      wrench.moment = moment_of_line(point, wrench.force);
+    }
   }
 }
 

@@ -50,6 +50,7 @@ class Rebinder {
     std::vector<int> constraints;  ///< of each action: its constraint in the catalogue, or -1
     bool is_in_space = false;      ///< its actions, though the mechanism is planar
     bool is_bound_whole = false;   ///< more of it varies than the point
+    bool is_through_point = false; ///< all its lines pass through the point, and nothing else varies
     std::size_t point = 0;         ///< of all points
   };
 
@@ -70,6 +71,7 @@ class Rebinder {
   bool bind_whole(const Slots& slots, MovingCoupling& moving);
   bool place(const Slots& slots, MovingCoupling& moving);
   void write_screws(const MovingCoupling& moving, const Vec3& origin, Geometry& geometry) const;
+  void move_lines(const MovingCoupling& moving, const Vec3& origin, Geometry& geometry) const;
 
   const MechanismDescription* description_;
   const Topology* topology_;

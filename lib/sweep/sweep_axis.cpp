@@ -121,9 +121,11 @@ double SweepAxis::count_at(std::uint64_t index) const {
 }
 
 Quantity SweepAxis::value_at(std::uint64_t index) const {
-  return {counts_.empty() ? unit_.scale.to_si(count_at(index))
-                          : values_[static_cast<std::size_t>(index)],
-          dimension_};
+  if (!counts_.empty()) {
+    return {values_[static_cast<std::size_t>(index)], dimension_};
+  }
+  const double count = count_at(index);
+  return {unit_.scale == UnitScale{} ? count : unit_.scale.to_si(count), dimension_};
 }
 
 }  // namespace kinestat
