@@ -1,10 +1,12 @@
 #include "run/merge.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <exception>
 #include <map>
 #include <new>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -32,15 +34,21 @@ class ShardCheck {
 
   std::optional<WholeShard> read(const std::string& path) {
     path_ = path;
+    errno = 0;
     RecordFile file(path);
     if (!file.is_open()) {
-      found_.error("E0151", {}, fmt::format("cannot read '{}'", printable(path)));
+      found_.error("E0151",
+                   {},
+                   fmt::format("cannot read '{}': {}",
+                               printable(path),
+                               std::generic_category().message(errno)));
       return std::nullopt;
     }
     const std::optional<std::string> line = file.read_line();
     const std::optional<ShardHeader> header = line ? read_shard_header(*line) : std::nullopt;
     if (!header) {
-      refuse("is no shard of a sweep, or its first line is damaged");
+      refuse("is no shard of a sweep, or its first line is damaged",
+             "give the files that 'kinestat sweep --shard' has written");
       return std::nullopt;
     }
     if (header->header.version != kVersion) {
@@ -79,11 +87,9 @@ class ShardCheck {
            refuse("is damaged at its end");
   }
 
-  bool refuse(const std::string& why) {
-    found_.error("E0906",
-                 {},
-                 fmt::format("'{}' {}", printable(path_), why),
-                 "run this shard again, with --shard as before");
+  bool refuse(const std::string& why,
+              const char* hint = "run this shard again, with --shard as before") {
+    found_.error("E0906", {}, fmt::format("'{}' {}", printable(path_), why), hint);
     return false;
   }
 

@@ -68,8 +68,8 @@ TEST(StateWalk, PassesOverWhatOuterParametersExclude) {
   StateWalk walk(plan, 0, plan.state_count());
 
   ASSERT_TRUE(walk.next());
-  EXPECT_EQ(walk.state(), 77776U * 1000000U);
-  EXPECT_EQ(walk.excluded()[0], 77776U * 1000000U);
+  EXPECT_EQ(walk.state(), std::uint64_t{77776} * 1000000);
+  EXPECT_EQ(walk.excluded()[0], std::uint64_t{77776} * 1000000);
 }
 
 TEST(StateWalk, SaysWhereARequirementHasNoAnswer) {
