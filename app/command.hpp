@@ -19,6 +19,8 @@ void add_mobility(CLI::App& parent, Job& job);
 void add_inputs(CLI::App& parent, Job& job);
 void add_shift(CLI::App& parent, Job& job);
 void add_sensitivity(CLI::App& parent, Job& job);
+void add_sweep(CLI::App& parent, Job& job);
+void add_merge(CLI::App& parent, Job& job);
 void add_compare(CLI::App& parent, Job& job);
 void add_new(CLI::App& parent, Job& job);
 void add_schema(CLI::App& parent, Job& job);

@@ -51,6 +51,8 @@ void add_commands(CLI::App& app, Job& job) {
   kinestat::app::add_inputs(app, job);
   kinestat::app::add_shift(app, job);
   kinestat::app::add_sensitivity(app, job);
+  kinestat::app::add_sweep(app, job);
+  kinestat::app::add_merge(app, job);
   kinestat::app::add_compare(app, job);
   kinestat::app::add_explain(app, job);
   kinestat::app::add_schema(app, job);

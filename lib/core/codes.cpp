@@ -321,6 +321,30 @@ constexpr auto kCodes = std::to_array<Code>({
      "One of the two reports is JSON and the other a CSV table. A table has only a part of the "
      "report, under other keys, so the two are not compared. Give two JSON reports, or two tables "
      "of the same pass."},
+    {"E0906",
+     wrong_input,
+     "shard cannot be used",
+     "'kinestat merge' joins what 'kinestat sweep --shard' has written, and takes nothing else: this "
+     "file was cut off, changed, or belongs to another sweep, that is to another file, other "
+     "options or another version of the program. Nothing was written. Run the shard again."},
+    {"E0907",
+     wrong_input,
+     "shards do not make a whole",
+     "A sweep that was run as N shards is whole only with each of the N, once. The message says "
+     "which are missing or there twice. Nothing was written, since a table that lacks some of its "
+     "rows looks like one that has them all."},
+    {"E0908",
+     environment,
+     "an interrupted sweep is in the way",
+     "The output folder holds what an earlier run of this sweep had finished when it was "
+     "interrupted. With --resume the sweep goes on with it, provided that the file, --set, the "
+     "options and the version are still the same; with --force it is thrown away. Neither happens "
+     "unasked, for it may be the work of hours."},
+    {"W0101",
+     done,
+     "value of an option is reduced",
+     "The option asks for more than this program uses, such as more threads than any machine has "
+     "cores. The message says what is used instead; the result does not depend on it."},
     {"W0301",
      done,
      "declared but never used",

@@ -242,10 +242,15 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const Case& 
 }  // namespace
 
 std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism) {
+  return solve_some_cases(mechanism, mechanism.cases);
+}
+
+std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism,
+                                           std::span<const Case> wanted) {
   const Bases bases{.motion = motion_basis(mechanism.geometry, mechanism.kinematic_order),
                     .action = action_basis(mechanism.geometry, mechanism.static_order)};
   std::vector<CaseAnalysis> cases;
-  for (const Case& which : mechanism.cases) {
+  for (const Case& which : wanted) {
     cases.push_back(solve_case(mechanism, bases, which));
   }
   return cases;
