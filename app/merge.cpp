@@ -21,9 +21,7 @@ void add_merge(CLI::App& parent, Job& job) {
       "  kinestat merge shards/teeth.sweep-*.shard > rows.csv\n"
       "  kinestat merge --out results shards/teeth.sweep-*.shard\n");
   auto merge = std::make_shared<MergeCommand>();
-  add_argument(
-      *command, "SHARD", merge->paths, "all shards of one sweep, in any order")
-      .required();
+  add_argument(*command, "SHARD", merge->paths, "all shards of one sweep, in any order").required();
   add_result_folder(*command,
                     merge->options.folder,
                     merge->options.overwrite,

@@ -26,10 +26,9 @@ std::string duration(double seconds) {
 std::string line_of(const SweepProgress& progress, double seconds) {
   const auto done = static_cast<double>(progress.states - progress.resumed);
   const double rate = seconds > 0.0 ? done / seconds : 0.0;
-  const double share =
-      progress.total == 0
-          ? 1.0
-          : static_cast<double>(progress.states) / static_cast<double>(progress.total);
+  const double share = progress.total == 0 ? 1.0
+                                           : static_cast<double>(progress.states) /
+                                                 static_cast<double>(progress.total);
   std::string line = std::to_string(static_cast<int>(100.0 * share)) + " %, " +
                      std::to_string(progress.states) + " of " + std::to_string(progress.total) +
                      " states, " + std::to_string(progress.rows) + " rows";
@@ -45,8 +44,8 @@ std::string line_of(const SweepProgress& progress, double seconds) {
 
 ProgressLine::ProgressLine(ProgressChoice choice)
     : is_terminal_(::isatty(STDERR_FILENO) == 1), last_(begin_) {
-  is_wanted_ = choice == ProgressChoice::always ||
-               (choice == ProgressChoice::automatic && is_terminal_);
+  is_wanted_ =
+      choice == ProgressChoice::always || (choice == ProgressChoice::automatic && is_terminal_);
 }
 
 void ProgressLine::show(const SweepProgress& progress) {

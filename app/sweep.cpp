@@ -97,7 +97,8 @@ void check_together(CLI::App& command, SweepCommand& sweep) {
                        "write for example --top 20 --by efficiency");
   }
   if (is_given("--order") && !is_given("--top")) {
-    throw LonelyOption("--order", "--top", "write for example --top 20 --by ratio --order smallest");
+    throw LonelyOption(
+        "--order", "--top", "write for example --top 20 --by ratio --order smallest");
   }
   if (is_given("--top")) {
     sweep.options.top = sweep.top;
@@ -128,7 +129,8 @@ void add_sweep(CLI::App& parent, Job& job) {
       "  kinestat sweep --jobs 8 --resume --out results teeth.yaml\n"
       "  kinestat sweep --shard 2/7 --out shards teeth.yaml\n");
   auto sweep = std::make_shared<SweepCommand>();
-  add_argument(*command, "FILE", sweep->path, "mechanism file with a section sweep; - is\nstandard input")
+  add_argument(
+      *command, "FILE", sweep->path, "mechanism file with a section sweep; - is\nstandard input")
       .required();
   add_repeated(*command,
                "--set",

@@ -102,8 +102,7 @@ WrongValue::WrongValue(const std::string& option, const std::string& value, std:
       hint_(std::move(hint)) {}
 
 LonelyOption::LonelyOption(const std::string& option, const std::string& needed, std::string hint)
-    : CLI::ParseError(
-          "LonelyOption", option + " needs " + needed, CLI::ExitCodes::RequiresError),
+    : CLI::ParseError("LonelyOption", option + " needs " + needed, CLI::ExitCodes::RequiresError),
       hint_(std::move(hint)) {}
 
 MissingValue::MissingValue(const std::string& option)

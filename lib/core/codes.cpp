@@ -316,7 +316,8 @@ constexpr auto kCodes = std::to_array<Code>({
     {"E0906",
      wrong_input,
      "shard cannot be used",
-     "'kinestat merge' joins what 'kinestat sweep --shard' has written, and takes nothing else: this "
+     "'kinestat merge' joins what 'kinestat sweep --shard' has written, and takes nothing else: "
+     "this "
      "file was cut off, changed, or belongs to another sweep, that is to another file, other "
      "options or another version of the program. Nothing was written. Run the shard again."},
     {"E0907",

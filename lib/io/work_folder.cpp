@@ -25,10 +25,9 @@ std::string lock_path(const std::string& folder) {
 }
 
 void refuse(const std::string& path, int error, Diagnostics& found) {
-  found.error(
-      "E0152",
-      {},
-      fmt::format("cannot write '{}': {}", path, std::generic_category().message(error)));
+  found.error("E0152",
+              {},
+              fmt::format("cannot write '{}': {}", path, std::generic_category().message(error)));
 }
 
 // Whether the descriptor is still the file of that path: who finishes a run removes the folder.

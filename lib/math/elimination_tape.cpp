@@ -62,8 +62,8 @@ bool EliminationTape::eliminate(Workspace& workspace) const {
 bool EliminationTape::is_good(const std::vector<double>& cells) const {
   return std::ranges::all_of(
              pivots_, [&](int cell) { return std::abs(cells[index(cell)]) >= kPivotWaits; }) &&
-         std::ranges::all_of(
-             surplus_, [&](int cell) { return std::abs(cells[index(cell)]) <= kRankZero; });
+         std::ranges::all_of(surplus_,
+                             [&](int cell) { return std::abs(cells[index(cell)]) <= kRankZero; });
 }
 
 void EliminationTape::solve(Workspace& workspace, std::span<const double> known) const {

@@ -198,9 +198,8 @@ bool Rebinder::add_coupling(std::size_t e,
     const Value& coordinate = coupling.at->point->coordinates[i];
     moving.at[i].constant = drawn->at[static_cast<Eigen::Index>(i)];
     if (depends.of(coordinate)) {
-      moving.at[i].formula.emplace(coordinate.expression, [&](const std::string& name) {
-        return table_.index_of(name);
-      });
+      moving.at[i].formula.emplace(coordinate.expression,
+                                   [&](const std::string& name) { return table_.index_of(name); });
     }
   }
   const CouplingScrews screws =
@@ -255,8 +254,7 @@ void Rebinder::add_primaries(const Mechanism& mechanism, const std::vector<bool>
 
 bool Rebinder::rebind_geometry(const Slots& slots, Geometry& geometry) {
   for (MovingCoupling& moving : moving_) {
-    const bool is_bound =
-        moving.is_bound_whole ? bind_whole(slots, moving) : place(slots, moving);
+    const bool is_bound = moving.is_bound_whole ? bind_whole(slots, moving) : place(slots, moving);
     if (!is_bound) {
       return false;
     }
@@ -313,9 +311,8 @@ void Rebinder::write_screws(const MovingCoupling& moving,
       topology_->couplings[static_cast<std::size_t>(moving.coupling)];
   const CouplingGeometry local = measured_from<double>(origin, moving.drawn);
   const CouplingScrews screws = coupling_screws(topology.type, description_->space, local);
-  const CouplingScrews in_space = moving.is_in_space
-                                      ? coupling_screws(topology.type, Space::spatial, local)
-                                      : CouplingScrews{};
+  const CouplingScrews in_space =
+      moving.is_in_space ? coupling_screws(topology.type, Space::spatial, local) : CouplingScrews{};
   const auto& constraints = moving.is_in_space ? in_space.constraints : screws.constraints;
   for (std::size_t f = 0; f < screws.freedoms.size(); ++f) {
     geometry.motions[static_cast<std::size_t>(topology.first_freedom) + f] =
@@ -324,15 +321,13 @@ void Rebinder::write_screws(const MovingCoupling& moving,
   for (std::size_t a = 0; a < moving.constraints.size(); ++a) {
     const std::size_t action = static_cast<std::size_t>(topology.first_action) + a;
     if (moving.constraints[a] >= 0) {
-      geometry.actions[action] =
-          constraints[static_cast<std::size_t>(moving.constraints[a])].screw;
+      geometry.actions[action] = constraints[static_cast<std::size_t>(moving.constraints[a])].screw;
       continue;
     }
     const auto actuator = static_cast<std::size_t>(topology_->actions[action].actuator);
-    const auto freedom = static_cast<std::size_t>(topology_->actuators[actuator].freedom -
-                                                  topology.first_freedom);
-    geometry.actions[action] =
-        internal_action<double>(screws.freedoms[freedom], local.at).screw;
+    const auto freedom =
+        static_cast<std::size_t>(topology_->actuators[actuator].freedom - topology.first_freedom);
+    geometry.actions[action] = internal_action<double>(screws.freedoms[freedom], local.at).screw;
   }
 }
 

@@ -50,8 +50,9 @@ class Rebinder {
     std::vector<int> constraints;  ///< of each action: its constraint in the catalogue, or -1
     bool is_in_space = false;      ///< its actions, though the mechanism is planar
     bool is_bound_whole = false;   ///< more of it varies than the point
-    bool is_through_point = false; ///< all its lines pass through the point, and nothing else varies
-    std::size_t point = 0;         ///< of all points
+    bool is_through_point =
+        false;              ///< all its lines pass through the point, and nothing else varies
+    std::size_t point = 0;  ///< of all points
   };
 
   struct MovingPrimary {

@@ -51,9 +51,8 @@ SweepHeader header_of(const Json& json) {
   header.plan = json.at("plan").get<std::string>();
   header.stem = json.at("stem").get<std::string>();
   header.name = json.at("name").get<std::string>();
-  header.format =
-      json.at("format").get<std::string>() == word_of(RowFormat::csv) ? RowFormat::csv
-                                                                      : RowFormat::json;
+  header.format = json.at("format").get<std::string>() == word_of(RowFormat::csv) ? RowFormat::csv
+                                                                                  : RowFormat::json;
   header.titles = json.at("columns").get<std::vector<std::string>>();
   header.heading = json.at("heading").get<std::string>();
   header.signature = json.at("signature").get<std::string>();
@@ -169,9 +168,8 @@ std::string sweep_text(const SweepHeader& header, const SweepCounts& counts) {
                                  counts.analysed(),
                                  counts.rows);
   for (std::size_t i = 0; i < counts.excluded.size() && i < header.requirements.size(); ++i) {
-    text += fmt::format("  left out by '{}': {}\n",
-                        printable(header.requirements[i]),
-                        counts.excluded[i]);
+    text += fmt::format(
+        "  left out by '{}': {}\n", printable(header.requirements[i]), counts.excluded[i]);
   }
   for (const auto& [status, count] : counts.statuses) {
     text += fmt::format("  {}: {}\n", status, count);

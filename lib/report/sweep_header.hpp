@@ -1,4 +1,5 @@
-// What is told of a sweep beside its rows: of a shard before them, of a result in a file of its own.
+// What is told of a sweep beside its rows: of a shard before them, of a result in a file of its
+// own.
 #pragma once
 
 #include <cstdint>

@@ -127,13 +127,12 @@ class QuantitySearch {
       const std::string one =
           in == out ? "" : fmt::format("{} per {}", units_.text(in), units_.text(out));
       if (unit && *unit != one) {
-        found_.error("E0305",
-                     name.where,
-                     fmt::format("'{}' is in '{}' in one case and in '{}' in another",
-                                 name.text,
-                                 *unit,
-                                 one),
-                     "name cases under 'cases:' of 'sweep' whose inputs and outputs are alike");
+        found_.error(
+            "E0305",
+            name.where,
+            fmt::format(
+                "'{}' is in '{}' in one case and in '{}' in another", name.text, *unit, one),
+            "name cases under 'cases:' of 'sweep' whose inputs and outputs are alike");
         break;
       }
       unit = one;
@@ -155,12 +154,10 @@ std::optional<double> ratio_value(SweepQuantityKind kind,
   if (!one.ratios) {
     return std::nullopt;
   }
-  const std::optional<double>& value =
-      kind == ratio ? one.ratios->ratio : one.ratios->torque_ratio;
+  const std::optional<double>& value = kind == ratio ? one.ratios->ratio : one.ratios->torque_ratio;
   const QuantityKind in = kind_of(kind, turns(topology, one.which.inputs.front()));
   const QuantityKind out = kind_of(kind, turns(topology, one.which.outputs.front()));
-  return !value || in == out ? value
-                             : std::optional(*value * units.factor(out) / units.factor(in));
+  return !value || in == out ? value : std::optional(*value * units.factor(out) / units.factor(in));
 }
 
 }  // namespace
@@ -180,8 +177,7 @@ std::optional<std::vector<SweepQuantity>> find_sweep_quantities(
     Diagnostics& found) {
   KINESTAT_EXPECTS(description.sweep.has_value());
   const int errors_before = found.error_count();
-  std::vector<SweepQuantity> result =
-      QuantitySearch(description, mechanism, cases, found).run();
+  std::vector<SweepQuantity> result = QuantitySearch(description, mechanism, cases, found).run();
   return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;
 }
 
@@ -201,8 +197,8 @@ std::optional<double> value_of(const SweepQuantity& quantity,
       return one.power_graph ? one.power_graph->factor : std::nullopt;
     case rate:
       return one.motion && i < one.motion->rates.size()
-                 ? std::optional(in.rate(one.motion->rates[i],
-                                         mechanism.topology.freedoms[i].is_rotation))
+                 ? std::optional(
+                       in.rate(one.motion->rates[i], mechanism.topology.freedoms[i].is_rotation))
                  : std::nullopt;
     case SweepQuantityKind::action:
       return one.action && i < one.action->magnitudes.size() && one.action->magnitudes[i]

@@ -37,11 +37,11 @@ class ShardCheck {
     errno = 0;
     RecordFile file(path);
     if (!file.is_open()) {
-      found_.error("E0151",
-                   {},
-                   fmt::format("cannot read '{}': {}",
-                               printable(path),
-                               std::generic_category().message(errno)));
+      found_.error(
+          "E0151",
+          {},
+          fmt::format(
+              "cannot read '{}': {}", printable(path), std::generic_category().message(errno)));
       return std::nullopt;
     }
     const std::optional<std::string> line = file.read_line();
@@ -69,8 +69,7 @@ class ShardCheck {
          c < shard.header.shard.end_chunk(header.chunks);
          ++c) {
       const RecordState state = file.read_record(header.plan, record);
-      const auto counts =
-          state == RecordState::whole ? read_counts(record.note) : std::nullopt;
+      const auto counts = state == RecordState::whole ? read_counts(record.note) : std::nullopt;
       if (state == RecordState::end || state == RecordState::truncated) {
         return refuse(fmt::format("is cut off in chunk {}", c));
       }
@@ -172,8 +171,7 @@ std::vector<WholeShard> read_shards(const std::vector<std::string>& paths, Diagn
   if (found.has_errors() || !check_plans(shards, found) || !check_complete(shards, found)) {
     return {};
   }
-  std::ranges::sort(
-      shards, {}, [](const WholeShard& shard) { return shard.header.shard.number; });
+  std::ranges::sort(shards, {}, [](const WholeShard& shard) { return shard.header.shard.number; });
   return shards;
 }
 

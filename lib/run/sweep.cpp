@@ -45,8 +45,8 @@ class StreamedSweep {
     }
     const ChunkSink sink{.order = ChunkSink::Order::ascending,
                          .take = [this](ChunkResult result) { return take(std::move(result)); }};
-    const RunEnd end = run_chunks(
-        task_, chunks, jobs, sink, hooks_, {.total = task_.plan.state_count()});
+    const RunEnd end =
+        run_chunks(task_, chunks, jobs, sink, hooks_, {.total = task_.plan.state_count()});
     return end == RunEnd::complete && !write_best() ? RunEnd::refused : end;
   }
 
@@ -155,17 +155,14 @@ class StoredSweep {
   bool is_whole_sweep() const { return !options_.shard; }
 
   std::string shard_name() const {
-    return fmt::format(
-        "{}.sweep-{}-of-{}.shard", task_.header.stem, shard_.number, shard_.count);
+    return fmt::format("{}.sweep-{}-of-{}.shard", task_.header.stem, shard_.number, shard_.count);
   }
 
   std::string work_name() const {
     return is_whole_sweep()
                ? task_.header.stem + ".sweep-work"
-               : fmt::format("{}.sweep-{}-of-{}-work",
-                             task_.header.stem,
-                             shard_.number,
-                             shard_.count);
+               : fmt::format(
+                     "{}.sweep-{}-of-{}-work", task_.header.stem, shard_.number, shard_.count);
   }
 
   std::uint64_t states_before(std::uint64_t chunk) const {
@@ -267,9 +264,8 @@ class StoredSweep {
   }
 
   bool store(ChunkResult result) {
-    const ChunkRecord record{.index = result.chunk,
-                             .note = write_counts(result.counts),
-                             .body = std::move(result.body)};
+    const ChunkRecord record{
+        .index = result.chunk, .note = write_counts(result.counts), .body = std::move(result.body)};
     const OutputFile file{.path = path_in(work_->path(), chunk_name(record.index)),
                           .content = write_record(record, task_.header.plan),
                           .signature = {}};
@@ -343,8 +339,7 @@ void store(const SweepTask& task,
   }
   const RunEnd end = sweep.run(thread_count(options, found));
   if (end == RunEnd::stopped && !options.is_quiet) {
-    outcome.err +=
-        fmt::format("{}: interrupted; --resume goes on with it\n", task.header.stem);
+    outcome.err += fmt::format("{}: interrupted; --resume goes on with it\n", task.header.stem);
   }
   if (end == RunEnd::complete && sweep.finish() && !options.is_quiet) {
     outcome.err += sweep_text(task.header, sweep.counts());

@@ -18,10 +18,10 @@ struct TapedSystem {
   NetworkSide side = NetworkSide::motion;
   const Mechanism* mechanism = nullptr;
   const CoordinateBasis* basis = nullptr;
-  const std::vector<bool>* moves = nullptr;    ///< of each coupling: whether its screws may change
-  std::span<const Geometry> samples;           ///< of other states: where entries may be
-  std::span<const Primary> primaries;          ///< known, in their order
-  std::span<const int> wanted;                 ///< freedoms or actions
+  const std::vector<bool>* moves = nullptr;  ///< of each coupling: whether its screws may change
+  std::span<const Geometry> samples;         ///< of other states: where entries may be
+  std::span<const Primary> primaries;        ///< known, in their order
+  std::span<const int> wanted;               ///< freedoms or actions
 };
 
 /// The node system of network/node_system as a tape. Which entries are zero is read off the

@@ -63,8 +63,8 @@ std::optional<WholeRange> whole_range(const std::optional<Rational>& from,
   const auto each = small_whole(*step * common);
   const auto share = small_whole(common);
   const auto last = small_whole(rounded_down((*to - *from) / *step));
-  const bool fits = first && each && share && last &&
-                    std::abs(*first) + *last * std::abs(*each) <= kLargestWhole;
+  const bool fits =
+      first && each && share && last && std::abs(*first) + *last * std::abs(*each) <= kLargestWhole;
   return fits ? std::optional(WholeRange{*first, *each, *share, *last}) : std::nullopt;
 }
 
@@ -99,9 +99,8 @@ void SweepAxis::read_range(const VariedParameter& varied, const BasicParameterTa
   const Exact from = evaluated(*varied.from, exact).value;
   const Exact to = evaluated(*varied.to, exact).value;
   const Exact step = evaluated(*varied.step, exact).value;
-  const auto whole = whole_range(exact_count(from, unit_.scale),
-                                 exact_count(to, unit_.scale),
-                                 exact_count(step, unit_.scale));
+  const auto whole = whole_range(
+      exact_count(from, unit_.scale), exact_count(to, unit_.scale), exact_count(step, unit_.scale));
   if (whole) {
     from_ = whole->from;
     step_ = whole->step;

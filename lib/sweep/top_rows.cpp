@@ -44,10 +44,8 @@ std::vector<RankedRow> TopRows::take() {
 std::string write_rows(const std::vector<RankedRow>& rows) {
   std::string text;
   for (const RankedRow& row : rows) {
-    text += fmt::format("{:016x} {:016x} {}",
-                        std::bit_cast<std::uint64_t>(row.key),
-                        row.number,
-                        row.text);
+    text += fmt::format(
+        "{:016x} {:016x} {}", std::bit_cast<std::uint64_t>(row.key), row.number, row.text);
   }
   return text;
 }

@@ -73,8 +73,8 @@ class RowMaker {
       }
     }
     solver_ = std::make_unique<StateSolver>(task_);
-    text_ = std::make_unique<SweepRowText>(
-        task_.plan, task_.cases, task_.quantities, RowFormat::csv);
+    text_ =
+        std::make_unique<SweepRowText>(task_.plan, task_.cases, task_.quantities, RowFormat::csv);
   }
 
   void make_one() {

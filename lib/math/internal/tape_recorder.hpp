@@ -41,7 +41,7 @@ class TapeRecorder {
   bool surplus_has_vanished();
   void record_substitutions(std::span<const int> wanted);
 
-  EliminationTape tape_;  // its cells are left as they are before the first step that varies
+  EliminationTape tape_;        // its cells are left as they are before the first step that varies
   std::vector<double> values_;  ///< of each cell, for the matrix that is recorded
   std::vector<Row> rows_;
   std::vector<std::set<int>> columns_;  ///< active rows that hold the column

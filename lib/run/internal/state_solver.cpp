@@ -100,8 +100,8 @@ void fill_row(const SweepTask& task,
               const CaseAnalysis& one,
               SweepRow& row) {
   for (std::size_t q = 0; q < row.values.size(); ++q) {
-    const double value = value_of(task.quantities[q], one, mechanism, task.description.units)
-                             .value_or(kNoValue);
+    const double value =
+        value_of(task.quantities[q], one, mechanism, task.description.units).value_or(kNoValue);
     row.values[q] = std::isfinite(value) ? value : kNoValue;
   }
 }

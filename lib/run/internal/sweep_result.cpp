@@ -44,8 +44,7 @@ bool PieceReader::next(ChunkRecord& record) {
   }
   ++piece_;
   if (open_->read_record(plan_, record) != RecordState::whole) {
-    throw std::runtime_error(
-        fmt::format("'{}' has changed while it was read", files_[file_].path));
+    throw std::runtime_error(fmt::format("'{}' has changed while it was read", files_[file_].path));
   }
   return true;
 }
@@ -58,6 +57,7 @@ NextPiece result_pieces(const SweepHeader& header, const std::vector<PieceFile>&
     std::string ready;
     bool has_ready = true;
   };
+
   const auto state = std::make_shared<State>(
       State{.reader = PieceReader(files, header.plan), .record = {}, .ready = header.heading});
   const bool is_top = header.top.has_value();

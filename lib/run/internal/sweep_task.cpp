@@ -78,13 +78,14 @@ std::optional<std::size_t> find_key(const std::vector<SweepQuantity>& quantities
   found.error("E0101",
               {},
               fmt::format("--by '{}': the rows have no such quantity", printable(top.by)),
-              fmt::format(
-                  "{}{}they have {}", guess, guess.empty() ? "" : " ", plain_list(names)));
+              fmt::format("{}{}they have {}", guess, guess.empty() ? "" : " ", plain_list(names)));
   return std::nullopt;
 }
 
 // Everything that decides the bytes of the rows.
-std::string plan_text(const SourceFile& source, const SweepOptions& options, const SweepPlan& plan) {
+std::string plan_text(const SourceFile& source,
+                      const SweepOptions& options,
+                      const SweepPlan& plan) {
   std::string text = fmt::format("kinestat {} sweep 1\n", kVersion);
   for (const Override& one : options.overrides) {
     text += fmt::format("set {}:{}\n", one.size(), one);
@@ -102,7 +103,9 @@ std::string plan_text(const SourceFile& source, const SweepOptions& options, con
   return text + source.text;
 }
 
-SweepHeader header_of(const SourceFile& source, const SweepOptions& options, const SweepTask& task) {
+SweepHeader header_of(const SourceFile& source,
+                      const SweepOptions& options,
+                      const SweepTask& task) {
   const SweepRowText text(task.plan, task.cases, task.quantities, options.format);
   SweepHeader header;
   header.version = std::string(kVersion);
@@ -155,8 +158,7 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
   const std::vector<Case> all = sweepable_cases(loaded.mechanism);
   std::vector<std::size_t> chosen = choose_cases(*description.sweep, all, found);
   std::vector<Case> cases;
-  std::ranges::transform(
-      chosen, std::back_inserter(cases), [&](std::size_t i) { return all[i]; });
+  std::ranges::transform(chosen, std::back_inserter(cases), [&](std::size_t i) { return all[i]; });
   auto quantities = find_sweep_quantities(description, loaded.mechanism, cases, found);
   std::optional<std::size_t> key;
   if (quantities && options.top) {
@@ -181,9 +183,8 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
       task.quantities, [](const SweepQuantity& one) { return needs_statics(one.kind); });
   task.cases = chosen_cases(task, task.mechanism);
   for (const CaseAnalysis& one : solve_some_cases(task.mechanism, task.cases)) {
-    task.is_usually_solved.push_back(
-        (!one.motion || one.motion->status == SolveStatus::solved) &&
-        (!one.action || one.action->status == SolveStatus::solved));
+    task.is_usually_solved.push_back((!one.motion || one.motion->status == SolveStatus::solved) &&
+                                     (!one.action || one.action->status == SolveStatus::solved));
   }
   task.header = header_of(source, options, task);
   return task;

@@ -17,12 +17,12 @@ struct SweepTask {
   MechanismDescription description;  ///< without the sections that a state does not need
   Mechanism mechanism;               ///< with the parameters of the file
   SweepPlan plan;
-  std::vector<std::size_t> chosen;  ///< which of all cases are run
-  std::vector<Case> cases;          ///< these, with the parameters of the file
+  std::vector<std::size_t> chosen;      ///< which of all cases are run
+  std::vector<Case> cases;              ///< these, with the parameters of the file
   std::vector<bool> is_usually_solved;  ///< of each: whether it has an answer as the file has it
   std::vector<SweepQuantity> quantities;
-  bool has_statics = false;        ///< whether a quantity needs actions
-  std::optional<std::size_t> key;  ///< the quantity by which the top rows are chosen
+  bool has_statics = false;         ///< whether a quantity needs actions
+  std::optional<std::size_t> key;   ///< the quantity by which the top rows are chosen
   std::optional<SweepTapes> tapes;  ///< which refer to the task, so that it must stay in its place;
                                     ///< empty where every state is analysed as a whole
   SweepHeader header;

@@ -23,9 +23,9 @@ bool has_ratios(const Case& which) {
 std::vector<int> wanted_of(const SweepTask& task, const Case& which, NetworkSide side) {
   std::set<int> wanted;
   for (const SweepQuantity& quantity : task.quantities) {
-    const bool is_of_side = quantity.kind == (side == NetworkSide::motion
-                                                  ? SweepQuantityKind::rate
-                                                  : SweepQuantityKind::action);
+    const bool is_of_side =
+        quantity.kind ==
+        (side == NetworkSide::motion ? SweepQuantityKind::rate : SweepQuantityKind::action);
     if (is_of_side) {
       wanted.insert(quantity.index);
     }
@@ -68,8 +68,7 @@ Slots slots_at(const SweepPlan& plan, std::uint64_t state) {
   for (std::size_t i = 0; i < plan.axes().size(); ++i) {
     const SweepAxis& axis = plan.axes()[i];
     const auto slot = static_cast<std::size_t>(axis.parameter());
-    slots.values[slot] =
-        axis.value_at(state / plan.stride(static_cast<int>(i)) % axis.size());
+    slots.values[slot] = axis.value_at(state / plan.stride(static_cast<int>(i)) % axis.size());
     slots.has_value[slot] = true;
   }
   std::vector<Quantity> scratch;
@@ -226,8 +225,8 @@ bool TapedSolver::solve_case(std::size_t i) {
     return false;
   }
   if (one.ratios) {
-    *one.ratios = find_ratios(
-        task_.mechanism, one.which, *one.motion, one.action ? &*one.action : nullptr);
+    *one.ratios =
+        find_ratios(task_.mechanism, one.which, *one.motion, one.action ? &*one.action : nullptr);
   }
   return true;
 }

@@ -85,7 +85,8 @@ TEST(EliminationTape, HasNoAnswerWhereAPivotVanishes) {
   matrix.add(1, 1, 2.0);
   const std::vector<int> last = {2};
   const std::vector<int> wanted = {0, 1};
-  const auto tape = EliminationTape::record(matrix, {false, true, false, false, false}, last, wanted);
+  const auto tape =
+      EliminationTape::record(matrix, {false, true, false, false, false}, last, wanted);
   ASSERT_TRUE(tape.has_value());
   EliminationTape::Workspace workspace = tape->make_workspace();
 

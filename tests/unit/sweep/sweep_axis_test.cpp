@@ -41,9 +41,9 @@ TEST(SweepAxis, HasOneValueWhereFromIsTo) {
 }
 
 TEST(SweepAxis, CountsInTheUnitOfTheFile) {
-  const SweepPlan plan = plan_of(
-      "{vary: {length: {from: 1 mm, to: 1.2 mm, step: 0.1 mm}, angle: [14.5 deg, 20 deg]}}",
-      "units: {length: mm, angle: deg}\n");
+  const SweepPlan plan =
+      plan_of("{vary: {length: {from: 1 mm, to: 1.2 mm, step: 0.1 mm}, angle: [14.5 deg, 20 deg]}}",
+              "units: {length: mm, angle: deg}\n");
   const SweepAxis& length = plan.axes()[0];
   const SweepAxis& angle = plan.axes()[1];
 
