@@ -213,9 +213,32 @@ class ShiftTables {
       text += values_text(
           fmt::format("Torque [{}]", units.text(QuantityKind::moment)), &GearValues::torques, true);
     }
+    text += loads_text();
     return text + values_text(fmt::format("Slip [{}]", units.text(QuantityKind::angular_velocity)),
                               &GearValues::slips,
                               false);
+  }
+
+  // The most loaded bearing and mesh of each gear, where any force is known.
+  std::string loads_text() const {
+    const std::string unit = analysis_.description.units.text(QuantityKind::force);
+    std::vector<TextColumn> columns = {names("Most loaded", 0, gears_.size())};
+    bool has_any = false;
+    const auto add = [&](const char* kind, std::optional<LoadedCoupling> GearValues::*member) {
+      TextColumn name{.head = kind, .cells = {}};
+      TextColumn force{.head = fmt::format("force [{}]", unit), .cells = {}};
+      for (const GearValues& gear : gears_) {
+        const std::optional<LoadedCoupling>& one = gear.*member;
+        name.cells.push_back(one ? one->name : "-");
+        force.cells.push_back(one ? format_short(one->force) : "-");
+        has_any = has_any || one.has_value();
+      }
+      columns.push_back(std::move(name));
+      columns.push_back(std::move(force));
+    };
+    add("bearing", &GearValues::bearing);
+    add("mesh", &GearValues::mesh);
+    return has_any ? table_text(columns) : "";
   }
 
   std::string values_text(const std::string& head,

@@ -147,6 +147,15 @@ class QuantitySearch {
   const FileUnits& units_;
 };
 
+// By the model that the file prefers, where meshes lose power; friction alone else.
+std::optional<double> efficiency_value(const CaseAnalysis& one, const Mechanism& mechanism) {
+  if (one.efficiency) {
+    return mechanism.loss_model == LossModel::carrier ? one.efficiency->carrier.value
+                                                      : one.efficiency->absolute.value;
+  }
+  return one.power ? one.power->efficiency : std::nullopt;
+}
+
 std::optional<double> ratio_value(SweepQuantityKind kind,
                                   const CaseAnalysis& one,
                                   const Topology& topology,
@@ -192,7 +201,7 @@ std::optional<double> value_of(const SweepQuantity& quantity,
     case torque_ratio:
       return ratio_value(quantity.kind, one, mechanism.topology, units);
     case efficiency:
-      return one.power ? one.power->efficiency : std::nullopt;
+      return efficiency_value(one, mechanism);
     case recirculation:
       return one.power_graph ? one.power_graph->factor : std::nullopt;
     case rate:

@@ -12,14 +12,28 @@ namespace kinestat {
 
 namespace {
 
-// A gear may leave freedoms beside it: the shift table says so.
-bool is_idle_gear(const Analysis& analysis, const CaseAnalysis& one) {
+// The state of the shift table that the case is; null if it is none.
+const ShiftState* find_state(const Analysis& analysis, const CaseAnalysis& one) {
   if (!analysis.shift) {
-    return false;
+    return nullptr;
   }
   const std::vector<NamedShiftState>& states = analysis.shift->solution.states;
   const auto state = std::ranges::find(states, one.which.label, &NamedShiftState::name);
-  return state != states.end() && state->state.kind == ShiftClass::gear && state->state.idle > 0;
+  const bool is_gear = state != states.end() && state->state.kind == ShiftClass::gear;
+  return is_gear ? &state->state : nullptr;
+}
+
+// A gear may leave freedoms beside it: the shift table says so.
+bool is_idle_gear(const Analysis& analysis, const CaseAnalysis& one) {
+  const ShiftState* state = find_state(analysis, one);
+  return state != nullptr && state->idle > 0;
+}
+
+// Elements that follow from each other leave their torques open: the shift table says so.
+bool is_open_gear(const Analysis& analysis, const CaseAnalysis& one) {
+  const ShiftState* state = find_state(analysis, one);
+  return state != nullptr && !state->surplus.empty() &&
+         one.action->status == SolveStatus::underdetermined;
 }
 
 void add_motion_findings(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
@@ -102,7 +116,7 @@ void add_findings(const Analysis& analysis, Diagnostics& found) {
     if (one.motion) {
       add_motion_findings(analysis, one, found);
     }
-    if (one.action) {
+    if (one.action && !is_open_gear(analysis, one)) {
       add_action_findings(analysis, one, found);
     }
     const bool is_locked_anyway = one.power && one.power->is_self_locking;

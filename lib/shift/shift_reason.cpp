@@ -37,8 +37,7 @@ class ReasonWriter {
   std::string cause_text() const {
     switch (state_.cause) {
       case ShiftCause::none:
-        return state_.idle == 0 ? ""
-                                : fmt::format("beside it {}", freedoms_text(state_.idle, true));
+        return beside_text();
       case ShiftCause::input_held:
         return fmt::format(
             "input '{}' is held: {}; {}",
@@ -60,17 +59,30 @@ class ReasonWriter {
         return fmt::format(
             "{} held: {}; {}", outputs_text(), held_text(), freedoms_text(state_.freedom, false));
       case ShiftCause::redundant:
-        return fmt::format(
-            "{} {} no slip already through the other elements, so that their torques are open; {}",
-            surplus_text(),
-            state_.surplus.size() == 1 ? "has" : "have",
-            held_text());
+        return fmt::format("{}; {}", redundancy_text(), held_text());
       case ShiftCause::freewheel_lets_go:
         return freewheel_text("lets go: its torque would be", "holds only a", "one");
       case ShiftCause::freewheel_engages:
         return freewheel_text("holds: its slip would be", "slips only in the", "sense");
     }
     return "";
+  }
+
+  // What a gear leaves free and open.
+  std::string beside_text() const {
+    std::string text =
+        state_.idle == 0 ? "" : fmt::format("beside it {}", freedoms_text(state_.idle, true));
+    if (!state_.surplus.empty()) {
+      text += (text.empty() ? "" : "; ") + redundancy_text();
+    }
+    return text;
+  }
+
+  std::string redundancy_text() const {
+    return fmt::format(
+        "{} {} no slip already through the other elements, so that their torques are open",
+        surplus_text(),
+        state_.surplus.size() == 1 ? "has" : "have");
   }
 
   std::string freewheel_text(std::string_view event,

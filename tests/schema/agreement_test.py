@@ -53,6 +53,7 @@ EXCEPTIONS = [
     (r"planet '.*' has no distance from the main axis", "follows references"),
     (r"mesh '.*' between two planets lacks the key 'module'", "follows references"),
     (r"'.*' cannot be both .* and .*", "compares names in two lists"),
+    (r"'.*' is neither a clutch nor a brake", "looks for the type of a coupling by its name"),
     (r"'(pressure|helix|transmission)_angle' of .* cannot be .*",
      "depends on the file's unit of angle"),
     (r".* cannot be (?!'|-?[\d.]+(e[-+]?\d+)?$).*", "the value of an expression"),

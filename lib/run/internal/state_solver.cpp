@@ -69,7 +69,9 @@ std::string_view row_status(const CaseAnalysis& one,
   if (asks_power && one.power && !one.power->is_balanced) {
     return "unbalanced";
   }
-  if (asks_power && one.power && one.power->is_self_locking) {
+  const bool is_self_locking = one.efficiency ? one.efficiency->carrier.is_self_locking
+                                              : one.power && one.power->is_self_locking;
+  if (asks_power && is_self_locking) {
     return "self_locking";
   }
   const bool asks_ratio = std::ranges::any_of(task.quantities, [](const SweepQuantity& quantity) {
