@@ -14,6 +14,9 @@ class LibraryMechanism : public ::testing::TestWithParam<std::string> {
     Diagnostics found;
     std::optional<Loaded> loaded = load((kLibraryFolder / GetParam()).string(), {}, source, found);
     for (const Diagnostic& item : found.items()) {
+      if (item.code == "W0305") {
+        continue;  // a planet with profile shift, as in the hybrid transaxle
+      }
       ADD_FAILURE() << item.code << " in line " << item.where.line << ": " << item.message;
     }
     ASSERT_TRUE(loaded.has_value());
