@@ -90,9 +90,11 @@ bool is_always_right(const CouplingDescription& coupling) {
 
 bool has_more_than_couplings(const MechanismDescription& description, const Mechanism& mechanism) {
   const auto has_loads = [](const CaseDescription& one) { return !one.loads.empty(); };
+  const auto may_rub = [](const CouplingDescription& one) { return one.friction != nullptr; };
   return description.gears || !description.cables.empty() || !description.loads.empty() ||
-         description.gravity || !mechanism.frictions.empty() || !mechanism.contacts.empty() ||
-         std::ranges::any_of(description.cases, has_loads);
+         description.gravity || !mechanism.contacts.empty() ||
+         std::ranges::any_of(description.cases, has_loads) ||
+         std::ranges::any_of(description.couplings, may_rub);
 }
 
 // Whether every screw of a coupling is a line through its point, or has no line: then a point that
@@ -174,7 +176,8 @@ bool Rebinder::add_coupling(std::size_t e,
                                           coupling.at->of_bodies.empty()));
   Diagnostics found;
   Evaluator evaluator(*description_, table_, found);
-  const auto drawn = bind_geometry<double>(coupling, description_->space, evaluator, found);
+  const auto drawn =
+      bind_geometry<double>(coupling, description_->space, nullptr, evaluator, found);
   KINESTAT_EXPECTS(drawn.has_value());
   const std::size_t point = points_.size();
   add_points(coupling, *drawn, points_);
@@ -194,19 +197,40 @@ bool Rebinder::add_coupling(std::size_t e,
                                        !coupling.passive.has_value(),
                         .is_bound_whole = shape_varies,
                         .point = point};
+  add_numbers(coupling, varies, moving);
+  add_constraints(coupling, mechanism, moving);
+  moving.is_through_point =
+      !shape_varies && has_lines_through(*topology_, e, mechanism.geometry, drawn->at);
+  moves_[e] = true;
+  moving_.push_back(std::move(moving));
+  return has_place(coupling);
+}
+
+// The coordinates of its point.
+void Rebinder::add_numbers(const CouplingDescription& coupling,
+                           const std::vector<bool>& varies,
+                           MovingCoupling& moving) const {
+  const Dependence depends(table_, varies);
   for (std::size_t i = 0; coupling.at && i < coupling.at->point->coordinates.size(); ++i) {
     const Value& coordinate = coupling.at->point->coordinates[i];
-    moving.at[i].constant = drawn->at[static_cast<Eigen::Index>(i)];
+    moving.at[i].constant = moving.drawn.at[static_cast<Eigen::Index>(i)];
     if (depends.of(coordinate)) {
       moving.at[i].formula.emplace(coordinate.expression,
                                    [&](const std::string& name) { return table_.index_of(name); });
     }
   }
+}
+
+// Which constraints of the catalogue its actions are, by their names.
+void Rebinder::add_constraints(const CouplingDescription& coupling,
+                               const Mechanism& mechanism,
+                               MovingCoupling& moving) const {
   const CouplingScrews screws =
       coupling_screws(coupling.type,
                       moving.is_in_space ? Space::spatial : description_->space,
-                      measured_from<double>(mechanism.geometry.origin, *drawn));
-  const CouplingTopology& topology = topology_->couplings[e];
+                      measured_from<double>(mechanism.geometry.origin, moving.drawn));
+  const CouplingTopology& topology =
+      topology_->couplings[static_cast<std::size_t>(moving.coupling)];
   for (int a = topology.first_action; a < topology.first_action + topology.action_count; ++a) {
     const ActionLabel& label = topology_->actions[static_cast<std::size_t>(a)];
     const auto at = std::ranges::find(screws.constraints, label.name, &NamedWrench::name);
@@ -214,11 +238,6 @@ bool Rebinder::add_coupling(std::size_t e,
     moving.constraints.push_back(
         label.actuator >= 0 ? -1 : static_cast<int>(at - screws.constraints.begin()));
   }
-  moving.is_through_point =
-      !shape_varies && has_lines_through(*topology_, e, mechanism.geometry, drawn->at);
-  moves_[e] = true;
-  moving_.push_back(std::move(moving));
-  return has_place(coupling);
 }
 
 void Rebinder::add_primaries(const Mechanism& mechanism, const std::vector<bool>& varies) {
@@ -296,7 +315,8 @@ bool Rebinder::bind_whole(const Slots& slots, MovingCoupling& moving) {
   Evaluator evaluator(*description_, table_, found);
   const CouplingDescription& coupling =
       description_->couplings[static_cast<std::size_t>(moving.coupling)];
-  const auto drawn = bind_geometry<double>(coupling, description_->space, evaluator, found);
+  const auto drawn =
+      bind_geometry<double>(coupling, description_->space, nullptr, evaluator, found);
   if (!drawn) {
     return false;
   }

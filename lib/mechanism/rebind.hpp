@@ -68,6 +68,12 @@ class Rebinder {
 
   bool add_couplings(const Mechanism& mechanism, const std::vector<bool>& varies);
   bool add_coupling(std::size_t e, const Mechanism& mechanism, const std::vector<bool>& varies);
+  void add_numbers(const CouplingDescription& coupling,
+                   const std::vector<bool>& varies,
+                   MovingCoupling& moving) const;
+  void add_constraints(const CouplingDescription& coupling,
+                       const Mechanism& mechanism,
+                       MovingCoupling& moving) const;
   void add_primaries(const Mechanism& mechanism, const std::vector<bool>& varies);
   bool bind_whole(const Slots& slots, MovingCoupling& moving);
   bool place(const Slots& slots, MovingCoupling& moving);

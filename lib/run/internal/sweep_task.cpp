@@ -53,11 +53,23 @@ std::vector<std::size_t> choose_cases(const SweepDescription& sweep,
   return chosen;
 }
 
+bool has_sweep(const MechanismDescription& description, Diagnostics& found) {
+  if (!description.sweep) {
+    found.error("E0303",
+                {},
+                "the file has no section 'sweep'",
+                "add for example sweep: {vary: {N1: {from: 15, to: 40, step: 1}}, report: "
+                "[ratio]}; 'kinestat help sweeps' shows more");
+  }
+  return description.sweep.has_value();
+}
+
 // Sections that say nothing about a single state.
 MechanismDescription without_tasks(MechanismDescription description) {
   description.sweep.reset();
   description.motion.reset();
   description.synthesis.reset();
+  description.shift.reset();  // its gears are cases by now
   description.published.clear();
   return description;
 }
@@ -146,12 +158,7 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
                                          const SweepOptions& options,
                                          Diagnostics& found) {
   const MechanismDescription& description = loaded.description;
-  if (!description.sweep) {
-    found.error("E0303",
-                {},
-                "the file has no section 'sweep'",
-                "add for example sweep: {vary: {N1: {from: 15, to: 40, step: 1}}, report: "
-                "[ratio]}; 'kinestat help sweep' shows more");
+  if (!has_sweep(description, found)) {
     return std::nullopt;
   }
   const int errors_before = found.error_count();
