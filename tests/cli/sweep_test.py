@@ -9,6 +9,7 @@ import csv
 import json
 import os
 import random
+import re
 import signal
 import subprocess
 import sys
@@ -479,6 +480,58 @@ sweep:
         self.assertRegex(done.stderr, r"\d+ %, \d+ of 2000 states, \d+ rows")
         self.assertNotIn("\x1b", done.stderr)
         self.assertEqual(kinestat("sweep", "-q", self.file).stderr, "")
+
+
+class Library(InFolder):
+    """Every mechanism, with its parameters moved one by one: rows are what analyses say."""
+
+    def compare(self, row: dict[str, str], case: dict[str, object], context: str) -> int:
+        kinematics, statics = case.get("kinematics") or {}, case.get("statics") or {}
+        values = {"ratio": case.get("ratio"), "torque_ratio": case.get("torque_ratio"),
+                  **kinematics.get("freedoms", {}), **statics.get("actions", {})}
+        largest: dict[str, float] = {}
+        for title in row:
+            name, _, unit = title.partition(" [")
+            if isinstance(values.get(name), float):
+                largest[unit] = max(largest.get(unit, 0.0), abs(values[name]))
+        compared = 0
+        for title, cell in row.items():
+            name, _, unit = title.partition(" [")
+            if name not in values:
+                continue
+            if values[name] is None:
+                self.assertEqual(cell, "", (context, title))
+            else:
+                self.assertAlmostEqual(float(cell), values[name], delta=1e-9 * largest[unit],
+                                       msg=f"{context} {title}")
+                compared += 1
+        return compared
+
+    def sweep_one(self, text: str, name: str, value: float, unit: str) -> int:
+        typed = f"{value!r} {unit}".strip()
+        text = re.split(r"^published:", text, flags=re.M)[0]
+        file = self.write(f"{text}\nsweep: {{vary: {{{name}: [{typed}]}}}}\n")
+        swept = kinestat("sweep", "--quiet", file)
+        analysed = kinestat("analyze", "--format", "json", "--set", f"{name}={typed}", file)
+        rows = list(csv.DictReader(swept.stdout.splitlines()))
+        if analysed.returncode not in (0, 5) or not analysed.stdout:
+            self.assertTrue(all(row["status"].startswith("E") for row in rows), swept.stdout)
+            return 0
+        cases = json.loads(analysed.stdout).get("cases", {})
+        return sum(self.compare(row, cases[row["case"]], f"{name}={typed}") for row in rows)
+
+    def test_rows_are_those_of_analyses(self) -> None:
+        compared = 0
+        for path in sorted((ROOT / "mechanisms").rglob("*.yaml")):
+            report = json.loads(kinestat("analyze", "--format", "json", path).stdout or "{}")
+            parameters = report.get("mechanism", {}).get("parameters", {})
+            text = re.sub(r"^sweep:\n(?:[ ].*\n)*", "", path.read_text(), flags=re.M)
+            for name, entry in list(parameters.items())[:4]:
+                with self.subTest(file=path.name, parameter=name):
+                    if "value" in entry and "cases" in report:
+                        value = entry["value"] * 1.0625 + (entry["value"] == 0.0) * 0.125
+                        compared += self.sweep_one(text, name, value, entry["unit"])
+        self.assertGreater(compared, 1000)
 
 
 class Extremes(InFolder):
