@@ -21,6 +21,7 @@ void add_shift(CLI::App& parent, Job& job);
 void add_sensitivity(CLI::App& parent, Job& job);
 void add_sweep(CLI::App& parent, Job& job);
 void add_merge(CLI::App& parent, Job& job);
+void add_synthesize(CLI::App& parent, Job& job);
 void add_compare(CLI::App& parent, Job& job);
 void add_new(CLI::App& parent, Job& job);
 void add_schema(CLI::App& parent, Job& job);

@@ -53,6 +53,7 @@ void add_commands(CLI::App& app, Job& job) {
   kinestat::app::add_sensitivity(app, job);
   kinestat::app::add_sweep(app, job);
   kinestat::app::add_merge(app, job);
+  kinestat::app::add_synthesize(app, job);
   kinestat::app::add_compare(app, job);
   kinestat::app::add_explain(app, job);
   kinestat::app::add_schema(app, job);

@@ -290,6 +290,13 @@ constexpr auto kCodes = std::to_array<Code>({
      "of freedom less the inputs. With many elements that are more than a table can show. Name "
      "fewer elements, those between which you choose; what is always engaged or always open needs "
      "no element."},
+    {"E0801",
+     wrong_input,
+     "position contradicts itself",
+     "A position of a synthesis task asks for what no motion has: a centre of curvature that does "
+     "not lie on the normal of the path, the line from 'at' to the pole; a centre in the point "
+     "itself; a point in the pole, where a path has a cusp; or two points whose curvatures say the "
+     "same, because they lie on one line with the pole. The message says which."},
     {"E0901",
      check_failed,
      "published value is missed",

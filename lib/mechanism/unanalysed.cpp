@@ -89,9 +89,6 @@ void add_passes(const MechanismDescription& description, std::vector<Unanalysed>
   if (description.motion) {
     list.push_back({description.motion->where, "section 'motion'", "", false});
   }
-  if (description.synthesis) {
-    list.push_back({description.synthesis->where, "section 'synthesis'", "", false});
-  }
 }
 
 }  // namespace

@@ -31,7 +31,8 @@ void write(const EmbeddedText& starter,
       {{.path = path, .content = std::string(starter.text), .signature = {}}}};
   Diagnostics found;
   if (write_files(files, overwrite, found)) {
-    outcome.out = fmt::format("{0}: written; see 'kinestat analyze {0}'\n", printable(path));
+    const std::string_view command = starter.name == "synthesis" ? "synthesize" : "analyze";
+    outcome.out = fmt::format("{0}: written; see 'kinestat {1} {0}'\n", printable(path), command);
     return;
   }
   if (found.items().front().code == "E0153") {

@@ -48,6 +48,18 @@ def files() -> list[Path]:
     return found + [ROOT / "tests" / "cli" / name / "file.yaml" for name in STATES]
 
 
+def tasks() -> list[Path]:
+    """The synthesis tasks of the cases that have an answer."""
+    folders = ("synthesize_tables_of_the_source", "synthesize_families",
+               "synthesize_few_positions")
+    return sorted(path for name in folders
+                  for path in (ROOT / "tests" / "cli" / name).glob("*.yaml"))
+
+
+def is_count_or_number(value: Any) -> bool:
+    return value is not None and not isinstance(value, bool)
+
+
 @lru_cache(maxsize=None)
 def output(command: str, style: str, path: Path) -> bytes:
     arguments = [command, "--format", style, *(["--matrices"] if command == "graph" else [])]
@@ -291,6 +303,20 @@ class Reports(unittest.TestCase):
             words = [row for row in rows_of("mobility", path)[1:] if row[3] == "repairs"]
             self.assertEqual(len(words), sum(1 for _ in facts(mobility["repairs"])), path)
 
+    def test_have_a_synthesis_by_its_schema_and_the_same_in_csv(self) -> None:
+        for path in tasks():
+            with self.subTest(path=path):
+                answer = json_of("synthesize", path)
+                faults = check_schemas.report_faults(answer, schema("synthesis"))
+                self.assertEqual(faults, [])
+                rows = [dict(zip(HEADER, row)) for row in rows_of("synthesize", path)[1:]]
+                for row in rows:
+                    task = answer["synthesis"]["tasks"][int(row["case"])]
+                    value = at(task[row["element"]], row["quantity"])
+                    self.assertEqual(row["value"], json.dumps(value), row)
+                found = list(numbers(answer["synthesis"]["tasks"]))
+                self.assertEqual(len(rows), sum(is_count_or_number(one) for one in found))
+
     def test_end_lines_with_lf_and_hold_no_minus_zero(self) -> None:
         for path in self.for_each():
             for command in ("analyze", "graph"):
@@ -352,7 +378,7 @@ class Goldens(unittest.TestCase):
 
 class Schema(unittest.TestCase):
     def test_describes_every_property(self) -> None:
-        for name in ("report", "mobility", "inputs", "sensitivity", "comparison"):
+        for name in ("report", "mobility", "inputs", "sensitivity", "synthesis", "comparison"):
             self.assertEqual(list(undescribed(schema(name))), [], name)
 
     def test_refuses_an_unknown_key_anywhere(self) -> None:

@@ -1,0 +1,46 @@
+#include "report/synthesis_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/tolerance.hpp"
+#include "report/analysis_json.hpp"
+#include "report/mechanism_json.hpp"
+#include "report/synthesis_csv.hpp"
+#include "report/synthesis_json.hpp"
+#include "report/synthesis_text.hpp"
+
+namespace kinestat {
+
+double zero_length(const SynthesisTask& task) {
+  double size = 0.0;
+  for (const PositionJets& position : task.positions) {
+    size = std::max(size, std::abs(origin(position)));
+    const auto pole = find_pole(position);
+    size = pole ? std::max(size, std::abs(*pole)) : size;
+  }
+  return kReportZero * size;
+}
+
+FileReport make_synthesis_report(const SynthesisAnalysis& analysis,
+                                 const ReportForms& forms,
+                                 const Diagnostics& found) {
+  FileReport report;
+  if (forms.json || forms.json_line || forms.csv) {
+    Json json = report_head(analysis.file, analysis.description);
+    json["synthesis"] = synthesis_json(analysis);
+    json["diagnostics"] = diagnostics_json(found);
+    report.json = forms.json ? json.dump(2) + "\n" : std::string();
+    report.json_line = forms.json_line ? json.dump() + "\n" : std::string();
+    if (forms.csv) {
+      report.csv.push_back(
+          {.pass = "synthesis", .text = synthesis_csv(analysis, json["synthesis"])});
+    }
+  }
+  if (forms.text) {
+    report.text = synthesis_text(analysis);
+  }
+  return report;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,57 @@
+// The answers to the synthesis task of one file in the forms of a report.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "description/mechanism_description.hpp"
+#include "report/file_report.hpp"
+#include "synthesis/burmester.hpp"
+#include "synthesis/few_positions.hpp"
+#include "synthesis/special_frame.hpp"
+#include "synthesis/synthesis.hpp"
+
+namespace kinestat {
+
+/// What a selection chose for the ranges of 'vary'.
+struct SynthesisChoice {
+  std::optional<double> m;
+  std::optional<Point> free_point;
+};
+
+/// One choice of the angles that a file lists, and of its ranges, and what was found for it.
+/// Lengths in SI.
+struct SynthesisTask {
+  std::optional<SynthesisChoice> choice;  ///< where the file has ranges
+  std::vector<PositionJets> positions;
+  std::optional<BurmesterSolution> dyads;    ///< of five positions
+  std::optional<FourPositionCurves> curves;  ///< of four
+  std::optional<Circle> straight_paths;      ///< of three
+  std::vector<LinkageCandidate> linkages;    ///< the best first
+};
+
+/// What a selection looked at.
+struct SelectionCounts {
+  int samples = 0;
+  int with_linkage = 0;
+  int usable = 0;
+};
+
+struct SynthesisAnalysis {
+  std::string file;  ///< as the user gave it
+  MechanismDescription description;
+  int curve_count = 200;                     ///< points of each curve
+  std::string form;                          ///< "PP-PP-P"
+  std::optional<SelectionCounts> selection;  ///< where the file has ranges
+  std::vector<SynthesisTask> tasks;          ///< with ranges the best choices, perhaps none
+};
+
+/// Lengths below this are rounding of the positions and reported as zero [m].
+double zero_length(const SynthesisTask& task);
+
+FileReport make_synthesis_report(const SynthesisAnalysis& analysis,
+                                 const ReportForms& forms,
+                                 const Diagnostics& found);
+
+}  // namespace kinestat

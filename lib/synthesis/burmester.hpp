@@ -1,0 +1,50 @@
+// Five multiply separated positions: the Burmester points, and so all dyads.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "synthesis/dyad.hpp"
+#include "synthesis/position_jets.hpp"
+
+namespace kinestat {
+
+enum class BurmesterStatus {
+  solved,    ///< four dyads, some of them perhaps not real
+  family,    ///< infinitely many dyads, see `reason`
+  no_digits  ///< the positions are too close to each other for their number of digits
+};
+
+/// Why there is no finite number of dyads, or which part of the answer is a family.
+enum class Degeneracy {
+  none,
+  translation,        ///< no position turns against another: whole translations
+  repeated_position,  ///< a position is there twice: four positions remain at most
+  dependent,          ///< the conditions of the positions follow from each other
+  straight_paths,     ///< a whole circle of points moves on straight lines (Cardan motion)
+  sliding_lines,      ///< a whole pencil of lines slides on fixed points
+  shared_line,        ///< a curve of circle points, and at most one dyad beside it
+  shared_conic        ///< the positions leave a curve of circle points
+};
+
+/// The word in reports.
+std::string_view word_of(Degeneracy reason);
+
+struct BurmesterSolution {
+  BurmesterStatus status = BurmesterStatus::solved;
+  Degeneracy reason = Degeneracy::none;
+  std::vector<Dyad> dyads;  ///< real ones; in a family those that stand alone
+  int imaginary_count = 0;  ///< dyads that are not real, counted with multiplicity
+  double flatness = 0.0;    ///< smallest by largest singular value of the scaled conditions
+  double shared_gap = 0.0;  ///< about 1: a finite number of dyads; rounding: a family
+  double digits = 16.0;     ///< of the positions that the conditions keep, estimated
+};
+
+/// Exactly five positions in any grouping: PPPPP, PPPP-P, PPP-PP, PPP-P-P, PP-PP-P, PP-P-P-P,
+/// P-P-P-P-P. The null space of the four conditions is a plane; in it, what makes seven numbers a
+/// dyad (p = au + bv, q = bu - av) are two conics, and their four shared points the Burmester
+/// points: the quartic, without the poles and circular points of the classical elimination.
+BurmesterSolution solve_burmester(std::span<const PositionJets> positions);
+
+}  // namespace kinestat

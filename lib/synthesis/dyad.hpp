@@ -1,0 +1,44 @@
+// A dyad: a link that joins the moving plane to the fixed one, and so keeps a point on a circle.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "synthesis/position_jets.hpp"
+
+namespace kinestat {
+
+enum class DyadKind {
+  crank,           ///< circle point and centre point at a distance
+  slider,          ///< the centre lies at infinity: the circle point moves on a straight line
+  inverted_slider  ///< the circle point lies at infinity: a line of the plane slides on a fixed
+                   ///< point
+};
+
+/// (pt: díade) What of it is used depends on the kind.
+struct Dyad {
+  DyadKind kind = DyadKind::crank;
+  Point circle_point = {
+      0.0, 0.0};  ///< moving frame; of an inverted slider the point of the line at its foot
+  Point centre_point = {0.0,
+                        0.0};  ///< fixed frame; of a slider the circle point in the first position
+
+  /// Unit vector. Of a slider: along its path, fixed frame. Of an inverted slider: along the line,
+  /// moving frame; its foot is where the perpendicular from the origin of the frame meets it.
+  Point direction = {1.0, 0.0};
+  double length = 0.0;    ///< of a crank
+  int multiplicity = 1;   ///< 2: two dyads that coincide
+  double digits = 16.0;   ///< decimal digits that the data and the method leave, estimated
+  double residual = 0.0;  ///< the worst breach of its conditions, see find_residual
+};
+
+/// How far a dyad misses the positions: the largest change, from the first position, of what it
+/// keeps constant (of the square of the length, or of the distance from the line), and the largest
+/// prescribed derivative of it, each as a share of the terms of its sum.
+double find_residual(const Dyad& dyad, std::span<const PositionJets> positions);
+
+/// A fixed order, whatever the order in which they were found: cranks by their length, then
+/// sliders, then inverted sliders.
+void sort_dyads(std::vector<Dyad>& dyads);
+
+}  // namespace kinestat

@@ -1,0 +1,253 @@
+#include "synthesis/few_positions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/contract.hpp"
+#include "core/tolerance.hpp"
+#include "core/types.hpp"
+#include "synthesis/internal/condition_rows.hpp"
+#include "synthesis/internal/condition_space.hpp"
+#include "synthesis/internal/dyad_point.hpp"
+
+namespace kinestat {
+
+namespace {
+
+using Row = std::array<double, 7>;
+
+// A polynomial in u and v up to the third degree: coefficient [i][j] of u^i v^j.
+struct Polynomial {
+  std::array<std::array<double, 4>, 4> of{};
+
+  static Polynomial linear(double one, double u, double v) {
+    Polynomial result;
+    result.of[0][0] = one;
+    result.of[1][0] = u;
+    result.of[0][1] = v;
+    return result;
+  }
+
+  Polynomial operator*(const Polynomial& other) const {
+    Polynomial result;
+    for (std::size_t i = 0; i < 16; ++i) {
+      for (std::size_t j = 0; j < 16; ++j) {
+        const std::size_t power_u = i / 4 + j / 4;
+        const std::size_t power_v = i % 4 + j % 4;
+        if (power_u < 4 && power_v < 4) {
+          result.of[power_u][power_v] += of[i / 4][i % 4] * other.of[j / 4][j % 4];
+        }
+      }
+    }
+    return result;
+  }
+
+  Polynomial& add(const Polynomial& other, double factor) {
+    for (std::size_t i = 0; i < 16; ++i) {
+      of[i / 4][i % 4] += factor * other.of[i / 4][i % 4];
+    }
+    return *this;
+  }
+};
+
+// The three coefficients of (a, b, 1) for a given circle point, or of (u, v, 1) for a given centre:
+// linear in the coordinates of what is given.
+using LinearRow = std::array<std::array<double, 3>, 3>;
+
+LinearRow row_for_circle_point(const Row& r) {
+  return {{{r[2], r[4], -r[5]}, {r[3], r[5], r[4]}, {r[6], r[0], r[1]}}};
+}
+
+LinearRow row_for_centre(const Row& r) {
+  return {{{r[0], r[4], r[5]}, {r[1], -r[5], r[4]}, {r[6], r[2], r[3]}}};
+}
+
+Polynomial polynomial_of(const std::array<double, 3>& c) {
+  return Polynomial::linear(c[0], c[1], c[2]);
+}
+
+Polynomial determinant(const std::array<LinearRow, 3>& rows) {
+  Polynomial sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    const Polynomial first = polynomial_of(rows[0][i]);
+    sum.add(first * (polynomial_of(rows[1][j]) * polynomial_of(rows[2][k])), 1.0);
+    sum.add(first * (polynomial_of(rows[1][k]) * polynomial_of(rows[2][j])), -1.0);
+  }
+  return sum;
+}
+
+PlaneCubic cubic_of(const std::array<LinearRow, 3>& rows, const ConditionRows& system) {
+  const auto& p = determinant(rows).of;
+  PlaneCubic cubic{.centre = Point(system.x, system.y), .length = system.length};
+  cubic.k = {0.5 * (p[3][0] + p[1][2]), 0.5 * (p[0][3] + p[2][1])};
+  cubic.q = {p[2][0], p[1][1], p[0][2]};
+  cubic.l = {p[1][0], p[0][1]};
+  cubic.c = p[0][0];
+  return cubic.about(cubic.centre, cubic.length);  // divides by the largest coefficient
+}
+
+Vec3 values_at(const LinearRow& row, const Point& z) {
+  Vec3 result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result[static_cast<Eigen::Index>(i)] = row[i][0] + row[i][1] * z.real() + row[i][2] * z.imag();
+  }
+  return result;
+}
+
+// The vector that the rows leave over: of all pairs of rows the longest product, which is that of
+// the two that differ most.
+Vec3 common_solution(const std::vector<Vec3>& rows) {
+  Vec3 best = Vec3::Zero();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t j = i + 1; j < rows.size(); ++j) {
+      const Vec3 product = rows[i].cross(rows[j]);
+      best = product.norm() > best.norm() ? product : best;
+    }
+  }
+  return best;
+}
+
+using Homogeneous = Eigen::Matrix<double, 7, 1>;
+
+// A dyad whose circle point and centre are given as (x, y, h), one of them with h = 1.
+Homogeneous seven_of(const Vec3& circle, const Vec3& centre) {
+  const Point z(circle[0], circle[1]);
+  const Point w(centre[0], centre[1]);
+  const Point product = z * std::conj(w);
+  Homogeneous x;
+  x << z.real() * centre[2], z.imag() * centre[2], w.real() * circle[2], w.imag() * circle[2],
+      product.real(), -product.imag(), circle[2] * centre[2];
+  return x;
+}
+
+Point in_system(const ConditionRows& system, const Point& point) {
+  return (point - Point(system.x, system.y)) / system.length;
+}
+
+// Solutions with h = 0 and one of the two points at infinity: the null vector of three equations
+// for four of the seven numbers.
+std::optional<Dyad> find_infinite(const ConditionRows& system,
+                                  const PositionJets& first,
+                                  const std::array<std::size_t, 4>& columns) {
+  MatX matrix(3, 4);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+          system.rows[i][columns[j]];
+    }
+  }
+  const NullSpace space = find_null_space(matrix);
+  if (space.flatness() < kRankZero) {
+    return std::nullopt;
+  }
+  Homogeneous x = Homogeneous::Zero();
+  for (std::size_t j = 0; j < 4; ++j) {
+    x[static_cast<Eigen::Index>(columns[j])] = space.basis(static_cast<Eigen::Index>(j), 0);
+  }
+  return dyad_of(x, system, first);
+}
+
+std::optional<Dyad> with_residual(std::optional<Dyad> dyad,
+                                  std::span<const PositionJets> positions) {
+  if (dyad) {
+    dyad->residual = find_residual(*dyad, positions);
+  }
+  return dyad;
+}
+
+}  // namespace
+
+FourPositionCurves find_curves(std::span<const PositionJets> positions) {
+  KINESTAT_EXPECTS(position_count(positions) == 4);
+  const ConditionRows system = make_condition_rows(positions);
+  const ConditionSpace space = find_condition_space(system, positions);
+  FourPositionCurves result;
+  result.status = space.status;
+  result.reason = space.reason;
+  result.flatness = space.flatness;
+  result.digits = space.digits;
+  if (space.status != BurmesterStatus::solved) {
+    return result;
+  }
+  std::array<LinearRow, 3> of_circle_points;
+  std::array<LinearRow, 3> of_centres;
+  for (std::size_t i = 0; i < 3; ++i) {
+    of_circle_points[i] = row_for_circle_point(system.rows[i]);
+    of_centres[i] = row_for_centre(system.rows[i]);
+  }
+  result.circle_points = cubic_of(of_circle_points, system);
+  result.centre_points = cubic_of(of_centres, system);
+  result.slider = with_residual(find_infinite(system, positions[0], {2, 3, 4, 5}), positions);
+  result.inverted_slider =
+      with_residual(find_infinite(system, positions[0], {0, 1, 4, 5}), positions);
+  return result;
+}
+
+std::optional<Dyad> find_dyad(std::span<const PositionJets> positions, const Point& circle_point) {
+  const ConditionRows system = make_condition_rows(positions);
+  const Point z = in_system(system, circle_point);
+  std::vector<Vec3> rows;
+  for (const Row& row : system.rows) {
+    rows.push_back(values_at(row_for_circle_point(row), z));
+  }
+  const Vec3 centre = common_solution(rows);
+  if (!(centre.norm() > kCancellation)) {
+    return std::nullopt;
+  }
+  const Vec3 circle(z.real(), z.imag(), 1.0);
+  return with_residual(dyad_of(seven_of(circle, centre), system, positions[0]), positions);
+}
+
+std::optional<Dyad> find_dyad_with_centre(std::span<const PositionJets> positions,
+                                          const Point& centre) {
+  const ConditionRows system = make_condition_rows(positions);
+  const Point w = in_system(system, centre);
+  std::vector<Vec3> rows;
+  for (const Row& row : system.rows) {
+    rows.push_back(values_at(row_for_centre(row), w));
+  }
+  const Vec3 circle = common_solution(rows);
+  if (!(circle.norm() > kCancellation)) {
+    return std::nullopt;
+  }
+  const Vec3 fixed(w.real(), w.imag(), 1.0);
+  return with_residual(dyad_of(seven_of(circle, fixed), system, positions[0]), positions);
+}
+
+std::optional<PlaneLine> find_centre_line(std::span<const PositionJets> positions,
+                                          const Point& circle_point) {
+  KINESTAT_EXPECTS(position_count(positions) == 2);
+  const ConditionRows system = make_condition_rows(positions);
+  const Vec3 row = values_at(row_for_circle_point(system.rows[0]), in_system(system, circle_point));
+  const double size = row.head<2>().norm();
+  if (!(size > kCancellation)) {
+    return std::nullopt;
+  }
+  const Point normal = Point(row[0], row[1]) / size;
+  return PlaneLine{.normal = normal,
+                   .offset = -system.length * row[2] / size + dot(normal, {system.x, system.y})};
+}
+
+std::optional<Circle> find_straight_path_circle(std::span<const PositionJets> positions) {
+  KINESTAT_EXPECTS(position_count(positions) == 3);
+  const ConditionRows system = make_condition_rows(positions);
+  const LinearRow one = row_for_circle_point(system.rows[0]);
+  const LinearRow other = row_for_circle_point(system.rows[1]);
+  // The centre is at infinity: the coefficients of a and b are proportional.
+  Polynomial p = polynomial_of(one[0]) * polynomial_of(other[1]);
+  p.add(polynomial_of(one[1]) * polynomial_of(other[0]), -1.0);
+  const double leading = 0.5 * (p.of[2][0] + p.of[0][2]);
+  if (!(std::abs(leading) > kRankZero)) {
+    return std::nullopt;
+  }
+  const Point middle = Point(p.of[1][0], p.of[0][1]) / (-2.0 * leading);
+  const double square = std::norm(middle) - p.of[0][0] / leading;
+  return Circle{.centre = Point(system.x, system.y) + system.length * middle,
+                .radius = system.length * std::sqrt(std::max(square, 0.0))};
+}
+
+}  // namespace kinestat

@@ -1,0 +1,87 @@
+#include "synthesis/internal/condition_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/tolerance.hpp"
+
+namespace kinestat {
+
+namespace {
+
+MatX matrix_of(const ConditionRows& system) {
+  MatX matrix(static_cast<Eigen::Index>(system.rows.size()), 7);
+  for (std::size_t i = 0; i < system.rows.size(); ++i) {
+    for (std::size_t j = 0; j < 7; ++j) {
+      matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = system.rows[i][j];
+    }
+  }
+  return matrix;
+}
+
+// What rounding of the positions moves the null space by.
+double find_loss(const NullSpace& space, const std::vector<double>& noise) {
+  double loss = kEpsilon;
+  for (std::size_t i = 0; i < noise.size(); ++i) {
+    loss += noise[i] * space.inverse.col(static_cast<Eigen::Index>(i)).norm();
+  }
+  return loss;
+}
+
+bool is_translation(std::span<const PositionJets> positions) {
+  return std::ranges::all_of(positions, [&](const PositionJets& position) {
+    const bool stands =
+        std::ranges::all_of(position.angle.begin() + 1, position.angle.end(), [](double rate) {
+          return std::abs(rate) < kSameAngle;
+        });
+    return stands && std::abs(position.angle[0] - positions[0].angle[0]) < kSameAngle;
+  });
+}
+
+// Every singular value clearly counts or is rounding.
+bool has_clear_gap(const VecX& values) {
+  return std::ranges::all_of(values, [&](double value) {
+    return value > kClearGap * values[0] || value < kCancellation * values[0];
+  });
+}
+
+void find_why_flat(const ConditionRows& system,
+                   std::span<const PositionJets> positions,
+                   ConditionSpace& space) {
+  const bool is_repeated = std::ranges::any_of(system.rows, [](const auto& row) {
+    return std::ranges::all_of(row, [](double entry) { return entry == 0.0; });
+  });
+  const bool is_noisy =
+      std::ranges::any_of(system.noise, [](double noise) { return noise > kNoisyRow; });
+  space.status = BurmesterStatus::family;
+  if (is_repeated) {
+    space.reason = Degeneracy::repeated_position;
+  } else if (is_noisy || !has_clear_gap(space.space.singular_values)) {
+    space.status = BurmesterStatus::no_digits;
+  } else {
+    space.reason = is_translation(positions) ? Degeneracy::translation : Degeneracy::dependent;
+  }
+}
+
+}  // namespace
+
+double digits_of(double loss) {
+  constexpr double kMost = 16.0;
+  return std::isnan(loss) ? 0.0 : std::clamp(-std::log10(loss), 0.0, kMost);
+}
+
+ConditionSpace find_condition_space(const ConditionRows& system,
+                                    std::span<const PositionJets> positions) {
+  ConditionSpace result;
+  result.space = find_null_space(matrix_of(system));
+  result.loss = find_loss(result.space, system.noise);
+  result.digits = digits_of(result.loss);
+  result.flatness = result.space.flatness();
+  if (!(result.loss < kUselessLoss)) {
+    find_why_flat(system, positions, result);
+  }
+  return result;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,29 @@
+// What the conditions of a task leave open, and what rounding of the positions leaves of it.
+#pragma once
+
+#include <span>
+
+#include "math/null_space.hpp"
+#include "synthesis/burmester.hpp"
+#include "synthesis/internal/condition_rows.hpp"
+
+namespace kinestat {
+
+struct ConditionSpace {
+  NullSpace space;
+  BurmesterStatus status = BurmesterStatus::solved;
+  Degeneracy reason = Degeneracy::none;
+  double loss = 0.0;  ///< what rounding of the positions moves the null space by
+  double digits = 0.0;
+  double flatness = 0.0;
+};
+
+/// Tells positions that depend on each other from positions that are too close: the former leave a
+/// clear gap in the singular values and rounding far below, the latter neither.
+ConditionSpace find_condition_space(const ConditionRows& system,
+                                    std::span<const PositionJets> positions);
+
+/// Decimal digits that an error leaves, 0 to 16.
+double digits_of(double loss);
+
+}  // namespace kinestat

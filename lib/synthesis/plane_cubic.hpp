@@ -1,0 +1,56 @@
+// Circular cubics: the curves of circle points and centre points of four positions.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "synthesis/plane.hpp"
+
+namespace kinestat {
+
+/// The points Z whose normal . Z is offset; the normal has length 1.
+struct PlaneLine {
+  Point normal = {1.0, 0.0};
+  double offset = 0.0;  ///< [length]
+};
+
+/// (u² + v²)(k1 u + k2 v) + q11 u² + q12 uv + q22 v² + l1 u + l2 v + c = 0 for the points
+/// Z = centre + length (u + iv); the largest coefficient is 1.
+struct PlaneCubic {
+  std::array<double, 2> k{};
+  std::array<double, 3> q{};  ///< q11, q12, q22
+  std::array<double, 2> l{};
+  double c = 0.0;
+  Point centre = {0.0, 0.0};  ///< [length], fixed frame
+  double length = 1.0;        ///< the unit of u and v
+
+  /// The left side at Z, by the sum of the sizes of its terms: rounding on the curve.
+  double miss(const Point& point) const;
+
+  /// The tangents in the circular points at infinity meet in it; it lies on the curve. Empty if the
+  /// curve is a conic.
+  std::optional<Point> focus() const;
+
+  /// The only real one. Empty if the curve is a conic.
+  std::optional<PlaneLine> asymptote() const;
+
+  /// The same curve in u, v about another centre and in another unit, such as 0 and 1.
+  PlaneCubic about(const Point& new_centre, double new_length) const;
+};
+
+struct CurveBranch {
+  std::vector<Point> points;
+  bool is_closed = false;
+};
+
+/// The part of the curve within a circle, in branches; about `count` points in all. Lines parallel
+/// to the asymptote meet the curve in two other points at most, the roots of a quadratic equation:
+/// no direction and no number of branches is special. Where the curve falls apart into its
+/// asymptote and a circle, the line is a branch.
+std::vector<CurveBranch> sample(const PlaneCubic& cubic,
+                                const Point& middle,
+                                double radius,
+                                int count);
+
+}  // namespace kinestat

@@ -1,0 +1,107 @@
+#include "synthesis/special_frame.hpp"
+
+#include <cmath>
+
+namespace kinestat {
+
+namespace {
+
+constexpr Point kI{0.0, 1.0};
+
+// i^k.
+Point quarter_turns(std::size_t k) {
+  constexpr Point kTurns[] = {{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}};
+  return kTurns[k % 4];
+}
+
+}  // namespace
+
+Point SpecialFrame::to_fixed(const Point& point) const {
+  return pole + unit_vector(angle) * point;
+}
+
+Point SpecialFrame::from_fixed(const Point& point) const {
+  return unit_vector(-angle) * (point - pole);
+}
+
+std::optional<Point> find_pole(const PositionJets& position) {
+  if (position.order() < 2 || position.angle[1] == 0.0) {
+    return std::nullopt;
+  }
+  // o' = i (o - P) γ'.
+  const Point pole = origin(position) + kI * origin(position, 1) / position.angle[1];
+  return std::isfinite(pole.real()) && std::isfinite(pole.imag()) ? std::optional(pole)
+                                                                  : std::nullopt;
+}
+
+std::optional<SpecialFrame> find_special_frame(const PositionJets& position) {
+  const std::optional<Point> pole = find_pole(position);
+  if (!pole || position.order() < 3) {
+    return std::nullopt;
+  }
+  const PositionJets jets = by_angle(position);
+  // The inflection pole is J = o + o''.
+  const Point diameter = origin(jets) + origin(jets, 2) - *pole;
+  SpecialFrame frame{.pole = *pole, .diameter = std::abs(diameter), .derivatives = {}};
+  frame.angle = frame.diameter > 0.0 ? std::atan2(-diameter.real(), diameter.imag()) : 0.0;
+  const Point arm = origin(jets) - *pole;
+  for (int k = 0; k < jets.order(); ++k) {
+    const Point of_pole = k == 0
+                              ? Point(0.0, 0.0)
+                              : origin(jets, k) - quarter_turns(static_cast<std::size_t>(k)) * arm;
+    frame.derivatives.push_back(unit_vector(-frame.angle) * of_pole);
+  }
+  // What holds by the choice of the frame holds exactly.
+  frame.derivatives[1] = Point(0.0, 0.0);
+  frame.derivatives[2] = Point(0.0, frame.diameter);
+  return frame;
+}
+
+PositionJets jets_of(const SpecialFrame& frame, const Point& at, double angle) {
+  const std::size_t order = frame.derivatives.size();
+  PositionJets position{.x = {}, .y = {}, .angle = std::vector<double>(order, 0.0)};
+  for (std::size_t k = 0; k < order; ++k) {
+    const Point jet = unit_vector(frame.angle) * frame.derivatives[k] +
+                      quarter_turns(k) * (at - frame.pole) +
+                      (k == 0 ? frame.pole : Point(0.0, 0.0));
+    position.x.push_back(k == 0 ? at.real() : jet.real());
+    position.y.push_back(k == 0 ? at.imag() : jet.imag());
+  }
+  position.angle[0] = angle;
+  position.angle[1] = 1.0;
+  return position;
+}
+
+Circle inflection_circle(const SpecialFrame& frame) {
+  return {.centre = frame.to_fixed({0.0, frame.diameter / 2}), .radius = frame.diameter / 2};
+}
+
+Circle cuspidal_circle(const SpecialFrame& frame) {
+  return {.centre = frame.to_fixed({0.0, -frame.diameter / 2}), .radius = frame.diameter / 2};
+}
+
+std::optional<StationaryCurvature> find_stationary_curvature(const SpecialFrame& frame) {
+  const double d = frame.diameter;
+  if (frame.derivatives.size() < 4 || !(d > 0.0)) {
+    return std::nullopt;
+  }
+  // α3 = 3 d²/M - 3 d, β3 = 3 d²/N; do Valle 1983, eqs. 2.41 to 2.45.
+  return StationaryCurvature{.inverse_m = (frame.derivatives[3].real() / d + 3.0) / (3.0 * d),
+                             .inverse_n = frame.derivatives[3].imag() / d / (3.0 * d)};
+}
+
+std::optional<Point> find_ball_point(const SpecialFrame& frame) {
+  if (frame.derivatives.size() < 4) {
+    return std::nullopt;
+  }
+  const double a3 = frame.derivatives[3].real();
+  const double b3 = frame.derivatives[3].imag();
+  const double square = a3 * a3 + b3 * b3;
+  if (!(square > 0.0)) {
+    return std::nullopt;
+  }
+  // On the inflection circle in the direction tan φ = -α3/β3.
+  return frame.to_fixed(frame.diameter / square * Point(-a3 * b3, a3 * a3));
+}
+
+}  // namespace kinestat

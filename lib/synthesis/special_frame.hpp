@@ -1,0 +1,67 @@
+// The special frame of an instant: its pole, its inflection circle, and what follows from them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "synthesis/position_jets.hpp"
+
+namespace kinestat {
+
+/// The special reference frame (pt: sistema especial de referência) has its origin in the pole, x
+/// along the pole tangent and y along the pole normal towards the inflection circle; both the fixed
+/// and the moving frame lie in it at that instant. do Valle 1983, section 2.3.
+struct SpecialFrame {
+  Point pole;             ///< [length], fixed frame
+  double diameter = 0.0;  ///< d of the inflection circle [length]; α2 = 0, β2 = d
+  double angle = 0.0;     ///< θ of x from the x axis of the fixed frame [rad]
+
+  /// a_k + i b_k: derivative k by the angle of the pole point of the plane, k = 0 to n - 1, in this
+  /// frame [length]. The first three are 0, 0, i d.
+  std::vector<Point> derivatives;
+
+  /// A point given in this frame, in the fixed one; and back.
+  Point to_fixed(const Point& point) const;
+  Point from_fixed(const Point& point) const;
+};
+
+struct Circle {
+  Point centre;
+  double radius = 0.0;
+};
+
+/// Reciprocals of M and N [1/length]: the cubic of stationary curvature in polar coordinates of the
+/// special frame is 1/r = 1/(M sin φ) + 1/(N cos φ); zero where it falls apart into circle and
+/// line.
+struct StationaryCurvature {
+  double inverse_m = 0.0;
+  double inverse_n = 0.0;
+};
+
+/// Needs three derivatives of the pose at least: the order is 3, 4 or 5. Empty if the plane does
+/// not turn there.
+std::optional<SpecialFrame> find_special_frame(const PositionJets& position);
+
+/// The position whose moving frame has its origin at `at` and stands at `angle`, by the angle as
+/// parameter: the way back.
+PositionJets jets_of(const SpecialFrame& frame, const Point& at, double angle);
+
+/// The point about which the plane turns at the instant; empty if it does not turn or the order is
+/// below 2.
+std::optional<Point> find_pole(const PositionJets& position);
+
+/// Points whose paths have an inflection there.
+Circle inflection_circle(const SpecialFrame& frame);
+
+/// The reflection of the inflection circle at the pole tangent: centres of curvature of points at
+/// infinity.
+Circle cuspidal_circle(const SpecialFrame& frame);
+
+/// Empty below order 4, or if d = 0.
+std::optional<StationaryCurvature> find_stationary_curvature(const SpecialFrame& frame);
+
+/// The point whose path is straightest, where inflection circle and cubic meet [fixed frame]. Empty
+/// below order 4, or if every point of the inflection circle has that property.
+std::optional<Point> find_ball_point(const SpecialFrame& frame);
+
+}  // namespace kinestat

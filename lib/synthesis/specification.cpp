@@ -1,0 +1,201 @@
+#include "synthesis/specification.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contract.hpp"
+#include "core/tolerance.hpp"
+#include "synthesis/special_frame.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// A circle point in polar coordinates of the special frame.
+struct PolarPoint {
+  double radius = 1.0;
+  double sine = 0.0;
+  double cosine = 1.0;
+};
+
+PolarPoint polar_of(const SpecialFrame& frame, const Point& point) {
+  const Point local = frame.from_fixed(point);
+  const double radius = std::abs(local);
+  return {.radius = radius, .sine = local.imag() / radius, .cosine = local.real() / radius};
+}
+
+// x of  x cos + y sin = right  at both points.
+Point solve_pair(const PolarPoint& e, const PolarPoint& f, double right_e, double right_f) {
+  const double determinant = e.cosine * f.sine - e.sine * f.cosine;
+  return {(right_e * f.sine - e.sine * right_f) / determinant,
+          (e.cosine * right_f - right_e * f.cosine) / determinant};
+}
+
+// The cubic of stationary curvature through the point, cos / M + sin / N = sin cos / r; do Valle
+// 1983, eq. 2.41 without its divisions.
+double stationary_side(const PolarPoint& point) {
+  return point.sine * point.cosine / point.radius;
+}
+
+// α4 cos + β4 sin of a Burmester point; do Valle 1983, eq. 2.53, with -3 d³/r², 4 α3 + 6 d and
+// +3 d²/r where it prints +3, 3 and -3.
+double burmester_side(const PolarPoint& point, double d, const Point& third) {
+  const double a3 = third.real();
+  const double b3 = third.imag();
+  const auto [r, s, c] = point;
+  return -4.0 * b3 * c + (4.0 * a3 + 5.0 * d + 3.0 * d * d * d / (r * r)) * s -
+         (4.0 * a3 + 6.0 * d) * (d / r) * s * s + 4.0 * b3 * (d / r) * s * c - 3.0 * d * d / r;
+}
+
+class Specifier {
+ public:
+  Specifier(const PositionSpecification& given, const EffectiveFreedom* freedom)
+      : given_(given), freedom_(freedom) {}
+
+  SpecifiedPosition run() {
+    if (!given_.pole) {
+      return {.jets = finite_position(given_.at, given_.angle)};
+    }
+    frame_.pole = *given_.pole;
+    frame_.derivatives = {Point(0.0, 0.0), Point(0.0, 0.0)};
+    SpecificationFault fault = SpecificationFault::none;
+    if (given_.curvature) {
+      fault = add_curvature(*given_.curvature);
+    }
+    if (fault == SpecificationFault::none && given_.is_stationary) {
+      fault = add_stationary();
+    }
+    if (fault != SpecificationFault::none) {
+      return {.jets = std::nullopt, .fault = fault};
+    }
+    return {.jets = jets_of(frame_, given_.at, given_.angle)};
+  }
+
+ private:
+  // Euler and Savary with signed lengths from the pole: where the line of a point meets the
+  // inflection circle, j = r r_O / (r_O - r), and for F j = r (1 - 1/m).
+  SpecificationFault add_curvature(const CurvatureSpecification& given) {
+    const Point to_e = given_.at - frame_.pole;
+    if (const SpecificationFault fault = check(given, to_e); fault != SpecificationFault::none) {
+      return fault;
+    }
+    const double r_e = std::abs(to_e);
+    const Point e = to_e / r_e;
+    const double r_o = dot(given.centre - frame_.pole, e);
+    const double j_e = r_e * r_o / (r_o - r_e);
+    set_diameter(freedom_ != nullptr ? j_e * e + freedom_->s * left_of(e)
+                                     : diameter_by_free_point(given, e, j_e));
+    return SpecificationFault::none;
+  }
+
+  Point diameter_by_free_point(const CurvatureSpecification& given,
+                               const Point& e,
+                               double j_e) const {
+    const Point to_f = given.free_point - frame_.pole;
+    const double r_f = std::abs(to_f);
+    const double j_f = r_f * (1.0 - 1.0 / given.ratio);
+    return solve_pair({.radius = 1.0, .sine = e.imag(), .cosine = e.real()},
+                      {.radius = r_f, .sine = to_f.imag() / r_f, .cosine = to_f.real() / r_f},
+                      j_e,
+                      j_f);
+  }
+
+  void set_diameter(const Point& diameter) {
+    frame_.diameter = std::abs(diameter);
+    frame_.angle = frame_.diameter > 0.0 ? std::atan2(-diameter.real(), diameter.imag()) : 0.0;
+    frame_.derivatives.emplace_back(0.0, frame_.diameter);
+  }
+
+  SpecificationFault check(const CurvatureSpecification& given, const Point& to_e) const {
+    using enum SpecificationFault;
+    const Point arm = given.centre - given_.at;
+    const double size = std::max({std::abs(given_.at), std::abs(*given_.pole), std::abs(to_e)});
+    if (!(std::abs(to_e) > kCancellation * size)) {
+      return point_in_pole;
+    }
+    if (freedom_ == nullptr) {
+      if (const SpecificationFault fault = check_free_point(given, to_e, size); fault != none) {
+        return fault;
+      }
+    }
+    if (!(std::abs(arm) > kCancellation * size)) {
+      return centre_in_point;
+    }
+    return std::abs(cross(to_e, arm)) > kCollinearSpecification * std::abs(to_e) * std::abs(arm)
+               ? centre_off_normal
+               : none;
+  }
+
+  SpecificationFault check_free_point(const CurvatureSpecification& given,
+                                      const Point& to_e,
+                                      double size) const {
+    using enum SpecificationFault;
+    const Point to_f = given.free_point - frame_.pole;
+    if (!(std::abs(to_f) > kCancellation * size)) {
+      return free_point_in_pole;
+    }
+    if (given.ratio == 0.0) {
+      return zero_ratio;
+    }
+    return std::abs(cross(to_e, to_f)) < kCollinearSpecification * std::abs(to_e) * std::abs(to_f)
+               ? aligned_points
+               : none;
+  }
+
+  SpecificationFault add_stationary() {
+    KINESTAT_EXPECTS(given_.curvature.has_value());
+    const double d = frame_.diameter;
+    const PolarPoint e = polar_of(frame_, given_.at);
+    if (!(d > kCancellation * e.radius)) {
+      return SpecificationFault::no_inflection_circle;
+    }
+    const PolarPoint f = polar_of(frame_, given_.curvature->free_point);
+    const Point inverse = freedom_ != nullptr
+                              ? on_line(e, stationary_side(e), freedom_->tau / d)
+                              : solve_pair(e, f, stationary_side(e), stationary_side(f));
+    const Point third(3.0 * d * d * inverse.real() - 3.0 * d, 3.0 * d * d * inverse.imag());
+    frame_.derivatives.push_back(third);
+    if (given_.is_burmester) {
+      const double of_e = burmester_side(e, d, third);
+      frame_.derivatives.push_back(freedom_ != nullptr
+                                       ? on_line(e, of_e, freedom_->tau_2 * d)
+                                       : solve_pair(e, f, of_e, burmester_side(f, d, third)));
+    }
+    return SpecificationFault::none;
+  }
+
+  // x cos + y sin = right leaves a line; its point at a distance to the left of the normal.
+  static Point on_line(const PolarPoint& e, double right, double along) {
+    const Point normal(e.cosine, e.sine);
+    return right * normal + along * left_of(normal);
+  }
+
+  const PositionSpecification& given_;
+  const EffectiveFreedom* freedom_;  // instead of the free point; may be null
+  SpecialFrame frame_;
+};
+
+}  // namespace
+
+SpecifiedPosition find_jets(const PositionSpecification& specification) {
+  return Specifier(specification, nullptr).run();
+}
+
+SpecifiedPosition find_jets(const PositionSpecification& specification,
+                            const EffectiveFreedom& freedom) {
+  return Specifier(specification, &freedom).run();
+}
+
+std::optional<double> find_ratio(const PositionJets& position, const Point& free_point) {
+  const std::optional<SpecialFrame> frame = find_special_frame(position);
+  const Point arm = frame ? free_point - frame->pole : Point(0.0, 0.0);
+  const double r = std::abs(arm);
+  if (!(r > 0.0)) {
+    return std::nullopt;
+  }
+  // m = r / (r - j), j where the line of the point meets the inflection circle.
+  const Point diameter = unit_vector(frame->angle) * Point(0.0, frame->diameter);
+  return r / (r - dot(diameter, arm) / r);
+}
+
+}  // namespace kinestat

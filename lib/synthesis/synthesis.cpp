@@ -1,0 +1,141 @@
+#include "synthesis/synthesis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/tolerance.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Links that have a length: those between pivots.
+std::vector<double> link_lengths(const Linkage& linkage) {
+  std::vector<double> lengths;
+  for (const Dyad* dyad : {&linkage.one, &linkage.other}) {
+    if (dyad->kind == DyadKind::crank) {
+      lengths.push_back(dyad->length);
+    }
+  }
+  if (linkage.one.kind != DyadKind::inverted_slider &&
+      linkage.other.kind != DyadKind::inverted_slider) {
+    lengths.push_back(std::abs(linkage.one.circle_point - linkage.other.circle_point));
+  }
+  if (linkage.one.kind != DyadKind::slider && linkage.other.kind != DyadKind::slider) {
+    lengths.push_back(std::abs(linkage.one.centre_point - linkage.other.centre_point));
+  }
+  return lengths;
+}
+
+Defect defect_of(const DriveVerdict& verdict, const LinkageLimits& limits) {
+  if (!verdict.same_circuit) {
+    return Defect::circuit;
+  }
+  if (!verdict.same_branch) {
+    return Defect::branch;
+  }
+  if (verdict.passage == Passage::none) {
+    return Defect::order;
+  }
+  // Rounding must not decide at the limit itself.
+  return verdict.working_arc->margin() < limits.transmission * (1.0 - kSameValue)
+             ? Defect::transmission
+             : Defect::none;
+}
+
+double margin_of(const DriveVerdict& verdict) {
+  return verdict.working_arc ? verdict.working_arc->margin() : 0.0;
+}
+
+// The later in the list of defects, the better; then the margin.
+bool is_better(Defect one, double one_margin, Defect other, double other_margin) {
+  const auto rank = [](Defect defect) {
+    return defect == Defect::none ? 0
+                                  : 1 + static_cast<int>(Defect::size) - static_cast<int>(defect);
+  };
+  return rank(one) != rank(other) ? rank(one) < rank(other) : one_margin > other_margin;
+}
+
+void choose_drive(LinkageCandidate& candidate, const LinkageLimits& limits) {
+  const Defect one = defect_of(candidate.verdicts[0], limits);
+  const Defect other = defect_of(candidate.verdicts[1], limits);
+  const bool takes_other =
+      is_better(other, margin_of(candidate.verdicts[1]), one, margin_of(candidate.verdicts[0]));
+  candidate.best_drive = takes_other ? Drive::other : Drive::one;
+  candidate.defect = takes_other ? other : one;
+}
+
+LinkageCandidate judge(const Linkage& linkage,
+                       std::span<const PositionJets> positions,
+                       const LinkageLimits& limits) {
+  LinkageCandidate candidate;
+  candidate.linkage = linkage;
+  candidate.lengths = lengths_of(linkage);
+  if (candidate.lengths) {
+    candidate.grashof = classify(*candidate.lengths);
+    candidate.cognates = find_cognates(linkage, pose_of(positions[0]), {0.0, 0.0});
+  }
+  candidate.verdicts = {find_verdict(linkage, Drive::one, positions),
+                        find_verdict(linkage, Drive::other, positions)};
+  choose_drive(candidate, limits);
+  const std::vector<double> lengths = link_lengths(linkage);
+  if (!lengths.empty()) {
+    candidate.longest = std::ranges::max(lengths);
+    candidate.ratio = candidate.longest / std::ranges::min(lengths);
+  }
+  if (candidate.defect == Defect::none && candidate.ratio > limits.ratio * (1.0 + kSameValue)) {
+    candidate.defect = Defect::ratio;
+  }
+  if (candidate.defect == Defect::none && candidate.longest > limits.size * (1.0 + kSameValue)) {
+    candidate.defect = Defect::size;
+  }
+  return candidate;
+}
+
+}  // namespace
+
+std::string_view word_of(Defect defect) {
+  switch (defect) {
+    case Defect::none:
+      return "none";
+    case Defect::circuit:
+      return "circuit";
+    case Defect::branch:
+      return "branch";
+    case Defect::order:
+      return "order";
+    case Defect::transmission:
+      return "transmission_angle";
+    case Defect::ratio:
+      return "link_ratio";
+    case Defect::size:
+      return "size";
+  }
+  return "";
+}
+
+const DriveVerdict& LinkageCandidate::best() const {
+  return verdicts[best_drive == Drive::one ? 0 : 1];
+}
+
+double LinkageCandidate::margin() const {
+  return margin_of(best());
+}
+
+std::vector<LinkageCandidate> rank_linkages(std::span<const Dyad> dyads,
+                                            std::span<const PositionJets> positions,
+                                            const LinkageLimits& limits) {
+  std::vector<LinkageCandidate> candidates;
+  for (std::size_t i = 0; i < dyads.size(); ++i) {
+    for (std::size_t j = i + 1; j < dyads.size(); ++j) {
+      candidates.push_back(judge({.one = dyads[i], .other = dyads[j]}, positions, limits));
+      candidates.back().dyads = {i, j};
+    }
+  }
+  std::ranges::stable_sort(candidates, [](const auto& one, const auto& other) {
+    return is_better(one.defect, one.margin(), other.defect, other.margin());
+  });
+  return candidates;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,63 @@
+// Every linkage of the dyads that were found, judged and ranked.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "synthesis/burmester.hpp"
+#include "synthesis/cognates.hpp"
+#include "synthesis/linkage.hpp"
+#include "synthesis/verdict.hpp"
+
+namespace kinestat {
+
+/// What a linkage must keep to.
+struct LinkageLimits {
+  double transmission = 0.0;  ///< least margin of the transmission angle [rad]
+  double ratio = std::numeric_limits<double>::infinity();  ///< longest by shortest link
+  double size = std::numeric_limits<double>::infinity();   ///< longest link [length]
+};
+
+/// What speaks against a linkage, worst first.
+enum class Defect {
+  none,
+  circuit,       ///< positions lie in circuits that no motion joins
+  branch,        ///< a dead point of the input lies between positions
+  order,         ///< the input passes the positions in another order
+  transmission,  ///< below the limit
+  ratio,         ///< above the limit
+  size           ///< above the limit
+};
+
+/// The word in reports.
+std::string_view word_of(Defect defect);
+
+struct LinkageCandidate {
+  Linkage linkage;
+  std::array<std::size_t, 2> dyads{};  ///< which of the given dyads
+  std::optional<FourBarLengths> lengths;
+  std::optional<Grashof> grashof;
+  std::optional<Cognates> cognates;  ///< for the path of the origin of the moving frame
+  std::array<DriveVerdict, 2> verdicts;
+  Drive best_drive = Drive::one;
+  double longest = 0.0;          ///< of the links that have a length [length]
+  double ratio = 1.0;            ///< longest by shortest of them
+  Defect defect = Defect::none;  ///< with the best drive
+
+  const DriveVerdict& best() const;
+
+  /// Of the transmission angle on the working arc of the best drive [rad]; zero if it has none.
+  double margin() const;
+};
+
+/// All pairs of dyads, the best first: without defects, by the margin of the transmission angle;
+/// then the others by their defect. Double dyads count once.
+std::vector<LinkageCandidate> rank_linkages(std::span<const Dyad> dyads,
+                                            std::span<const PositionJets> positions,
+                                            const LinkageLimits& limits);
+
+}  // namespace kinestat

@@ -1,0 +1,128 @@
+#include "synthesis/selection.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "synthesis/specification.hpp"
+
+namespace kinestat {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+const Point kFreePoint{0.75, 2.0};
+
+// do Valle 1983: E in the origin, its pole and its centre, in tables 3 (PPP-P-P) and 5 (PPPP-P).
+PositionSpecification first_position(double degrees, bool is_stationary) {
+  return {.at = {0.0, 0.0},
+          .angle = degrees * kDegree,
+          .pole = Point(3.75, 3.25),
+          .curvature = CurvatureSpecification{{3.0, 2.6}, kFreePoint, 0.58},
+          .is_stationary = is_stationary};
+}
+
+std::optional<std::vector<PositionJets>> table_3(std::span<const double> choice) {
+  const auto first = find_jets(first_position(30.0, false), {.s = choice[0]});
+  return std::vector{*first.jets,
+                     finite_position({2.25, 1.2}, 52.0 * kDegree),
+                     finite_position({4.0, 1.0}, 65.0 * kDegree)};
+}
+
+std::optional<std::vector<PositionJets>> table_5(std::span<const double> choice) {
+  const auto first = find_jets(first_position(0.0, true), {.s = choice[0], .tau = choice[1]});
+  return std::vector{*first.jets, finite_position({0.0, 0.0}, 27.0 * kDegree)};
+}
+
+// The reference was computed independently by a search of its own.
+TEST(EffectiveFreedom, StandsForAFreePointAndItsRatio) {
+  const auto jets = find_jets(first_position(30.0, false), {.s = -2.1655612406317544});
+
+  EXPECT_NEAR(*find_ratio(*jets.jets, kFreePoint), 0.8671033547387643, 1e-12);
+}
+
+TEST(EffectiveFreedom, LeavesTheConditionsOfTheFreePointOut) {
+  PositionSpecification given = first_position(0.0, true);
+  given.is_burmester = true;
+  const PositionJets expected = *find_jets(given).jets;
+  PositionSpecification other = given;
+  other.curvature->free_point = {9.0, -4.0};
+  other.curvature->ratio = *find_ratio(expected, {9.0, -4.0});
+
+  // The same diameter by another free point; the higher orders ask other things of it.
+  const PositionJets found = *find_jets(other).jets;
+
+  EXPECT_LT(std::abs(origin(found, 2) - origin(expected, 2)), 1e-13);
+}
+
+// The reference scans the arc in steps and passes over the pose in which crank and ground are in
+// line: 3.439 deg, its margin, is the transmission angle in the first position.
+TEST(Selection, HasTheReferencesLinkageOfTable3) {
+  const std::vector<SelectionRange> ranges = {
+      {.from = -2.1655612406317544, .to = -2.1655612406317544, .count = 1}};
+
+  const Selection found = select_linkages(ranges, table_3, {}, 1);
+
+  ASSERT_EQ(found.best.size(), 1U);
+  const LinkageCandidate& best = found.best[0].candidate;
+  EXPECT_NEAR(best.lengths->longest(), 2.6854622355962268, 1e-11);
+  EXPECT_NEAR(best.ratio, 1.8319543172153978, 1e-11);
+  EXPECT_NEAR(best.best().transmission[0], 3.439112677453697 * kDegree, 1e-10);
+  EXPECT_LT(best.margin(), 3.439 * kDegree);
+}
+
+TEST(Selection, ImprovesTheBestLinkageOfTheGrid) {
+  const std::vector<SelectionRange> coarse = {{.from = -20.0, .to = 20.0, .count = 41}};
+  const std::vector<SelectionRange> fine = {{.from = -4.0, .to = -1.0, .count = 3001}};
+
+  const Selection found = select_linkages(coarse, table_3, {}, 1);
+  const Selection scanned = select_linkages(fine, table_3, {}, 1);
+
+  ASSERT_EQ(found.best.size(), 1U);
+  EXPECT_NEAR(found.best[0].candidate.margin(), scanned.best[0].candidate.margin(), 1e-7);
+}
+
+// At the choice of the reference, with its lengths and its margin.
+TEST(Selection, HasTheReferencesLinkageOfTable5) {
+  const std::vector<SelectionRange> ranges = {
+      {.from = -19.952623149688797, .to = -19.952623149688797, .count = 1},
+      {.from = 0.12742749857031335, .to = 0.12742749857031335, .count = 1}};
+
+  const Selection found = select_linkages(ranges, table_5, {.ratio = 12.0}, 1);
+
+  ASSERT_EQ(found.best.size(), 1U);
+  const LinkageCandidate& best = found.best[0].candidate;
+  EXPECT_NEAR(best.margin(), 70.09809749313409 * kDegree, 2e-4);
+  EXPECT_NEAR(best.ratio, 9.968503723931825, 1e-9);
+  EXPECT_NEAR(best.lengths->longest(), 39.573829836725594, 1e-9);
+}
+
+TEST(Selection, KeepsToTheLimits) {
+  const std::vector<SelectionRange> ranges = {{.from = -20.0, .to = -1.0, .count = 20},
+                                              {.from = -1.0, .to = 1.0, .count = 21}};
+
+  const Selection found = select_linkages(ranges, table_5, {.ratio = 6.0, .size = 30.0}, 5);
+
+  ASSERT_FALSE(found.best.empty());
+  EXPECT_LE(found.usable, found.with_linkage);
+  for (const SelectedLinkage& one : found.best) {
+    EXPECT_LE(one.candidate.ratio, 6.0 * (1.0 + 1e-11));
+    EXPECT_LE(one.candidate.longest, 30.0 * (1.0 + 1e-11));
+  }
+}
+
+TEST(Selection, OfATaskWithoutMotionIsEmpty) {
+  const std::vector<SelectionRange> ranges = {{.from = 0.0, .to = 1.0, .count = 3}};
+
+  const Selection found = select_linkages(
+      ranges, [](auto) { return std::nullopt; }, LinkageLimits{}, 3);
+
+  EXPECT_EQ(found.samples, 3);
+  EXPECT_EQ(found.with_linkage, 0);
+  EXPECT_TRUE(found.best.empty());
+}
+
+}  // namespace
+}  // namespace kinestat

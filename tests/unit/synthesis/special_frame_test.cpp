@@ -1,0 +1,138 @@
+#include "synthesis/special_frame.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "near_dyad.hpp"
+#include "synthesis/path_curvature.hpp"
+
+namespace kinestat {
+namespace {
+
+// do Valle 1983, table 5, read as five coincident positions with the corrected eq. 2.53; 60 digits.
+const PositionJets kTable5 = {
+    .x = {0.0, 3.25, 7.140219242230737, 13.712629083352226, 79.15353201470413},
+    .y = {0.0, -3.75, 1.2324393358876118, 5.620887628060526, 5.382761},
+    .angle = {0.0, 1.0, 0.0, 0.0, 0.0}};
+
+PositionJets table_5(int order) {
+  PositionJets jets = kTable5;
+  jets.x.resize(static_cast<std::size_t>(order));
+  jets.y.resize(static_cast<std::size_t>(order));
+  jets.angle.resize(static_cast<std::size_t>(order));
+  return jets;
+}
+
+TEST(SpecialFrame, OfTable5IsTheOneOfTheSource) {
+  const auto frame = find_special_frame(table_5(4));
+
+  ASSERT_TRUE(frame);
+  EXPECT_LT(std::abs(frame->pole - Point(3.75, 3.25)), 1e-14);
+  EXPECT_NEAR(frame->diameter, 3.945141004294418, 1e-14);
+  EXPECT_NEAR(frame->angle, -2.107614068818801, 1e-14);
+  EXPECT_LT(std::abs(frame->derivatives[3] - Point(-10.282484806257916, 13.619893984363163)),
+            1e-13);
+}
+
+TEST(SpecialFrame, OfTable5HasItsStationaryCurvature) {
+  const auto cubic = find_stationary_curvature(*find_special_frame(table_5(4)));
+
+  ASSERT_TRUE(cubic);
+  EXPECT_NEAR(1.0 / cubic->inverse_m, 30.067141391776246, 1e-11);
+  EXPECT_NEAR(1.0 / cubic->inverse_n, 3.4282508134720073, 1e-13);
+}
+
+TEST(SpecialFrame, OfTable5HasItsBallPoint) {
+  const auto ball = find_ball_point(*find_special_frame(table_5(4)));
+
+  ASSERT_TRUE(ball);
+  EXPECT_LT(std::abs(*ball - Point(4.010597772544078, 0.8872587592577862)), 1e-13);
+}
+
+TEST(SpecialFrame, LeadsBackToThePosition) {
+  const PositionJets given = table_5(5);
+
+  const PositionJets back = jets_of(*find_special_frame(given), {0.0, 0.0}, 0.0);
+
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_LT(relative(origin(back, k), origin(given, k)), 1e-14) << "derivative " << k;
+  }
+}
+
+TEST(SpecialFrame, HasTheInflectionCircleBetweenPoleAndInflectionPole) {
+  const Circle circle = inflection_circle(*find_special_frame(table_5(3)));
+
+  EXPECT_LT(std::abs(circle.centre - Point(5.4451096211153684, 2.2412196679438057)), 1e-14);
+}
+
+// The same motion by another parameter t with γ = t + t²/3: nothing of the frame changes.
+TEST(SpecialFrame, DoesNotDependOnTheParameter) {
+  const auto reference = find_special_frame(table_5(4));
+  PositionJets other = table_5(4);
+  const double second = 2.0 / 3.0;
+  other.angle = {0.0, 1.0, second, 0.0};
+  for (std::vector<double>* f : {&other.x, &other.y}) {
+    // f'(γ(t)): f_t = f1 γ', f_tt = f2 γ'² + f1 γ'', f_ttt = f3 γ'³ + 3 f2 γ' γ''.
+    (*f)[3] += 3.0 * (*f)[2] * second;
+    (*f)[2] += (*f)[1] * second;
+  }
+
+  const auto found = find_special_frame(other);
+
+  ASSERT_TRUE(found);
+  EXPECT_LT(std::abs(found->pole - reference->pole), 1e-14);
+  EXPECT_NEAR(found->angle, reference->angle, 1e-14);
+  EXPECT_LT(std::abs(found->derivatives[3] - reference->derivatives[3]), 1e-13);
+}
+
+TEST(SpecialFrame, NeedsATurn) {
+  PositionJets jets = table_5(3);
+  jets.angle[1] = 0.0;
+
+  EXPECT_FALSE(find_special_frame(jets));
+}
+
+TEST(PathCurvature, OfBallsPointAndItsDerivativeVanish) {
+  const PositionJets jets = table_5(4);
+  const Point ball = *find_ball_point(*find_special_frame(jets));
+
+  const PathCurvature found = find_path_curvature(jets, ball);
+
+  ASSERT_TRUE(found.k_prime);
+  EXPECT_NEAR(*found.k, 0.0, 1e-14);
+  EXPECT_NEAR(*found.k_prime, 0.0, 1e-13);
+  EXPECT_FALSE(found.k_second);
+}
+
+// The origin of table 5 runs about (3, 2.6) for all five instants.
+TEST(PathCurvature, OfABurmesterPointIsThatOfItsCircle) {
+  const PathCurvature found = find_path_curvature(kTable5, {0.0, 0.0});
+
+  EXPECT_NEAR(std::abs(*found.k), 1.0 / std::hypot(3.0, 2.6), 1e-14);
+  EXPECT_NEAR(*found.k_prime, 0.0, 1e-14);
+}
+
+// A point at a distance r from the centre of a plane that turns, with the parabola of its moving
+// centre: x = t, y = t²: K = 2 / (1 + 4 t²)^(3/2) has K = 2, K' = 0, K'' = -24 at t = 0.
+TEST(PathCurvature, OfAParabolaIsKnown) {
+  const PositionJets parabola{.x = {0.0, 1.0, 0.0, 0.0, 0.0},
+                              .y = {0.0, 0.0, 2.0, 0.0, 0.0},
+                              .angle = {0.3, 1.0, 0.0, 0.0, 0.0}};
+
+  const PathCurvature found = find_path_curvature(parabola, {0.0, 0.0});
+
+  EXPECT_NEAR(*found.k, 2.0, 1e-15);
+  EXPECT_NEAR(*found.k_prime, 0.0, 1e-15);
+  EXPECT_NEAR(*found.k_second, -24.0, 1e-13);
+}
+
+TEST(PathCurvature, IsOpenAtACusp) {
+  const PositionJets jets = table_5(4);
+
+  EXPECT_FALSE(find_path_curvature(jets, {3.75, 3.25}).k);
+}
+
+}  // namespace
+}  // namespace kinestat
