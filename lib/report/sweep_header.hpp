@@ -50,7 +50,7 @@ struct SweepHeader {
   std::uint64_t chunks = 0;
   std::optional<TopChoice> top;
 
-  /// "N1,…" or its JSON: the name of the result without its folder.
+  /// The name of the result without its folder: "teeth.sweep.csv" or "teeth.sweep.jsonl".
   std::string result_name() const;
 };
 

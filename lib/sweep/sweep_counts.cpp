@@ -1,5 +1,6 @@
 #include "sweep/sweep_counts.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <numeric>
 #include <string_view>

@@ -23,8 +23,8 @@ class PieceReader {
   PieceReader(std::vector<PieceFile> files, std::string plan)
       : files_(std::move(files)), plan_(std::move(plan)) {}
 
-  /// False at the end. A piece that is no longer what it was is a bug of somebody else: it throws
-  /// std::runtime_error.
+  /// False at the end. A piece that is no longer what it was when it was checked, because another
+  /// process has changed its file meanwhile, throws std::runtime_error.
   bool next(ChunkRecord& record);
 
  private:
@@ -49,7 +49,7 @@ std::vector<OutputFile> result_files(const SweepHeader& header,
 /// The path of a file in a folder.
 std::string path_in(const std::string& folder, const std::string& name);
 
-/// A name in a report of the result: without its folder and ".yaml".
+/// The name of the file beside the rows, without its folder.
 std::string summary_name(const SweepHeader& header);
 
 /// The last line of a shard.
