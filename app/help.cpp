@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "command.hpp"
 #include "run/help_topic.hpp"
 
@@ -13,8 +15,13 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
-// The help of a command, that of the program for "commands", or the page of a topic.
+// The page of a topic, the help of a command, or that of the program for "commands". A topic may
+// have the name of a command, whose own help is that of --help.
 Outcome help(const CLI::App& app, const std::string& word) {
+  const std::vector<std::string> topics = help_topics();
+  if (std::ranges::find(topics, word) != topics.end()) {
+    return help_topic(word, {});
+  }
   for (const CLI::App* command : app.get_subcommands({})) {
     if (command->get_name() == word) {
       return {.out = command->help(app.get_name()), .err = {}};

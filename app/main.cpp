@@ -49,7 +49,10 @@ void add_commands(CLI::App& app, Job& job) {
   kinestat::app::add_graph(app, job);
   kinestat::app::add_mobility(app, job);
   kinestat::app::add_inputs(app, job);
+  kinestat::app::add_shift(app, job);
   kinestat::app::add_sensitivity(app, job);
+  kinestat::app::add_sweep(app, job);
+  kinestat::app::add_merge(app, job);
   kinestat::app::add_synthesize(app, job);
   kinestat::app::add_compare(app, job);
   kinestat::app::add_explain(app, job);

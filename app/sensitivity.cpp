@@ -18,7 +18,8 @@ void add_choice_options(CLI::App& command, SensitivityChoice& choice) {
                "a value: ratio, torque_ratio, a freedom d.wz, an\n"
                "action c.Rx, or a path of the JSON report below\n"
                "the case; may be repeated; default the ratios,\n"
-               "rates and actions that the actuators get",
+               "rates and actions that the actuators get, or all\n"
+               "of them without actuators",
                "VALUE");
   add_repeated(
       command, "--by", choice.parameters, "a parameter; may be repeated; default all", "NAME");

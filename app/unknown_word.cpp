@@ -80,7 +80,7 @@ UsageMessage unknown_word(const CLI::App& app, const CLI::App& command, const st
   }
   const std::vector<std::string> names = command_names(app);
   return {"unknown command '" + printable(word) + "'",
-          with_guess(did_you_mean(word, names), "commands are " + plain_list(names))};
+          with_guess(did_you_mean(word, names), "commands are " + plain_list(names, names.size()))};
 }
 
 std::string help_hint(const CLI::App& command) {

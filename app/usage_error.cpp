@@ -66,6 +66,9 @@ UsageMessage message_of(const CLI::ParseError& problem,
   if (const auto* wrong = dynamic_cast<const WrongValue*>(&problem)) {
     return {problem.what(), wrong->hint()};
   }
+  if (const auto* lonely = dynamic_cast<const LonelyOption*>(&problem)) {
+    return {problem.what(), lonely->hint()};
+  }
   if (dynamic_cast<const MissingValue*>(&problem) != nullptr) {
     return missing_value(command, problem.what());
   }
@@ -91,6 +94,16 @@ WrongValue::WrongValue(const std::string& option,
                       option + " cannot be '" + printable(value) + "'",
                       CLI::ExitCodes::ValidationError),
       hint_(with_guess(did_you_mean(value, words), "it is one of " + plain_list(words))) {}
+
+WrongValue::WrongValue(const std::string& option, const std::string& value, std::string hint)
+    : CLI::ParseError("WrongValue",
+                      option + " cannot be '" + printable(value) + "'",
+                      CLI::ExitCodes::ValidationError),
+      hint_(std::move(hint)) {}
+
+LonelyOption::LonelyOption(const std::string& option, const std::string& needed, std::string hint)
+    : CLI::ParseError("LonelyOption", option + " needs " + needed, CLI::ExitCodes::RequiresError),
+      hint_(std::move(hint)) {}
 
 MissingValue::MissingValue(const std::string& option)
     : CLI::ParseError("MissingValue", option, CLI::ExitCodes::ArgumentMismatch) {}

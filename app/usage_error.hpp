@@ -16,6 +16,7 @@ class WrongValue : public CLI::ParseError {
   WrongValue(const std::string& option,
              const std::string& value,
              const std::vector<std::string>& words);
+  WrongValue(const std::string& option, const std::string& value, std::string hint);
 
   const std::string& hint() const { return hint_; }
 
@@ -27,6 +28,17 @@ class WrongValue : public CLI::ParseError {
 class MissingValue : public CLI::ParseError {
  public:
   explicit MissingValue(const std::string& option);
+};
+
+/// An option without another one that it needs.
+class LonelyOption : public CLI::ParseError {
+ public:
+  LonelyOption(const std::string& option, const std::string& needed, std::string hint);
+
+  const std::string& hint() const { return hint_; }
+
+ private:
+  std::string hint_;
 };
 
 /// The message and the status 2; texts of the parser itself are never shown. `words` are those that

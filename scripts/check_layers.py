@@ -41,7 +41,7 @@ MAY_INCLUDE: dict[str, set[str]] = {
         "shift": f"{_BOTH_SIDES} power",
         "motion": f"{_MECHANICS} mobility kinematics",
         "synthesis": "core math screw description",
-        "sweep": f"{_BOTH_SIDES} power shift",
+        "sweep": f"{_BOTH_SIDES} expression description power shift",
     }.items()
 }
 MAY_INCLUDE["report"] = set(MAY_INCLUDE) - {"io"}

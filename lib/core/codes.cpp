@@ -204,7 +204,8 @@ constexpr auto kCodes = std::to_array<Code>({
      no_answer,
      "mechanism is not analysed yet",
      "The file is right, but something in it that decides the answer belongs to the format and "
-     "not yet to the analysis of this version: the section 'gears', a freewheel, a point that "
+     "not yet to the analysis of this version: a freewheel that 'shift' does not name, a point "
+     "that "
      "differs from body to body, friction of some types, or a coupling without its place. "
      "Without it an answer would be wrong, so there is none, and the exit status is 5. The hint "
      "says what to write instead; 'kinestat help format' lists what is not analysed."},
@@ -282,6 +283,13 @@ constexpr auto kCodes = std::to_array<Code>({
      "that the "
      "numbers cannot be trusted at this position, so they are reported with this error. Compare a "
      "position nearby, and look for lengths of very different size."},
+    {"E0711",
+     wrong_input,
+     "too many combinations of shift elements",
+     "'shift' enumerates every combination of as many elements as a gear engages: the net degree "
+     "of freedom less the inputs. With many elements that are more than a table can show. Name "
+     "fewer elements, those between which you choose; what is always engaged or always open needs "
+     "no element."},
     {"E0801",
      wrong_input,
      "position contradicts itself",
@@ -320,6 +328,31 @@ constexpr auto kCodes = std::to_array<Code>({
      "One of the two reports is JSON and the other a CSV table. A table has only a part of the "
      "report, under other keys, so the two are not compared. Give two JSON reports, or two tables "
      "of the same pass."},
+    {"E0906",
+     wrong_input,
+     "shard cannot be used",
+     "'kinestat merge' joins what 'kinestat sweep --shard' has written, and takes nothing else: "
+     "this "
+     "file was cut off, changed, or belongs to another sweep, that is to another file, other "
+     "options or another version of the program. Nothing was written. Run the shard again."},
+    {"E0907",
+     wrong_input,
+     "shards do not make a whole",
+     "A sweep that was run as N shards is whole only with each of the N, once. The message says "
+     "which are missing or there twice. Nothing was written, since a table that lacks some of its "
+     "rows looks like one that has them all."},
+    {"E0908",
+     environment,
+     "an interrupted sweep is in the way",
+     "The output folder holds what an earlier run of this sweep had finished when it was "
+     "interrupted. With --resume the sweep goes on with it, provided that the file, --set, the "
+     "options and the version are still the same; with --force it is thrown away. Neither happens "
+     "unasked, for it may be the work of hours."},
+    {"W0101",
+     done,
+     "value of an option is reduced",
+     "The option asks for more than this program uses, such as more threads than any machine has "
+     "cores. The message says what is used instead; the result does not depend on it."},
     {"W0301",
      done,
      "declared but never used",
@@ -344,6 +377,38 @@ constexpr auto kCodes = std::to_array<Code>({
      "A bare number of 'gravity' counts in the units of the file, length by time squared: with "
      "'units: {length: mm}', 9.81 is 9.81 mm/s^2, a thousandth of the earth's. Write the unit, "
      "9.81 m/s^2; with its unit, any value is taken without a word."},
+    {"W0305",
+     done,
+     "teeth ask for different centre distances",
+     "Two gears without profile shift mesh where their centres are half the sum of their teeth, "
+     "or with a ring half the difference, times the module apart. The meshes of a planet ask for "
+     "different distances, or for another one than 'centre_distance' and the triangle of two "
+     "planets give, or a bearing stands beside the axis of its gears; of a plain set, ring = sun "
+     "+ 2*planet is not met. Ratios are exact all the same, because each pitch point divides the "
+     "distance in the ratio of teeth. With profile shift write 'centre_distance' of the planet; a "
+     "difference of less than a module is then taken without a word."},
+    {"W0306",
+     done,
+     "planets cannot be assembled at equal angles",
+     "From one of several equal planets to the next, the teeth of the gears on the main axis must "
+     "repeat: of a sun and a ring, (sun + ring)/count must be whole, and of stepped or paired "
+     "planets the number that the message gives. Planets at unequal angles, or turned against "
+     "each other on their shafts, may be meant; motions and actions do not change."},
+    {"W0307",
+     done,
+     "neighbouring planets touch",
+     "With so many planets the tip circles of two neighbours, one module outside their pitch "
+     "circles, would overlap. The message gives the distance of their centres and the one they "
+     "need. Motions and actions do not change."},
+    {"W0308",
+     done,
+     "rope does not run around its pulley as it should",
+     "It is led around the far side, turns by more than half a turn and comes back over itself; or "
+     "its 'points' give it two levers about the axis. The first is right for a capstan, on which a "
+     "rope lies beside itself, and 'turns: 0' says so, but more often 'wrap', the sense of turning "
+     "for someone who follows the rope in listed order, names the other sense: then torques and "
+     "speeds have the wrong sign. The second is a rope on an arm rather than on a round pulley: "
+     "the tensions of its two sides differ as the levers do."},
     {"W0601",
      done,
      "actions are statically indeterminate",
@@ -392,13 +457,32 @@ constexpr auto kCodes = std::to_array<Code>({
      "Friction holds a rope on a pulley as long as the ratio of its tensions is at most exp(mu "
      "theta), theta being the contact angle (Euler and Eytelwein). The case does not let the rope "
      "slip, and the ratio is larger: so it will slip, or needs more pretension."},
+    {"W0701",
+     done,
+     "loss of a mesh is not known",
+     "A mesh loses a share of the power that rolls as seen from its carrier, the body in which the "
+     "axes of both gears stand. Here no body holds both axes, or several do, so that the carrier "
+     "model gives no efficiency. The axes of a gear are those of its revolute and cylindrical "
+     "couplings, clutches and brakes; the absolute model needs no carrier."},
+    {"W0702",
+     done,
+     "losses of meshes lock the case",
+     "With the losses of its meshes the train cannot be driven by the input alone: whichever gears "
+     "drive, the output, too, would have to give power. It is a result and no mistake: a train of "
+     "high ratio may hold a load without a brake. The report has the efficiency of the other "
+     "direction; 'kinestat help losses' has an example."},
+    {"W0711",
+     done,
+     "too few shift elements for a gear",
+     "A gear engages as many elements as the net degree of freedom has more than there are "
+     "inputs, and 'shift' names fewer: so no combination holds all that must be held. An element "
+     "is missing, or a body of the train is held by nothing."},
     {"W0901",
      done,
      "tolerance meets no value",
      "No value of the two reports is at the place that '--tolerance' names, or below it, so it "
      "loosens nothing: a key is misspelt, or a name has changed. Places are JSON Pointers as in "
-     "the "
-     "differences, for example /cases/drive/ratio; '*' stands for any one key."},
+     "the differences, for example /cases/drive/ratio; '*' stands for any one key."},
 });
 
 }  // namespace

@@ -32,7 +32,7 @@ class CableExpansion {
     }
     if (description.gears) {
       for (const MeshDescription& mesh : description.gears->meshes) {
-        taken_.insert(mesh.name.text);
+        taken_.insert(mesh.name.text);  // also those that are wrong and became no couplings
       }
     }
   }

@@ -51,12 +51,16 @@ std::optional<CouplingType> find_coupling_type(std::string_view word);
 std::vector<std::string> coupling_type_words();
 
 /// Where a coupling is. Usually one point; a point for each body where the drawing shows the two
-/// apart, or a single number along the axis where `gears` places the bodies.
+/// apart, or a single number along the axis where `gears` places the bodies. If it has none of
+/// these it stands on that axis, in the plane.
 struct CouplingPoint {
   std::optional<PointDescription> point;
   std::vector<std::pair<Name, PointDescription>> of_bodies;  ///< as drawn on each body
   std::optional<Value> along_axis;
   SourceRange where;
+
+  /// Whether `gears` places it, as far as the file does not.
+  bool is_on_gear_axis() const { return !point && of_bodies.empty(); }
 };
 
 /// Stiffness of one constraint: [N/m] of a force, [N·m/rad] of a couple.
@@ -99,9 +103,13 @@ struct CouplingDescription {
   std::shared_ptr<const FrictionDescription> friction;  ///< may be null
   std::vector<StiffnessDescription> stiffness;
   std::shared_ptr<const CablePart> part;  ///< of a coupling that `cables` makes, otherwise null
+  int mesh = -1;  ///< of a coupling that `gears` makes: index of its mesh, otherwise -1
 
   /// Whether it is a segment that `cables` makes, whose ends follow from its stations.
   bool is_segment() const { return part != nullptr && part->segment > 0; }
+
+  /// Whether it is a mesh of `gears`, whose pitch point and tangent follow from the train.
+  bool is_mesh() const { return mesh >= 0; }
 };
 
 }  // namespace kinestat

@@ -101,6 +101,9 @@ BasicParameterValues<Number> evaluate_parameters(std::span<const Parameter> para
 BasicParameterValues<Dual> evaluate_parameters(std::span<const Parameter> parameters,
                                                std::span<const int> variables);
 
+/// The indices of parameters, each after those that it uses. Those in a circle are left out.
+std::vector<int> evaluation_order(std::span<const Parameter> parameters);
+
 /// What is wrong with parameters that are left open independently of each other, given by index:
 /// E0310 for each whose value uses another of them, if only through parameters that are not open.
 std::vector<ParameterError> find_dependent(std::span<const Parameter> parameters,

@@ -23,10 +23,6 @@ struct Loosened {
   std::vector<int> original;   ///< of each of these, its number in the mechanism
 };
 
-bool is_rope(const CouplingTopology& coupling) {
-  return coupling.type == CouplingType::cable && coupling.action_count > 0;
-}
-
 bool is_slip(const Mechanism& mechanism, int coupling) {
   return std::ranges::any_of(mechanism.contacts, [&](const CableContact& contact) {
     return contact.slips && contact.slips->value == coupling;
@@ -58,7 +54,7 @@ Loosened loosen(const Mechanism& mechanism) {
       topology.freedoms.push_back(mechanism.topology.freedoms[static_cast<std::size_t>(f)]);
       motions.push_back(mechanism.geometry.motions[static_cast<std::size_t>(f)]);
     }
-    if (is_rope(coupling)) {
+    if (coupling.bears_tension()) {
       result.stretches.push_back(topology.freedom_count());
       topology.freedoms.push_back(
           {.coupling = CouplingId{e}, .name = "stretch", .is_rotation = false});

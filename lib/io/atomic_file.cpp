@@ -82,7 +82,7 @@ std::vector<TemporaryFile> plan_files(std::span<const OutputFile> files,
   plan.reserve(files.size());
   for (const OutputFile& file : files) {
     if (const auto present = find_present(file, overwrite, found)) {
-      plan.push_back(TemporaryFile(file.path, *present));
+      plan.push_back(TemporaryFile(file.path, *present, file.scratch));
     }
   }
   return plan;
@@ -113,7 +113,7 @@ bool write_files(std::span<const OutputFile> files, Overwrite overwrite, Diagnos
     return false;
   }
   for (std::size_t i = 0; i < plan.size(); ++i) {
-    if (const int error = plan[i].write(files[i].content); error != 0) {
+    if (const int error = plan[i].write(files[i].content, files[i].next_piece); error != 0) {
       refuse(plan[i].target(), error, found);
       return false;
     }
@@ -124,6 +124,10 @@ bool write_files(std::span<const OutputFile> files, Overwrite overwrite, Diagnos
   // Backwards, in case two of them have one target.
   std::for_each(plan.rbegin(), plan.rend(), [](TemporaryFile& file) { file.give_back(); });
   return false;
+}
+
+bool check_places(std::span<const OutputFile> files, Overwrite overwrite, Diagnostics& found) {
+  return plan_files(files, overwrite, found).size() == files.size();
 }
 
 bool check_output_folder(const std::string& folder, Diagnostics& found) {

@@ -1,6 +1,7 @@
 // Files that are written whole or not at all.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 
@@ -8,11 +9,16 @@
 
 namespace kinestat {
 
+/// The next piece of a file that is too large to be held at once; false at its end.
+using NextPiece = std::function<bool(std::string& piece)>;
+
 /// A file to be written.
 struct OutputFile {
   std::string path;
   std::string content;
   std::string signature;  ///< how a file of this kind begins, by which our own one is recognised
+  NextPiece next_piece = {};  ///< what follows the content, if anything
+  std::string scratch = {};   ///< folder for the temporary, on the same disk; empty: that of `path`
 };
 
 enum class Overwrite {
@@ -26,6 +32,9 @@ enum class Overwrite {
 /// is replaced, not followed. E0152 when the system refuses, E0153 for a foreign file; false iff an
 /// error was added. A process that writes near its file size limit must ignore SIGXFSZ.
 bool write_files(std::span<const OutputFile> files, Overwrite overwrite, Diagnostics& found);
+
+/// Asks, before anything is computed, whether the files may take their places (E0152, E0153).
+bool check_places(std::span<const OutputFile> files, Overwrite overwrite, Diagnostics& found);
 
 /// Asks, before anything is computed, whether files can be written into a folder: it exists, is a
 /// folder and may be written to (E0152). The empty path is the working folder.

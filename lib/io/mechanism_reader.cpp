@@ -7,6 +7,7 @@
 
 #include "core/version.hpp"
 #include "description/cable_expansion.hpp"
+#include "description/gear_expansion.hpp"
 #include "io/actuator_reader.hpp"
 #include "io/body_reader.hpp"
 #include "io/cable_reader.hpp"
@@ -244,6 +245,7 @@ std::optional<MechanismDescription> read_mechanism(const YamlNode& root, Diagnos
   const int errors_before = found.error_count();
   MechanismDescription result = MechanismReader(root, found).read();
   if (found.error_count() == errors_before) {
+    expand_gears(result);
     expand_cables(result);
   }
   return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;

@@ -24,4 +24,8 @@ struct KinematicSolution {
   std::vector<Twist> couplings;  ///< of each coupling: head relative to tail
 };
 
+/// The fastest motion of a body: of its point at the origin, or of one that is `length` [m] off the
+/// axis on which it turns [m/s]. By it sliding is told from rounding.
+double fastest_motion(const KinematicSolution& motion, double length);
+
 }  // namespace kinestat

@@ -7,13 +7,17 @@
 
 #include "core/contract.hpp"
 #include "description/cable_expansion.hpp"
+#include "description/gear_expansion.hpp"
 #include "mechanism/internal/cable_check.hpp"
 #include "mechanism/internal/cable_contact_binder.hpp"
 #include "mechanism/internal/case_binder.hpp"
 #include "mechanism/internal/compliance_binder.hpp"
+#include "mechanism/internal/gear_check.hpp"
 #include "mechanism/internal/geometry_check.hpp"
 #include "mechanism/internal/graph_binder.hpp"
 #include "mechanism/internal/load_binder.hpp"
+#include "mechanism/internal/loss_binder.hpp"
+#include "mechanism/internal/planet_set.hpp"
 #include "mechanism/internal/section_checks.hpp"
 #include "mechanism/internal/structure_binder.hpp"
 #include "mechanism/unanalysed.hpp"
@@ -94,7 +98,7 @@ bool bind_graph(const MechanismDescription& description, Diagnostics& found, Mec
 
 // Whether all couplings have their screws, so that freedoms and actions have names.
 bool has_all_screws(const MechanismDescription& description) {
-  return !description.gears && is_expanded(description) &&
+  return has_all_meshes(description) && is_expanded(description) &&
          std::ranges::all_of(description.couplings, [](const CouplingDescription& coupling) {
            return !is_counted_only(coupling);
          });
@@ -141,16 +145,19 @@ void bind_sections(const SectionContext& context, Mechanism& result) {
   }
 }
 
-// The couplings that cables make are bound only if these are right, so that each mistake has one
-// complaint.
-bool bind_structure_and_cables(const SectionContext& context,
-                               ScrewSpaces spaces,
-                               Mechanism& result) {
+// The couplings that gears and cables make are bound only if these are right, so that each mistake
+// has one complaint.
+bool bind_whole_structure(const SectionContext& context, ScrewSpaces spaces, Mechanism& result) {
   const MechanismDescription& description = context.description;
-  if (description.cables.empty() || check_cables(context)) {
+  const bool has_right_gears = check_gears(context);
+  const bool has_right_cables = description.cables.empty() || check_cables(context);
+  if (has_right_gears && has_right_cables) {
     return bind_structure(description, spaces, context.evaluator, context.found, result);
   }
-  const MechanismDescription rest = without_cable_parts(description);
+  MechanismDescription rest = has_right_cables ? description : without_cable_parts(description);
+  if (!has_right_gears) {
+    rest = without_meshes(rest);
+  }
   (void)bind_structure(rest, spaces, context.evaluator, context.found, result);
   return false;
 }
@@ -171,25 +178,33 @@ std::optional<Mechanism> bind_for(Purpose purpose,
                                              ? Space::spatial
                                              : description.space};
   if (description.has_mechanism()) {
-    const bool is_good = bind_structure_and_cables(context, spaces, result);
+    const bool is_good = bind_whole_structure(context, spaces, result);
     if (!is_good || !has_all_screws(description)) {
       check_cases(description, evaluator);
       check_case_names(description, found);
     } else if (bind_graph(description, found, result)) {
       result.cases = bind_cases(description, result.topology, evaluator, found);
+      result.planet_counts = bind_planet_counts(description, result.topology, evaluator);
       result.compliances = bind_compliances(description, result.topology, evaluator);
       bind_contacts(description, evaluator, found, result);
       check_reported_quantities(description, result.topology, found);
     }
+  } else {
+    (void)check_gears(context);
   }
   bind_sections(context, result);
+  if (found.error_count() == errors_before && description.losses) {
+    result.lossy_meshes = bind_losses(description, evaluator, found);
+    result.loss_model = description.losses->model;
+  }
   if (found.error_count() == errors_before) {
     evaluator.warn_of_unused();
     warn_of_idle_stiffness(description, found);
     report_unanalysed(unanalysed, purpose, found);
   }
   const bool is_right = found.error_count() == errors_before;
-  KINESTAT_EXPECTS(!is_right || is_undecided || is_expanded(description));
+  KINESTAT_EXPECTS(!is_right || is_undecided ||
+                   (has_all_meshes(description) && is_expanded(description)));
   return is_right && description.has_mechanism() && !is_undecided ? std::optional(std::move(result))
                                                                   : std::nullopt;
 }

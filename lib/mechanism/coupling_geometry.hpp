@@ -36,9 +36,11 @@ struct CouplingGeometryOf {
   AxisOf<Scalar> axis;    ///< of turning or sliding, the normal of a contact, the slot of a pin
   AxisOf<Scalar> second;  ///< of a universal: fixed in the head; of a line contact: the line
   Vec3Of<Scalar> line_of_action =
-      Vec3Of<Scalar>::UnitX();  ///< of teeth: unit force of tail on head
-  Scalar pitch = 0.0;           ///< of a helical [m/rad]
-  bool is_contact = false;      ///< of a gear: the contact of the teeth instead of a rolling pair
+      Vec3Of<Scalar>::UnitX();                ///< of teeth: unit force of tail on head
+  std::optional<Vec3Of<Scalar>> other_flank;  ///< of a mesh whose flank follows from the load: the
+                                              ///< line of action where the force is negative
+  Scalar pitch = 0.0;                         ///< of a helical [m/rad]
+  bool is_contact = false;  ///< of a gear: the contact of the teeth instead of a rolling pair
   Vec3Of<Scalar> from = Vec3Of<Scalar>::Zero();      ///< of a cable: its end on the tail [m]
   Vec3Of<Scalar> to = Vec3Of<Scalar>::UnitX();       ///< of a cable: its end on the head [m]
   std::optional<ScrewGeometryOf<Scalar>> relative;   ///< motion of a bevel gear, worm or rack

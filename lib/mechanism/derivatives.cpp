@@ -42,10 +42,12 @@ class DerivativeBinder {
     result.breaks_coupling.assign(result.parameter_count, false);
     std::vector<bool> has_point;
     std::vector<Vec3Of<Dual>> points;
+    gears_ = bind_gear_frame<Dual>(description_, evaluator_);
+    find_whole_numbers(result.breaks_coupling);
     for (std::size_t e = 0; e < description_.couplings.size(); ++e) {
       const CouplingDescription& coupling = description_.couplings[e];
-      CouplingGeometryOf<Dual> drawn =
-          expect(bind_geometry<Dual>(coupling, description_.space, evaluator_, found_));
+      CouplingGeometryOf<Dual> drawn = expect(bind_geometry<Dual>(
+          coupling, description_.space, gears_ ? &*gears_ : nullptr, evaluator_, found_));
       add_points(coupling, drawn, points);
       add_coupling(e, std::move(drawn), result);
       has_point.push_back(has_place(coupling));
@@ -54,6 +56,31 @@ class DerivativeBinder {
         description_, has_point, mechanism_.topology, geometry, evaluator_);
     drop_rounding(geometry, result.parameter_count);
     result.length = find_length(points, result.parameter_count);
+  }
+
+  // Teeth, planets and turns of ropes come one by one.
+  void find_whole_numbers(std::vector<bool>& breaks) {
+    if (description_.gears) {
+      for (const GearMember& member : description_.gears->members) {
+        add_whole_number(member.teeth, breaks);
+        add_whole_number(member.count, breaks);
+      }
+    }
+    for (const CableDescription& cable : description_.cables) {
+      for (const CableStation& station : cable.over) {
+        add_whole_number(station.turns, breaks);
+      }
+    }
+  }
+
+  void add_whole_number(const std::optional<Value>& value, std::vector<bool>& breaks) {
+    if (!value) {
+      return;
+    }
+    const Dual number = expect(evaluator_.number(*value, QuantityKind::dimensionless));
+    for (std::size_t p = 0; p < breaks.size(); ++p) {
+      breaks[p] = breaks[p] || derivative(number, p) != 0.0;
+    }
   }
 
   void bind_frictions(MechanismDerivatives& result) {
@@ -190,6 +217,16 @@ class DerivativeBinder {
     for (int a = topology.first_action; a < topology.first_action + topology.action_count; ++a) {
       add_action(a, topology, screws, constraints, geometry.at, result.geometry);
     }
+    if (geometry.other_flank) {
+      geometry.line_of_action = *geometry.other_flank;
+      const auto other = coupling_screws<Dual>(coupling.type, flank_space(), geometry);
+      result.geometry.other_flanks.push_back(
+          {.action = topology.first_action, .screw = other.constraints.front().screw});
+    }
+  }
+
+  Space flank_space() const {
+    return mechanism_.static_order == OrderChoice::spatial ? Space::spatial : description_.space;
   }
 
   // By its name, as `passive` may have left some out.
@@ -216,6 +253,7 @@ class DerivativeBinder {
   const Mechanism& mechanism_;
   DualEvaluator& evaluator_;
   Diagnostics& found_;
+  std::optional<GearFrameOf<Dual>> gears_;
 };
 
 }  // namespace

@@ -24,7 +24,8 @@ struct MechanismDerivatives {
   std::size_t parameter_count = 0;
   GeometryOf<Dual> geometry;
   Dual length;                        ///< of the geometry; NaN where it has a corner or a jump
-  std::vector<bool> breaks_coupling;  ///< of each parameter: reciprocity is lost when it moves
+  std::vector<bool> breaks_coupling;  ///< of each parameter: when it moves, reciprocity is lost or
+                                      ///< a number that must be whole, as teeth, is so no longer
   std::vector<CouplingFrictionOf<Dual>> frictions;
   std::vector<bool> starts_friction;  ///< of each parameter: where there is none as yet
   std::vector<Dual> compliances;      ///< of each action

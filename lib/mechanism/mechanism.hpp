@@ -1,6 +1,7 @@
 // A mechanism ready for analysis: topology, geometry and cases.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "mechanism/case.hpp"
 #include "mechanism/friction.hpp"
 #include "mechanism/geometry.hpp"
+#include "mechanism/lossy_mesh.hpp"
 #include "mechanism/topology.hpp"
 
 namespace kinestat {
@@ -23,12 +25,20 @@ struct Mechanism {
   Geometry geometry;
   std::vector<CouplingFriction> frictions;  ///< of the couplings that have any
   std::vector<CableContact> contacts;       ///< of cables with pulleys
+  std::vector<LossyMesh> lossy_meshes;
+  LossModel loss_model = LossModel::carrier;  ///< whose efficiency counts
   CouplingGraph graph;
   OrderChoice kinematic_order = OrderChoice::minimal;
   OrderChoice static_order = OrderChoice::minimal;
   IndeterminateChoice indeterminate = IndeterminateChoice::report;
   std::vector<double> compliances;  ///< of each action [m/N or rad/(N·m)]; 0: rigid
+  std::vector<int> planet_counts;   ///< of each action: how many equal planets share it
   std::vector<Case> cases;
 };
+
+/// Whether actions are shared by several equal planets.
+inline bool has_planets(const Mechanism& mechanism) {
+  return std::ranges::any_of(mechanism.planet_counts, [](int count) { return count > 1; });
+}
 
 }  // namespace kinestat

@@ -28,6 +28,9 @@ struct CouplingTopology {
   int first_action = 0;
   int action_count = 0;
   SourceRange where;
+
+  /// Whether it is a segment of a rope, whose first action is its tension.
+  bool bears_tension() const { return type == CouplingType::cable && action_count > 0; }
 };
 
 /// One unknown of kinematics: a column of M_N.

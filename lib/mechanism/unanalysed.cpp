@@ -13,6 +13,9 @@ namespace {
 
 bool asks_statics(const MechanismDescription& description) {
   const bool has_loads = !description.loads.empty() || description.gravity;
+  if (description.shift && (has_loads || !description.shift->input_action.empty())) {
+    return true;
+  }
   return std::ranges::any_of(description.cases, [&](const CaseDescription& one) {
     return one.asks_actions || has_loads || !one.loads.empty();
   });
@@ -43,7 +46,16 @@ void add_missing_places(const MechanismDescription& description, std::vector<Una
        .can_be_counted = true});
 }
 
+// Whether the states of `shift` decide it.
+bool is_shifted(const MechanismDescription& description, const CouplingDescription& coupling) {
+  return description.shift &&
+         std::ranges::any_of(description.shift->elements, [&](const Name& element) {
+           return element.text == coupling.name.text;
+         });
+}
+
 void add_coupling(const CouplingDescription& coupling,
+                  bool is_shift_element,
                   bool has_statics,
                   std::vector<Unanalysed>& list) {
   const auto add = [&](SourceRange where, std::string what, std::string hint, bool decides) {
@@ -56,18 +68,12 @@ void add_coupling(const CouplingDescription& coupling,
         "write one point after 'at:', where both bodies are drawn to meet",
         true);
   }
-  if (coupling.at && coupling.at->along_axis) {
-    add(coupling.at->where,
-        fmt::format("position of {} along its axis alone", word(coupling)),
-        "write the whole point, at: [x, y, z]",
-        true);
-  }
-  if (coupling.one_way) {
+  if (coupling.one_way && !is_shift_element) {
     add(coupling.name.where,
         fmt::format("freewheel {}", word(coupling)),
         fmt::format(
-            "remove 'one_way'; each case says whether it is engaged, motion: {{{0}: 0}}, or "
-            "open, action: {{{0}: 0}}",
+            "name it in 'elements' of 'shift'; or remove 'one_way', and each case says whether it "
+            "is engaged, motion: {{{0}: 0}}, or open, action: {{{0}: 0}}",
             coupling.name.text),
         true);
   }
@@ -79,27 +85,9 @@ void add_coupling(const CouplingDescription& coupling,
   }
 }
 
-void add_model_sections(const MechanismDescription& description, std::vector<Unanalysed>& list) {
-  if (description.gears) {
-    list.push_back({description.gears->where,
-                    "section 'gears'",
-                    "write each mesh as a coupling of type gear: 'kinestat help couplings'",
-                    true});
-  }
-}
-
 void add_passes(const MechanismDescription& description, std::vector<Unanalysed>& list) {
-  if (description.losses) {
-    list.push_back({description.losses->where, "section 'losses'", "", false});
-  }
-  if (description.shift) {
-    list.push_back({description.shift->where, "section 'shift'", "", false});
-  }
   if (description.motion) {
     list.push_back({description.motion->where, "section 'motion'", "", false});
-  }
-  if (description.sweep) {
-    list.push_back({description.sweep->where, "section 'sweep'", "", false});
   }
 }
 
@@ -110,9 +98,8 @@ std::vector<Unanalysed> find_unanalysed(const MechanismDescription& description)
   const bool has_statics = asks_statics(description);
   add_missing_places(description, list);
   for (const CouplingDescription& coupling : description.couplings) {
-    add_coupling(coupling, has_statics, list);
+    add_coupling(coupling, is_shifted(description, coupling), has_statics, list);
   }
-  add_model_sections(description, list);
   add_passes(description, list);
   return list;
 }

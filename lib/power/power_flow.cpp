@@ -5,6 +5,7 @@
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
+#include "power/efficiency.hpp"
 
 namespace kinestat {
 
@@ -26,51 +27,6 @@ double input_power(const Case& which, const PowerFlow& flow) {
   return sum;
 }
 
-double sum_of(const std::vector<int>& actuators, const PowerFlow& flow) {
-  double sum = 0.0;
-  for (const int i : actuators) {
-    sum += flow.actuators[static_cast<std::size_t>(i)];
-  }
-  return sum;
-}
-
-// Whether all power comes from the inputs and goes to the outputs and into friction.
-bool is_between_inputs_and_outputs(const Case& which, const PowerFlow& flow) {
-  double largest = 0.0;
-  double beside = 0.0;
-  for (std::size_t i = 0; i < flow.actuators.size(); ++i) {
-    const int actuator = static_cast<int>(i);
-    const bool is_named = std::ranges::find(which.inputs, actuator) != which.inputs.end() ||
-                          std::ranges::find(which.outputs, actuator) != which.outputs.end();
-    double& size = is_named ? largest : beside;
-    size = std::max(size, std::abs(flow.actuators[i]));
-  }
-  for (const double load : flow.loads) {
-    beside = std::max(beside, std::abs(load));
-  }
-  return beside <= kPowerBalance * largest;
-}
-
-// What friction leaves of the power, and whether it leaves any.
-void find_efficiency(const Case& which, PowerFlow& flow) {
-  if (flow.friction.empty() || which.inputs.empty() || which.outputs.empty()) {
-    return;
-  }
-  if (!is_between_inputs_and_outputs(which, flow)) {
-    flow.no_efficiency = "loads or other actuators exchange power too";
-    return;
-  }
-  const double in = sum_of(which.inputs, flow);
-  const double out = sum_of(which.outputs, flow);
-  flow.is_self_locking = in > 0.0 && out > 0.0;
-  if (in > 0.0 && out <= 0.0) {
-    flow.efficiency = -out / in;
-  } else {
-    flow.no_efficiency = flow.is_self_locking ? "friction takes more than the inputs give"
-                                              : "the inputs give no power";
-  }
-}
-
 // What a coupling supplies whose passive constraints are not all known: these do no work.
 double power_of_actuators_and_friction(const Mechanism& mechanism,
                                        std::size_t coupling,
@@ -84,11 +40,20 @@ double power_of_actuators_and_friction(const Mechanism& mechanism,
     }
   }
   for (const FrictionAction& friction : action.friction) {
-    if (static_cast<std::size_t>(friction.coupling.value) == coupling) {
+    if (!friction.between && static_cast<std::size_t>(friction.coupling.value) == coupling) {
       sum += power(friction.wrench, motion.couplings[coupling]);
     }
   }
   return sum;
+}
+
+// Of the bodies that a friction loads, the head as seen from the tail.
+Twist relative_motion(const FrictionAction& friction, const KinematicSolution& motion) {
+  if (!friction.between) {
+    return motion.couplings[static_cast<std::size_t>(friction.coupling.value)];
+  }
+  return motion.bodies[static_cast<std::size_t>(friction.between->head.value)] -
+         motion.bodies[static_cast<std::size_t>(friction.between->tail.value)];
 }
 
 }  // namespace
@@ -132,11 +97,18 @@ PowerFlow find_power(const Mechanism& mechanism,
                              motion.rates[static_cast<std::size_t>(actuator.freedom)]);
   }
   for (const FrictionAction& friction : action.friction) {
-    const auto e = static_cast<std::size_t>(friction.coupling.value);
-    flow.friction.push_back(power(friction.wrench, motion.couplings[e]));
+    flow.friction.push_back(power(friction.wrench, relative_motion(friction, motion)));
+    sum += friction.between ? flow.friction.back() : 0.0;
   }
   flow.input = input_power(which, flow);
-  find_efficiency(which, flow);
+  if (!flow.friction.empty()) {
+    Efficiency found = find_efficiency(
+        which, {.actuators = flow.actuators, .loads = flow.loads, .largest = largest});
+    flow.efficiency = found.value;
+    flow.no_efficiency = std::move(found.reason);
+    flow.is_self_locking = found.is_self_locking;
+  }
+  flow.largest = largest;
   flow.balance_residual = largest == 0.0 ? 0.0 : std::abs(sum) / largest;
   flow.is_balanced = flow.balance_residual <= kPowerBalance;
   return flow;

@@ -23,9 +23,9 @@ struct PowerFlow {
   std::vector<double> friction;   ///< of each friction of the statics; never positive
   double input = 0.0;             ///< of the inputs named by the case, else the sum of all positive
                                   ///< powers of actuators and loads
+  double largest = 0.0;           ///< size of the largest of all powers but those of friction
   /// Power of the outputs over that of the inputs, where the statics has friction and the case
-  /// names both; empty where the inputs take power, the outputs give it, or loads or other
-  /// actuators exchange power too: `no_efficiency` says why.
+  /// names both; empty where it has none: `no_efficiency` says why (see Efficiency).
   std::optional<double> efficiency;
   std::string no_efficiency;
   bool is_self_locking = false;   ///< friction takes more than the inputs give: outputs drive too

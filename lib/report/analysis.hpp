@@ -11,7 +11,9 @@
 #include "power/power_flow.hpp"
 #include "power/power_graph.hpp"
 #include "power/ratio.hpp"
+#include "power/transmission_efficiency.hpp"
 #include "sensitivity/affine.hpp"
+#include "shift/shift_solution.hpp"
 #include "statics/contact_state.hpp"
 #include "statics/static_solution.hpp"
 
@@ -37,20 +39,29 @@ struct CaseAnalysis {
   std::optional<StaticSolution> action;
   std::vector<ContactState> contacts;  ///< of ropes with pulleys, in the order of the mechanism's
   std::optional<VecX> pretension;      ///< of each action, which keeps pushed segments taut
+  std::vector<int> turned_flanks;      ///< of geometry.other_flanks: those on which the teeth press
   std::optional<PowerFlow> power;
-  std::optional<PowerGraph> power_graph;  ///< beside `power`
+  std::optional<PowerGraph> power_graph;             ///< beside `power`
+  std::optional<TransmissionEfficiency> efficiency;  ///< beside `power`, where meshes lose any
   std::optional<Ratios> ratios;
   std::vector<AffineMagnitude> affine_rates;    ///< only those that depend on a free parameter
   std::vector<AffineMagnitude> affine_actions;  ///< likewise
 };
 
-/// One mechanism with its counts and its cases, in file order.
+/// The section `shift` and the states of the transmission.
+struct ShiftAnalysis {
+  ShiftPlan plan;
+  ShiftSolution solution;
+};
+
+/// One mechanism with its counts and its cases, in file order, then its gears.
 struct Analysis {
   std::string file;  ///< as the user gave it
   MechanismDescription description;
   Mechanism mechanism;
   MobilityCounts mobility;
   std::vector<CaseAnalysis> cases;
+  std::optional<ShiftAnalysis> shift;
   std::vector<FreeParameterLabel> free_parameters;
 };
 

@@ -6,6 +6,7 @@
 #include "core/utf8.hpp"
 #include "report/csv.hpp"
 #include "report/numbers.hpp"
+#include "report/shift_csv.hpp"
 
 namespace kinestat {
 
@@ -76,15 +77,16 @@ class CsvWriter {
     const std::string group = quantity.substr(0, quantity.find('/'));
     const char last = quantity.empty() ? ' ' : quantity.back();
     if (place.pass == "power") {
-      const bool is_share =
-          group == "balance_residual" || group == "efficiency" || group == "recirculation";
-      return is_share ? "" : units.text(QuantityKind::power);
+      return power_unit(units, place.element, group, quantity);
     }
     if (group == "rate") {
       return units.text(is_rotation(place.element) ? QuantityKind::angular_velocity
                                                    : QuantityKind::velocity);
     }
-    if (group == "action" || group == "self_stress") {
+    if (path == "planet/count") {
+      return "";
+    }
+    if (group == "action" || group == "planet" || group == "self_stress") {
       return units.text(is_couple(place.element) ? QuantityKind::moment : QuantityKind::force);
     }
     if (group == "twist" || group == "wrench") {
@@ -96,6 +98,21 @@ class CsvWriter {
     }
     return path.starts_with("contact/") ? contact_unit(units, path)
                                         : simple_unit(units, quantity, group);
+  }
+
+  std::string power_unit(const FileUnits& units,
+                         const std::string& element,
+                         const std::string& group,
+                         const std::string& quantity) const {
+    if (group == "lossy_action") {
+      return units.text(is_couple(element) ? QuantityKind::moment : QuantityKind::force);
+    }
+    if (quantity == "loss/couple") {
+      return units.text(QuantityKind::moment);
+    }
+    const bool is_share = group == "balance_residual" || group == "losses" ||
+                          group == "efficiency" || group == "recirculation";
+    return is_share ? "" : units.text(QuantityKind::power);
   }
 
   static std::string contact_unit(const FileUnits& units, const std::string& path) {
@@ -199,6 +216,33 @@ void add_self_stresses(CsvWriter& writer, const Place& place, const Json& pass) 
   }
 }
 
+// What a contact does is its status.
+void add_contacts(CsvWriter& writer, Place place, const Json& pass) {
+  for (const auto& [name, contact] : pass["contacts"].items()) {
+    place.element = name;
+    place.status = contact["grip"];
+    writer.add(place, "contact", contact);
+  }
+}
+
+// The power of an arc stands beside the bodies that it joins, that of a coupling in a circle of
+// power beside the number of the circle.
+void add_power_graph(CsvWriter& writer, Place place, const Json& pass) {
+  for (const auto& [coupling, arc] : pass["arcs"].items()) {
+    const auto from = arc["from"].get<std::string>();
+    const auto to = arc["to"].get<std::string>();
+    place.element = coupling;
+    writer.add(place, "arc/" + from + "/" + to, arc["power"]);
+  }
+  const Json& loops = pass["recirculation"]["loops"];
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    for (const Json& coupling : loops[i]["couplings"]) {
+      place.element = coupling;
+      writer.add(place, "loop/" + std::to_string(i), pass["arcs"][place.element]["power"]);
+    }
+  }
+}
+
 // What completes equilibrium has its method as its status.
 void add_statics(CsvWriter& writer, const Place& place, const Json& pass) {
   Exceptions completed;
@@ -208,11 +252,31 @@ void add_statics(CsvWriter& writer, const Place& place, const Json& pass) {
   }
   add_elements_but(writer, place, pass["actions"], "action", completed);
   add_self_stresses(writer, place, pass);
+  if (pass.contains("planets")) {
+    add_elements_but(writer, place, pass["planets"], "planet", completed);
+  }
   completed.elements = writer.couplings_of(completed.elements);
   add_elements_but(writer, place, pass["couplings"], "", completed);
   add_elements_if_any(writer, place, pass, "loads", "load");
   add_elements_if_any(writer, place, pass, "friction", "friction");
-  add_elements_if_any(writer, place, pass, "contacts", "contact");
+  if (pass.contains("contacts")) {
+    add_contacts(writer, place, pass);
+  }
+}
+
+void add_efficiency(CsvWriter& writer, const Place& place, const Json& shares) {
+  for (const char* model : {"friction", "carrier", "carrier_backward", "absolute"}) {
+    if (shares.contains(model)) {
+      writer.add(place, std::string("efficiency/") + model, shares[model]);
+    }
+  }
+}
+
+void add_losses(CsvWriter& writer, const Place& place, const Json& losses) {
+  add_elements(writer, place, losses["meshes"], "loss");
+  add_elements_if_any(writer, place, losses, "friction", "lossy_friction");
+  add_elements(writer, place, losses["actuators"], "lossy_action");
+  writer.add(place, "losses/balance_residual", losses["balance_residual"]);
 }
 
 void add_case(CsvWriter& writer, const Place& place, const Json& pass) {
@@ -228,10 +292,14 @@ void add_case(CsvWriter& writer, const Place& place, const Json& pass) {
     add_elements_if_any(writer, place, pass, "loads", "load");
     add_elements_if_any(writer, place, pass, "friction", "friction");
     if (pass.contains("efficiency")) {
-      writer.add(place, "efficiency/friction", pass["efficiency"]["friction"]);
+      add_efficiency(writer, place, pass["efficiency"]);
+    }
+    if (pass.contains("losses")) {
+      add_losses(writer, place, pass["losses"]);
     }
     add_elements(writer, place, pass["bodies"], "body");
     add_elements_if_any(writer, place, pass, "meshes", "mesh");
+    add_power_graph(writer, place, pass);
     writer.add(place, "recirculation/factor", pass["recirculation"]["factor"]);
     writer.add(place, "input", pass["input"]);
     writer.add(place, "balance_residual", pass["balance_residual"]);
@@ -266,6 +334,9 @@ std::vector<CsvTable> analysis_csv(const Analysis& analysis, const Json& report)
     if (has_rows) {
       tables.push_back(std::move(table));
     }
+  }
+  if (analysis.shift) {
+    tables.push_back({.pass = "shift", .text = shift_csv(analysis, report["shift"])});
   }
   return tables;
 }

@@ -8,6 +8,7 @@
 #include "report/mechanism_json.hpp"
 #include "report/power_json.hpp"
 #include "report/ratio_in_units.hpp"
+#include "report/shift_json.hpp"
 #include "report/solution_json.hpp"
 #include "report/statics_json.hpp"
 
@@ -97,6 +98,9 @@ Json analysis_json(const Analysis& analysis) {
   result["cases"] = object_of(8);
   for (const CaseAnalysis& one : analysis.cases) {
     result["cases"][one.which.label] = case_json(analysis, one);
+  }
+  if (analysis.shift) {
+    result["shift"] = shift_json(analysis);
   }
   return result;
 }

@@ -4,6 +4,7 @@
 
 #include "core/utf8.hpp"
 #include "report/case_text.hpp"
+#include "report/shift_text.hpp"
 #include "report/table.hpp"
 
 namespace kinestat {
@@ -77,6 +78,9 @@ std::string title_text(const std::string& file, const MechanismDescription& desc
 
 std::string analysis_text(const Analysis& analysis) {
   std::string text = head_text(analysis) + mobility_text(analysis.mobility);
+  if (analysis.shift) {
+    text += shift_text(analysis);
+  }
   for (const CaseAnalysis& one : analysis.cases) {
     text += case_text(analysis, one);
   }

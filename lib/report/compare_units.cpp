@@ -25,6 +25,7 @@ enum class Rule {
   power,
   rate,
   action,
+  lossy_action,
   ratio,
   affine,
   parameter,
@@ -54,6 +55,12 @@ constexpr auto kRules = std::to_array<std::pair<std::string_view, Rule>>({
     {"/cases/*/statics/couplings/*/wrench/*", Rule::wrench},
     {"/cases/*/statics/couplings/*/moment", Rule::moment},
     {"/cases/*/statics/couplings/*/force", Rule::force},
+    {"/cases/*/statics/planets/*/count", Rule::count},
+    {"/cases/*/statics/planets/*/each", Rule::action},
+    {"/cases/*/statics/friction/*/couple", Rule::moment},
+    {"/cases/*/statics/friction/*/drag", Rule::force},
+    {"/cases/*/statics/friction/*/moment", Rule::moment},
+    {"/cases/*/statics/friction/*/force", Rule::force},
     {"/cases/*/statics/contacts/*/wrap", Rule::angle},
     {"/cases/*/statics/contacts/*/before", Rule::force},
     {"/cases/*/statics/contacts/*/after", Rule::force},
@@ -66,6 +73,11 @@ constexpr auto kRules = std::to_array<std::pair<std::string_view, Rule>>({
     {"/cases/*/*/*/*/screw/point", Rule::length},
     {"/cases/*/*/*/*/screw/pitch", Rule::length},
     {"/cases/*/power/efficiency", Rule::efficiency},
+    {"/cases/*/power/friction", Rule::power},
+    {"/cases/*/power/losses/meshes/*/couple", Rule::moment},
+    {"/cases/*/power/losses/meshes/*/power", Rule::power},
+    {"/cases/*/power/losses/friction", Rule::power},
+    {"/cases/*/power/losses/actuators/*", Rule::lossy_action},
     {"/cases/*/power/couplings", Rule::power},
     {"/cases/*/power/supplied", Rule::power},
     {"/cases/*/power/actuators", Rule::power},
@@ -75,6 +87,20 @@ constexpr auto kRules = std::to_array<std::pair<std::string_view, Rule>>({
     {"/cases/*/power/recirculation", Rule::bare},
     {"/cases/*/power/input", Rule::power},
     {"/cases/*/affine/*/*", Rule::affine},
+    {"/shift/possibilities", Rule::count},
+    {"/shift/net_freedom", Rule::count},
+    {"/shift/engaged", Rule::count},
+    {"/shift/span", Rule::bare},
+    {"/shift/states/*/freedom", Rule::count},
+    {"/shift/states/*/ratio", Rule::ratio},
+    {"/shift/states/*/torque_ratio", Rule::ratio},
+    {"/shift/states/*/step", Rule::bare},
+    {"/shift/states/*/efficiency", Rule::efficiency},
+    {"/shift/states/*/recirculation", Rule::bare},
+    {"/shift/states/*/elements/*/torque", Rule::moment},
+    {"/shift/states/*/elements/*/slip", Rule::angular},
+    {"/shift/states/*/worst_bearing/force", Rule::force},
+    {"/shift/states/*/worst_mesh/force", Rule::force},
 });
 
 const std::pair<std::string_view, Rule>* find_rule(std::string_view place) {
@@ -197,6 +223,8 @@ ValueUnit ReportUnits::at(std::string_view place) const {
       return rate(keys[4]);
     case Rule::action:
       return action(keys[4]);
+    case Rule::lossy_action:
+      return action(keys[5]);
     case Rule::ratio:
       return ratio();
     case Rule::affine:

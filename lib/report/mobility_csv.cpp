@@ -31,7 +31,8 @@ class MobilityCsv {
     }
   }
 
-  // Paths: the first key is the element, the rest the quantity.
+  // Paths: the first key is the element, the rest the quantity. The words of a repair, what becomes
+  // of which coupling, end the path of a 1; yes and no are 1 and 0.
   std::string run(const Json& mobility) {
     for (const auto& [key, value] : mobility.items()) {
       element_ = key;
@@ -54,15 +55,17 @@ class MobilityCsv {
       const auto unit = units_.find(last);
       const std::string number = value.is_number_integer() ? std::to_string(value.get<long>())
                                                            : format_exact(value.get<double>());
-      text_ += csv_line(std::array<std::string, 8>{name(),
-                                                   "",
-                                                   "mobility",
-                                                   element_,
-                                                   path,
-                                                   number,
-                                                   unit == units_.end() ? "" : unit->second,
-                                                   "solved"});
+      row(path, number, unit == units_.end() ? "" : unit->second);
+    } else if (element_ == "repairs" && value.is_string()) {
+      row(path + "/" + value.get<std::string>(), "1", "");
+    } else if (element_ == "repairs" && value.is_boolean()) {
+      row(path, value.get<bool>() ? "1" : "0", "");
     }
+  }
+
+  void row(const std::string& path, const std::string& number, const std::string& unit) {
+    text_ += csv_line(
+        std::array<std::string, 8>{name(), "", "mobility", element_, path, number, unit, "solved"});
   }
 
   std::string name() const {

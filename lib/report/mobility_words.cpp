@@ -67,11 +67,15 @@ std::string reshetov_remark(const ReshetovTable& table, const MotionCounts& exac
                        freedoms_words(table.mobility),
                        constraints_words(table.redundant));
   }
+  const bool is_oblique = std::ranges::any_of(table.circuits, [](const ReshetovCircuit& circuit) {
+    return circuit.oblique_rotations + circuit.oblique_translations > 0;
+  });
   return fmt::format(
       "The Reshetov table fails here: it finds {} and {}, because it looks at the directions of "
-      "freedoms and not at the places of their axes; the geometry decides.",
+      "freedoms{} and not at the places of their axes; the geometry decides.",
       freedoms_words(table.mobility),
-      constraints_words(table.redundant));
+      constraints_words(table.redundant),
+      is_oblique ? " along the world axes, to which some are oblique," : "");
 }
 
 std::string passive_remark(const MotionSpace& space) {

@@ -1,5 +1,7 @@
 #include "report/power_json.hpp"
 
+#include "report/efficiency_json.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -101,6 +103,9 @@ Json power_json(const Mechanism& mechanism, const CaseAnalysis& one, const InUni
       result["efficiency"]["reason"] = flow.no_efficiency;
     }
     result["self_locking"] = flow.is_self_locking;
+  }
+  if (one.efficiency) {
+    add_efficiency(mechanism, one, in, result);
   }
   result["input"] = number(in.power(flow.input));
   result["balance_residual"] = number(flow.balance_residual);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "report/efficiency_text.hpp"
 #include "report/numbers.hpp"
 #include "report/table.hpp"
 
@@ -68,24 +69,27 @@ std::string loops_text(const Topology& topology, const PowerGraph& graph, const 
   return text;
 }
 
-std::string efficiency_text(const PowerFlow& flow) {
+std::string efficiency_text(const PowerFlow& flow, bool has_lossy_meshes) {
   if (flow.is_self_locking) {
     return "; self-locking: friction takes more than the inputs give";
   }
   if (flow.efficiency) {
-    return fmt::format("; efficiency {}", format_short(*flow.efficiency));
+    return fmt::format("; efficiency {}{}",
+                       format_short(*flow.efficiency),
+                       has_lossy_meshes ? " without mesh losses" : "");
   }
   return flow.no_efficiency.empty() ? "" : "; no efficiency: " + flow.no_efficiency;
 }
 
-std::string balance_text(const PowerFlow& flow, const InUnits& in) {
+std::string balance_text(const CaseAnalysis& one, const InUnits& in) {
+  const PowerFlow& flow = *one.power;
   const std::string_view all =
       flow.loads.empty() ? "the powers of all couplings" : "the powers of all couplings and loads";
   return fmt::format(
       "  input power {} {}{}; {}\n\n",
       format_short(in.power(flow.input)),
       in.units().text(QuantityKind::power),
-      efficiency_text(flow),
+      efficiency_text(flow, one.efficiency.has_value()),
       flow.is_balanced
           ? fmt::format("{} sum to zero", all)
           : fmt::format("{} sum to {:.3g} of the largest", all, flow.balance_residual));
@@ -95,7 +99,8 @@ std::string balance_text(const PowerFlow& flow, const InUnits& in) {
 
 std::string power_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
   return meshes_text(mechanism.topology, one, in) +
-         loops_text(mechanism.topology, *one.power_graph, in) + balance_text(*one.power, in);
+         loops_text(mechanism.topology, *one.power_graph, in) + losses_text(mechanism, one) +
+         balance_text(one, in);
 }
 
 }  // namespace kinestat

@@ -25,26 +25,33 @@ bool turns(const Mechanism& mechanism, int actuator) {
 
 }  // namespace
 
+RatiosInUnits ratios_in_units(const Ratios& ratios,
+                              const Case& which,
+                              const Mechanism& mechanism,
+                              const FileUnits& units) {
+  const bool input_turns = turns(mechanism, which.inputs.front());
+  const bool output_turns = turns(mechanism, which.outputs.front());
+  const auto rate = [](bool is_turning) {
+    return is_turning ? QuantityKind::angular_velocity : QuantityKind::velocity;
+  };
+  const auto action = [](bool is_turning) {
+    return is_turning ? QuantityKind::moment : QuantityKind::force;
+  };
+  return {.ratio = converted(ratios.ratio, rate(input_turns), rate(output_turns), units),
+          .torque_ratio =
+              converted(ratios.torque_ratio, action(input_turns), action(output_turns), units)};
+}
+
 RatioInUnits ratio_in_units(const CaseAnalysis& one,
                             const Mechanism& mechanism,
                             const FileUnits& units) {
-  const auto kind = [&](int actuator) {
-    return turns(mechanism, actuator) ? QuantityKind::angular_velocity : QuantityKind::velocity;
-  };
-  return converted(
-      one.ratios->ratio, kind(one.which.inputs.front()), kind(one.which.outputs.front()), units);
+  return ratios_in_units(*one.ratios, one.which, mechanism, units).ratio;
 }
 
 RatioInUnits torque_ratio_in_units(const CaseAnalysis& one,
                                    const Mechanism& mechanism,
                                    const FileUnits& units) {
-  const auto kind = [&](int actuator) {
-    return turns(mechanism, actuator) ? QuantityKind::moment : QuantityKind::force;
-  };
-  return converted(one.ratios->torque_ratio,
-                   kind(one.which.inputs.front()),
-                   kind(one.which.outputs.front()),
-                   units);
+  return ratios_in_units(*one.ratios, one.which, mechanism, units).torque_ratio;
 }
 
 }  // namespace kinestat

@@ -14,6 +14,17 @@ struct RatioInUnits {
   std::string unit;  ///< for example "rad/s per mm/s"
 };
 
+struct RatiosInUnits {
+  RatioInUnits ratio;         ///< in the rate unit of the input per that of the output
+  RatioInUnits torque_ratio;  ///< in the action unit of the input per that of the output
+};
+
+/// Of the first input and the first output of the case.
+RatiosInUnits ratios_in_units(const Ratios& ratios,
+                              const Case& which,
+                              const Mechanism& mechanism,
+                              const FileUnits& units);
+
 /// i, in the rate unit of the input per that of the output. The case must have ratios.
 RatioInUnits ratio_in_units(const CaseAnalysis& one,
                             const Mechanism& mechanism,

@@ -97,7 +97,7 @@ class RedundancyText {
   std::string change_words(const CouplingChange& change) const {
     const std::string& name = analysis_.mechanism.topology.coupling(change.coupling).name;
     if (change.is_left_out) {
-      return fmt::format("{} left out", name);
+      return fmt::format("leave out {}", name);
     }
     std::vector<std::string> added;
     for (const Twist& twist : change.added) {

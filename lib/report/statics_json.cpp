@@ -86,6 +86,24 @@ Json completion_json(const Topology& topology, const Completion& completion, con
   return result;
 }
 
+// What each of several equal planets has of the actions that they share.
+Json planets_json(const Mechanism& mechanism, const StaticSolution& action, const InUnits& in) {
+  const Topology& topology = mechanism.topology;
+  Json result = object_of(topology.actions.size());
+  for (std::size_t a = 0; a < topology.actions.size(); ++a) {
+    const int count = mechanism.planet_counts[a];
+    if (count > 1) {
+      const std::optional<double>& all = action.magnitudes[a];
+      Json one = object_of(2);
+      one["count"] = count;
+      one["each"] =
+          all ? number(in.action(*all / count, topology.actions[a].is_couple)) : Json(nullptr);
+      result[topology.action_name(static_cast<int>(a))] = std::move(one);
+    }
+  }
+  return result;
+}
+
 Json contact_json(const CableContact& contact, const ContactState& state, const InUnits& in) {
   const auto in_unit = [](const std::optional<double>& value, const auto& converted) {
     return value ? number(converted(*value)) : Json(nullptr);
@@ -149,6 +167,9 @@ Json statics_json(const Mechanism& mechanism, const CaseAnalysis& one, const InU
       result["friction"][topology.coupling(friction.coupling).name] =
           friction_json(mechanism, friction, in);
     }
+  }
+  if (has_planets(mechanism) && !action.magnitudes.empty()) {
+    result["planets"] = planets_json(mechanism, action, in);
   }
   if (!one.contacts.empty()) {
     result["contacts"] = object_of(one.contacts.size());

@@ -181,6 +181,26 @@ std::string friction_text(const Mechanism& mechanism, const CaseAnalysis& one, c
   return table.text("  ") + "\n";
 }
 
+// What one of several equal planets has, where the table above has all of them together.
+std::string planets_text(const Mechanism& mechanism,
+                         const StaticSolution& action,
+                         const InUnits& in) {
+  const Topology& topology = mechanism.topology;
+  Table table({"Planets", "number", "each", "unit"});
+  for (std::size_t a = 0; has_planets(mechanism) && a < topology.actions.size(); ++a) {
+    const int count = mechanism.planet_counts[a];
+    const bool turns = topology.actions[a].is_couple;
+    const std::optional<double>& all = action.magnitudes[a];
+    if (count > 1) {
+      table.add({topology.action_name(static_cast<int>(a)),
+                 fmt::format("{}", count),
+                 cell_of(all ? std::optional(in.action(*all / count, turns)) : std::nullopt),
+                 in.units().text(turns ? QuantityKind::moment : QuantityKind::force)});
+    }
+  }
+  return has_planets(mechanism) ? table.text("  ") + "\n" : "";
+}
+
 // Slip is shown where a rope slips.
 std::string contacts_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
   if (one.contacts.empty()) {
@@ -230,7 +250,7 @@ std::string statics_text(const Mechanism& mechanism, const CaseAnalysis& one, co
                     : constraints_text(mechanism.topology, *one.action, in) +
                           self_stresses_text(mechanism.topology, *one.action, in);
   text += loads_text(mechanism, one, in) + friction_text(mechanism, one, in) +
-          contacts_text(mechanism, one, in);
+          planets_text(mechanism, *one.action, in) + contacts_text(mechanism, one, in);
   return text;
 }
 

@@ -10,6 +10,7 @@
 #include "report/file_report.hpp"
 #include "run/each_file.hpp"
 #include "run/findings.hpp"
+#include "run/gears.hpp"
 #include "run/solve_cases.hpp"
 
 namespace kinestat {
@@ -33,8 +34,14 @@ std::optional<FileReport> analyse_description(const std::string& path,
                                               Diagnostics& found) {
   std::optional<Mechanism> mechanism = bind(description, found);
   if (mechanism) {
-    const Analysis analysis = solve_cases(
-        path, {.description = std::move(description), .mechanism = *std::move(mechanism)});
+    std::optional<ShiftAnalysis> shift = add_gears(description, *mechanism, {}, found);
+    if (found.has_errors()) {
+      return std::nullopt;
+    }
+    const Analysis analysis = solve_cases(path,
+                                          {.description = std::move(description),
+                                           .mechanism = *std::move(mechanism),
+                                           .shift = std::move(shift)});
     add_findings(analysis, found);
     return make_report(analysis, forms, found);
   }

@@ -13,6 +13,7 @@
 #include "io/read_file.hpp"
 #include "io/yaml_tree.hpp"
 #include "mechanism/bind.hpp"
+#include "run/gears.hpp"
 
 namespace kinestat {
 
@@ -122,7 +123,8 @@ std::optional<MechanismDescription> load_description(const std::string& path,
 std::optional<Loaded> load(const std::string& path,
                            const std::vector<Override>& overrides,
                            SourceFile& source,
-                           Diagnostics& found) {
+                           Diagnostics& found,
+                           const ShiftOptions& sizes) {
   std::optional<MechanismDescription> description =
       load_description(path, overrides, source, found);
   if (!description) {
@@ -135,7 +137,11 @@ std::optional<Loaded> load(const std::string& path,
     }
     return std::nullopt;
   }
-  return Loaded{.description = *std::move(description), .mechanism = *std::move(mechanism)};
+  Loaded loaded{.description = *std::move(description),
+                .mechanism = *std::move(mechanism),
+                .shift = std::nullopt};
+  loaded.shift = add_gears(loaded.description, loaded.mechanism, sizes, found);
+  return found.has_errors() ? std::nullopt : std::optional(std::move(loaded));
 }
 
 }  // namespace kinestat

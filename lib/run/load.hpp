@@ -8,6 +8,7 @@
 #include "core/diagnostic.hpp"
 #include "core/source.hpp"
 #include "mechanism/mechanism.hpp"
+#include "report/analysis.hpp"
 
 namespace kinestat {
 
@@ -17,6 +18,7 @@ using Override = std::string;
 struct Loaded {
   MechanismDescription description;
   Mechanism mechanism;
+  std::optional<ShiftAnalysis> shift;  ///< whose gears are among the cases
 };
 
 /// Reads and applies the overrides. `source` keeps the text for messages, also when the result is
@@ -26,11 +28,12 @@ std::optional<MechanismDescription> load_description(const std::string& path,
                                                      SourceFile& source,
                                                      Diagnostics& found);
 
-/// Reads, applies the overrides and binds; a file without a mechanism is an error. Empty iff an
-/// error was added.
+/// Reads, applies the overrides and binds, gears included, whose `sizes` may be more than the
+/// usual; a file without a mechanism is an error. Empty iff an error was added.
 std::optional<Loaded> load(const std::string& path,
                            const std::vector<Override>& overrides,
                            SourceFile& source,
-                           Diagnostics& found);
+                           Diagnostics& found,
+                           const ShiftOptions& sizes = {});
 
 }  // namespace kinestat

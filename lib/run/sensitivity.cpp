@@ -167,17 +167,23 @@ class SensitivityJob {
   }
 
   std::vector<SensitivityValue> differentiate(std::size_t case_index,
-                                              const AdjointBases& bases,
-                                              const MechanismDerivatives& derivatives) {
+                                              const AdjointBases& drawn_bases,
+                                              const MechanismDerivatives& common) {
     const CaseAnalysis& one = analysis_.cases[case_index];
     const bool has_rates = one.motion && one.motion->status == SolveStatus::solved;
     const bool has_actions =
         one.action && !one.action->magnitudes.empty() && rubbing_rope() == nullptr;
-    const DualCase values(analysis_.mechanism,
+    Mechanism mechanism = analysis_.mechanism;
+    MechanismDerivatives derivatives = common;
+    turn_flanks(one.turned_flanks, mechanism.geometry);
+    turn_flanks(one.turned_flanks, derivatives.geometry);
+    const DualCase values(mechanism,
                           case_index,
                           has_rates ? &*one.motion : nullptr,
                           has_actions ? &*one.action : nullptr,
                           derivatives);
+    const AdjointBases bases =
+        one.turned_flanks.empty() ? drawn_bases : find_adjoint_bases(mechanism, derivatives);
     CaseAdjoint adjoint(values, bases);
     std::vector<SensitivityValue> result;
     for (const std::string& name :
@@ -220,6 +226,12 @@ class SensitivityJob {
     }
   }
 
+  static bool is_of_mesh_losses(const std::string& name) {
+    return name.find("power/losses/") != std::string::npos ||
+           name.find("power/efficiency/carrier") != std::string::npos ||
+           name.find("power/efficiency/absolute") != std::string::npos;
+  }
+
   static std::optional<ReportedValue> find_value(const DualCase& values, const std::string& name) {
     const std::string_view path = name.starts_with('/') ? std::string_view(name).substr(1) : name;
     const std::string prefix = fmt::format("cases/{}/", values.which().label);
@@ -235,7 +247,10 @@ class SensitivityJob {
             "E0101",
             {},
             fmt::format("--of '{}': no case has such a value with derivatives", printable(name)),
-            known_names_.empty()
+            is_of_mesh_losses(name)
+                ? "what losses of meshes make of a case has no derivatives yet; "
+                  "compare two analyses with --set"
+            : known_names_.empty()
                 ? "no case is solved: 'kinestat analyze' says why"
                 : guess_before(name,
                                known_names_,

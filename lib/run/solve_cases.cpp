@@ -1,9 +1,11 @@
 #include "run/solve_cases.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/contract.hpp"
+#include "core/tolerance.hpp"
 #include "kinematics/velocity.hpp"
 #include "mechanism/bind.hpp"
 #include "network/bases.hpp"
@@ -125,21 +127,95 @@ StaticSolution solve_statics(const Mechanism& mechanism,
   return resolve_indeterminacy(mechanism, basis, which.actions, loads, std::move(solution));
 }
 
-CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Case& which) {
+// The mechanism with the flanks on which the teeth press in a case, and its actions.
+struct LoadedFlanks {
+  std::vector<int> turned;
+  std::optional<Mechanism> mechanism;  ///< empty if none is turned
+  CoordinateBasis basis = {};
+  StaticSolution action = {};
+};
+
+// Teeth press with their other flank where their force is negative; a force that is not known, or
+// zero but for rounding, leaves them as they are.
+std::vector<int> find_turned_flanks(const Geometry& geometry, const LoadedFlanks& now) {
+  const std::vector<std::optional<double>>& magnitudes = now.action.magnitudes;
+  double largest = 0.0;
+  for (const OtherFlankOf<double>& flank : geometry.other_flanks) {
+    const auto action = static_cast<std::size_t>(flank.action);
+    largest = std::max(largest, std::abs(magnitudes[action].value_or(0.0)));
+  }
+  std::vector<int> turned;
+  for (std::size_t i = 0; i < geometry.other_flanks.size(); ++i) {
+    const auto action = static_cast<std::size_t>(geometry.other_flanks[i].action);
+    const double force = magnitudes[action].value_or(0.0);
+    const bool was_turned = std::ranges::find(now.turned, static_cast<int>(i)) != now.turned.end();
+    if (std::abs(force) <= kCancellation * largest ? was_turned : force < 0.0) {
+      turned.push_back(static_cast<int>(i));
+    }
+  }
+  return turned;
+}
+
+LoadedFlanks solve_on_flanks(const Mechanism& drawn,
+                             const Bases& bases,
+                             const Case& which,
+                             const KinematicSolution* motion,
+                             std::vector<int> turned) {
+  LoadedFlanks result{.turned = std::move(turned), .mechanism = {}, .basis = bases.action};
+  if (!result.turned.empty()) {
+    result.mechanism = drawn;
+    turn_flanks(result.turned, result.mechanism->geometry);
+    result.basis = action_basis(result.mechanism->geometry, drawn.static_order);
+  }
+  result.action =
+      solve_statics(result.mechanism ? *result.mechanism : drawn, result.basis, which, motion);
+  return result;
+}
+
+// Torques decide on the flanks wherever equilibrium does, and the second answer is the last; it may
+// take more where bearings rub. Friction under which no flanks fit their forces lets nothing move.
+LoadedFlanks solve_on_loaded_flanks(const Mechanism& drawn,
+                                    const Bases& bases,
+                                    const Case& which,
+                                    const KinematicSolution* motion) {
+  LoadedFlanks result = solve_on_flanks(drawn, bases, which, motion, {});
+  const std::size_t most_rounds = 2 * drawn.geometry.other_flanks.size();
+  for (std::size_t i = 0; i < most_rounds && !result.action.magnitudes.empty(); ++i) {
+    std::vector<int> turned = find_turned_flanks(drawn.geometry, result);
+    if (turned == result.turned) {
+      return result;
+    }
+    result = solve_on_flanks(drawn, bases, which, motion, std::move(turned));
+  }
+  const bool fits = result.action.magnitudes.empty() || most_rounds == 0 ||
+                    find_turned_flanks(drawn.geometry, result) == result.turned;
+  if (!fits) {
+    result.action.status = SolveStatus::locked;
+    result.action.magnitudes.clear();
+    result.action.wrenches.clear();
+  }
+  return result;
+}
+
+CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const Case& which) {
   CaseAnalysis result;
   result.which = which;
   if (which.asks_motions) {
-    result.motion = solve_velocity(mechanism, bases.motion, which.motions);
+    result.motion = solve_velocity(drawn, bases.motion, which.motions);
   }
+  const KinematicSolution* motion = is_solved(result.motion) ? &*result.motion : nullptr;
+  LoadedFlanks flanks;
   if (which.asks_actions) {
-    result.action = solve_statics(
-        mechanism, bases.action, which, is_solved(result.motion) ? &*result.motion : nullptr);
+    flanks = solve_on_loaded_flanks(drawn, bases, which, motion);
+    result.action = std::move(flanks.action);
+    result.turned_flanks = std::move(flanks.turned);
   }
+  const Mechanism& mechanism = flanks.mechanism ? *flanks.mechanism : drawn;
   if (has_answer(result.action)) {
     result.contacts = find_contact_states(
         mechanism, *result.action, is_solved(result.motion) ? &*result.motion : nullptr);
     if (!find_pushed_segments(mechanism, *result.action).empty()) {
-      result.pretension = find_pretension(mechanism, bases.action, *result.action);
+      result.pretension = find_pretension(mechanism, flanks.basis, *result.action);
     }
   }
   if (is_solved(result.motion) && has_answer(result.action) &&
@@ -147,6 +223,14 @@ CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Ca
     result.power = find_power(mechanism, which, *result.motion, *result.action);
     result.power_graph =
         find_power_graph(mechanism, which, *result.motion, *result.action, *result.power);
+    if (!mechanism.lossy_meshes.empty()) {
+      result.efficiency = find_transmission_efficiency(mechanism,
+                                                       bases.action,
+                                                       {.which = which,
+                                                        .motion = *result.motion,
+                                                        .power = *result.power,
+                                                        .graph = *result.power_graph});
+    }
   }
   if (is_solved(result.motion) && !which.inputs.empty() && which.outputs.size() == 1) {
     result.ratios = find_ratios(
@@ -158,10 +242,15 @@ CaseAnalysis solve_case(const Mechanism& mechanism, const Bases& bases, const Ca
 }  // namespace
 
 std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism) {
+  return solve_some_cases(mechanism, mechanism.cases);
+}
+
+std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism,
+                                           std::span<const Case> wanted) {
   const Bases bases{.motion = motion_basis(mechanism.geometry, mechanism.kinematic_order),
                     .action = action_basis(mechanism.geometry, mechanism.static_order)};
   std::vector<CaseAnalysis> cases;
-  for (const Case& which : mechanism.cases) {
+  for (const Case& which : wanted) {
     cases.push_back(solve_case(mechanism, bases, which));
   }
   return cases;
@@ -172,6 +261,7 @@ Analysis solve_cases(std::string file, Loaded loaded) {
   analysis.file = std::move(file);
   analysis.mobility = counts_of(loaded);
   analysis.cases = solve_all_cases(loaded.mechanism);
+  analysis.shift = std::move(loaded.shift);
   analysis.description = std::move(loaded.description);
   analysis.mechanism = std::move(loaded.mechanism);
   find_affine_dependence(analysis);

@@ -1,6 +1,9 @@
 // Runs the passes that each case asks for, and nothing else.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "report/analysis.hpp"
 #include "run/load.hpp"
 
@@ -13,5 +16,8 @@ Analysis solve_cases(std::string file, Loaded loaded);
 
 /// The cases alone.
 std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism);
+
+/// Some cases alone, which may be others than those of the mechanism.
+std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism, std::span<const Case> cases);
 
 }  // namespace kinestat

@@ -160,6 +160,9 @@ std::vector<std::string> reported_value_names(const DualCase& values) {
 }
 
 std::vector<std::string> usual_value_names(const DualCase& values) {
+  if (values.topology().actuators.empty()) {
+    return reported_value_names(values);
+  }
   std::vector<std::string> names;
   for (const char* name : {"ratio", "torque_ratio"}) {
     if (find_reported_value(values, name)) {

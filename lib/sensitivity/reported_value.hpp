@@ -34,7 +34,7 @@ bool is_completed(const DualCase& values, const ReportedValue& value);
 std::vector<std::string> reported_value_names(const DualCase& values);
 
 /// What one wants to know if nothing is named: the ratios, and of every actuator the rate and the
-/// action unless they are primary.
+/// action unless they are primary. Everything, if there are no actuators.
 std::vector<std::string> usual_value_names(const DualCase& values);
 
 }  // namespace kinestat

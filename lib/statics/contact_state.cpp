@@ -25,13 +25,10 @@ double slip_speed(const Mechanism& mechanism,
     return 0.0;
   }
   const double length = mechanism.geometry.length;
-  double fastest = 0.0;
-  for (const Twist& twist : motion.bodies) {
-    fastest = std::max({fastest, twist.angular.norm() * length, twist.linear.norm()});
-  }
   const CouplingTopology& coupling = mechanism.topology.coupling(*contact.slips);
   const double rate = motion.rates[static_cast<std::size_t>(coupling.first_freedom)];
-  return std::abs(rate) * length > kReportZero * fastest ? rate * contact.radius : 0.0;
+  const bool is_rounding = std::abs(rate) * length <= kReportZero * fastest_motion(motion, length);
+  return is_rounding ? 0.0 : rate * contact.radius;
 }
 
 Grip grip_of(const ContactState& state) {

@@ -256,16 +256,6 @@ FrictionLawOf<Scalar> contact(const SlidingOf<Scalar>& s) {
   return law;
 }
 
-// The fastest motion of a point of the mechanism's size, to tell sliding from rounding.
-double fastest(const Mechanism& mechanism, const KinematicSolution& motion) {
-  double speed = 0.0;
-  for (const Twist& twist : motion.bodies) {
-    speed =
-        std::max({speed, twist.angular.norm() * mechanism.geometry.length, twist.linear.norm()});
-  }
-  return speed;
-}
-
 }  // namespace
 
 template <class Scalar>
@@ -289,7 +279,7 @@ std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mech
                                                            const KinematicSolution& motion) {
   std::vector<std::optional<FrictionLaw>> laws;
   const Geometry& geometry = mechanism.geometry;
-  const double scale = fastest(mechanism, motion);
+  const double scale = fastest_motion(motion, geometry.length);
   for (const CouplingFriction& friction : mechanism.frictions) {
     const auto e = static_cast<std::size_t>(friction.coupling.value);
     const int freedom = mechanism.topology.couplings[e].first_freedom;

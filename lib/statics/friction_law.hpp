@@ -21,6 +21,12 @@ struct PressingPartOf {
   bool is_signed = false;           ///< only then does the second weight count
 };
 
+/// Two bodies of a couple or force between them: that of tail on head, and its opposite.
+struct BodyPair {
+  BodyId tail;
+  BodyId head;
+};
+
 /// A reaction that presses too, but for which the file gives no dimension.
 enum class Reaction {
   axial,    ///< force along the axis of a journal without thrust_radius
@@ -35,14 +41,15 @@ struct IgnoredPartOf {
   Eigen::Matrix<Scalar, 3, 6> part = Eigen::Matrix<Scalar, 3, 6>::Zero();
 };
 
-/// The friction of one coupling in one case: of tail on head `unit` times the magnitude
-/// constant + Σ weight |part · wrench of a coupling|, which is never negative. Screws are written
-/// about the origin of the Geometry.
+/// The friction of one coupling in one case, or what a mesh loses: of tail on head `unit` times the
+/// magnitude constant + Σ weight |part · wrench of a coupling|, which is never negative. Screws are
+/// written about the origin of the Geometry.
 template <class Scalar>
 struct FrictionLawOf {
   CouplingId coupling;
-  WrenchOf<Scalar> unit;  ///< against the relative motion, whose power on it is -speed
-  Scalar speed = 0.0;     ///< [rad/s or m/s]
+  std::optional<BodyPair> between;  ///< on which it acts; empty: on the bodies of the coupling
+  WrenchOf<Scalar> unit;            ///< against the relative motion, whose power on it is -speed
+  Scalar speed = 0.0;               ///< [rad/s or m/s]
   bool is_couple = true;
   Scalar constant = 0.0;  ///< what does not depend on the load [N·m or N]
   std::vector<PressingPartOf<Scalar>> parts;

@@ -16,7 +16,7 @@ namespace {
 std::vector<int> find_tensions(const Topology& topology) {
   std::vector<int> tensions;
   for (const CouplingTopology& coupling : topology.couplings) {
-    if (coupling.type == CouplingType::cable && coupling.action_count > 0) {
+    if (coupling.bears_tension()) {
       tensions.push_back(coupling.first_action);
     }
   }
@@ -24,7 +24,7 @@ std::vector<int> find_tensions(const Topology& topology) {
 }
 
 // Forces below this are none.
-double least_force(const Mechanism& mechanism, const StaticSolution& solution) {
+double rounding_force(const Mechanism& mechanism, const StaticSolution& solution) {
   double largest = 0.0;
   for (std::size_t a = 0; a < solution.magnitudes.size(); ++a) {
     const bool is_force = !mechanism.topology.actions[a].is_couple;
@@ -34,7 +34,7 @@ double least_force(const Mechanism& mechanism, const StaticSolution& solution) {
 }
 
 // The self-stresses that no actuator takes part in, one a column.
-MatX passive_stresses(const Mechanism& mechanism, const CoordinateBasis& basis) {
+MatX stresses_without_actuators(const Mechanism& mechanism, const CoordinateBasis& basis) {
   const Equilibrium equilibrium(mechanism, basis, mechanism.topology.driving_actions());
   const std::vector<VecX> vectors = equilibrium.self_stresses();
   MatX stresses(mechanism.topology.action_count(), static_cast<Eigen::Index>(vectors.size()));
@@ -67,9 +67,9 @@ std::vector<CouplingId> find_pushed_segments(const Mechanism& mechanism,
   if (solution.magnitudes.empty()) {
     return pushed;
   }
-  const double least = least_force(mechanism, solution);
+  const double rounding = rounding_force(mechanism, solution);
   for (const int a : find_tensions(mechanism.topology)) {
-    if (solution.magnitudes[static_cast<std::size_t>(a)].value_or(0.0) < -least) {
+    if (solution.magnitudes[static_cast<std::size_t>(a)].value_or(0.0) < -rounding) {
       pushed.push_back(mechanism.topology.actions[static_cast<std::size_t>(a)].coupling);
     }
   }
@@ -88,7 +88,7 @@ std::optional<VecX> find_pretension(const Mechanism& mechanism,
     }
     least[static_cast<Eigen::Index>(i)] = std::max(0.0, -*force);
   }
-  const MatX stresses = passive_stresses(mechanism, basis);
+  const MatX stresses = stresses_without_actuators(mechanism, basis);
   if (stresses.cols() == 0 || tensions.empty()) {
     return std::nullopt;
   }

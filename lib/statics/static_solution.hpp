@@ -20,7 +20,9 @@ namespace kinestat {
 /// Friction of a coupling, of tail on head.
 struct FrictionAction {
   CouplingId coupling;
-  double magnitude = 0.0;  ///< [N·m or N], never negative
+  std::optional<BodyPair> between;  ///< which it loads; empty: the bodies of the coupling, whose
+                                    ///< wrench includes it
+  double magnitude = 0.0;           ///< [N·m or N], never negative
   bool is_couple = true;
   Wrench wrench;  ///< about the origin of the Geometry, against the motion
 };

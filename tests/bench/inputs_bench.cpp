@@ -1,16 +1,13 @@
 // Times the search for all static input sets of the pulley, in units of a dense solve by LAPACK.
 
-#include <algorithm>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "bench_program.hpp"
 #include "dense_statics.hpp"
 #include "inputs/input_sets.hpp"
 #include "inputs/solution_space.hpp"
@@ -45,28 +42,7 @@ std::vector<Job> jobs_for(const Subject& subject, const SolutionSpace& space) {
   return jobs;
 }
 
-struct Options {
-  int rounds = 300;
-  TableForm form = TableForm::text;
-};
-
-Options read_options(int argc, char** argv) {
-  Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view word = argv[i];
-    if (word == "--csv") {
-      options.form = TableForm::csv;
-    } else if (word == "--rounds" && i + 1 < argc) {
-      options.rounds = std::max(1, std::atoi(argv[++i]));
-    } else {
-      throw std::runtime_error("usage: inputs_bench [--rounds N] [--csv]");
-    }
-  }
-  return options;
-}
-
-int run(int argc, char** argv) {
-  const Options options = read_options(argc, argv);
+std::string run(const Options& options) {
   const Subject subject = read_subject(KINESTAT_MECHANISM, "block moves");
   const Mechanism& mechanism = subject.loaded.mechanism;
   DenseStatics dense(mechanism, subject.action, subject.which);
@@ -84,8 +60,7 @@ int run(int argc, char** argv) {
     text += fmt::format(
         "D = dgesv of {0} x {0}, here {1:.2f} µs\n", dense.size(), 1e6 * result.unit_seconds);
   }
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  return 0;
+  return text;
 }
 
 }  // namespace
@@ -93,10 +68,5 @@ int run(int argc, char** argv) {
 }  // namespace kinestat::bench
 
 int main(int argc, char** argv) {
-  try {
-    return kinestat::bench::run(argc, argv);
-  } catch (const std::exception& problem) {
-    std::fprintf(stderr, "inputs_bench: %s\n", problem.what());
-    return 1;
-  }
+  return kinestat::bench::run_program("inputs_bench", argc, argv, kinestat::bench::run);
 }

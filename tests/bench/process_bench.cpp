@@ -1,8 +1,6 @@
 // Times the whole program against an empty C++ process, run alternately.
 
-#include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
@@ -10,7 +8,6 @@
 #include <spawn.h>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include "bench_program.hpp"
 #include "long_chain.hpp"
 #include "ratio_table.hpp"
 
@@ -103,11 +101,6 @@ class TemporaryFile {
   std::string path_;
 };
 
-struct Options {
-  int pairs = 300;
-  TableForm form = TableForm::text;
-};
-
 /// One row of the table: what is timed, and what its elapsed time must not exceed.
 struct Job {
   std::string name;
@@ -116,7 +109,7 @@ struct Job {
 };
 
 /// Adds the two ratios of one command line to the table.
-void measure(Job job, int pairs, std::vector<Ratio>& table) {
+void measure(Job job, int rounds, std::vector<Ratio>& table) {
   Program empty({KINESTAT_EMPTY});
   Program program(std::move(job.words));
   std::vector<double> elapsed;
@@ -125,7 +118,7 @@ void measure(Job job, int pairs, std::vector<Ratio>& table) {
     empty.run();
     program.run();
   }
-  for (int i = 0; i < pairs; ++i) {
+  for (int i = 0; i < rounds; ++i) {
     const Times unit = empty.run();
     const Times time = program.run();
     elapsed.push_back(time.elapsed / unit.elapsed);
@@ -135,23 +128,7 @@ void measure(Job job, int pairs, std::vector<Ratio>& table) {
   table.push_back(make_ratio(job.name + ", processor", std::move(processor), {}));
 }
 
-Options read_options(int argc, char** argv) {
-  Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view word = argv[i];
-    if (word == "--csv") {
-      options.form = TableForm::csv;
-    } else if (word == "--pairs" && i + 1 < argc) {
-      options.pairs = std::max(1, std::atoi(argv[++i]));
-    } else {
-      throw std::runtime_error("usage: process_bench [--pairs N] [--csv]");
-    }
-  }
-  return options;
-}
-
-int run(int argc, char** argv) {
-  const Options options = read_options(argc, argv);
+std::string run(const Options& options) {
   const std::string program = KINESTAT_PROGRAM;
   const std::string file = KINESTAT_MECHANISM;
   const TemporaryFile chain(long_chain(kChainLength));
@@ -163,11 +140,9 @@ int run(int argc, char** argv) {
       {"--version", {program, "--version"}, kTarget}};
   std::vector<Ratio> table;
   for (const Job& job : jobs) {
-    measure(job, options.pairs, table);
+    measure(job, options.rounds, table);
   }
-  const std::string text = write_ratios(table, "empty C++ processes", options.form);
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  return 0;
+  return write_ratios(table, "empty C++ processes", options.form);
 }
 
 }  // namespace
@@ -175,10 +150,5 @@ int run(int argc, char** argv) {
 }  // namespace kinestat::bench
 
 int main(int argc, char** argv) {
-  try {
-    return kinestat::bench::run(argc, argv);
-  } catch (const std::exception& problem) {
-    std::fprintf(stderr, "process_bench: %s\n", problem.what());
-    return 1;
-  }
+  return kinestat::bench::run_program("process_bench", argc, argv, kinestat::bench::run);
 }

@@ -1,15 +1,11 @@
 // Times the derivatives of one value towards all parameters, in units of the solves of its case.
 
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "bench_program.hpp"
 #include "interleave.hpp"
 #include "mechanism/bind.hpp"
 #include "mechanism/derivatives.hpp"
@@ -96,28 +92,7 @@ std::vector<Job> jobs_for(const Subject& subject, const Start& start) {
   return jobs;
 }
 
-struct Options {
-  int rounds = 300;
-  TableForm form = TableForm::text;
-};
-
-Options read_options(int argc, char** argv) {
-  Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view word = argv[i];
-    if (word == "--csv") {
-      options.form = TableForm::csv;
-    } else if (word == "--rounds" && i + 1 < argc) {
-      options.rounds = std::max(1, std::atoi(argv[++i]));
-    } else {
-      throw std::runtime_error("usage: sensitivity_bench [--rounds N] [--csv]");
-    }
-  }
-  return options;
-}
-
-int run(int argc, char** argv) {
-  const Options options = read_options(argc, argv);
+std::string run(const Options& options) {
   const Subject subject = read_subject(KINESTAT_MECHANISM, "M1");
   const Start start = make_start(subject);
   const Interleaved result =
@@ -129,8 +104,7 @@ int run(int argc, char** argv) {
                     1e6 * result.unit_seconds,
                     start.parameters.size());
   }
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  return 0;
+  return text;
 }
 
 }  // namespace
@@ -138,10 +112,5 @@ int run(int argc, char** argv) {
 }  // namespace kinestat::bench
 
 int main(int argc, char** argv) {
-  try {
-    return kinestat::bench::run(argc, argv);
-  } catch (const std::exception& problem) {
-    std::fprintf(stderr, "sensitivity_bench: %s\n", problem.what());
-    return 1;
-  }
+  return kinestat::bench::run_program("sensitivity_bench", argc, argv, kinestat::bench::run);
 }

@@ -1,15 +1,12 @@
 // Times the solves of one case, and what surrounds them, in units of a dense solve by LAPACK.
 
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "bench_program.hpp"
 #include "dense_statics.hpp"
 #include "interleave.hpp"
 #include "io/mechanism_reader.hpp"
@@ -156,30 +153,8 @@ void add_analysis(const Subject& subject, const Analysis& analysis, std::vector<
                   {}});
 }
 
-struct Options {
-  int rounds = 300;
-  TableForm form = TableForm::text;
-  std::string path = KINESTAT_MECHANISM;
-};
-
-Options read_options(int argc, char** argv) {
-  Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view word = argv[i];
-    if (word == "--csv") {
-      options.form = TableForm::csv;
-    } else if (word == "--rounds" && i + 1 < argc) {
-      options.rounds = std::max(1, std::atoi(argv[++i]));
-    } else {
-      throw std::runtime_error("usage: solve_bench [--rounds N] [--csv]");
-    }
-  }
-  return options;
-}
-
-int run(int argc, char** argv) {
-  const Options options = read_options(argc, argv);
-  const Subject subject = read_subject(options.path, "M1");
+std::string run(const Options& options) {
+  const Subject subject = read_subject(KINESTAT_MECHANISM, "M1");
   const Mechanism& mechanism = subject.loaded.mechanism;
   DenseStatics dense(mechanism, subject.action, subject.which);
   if (!dense.is_square() || !dense.agrees(mechanism.topology, action_of(subject))) {
@@ -198,8 +173,7 @@ int run(int argc, char** argv) {
     text += fmt::format(
         "D = dgesv of {0} x {0}, here {1:.1f} µs\n", dense.size(), 1e6 * result.unit_seconds);
   }
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  return 0;
+  return text;
 }
 
 }  // namespace
@@ -207,10 +181,5 @@ int run(int argc, char** argv) {
 }  // namespace kinestat::bench
 
 int main(int argc, char** argv) {
-  try {
-    return kinestat::bench::run(argc, argv);
-  } catch (const std::exception& problem) {
-    std::fprintf(stderr, "solve_bench: %s\n", problem.what());
-    return 1;
-  }
+  return kinestat::bench::run_program("solve_bench", argc, argv, kinestat::bench::run);
 }

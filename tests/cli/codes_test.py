@@ -86,6 +86,8 @@ def write_inputs(folder: Path) -> None:
     (folder / "mechanisms").mkdir()
     for path in ("train.yaml", "mechanisms/train.yaml"):
         (folder / path).write_bytes(train)
+    (folder / "teeth.yaml").write_bytes(
+        train + b"\nsweep: {vary: {Ns: {from: 18, to: 30, step: 2}}, report: [ratio]}\n")
     (folder / "latin1.yaml").write_bytes(train.replace(b"Simple", b"Einfacher Tr\xE4ger,"))
     (folder / "drawing.step").write_bytes(b"#1=CARTESIAN_POINT('',(0.,0.,0.));\n" * 40000)
 

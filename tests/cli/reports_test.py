@@ -26,17 +26,20 @@ HEADER = ["mechanism", "case", "pass", "element", "quantity", "value", "unit", "
 # Cases whose reports have states that no good mechanism has: null values among them.
 STATES = ["c66_parameter_never_used", "e0501_motions_missing", "e0602_no_equilibrium",
           "w0601_actions_indeterminate", "loads_on_a_linkage", "w0601_self_stresses",
-          "stiffness_shares_a_load", "minimum_norm_is_labelled"]
+          "stiffness_shares_a_load", "minimum_norm_is_labelled",
+          "losses_and_friction_of_bearings", "c82_drive_in_reverse"]
 # A topology without dimensions, which only `kinestat mobility` answers.
 COUNTED = ROOT / "mechanisms" / "cables" / "surgical_instrument.yaml"
 # Where the CSV table of a pass finds its values: the quantity names the section.
 SECTIONS = {
     "kinematics": {"rate": "freedoms", None: "bodies"},
     "statics": {"action": "actions", "load": "loads", "friction": "friction",
-                "contact": "contacts", None: "couplings"},
+                "planet": "planets", "contact": "contacts", None: "couplings"},
     "power": {"into_head": "couplings", "supplied": "supplied", "actuator": "actuators",
               "load": "loads", "friction": "friction", "body": "bodies", "mesh": "meshes"},
 }
+
+LOSSES = {"loss": "meshes", "lossy_friction": "friction", "lossy_action": "actuators"}
 
 
 def files() -> list[Path]:
@@ -84,7 +87,7 @@ def numbers(value: Any) -> Iterator[Any]:
     if isinstance(value, (dict, list)):
         for item in value.values() if isinstance(value, dict) else value:
             yield from numbers(item)
-    elif value is None or isinstance(value, (int, float)):
+    elif value is None or isinstance(value, (int, float)) and not isinstance(value, bool):
         yield value
 
 
@@ -94,17 +97,65 @@ def at(value: Any, path: str) -> Any:
     return value
 
 
+def facts(value: Any) -> Iterator[Any]:
+    """The words, numbers, and yes or no of a JSON value."""
+    if isinstance(value, (dict, list)):
+        for item in value.values() if isinstance(value, dict) else value:
+            yield from facts(item)
+    elif value is not None:
+        yield value
+
+
+def mobility_value(value: Any, path: str) -> str:
+    """As the CSV writes it: words that end a path are 1, yes and no are 1 and 0."""
+    tokens = list(filter(None, path.split("/")))
+    for i, token in enumerate(tokens):
+        if isinstance(value, str):
+            return "1" if value == "/".join(tokens[i:]) else "another word"
+        value = value[int(token)] if isinstance(value, list) else value[token]
+    return json.dumps(int(value) if isinstance(value, bool) else value)
+
+
+def shift_value(shift: Any, row: dict[str, str]) -> Any:
+    if not row["case"]:
+        return shift[row["quantity"]]
+    state = shift["states"][row["case"]]
+    if row["quantity"] == "engaged":
+        return int(row["element"] in state["engaged"])
+    return at(state["elements"][row["element"]] if row["element"] else state, row["quantity"])
+
+
+def shift_values(shift: Any) -> list[Any]:
+    found = [shift[key] for key in ("possibilities", "net_freedom", "engaged", "span")]
+    for state in shift["states"].values():
+        found += state["engaged"]
+        for key, value in state.items():
+            found += numbers(value) if key != "direction" else []
+    return found
+
+
 def json_value(report: Any, row: dict[str, str]) -> Any:
     """The value of the JSON report that a row of the CSV repeats."""
     if row["pass"] == "mobility":
         return at(report["mobility"][row["element"]], row["quantity"])
+    if row["pass"] == "shift":
+        return shift_value(report["shift"], row)
     value = report["cases"][row["case"]][row["pass"]]
     if not row["element"]:
         return at(value, row["quantity"])
     sections = SECTIONS[row["pass"]]
     section, _, path = row["quantity"].partition("/")
+    if section in LOSSES:
+        return at(value["losses"][LOSSES[section]][row["element"]], path)
     if section == "self_stress":
         return value["self_stresses"][int(path)]["actions"][row["element"]]
+    if section == "arc":
+        arc = value["arcs"][row["element"]]
+        return arc["power"] if path == f"{arc['from']}/{arc['to']}" else "another way"
+    if section == "loop":
+        loop = value["recirculation"]["loops"][int(path)]
+        is_in_it = row["element"] in loop["couplings"]
+        return value["arcs"][row["element"]]["power"] if is_in_it else "not in it"
     if section in sections:
         return at(value[sections[section]][row["element"]], path)
     return at(value[sections[None]][row["element"]], row["quantity"])
@@ -124,24 +175,35 @@ def repeated_values(report: Any) -> list[Any]:
             found += numbers(stress["actions"])
         if "power" in case:
             found += numbers(case["power"].get("efficiency", {}))
+            found += numbers(case["power"].get("losses", {}))
             found += [case["power"]["input"], case["power"]["balance_residual"]]
             found += [case["power"]["recirculation"]["factor"]]
+            arcs = case["power"]["arcs"]
+            found += numbers(arcs)
+            for loop in case["power"]["recirculation"]["loops"]:
+                found += [arcs[coupling]["power"] for coupling in loop["couplings"]]
+    if "shift" in report:
+        found += shift_values(report["shift"])
     return found
 
 
 def status_of(report: Any, row: dict[str, str]) -> str:
-    """That of the pass, but of what completes equilibrium the method."""
+    """That of the pass, but of contacts their grip and of what completes equilibrium the method."""
     if row["pass"] == "mobility":
         return "solved"
+    if row["pass"] == "shift":
+        return report["shift"]["states"][row["case"]]["class"] if row["case"] else "solved"
     value = report["cases"][row["case"]][row["pass"]]
+    if row["pass"] == "statics" and row["quantity"].startswith("contact/"):
+        return value["contacts"][row["element"]]["grip"]
     if row["pass"] != "statics" or "completion" not in value:
         return value["status"]
     actions = value["completion"]["actions"]
     couplings = [coupling["name"] for coupling in report["graph"]["couplings"]
                  if any(action in coupling["actuators"] or
                         action.startswith(coupling["name"] + ".") for action in actions)]
-    is_action = row["quantity"] == "action"
-    is_coupling = not re.match(r"action|load|friction|contact|self_stress", row["quantity"])
+    is_action = re.match(r"action|planet", row["quantity"])
+    is_coupling = not re.match(r"action|load|friction|planet|contact|self_stress", row["quantity"])
     is_completed = row["element"] in (actions if is_action else couplings if is_coupling else [])
     return value["completion"]["method"] if is_completed else value["status"]
 
@@ -178,6 +240,16 @@ class Reports(unittest.TestCase):
                 with tempfile.NamedTemporaryFile(suffix=".json") as file:
                     Path(file.name).write_bytes(output(command, "json", path))
                     self.assertEqual(check_schemas.check(Path(file.name), schema()), [], command)
+
+    def test_have_the_same_shift_table_alone(self) -> None:
+        for path in self.for_each():
+            report = json_of("analyze", path)
+            if "shift" in report:
+                answer = json_of("shift", path)
+                self.assertEqual(check_schemas.report_faults(answer, schema()), [])
+                self.assertEqual(answer["shift"], report["shift"])
+                rows = [row for row in rows_of("analyze", path) if row[2] == "shift"]
+                self.assertEqual(rows_of("shift", path)[1:], rows)
 
     def test_have_inputs_by_their_schema(self) -> None:
         for path in self.for_each():
@@ -226,8 +298,10 @@ class Reports(unittest.TestCase):
         for path in self.for_each():
             mobility = json_of("mobility", path)["mobility"]
             for row in (dict(zip(HEADER, row)) for row in rows_of("mobility", path)[1:]):
-                value = at(mobility[row["element"]], row["quantity"])
-                self.assertEqual(row["value"], json.dumps(value), row)
+                value = mobility_value(mobility[row["element"]], row["quantity"])
+                self.assertEqual(row["value"], value, row)
+            words = [row for row in rows_of("mobility", path)[1:] if row[3] == "repairs"]
+            self.assertEqual(len(words), sum(1 for _ in facts(mobility["repairs"])), path)
 
     def test_have_a_synthesis_by_its_schema_and_the_same_in_csv(self) -> None:
         for path in tasks():

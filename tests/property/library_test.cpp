@@ -1,46 +1,22 @@
-#include <algorithm>
-#include <filesystem>
-
 #include <gtest/gtest.h>
 
 #include "property/identities.hpp"
+#include "property/library_files.hpp"
 #include "run/load.hpp"
 
 namespace kinestat {
 namespace {
-
-const std::filesystem::path kFolder = std::filesystem::path(KINESTAT_SOURCE_DIR) / "mechanisms";
-
-// A topology without dimensions.
-const std::string kCounted = "cables/surgical_instrument.yaml";
-
-std::vector<std::string> list_files() {
-  std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(kFolder)) {
-    const std::string name = std::filesystem::relative(entry.path(), kFolder).string();
-    if (entry.path().extension() == ".yaml" && name != kCounted) {
-      files.push_back(name);
-    }
-  }
-  std::ranges::sort(files);
-  return files;
-}
-
-// gtest allows letters, digits and underscores.
-std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
-  std::string name = info.param;
-  std::ranges::replace_if(
-      name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
-}
 
 class LibraryMechanism : public ::testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
     SourceFile source;
     Diagnostics found;
-    std::optional<Loaded> loaded = load((kFolder / GetParam()).string(), {}, source, found);
+    std::optional<Loaded> loaded = load((kLibraryFolder / GetParam()).string(), {}, source, found);
     for (const Diagnostic& item : found.items()) {
+      if (item.code == "W0305") {
+        continue;  // a planet with profile shift, as in the hybrid transaxle
+      }
       ADD_FAILURE() << item.code << " in line " << item.where.line << ": " << item.message;
     }
     ASSERT_TRUE(loaded.has_value());
@@ -52,7 +28,10 @@ class LibraryMechanism : public ::testing::TestWithParam<std::string> {
   std::optional<NetworkCase> network_;
 };
 
-INSTANTIATE_TEST_SUITE_P(File, LibraryMechanism, ::testing::ValuesIn(list_files()), test_name);
+INSTANTIATE_TEST_SUITE_P(File,
+                         LibraryMechanism,
+                         ::testing::ValuesIn(list_library_files()),
+                         library_test_name);
 
 TEST_P(LibraryMechanism, HasCircuitsOrthogonalToCutsets) {
   expect_orthogonal_graph(network_->mechanism.graph);

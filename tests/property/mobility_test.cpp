@@ -2,50 +2,23 @@
 
 #include "mobility/mobility.hpp"
 
-#include <algorithm>
-#include <filesystem>
-
 #include <gtest/gtest.h>
 
 #include "mechanism/bind.hpp"
-#include "mechanism/bind_counted.hpp"
 #include "property/identities.hpp"
+#include "property/library_files.hpp"
 #include "run/load.hpp"
 
 namespace kinestat {
 namespace {
-
-const std::filesystem::path kFolder = std::filesystem::path(KINESTAT_SOURCE_DIR) / "mechanisms";
-
-std::vector<std::string> list_files() {
-  std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(kFolder)) {
-    if (entry.path().extension() == ".yaml") {
-      files.push_back(std::filesystem::relative(entry.path(), kFolder).string());
-    }
-  }
-  std::ranges::sort(files);
-  return files;
-}
-
-// gtest allows letters, digits and underscores.
-std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
-  std::string name = info.param;
-  std::ranges::replace_if(
-      name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
-}
 
 class MobilityOf : public ::testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
     SourceFile source;
     Diagnostics found;
-    auto description = load_description((kFolder / GetParam()).string(), {}, source, found);
+    auto description = load_description((kLibraryFolder / GetParam()).string(), {}, source, found);
     ASSERT_TRUE(description.has_value());
-    if (can_only_be_counted(*description)) {
-      GTEST_SKIP() << "a file without places has no geometry";
-    }
     auto mechanism = bind(*description, found);
     auto in_space = bind_in_space(*description, found);
     ASSERT_TRUE(mechanism && in_space);
@@ -59,7 +32,10 @@ class MobilityOf : public ::testing::TestWithParam<std::string> {
   ExactMobility exact_;
 };
 
-INSTANTIATE_TEST_SUITE_P(File, MobilityOf, ::testing::ValuesIn(list_files()), test_name);
+INSTANTIATE_TEST_SUITE_P(File,
+                         MobilityOf,
+                         ::testing::ValuesIn(list_library_files()),
+                         library_test_name);
 
 // F_N - C_N = F - λ l, whatever the geometry.
 TEST_P(MobilityOf, IsThatOfGrublerWithoutTheRedundantConstraints) {

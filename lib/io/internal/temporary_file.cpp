@@ -62,6 +62,7 @@ int sync_folder(const std::string& folder) {
 TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept
     : target_(std::move(other.target_)),
       present_(other.present_),
+      scratch_(std::move(other.scratch_)),
       path_(std::move(other.path_)),
       place_(std::exchange(other.place_, Place::nowhere)) {}
 
@@ -74,7 +75,7 @@ TemporaryFile::~TemporaryFile() {
 int TemporaryFile::create() {
   constexpr int kAttempts = 16;
   for (int i = 0; i < kAttempts; ++i) {
-    path_ = fmt::format("{}/{}", folder_of(target_), random_name());
+    path_ = fmt::format("{}/{}", scratch_.empty() ? folder_of(target_) : scratch_, random_name());
     const int descriptor =
         ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (descriptor >= 0 || errno != EEXIST) {
@@ -84,7 +85,8 @@ int TemporaryFile::create() {
   return -1;
 }
 
-int TemporaryFile::write(std::string_view content) {
+int TemporaryFile::write(std::string_view content,
+                         const std::function<bool(std::string&)>& next_piece) {
   Descriptor file(create());
   if (!file.is_open()) {
     return errno;
@@ -92,6 +94,12 @@ int TemporaryFile::write(std::string_view content) {
   place_ = Place::beside;
   if (const int error = write_all(file.value(), content); error != 0) {
     return error;
+  }
+  std::string piece;
+  while (next_piece && next_piece(piece)) {
+    if (const int error = write_all(file.value(), piece); error != 0) {
+      return error;
+    }
   }
   return ::fsync(file.value()) == 0 && file.close() ? 0 : errno;
 }

@@ -1,6 +1,7 @@
 // A file beside its target that takes the target's place when it is complete.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,8 +20,9 @@ enum class Present { nothing, file };
 /// Is removed when it goes out of scope. Functions with a result answer 0 or the system's error.
 class TemporaryFile {
  public:
-  TemporaryFile(std::string target, Present present)
-      : target_(std::move(target)), present_(present) {}
+  /// It is made in the folder `scratch`, or beside the target if that is empty.
+  TemporaryFile(std::string target, Present present, std::string scratch = {})
+      : target_(std::move(target)), present_(present), scratch_(std::move(scratch)) {}
 
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -30,8 +32,9 @@ class TemporaryFile {
 
   const std::string& target() const { return target_; }
 
-  /// Creates it under a name that nobody can foresee, writes and syncs.
-  int write(std::string_view content);
+  /// Creates it under a name that nobody can foresee, writes the content and then piece after piece
+  /// until `next_piece`, which may be empty, answers false, and syncs.
+  int write(std::string_view content, const std::function<bool(std::string&)>& next_piece = {});
 
   /// Takes the target's place. A file that was there is kept under the temporary's name until the
   /// end; one that has appeared meanwhile is an error.
@@ -47,6 +50,7 @@ class TemporaryFile {
 
   std::string target_;
   Present present_ = Present::nothing;
+  std::string scratch_;
   std::string path_;
   Place place_ = Place::nowhere;
 };

@@ -24,12 +24,15 @@ constexpr NumberRule kTurns = {.kind = QuantityKind::dimensionless,
                                .accepts = [](double x) { return x >= 0.0 && is_whole(x); },
                                .allowed = "a whole number, of full turns"};
 
-bool turns_on_revolute(const Name& body, const MechanismDescription& description) {
-  return body.text != description.ground.text &&
-         std::ranges::any_of(description.couplings, [&](const CouplingDescription& coupling) {
-           return coupling.type == CouplingType::revolute &&
-                  (coupling.tail.text == body.text || coupling.head.text == body.text);
-         });
+// The revolute coupling on which a body turns, or null.
+const CouplingDescription* bearing_of(const Name& body, const MechanismDescription& description) {
+  const auto bearing =
+      std::ranges::find_if(description.couplings, [&](const CouplingDescription& coupling) {
+        return coupling.type == CouplingType::revolute &&
+               (coupling.tail.text == body.text || coupling.head.text == body.text);
+      });
+  const bool has_one = body.text != description.ground.text;
+  return has_one && bearing != description.couplings.end() ? &*bearing : nullptr;
 }
 
 void check_axis(const CableStation& pulley,
@@ -53,11 +56,16 @@ void check_centre(const CableStation& pulley,
                   const SectionContext& context) {
   const bool needs_centre = pulley.points.empty() || pulley.slip;
   const bool is_declared = context.names.bodies.contains(pulley.body.text);
-  if (needs_centre && is_declared && !pulley.at &&
-      !turns_on_revolute(pulley.body, context.description)) {
+  const CouplingDescription* bearing = bearing_of(pulley.body, context.description);
+  const bool is_placed_by_gears =
+      bearing != nullptr && bearing->at && bearing->at->is_on_gear_axis();
+  if (needs_centre && is_declared && !pulley.at && (bearing == nullptr || is_placed_by_gears)) {
     context.found.error("E0314",
                         pulley.where,
-                        fmt::format("{} has no centre: no revolute coupling joins its body", what),
+                        fmt::format("{} has no centre: {}",
+                                    what,
+                                    is_placed_by_gears ? "'gears' places the bearing of its body"
+                                                       : "no revolute coupling joins its body"),
                         context.description.space == Space::planar
                             ? "add 'at: [x, y]', its centre as drawn"
                             : "add 'at: [x, y, z]', its centre as drawn");

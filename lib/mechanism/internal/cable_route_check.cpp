@@ -6,6 +6,7 @@
 
 #include "core/tolerance.hpp"
 #include "description/cable_expansion.hpp"
+#include "mechanism/internal/cable_contact_check.hpp"
 #include "mechanism/internal/cable_station_binder.hpp"
 
 namespace kinestat {
@@ -55,6 +56,21 @@ class RouteCheck {
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       check_points(stretches[i]);
       check_passing(stretches[i], i, places);
+    }
+    if (found_.error_count() > errors_before) {
+      return;
+    }
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      if (i + 1 < stretches.size() || cable_.closed) {
+        const Stretch& leaves = stretches[(i + 1) % stretches.size()];
+        check_contact({.cable = &cable_,
+                       .station = &leaves.part->from,
+                       .pulley = leaves.from,
+                       .arrives = stretches[i].span,
+                       .leaves = leaves.span},
+                      units_,
+                      found_);
+      }
     }
   }
 

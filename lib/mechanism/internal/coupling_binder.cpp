@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
-#include "mechanism/internal/cable_station_binder.hpp"
 #include "mechanism/internal/direction_binder.hpp"
 #include "mechanism/internal/geometry_check.hpp"
+#include "mechanism/internal/place_binder.hpp"
 #include "mechanism/internal/tooth_binder.hpp"
 
 namespace kinestat {
@@ -23,20 +23,21 @@ class GeometryBinder {
  public:
   GeometryBinder(const CouplingDescription& coupling,
                  Space space,
+                 const GearFrameOf<Scalar>* gears,
                  EvaluatorOf<Scalar>& evaluator,
                  Diagnostics& found)
       : coupling_(coupling),
         space_(space),
+        gears_(gears),
         evaluator_(evaluator),
         found_(found),
         directions_(coupling, space, evaluator, found) {}
 
   std::optional<CouplingGeometryOf<Scalar>> bind() {
     const int errors_before = found_.error_count();
-    bind_point();
+    bind_place<Scalar>(coupling_, gears_, evaluator_, found_, geometry_);
     bind_directions();
     bind_pitch();
-    bind_ends();
     bind_screws(coupling_.freedoms, geometry_.freedoms);
     bind_screws(coupling_.constraints, geometry_.constraints);
     return found_.error_count() == errors_before ? std::optional(geometry_) : std::nullopt;
@@ -48,36 +49,6 @@ class GeometryBinder {
   static void take(const std::optional<Item>& answer, Item& where) {
     if (answer) {
       where = *answer;
-    }
-  }
-
-  // The origin where the file gives no point, which leaves it to counts or to `gears`.
-  void bind_point() {
-    if (!coupling_.at) {
-      return;
-    }
-    if (coupling_.at->point) {
-      take(evaluator_.point(*coupling_.at->point), geometry_.at);
-    } else if (!coupling_.at->of_bodies.empty()) {
-      bind_points_of_bodies();
-    } else {
-      take(evaluator_.number(*coupling_.at->along_axis, QuantityKind::length), geometry_.at[2]);
-    }
-  }
-
-  // The points as drawn on the two bodies; the tail's counts.
-  void bind_points_of_bodies() {
-    for (const auto& [body, point] : coupling_.at->of_bodies) {
-      const std::optional<Vec3Of<Scalar>> drawn = evaluator_.point(point);
-      if (body.text == coupling_.tail.text) {
-        take(drawn, geometry_.at);
-      } else if (body.text != coupling_.head.text) {
-        found_.error(
-            "E0313",
-            body.where,
-            fmt::format("'{}' is not a body of {}", body.text, directions_.title()),
-            fmt::format("its bodies are {} and {}", coupling_.tail.text, coupling_.head.text));
-      }
     }
   }
 
@@ -166,6 +137,9 @@ class GeometryBinder {
   }
 
   void bind_teeth() {
+    if (coupling_.is_mesh()) {
+      return bind_mesh();
+    }
     geometry_.is_contact = coupling_.contact;
     const int errors_before = found_.error_count();
     if (coupling_.screw) {
@@ -179,6 +153,19 @@ class GeometryBinder {
     }
   }
 
+  void bind_mesh() {
+    const int errors_before = found_.error_count();
+    MeshTeethOf<Scalar> teeth = teeth_of<Scalar>(*gears_, coupling_);
+    take(bind_mesh_line_of_action<Scalar>(coupling_, space_, teeth, evaluator_, found_),
+         geometry_.line_of_action);
+    const bool is_good = found_.error_count() == errors_before;
+    if (is_good && gears_->gears->flank == Flank::loaded) {
+      teeth.flank = -teeth.flank;
+      geometry_.other_flank =
+          bind_mesh_line_of_action<Scalar>(coupling_, space_, teeth, evaluator_, found_);
+    }
+  }
+
   void bind_pitch() {
     if (coupling_.pitch) {
       take(evaluator_.number(*coupling_.pitch, QuantityKind::pitch), geometry_.pitch);
@@ -186,31 +173,6 @@ class GeometryBinder {
       take(evaluator_.number(*coupling_.lead, QuantityKind::lead), geometry_.pitch);
       geometry_.pitch = geometry_.pitch / Scalar(2.0 * std::numbers::pi);
     }
-  }
-
-  // Where the segment of a rope touches its stations; check_cables has complained if it cannot.
-  void bind_segment() {
-    const auto from = bind_station<Scalar>(coupling_.part->from, evaluator_);
-    const auto to = bind_station<Scalar>(coupling_.part->to, evaluator_);
-    if (from && to) {
-      const CableSpanOf<Scalar> span = tangent_span<Scalar>(*from, *to);
-      geometry_.from = span.from;
-      geometry_.to = span.to;
-      geometry_.at = span.to;
-    }
-  }
-
-  // The force of a cable on the head acts at its end there.
-  void bind_ends() {
-    if (coupling_.is_segment()) {
-      return bind_segment();
-    }
-    if (!coupling_.from || !coupling_.to) {
-      return;
-    }
-    take(evaluator_.point(*coupling_.from), geometry_.from);
-    take(evaluator_.point(*coupling_.to), geometry_.to);
-    geometry_.at = geometry_.to;
   }
 
   // The first screw with a line places the coupling.
@@ -256,6 +218,7 @@ class GeometryBinder {
 
   const CouplingDescription& coupling_;
   Space space_;
+  const GearFrameOf<Scalar>* gears_;
   EvaluatorOf<Scalar>& evaluator_;
   Diagnostics& found_;
   DirectionBinder<Scalar> directions_;
@@ -267,26 +230,23 @@ class GeometryBinder {
 
 bool has_place(const CouplingDescription& coupling) {
   const auto has_line = [](const ScrewDescription& screw) { return screw.at.has_value(); };
-  return coupling.at || (coupling.from && coupling.to) || coupling.is_segment() ||
-         std::ranges::any_of(coupling.freedoms, has_line) ||
+  return coupling.at || coupling.is_mesh() || (coupling.from && coupling.to) ||
+         coupling.is_segment() || std::ranges::any_of(coupling.freedoms, has_line) ||
          std::ranges::any_of(coupling.constraints, has_line);
 }
 
 template <class Scalar>
 std::optional<CouplingGeometryOf<Scalar>> bind_geometry(const CouplingDescription& coupling,
                                                         Space space,
+                                                        const GearFrameOf<Scalar>* gears,
                                                         EvaluatorOf<Scalar>& evaluator,
                                                         Diagnostics& found) {
-  return GeometryBinder<Scalar>(coupling, space, evaluator, found).bind();
+  return GeometryBinder<Scalar>(coupling, space, gears, evaluator, found).bind();
 }
 
-template std::optional<CouplingGeometry> bind_geometry(const CouplingDescription&,
-                                                       Space,
-                                                       EvaluatorOf<double>&,
-                                                       Diagnostics&);
-template std::optional<CouplingGeometryOf<Dual>> bind_geometry(const CouplingDescription&,
-                                                               Space,
-                                                               EvaluatorOf<Dual>&,
-                                                               Diagnostics&);
+template std::optional<CouplingGeometry> bind_geometry(
+    const CouplingDescription&, Space, const GearFrame*, Evaluator&, Diagnostics&);
+template std::optional<CouplingGeometryOf<Dual>> bind_geometry(
+    const CouplingDescription&, Space, const GearFrameOf<Dual>*, EvaluatorOf<Dual>&, Diagnostics&);
 
 }  // namespace kinestat

@@ -70,8 +70,8 @@ class NameCollector {
   void add_couplings() {
     for (const CouplingDescription& coupling : description_.couplings) {
       by_name_.emplace(coupling.name.text, &coupling);
-      if (coupling.part != nullptr) {
-        continue;  // its cable adds its name
+      if (coupling.part != nullptr || coupling.is_mesh()) {
+        continue;  // its cable or the section gears adds its name
       }
       names_.couplings.add(coupling.name);
       taken_.emplace(coupling.name.text, coupling.name.where);

@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "description/gear_expansion.hpp"
+#include "mechanism/internal/gear_train_check.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -197,10 +200,15 @@ class GearCheck {
 
 }  // namespace
 
-void check_gears(const SectionContext& context) {
+bool check_gears(const SectionContext& context) {
+  const int errors_before = context.found.error_count();
   if (context.description.gears) {
     GearCheck(context, *context.description.gears).run();
+    if (context.found.error_count() == errors_before && has_all_meshes(context.description)) {
+      check_gear_train(context);
+    }
   }
+  return context.found.error_count() == errors_before;
 }
 
 }  // namespace kinestat

@@ -6,7 +6,8 @@
 namespace kinestat {
 
 /// Complains of teeth that are no teeth, of meshes that cannot be, and of what is missing; warns of
-/// members without a mesh.
-void check_gears(const SectionContext& context);
+/// members without a mesh, and of what check_gear_train finds. False after an error: then the
+/// couplings that meshes became cannot be bound.
+bool check_gears(const SectionContext& context);
 
 }  // namespace kinestat

@@ -147,7 +147,7 @@ class GeometryCheck {
 bool is_counted_only(const CouplingDescription& coupling) {
   const bool has_no_ends =
       coupling.type == cable && !coupling.is_segment() && !coupling.from && !coupling.to;
-  return has_no_ends || (!coupling.at && demand_of(coupling.type).at);
+  return has_no_ends || (!coupling.at && !coupling.is_mesh() && demand_of(coupling.type).at);
 }
 
 bool check_geometry(const CouplingDescription& coupling,

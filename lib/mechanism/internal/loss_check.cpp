@@ -43,6 +43,31 @@ bool has_teeth(const Name& coupling, const MechanismDescription& description) {
          });
 }
 
+// A worm or a rack is a mesh, but no axis of a carrier stands between it and its gear.
+const CouplingDescription* find_unlike(const std::string& name,
+                                       const MechanismDescription& description) {
+  const auto at = std::ranges::find_if(description.couplings, [&](const auto& coupling) {
+    const bool is_unlike =
+        coupling.type == CouplingType::worm || coupling.type == CouplingType::rack;
+    return is_unlike && coupling.name.text == name;
+  });
+  return at == description.couplings.end() ? nullptr : &*at;
+}
+
+void refuse_unlike(const MeshLoss& mesh, const CouplingDescription& coupling, Diagnostics& found) {
+  found.error("E0313",
+              mesh.coupling.where,
+              fmt::format("'losses' names '{}', a {}; only meshes of gears lose a share of their "
+                          "power",
+                          coupling.name.text,
+                          word_of(coupling.type)),
+              coupling.type == CouplingType::worm
+                  ? fmt::format("a worm has 'friction:' in 'couplings', for example {}: {{…, "
+                                "friction: 0.1}}",
+                                coupling.name.text)
+                  : "leave it out; the guide of the rack may have 'friction:'");
+}
+
 void check_mesh(const MeshLoss& mesh, const SectionContext& context) {
   const std::string& name = mesh.coupling.text;
   const bool is_mesh = context.names.meshes.contains(name);
@@ -55,6 +80,9 @@ void check_mesh(const MeshLoss& mesh, const SectionContext& context) {
                                     name));
   } else {
     context.names.meshes.check(mesh.coupling, "'losses' names", context.found);
+  }
+  if (const CouplingDescription* unlike = find_unlike(name, context.description)) {
+    refuse_unlike(mesh, *unlike, context.found);
   }
   check_value(mesh.loss, fmt::format("the loss of mesh '{}'", name), context);
   if (is_mesh && mesh.loss.form == LossForm::teeth &&

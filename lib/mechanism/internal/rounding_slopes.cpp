@@ -31,6 +31,10 @@ void visit_halves(GeometryOf<Dual>& geometry, const Visit& visit) {
     visit(action.moment, geometry.length);
     visit(action.force, 1.0);
   }
+  for (OtherFlankOf<Dual>& flank : geometry.other_flanks) {
+    visit(flank.screw.moment, geometry.length);
+    visit(flank.screw.force, 1.0);
+  }
 }
 
 std::vector<double> steepest_slopes(GeometryOf<Dual>& geometry, std::size_t parameter_count) {

@@ -1,7 +1,6 @@
 #include "mechanism/internal/section_checks.hpp"
 
 #include "mechanism/internal/body_check.hpp"
-#include "mechanism/internal/gear_check.hpp"
 #include "mechanism/internal/loss_check.hpp"
 #include "mechanism/internal/motion_check.hpp"
 #include "mechanism/internal/report_name_check.hpp"
@@ -13,7 +12,6 @@ namespace kinestat {
 
 void check_sections(const SectionContext& context) {
   check_bodies(context);
-  check_gears(context);
   check_losses(context);
   check_shift(context);
   check_motion(context);

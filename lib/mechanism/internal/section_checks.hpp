@@ -6,9 +6,9 @@
 
 namespace kinestat {
 
-/// Evaluates every number of the outlines of bodies, of `gears`, `losses`, `shift`, `motion`,
-/// `sweep` and `synthesis`, resolves every reference, and complains of what is wrong without any
-/// analysis. check_cables does the same for `cables`.
+/// Evaluates every number of the outlines of bodies, of `losses`, `shift`, `motion`, `sweep` and
+/// `synthesis`, resolves every reference, and complains of what is wrong without any analysis.
+/// check_gears and check_cables do the same for `gears` and `cables`.
 void check_sections(const SectionContext& context);
 
 /// Complains of inputs and outputs of cases that are no actuators, of knowns whose coupling or

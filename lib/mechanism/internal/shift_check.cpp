@@ -45,10 +45,22 @@ class ShiftCheck {
     check_actuators(shift_.outputs, "'output' of 'shift'");
     check_actuators(shift_.elements, "'elements' of 'shift'");
     check_roles();
+    check_elements();
     check_values(shift_.input_motion, kMotion, "'input_motion'");
     check_values(shift_.input_action, kAction, "'input_action'");
     for (const GearLabel& gear : shift_.names) {
       check_label(gear);
+    }
+    for (const CaseDescription& one : context_.description.cases) {
+      const bool is_gear = one.label.where == shift_.where || is_label(one.label);
+      if (!is_gear && !combination_of(one.label.text).empty()) {
+        context_.found.error(
+            "E0307",
+            one.label.where,
+            fmt::format("case '{}' has the name of a combination of shift elements",
+                        one.label.text),
+            "every gear is a case of the report; give the case another label");
+      }
     }
   }
 
@@ -72,6 +84,37 @@ class ShiftCheck {
         refuse_role(element, "both input and shift element");
       } else if (holds(shift_.outputs, element.text)) {
         refuse_role(element, "both output and shift element");
+      }
+    }
+  }
+
+  // Whether a case is a gear of the section that has become one.
+  bool is_label(const Name& label) const {
+    return std::ranges::any_of(
+        shift_.names, [&](const GearLabel& gear) { return gear.label.where == label.where; });
+  }
+
+  const CouplingDescription* find_coupling(const Name& element) const {
+    const std::vector<CouplingDescription>& couplings = context_.description.couplings;
+    const auto at = std::ranges::find_if(
+        couplings, [&](const CouplingDescription& one) { return one.name.text == element.text; });
+    return at == couplings.end() ? nullptr : &*at;
+  }
+
+  // What engages and opens is a clutch or a brake, an actuator of its own name.
+  void check_elements() {
+    for (const Name& element : shift_.elements) {
+      const CouplingDescription* coupling = find_coupling(element);
+      const bool shifts = coupling != nullptr && (coupling->type == CouplingType::clutch ||
+                                                  coupling->type == CouplingType::brake);
+      if (!shifts && context_.names.actuators.contains(element.text) &&
+          !holds(shift_.inputs, element.text) && !holds(shift_.outputs, element.text)) {
+        context_.found.error("E0305",
+                             element.where,
+                             fmt::format("'{}' is neither a clutch nor a brake", element.text),
+                             fmt::format("declare a coupling for it, {}: {{type: brake, bodies: "
+                                         "[…, …], at: …}}, and name that",
+                                         element.text + "_brake"));
       }
     }
   }
@@ -164,19 +207,48 @@ class ShiftCheck {
     context_.repeats(gear.elements, what);
     if (context_.names.cases.contains(gear.label.text)) {
       const int index = context_.names.cases.find(gear.label.text);
-      complain(gear.label,
-               fmt::format("{} has the label of a case", what),
-               "every gear is a case of the report; give one of the two another label",
-               context_.names.cases.where(index));
+      if (context_.names.cases.where(index) != gear.label.where) {  // not the gear as a case
+        complain(gear.label,
+                 fmt::format("{} has the label of a case", what),
+                 "every gear is a case of the report; give one of the two another label",
+                 context_.names.cases.where(index));
+      }
     }
     const std::vector<std::string> list = texts_of(gear.elements);
     const std::set<std::string> engaged(list.begin(), list.end());
+    check_combination_name(gear.label, engaged, what);
     const auto [at, is_new] = labels_.emplace(engaged, &gear);
     if (!is_new) {
       complain(gear.label,
                fmt::format("{} engages the same elements as '{}'", what, at->second->label.text),
                "correct the elements, or keep one of the two labels",
                at->second->label.where);
+    }
+  }
+
+  // The elements of a text like "C1+B2"; none if it is not made of them.
+  std::set<std::string> combination_of(const std::string& text) const {
+    std::set<std::string> parts;
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t end = std::min(text.find('+', begin), text.size());
+      parts.insert(text.substr(begin, end - begin));
+      begin = end + 1;
+    }
+    const bool is_combination = std::ranges::all_of(
+        parts, [&](const std::string& part) { return holds(shift_.elements, part); });
+    return is_combination ? parts : std::set<std::string>();
+  }
+
+  // States without a label are named by their elements.
+  void check_combination_name(const Name& label,
+                              const std::set<std::string>& engaged,
+                              const std::string& what) {
+    const std::set<std::string> named = combination_of(label.text);
+    if (!named.empty() && named != engaged) {
+      context_.found.error("E0307",
+                           label.where,
+                           fmt::format("{} engages other elements than its label says", what),
+                           "combinations without a label are named so; choose another label");
     }
   }
 

@@ -6,17 +6,15 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
-#include "core/tolerance.hpp"
 #include "core/utf8.hpp"
-#include "mechanism/coupling_catalogue.hpp"
 #include "mechanism/internal/actuator_binder.hpp"
+#include "mechanism/internal/axis_place_check.hpp"
 #include "mechanism/internal/coupling_binder.hpp"
 #include "mechanism/internal/extent.hpp"
 #include "mechanism/internal/friction_binder.hpp"
 #include "mechanism/internal/geometry_check.hpp"
-#include "mechanism/internal/passive_constraints.hpp"
 #include "mechanism/internal/reference_points.hpp"
-#include "mechanism/reciprocity.hpp"
+#include "mechanism/internal/screw_binder.hpp"
 
 namespace kinestat {
 
@@ -63,6 +61,7 @@ class StructureBinder {
     for (const ActuatorDescription& actuator : description_.actuators) {
       declare(actuator.name);
     }
+    gears_ = bind_gear_frame<double>(description_, evaluator_);
     std::vector<Joint> joints;
     for (const CouplingDescription& coupling : description_.couplings) {
       if (const std::optional<Joint> joint = bind_joint(coupling)) {
@@ -136,20 +135,6 @@ class StructureBinder {
     return std::nullopt;
   }
 
-  // A single number places a coupling only along an axis that `gears` finds.
-  bool check_along_axis(const CouplingDescription& coupling) {
-    if (!coupling.at || !coupling.at->along_axis || description_.gears) {
-      return true;
-    }
-    found_.error("E0314",
-                 coupling.at->where,
-                 fmt::format("the point of coupling '{}' is a single number", coupling.name.text),
-                 fmt::format("write {}; a single number is a position along the axis, for the "
-                             "couplings of the members of 'gears'",
-                             description_.space == Space::planar ? "[x, y]" : "[x, y, z]"));
-    return false;
-  }
-
   // What a coupling joins and where it is; empty if an error was added.
   std::optional<Joint> bind_joint(const CouplingDescription& coupling) {
     const std::optional<BodyId> tail = find_body(coupling, coupling.tail);
@@ -163,9 +148,11 @@ class StructureBinder {
           "name two different bodies");
       return std::nullopt;
     }
-    const bool has_point = check_along_axis(coupling);
+    const bool has_point =
+        check_axis_place(coupling, description_, gears_ ? &*gears_ : nullptr, found_);
     const bool is_complete = check_geometry(coupling, description_.space, evaluator_, found_);
-    const auto geometry = bind_geometry<double>(coupling, description_.space, evaluator_, found_);
+    const auto geometry = bind_geometry<double>(
+        coupling, description_.space, gears_ ? &*gears_ : nullptr, evaluator_, found_);
     if (!tail || !head || !has_point || !is_complete || !geometry) {
       return std::nullopt;
     }
@@ -192,9 +179,10 @@ class StructureBinder {
   void add_coupling(const Joint& joint) {
     const CouplingDescription& coupling = *joint.description;
     const CouplingGeometry local = measured_from<double>(geometry_.origin, joint.geometry);
-    const CouplingScrews drawn = drawn_screws(coupling, local);
-    const CouplingScrews screws = counted_screws(coupling, local, drawn);
-    check_stiffness(coupling, screws);
+    const ScrewBinder binder(coupling, description_.space, spaces_);
+    const CouplingScrews drawn = binder.drawn(local, geometry_.length, found_);
+    const CouplingScrews screws = binder.counted(local, drawn);
+    check_stiffness(coupling, screws, found_);
     const CouplingId id{topology_.coupling_count()};
     topology_.couplings.push_back({.name = coupling.name.text,
                                    .type = coupling.type,
@@ -208,8 +196,20 @@ class StructureBinder {
     geometry_.points.push_back(joint.geometry.at);
     has_point_.push_back(has_place(coupling));
     add_screws(id, screws);
+    if (local.other_flank) {
+      add_other_flank(binder, local);
+    }
     actuators_.add(id, coupling, drawn, local.at);
     add_friction(id, coupling, screws);
+  }
+
+  // Of the mesh that was added last; its force is its only constraint.
+  void add_other_flank(const ScrewBinder& binder, CouplingGeometry local) {
+    local.line_of_action = *local.other_flank;
+    const CouplingScrews drawn = binder.drawn(local, geometry_.length, found_);
+    const CouplingScrews screws = binder.counted(local, drawn);
+    geometry_.other_flanks.push_back(
+        {.action = topology_.action_count() - 1, .screw = screws.constraints.front().screw});
   }
 
   // What rubs with no force at all is left out.
@@ -223,63 +223,6 @@ class StructureBinder {
     if (friction && (friction->mu > 0.0 || friction->tau > 0.0 || friction->viscous > 0.0)) {
       frictions_.push_back(*friction);
     }
-  }
-
-  void check_stiffness(const CouplingDescription& coupling, const CouplingScrews& screws) {
-    const std::vector<std::string> names = names_of(screws.constraints);
-    for (const StiffnessDescription& one : coupling.stiffness) {
-      if (std::ranges::find(names, one.action.text) == names.end()) {
-        found_.error("E0313",
-                     one.action.where,
-                     fmt::format("coupling '{}' has no constraint '{}'",
-                                 coupling.name.text,
-                                 printable(one.action.text)),
-                     fmt::format("its constraints are {}", plain_list(names)));
-      }
-    }
-  }
-
-  // A coupling whose actions work on its freedoms would be a source of power.
-  void check_reciprocal(const CouplingDescription& coupling, const CouplingScrews& screws) {
-    const double error = reciprocity_error(screws, geometry_.length);
-    if (error > kPowerBalance) {
-      found_.error(
-          "E0314",
-          coupling.name.where,
-          fmt::format("the actions of {} '{}' do work on its freedoms: {:.2g} of their size",
-                      word_of(coupling.type),
-                      coupling.name.text,
-                      error),
-          coupling.type == CouplingType::screws
-              ? "list freedoms or constraints alone; the others follow from them"
-              : "the line of action is perpendicular to the velocity at which the teeth "
-                "slide; write expressions instead of rounded numbers");
-    }
-  }
-
-  // In the space of the file, where they have their names.
-  CouplingScrews drawn_screws(const CouplingDescription& coupling, const CouplingGeometry& local) {
-    CouplingScrews screws = coupling_screws(coupling.type, description_.space, local);
-    check_reciprocal(coupling, screws);
-    keep_passive(coupling, screws, found_);
-    return screws;
-  }
-
-  // In the spaces asked for; `passive` lists all that a coupling bears, in space too.
-  CouplingScrews counted_screws(const CouplingDescription& coupling,
-                                const CouplingGeometry& local,
-                                const CouplingScrews& drawn) const {
-    const auto is_drawn = [&](Space space) {
-      return coupling.passive || space == description_.space;
-    };
-    CouplingScrews screws = drawn;
-    if (!is_drawn(spaces_.motions)) {
-      screws.freedoms = coupling_screws(coupling.type, spaces_.motions, local).freedoms;
-    }
-    if (!is_drawn(spaces_.actions)) {
-      screws.constraints = coupling_screws(coupling.type, spaces_.actions, local).constraints;
-    }
-    return screws;
   }
 
   void add_screws(CouplingId id, const CouplingScrews& screws) {
@@ -307,6 +250,7 @@ class StructureBinder {
   std::map<std::string, BodyId> body_ids_;
   std::map<std::string, SourceRange> declared_;
   std::vector<bool> has_point_;  ///< of each coupling of the topology
+  std::optional<GearFrame> gears_;
   ActuatorBinder actuators_;
 };
 

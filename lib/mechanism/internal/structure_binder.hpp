@@ -2,15 +2,10 @@
 #pragma once
 
 #include "mechanism/internal/evaluator.hpp"
+#include "mechanism/internal/screw_binder.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {
-
-/// Whether couplings free what they free in the plane or in space, and bear what they bear there.
-struct ScrewSpaces {
-  Space motions = Space::spatial;
-  Space actions = Space::spatial;
-};
 
 /// Fills the topology and the geometry, the graph excepted.
 void bind_bodies_and_couplings(const MechanismDescription& description,

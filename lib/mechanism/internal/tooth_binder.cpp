@@ -44,6 +44,18 @@ class ToothBinder {
     return from_tangent(axis);
   }
 
+  std::optional<Vec3Of<Scalar>> bind(const MeshTeethOf<Scalar>& teeth) {
+    const std::optional<Scalar> alpha = angle(coupling_.pressure_angle, "pressure angle");
+    const std::optional<Scalar> beta = angle(coupling_.helix_angle, "helix angle");
+    if (!alpha || !beta || !check_helix_in_space()) {
+      return std::nullopt;
+    }
+    return force_of_teeth(Vec3Of<Scalar>::UnitZ(),
+                          teeth.tangent,
+                          Scalar(teeth.flank) * *alpha,
+                          Scalar(teeth.hand) * *beta);
+  }
+
  private:
   void lacks(std::string_view key, std::string hint) {
     directions_.refuse(coupling_.name.where,
@@ -105,12 +117,17 @@ class ToothBinder {
             "the tangent touches both pitch circles at the pitch point")) {
       return std::nullopt;
     }
+    return force_of_teeth(axis.direction, tangent->direction, *alpha, *beta);
+  }
+
+  static Vec3Of<Scalar> force_of_teeth(const Vec3Of<Scalar>& a,
+                                       const Vec3Of<Scalar>& t,
+                                       const Scalar& alpha,
+                                       const Scalar& beta) {
     using std::atan, std::cos, std::sin, std::tan;
-    const Vec3Of<Scalar>& a = axis.direction;
-    const Vec3Of<Scalar>& t = tangent->direction;
-    const Scalar normal = atan(tan(*alpha) * cos(*beta));
-    return Vec3Of<Scalar>(cos(normal) * cos(*beta) * t + sin(normal) * a.cross(t) +
-                          cos(normal) * sin(*beta) * a);
+    const Scalar normal = atan(tan(alpha) * cos(beta));
+    return Vec3Of<Scalar>(cos(normal) * cos(beta) * t + sin(normal) * a.cross(t) +
+                          cos(normal) * sin(beta) * a);
   }
 
   const CouplingDescription& coupling_;
@@ -131,6 +148,19 @@ std::optional<Vec3Of<Scalar>> bind_line_of_action(const CouplingDescription& cou
   return ToothBinder<Scalar>(coupling, space, evaluator, found).bind(axis);
 }
 
+template <class Scalar>
+std::optional<Vec3Of<Scalar>> bind_mesh_line_of_action(const CouplingDescription& coupling,
+                                                       Space space,
+                                                       const MeshTeethOf<Scalar>& teeth,
+                                                       EvaluatorOf<Scalar>& evaluator,
+                                                       Diagnostics& found) {
+  return ToothBinder<Scalar>(coupling, space, evaluator, found).bind(teeth);
+}
+
+template std::optional<Vec3> bind_mesh_line_of_action(
+    const CouplingDescription&, Space, const MeshTeethOf<double>&, Evaluator&, Diagnostics&);
+template std::optional<Vec3Of<Dual>> bind_mesh_line_of_action(
+    const CouplingDescription&, Space, const MeshTeethOf<Dual>&, EvaluatorOf<Dual>&, Diagnostics&);
 template std::optional<Vec3> bind_line_of_action(
     const CouplingDescription&, Space, const Axis&, EvaluatorOf<double>&, Diagnostics&);
 template std::optional<Vec3Of<Dual>> bind_line_of_action(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mechanism/internal/direction_binder.hpp"
+#include "mechanism/internal/gear_binder.hpp"
 
 namespace kinestat {
 
@@ -15,5 +16,13 @@ std::optional<Vec3Of<Scalar>> bind_line_of_action(const CouplingDescription& cou
                                                   const AxisOf<Scalar>& axis,
                                                   EvaluatorOf<Scalar>& evaluator,
                                                   Diagnostics& found);
+
+/// Likewise of a mesh of `gears`, whose axis is z and whose tangent follows from the train.
+template <class Scalar>
+std::optional<Vec3Of<Scalar>> bind_mesh_line_of_action(const CouplingDescription& coupling,
+                                                       Space space,
+                                                       const MeshTeethOf<Scalar>& teeth,
+                                                       EvaluatorOf<Scalar>& evaluator,
+                                                       Diagnostics& found);
 
 }  // namespace kinestat

@@ -22,6 +22,8 @@ constexpr int kCostOfActuated = 30;
 constexpr std::size_t kMostSets = 20000;
 constexpr std::size_t kMostChanges = 3;
 
+constexpr int kFreedomsInSpace = 6;
+
 struct Candidate {
   CouplingChange change;
   MatX powers;  ///< of each self-stress on each added freedom, about 1
@@ -95,16 +97,15 @@ class ChangeSearch {
 
   void add_catalogue() {
     const Topology& topology = mechanism_.topology;
-    std::set<CouplingId> actuated;
     for (const ActuatorTopology& actuator : topology.actuators) {
-      actuated.insert(topology.freedoms[static_cast<std::size_t>(actuator.freedom)].coupling);
+      actuated_.insert(topology.freedoms[static_cast<std::size_t>(actuator.freedom)].coupling);
     }
     for (int e = 0; e < topology.coupling_count(); ++e) {
       const CouplingTopology& coupling = topology.coupling({e});
       const std::span<const Twist> motions(mechanism_.geometry.motions);
       const auto freedoms = motions.subspan(static_cast<std::size_t>(coupling.first_freedom),
                                             static_cast<std::size_t>(coupling.freedom_count));
-      const int base = kCostOfChange + (actuated.contains({e}) ? kCostOfActuated : 0);
+      const int base = kCostOfChange + (actuated_.contains({e}) ? kCostOfActuated : 0);
       for (const CouplingUpgrade& upgrade : coupling_upgrades(coupling.type, freedoms, at(e))) {
         const int rarity = upgrade.is_rare                         ? kCostOfRareType
                            : upgrade.to == CouplingType::universal ? kCostOfTurn
@@ -112,7 +113,38 @@ class ChangeSearch {
         add({.coupling = {e}, .to = upgrade.to, .is_left_out = false, .added = upgrade.added},
             base + rarity);
       }
+      if (!actuated_.contains({e}) && coupling.freedom_count < kFreedomsInSpace) {
+        add({.coupling = {e},
+             .to = std::nullopt,
+             .is_left_out = true,
+             .added = prevented(e, freedoms)},
+            kCostOfLeavingOut);
+      }
     }
+  }
+
+  // Turns and shifts along the world axes that, with its own freedoms, leave a coupling nothing to
+  // bear.
+  std::vector<Twist> prevented(int e, std::span<const Twist> freedoms) const {
+    const auto scaled = [&](const Twist& twist) {
+      Vec6 column;
+      column << twist.angular * mechanism_.geometry.length, velocity_at(twist, at(e));
+      return Vec6(column.normalized());
+    };
+    Independence all(kFreedomsInSpace);
+    for (const Twist& freedom : freedoms) {
+      all.add(scaled(freedom));
+    }
+    std::vector<Twist> added;
+    for (int i = 0; i < 3; ++i) {
+      for (const Twist& twist :
+           {unit_rotation(Vec3::Unit(i), at(e)), unit_translation(Vec3(Vec3::Unit(i)))}) {
+        if (all.add(scaled(twist))) {
+          added.push_back(twist);
+        }
+      }
+    }
+    return added;
   }
 
   Vec3 at(int e) const {
@@ -230,19 +262,19 @@ class ChangeSearch {
     return true;
   }
 
-  // Turns and shifts along the world axes; a coupling that bears one action would bear none.
+  // Turns and shifts along the world axes; one that would leave a coupling nothing to bear is among
+  // the candidates already.
   void add_single_freedoms(const std::set<CouplingId>& changed) {
     for (int e = 0; e < mechanism_.topology.coupling_count(); ++e) {
-      const int borne = passive_actions_of({e});
-      if (changed.contains({e}) || borne == 0) {
+      const int least = actuated_.contains({e}) ? 1 : 2;
+      if (changed.contains({e}) || passive_actions_of({e}) < least) {
         continue;
       }
-      const int cost = borne == 1 ? kCostOfLeavingOut : kCostOfOwnType;
       for (int i = 0; i < 3; ++i) {
         for (const Twist& twist :
              {unit_rotation(Vec3::Unit(i), at(e)), unit_translation(Vec3(Vec3::Unit(i)))}) {
-          add({.coupling = {e}, .to = std::nullopt, .is_left_out = borne == 1, .added = {twist}},
-              cost);
+          add({.coupling = {e}, .to = std::nullopt, .is_left_out = false, .added = {twist}},
+              kCostOfOwnType);
         }
       }
     }
@@ -275,7 +307,8 @@ class ChangeSearch {
 
   const Mechanism& mechanism_;
   const std::vector<RedundantConstraint>& constraints_;
-  Eigen::Index size_ = 0;  ///< how many there are
+  Eigen::Index size_ = 0;          ///< how many there are
+  std::set<CouplingId> actuated_;  ///< with a freedom that an actuator drives
   std::vector<Candidate> candidates_;
 };
 

@@ -1,5 +1,7 @@
 #include "run/internal/cable_findings.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/text.hpp"
@@ -27,7 +29,10 @@ std::string pretension_text(const Analysis& analysis, const VecX& pretension) {
   return plain_list(names);
 }
 
-void add_pushed_segments(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
+void add_pushed_segments(const Analysis& analysis,
+                         const CaseAnalysis& one,
+                         const std::vector<CouplingId>& pushed,
+                         Diagnostics& found) {
   const Topology& topology = analysis.mechanism.topology;
   const FileUnits& units = analysis.description.units;
   const std::string hint =
@@ -35,10 +40,9 @@ void add_pushed_segments(const Analysis& analysis, const CaseAnalysis& one, Diag
           ? fmt::format("a pretension keeps the ropes taut: add at least {}",
                         pretension_text(analysis, *one.pretension))
           : "a rope only pulls, and no self-stress beside the known actions pulls at this one: "
-            "raise "
-            "a known action, turn round the load or the motion, or hold the rope by another "
+            "raise a known action, turn round the load or the motion, or hold the rope by another "
             "actuator";
-  for (const CouplingId id : find_pushed_segments(analysis.mechanism, *one.action)) {
+  for (const CouplingId id : pushed) {
     const CouplingTopology& segment = topology.coupling(id);
     const double force =
         one.action->magnitudes[static_cast<std::size_t>(segment.first_action)].value_or(0.0);
@@ -53,13 +57,20 @@ void add_pushed_segments(const Analysis& analysis, const CaseAnalysis& one, Diag
   }
 }
 
-void add_slipping_ropes(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
+// A contact with a slack side slips for want of tension, which that side's finding says.
+void add_slipping_ropes(const Analysis& analysis,
+                        const CaseAnalysis& one,
+                        const std::vector<CouplingId>& pushed,
+                        Diagnostics& found) {
   for (std::size_t i = 0; i < one.contacts.size(); ++i) {
     const ContactState& state = one.contacts[i];
-    if (state.grip != Grip::would_slip) {
+    const CableContact& contact = analysis.mechanism.contacts[i];
+    const auto is_slack = [&](CouplingId side) {
+      return std::ranges::find(pushed, side) != pushed.end();
+    };
+    if (state.grip != Grip::would_slip || is_slack(contact.arrives) || is_slack(contact.leaves)) {
       continue;
     }
-    const CableContact& contact = analysis.mechanism.contacts[i];
     found.warning(
         "W0607",
         contact.where,
@@ -69,16 +80,20 @@ void add_slipping_ropes(const Analysis& analysis, const CaseAnalysis& one, Diagn
                     contact.name,
                     *state.limit,
                     state.ratio ? fmt::format("{:.6g}", *state.ratio) : "more than any ratio"),
-        "more pretension, a larger contact angle or more friction hold it; or let it slip: 'slip: "
-        "true', and a motion of the virtual link");
+        contact.slips
+            ? "more pretension, a larger contact angle or more friction hold it; or give the "
+              "virtual link a motion, with which it slips"
+            : "more pretension, a larger contact angle or more friction hold it; or let it slip: "
+              "'slip: true', and a motion of the virtual link");
   }
 }
 
 }  // namespace
 
 void add_cable_findings(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
-  add_pushed_segments(analysis, one, found);
-  add_slipping_ropes(analysis, one, found);
+  const std::vector<CouplingId> pushed = find_pushed_segments(analysis.mechanism, *one.action);
+  add_pushed_segments(analysis, one, pushed, found);
+  add_slipping_ropes(analysis, one, pushed, found);
 }
 
 }  // namespace kinestat

@@ -7,6 +7,7 @@
 
 #include "io/mechanism_reader.hpp"
 #include "mechanism/internal/cable_check.hpp"
+#include "mechanism/internal/gear_check.hpp"
 #include "mechanism/internal/load_binder.hpp"
 #include "mechanism/internal/section_checks.hpp"
 #include "support/read_text.hpp"
@@ -25,7 +26,7 @@ inline std::string gear_set(const std::string& sections) {
       "couplings:\n"
       "  a: {type: revolute, bodies: [housing, sun], at: [0, 0, 0], axis: z}\n"
       "  c: {type: revolute, bodies: [housing, carrier], at: [0, 0, 9], axis: z}\n"
-      "  p: {type: revolute, bodies: [carrier, planet], at: [0, 34, 5], axis: z}\n"
+      "  p: {type: revolute, bodies: [carrier, planet], at: 5, axis: z}\n"
       "  s: {type: revolute, bodies: [housing, shaft], at: [0, 0, -9], axis: z}\n"
       "  slide: {type: prismatic, bodies: [housing, block], axis: y}\n"
       "  C1: {type: clutch, bodies: [shaft, sun], at: [0, 0, -1], axis: z}\n"
@@ -42,6 +43,7 @@ inline void check_all_sections(const MechanismDescription& description,
   const DeclaredNames names = declare_names(description, found);
   const SectionContext context = {
       .description = description, .names = names, .evaluator = evaluator, .found = found};
+  (void)check_gears(context);
   (void)check_cables(context);
   check_sections(context);
   (void)bind_loads(context, Vec3::Zero());

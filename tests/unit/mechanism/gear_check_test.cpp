@@ -22,11 +22,11 @@ TEST(GearCheck, AcceptsATrain) {
                        "  helix_angle: -15\n"
                        "  members:\n"
                        "    sun: {body: sun, teeth: N1}\n"
-                       "    planet: {body: planet, teeth: N2, count: 3, centre_distance: 34}\n"
+                       "    planet: {body: planet, teeth: N2, count: 4, centre_distance: 34}\n"
                        "    ring: {body: ring, teeth: N1 + 2*N2, internal: true}\n"
                        "  meshes:\n"
                        "    h: {members: [sun, planet], carrier: carrier, at: 10}\n"
-                       "    k: {members: [ring, planet], carrier: carrier, module: 2.5,\n"
+                       "    k: {members: [ring, planet], carrier: carrier, module: 2,\n"
                        "        pressure_angle: 14.5, helix_angle: 0}\n"),
       Complaints{});
 }
@@ -82,7 +82,7 @@ TEST(GearCheck, WantsAToothFormThatCanBe) {
 }
 
 TEST(GearCheck, NeedsAModuleOrADistance) {
-  const std::string meshes = "  meshes: {h: {members: [a, b]}}\n";
+  const std::string meshes = "  meshes: {h: {members: [a, b], carrier: carrier}}\n";
   EXPECT_EQ(
       complaints_about("gears:\n"
                        "  members: {a: {body: sun, teeth: 9}, b: {body: planet, teeth: 9}}\n" +
@@ -156,7 +156,7 @@ TEST(GearCheck, WarnsOfAMemberWithoutAMesh) {
                              "    a: {body: sun, teeth: 9}\n"
                              "    b: {body: planet, teeth: 9}\n"
                              "    idle: {body: ring, teeth: 9}\n"
-                             "  meshes: {h: {members: [a, b]}}\n"),
+                             "  meshes: {h: {members: [a, b], carrier: carrier}}\n"),
             (Complaints{"35:5 W0301 gear member 'idle' is in no mesh"}));
 }
 

@@ -59,5 +59,23 @@ TEST(LossCheck, FindsNoTeethOnAGearWrittenByHand) {
             (Complaints{"9:26 E0303 mesh 'g' has no teeth to find its loss from"}));
 }
 
+TEST(LossCheck, TakesOnlyMeshesOfGears) {
+  const Diagnostics found = check_of(
+      "kinestat: 1\n"
+      "space: planar\n"
+      "ground: frame\n"
+      "bodies: [p, bar]\n"
+      "couplings:\n"
+      "  a: {type: revolute, bodies: [frame, p], at: [0, 0]}\n"
+      "  b: {type: prismatic, bodies: [frame, bar], axis: x}\n"
+      "  r: {type: rack, bodies: [p, bar], at: [0, 1], line_of_action: x}\n"
+      "losses: {meshes: {r: 0.02}}\n");
+
+  EXPECT_EQ(
+      complaints_of(found),
+      (Complaints{"9:19 E0313 'losses' names 'r', a rack; only meshes of gears lose a share of "
+                  "their power"}));
+}
+
 }  // namespace
 }  // namespace kinestat

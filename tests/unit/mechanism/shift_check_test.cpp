@@ -9,15 +9,26 @@ namespace {
 
 const std::string kShift = "shift:\n  input: in\n  output: out\n  elements: [C1, B1]\n";
 
-TEST(ShiftCheck, AcceptsClutchesBrakesAndActuators) {
+TEST(ShiftCheck, AcceptsClutchesAndBrakes) {
   EXPECT_EQ(complaints_about("shift:\n"
                              "  input: in\n"
                              "  output: out\n"
-                             "  elements: [C1, B1, lift]\n"
+                             "  elements: [C1, B1]\n"
                              "  input_motion: 1 rad/s\n"
                              "  input_action: {in: T}\n"
                              "  names: {G1: [C1, B1], N: []}\n"),
             Complaints{});
+}
+
+TEST(ShiftCheck, RefusesElementsThatDoNotShift) {
+  EXPECT_EQ(complaints_about("shift: {input: in, output: out, elements: [C1, lift]}\n"),
+            (Complaints{"30:48 E0305 'lift' is neither a clutch nor a brake"}));
+}
+
+TEST(ShiftCheck, ReportsLabelsThatNameOtherElements) {
+  EXPECT_EQ(complaints_about("shift: {input: in, output: out, elements: [C1, B1], "
+                             "names: {C1: [B1], C1+B1: [B1, C1]}}\n"),
+            (Complaints{"30:61 E0307 gear 'C1' engages other elements than its label says"}));
 }
 
 TEST(ShiftCheck, ReportsActuatorsThatAreNotDeclared) {

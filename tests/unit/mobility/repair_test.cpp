@@ -97,6 +97,47 @@ TEST(Repair, LeavesABarOutThatBearsOneForce) {
   EXPECT_TRUE(words[0].ends_with("left out"));
 }
 
+// One guide holds what two hold.
+TEST(Repair, LeavesOneOfTwoParallelGuidesOut) {
+  const MobilityCase one = case_of_text(
+      "ground: frame\nbodies: [table]\ncouplings:\n"
+      "  left: {type: prismatic, bodies: [frame, table], at: [0, 0, 0], axis: x}\n"
+      "  right: {type: prismatic, bodies: [frame, table], at: [0, 1, 0], axis: x}\n");
+
+  const std::vector<Repair> repairs = one.exact().repairs;
+
+  ASSERT_EQ(words_of(one), (std::vector<std::string>{"left left out", "right left out"}));
+  EXPECT_EQ(repairs[0].freed, 5);
+  EXPECT_EQ(repairs[0].after.net_freedom, 1);
+}
+
+// A door on three hinges: two more than it needs, five constraints each.
+TEST(Repair, LeavesTwoOfThreeHingesOut) {
+  const MobilityCase one = case_of_text(
+      "ground: frame\nbodies: [door]\ncouplings:\n"
+      "  low: {type: revolute, bodies: [frame, door], at: [0, 0, 0], axis: z}\n"
+      "  middle: {type: revolute, bodies: [frame, door], at: [0, 0, 1], axis: z}\n"
+      "  high: {type: revolute, bodies: [frame, door], at: [0, 0, 2], axis: z}\n");
+
+  const std::vector<Repair> repairs = one.exact().repairs;
+
+  ASSERT_EQ(repairs.size(), 3U);
+  EXPECT_EQ(words_of(one.in_space, repairs[0]), "low left out, middle left out");
+  EXPECT_EQ(repairs[0].freed, 10);
+  EXPECT_EQ(repairs[0].after.net_constraint, 0);
+}
+
+// A driven guide is the one that stays.
+TEST(Repair, KeepsTheGuideThatIsDriven) {
+  const auto words = words_of(
+      case_of_text("ground: frame\nbodies: [table]\ncouplings:\n"
+                   "  left: {type: prismatic, bodies: [frame, table], at: [0, 0, 0], axis: x}\n"
+                   "  right: {type: prismatic, bodies: [frame, table], at: [0, 1, 0], axis: x}\n"
+                   "actuators: {drive: {coupling: left}}\n"));
+
+  EXPECT_EQ(words, std::vector<std::string>{"right left out"});
+}
+
 TEST(Repair, IsNotNeededByTheSelfAligningFourBar) {
   EXPECT_TRUE(case_of_library("spatial/self_aligning_four_bar").exact().repairs.empty());
 }

@@ -1,0 +1,156 @@
+#include "run/sweep.hpp"
+
+#include "command.hpp"
+#include "progress_line.hpp"
+#include "sweep_options.hpp"
+
+namespace kinestat::app {
+
+namespace {
+
+struct SweepCommand {
+  std::string path;
+  SweepOptions options;
+  TopChoice top;
+  ProgressChoice progress = ProgressChoice::automatic;
+};
+
+// "2/7"
+ShardNumber read_shard(const std::string& word) {
+  std::uint64_t parts[2] = {0, 0};
+  const std::size_t slash = word.find('/');
+  bool is_good = slash != std::string::npos;
+  for (int i = 0; is_good && i < 2; ++i) {
+    const std::string part = i == 0 ? word.substr(0, slash) : word.substr(slash + 1);
+    is_good = !part.empty() && part.size() <= 6 &&
+              part.find_first_not_of("0123456789") == std::string::npos;
+    parts[i] = is_good ? std::stoull(part) : 0;
+  }
+  if (!is_good || parts[0] < 1 || parts[0] > parts[1]) {
+    throw WrongValue("--shard", word, "it is K/N, the K-th of N shards: 1/4, 2/4, 3/4 or 4/4");
+  }
+  return {.number = parts[0], .count = parts[1]};
+}
+
+void add_sharing(CLI::App& command, SweepOptions& options) {
+  add_count(
+      command,
+      "--jobs",
+      [&options](std::uint64_t count) { options.jobs = count; },
+      "threads; default as many as there are cores.\nThe result does not depend on it");
+  with_value(command,
+             command.add_option_function<std::string>(
+                 "--shard",
+                 [&options](const std::string& word) { options.shard = read_shard(word); },
+                 "run the K-th of N shares of the states only,\n"
+                 "for 'kinestat merge'; needs --out"),
+             "K/N");
+  add_flag(
+      command,
+      "--resume",
+      [&options] { options.resume = true; },
+      "go on with what an interrupted run has\nfinished; needs --out");
+}
+
+void add_top(CLI::App& command, TopChoice& top) {
+  add_count(
+      command,
+      "--top",
+      [&top](std::uint64_t count) { top.count = count; },
+      "keep the best N rows alone; needs --by");
+  with_value(command,
+             command.add_option("--by", top.by, "the quantity that decides which rows are best"),
+             "QUANTITY");
+  add_choice<RankOrder>(command,
+                        "--order",
+                        {{"largest", RankOrder::largest}, {"smallest", RankOrder::smallest}},
+                        top.order,
+                        "which values are best; default largest");
+}
+
+void add_form(CLI::App& command, SweepCommand& sweep) {
+  add_choice<RowFormat>(command,
+                        "--format",
+                        {{"csv", RowFormat::csv}, {"json", RowFormat::json}},
+                        sweep.options.format,
+                        "form of the rows; json is one object a line");
+  add_choice<ProgressChoice>(command,
+                             "--progress",
+                             {{"auto", ProgressChoice::automatic},
+                              {"always", ProgressChoice::always},
+                              {"never", ProgressChoice::never}},
+                             sweep.progress,
+                             "tell how far it is on standard error; auto\nis on a terminal");
+}
+
+// Options that need each other.
+void check_together(CLI::App& command, SweepCommand& sweep) {
+  const auto is_given = [&](const char* name) { return command.count(name) > 0; };
+  for (const char* name : {"--shard", "--resume"}) {
+    if (is_given(name) && sweep.options.folder.empty()) {
+      throw LonelyOption(name, "--out", "name the folder for the result, as in --out results");
+    }
+  }
+  if (is_given("--top") != is_given("--by")) {
+    throw LonelyOption(is_given("--top") ? "--top" : "--by",
+                       is_given("--top") ? "--by" : "--top",
+                       "write for example --top 20 --by efficiency");
+  }
+  if (is_given("--order") && !is_given("--top")) {
+    throw LonelyOption(
+        "--order", "--top", "write for example --top 20 --by ratio --order smallest");
+  }
+  if (is_given("--top")) {
+    sweep.options.top = sweep.top;
+  }
+}
+
+Outcome run_sweep(const SweepCommand& sweep) {
+  ProgressLine line(sweep.progress);
+  const auto show = [&line](const SweepProgress& progress) { line.show(progress); };
+  Outcome outcome = run_streaming(
+      [&](const SweepHooks& hooks) {
+        Outcome done = sweep_file(sweep.path, sweep.options, hooks);
+        line.finish();
+        return done;
+      },
+      line.is_wanted() ? show : std::function<void(const SweepProgress&)>());
+  return outcome;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& parent, Job& job) {
+  CLI::App* command = parent.add_subcommand(
+      "sweep", "Analyse every combination of the parameters that a file varies.");
+  command->footer(
+      "  kinestat sweep teeth.yaml > rows.csv\n"
+      "  kinestat sweep --top 20 --by ratio --order smallest teeth.yaml\n"
+      "  kinestat sweep --jobs 8 --resume --out results teeth.yaml\n"
+      "  kinestat sweep --shard 2/7 --out shards teeth.yaml\n");
+  auto sweep = std::make_shared<SweepCommand>();
+  add_argument(
+      *command, "FILE", sweep->path, "mechanism file with a section sweep; - is\nstandard input")
+      .required();
+  add_repeated(*command,
+               "--set",
+               sweep->options.overrides,
+               "gives a parameter another value;\nmay be repeated",
+               "NAME=VALUE");
+  add_form(*command, *sweep);
+  add_result_folder(*command,
+                    sweep->options.folder,
+                    sweep->options.overwrite,
+                    "folder for <name>.sweep.csv (or .jsonl) and\n"
+                    "<name>.sweep.json; it must exist. Without it\n"
+                    "rows go to standard output");
+  add_sharing(*command, sweep->options);
+  add_top(*command, sweep->top);
+  add_messages(*command, sweep->options.diagnostics, sweep->options.is_quiet);
+  command->callback([command, sweep, &job] {
+    check_together(*command, *sweep);
+    job = [sweep] { return run_sweep(*sweep); };
+  });
+}
+
+}  // namespace kinestat::app

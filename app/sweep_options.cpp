@@ -1,0 +1,71 @@
+#include "sweep_options.hpp"
+
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+
+#include "stop_signals.hpp"
+
+namespace kinestat::app {
+
+void add_count(CLI::App& command,
+               const std::string& name,
+               std::function<void(std::uint64_t)> take,
+               const std::string& description) {
+  const auto read = [name, take = std::move(take)](const std::string& word) {
+    std::uint64_t count = 0;
+    const char* const end = word.data() + word.size();
+    const auto [at, error] = std::from_chars(word.data(), end, count);
+    if (error != std::errc() || at != end || count == 0) {
+      throw WrongValue(name, word, "it is a whole number from 1");
+    }
+    take(count);
+  };
+  with_value(command, command.add_option_function<std::string>(name, read, description), "N");
+}
+
+void add_result_folder(CLI::App& command,
+                       std::string& folder,
+                       Overwrite& overwrite,
+                       const std::string& description) {
+  with_value(command, command.add_option("-o,--out", folder, description), "FOLDER");
+  add_flag(
+      command,
+      "--force",
+      [&overwrite] { overwrite = Overwrite::force; },
+      "replace files that this program did not write");
+}
+
+void add_messages(CLI::App& command, DiagnosticsForm& form, bool& is_quiet) {
+  add_choice<DiagnosticsForm>(command,
+                              "--diagnostics",
+                              {{"text", DiagnosticsForm::text}, {"json", DiagnosticsForm::json}},
+                              form,
+                              "form of errors on standard error");
+  add_flag(
+      command,
+      "-q,--quiet",
+      [&is_quiet] { is_quiet = true; },
+      "do not tell on standard error what was counted");
+}
+
+Outcome run_streaming(const std::function<Outcome(const SweepHooks&)>& job,
+                      const std::function<void(const SweepProgress&)>& progress) {
+  const StopSignals signals;
+  const auto write = [](std::string_view text) {
+    const bool is_written =
+        std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+    if (!is_written && errno == EPIPE) {
+      raise_closed_pipe();
+    }
+    return is_written;
+  };
+  Outcome outcome = job({.write = write, .progress = progress, .stop = &signals.flag()});
+  if (signals.flag().load()) {
+    std::fputs(outcome.err.c_str(), stderr);
+    signals.raise_again();
+  }
+  return outcome;
+}
+
+}  // namespace kinestat::app

@@ -1,0 +1,135 @@
+#include "description/gear_expansion.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <variant>
+
+namespace kinestat {
+
+namespace {
+
+// What most teeth are cut with.
+Value usual_pressure_angle(SourceRange where) {
+  return {.expression = std::get<Expression>(parse_expression("20 deg")), .where = where};
+}
+
+class GearExpansion {
+ public:
+  explicit GearExpansion(MechanismDescription& description)
+      : description_(description), gears_(*description.gears) {
+    bodies_.insert(description.ground.text);
+    for (const BodyDescription& body : description.bodies) {
+      bodies_.insert(body.name.text);
+    }
+    for (const CouplingDescription& coupling : description.couplings) {
+      taken_.insert(coupling.name.text);
+    }
+    for (const ActuatorDescription& actuator : description.actuators) {
+      taken_.insert(actuator.name.text);
+    }
+  }
+
+  void run() {
+    const bool is_good = std::ranges::all_of(
+        gears_.meshes, [&](const MeshDescription& mesh) { return can_be_added(mesh); });
+    if (!is_good) {
+      return;
+    }
+    if (description_.space == Space::planar) {
+      place_on_axes();
+    }
+    for (std::size_t i = 0; i < gears_.meshes.size(); ++i) {
+      add_mesh(static_cast<int>(i));
+    }
+  }
+
+ private:
+  bool can_be_added(const MeshDescription& mesh) {
+    const GearMember* first = find_member(gears_, mesh.first);
+    const GearMember* second = find_member(gears_, mesh.second);
+    return first != nullptr && second != nullptr && bodies_.contains(first->body.text) &&
+           bodies_.contains(second->body.text) && first->body.text != second->body.text &&
+           taken_.insert(mesh.name.text).second;
+  }
+
+  // In the plane an axis is a point, and nothing is left to say.
+  void place_on_axes() {
+    std::set<std::string> on_axis;
+    for (const GearMember& member : gears_.members) {
+      on_axis.insert(member.body.text);
+    }
+    for (const MeshDescription& mesh : gears_.meshes) {
+      on_axis.insert(carrier_of(mesh, description_));
+    }
+    on_axis.erase(description_.ground.text);
+    for (CouplingDescription& coupling : description_.couplings) {
+      const bool turns = coupling.type == CouplingType::revolute ||
+                         coupling.type == CouplingType::clutch ||
+                         coupling.type == CouplingType::brake;
+      if (turns && !coupling.at &&
+          (on_axis.contains(coupling.tail.text) || on_axis.contains(coupling.head.text))) {
+        coupling.at = CouplingPoint{
+            .point = {}, .of_bodies = {}, .along_axis = {}, .where = coupling.name.where};
+      }
+    }
+  }
+
+  void add_mesh(int index) {
+    const MeshDescription& mesh = gears_.meshes[static_cast<std::size_t>(index)];
+    const GearMember& first = *find_member(gears_, mesh.first);
+    const GearMember& second = *find_member(gears_, mesh.second);
+    CouplingDescription coupling;
+    coupling.name = mesh.name;
+    coupling.type = CouplingType::gear;
+    coupling.tail = {.text = first.body.text, .where = mesh.first.where};
+    coupling.head = {.text = second.body.text, .where = mesh.second.where};
+    coupling.axis =
+        AxisDescription{.keyword = 'z', .sign = 1.0, .components = {}, .where = mesh.name.where};
+    coupling.pressure_angle = mesh.pressure_angle ? mesh.pressure_angle : gears_.pressure_angle;
+    if (!coupling.pressure_angle) {
+      coupling.pressure_angle = usual_pressure_angle(mesh.name.where);
+    }
+    coupling.helix_angle = mesh.helix_angle ? mesh.helix_angle : gears_.helix_angle;
+    coupling.internal = first.internal || second.internal;
+    coupling.mesh = index;
+    description_.couplings.push_back(std::move(coupling));
+  }
+
+  MechanismDescription& description_;
+  const GearsDescription& gears_;
+  std::set<std::string> bodies_;
+  std::set<std::string> taken_;  ///< names of couplings, actuators and meshes
+};
+
+}  // namespace
+
+void expand_gears(MechanismDescription& description) {
+  if (description.gears && description.has_mechanism()) {
+    GearExpansion(description).run();
+  }
+}
+
+bool has_all_meshes(const MechanismDescription& description) {
+  const auto count = std::ranges::count_if(description.couplings, &CouplingDescription::is_mesh);
+  return !description.gears || static_cast<std::size_t>(count) == description.gears->meshes.size();
+}
+
+MechanismDescription without_meshes(const MechanismDescription& description) {
+  MechanismDescription result = description;
+  std::erase_if(result.couplings, [](const CouplingDescription& one) { return one.is_mesh(); });
+  return result;
+}
+
+const GearMember* find_member(const GearsDescription& gears, const Name& name) {
+  const auto at = std::ranges::find(
+      gears.members, name.text, [](const GearMember& one) { return one.name.text; });
+  return at == gears.members.end() ? nullptr : &*at;
+}
+
+const std::string& carrier_of(const MeshDescription& mesh,
+                              const MechanismDescription& description) {
+  return mesh.carrier ? mesh.carrier->text : description.ground.text;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,133 @@
+#include "io/work_folder.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <dirent.h>
+#include <fcntl.h>
+#include <memory>
+#include <string_view>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace kinestat {
+
+namespace {
+
+constexpr std::string_view kLockName = "lock";
+
+std::string lock_path(const std::string& folder) {
+  return fmt::format("{}/{}", folder, kLockName);
+}
+
+void refuse(const std::string& path, int error, Diagnostics& found) {
+  found.error("E0152",
+              {},
+              fmt::format("cannot write '{}': {}", path, std::generic_category().message(error)));
+}
+
+// Whether the descriptor is still the file of that path: who finishes a run removes the folder.
+bool is_current(int descriptor, const std::string& path) {
+  struct stat opened = {};
+  struct stat named = {};
+  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
+         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+}
+
+bool is_temporary(std::string_view name) {
+  return name.starts_with(".kinestat-") && name.ends_with(".tmp");
+}
+
+}  // namespace
+
+std::optional<WorkFolder> WorkFolder::open(const std::string& path, Diagnostics& found) {
+  constexpr int kAttempts = 16;
+  for (int i = 0; i < kAttempts; ++i) {
+    if (::mkdir(path.c_str(), 0777) != 0 && errno != EEXIST) {
+      refuse(path, errno, found);
+      return std::nullopt;
+    }
+    const std::string lock = lock_path(path);
+    const int descriptor = ::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (descriptor < 0) {
+      if (errno == ENOENT) {
+        continue;  // removed in between by the process that finished
+      }
+      refuse(lock, errno, found);
+      return std::nullopt;
+    }
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+      const int error = errno;
+      ::close(descriptor);
+      if (error != EWOULDBLOCK) {
+        refuse(lock, error, found);
+        return std::nullopt;
+      }
+      found.error("E0152",
+                  {},
+                  fmt::format("another process is at work on '{}'", path),
+                  "wait until it has finished, or choose another folder for --out");
+      return std::nullopt;
+    }
+    if (!is_current(descriptor, lock)) {
+      ::close(descriptor);
+      continue;
+    }
+    WorkFolder folder(path, descriptor);
+    for (const std::string& name : folder.files()) {
+      if (is_temporary(name)) {
+        ::unlink(fmt::format("{}/{}", path, name).c_str());
+      }
+    }
+    return folder;
+  }
+  refuse(path, EAGAIN, found);
+  return std::nullopt;
+}
+
+WorkFolder::WorkFolder(WorkFolder&& other) noexcept
+    : path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1)) {}
+
+WorkFolder::~WorkFolder() {
+  if (lock_ >= 0) {
+    ::close(lock_);
+  }
+}
+
+std::vector<std::string> WorkFolder::files() const {
+  std::vector<std::string> names;
+  const std::unique_ptr<DIR, int (*)(DIR*)> folder(::opendir(path_.c_str()), ::closedir);
+  while (const dirent* entry = folder ? ::readdir(folder.get()) : nullptr) {
+    const std::string name = entry->d_name;
+    if (name != "." && name != ".." && name != kLockName) {
+      names.push_back(name);
+    }
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+void WorkFolder::clear() const {
+  for (const std::string& name : files()) {
+    ::unlink(fmt::format("{}/{}", path_, name).c_str());
+  }
+}
+
+// The lock goes last, so that nobody takes a folder that is about to vanish for a free one.
+void WorkFolder::remove() {
+  clear();
+  ::unlink(lock_path(path_).c_str());
+  ::rmdir(path_.c_str());
+  ::close(std::exchange(lock_, -1));
+}
+
+bool is_work_folder(const std::string& path) {
+  struct stat status = {};
+  return ::stat(lock_path(path).c_str(), &status) == 0;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,232 @@
+#include "mechanism/shift_plan.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/contract.hpp"
+#include "mechanism/internal/case_binder.hpp"
+#include "mechanism/internal/load_binder.hpp"
+
+namespace kinestat {
+
+namespace {
+
+int actuator_of(const Topology& topology, const Name& name) {
+  const auto at = std::ranges::find(topology.actuators, name.text, &ActuatorTopology::name);
+  KINESTAT_EXPECTS(at != topology.actuators.end());
+  return static_cast<int>(at - topology.actuators.begin());
+}
+
+// The sign of the torque that a freewheel holds; 0 of any other element.
+int one_way_of(const MechanismDescription& description, const Name& element) {
+  const auto coupling =
+      std::ranges::find(description.couplings, element.text, [](const CouplingDescription& one) {
+        return std::string_view(one.name.text);
+      });
+  if (coupling == description.couplings.end() || !coupling->one_way) {
+    return 0;
+  }
+  return *coupling->one_way == OneWay::positive ? 1 : -1;
+}
+
+// The value that the section gives for an input: its own, or the one for all.
+const Value* value_of(const std::vector<InputValue>& values, const Name& input) {
+  for (const InputValue& one : values) {
+    if (!one.target || one.target->text == input.text) {
+      return &one.value;
+    }
+  }
+  return nullptr;
+}
+
+// One action for all would prescribe more than equilibrium leaves open: it is that of the first
+// input, from which those of the others follow.
+bool is_left_to_equilibrium(const std::vector<InputValue>& actions, std::size_t input) {
+  return input > 0 && actions.size() == 1 && !actions.front().target;
+}
+
+class PlanBinder {
+ public:
+  PlanBinder(const MechanismDescription& description, const Topology& topology)
+      : description_(description),
+        shift_(*description.shift),
+        topology_(topology),
+        evaluator_(make_evaluator(description, ignored_)) {}
+
+  ShiftPlan run() {
+    for (std::size_t i = 0; i < shift_.inputs.size(); ++i) {
+      add_input(i);
+    }
+    for (const Name& output : shift_.outputs) {
+      plan_.outputs.push_back(actuator_of(topology_, output));
+    }
+    for (const Name& element : shift_.elements) {
+      plan_.elements.push_back({.actuator = actuator_of(topology_, element),
+                                .one_way = one_way_of(description_, element)});
+    }
+    for (const GearLabel& label : shift_.names) {
+      add_label(label);
+    }
+    for (int a = 0; a < static_cast<int>(topology_.actuators.size()); ++a) {
+      if (!has_part(a)) {
+        plan_.others.push_back(a);
+      }
+    }
+    plan_.asks_actions = !shift_.input_action.empty();
+    plan_.where = shift_.where;
+    return std::move(plan_);
+  }
+
+ private:
+  void add_input(std::size_t i) {
+    const Name& name = shift_.inputs[i];
+    ShiftInput input;
+    input.actuator = actuator_of(topology_, name);
+    const ActuatorTopology& actuator =
+        topology_.actuators[static_cast<std::size_t>(input.actuator)];
+    if (const Value* speed = value_of(shift_.input_motion, name)) {
+      const bool turns = topology_.freedoms[static_cast<std::size_t>(actuator.freedom)].is_rotation;
+      input.speed =
+          evaluator_.number(*speed, turns ? QuantityKind::angular_velocity : QuantityKind::velocity)
+              .value_or(input.speed);
+    }
+    const Value* action = value_of(shift_.input_action, name);
+    if (action != nullptr && !is_left_to_equilibrium(shift_.input_action, i)) {
+      const bool is_couple = topology_.actions[static_cast<std::size_t>(actuator.action)].is_couple;
+      input.action =
+          evaluator_.number(*action, is_couple ? QuantityKind::moment : QuantityKind::force);
+    }
+    plan_.inputs.push_back(input);
+  }
+
+  bool has_part(int actuator) const {
+    return std::ranges::find(plan_.inputs, actuator, &ShiftInput::actuator) != plan_.inputs.end() ||
+           std::ranges::find(plan_.outputs, actuator) != plan_.outputs.end() ||
+           std::ranges::find(plan_.elements, actuator, &ShiftElement::actuator) !=
+               plan_.elements.end();
+  }
+
+  void add_label(const GearLabel& label) {
+    ShiftLabel result{.text = label.label.text, .engaged = {}, .where = label.label.where};
+    for (const Name& element : label.elements) {
+      const auto at = std::ranges::find(shift_.elements, element.text, &Name::text);
+      KINESTAT_EXPECTS(at != shift_.elements.end());
+      result.engaged.push_back(static_cast<int>(at - shift_.elements.begin()));
+    }
+    std::ranges::sort(result.engaged);
+    plan_.labels.push_back(std::move(result));
+  }
+
+  const MechanismDescription& description_;
+  const ShiftDescription& shift_;
+  const Topology& topology_;
+  Diagnostics ignored_;
+  Evaluator evaluator_;
+  ShiftPlan plan_;
+};
+
+Value plain_number(std::string_view text, SourceRange where) {
+  return {
+      .expression = std::get<Expression>(parse_expression(text)), .where = where, .text_column = 0};
+}
+
+class GearDescriber {
+ public:
+  GearDescriber(const MechanismDescription& description,
+                const Topology& topology,
+                const ShiftPlan& plan)
+      : shift_(*description.shift),
+        has_loads_(!description.loads.empty() || description.gravity),
+        topology_(topology),
+        plan_(plan) {}
+
+  CaseDescription describe(const GearCase& gear) const {
+    CaseDescription result{.label = {.text = gear.label, .where = gear.where},
+                           .asks_motions = true,
+                           .asks_actions = plan_.asks_actions,
+                           .motions = {},
+                           .actions = {},
+                           .loads = {},
+                           .inputs = shift_.inputs,
+                           .outputs = shift_.outputs};
+    add_motions(gear, result);
+    if (plan_.asks_actions || has_loads_) {
+      add_actions(gear, result);
+    }
+    return result;
+  }
+
+ private:
+  Assignment nothing(const std::string& name, const GearCase& gear) const {
+    return {.target = {.text = name, .where = gear.where}, .value = plain_number("0", gear.where)};
+  }
+
+  void add_motions(const GearCase& gear, CaseDescription& result) const {
+    for (const int i : gear.moving) {
+      const Name& input = shift_.inputs[static_cast<std::size_t>(i)];
+      const Value* given = value_of(shift_.input_motion, input);
+      result.motions.push_back({.target = {.text = input.text, .where = gear.where},
+                                .value = given ? *given : plain_number("1", gear.where)});
+    }
+    for (const int e : gear.engaged) {
+      result.motions.push_back(nothing(shift_.elements[static_cast<std::size_t>(e)].text, gear));
+    }
+  }
+
+  void add_actions(const GearCase& gear, CaseDescription& result) const {
+    for (std::size_t i = 0; i < shift_.inputs.size(); ++i) {
+      const Value* given = value_of(shift_.input_action, shift_.inputs[i]);
+      if (given != nullptr && !is_left_to_equilibrium(shift_.input_action, i)) {
+        result.actions.push_back(
+            {.target = {.text = shift_.inputs[i].text, .where = gear.where}, .value = *given});
+      }
+    }
+    for (const int e : gear.open) {
+      result.actions.push_back(nothing(shift_.elements[static_cast<std::size_t>(e)].text, gear));
+    }
+    for (const int o : gear.others) {
+      const int actuator = plan_.others[static_cast<std::size_t>(o)];
+      result.actions.push_back(
+          nothing(topology_.actuators[static_cast<std::size_t>(actuator)].name, gear));
+    }
+  }
+
+  const ShiftDescription& shift_;
+  bool has_loads_ = false;
+  const Topology& topology_;
+  const ShiftPlan& plan_;
+};
+
+}  // namespace
+
+std::optional<ShiftPlan> bind_shift(const MechanismDescription& description,
+                                    const Topology& topology) {
+  return description.shift ? std::optional(PlanBinder(description, topology).run()) : std::nullopt;
+}
+
+std::vector<CaseDescription> describe_gears(const MechanismDescription& description,
+                                            const Topology& topology,
+                                            const ShiftPlan& plan,
+                                            const std::vector<GearCase>& gears) {
+  const GearDescriber describer(description, topology, plan);
+  std::vector<CaseDescription> cases;
+  for (const GearCase& gear : gears) {
+    cases.push_back(describer.describe(gear));
+  }
+  return cases;
+}
+
+std::vector<Case> bind_described_cases(const MechanismDescription& description,
+                                       const Mechanism& mechanism) {
+  Diagnostics said_before;
+  Evaluator evaluator = make_evaluator(description, said_before);
+  const DeclaredNames names = declare_names(description, said_before);
+  const SectionContext context = {
+      .description = description, .names = names, .evaluator = evaluator, .found = said_before};
+  std::vector<Case> cases = bind_cases(description, mechanism.topology, evaluator, said_before);
+  KINESTAT_EXPECTS(!said_before.has_errors());
+  add_loads(bind_loads(context, mechanism.geometry.origin), cases);
+  return cases;
+}
+
+}  // namespace kinestat

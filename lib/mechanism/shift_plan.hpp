@@ -1,0 +1,69 @@
+// The section `shift` bound to numbers: what drives, what is driven, and what shifts.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/source.hpp"
+#include "mechanism/mechanism.hpp"
+
+namespace kinestat {
+
+/// What engages or opens.
+struct ShiftElement {
+  int actuator = 0;  ///< index into Topology::actuators
+  int one_way = 0;   ///< of a freewheel the sign of the torque that it holds; 0: a clutch or brake
+};
+
+/// An actuator that drives. The action is empty where it is not given: equilibrium finds it.
+struct ShiftInput {
+  int actuator = 0;
+  double speed = 1.0;            ///< [rad/s or m/s]; 1 where the file gives none
+  std::optional<double> action;  ///< [N·m or N]
+};
+
+/// A combination of elements that has a label.
+struct ShiftLabel {
+  std::string text;
+  std::vector<int> engaged;  ///< indices into ShiftPlan::elements, ascending
+  SourceRange where;
+};
+
+struct ShiftPlan {
+  std::vector<ShiftInput> inputs;
+  std::vector<int> outputs;  ///< actuators
+  std::vector<ShiftElement> elements;
+  std::vector<int> others;  ///< actuators without a part in it: they bear nothing
+  std::vector<ShiftLabel> labels;
+  bool asks_actions = false;  ///< an action of an input is given
+  SourceRange where;
+};
+
+/// Of a description that has been bound to this topology without an error; empty if it has no
+/// section `shift`.
+std::optional<ShiftPlan> bind_shift(const MechanismDescription& description,
+                                    const Topology& topology);
+
+/// A case for a gear: names and values as the file would give them in a case written by hand.
+struct GearCase {
+  std::string label;
+  SourceRange where;
+  std::vector<int> moving;   ///< inputs whose speed is known, indices into ShiftPlan::inputs
+  std::vector<int> engaged;  ///< elements without motion of which none follows from the others
+  std::vector<int> open;     ///< elements whose action is given as none
+  std::vector<int> others;   ///< indices into ShiftPlan::others, likewise
+};
+
+/// The gears as cases of the description: so they depend on its parameters as it does itself.
+std::vector<CaseDescription> describe_gears(const MechanismDescription& description,
+                                            const Topology& topology,
+                                            const ShiftPlan& plan,
+                                            const std::vector<GearCase>& gears);
+
+/// The cases of a description, which has been bound to the mechanism, in numbers and with their
+/// loads: of a copy that has but cases of describe_gears.
+std::vector<Case> bind_described_cases(const MechanismDescription& description,
+                                       const Mechanism& mechanism);
+
+}  // namespace kinestat

@@ -1,0 +1,31 @@
+// What losses leave of the power from the inputs of a case to its outputs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mechanism/case.hpp"
+
+namespace kinestat {
+
+/// Power of the outputs over that of the inputs, each summed. Empty where the case does not name
+/// both, where an input takes power or none gives any, where an output gives some (self-locking if
+/// all of them together do), and where loads or other actuators exchange power: the reason says so,
+/// but for a case that does not name both. Never below 0; where it is 0 there is a reason too.
+struct Efficiency {
+  std::optional<double> value;
+  std::string reason;
+  bool is_self_locking = false;  ///< losses take more than the inputs give: the outputs drive too
+};
+
+/// The powers of a case [W].
+struct CasePowers {
+  const std::vector<double>& actuators;
+  const std::vector<double>& loads;
+  double largest = 0.0;  ///< of the whole network: what is rounding of it counts as zero
+};
+
+Efficiency find_efficiency(const Case& which, const CasePowers& powers);
+
+}  // namespace kinestat

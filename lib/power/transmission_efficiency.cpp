@@ -1,0 +1,249 @@
+#include "power/transmission_efficiency.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/tolerance.hpp"
+#include "network/bases.hpp"
+#include "power/absolute_efficiency.hpp"
+#include "statics/lossy_actions.hpp"
+
+namespace kinestat {
+
+namespace {
+
+Efficiency none(std::string reason) {
+  return {.value = std::nullopt, .reason = std::move(reason)};
+}
+
+Efficiency self_locking(std::string reason) {
+  return {.value = std::nullopt, .reason = std::move(reason), .is_self_locking = true};
+}
+
+bool names_both(const Case& which) {
+  return !which.inputs.empty() && !which.outputs.empty();
+}
+
+// The same motion, driven from the other end.
+Case reversed(Case which) {
+  for (Primary& primary : which.actions) {
+    primary.value = -primary.value;
+  }
+  for (Load& load : which.loads) {
+    load.acts.wrench = -1.0 * load.acts.wrench;
+  }
+  std::swap(which.inputs, which.outputs);
+  return which;
+}
+
+// Where a rope does not slip there is none: its friction is an action, as the case without losses
+// found.
+std::vector<FrictionLaw> friction_laws(const Mechanism& mechanism,
+                                       const KinematicSolution& motion) {
+  std::vector<FrictionLaw> laws;
+  for (const std::optional<FrictionLaw>& law : find_friction_laws(mechanism, motion)) {
+    if (law) {
+      laws.push_back(*law);
+    }
+  }
+  return laws;
+}
+
+// One direction of a case, solved with its losses.
+struct Direction {
+  LossSearch search = LossSearch::none;
+  StaticSolution action;
+  std::optional<PowerFlow> flow;  ///< where the actions determine it
+};
+
+class LossyCase {
+ public:
+  LossyCase(const Mechanism& mechanism,
+            const CoordinateBasis& common,
+            const SolvedCase& solved,
+            const std::vector<MeshLossLaw>& meshes)
+      : mechanism_(mechanism),
+        motion_(solved.motion),
+        meshes_(meshes),
+        frictions_(friction_laws(mechanism, solved.motion)),
+        basis_(basis_for(common, solved.which)) {}
+
+  Direction solve(const Case& which) const {
+    const std::vector<BodyWrench> loads = wrenches_of(which.loads);
+    LossyActions found = solve_with_losses(
+        mechanism_,
+        basis_,
+        {.primaries = which.actions, .loads = loads, .frictions = frictions_, .meshes = meshes_},
+        [&](const VecX& actions) { return passes_on(which, actions); });
+    Direction result{.search = found.search, .action = std::move(found.solution), .flow = {}};
+    if (determines_power(mechanism_, result.action)) {
+      result.flow = find_power(mechanism_, which, motion_, result.action);
+    }
+    return result;
+  }
+
+  Efficiency efficiency_of(const Case& which, const Direction& direction) const {
+    if (!names_both(which)) {
+      return none("the case does not name input and output");
+    }
+    if (direction.search == LossSearch::undecided) {
+      return none(fmt::format("which gears drive could not be found, with more than {} meshes",
+                              kMostSearchedMeshes));
+    }
+    if (direction.action.magnitudes.empty()) {
+      return self_locking("losses take more than the inputs give");
+    }
+    if (!direction.flow) {
+      return none("equilibrium leaves open what presses where power is lost");
+    }
+    const PowerFlow& flow = *direction.flow;
+    if (!flow.is_balanced) {
+      return none("the powers do not balance");
+    }
+    Efficiency result = find_efficiency(
+        which, {.actuators = flow.actuators, .loads = flow.loads, .largest = flow.largest});
+    if (result.is_self_locking) {
+      return self_locking("losses take more than the inputs give");
+    }
+    if (result.value && *result.value == 0.0) {
+      return {
+          .value = 0.0, .reason = "losses take all that the inputs give", .is_self_locking = true};
+    }
+    return result;
+  }
+
+ private:
+  // Loads and frictions may leave the coordinates that the actions need.
+  CoordinateBasis basis_for(const CoordinateBasis& common, const Case& which) const {
+    std::vector<BodyWrench> outside = wrenches_of(which.loads);
+    const auto add = [&](const FrictionLaw& law) {
+      const BodyId head =
+          law.between ? law.between->head : mechanism_.topology.coupling(law.coupling).head;
+      outside.push_back({.body = head, .wrench = law.unit});
+    };
+    std::ranges::for_each(frictions_, add);
+    for (const MeshLossLaw& mesh : meshes_) {
+      add(mesh.head_driven);
+      add(mesh.tail_driven);
+    }
+    return outside.empty() ? common
+                           : action_basis(mechanism_.geometry, mechanism_.static_order, outside);
+  }
+
+  // Whether power leaves by the outputs, of those that the case names.
+  bool passes_on(const Case& which, const VecX& actions) const {
+    if (!names_both(which)) {
+      return true;
+    }
+    double out = 0.0;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < mechanism_.topology.actuators.size(); ++i) {
+      const ActuatorTopology& actuator = mechanism_.topology.actuators[i];
+      const double power =
+          actions[actuator.action] * motion_.rates[static_cast<std::size_t>(actuator.freedom)];
+      largest = std::max(largest, std::abs(power));
+      out += std::ranges::count(which.outputs, static_cast<int>(i)) > 0 ? power : 0.0;
+    }
+    return out < -kPowerBalance * largest;
+  }
+
+  const Mechanism& mechanism_;
+  const KinematicSolution& motion_;
+  const std::vector<MeshLossLaw>& meshes_;
+  std::vector<FrictionLaw> frictions_;
+  CoordinateBasis basis_;
+};
+
+// The losses of the friction that acts between a gear and its carrier, at their meshes.
+LossyState state_of(const Mechanism& mechanism,
+                    const Direction& direction,
+                    const MeshLossLaws& losses) {
+  LossyState state;
+  for (const LossyMesh& mesh : mechanism.lossy_meshes) {
+    MeshLossPower one;
+    one.mesh = mesh.coupling;
+    one.rolls = std::ranges::count(losses.not_rolling, mesh.coupling) == 0;
+    state.meshes.push_back(one);
+  }
+  const PowerFlow& flow = *direction.flow;
+  double sum = 0.0;
+  double largest = 0.0;
+  const auto count = [&](double power) {
+    sum += power;
+    largest = std::max(largest, std::abs(power));
+  };
+  for (std::size_t i = 0; i < flow.friction.size(); ++i) {
+    const FrictionAction& friction = direction.action.friction[i];
+    count(flow.friction[i]);
+    if (!friction.between) {
+      state.friction.push_back(flow.friction[i]);
+      continue;
+    }
+    MeshLossPower& mesh = *std::ranges::find(state.meshes, friction.coupling, &MeshLossPower::mesh);
+    if (friction.magnitude > 0.0) {
+      mesh.driven = friction.between->head;
+      mesh.couple = friction.magnitude;
+      mesh.power = flow.friction[i];
+    }
+  }
+  std::ranges::for_each(flow.actuators, count);
+  std::ranges::for_each(flow.loads, count);
+  state.actions = direction.action.magnitudes;
+  state.balance_residual = largest == 0.0 ? 0.0 : std::abs(sum) / largest;
+  return state;
+}
+
+Efficiency absolute_of(const Mechanism& mechanism, const SolvedCase& solved) {
+  if (!names_both(solved.which)) {
+    return none("the case does not name input and output");
+  }
+  const PowerFlow& power = solved.power;
+  Efficiency result = find_efficiency(
+      solved.which, {.actuators = power.actuators, .loads = power.loads, .largest = power.largest});
+  if (!result.value) {
+    return result;
+  }
+  const std::optional<double> value =
+      find_absolute_efficiency(mechanism, solved.which, power, solved.graph);
+  return value ? Efficiency{.value = value, .reason = ""}
+               : none("the powers of some bodies are open");
+}
+
+std::string plain_names(const Mechanism& mechanism, const std::vector<CouplingId>& couplings) {
+  std::string text;
+  for (const CouplingId coupling : couplings) {
+    text += (text.empty() ? "'" : ", '") + mechanism.topology.coupling(coupling).name + "'";
+  }
+  return text;
+}
+
+}  // namespace
+
+TransmissionEfficiency find_transmission_efficiency(const Mechanism& mechanism,
+                                                    const CoordinateBasis& common,
+                                                    const SolvedCase& solved) {
+  TransmissionEfficiency result;
+  result.absolute = absolute_of(mechanism, solved);
+  const MeshLossLaws losses = find_mesh_loss_laws(mechanism, solved.motion);
+  result.without_carrier = losses.without_carrier;
+  if (!losses.without_carrier.empty()) {
+    result.carrier =
+        none("no carrier is known of " + plain_names(mechanism, losses.without_carrier));
+    result.carrier_backward = result.carrier;
+    return result;
+  }
+  const LossyCase lossy(mechanism, common, solved, losses.laws);
+  const Direction forward = lossy.solve(solved.which);
+  result.carrier = lossy.efficiency_of(solved.which, forward);
+  if (forward.flow) {
+    result.state = state_of(mechanism, forward, losses);
+  }
+  const Case back = reversed(solved.which);
+  result.carrier_backward = lossy.efficiency_of(back, lossy.solve(back));
+  return result;
+}
+
+}  // namespace kinestat

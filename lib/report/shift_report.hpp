@@ -1,0 +1,14 @@
+// The shift table of one file in the forms of a report.
+#pragma once
+
+#include "report/analysis.hpp"
+#include "report/file_report.hpp"
+
+namespace kinestat {
+
+/// Head, key `shift` and diagnostics alone.
+FileReport make_shift_report(const Analysis& analysis,
+                             const ReportForms& forms,
+                             const Diagnostics& found);
+
+}  // namespace kinestat

@@ -1,0 +1,296 @@
+#include "report/shift_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/contract.hpp"
+#include "core/utf8.hpp"
+#include "report/column_table.hpp"
+#include "report/gear_values.hpp"
+#include "report/numbers.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr const char* kEngaged = "●";
+constexpr const char* kOpen = "·";
+
+// Combinations that are no gear: beyond so many nobody reads their reasons.
+constexpr std::size_t kMostShown = 40;
+
+// A cell of the table; empty where there is no value.
+std::string shown(const std::optional<double>& value) {
+  return value ? format_short(*value) : "-";
+}
+
+class ShiftTables {
+ public:
+  explicit ShiftTables(const Analysis& analysis)
+      : analysis_(analysis),
+        topology_(analysis.mechanism.topology),
+        plan_(analysis.shift->plan),
+        solution_(analysis.shift->solution) {
+    for (std::size_t s = 0; s < solution_.table.steps.size(); ++s) {
+      gears_.push_back(gear_values(analysis, s));
+    }
+  }
+
+  std::string run() const {
+    return head_text() + gears_text() + remarks_text() + others_text() + elements_text() +
+           changes_text();
+  }
+
+ private:
+  const std::string& actuator_name(int actuator) const {
+    return topology_.actuators[static_cast<std::size_t>(actuator)].name;
+  }
+
+  const std::string& element_name(int element) const {
+    return actuator_name(plan_.elements[static_cast<std::size_t>(element)].actuator);
+  }
+
+  std::string name_of(int state) const {
+    return printable(solution_.states[static_cast<std::size_t>(state)].name);
+  }
+
+  std::string head_text() const {
+    const std::size_t inputs = plan_.inputs.size();
+    std::string text = fmt::format(
+        "Shift table: a gear engages {} of {} elements (net degree of freedom {}, {} input{}), "
+        "{:.0f} possibilit{}, {} gear{}\n\n",
+        solution_.needed,
+        plan_.elements.size(),
+        solution_.net_freedom,
+        inputs,
+        inputs == 1 ? "" : "s",
+        solution_.possibilities,
+        solution_.possibilities == 1.0 ? "y" : "ies",
+        gears_.size(),
+        gears_.size() == 1 ? "" : "s");
+    return text;
+  }
+
+  // A column for each element: engaged or open.
+  void add_marks(std::size_t first, std::size_t count, std::vector<TextColumn>& columns) const {
+    for (int e = 0; e < static_cast<int>(plan_.elements.size()); ++e) {
+      TextColumn column{.head = element_name(e), .cells = {}};
+      for (std::size_t s = first; s < first + count; ++s) {
+        const bool is_engaged = std::ranges::binary_search(solution_.states[s].engaged, e);
+        column.cells.push_back(is_engaged ? kEngaged : kOpen);
+      }
+      columns.push_back(std::move(column));
+    }
+  }
+
+  TextColumn names(const char* head, std::size_t first, std::size_t count) const {
+    TextColumn column{.head = head, .cells = {}};
+    for (std::size_t s = first; s < first + count; ++s) {
+      column.cells.push_back(name_of(static_cast<int>(s)));
+    }
+    return column;
+  }
+
+  template <class Cell>
+  void add_column(std::string head, const Cell& cell, std::vector<TextColumn>& columns) const {
+    TextColumn column{.head = std::move(head), .cells = {}};
+    for (const GearValues& gear : gears_) {
+      column.cells.push_back(cell(gear));
+    }
+    columns.push_back(std::move(column));
+  }
+
+  // By the carrier and by the absolute model, and with friction alone, as far as the file has any.
+  void add_efficiencies(std::vector<TextColumn>& columns) const {
+    TextColumn carrier{.head = "efficiency", .cells = {}};
+    TextColumn absolute{.head = "absolute", .cells = {}};
+    TextColumn friction{.head = "with friction", .cells = {}};
+    bool is_lossy = false;
+    bool rubs = false;
+    for (std::size_t s = 0; s < gears_.size(); ++s) {
+      const CaseAnalysis& one = *find_gear_case(analysis_, solution_.states[s]);
+      const auto& lossy = one.efficiency;
+      carrier.cells.push_back(shown(lossy ? lossy->carrier.value : std::nullopt));
+      absolute.cells.push_back(shown(lossy ? lossy->absolute.value : std::nullopt));
+      friction.cells.push_back(shown(one.power ? one.power->efficiency : std::nullopt));
+      is_lossy = is_lossy || lossy.has_value();
+      rubs = rubs || (one.power && one.power->efficiency);
+    }
+    if (is_lossy) {
+      columns.push_back(std::move(carrier));
+      columns.push_back(std::move(absolute));
+    }
+    if (rubs) {
+      columns.push_back(std::move(friction));
+    }
+  }
+
+  std::string gears_text() const {
+    if (gears_.empty()) {
+      return {};
+    }
+    std::vector<TextColumn> columns = {names("Gear", 0, gears_.size())};
+    add_marks(0, gears_.size(), columns);
+    for (std::size_t o = 0; o < plan_.outputs.size(); ++o) {
+      const std::string to = plan_.outputs.size() == 1 ? "" : " " + actuator_name(plan_.outputs[o]);
+      add_column(
+          "ratio" + to, [o](const GearValues& gear) { return shown(gear.ratios[o]); }, columns);
+    }
+    add_column(
+        "step", [](const GearValues& gear) { return gear.step ? shown(gear.step) : ""; }, columns);
+    add_efficiencies(columns);
+    if (plan_.outputs.size() == 1 && plan_.asks_actions) {
+      add_column(
+          "torque ratio",
+          [](const GearValues& gear) { return shown(gear.torque_ratios.front()); },
+          columns);
+      add_column(
+          "recirculation",
+          [](const GearValues& gear) { return shown(gear.recirculation); },
+          columns);
+    }
+    return table_text(columns);
+  }
+
+  std::string remarks_text() const {
+    std::string text;
+    for (std::size_t s = 0; s < gears_.size(); ++s) {
+      const std::string& reason = solution_.states[s].reason;
+      text += reason.empty() ? "" : fmt::format("  {}: {}\n", name_of(static_cast<int>(s)), reason);
+      for (const std::string& no_ratio : gears_[s].reasons) {
+        text += no_ratio.empty()
+                    ? ""
+                    : fmt::format("  {}: {}\n", name_of(static_cast<int>(s)), no_ratio);
+      }
+    }
+    if (solution_.table.span) {
+      text += fmt::format("  span of the forward gears {}\n", format_short(*solution_.table.span));
+    }
+    for (const std::vector<int>& group : solution_.table.equal_ratios) {
+      std::vector<std::string> names;
+      for (const int state : group) {
+        names.push_back(name_of(state));
+      }
+      text += fmt::format("  of equal ratio: {}\n", fmt::join(names, ", "));
+    }
+    return text.empty() ? "" : text + "\n";
+  }
+
+  // Combinations that are no gear, each with its reason below the table.
+  std::string others_text() const {
+    const std::size_t first = gears_.size();
+    const std::size_t all = solution_.states.size() - first;
+    const std::size_t count = std::min(all, kMostShown);
+    if (count == 0) {
+      return {};
+    }
+    std::vector<TextColumn> columns = {names("No gear", first, count)};
+    add_marks(first, count, columns);
+    TextColumn kinds{.head = "class", .cells = {}};
+    std::string reasons;
+    for (std::size_t s = first; s < first + count; ++s) {
+      const NamedShiftState& one = solution_.states[s];
+      kinds.cells.emplace_back(word_of(one.state.kind));
+      reasons += fmt::format("  {}: {}\n", name_of(static_cast<int>(s)), one.reason);
+    }
+    columns.push_back(std::move(kinds));
+    if (count < all) {
+      reasons += fmt::format("  and {} more, which --format csv lists\n", all - count);
+    }
+    return table_text(columns) + reasons + "\n";
+  }
+
+  // What each element bears where it is engaged, and how fast it slips where it is open.
+  std::string elements_text() const {
+    if (gears_.empty()) {
+      return {};
+    }
+    const FileUnits& units = analysis_.description.units;
+    std::string text;
+    if (plan_.asks_actions) {
+      text += values_text(
+          fmt::format("Torque [{}]", units.text(QuantityKind::moment)), &GearValues::torques, true);
+    }
+    text += loads_text();
+    return text + values_text(fmt::format("Slip [{}]", units.text(QuantityKind::angular_velocity)),
+                              &GearValues::slips,
+                              false);
+  }
+
+  // The most loaded bearing and mesh of each gear, where any force is known.
+  std::string loads_text() const {
+    const std::string unit = analysis_.description.units.text(QuantityKind::force);
+    std::vector<TextColumn> columns = {names("Most loaded", 0, gears_.size())};
+    bool has_any = false;
+    const auto add = [&](const char* kind, std::optional<LoadedCoupling> GearValues::*member) {
+      TextColumn name{.head = kind, .cells = {}};
+      TextColumn force{.head = fmt::format("force [{}]", unit), .cells = {}};
+      for (const GearValues& gear : gears_) {
+        const std::optional<LoadedCoupling>& one = gear.*member;
+        name.cells.push_back(one ? one->name : "-");
+        force.cells.push_back(one ? format_short(one->force) : "-");
+        has_any = has_any || one.has_value();
+      }
+      columns.push_back(std::move(name));
+      columns.push_back(std::move(force));
+    };
+    add("bearing", &GearValues::bearing);
+    add("mesh", &GearValues::mesh);
+    return has_any ? table_text(columns) : "";
+  }
+
+  std::string values_text(const std::string& head,
+                          std::vector<std::optional<double>> GearValues::*values,
+                          bool of_engaged) const {
+    std::vector<TextColumn> columns = {names(head.c_str(), 0, gears_.size())};
+    TextColumn largest{.head = "largest size", .cells = {}};
+    std::vector<double> sizes(gears_.size(), 0.0);
+    for (std::size_t e = 0; e < plan_.elements.size(); ++e) {
+      TextColumn column{.head = element_name(static_cast<int>(e)), .cells = {}};
+      for (std::size_t s = 0; s < gears_.size(); ++s) {
+        const bool is_engaged =
+            std::ranges::binary_search(solution_.states[s].engaged, static_cast<int>(e));
+        const std::optional<double>& value = (gears_[s].*values)[e];
+        column.cells.push_back(is_engaged == of_engaged ? shown(value) : kOpen);
+        sizes[s] = std::max(sizes[s], is_engaged == of_engaged ? std::abs(value.value_or(0)) : 0.0);
+      }
+      columns.push_back(std::move(column));
+    }
+    for (const double size : sizes) {
+      largest.cells.push_back(format_short(size));
+    }
+    columns.push_back(std::move(largest));
+    return table_text(columns);
+  }
+
+  std::string changes_text() const {
+    std::string text;
+    for (const GearChange& change : solution_.table.changes) {
+      const std::string opens = change.opens < 0 ? "nothing" : element_name(change.opens);
+      const std::string engages = change.engages < 0 ? "nothing" : element_name(change.engages);
+      text += fmt::format("  {} - {}: {} opens, {} engages\n",
+                          name_of(change.from),
+                          name_of(change.to),
+                          opens,
+                          engages);
+    }
+    return text.empty() ? "" : "  Changes of one element\n" + text + "\n";
+  }
+
+  const Analysis& analysis_;
+  const Topology& topology_;
+  const ShiftPlan& plan_;
+  const ShiftSolution& solution_;
+  std::vector<GearValues> gears_;
+};
+
+}  // namespace
+
+std::string shift_text(const Analysis& analysis) {
+  KINESTAT_EXPECTS(analysis.shift.has_value());
+  return ShiftTables(analysis).run();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,175 @@
+#include "run/internal/state_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/contract.hpp"
+#include "core/tolerance.hpp"
+#include "mechanism/bind.hpp"
+#include "run/solve_cases.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+
+// The text that gives this number and no other.
+Expression expression_of(const Quantity& value) {
+  const std::string unit = is_bare(value.dimension) ? "" : " " + si_unit_of(value.dimension);
+  auto parsed = parse_expression(fmt::format("{}{}", value.value, unit));
+  KINESTAT_EXPECTS(std::holds_alternative<Expression>(parsed));
+  return std::get<Expression>(std::move(parsed));
+}
+
+// Known magnitudes that no longer fit where they usually do: the position is to blame.
+std::string_view status_word(SolveStatus status, bool is_usually_solved) {
+  const bool is_of_choice = status == SolveStatus::dependent ||
+                            status == SolveStatus::underdetermined ||
+                            status == SolveStatus::inconsistent;
+  return is_usually_solved && is_of_choice ? "singular" : word_of(status);
+}
+
+bool has_solved_motion(const CaseAnalysis& one) {
+  return one.motion && one.motion->status == SolveStatus::solved;
+}
+
+// Of a case whose ratio is asked for and has no value: 0/0 where the input rests, too.
+std::string_view ratio_status(const CaseAnalysis& one, const Topology& topology) {
+  if (!has_solved_motion(one) || one.which.inputs.empty()) {
+    return "solved";
+  }
+  const bool is_input_at_rest = std::ranges::all_of(one.which.inputs, [&](int input) {
+    const auto freedom =
+        static_cast<std::size_t>(topology.actuators[static_cast<std::size_t>(input)].freedom);
+    return one.motion->rates[freedom] == 0.0;
+  });
+  return is_input_at_rest ? "locked" : "no_ratio";
+}
+
+}  // namespace
+
+std::string_view row_status(const CaseAnalysis& one,
+                            const SweepTask& task,
+                            bool is_usually_solved) {
+  if (one.motion && one.motion->status != SolveStatus::solved) {
+    return one.motion->status == SolveStatus::dependent && one.motion->counts.net_freedom <= 0
+               ? "locked"
+               : status_word(one.motion->status, is_usually_solved);
+  }
+  if (one.action && one.action->status != SolveStatus::solved) {
+    return status_word(one.action->status, is_usually_solved);
+  }
+  const bool asks_power = std::ranges::any_of(
+      task.quantities, [](const SweepQuantity& quantity) { return needs_power(quantity.kind); });
+  if (asks_power && one.power && !one.power->is_balanced) {
+    return "unbalanced";
+  }
+  const bool is_self_locking = one.efficiency ? one.efficiency->carrier.is_self_locking
+                                              : one.power && one.power->is_self_locking;
+  if (asks_power && is_self_locking) {
+    return "self_locking";
+  }
+  const bool asks_ratio = std::ranges::any_of(task.quantities, [](const SweepQuantity& quantity) {
+    return quantity.kind == SweepQuantityKind::ratio;
+  });
+  return asks_ratio && one.ratios && !one.ratios->ratio ? ratio_status(one, task.mechanism.topology)
+                                                        : "solved";
+}
+
+StateBinder::StateBinder(const SweepTask& task) : task_(task), description_(task.description) {}
+
+std::optional<Mechanism> StateBinder::bind(const Slots& slots) {
+  for (const SweepAxis& axis : task_.plan.axes()) {
+    const auto i = static_cast<std::size_t>(axis.parameter());
+    Value& value = description_.parameters[i].value;
+    value.expression = expression_of(slots.values[i]);
+    value.text_column = 0;
+  }
+  Diagnostics found;
+  std::optional<Mechanism> mechanism = kinestat::bind(description_, found);
+  const auto error = std::ranges::find(found.items(), Severity::error, &Diagnostic::severity);
+  code_ = error == found.items().end() ? "E0316" : error->code;
+  return mechanism;
+}
+
+void fill_row(const SweepTask& task,
+              const Mechanism& mechanism,
+              const CaseAnalysis& one,
+              SweepRow& row) {
+  for (std::size_t q = 0; q < row.values.size(); ++q) {
+    const double value =
+        value_of(task.quantities[q], one, mechanism, task.description.units).value_or(kNoValue);
+    row.values[q] = std::isfinite(value) ? value : kNoValue;
+  }
+}
+
+StateSolver::StateSolver(const SweepTask& task)
+    : task_(task), binder_(task), rows_(task.cases.size()) {
+  if (task.tapes) {
+    taped_.emplace(task, *task.tapes);
+  }
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    rows_[i].which = i;
+    rows_[i].values.assign(task.quantities.size(), kNoValue);
+  }
+}
+
+std::span<const SweepRow> StateSolver::solve(const StateWalk& walk) {
+  constexpr std::uint64_t kCheckEvery = 1009;
+  const bool is_taped = taped_ && !walk.is_undefined() && taped_->solve(walk, rows_);
+  if (!is_taped) {
+    analyse(walk);
+  } else if (walk.state() % kCheckEvery == 0) {
+    check_tape(walk);
+  }
+  return rows_;
+}
+
+void StateSolver::analyse(const StateWalk& walk) {
+  const std::optional<Mechanism> mechanism = binder_.bind(walk.slots());
+  // A requirement alone may have no answer; then none of the numbers counts.
+  if (!mechanism || walk.is_undefined()) {
+    fail(binder_.code());
+    return;
+  }
+  const std::vector<CaseAnalysis> cases =
+      solve_some_cases(*mechanism, chosen_cases(task_, *mechanism));
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    fill_row(task_, *mechanism, cases[i], rows_[i]);
+    rows_[i].status = row_status(cases[i], task_, task_.is_usually_solved[i]);
+  }
+}
+
+// Now and then a state is analysed both ways, so that no mistake of a tape stays unseen.
+void StateSolver::check_tape(const StateWalk& walk) {
+  const std::vector<SweepRow> taped = rows_;
+  analyse(walk);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    double largest = 0.0;
+    for (const double value : rows_[i].values) {
+      largest = std::isnan(value) ? largest : std::max(largest, std::abs(value));
+    }
+    for (std::size_t q = 0; q < rows_[i].values.size(); ++q) {
+      const double a = rows_[i].values[q];
+      const double b = taped[i].values[q];
+      KINESTAT_EXPECTS(std::isnan(a) == std::isnan(b) &&
+                       (std::isnan(a) || std::abs(a - b) <= kReportsAgree * largest));
+    }
+    KINESTAT_EXPECTS(rows_[i].status == taped[i].status);
+  }
+  rows_ = taped;
+}
+
+void StateSolver::fail(std::string_view status) {
+  for (SweepRow& row : rows_) {
+    row.status = status;
+    std::ranges::fill(row.values, kNoValue);
+  }
+}
+
+}  // namespace kinestat

@@ -1,0 +1,43 @@
+// A sweep made ready: what all its workers share and none of them changes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/sweep_quantity.hpp"
+#include "run/internal/taped_solver.hpp"
+#include "run/load.hpp"
+#include "run/sweep.hpp"
+#include "sweep/sweep_plan.hpp"
+
+namespace kinestat {
+
+struct SweepTask {
+  MechanismDescription description;  ///< without the sections that a state does not need
+  Mechanism mechanism;               ///< with the parameters of the file
+  SweepPlan plan;
+  std::vector<std::size_t> chosen;      ///< which of all cases are run
+  std::vector<Case> cases;              ///< these, with the parameters of the file
+  std::vector<bool> is_usually_solved;  ///< of each: whether it has an answer as the file has it
+  std::vector<SweepQuantity> quantities;
+  bool has_statics = false;         ///< whether a quantity needs actions
+  std::optional<std::size_t> key;   ///< the quantity by which the top rows are chosen
+  std::optional<SweepTapes> tapes;  ///< which refer to the task, so that it must stay in its place;
+                                    ///< empty where every state is analysed as a whole
+  SweepHeader header;
+};
+
+/// All cases of a mechanism that a sweep may run, in their order: those that the file writes.
+std::vector<Case> sweepable_cases(const Mechanism& mechanism);
+
+/// The cases of a sweep with no more passes than its quantities need.
+std::vector<Case> chosen_cases(const SweepTask& task, const Mechanism& mechanism);
+
+/// Without tapes. Empty iff an error was added.
+std::optional<SweepTask> make_sweep_task(const SourceFile& source,
+                                         Loaded loaded,
+                                         const SweepOptions& options,
+                                         Diagnostics& found);
+
+}  // namespace kinestat

@@ -1,0 +1,65 @@
+#include "run/shift.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "report/shift_report.hpp"
+#include "run/each_file.hpp"
+#include "run/findings.hpp"
+#include "run/load.hpp"
+#include "run/solve_cases.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Leaves the gears, which come last.
+void drop_own_cases(Loaded& loaded) {
+  const auto gears = static_cast<std::ptrdiff_t>(loaded.shift->solution.table.steps.size());
+  std::vector<Case>& cases = loaded.mechanism.cases;
+  cases.erase(cases.begin(), cases.end() - gears);
+  std::vector<CaseDescription>& described = loaded.description.cases;
+  described.erase(described.begin(), described.end() - gears);
+}
+
+// Empty iff an error was added.
+std::optional<Analysis> find_shift(const std::string& path,
+                                   const ShiftChoice& choice,
+                                   const AnalyseOptions& options,
+                                   SourceFile& source,
+                                   Diagnostics& found) {
+  const ShiftOptions sizes{.one_more = choice.one_more, .one_fewer = choice.one_fewer};
+  std::optional<Loaded> loaded = load(path, options.overrides, source, found, sizes);
+  if (!loaded) {
+    return std::nullopt;
+  }
+  if (!loaded->shift) {
+    found.error("E0303",
+                {},
+                "the file has no section 'shift'",
+                "add shift: {input: …, output: …, elements: […]}; 'kinestat new shift' writes a "
+                "file that has one");
+    return std::nullopt;
+  }
+  drop_own_cases(*loaded);
+  return solve_cases(path, *std::move(loaded));
+}
+
+}  // namespace
+
+Outcome shift_of_files(const std::vector<std::string>& paths,
+                       const ShiftChoice& choice,
+                       const AnalyseOptions& options) {
+  const ReportForms forms = stream_forms(options.format, paths.size());
+  return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
+    SourceFile source;
+    Diagnostics found;
+    if (const auto analysis = find_shift(path, choice, options, source, found)) {
+      add_findings(*analysis, found);
+      add_to_stream(make_shift_report(*analysis, forms, found), options, outcome);
+    }
+    add_diagnostics(source, found, options.strictness, outcome);
+  });
+}
+
+}  // namespace kinestat

@@ -1,0 +1,160 @@
+#include "run/sweep.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "run/internal/chunk_runner.hpp"
+#include "run/internal/stored_sweep.hpp"
+#include "run/internal/sweep_task.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr std::uint64_t kMostJobs = 256;
+
+// Rows in their order to standard output, or the best of them at the end.
+class StreamedSweep {
+ public:
+  StreamedSweep(const SweepTask& task, const SweepHooks& hooks)
+      : task_(task),
+        hooks_(hooks),
+        best_(task.header.top ? task.header.top->count : 0,
+              task.header.top ? task.header.top->order : RankOrder::largest) {}
+
+  RunEnd run(std::uint64_t jobs) {
+    std::vector<std::uint64_t> chunks(task_.plan.chunk_count());
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+      chunks[i] = i;
+    }
+    if (!hooks_.write(task_.header.heading)) {
+      return RunEnd::refused;
+    }
+    const ChunkSink sink{.order = ChunkSink::Order::ascending,
+                         .take = [this](ChunkResult result) { return take(std::move(result)); }};
+    const RunEnd end =
+        run_chunks(task_, chunks, jobs, sink, hooks_, {.total = task_.plan.state_count()});
+    return end == RunEnd::complete && !write_best() ? RunEnd::refused : end;
+  }
+
+  const SweepCounts& counts() const { return counts_; }
+
+ private:
+  bool take(ChunkResult result) {
+    counts_.add(result.counts);
+    if (!task_.key) {
+      return hooks_.write(result.body);
+    }
+    for (RankedRow& row : read_rows(result.body)) {
+      best_.add(std::move(row));
+    }
+    return true;
+  }
+
+  bool write_best() {
+    std::string text;
+    for (const RankedRow& row : best_.take()) {
+      text += row.text;
+    }
+    return hooks_.write(text);
+  }
+
+  const SweepTask& task_;
+  const SweepHooks& hooks_;
+  TopRows best_;
+  SweepCounts counts_;
+};
+
+std::uint64_t thread_count(const SweepOptions& options, Diagnostics& found) {
+  if (options.jobs == 0) {
+    return std::max(1U, std::thread::hardware_concurrency());
+  }
+  if (options.jobs > kMostJobs) {
+    found.warning("W0101",
+                  {},
+                  fmt::format("--jobs {} is more than this program uses", options.jobs),
+                  fmt::format("{} threads are used; more than the machine has cores do not make "
+                              "it faster",
+                              kMostJobs));
+  }
+  return std::min(options.jobs, kMostJobs);
+}
+
+void stream(const SweepTask& task,
+            const SweepOptions& options,
+            const SweepHooks& hooks,
+            Diagnostics& found,
+            Outcome& outcome) {
+  StreamedSweep sweep(task, hooks);
+  const RunEnd end = sweep.run(thread_count(options, found));
+  if (end == RunEnd::refused) {
+    found.error("E0152", {}, "standard output cannot be written");
+  } else if (end == RunEnd::complete && !options.is_quiet) {
+    outcome.err += sweep_text(task.header, sweep.counts());
+  }
+}
+
+void store(const SweepTask& task,
+           const SweepOptions& options,
+           const SweepHooks& hooks,
+           Diagnostics& found,
+           Outcome& outcome) {
+  StoredSweep sweep(task, options, hooks, found);
+  if (!sweep.prepare()) {
+    return;
+  }
+  if (sweep.was_finished()) {
+    outcome.err += options.is_quiet ? "" : fmt::format("{}: complete\n", task.header.stem);
+    return;
+  }
+  const RunEnd end = sweep.run(thread_count(options, found));
+  if (end == RunEnd::stopped && !options.is_quiet) {
+    outcome.err += fmt::format("{}: interrupted; --resume goes on with it\n", task.header.stem);
+  }
+  if (end == RunEnd::complete && sweep.finish() && !options.is_quiet) {
+    outcome.err += sweep_text(task.header, sweep.counts());
+  }
+}
+
+void sweep_into(const std::string& path,
+                const SweepOptions& options,
+                const SweepHooks& hooks,
+                Outcome& outcome) {
+  SourceFile source;
+  Diagnostics found;
+  std::string told;
+  if (std::optional<Loaded> loaded = load(path, options.overrides, source, found)) {
+    std::optional<SweepTask> task = make_sweep_task(source, *std::move(loaded), options, found);
+    if (task) {
+      task->tapes = record_tapes(*task);
+      Outcome counted;
+      options.folder.empty() ? stream(*task, options, hooks, found, counted)
+                             : store(*task, options, hooks, found, counted);
+      told = std::move(counted.err);
+    }
+  }
+  add_diagnostics(source, found, Strictness::normal, outcome);
+  outcome.err += told;
+}
+
+}  // namespace
+
+Outcome sweep_file(const std::string& path, const SweepOptions& options, const SweepHooks& hooks) {
+  Outcome outcome;
+  outcome.form = options.diagnostics;
+  try {
+    sweep_into(path, options, hooks, outcome);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& bug) {
+    add_bug(path, bug.what(), outcome);
+  }
+  return outcome;
+}
+
+}  // namespace kinestat

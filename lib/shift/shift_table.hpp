@@ -1,0 +1,43 @@
+// How the gears of a transmission follow each other.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace kinestat {
+
+/// A gear as the table sees it.
+struct TableGear {
+  int state = 0;                ///< index into ShiftSolution::states
+  std::optional<double> ratio;  ///< ω_in/ω_out of the first input and output
+  std::vector<int> engaged;     ///< ascending
+};
+
+/// A change of gear in which one element opens and one engages, or one does either.
+struct GearChange {
+  int from = 0;  ///< states; the change back exchanges them
+  int to = 0;
+  int opens = -1;  ///< element; -1: none
+  int engages = -1;
+};
+
+/// Lists of states are indices into ShiftSolution::states.
+struct ShiftTable {
+  std::vector<std::optional<double>> steps;    ///< of each gear, in their order: ratio of the next
+                                               ///< lower gear / its own; empty for the first and
+                                               ///< for reverse gears
+  std::optional<double> span;                  ///< ratio of the first / ratio of the last forward
+                                               ///< gear; empty with fewer than two
+  std::vector<std::vector<int>> equal_ratios;  ///< gears of one ratio by different elements
+  std::vector<GearChange> changes;
+};
+
+/// The order of the table: falling forward ratios, then reverse gears by falling size, then those
+/// without a ratio; equal ones stay in their order.
+void sort_gears(std::vector<TableGear>& gears);
+
+/// Of sorted gears. Ratios that differ by rounding are equal.
+ShiftTable make_shift_table(std::span<const TableGear> gears);
+
+}  // namespace kinestat

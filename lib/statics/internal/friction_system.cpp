@@ -1,0 +1,208 @@
+#include "statics/internal/friction_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "core/tolerance.hpp"
+#include "statics/action.hpp"
+#include "statics/coupling_wrenches.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::vector<int> indices_of(std::span<const Primary> primaries) {
+  std::vector<int> indices;
+  for (const Primary& primary : primaries) {
+    indices.push_back(primary.index);
+  }
+  return indices;
+}
+
+std::vector<double> values_of(std::span<const Primary> primaries) {
+  std::vector<double> values;
+  for (const Primary& primary : primaries) {
+    values.push_back(primary.value);
+  }
+  return values;
+}
+
+}  // namespace
+
+FrictionSystem::FrictionSystem(const Mechanism& mechanism,
+                               const CoordinateBasis& basis,
+                               std::span<const Primary> primaries,
+                               std::span<const BodyWrench> loads,
+                               std::span<const FrictionLaw> laws)
+    : mechanism_(mechanism),
+      primaries_(primaries),
+      loads_(loads),
+      laws_(laws),
+      equilibrium_(mechanism, basis, indices_of(primaries)),
+      frictionless_(equilibrium_.solve(values_of(primaries), loads).magnitudes),
+      responses_(laws.size()),
+      is_open_(laws.size(), false) {}
+
+const VecX& FrictionSystem::response(std::size_t i) const {
+  if (!responses_[i]) {
+    const std::vector<double> nothing(primaries_.size(), 0.0);
+    responses_[i] = equilibrium_.solve(nothing, pair_of(laws_[i], 1.0)).magnitudes;
+  }
+  return *responses_[i];
+}
+
+// The friction on both bodies.
+std::vector<BodyWrench> FrictionSystem::pair_of(const FrictionLaw& law, double magnitude) const {
+  const CouplingTopology& coupling = mechanism_.topology.coupling(law.coupling);
+  const BodyPair bodies =
+      law.between.value_or(BodyPair{.tail = coupling.tail, .head = coupling.head});
+  return {{.body = bodies.head, .wrench = magnitude * law.unit},
+          {.body = bodies.tail, .wrench = -magnitude * law.unit}};
+}
+
+Vec6 FrictionSystem::coupling_wrench(CouplingId id, const VecX& magnitudes) const {
+  const CouplingTopology& coupling = mechanism_.topology.coupling(id);
+  Vec6 sum = Vec6::Zero();
+  for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
+    sum += magnitudes[a] * mechanism_.geometry.actions[static_cast<std::size_t>(a)].coordinates();
+  }
+  return sum;
+}
+
+bool FrictionSystem::needs_open_action(const FrictionLaw& law) const {
+  return std::ranges::any_of(open_actions_, [&](int a) {
+    const CouplingId owner = mechanism_.topology.actions[static_cast<std::size_t>(a)].coupling;
+    const Vec6 screw = mechanism_.geometry.actions[static_cast<std::size_t>(a)].coordinates();
+    return std::ranges::any_of(law.parts, [&](const PressingPart& part) {
+      return owner == part.of.value_or(law.coupling) &&
+             (part.part * screw).norm() > kCancellation * screw.norm() * part.part.norm();
+    });
+  });
+}
+
+void FrictionSystem::find_open(std::vector<int> undetermined) {
+  open_actions_ = std::move(undetermined);
+  for (bool goes_on = !open_actions_.empty(); goes_on;) {
+    goes_on = false;
+    for (std::size_t i = 0; i < laws_.size(); ++i) {
+      if (is_open_[i] || !needs_open_action(laws_[i])) {
+        continue;
+      }
+      is_open_[i] = true;
+      goes_on = true;
+      const double largest = response(i).cwiseAbs().maxCoeff();
+      for (int a = 0; a < response(i).size(); ++a) {
+        if (std::abs(response(i)[a]) > kCancellation * largest) {
+          open_actions_.push_back(a);
+        }
+      }
+      std::ranges::sort(open_actions_);
+      open_actions_.erase(std::unique(open_actions_.begin(), open_actions_.end()),
+                          open_actions_.end());
+    }
+  }
+}
+
+FrictionFunction FrictionSystem::function_of(std::size_t i,
+                                             const std::vector<std::size_t>& chosen) const {
+  FrictionFunction function{.constant = laws_[i].constant, .forces = {}};
+  for (const PressingPart& part : laws_[i].parts) {
+    PressingForce force;
+    force.part = &part;
+    const CouplingId pressed = part.of.value_or(laws_[i].coupling);
+    force.constant = part.part * coupling_wrench(pressed, frictionless_);
+    force.slopes.resize(3, static_cast<Eigen::Index>(chosen.size()));
+    for (std::size_t j = 0; j < chosen.size(); ++j) {
+      force.slopes.col(static_cast<Eigen::Index>(j)) =
+          part.part * coupling_wrench(pressed, response(chosen[j]));
+    }
+    function.forces.push_back(std::move(force));
+  }
+  return function;
+}
+
+VecX FrictionSystem::actions_with(const ChosenFrictions& frictions) const {
+  VecX actions = frictionless_;
+  for (std::size_t i = 0; i < frictions.laws.size(); ++i) {
+    actions += frictions.magnitudes[static_cast<Eigen::Index>(i)] * response(frictions.laws[i]);
+  }
+  return actions;
+}
+
+void FrictionSystem::leave_open(StaticSolution& solution) const {
+  for (std::size_t i = 0; i < laws_.size(); ++i) {
+    const CouplingId coupling = laws_[i].coupling;
+    if (is_open_[i] && std::ranges::count(solution.open_friction, coupling) == 0) {
+      solution.open_friction.push_back(coupling);
+    }
+  }
+  if (solution.open_friction.empty()) {
+    return;
+  }
+  solution.check.undetermined = open_actions_;
+  for (const int a : open_actions_) {
+    solution.magnitudes[static_cast<std::size_t>(a)].reset();
+  }
+  solution.wrenches = coupling_wrenches(mechanism_, solution);
+}
+
+void FrictionSystem::add_friction(const ChosenFrictions& frictions,
+                                  StaticSolution& solution) const {
+  for (std::size_t i = 0; i < frictions.laws.size(); ++i) {
+    const FrictionLaw& law = laws_[frictions.laws[i]];
+    const double magnitude = frictions.magnitudes[static_cast<Eigen::Index>(i)];
+    const auto e = static_cast<std::size_t>(law.coupling.value);
+    solution.friction.push_back({.coupling = law.coupling,
+                                 .between = law.between,
+                                 .magnitude = magnitude,
+                                 .is_couple = law.is_couple,
+                                 .wrench = magnitude * law.unit});
+    if (!law.between && e < solution.wrenches.size() && solution.wrenches[e]) {
+      solution.wrenches[e] = *solution.wrenches[e] + solution.friction.back().wrench;
+    }
+  }
+}
+
+// Reactions that press but do not rub, where all actions of their coupling are known.
+void FrictionSystem::add_ignored(StaticSolution& solution) const {
+  const double length = mechanism_.geometry.length;
+  VecX magnitudes(mechanism_.topology.action_count());
+  for (Eigen::Index a = 0; a < magnitudes.size(); ++a) {
+    magnitudes[a] = solution.magnitudes[static_cast<std::size_t>(a)].value_or(std::nan(""));
+  }
+  for (const FrictionLaw& law : laws_) {
+    const Vec6 wrench = coupling_wrench(law.coupling, magnitudes);
+    const double force = wrench.tail<3>().norm() + wrench.head<3>().norm() / length;
+    for (const IgnoredPart& one : law.ignored) {
+      const double size = (one.part * wrench).norm();
+      const bool is_couple = one.reaction != Reaction::axial;
+      if (size > kNoReaction * force * (is_couple ? length : 1.0)) {
+        solution.ignored.push_back(
+            {.coupling = law.coupling, .reaction = one.reaction, .size = size});
+      }
+    }
+  }
+}
+
+StaticSolution FrictionSystem::solution_with(const ChosenFrictions& frictions) const {
+  std::vector<BodyWrench> all(loads_.begin(), loads_.end());
+  for (std::size_t i = 0; i < frictions.laws.size(); ++i) {
+    std::ranges::copy(
+        pair_of(laws_[frictions.laws[i]], frictions.magnitudes[static_cast<Eigen::Index>(i)]),
+        std::back_inserter(all));
+  }
+  StaticSolution solution = solve_action(mechanism_, equilibrium_.basis(), primaries_, all);
+  if (solution.unheld) {
+    std::erase_if(solution.unheld->loads, [&](int load) { return load >= std::ssize(loads_); });
+  }
+  if (!solution.magnitudes.empty()) {
+    leave_open(solution);
+    add_friction(frictions, solution);
+    add_ignored(solution);
+  }
+  return solution;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,101 @@
+#include "statics/mesh_loss.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/contract.hpp"
+#include "core/tolerance.hpp"
+#include "mechanism/mesh.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Power of a wrench as a linear form: power = row * wrench.
+Eigen::Matrix<double, 1, 6> power_on(const Twist& twist) {
+  Eigen::Matrix<double, 1, 6> row;
+  row << twist.angular.transpose(), twist.linear.transpose();
+  return row;
+}
+
+class LawMaker {
+ public:
+  LawMaker(const Mechanism& mechanism, const KinematicSolution& motion)
+      : mechanism_(mechanism), motion_(motion) {
+    for (const Twist& twist : motion.bodies) {
+      fastest_ = std::max(fastest_, twist.angular.norm());
+    }
+  }
+
+  // Empty if it does not roll: what is rounding of the power is that of the speed.
+  std::optional<MeshLossLaw> law_of(const LossyMesh& mesh, BodyId carrier) const {
+    const CouplingTopology& coupling = mechanism_.topology.coupling(mesh.coupling);
+    if (speed_of(coupling.head, carrier) <= kPowerBalance * fastest_ ||
+        speed_of(coupling.tail, carrier) <= kPowerBalance * fastest_) {
+      return std::nullopt;
+    }
+    return MeshLossLaw{.head_driven = law_where_driven(mesh, carrier, coupling.head, 1.0),
+                       .tail_driven = law_where_driven(mesh, carrier, coupling.tail, -1.0)};
+  }
+
+ private:
+  Vec3 turning_of(BodyId gear, BodyId carrier) const {
+    return (twist_of(gear) - twist_of(carrier)).angular;
+  }
+
+  double speed_of(BodyId gear, BodyId carrier) const { return turning_of(gear, carrier).norm(); }
+
+  // `sign` times the power into the head is positive where the mesh drives that gear.
+  FrictionLaw law_where_driven(const LossyMesh& mesh,
+                               BodyId carrier,
+                               BodyId gear,
+                               double sign) const {
+    const BodyId head = mechanism_.topology.coupling(mesh.coupling).head;
+    FrictionLaw law;
+    law.coupling = mesh.coupling;
+    law.between = BodyPair{.tail = carrier, .head = gear};
+    law.speed = speed_of(gear, carrier);
+    law.unit = unit_couple(Vec3(-turning_of(gear, carrier) / law.speed));
+    PressingPart part;
+    part.part.row(0) = sign / law.speed * power_on(twist_of(head) - twist_of(carrier));
+    part.weight = mesh.share;
+    law.parts = {part};
+    return law;
+  }
+
+  const Twist& twist_of(BodyId body) const {
+    return motion_.bodies[static_cast<std::size_t>(body.value)];
+  }
+
+  const Mechanism& mechanism_;
+  const KinematicSolution& motion_;
+  double fastest_ = 0.0;
+};
+
+}  // namespace
+
+MeshLossLaws find_mesh_loss_laws(const Mechanism& mechanism, const KinematicSolution& motion) {
+  MeshLossLaws result;
+  if (mechanism.lossy_meshes.empty()) {
+    return result;
+  }
+  const LawMaker maker(mechanism, motion);
+  const std::vector<Mesh> meshes = find_meshes(mechanism.topology, mechanism.geometry);
+  for (const LossyMesh& lossy : mechanism.lossy_meshes) {
+    const auto mesh = std::ranges::find(meshes, lossy.coupling, &Mesh::coupling);
+    KINESTAT_EXPECTS(mesh != meshes.end());
+    if (!mesh->carrier) {
+      result.without_carrier.push_back(lossy.coupling);
+      continue;
+    }
+    std::optional<MeshLossLaw> law = maker.law_of(lossy, *mesh->carrier);
+    if (law) {
+      result.laws.push_back(*std::move(law));
+    } else {
+      result.not_rolling.push_back(lossy.coupling);
+    }
+  }
+  return result;
+}
+
+}  // namespace kinestat

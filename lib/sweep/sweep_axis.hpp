@@ -1,0 +1,59 @@
+// One parameter of a sweep and the values that it runs through.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "description/mechanism_description.hpp"
+#include "expression/exact.hpp"
+#include "expression/file_units.hpp"
+
+namespace kinestat {
+
+/// The values are made when they are asked for, so that an axis of a million takes no memory. A
+/// range counts exactly where its ends and its step are fractions in the unit of the file: 0.1 to
+/// 0.3 by 0.1 has three values, and the third is the double that is typed 0.3.
+class SweepAxis {
+ public:
+  /// `description` must have passed bind, `varied` belong to its sweep and `exact` hold its
+  /// parameters.
+  SweepAxis(const MechanismDescription& description,
+            const VariedParameter& varied,
+            const BasicParameterTable<Exact>& exact);
+
+  const std::string& name() const { return name_; }
+
+  /// Index of the parameter in the description.
+  int parameter() const { return parameter_; }
+
+  /// Of its values as they are shown; empty for a bare number.
+  const std::string& unit() const { return unit_.text; }
+
+  const Dimension& dimension() const { return dimension_; }
+
+  std::uint64_t size() const { return size_; }
+
+  /// The value of that index, counted in the unit.
+  double count_at(std::uint64_t index) const;
+
+  /// In SI: what the file would give if the value were typed there.
+  Quantity value_at(std::uint64_t index) const;
+
+ private:
+  void read_list(const std::vector<Value>& values, const BasicParameterTable<Exact>& exact);
+  void read_range(const VariedParameter& varied, const BasicParameterTable<Exact>& exact);
+
+  std::string name_;
+  int parameter_ = -1;
+  NamedUnit unit_;
+  Dimension dimension_;
+  std::uint64_t size_ = 0;
+  std::vector<double> counts_;  ///< of a list
+  std::vector<double> values_;  ///< of a list, SI
+  double from_ = 0.0;           ///< of a range: value i is (from + i · step) / denominator
+  double step_ = 0.0;
+  double denominator_ = 1.0;
+};
+
+}  // namespace kinestat

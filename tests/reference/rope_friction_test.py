@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""Holds belts and capstans against the closed forms of Euler and Eytelwein.
+
+Usage: rope_friction_test.py PROGRAM [unittest arguments]
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+import unittest
+
+import program
+from reference_case import TABLES
+from reference_test_case import ReferenceTest
+
+
+class Belts(ReferenceTest):
+    """Two pulleys with a belt, open or crossed."""
+
+    def text(self, radii: tuple[float, float], distance: float, crossed: bool, case: str,
+             slip: bool = False, mu: float = 0.3) -> str:
+        other = "counterclockwise" if crossed else "clockwise"
+        return f"""\
+kinestat: 1
+space: planar
+ground: frame
+bodies: [driver, driven]
+couplings:
+  A: {{type: revolute, bodies: [frame, driver], at: [0, 0]}}
+  B: {{type: revolute, bodies: [frame, driven], at: [{distance}, 0]}}
+cables:
+  belt:
+    closed: true
+    over:
+      - {{pulley: driver, radius: {radii[0]}, wrap: clockwise, friction: {mu},
+         slip: {str(slip).lower()}}}
+      - {{pulley: driven, radius: {radii[1]}, wrap: {other}}}
+actuators: {{in: {{coupling: A}}, out: {{coupling: B}}}}
+cases:
+  {case}
+"""
+
+    def test_angles_ratios_and_tensions(self) -> None:
+        for radii, distance in (((1.0, 1.0), 5.0), ((1.0, 2.0), 7.0), ((3.0, 0.5), 4.0)):
+            for crossed in (False, True):
+                with self.subTest(radii=radii, crossed=crossed):
+                    # Clockwise, the driver draws in belt_2, which arrives, and lets out belt_1.
+                    case = "one: {motion: {in: -2}, action: {in: -6, belt_1.F: 5}}"
+                    text = self.text(radii, distance, crossed, case)
+                    one = program.run("analyze", "-", text=text)["cases"]["one"]
+                    small, large = radii
+                    if crossed:
+                        angle = math.pi + 2 * math.asin((small + large) / distance)
+                        angles = (angle, angle)
+                    else:
+                        lean = 2 * math.asin((large - small) / distance)
+                        angles = (math.pi - lean, math.pi + lean)
+                    sense = -1 if crossed else 1
+                    rates = one["kinematics"]["freedoms"]
+                    self.near(rates["B.wz"], -2 * sense * radii[0] / radii[1], "rate", 12.0)
+                    actions = one["statics"]["actions"]
+                    tight = 5 + 6 / radii[0]
+                    self.near(actions["belt_2.F"], tight, "tight", tight)
+                    self.near(actions["out"], sense * 6 * radii[1] / radii[0], "out", 12.0)
+                    contacts = one["statics"]["contacts"]
+                    for name, angle in zip(("belt_driver", "belt_driven"), angles):
+                        self.near(contacts[name]["wrap"], angle, f"wrap of {name}", angle)
+                    driver = contacts["belt_driver"]
+                    limit = math.exp(0.3 * angles[0])
+                    self.near(driver["limit"], limit, "limit", limit)
+                    self.near(driver["ratio"], tight / 5, "ratio", tight)
+                    self.assertEqual(
+                        driver["grip"], "sticks" if tight / 5 <= limit else "would slip")
+
+    def test_that_slips(self) -> None:
+        """Tight = slack exp(mu theta), and the slip takes (tight - slack) times its speed."""
+        radii, distance, mu = (1.0, 2.0), 7.0, 0.3
+        ratio = math.exp(mu * (math.pi - 2 * math.asin(1 / distance)))
+        case = "one: {motion: {in: -2, out: -0.9}, action: {belt_1.F: 5}, input: in, output: out}"
+        one = program.run(
+            "analyze", "-", text=self.text(radii, distance, False, case, slip=True, mu=mu))
+        one = one["cases"]["one"]
+        contact = one["statics"]["contacts"]["belt_driver"]
+        actions = one["statics"]["actions"]
+        # The belt runs at 1.8, the rim of the driver at 2: the belt falls back.
+        self.near(contact["slip_speed"], -0.2, "slip")
+        self.near(contact["before"], 5 * ratio, "tight", 10.0)
+        self.near(contact["after"], 5.0, "slack", 5.0)
+        self.near(contact["slip_power"], -0.2 * 5 * (ratio - 1), "slip power", 1.0)
+        self.near(actions["in"], -5 * (ratio - 1), "in", 10.0)
+        self.near(actions["out"], 10 * (ratio - 1), "out", 20.0)
+        self.near(one["power"]["efficiency"]["friction"], 0.9, "efficiency")
+
+
+class Capstans(ReferenceTest):
+    """exp(mu theta) against the table of davies.json, the rope being pulled either way."""
+
+    # Where the rope comes from and goes to, the axes of its ends, and full turns beside the arc.
+    ROUTES = {"pi": ("[-1, -9]", "y", "[1, -9]", "y", 0),
+              "pi/2": ("[-1, -9]", "y", "[9, 1]", "x", 0),
+              "2 pi": ("[-9, 1]", "x", "[9, 1]", "x", 1),
+              "6 pi": ("[-9, 1]", "x", "[9, 1]", "x", 3)}
+
+    def test_ratios(self) -> None:
+        self.assertEqual(len(TABLES["capstan"]), 4)
+        for row in TABLES["capstan"]:
+            start, first, end, last, turns = self.ROUTES[row["theta_expr"]]
+            text = f"""\
+kinestat: 1
+space: planar
+ground: frame
+bodies: [first, last]
+couplings:
+  a: {{type: prismatic, bodies: [frame, first], at: {start}, axis: {first}}}
+  b: {{type: prismatic, bodies: [frame, last], at: {end}, axis: {last}}}
+cables:
+  rope:
+    over:
+      - {{body: first, at: {start}}}
+      - {{pulley: frame, at: [0, 0], radius: 1, wrap: clockwise, slip: true, turns: {turns},
+         friction: {row['mu']}}}
+      - {{body: last, at: {end}}}
+cases:
+  onwards: {{motion: {{rope_frame.wz: -2}}, action: {{rope_1.F: 1}}}}
+  back: {{motion: {{rope_frame.wz: 2}}, action: {{rope_1.F: 1}}}}
+actuators: {{A: {{coupling: a}}, B: {{coupling: b}}}}
+"""
+            with self.subTest(row["theta_expr"]):
+                cases = program.run("analyze", "-", text=text)["cases"]
+                for label, ratio in (("onwards", row["ratio"]), ("back", 1 / row["ratio"])):
+                    statics = cases[label]["statics"]
+                    contact = statics["contacts"]["rope_frame"]
+                    self.near(contact["wrap"], row["theta"], "theta", row["theta"])
+                    self.near(contact["limit"], row["ratio"], "limit", row["ratio"])
+                    self.near(statics["actions"]["rope_2.F"], ratio, "T_2", ratio)
+                    self.near(contact["ratio"], row["ratio"], "ratio", row["ratio"])
+                    self.assertEqual(contact["grip"], "slips")
+                    # Clockwise is the order of the rope: onwards at the speed 2.
+                    speed = 2.0 if label == "onwards" else -2.0
+                    self.near(contact["slip_speed"], speed, "slip")
+                    power = (1 - ratio) * speed
+                    self.near(contact["slip_power"], power, "power", abs(power))
+                    self.assertLess(contact["slip_power"], 0.0)
+
+
+if __name__ == "__main__":
+    program.use(sys.argv[1])
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])

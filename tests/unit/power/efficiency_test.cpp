@@ -1,0 +1,88 @@
+#include "power/efficiency.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kinestat {
+namespace {
+
+// Actuators 0 and 1 are inputs, 2 is the output, 3 neither.
+Case drive() {
+  Case which;
+  which.inputs = {0, 1};
+  which.outputs = {2};
+  return which;
+}
+
+Efficiency efficiency_of(const Case& which,
+                         const std::vector<double>& actuators,
+                         const std::vector<double>& loads = {}) {
+  return find_efficiency(which, {.actuators = actuators, .loads = loads, .largest = 100.0});
+}
+
+TEST(Efficiency, IsWhatLeavesOfAllThatEnters) {
+  const Efficiency found = efficiency_of(drive(), {60.0, 40.0, -97.0, 0.0});
+
+  EXPECT_EQ(found.value, 0.97);
+  EXPECT_TRUE(found.reason.empty());
+  EXPECT_FALSE(found.is_self_locking);
+}
+
+TEST(Efficiency, HasNoValueWithoutNames) {
+  const Efficiency found = efficiency_of(Case{}, {100.0, 0.0, -97.0, 0.0});
+
+  EXPECT_FALSE(found.value.has_value());
+  EXPECT_TRUE(found.reason.empty());
+}
+
+TEST(Efficiency, HasNoValueWhereOthersExchangePower) {
+  EXPECT_EQ(efficiency_of(drive(), {100.0, 0.0, -97.0, 1.0}).reason,
+            "loads or other actuators exchange power too");
+  EXPECT_EQ(efficiency_of(drive(), {100.0, 0.0, -97.0, 0.0}, {-1.0}).reason,
+            "loads or other actuators exchange power too");
+}
+
+TEST(Efficiency, HasNoValueWhereOneInputTakesPower) {
+  EXPECT_EQ(efficiency_of(drive(), {100.0, -20.0, -70.0, 0.0}).reason,
+            "one of the inputs takes power");
+}
+
+TEST(Efficiency, HasNoValueWhereOneOutputGivesPower) {
+  Case which = drive();
+  which.outputs = {2, 3};
+
+  EXPECT_EQ(efficiency_of(which, {100.0, 0.0, -110.0, 20.0}).reason,
+            "one of the outputs gives power");
+}
+
+TEST(Efficiency, HasNoValueInReverse) {
+  EXPECT_EQ(efficiency_of(drive(), {-97.0, 0.0, 100.0, 0.0}).reason,
+            "the inputs take power, the outputs drive");
+}
+
+TEST(Efficiency, IsNeverAboveOne) {
+  EXPECT_EQ(efficiency_of(drive(), {100.0, 0.0, -100.00000000000001, 0.0}).value, 1.0);
+  EXPECT_EQ(efficiency_of(drive(), {100.0, 0.0, -101.0, 0.0}).reason, "the powers do not balance");
+}
+
+// Rounding of the powers inside must not become an efficiency.
+TEST(Efficiency, HasNoValueWithoutPower) {
+  EXPECT_EQ(efficiency_of(drive(), {0.0, 0.0, 0.0, 0.0}).reason, "the inputs give no power");
+  EXPECT_EQ(efficiency_of(drive(), {1e-14, 0.0, -3e-14, 0.0}).reason, "the inputs give no power");
+}
+
+TEST(Efficiency, IsSelfLockingWhereTheOutputDrivesToo) {
+  const Efficiency found = efficiency_of(drive(), {100.0, 0.0, 10.0, 0.0});
+
+  EXPECT_FALSE(found.value.has_value());
+  EXPECT_TRUE(found.is_self_locking);
+}
+
+TEST(Efficiency, OfZeroHasAReason) {
+  const Efficiency found = efficiency_of(drive(), {100.0, 0.0, 1e-12, 0.0});
+
+  EXPECT_EQ(found.value, 0.0);
+  EXPECT_EQ(found.reason, "friction takes all that the inputs give");
+}
+
+}  // namespace
+}  // namespace kinestat
