@@ -362,9 +362,10 @@ constexpr auto kCodes = std::to_array<Code>({
     {"W0302",
      done,
      "section is not analysed yet",
-     "The section or key is read and checked, but this version has no analysis for it. The rest "
-     "of the file is analysed as if it were absent; no other answer depends on it. 'kinestat "
-     "check' warns in this way also of what leaves 'kinestat analyze' without an answer (E0315)."},
+     "The section or key is read and checked, but this version has no analysis for it, or has it "
+     "in a command of its own, which the hint names. The rest of the file is analysed as if it "
+     "were absent; no other answer depends on it. 'kinestat check' warns in this way also of what "
+     "leaves 'kinestat analyze' without an answer (E0315)."},
     {"W0303",
      done,
      "angle is more than a full turn",

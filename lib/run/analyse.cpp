@@ -33,6 +33,12 @@ std::optional<FileReport> analyse_description(const std::string& path,
                                               const ReportForms& forms,
                                               Diagnostics& found) {
   std::optional<Mechanism> mechanism = bind(description, found);
+  if (description.synthesis && !found.has_errors()) {
+    found.warning("W0302",
+                  description.synthesis->where,
+                  "section 'synthesis' is left to a command of its own",
+                  "'kinestat synthesize' answers it");
+  }
   if (mechanism) {
     std::optional<ShiftAnalysis> shift = add_gears(description, *mechanism, {}, found);
     if (found.has_errors()) {
