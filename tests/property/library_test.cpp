@@ -118,7 +118,7 @@ TEST_P(LibraryMechanism, MovesAlikeInTheMinimalOrder) {
 }
 
 TEST(Library, HoldsTheMechanismsThatItsFolderNames) {
-  const std::vector<std::string> files = list_files();
+  const std::vector<std::string> files = list_library_files();
 
   EXPECT_GE(files.size(), 2U);
   EXPECT_TRUE(std::ranges::binary_search(files, "planar/four_bar.yaml"));

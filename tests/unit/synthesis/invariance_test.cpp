@@ -175,7 +175,9 @@ TEST(Invariance, UnderAnotherUnitOfTheParameter) {
 TEST(Invariance, UnderReordering) {
   for (const Positions& task : tasks()) {
     Positions turned = task;
-    std::ranges::rotate(turned, turned.begin() + static_cast<std::ptrdiff_t>(task.size() / 2));
+    std::rotate(turned.begin(),
+                turned.begin() + static_cast<std::ptrdiff_t>(task.size() / 2),
+                turned.end());
     const BurmesterSolution before = solve_burmester(task);
 
     const BurmesterSolution after = solve_burmester(turned);
