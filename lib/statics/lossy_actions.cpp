@@ -176,7 +176,9 @@ class SenseSearch {
       const PressingForce& force = function.forces.front();
       const double share = force.part->weight;
       right.first[r] = share * force.constant.x();
-      right.rest.row(r) = share * force.slopes.row(0).head(friction_count);
+      for (Eigen::Index f = 0; f < friction_count; ++f) {
+        right.rest(r, f) = share * force.slopes(0, f);
+      }
       system.row(r) -= share * force.slopes.row(0).tail(count);
     }
     const std::optional<VecX> first = solve_dense(system, right.first);
