@@ -145,14 +145,20 @@ class StateSolver {
     for (Eigen::Index o = 0; o < network_.outputs.rows(); ++o) {
       unknown.push_back(network_.outputs.row(o));
     }
-    if (static_cast<Eigen::Index>(unknown.size()) != motions) {
+    const auto count = static_cast<Eigen::Index>(unknown.size());
+    if (count == 0 || count > motions) {
       return;
     }
-    MatX powers(motions, motions);
-    for (Eigen::Index u = 0; u < motions; ++u) {
+    MatX powers(motions, count);
+    for (Eigen::Index u = 0; u < count; ++u) {
       powers.col(u) = unknown[static_cast<std::size_t>(u)].transpose();
     }
-    if (const std::optional<VecX> torques = solve_dense(powers, work)) {
+    // Idle motions have no torque that works on them, so that there are more equations.
+    const std::optional<VecX> torques =
+        count == motions
+            ? solve_dense(powers, work)
+            : solve_dense(powers.transpose() * powers, VecX(powers.transpose() * work));
+    if (torques && (powers * *torques - work).norm() <= kConsistency * work.norm()) {
       fill_torques(*torques);
     }
   }

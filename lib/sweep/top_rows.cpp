@@ -3,15 +3,31 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 namespace kinestat {
 
+namespace {
+
+// Without the last twelve or so of 53 bits, which are rounding: what is the same by the formulas of
+// a mechanism ties.
+double without_rounding(double key) {
+  constexpr int kBits = 41;
+  int exponent = 0;
+  const double mantissa = std::frexp(key, &exponent);
+  return std::ldexp(std::nearbyint(std::ldexp(mantissa, kBits)), exponent - kBits);
+}
+
+}  // namespace
+
 bool TopRows::is_better(const RankedRow& a, const RankedRow& b) const {
-  if (a.key != b.key) {
-    return (a.key > b.key) == (order_ == RankOrder::largest);
+  const double key_a = without_rounding(a.key);
+  const double key_b = without_rounding(b.key);
+  if (key_a != key_b) {
+    return (key_a > key_b) == (order_ == RankOrder::largest);
   }
   return a.number < b.number;
 }

@@ -74,6 +74,19 @@ MechanismDescription without_tasks(MechanismDescription description) {
   return description;
 }
 
+// Whether one engages depends on the state, and the gears of a sweep are those of the file.
+void refuse_freewheels(const MechanismDescription& description, Diagnostics& found) {
+  for (const CouplingDescription& coupling : description.couplings) {
+    if (coupling.one_way) {
+      found.error("E0315",
+                  coupling.name.where,
+                  fmt::format("freewheel '{}' in a sweep is not analysed yet", coupling.name.text),
+                  "remove 'one_way' for the sweep, which then shows the torque of the engaged "
+                  "element; 'kinestat shift --set' decides single states");
+    }
+  }
+}
+
 // By the name in the file, without the unit.
 std::optional<std::size_t> find_key(const std::vector<SweepQuantity>& quantities,
                                     const TopChoice& top,
@@ -162,6 +175,7 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
     return std::nullopt;
   }
   const int errors_before = found.error_count();
+  refuse_freewheels(description, found);
   const std::vector<Case> all = sweepable_cases(loaded.mechanism);
   std::vector<std::size_t> chosen = choose_cases(*description.sweep, all, found);
   std::vector<Case> cases;

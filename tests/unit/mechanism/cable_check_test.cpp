@@ -24,11 +24,11 @@ std::string hoist(const std::string& stations, const std::string& rest = "") {
 }
 
 TEST(CableCheck, AcceptsAHoist) {
-  EXPECT_EQ(complaints_of(check_of(hoist(
-                "      - {body: block, at: [-10, -30]}\n"
-                "      - {pulley: wheel, radius: 10, wrap: clockwise, slip: true, friction: 0,\n"
-                "         eta: 1, axis: -z}\n"
-                "      - {pulley: plate, at: [10, -30], radius: 2, wrap: clockwise}\n"))),
+  EXPECT_EQ(complaints_of(check_of(
+                hoist("      - {body: block, at: [-10, -30]}\n"
+                      "      - {pulley: wheel, radius: 10, wrap: counterclockwise, slip: true,\n"
+                      "         friction: 0, eta: 1, axis: -z}\n"
+                      "      - {pulley: plate, at: [10, -30], radius: 2, wrap: clockwise}\n"))),
             Complaints{});
 }
 
