@@ -572,6 +572,8 @@ sweep: {{vary: {{Ns: {{from: 17, to: {last}, step: 1}}}}, cases: [low], report: 
             done = subprocess.run(
                 [sys.executable, "-c", code, str(PROGRAM), "sweep", "-q", str(file)],
                 capture_output=True, encoding="utf-8", check=True, timeout=240,
+                # With the address sanitizer, what is freed is kept to be looked at.
+                env={**os.environ, "ASAN_OPTIONS": "quarantine_size_mb=4"},
             )
             return int(done.stdout)
 

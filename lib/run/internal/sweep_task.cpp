@@ -87,6 +87,22 @@ void refuse_freewheels(const MechanismDescription& description, Diagnostics& fou
   }
 }
 
+// A sweep gives what it varies its own values.
+void refuse_overridden_axes(const SweepDescription& sweep,
+                            const std::vector<Override>& overrides,
+                            Diagnostics& found) {
+  for (const Override& one : overrides) {
+    const std::string name = one.substr(0, one.find('='));
+    if (std::ranges::any_of(sweep.vary,
+                            [&](const VariedParameter& each) { return each.name.text == name; })) {
+      found.error("E0101",
+                  {},
+                  fmt::format("--set '{}': the sweep varies '{}' itself", printable(one), name),
+                  fmt::format("remove '{}' from 'vary:', or the option", name));
+    }
+  }
+}
+
 // By the name in the file, without the unit.
 std::optional<std::size_t> find_key(const std::vector<SweepQuantity>& quantities,
                                     const TopChoice& top,
@@ -176,6 +192,7 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
   }
   const int errors_before = found.error_count();
   refuse_freewheels(description, found);
+  refuse_overridden_axes(*description.sweep, options.overrides, found);
   const std::vector<Case> all = sweepable_cases(loaded.mechanism);
   std::vector<std::size_t> chosen = choose_cases(*description.sweep, all, found);
   std::vector<Case> cases;
