@@ -66,7 +66,7 @@ Outcome mobility_of_files(const std::vector<std::string>& paths, const AnalyseOp
     SourceFile source;
     Diagnostics found;
     std::optional<MechanismDescription> description =
-        load_description(path, options.overrides, source, found);
+        load_description(path, options.load, source, found);
     if (description) {
       if (const auto analysis = find_mobility(path, *std::move(description), found)) {
         add_to_stream(make_mobility_report(*analysis, forms, found), options, outcome);

@@ -295,7 +295,7 @@ Outcome sensitivity_files(const std::vector<std::string>& paths,
   return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
     SourceFile source;
     Diagnostics found;
-    if (std::optional<Loaded> loaded = load(path, options.overrides, source, found)) {
+    if (std::optional<Loaded> loaded = load(path, options.load, source, found)) {
       const Analysis analysis = solve_cases(path, *std::move(loaded));
       add_findings(analysis, found);
       if (const auto report = SensitivityJob(analysis, choice, found).run(forms)) {

@@ -29,7 +29,7 @@ std::optional<Analysis> find_shift(const std::string& path,
                                    SourceFile& source,
                                    Diagnostics& found) {
   const ShiftOptions sizes{.one_more = choice.one_more, .one_fewer = choice.one_fewer};
-  std::optional<Loaded> loaded = load(path, options.overrides, source, found, sizes);
+  std::optional<Loaded> loaded = load(path, options.load, source, found, sizes);
   if (!loaded) {
     return std::nullopt;
   }

@@ -149,7 +149,7 @@ Outcome synthesize_files(const std::vector<std::string>& paths, const AnalyseOpt
     SourceFile source;
     Diagnostics found;
     std::optional<MechanismDescription> description =
-        load_description(path, options.overrides, source, found);
+        load_description(path, options.load, source, found);
     if (description) {
       if (const auto analysis = find_synthesis(path, *std::move(description), found)) {
         add_to_stream(make_synthesis_report(*analysis, forms, found), options, outcome);

@@ -159,7 +159,7 @@ std::string plan_text(const SourceFile& source,
                       const SweepOptions& options,
                       const SweepPlan& plan) {
   std::string text = fmt::format("kinestat {} sweep 1\n", kVersion);
-  for (const Override& one : options.overrides) {
+  for (const Override& one : options.load.overrides) {
     text += fmt::format("set {}:{}\n", one.size(), one);
   }
   text += fmt::format("format {}\nchunks {} of {}\n",
@@ -218,7 +218,7 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
   }
   const int errors_before = found.error_count();
   const SweepDescription sweep = *description.sweep;
-  refuse_overridden_axes(sweep, options.overrides, found);
+  refuse_overridden_axes(sweep, options.load.overrides, found);
   CaseChoice choice(sweep, loaded, found);
   choice.run();
   std::vector<Case> cases;
