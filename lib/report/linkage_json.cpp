@@ -1,7 +1,11 @@
 #include "report/linkage_json.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
+
+#include "report/synthesis_report.hpp"
+#include "synthesis/linkage_motion.hpp"
 
 namespace kinestat {
 
@@ -40,7 +44,9 @@ Json lengths_json(const FourBarLengths& lengths, const PlaneJson& plane) {
   return result;
 }
 
-Json cognates_json(const Cognates& cognates, const PlaneJson& plane) {
+Json cognates_json(const Cognates& cognates, const Linkage& linkage, const PlaneJson& task_plane) {
+  const PlaneJson plane =
+      task_plane.with_zero(std::max(zero_length(linkage.one), zero_length(linkage.other)));
   Json result = Json::array();
   for (const FourBarPlaces& one : cognates.linkages) {
     Json entry = object_of(3);
@@ -83,8 +89,9 @@ Json verdict_json(const DriveVerdict& verdict,
 
 }  // namespace
 
-Json dyad_json(const Dyad& dyad, const PlaneJson& plane) {
+Json dyad_json(const Dyad& dyad, const PlaneJson& task_plane) {
   const bool is_crank = dyad.kind == DyadKind::crank;
+  const PlaneJson plane = task_plane.with_zero(zero_length(dyad));
   Json result = object_of(8);
   result["type"] = word_of(dyad.kind);
   result["circle_point"] = plane.point(dyad.circle_point);
@@ -114,11 +121,27 @@ Json linkage_json(const LinkageCandidate& candidate, const PlaneJson& plane) {
     result["grashof"]["class"] = word_of(candidate.grashof->kind);
     result["grashof"]["link"] = word_of(candidate.grashof->which);
   }
-  result["cognates"] =
-      candidate.cognates ? cognates_json(*candidate.cognates, plane) : Json(nullptr);
+  result["cognates"] = candidate.cognates
+                           ? cognates_json(*candidate.cognates, candidate.linkage, plane)
+                           : Json(nullptr);
   result["drives"] = Json::array();
   for (const DriveVerdict& verdict : candidate.verdicts) {
     result["drives"].push_back(verdict_json(verdict, candidate, plane));
+  }
+  return result;
+}
+
+Json coupler_curve_json(const LinkageCandidate& candidate,
+                        const Pose& start,
+                        const CurveExtent& extent,
+                        const PlaneJson& plane) {
+  const LinkageMotion motion =
+      trace_circuit(candidate.linkage, candidate.best_drive, start, extent.count, extent.reach);
+  Json result = object_of(2);
+  result["closed"] = motion.is_closed;
+  result["points"] = Json::array();
+  for (const Point& point : coupler_curve(motion, {0.0, 0.0})) {
+    result["points"].push_back(plane.point(point));
   }
   return result;
 }

@@ -1,8 +1,10 @@
 // Points, lengths and angles of the plane of a synthesis task as JSON.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
+#include "core/tolerance.hpp"
 #include "report/in_units.hpp"
 #include "report/json_values.hpp"
 #include "synthesis/special_frame.hpp"
@@ -15,6 +17,9 @@ class PlaneJson {
   /// Lengths below `zero` [m] are rounding and written as zero.
   PlaneJson(const FileUnits& units, double zero) : in_(units, {}), zero_(zero) {}
 
+  /// The same with lengths below `zero` [m] written as zero, if that is more.
+  PlaneJson with_zero(double zero) const { return {in_.units(), std::max(zero_, zero)}; }
+
   Json length(double value) const { return number(in_.length(snap(value, zero_))); }
 
   Json angle(double value) const { return number(in_.angle(value)); }
@@ -23,7 +28,8 @@ class PlaneJson {
 
   /// A unit vector.
   static Json direction(const Point& p) {
-    return Json::array({number(p.real()), number(p.imag())});
+    return Json::array(
+        {number(snap(p.real(), kReportsAgreeInZero)), number(snap(p.imag(), kReportsAgreeInZero))});
   }
 
   Json per_length(const std::optional<double>& value) const {

@@ -1,5 +1,7 @@
 #include "report/position_json.hpp"
 
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "synthesis/path_curvature.hpp"
@@ -15,6 +17,17 @@ Json derivatives_json(const PositionJets& position, const PlaneJson& plane) {
     entry["at"] = plane.point(origin(position, k));
     entry["angle"] = number(position.angle[static_cast<std::size_t>(k)]);
     result.push_back(std::move(entry));
+  }
+  return result;
+}
+
+// Of a path, by the parameter; what is rounding beside K is zero.
+Json curvature_json(const PathCurvature& curvature, const PlaneJson& plane) {
+  const double zero = kReportsAgreeInZero * std::abs(curvature.k.value_or(0.0));
+  Json result = Json::array();
+  for (std::optional<double> value : {curvature.k, curvature.k_prime, curvature.k_second}) {
+    value = value ? std::optional(snap(*value, zero)) : value;
+    result.push_back(plane.per_length(value));
   }
   return result;
 }
@@ -46,11 +59,7 @@ Json position_json(const PositionJets& position, const PlaneJson& plane) {
   result["derivatives"] = derivatives_json(position, plane);
   const auto pole = find_pole(position);
   result["pole"] = pole ? plane.point(*pole) : Json(nullptr);
-  // Of the path of the point `at`, by the parameter.
-  const PathCurvature curvature = find_path_curvature(position, {0.0, 0.0});
-  result["path_curvature"] = Json::array({plane.per_length(curvature.k),
-                                          plane.per_length(curvature.k_prime),
-                                          plane.per_length(curvature.k_second)});
+  result["path_curvature"] = curvature_json(find_path_curvature(position, {0.0, 0.0}), plane);
   const auto frame = find_special_frame(position);
   result["special_frame"] = frame ? frame_json(*frame, plane) : Json(nullptr);
   return result;

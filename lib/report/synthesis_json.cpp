@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "core/utf8.hpp"
 #include "report/linkage_json.hpp"
 #include "report/plane_cubic_json.hpp"
 #include "report/position_json.hpp"
@@ -59,7 +60,8 @@ class TaskJson {
   TaskJson(const SynthesisAnalysis& analysis, const SynthesisTask& task)
       : task_(task),
         plane_(analysis.description.units, zero_length(task)),
-        window_(window_of(task, analysis.curve_count)) {}
+        window_(window_of(task, analysis.curve_count)),
+        has_coupler_curves_(analysis.description.synthesis->curve_count.has_value()) {}
 
   Json run() const {
     Json result = object_of(12);
@@ -73,8 +75,8 @@ class TaskJson {
     if (task_.dyads) {
       add_dyads(*task_.dyads, result);
       result["linkages"] = Json::array();
-      for (const LinkageCandidate& candidate : task_.linkages) {
-        result["linkages"].push_back(linkage_json(candidate, plane_));
+      for (std::size_t i = 0; i < task_.linkages.size(); ++i) {
+        result["linkages"].push_back(numbered_linkage_json(i));
       }
     }
     if (task_.curves) {
@@ -87,6 +89,20 @@ class TaskJson {
   }
 
  private:
+  Json numbered_linkage_json(std::size_t number) const {
+    const LinkageCandidate& candidate = task_.linkages[number];
+    const bool is_written = number < task_.files.size() && !task_.files[number].empty();
+    Json result = linkage_json(candidate, plane_);
+    result["coupler_curve"] =
+        has_coupler_curves_ ? coupler_curve_json(candidate,
+                                                 pose_of(task_.positions[0]),
+                                                 {.reach = window_.radius, .count = window_.count},
+                                                 plane_)
+                            : Json(nullptr);
+    result["file"] = is_written ? Json(printable(task_.files[number])) : Json(nullptr);
+    return result;
+  }
+
   Json choice_json(const SynthesisChoice& choice) const {
     Json result = object_of(2);
     result["m"] = number(choice.m);
@@ -104,6 +120,8 @@ class TaskJson {
     for (const Dyad& dyad : solution.dyads) {
       result["dyads"].push_back(dyad_json(dyad, plane_));
     }
+    const bool has_nearest = solution.dyads.empty() && solution.nearest;
+    result["nearest_dyad"] = has_nearest ? dyad_json(*solution.nearest, plane_) : Json(nullptr);
   }
 
   Json curves_json(const FourPositionCurves& curves) const {
@@ -127,6 +145,7 @@ class TaskJson {
   const SynthesisTask& task_;
   PlaneJson plane_;
   CurveWindow window_;
+  bool has_coupler_curves_ = false;
 };
 
 }  // namespace
