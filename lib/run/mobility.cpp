@@ -35,7 +35,7 @@ std::optional<MobilityAnalysis> find_mobility(const std::string& path,
         mechanism ? bind_in_space(description, found) : std::nullopt;
     if (!in_space) {
       if (!found.has_errors()) {
-        found.error("E0303", {}, "the file holds no mechanism", "add ground, bodies and couplings");
+        refuse_without_mechanism(description, found);
       }
       return std::nullopt;
     }

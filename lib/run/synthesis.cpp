@@ -11,6 +11,7 @@
 #include "mechanism/bind.hpp"
 #include "report/synthesis_report.hpp"
 #include "run/each_file.hpp"
+#include "run/internal/linkage_files.hpp"
 #include "run/internal/synthesis_task.hpp"
 
 namespace kinestat {
@@ -143,17 +144,24 @@ std::optional<SynthesisAnalysis> find_synthesis(const std::string& path,
 
 }  // namespace
 
-Outcome synthesize_files(const std::vector<std::string>& paths, const AnalyseOptions& options) {
+Outcome synthesize_files(const std::vector<std::string>& paths,
+                         WrittenLinkages written,
+                         const AnalyseOptions& options) {
   return report_on_each_file(
       paths,
       options,
       [&](const std::string& path, const ReportForms& forms, SourceFile& source, Diagnostics& found)
           -> std::optional<FileReport> {
         auto description = load_description(path, options.overrides, source, found);
-        const auto analysis =
+        auto analysis =
             description ? find_synthesis(path, *std::move(description), found) : std::nullopt;
-        return analysis ? std::optional(make_synthesis_report(*analysis, forms, found))
-                        : std::nullopt;
+        if (!analysis) {
+          return std::nullopt;
+        }
+        if (!options.output.folder.empty()) {
+          write_linkages(*analysis, written, options.output, found);
+        }
+        return make_synthesis_report(*analysis, forms, found);
       });
 }
 

@@ -11,8 +11,12 @@ from __future__ import annotations
 import cmath
 import math
 import sys
+import tempfile
 import unittest
 from pathlib import Path
+from typing import Iterator
+
+import yaml
 
 import program
 
@@ -286,6 +290,141 @@ class CouplerCurves(unittest.TestCase):
                         self.assertLess(near, 1e-4 * size, (name, linkage["dyads"], i))
                         passed += 1
         self.assertGreater(passed, 50)
+
+
+# A slider on the x axis whose rod slides through a guide at (0, 1): Nicomedes' conchoid.
+CONCHOID = """kinestat: 1
+name: Conchoid
+units: {length: mm}
+synthesis:
+  linkage: any
+  positions:
+%s
+""" % "\n".join(
+    f"    - {{at: [{place.real!r}, {place.imag!r}], angle: {turn!r}}}"
+    for turn in (2.6, 2.2, 1.7, 1.2, 0.7)
+    for place in [-1 / math.tan(turn) + cmath.rect(1, turn) * (0.5 + 0.25j)])
+
+
+def pole_of(twist: dict) -> complex:
+    """About which a body turns, from its angular velocity and the velocity of a point of it."""
+    speed = complex(*twist["linear"][:2])
+    return complex(*twist["at"][:2]) + 1j * speed / twist["angular"][2]
+
+
+class Link:
+    """A link that leads the coupler, from the couplings of a file and the pose it is drawn in."""
+
+    def __init__(self, outer: dict, inner: dict, pose: tuple[complex, float]) -> None:
+        self.centre, place = point(outer["at"]), point(inner["at"])
+        self.moving = (place - pose[0]) / cmath.rect(1, pose[1])
+        self.kind = ("slider" if outer["type"] == "prismatic" else
+                     "guide" if inner["type"] == "prismatic" else "crank")
+        self.axis = point(outer["axis"]) if self.kind == "slider" else 1.0
+        if self.kind == "guide":
+            self.axis = point(inner["axis"]) / cmath.rect(1, pose[1])
+        self.length = abs(place - self.centre)
+
+    def miss(self, pose: tuple[complex, float]) -> float:
+        """How far the coupler would have to leave the link to stand there."""
+        turn = cmath.rect(1, pose[1])
+        arm = pose[0] + turn * self.moving - self.centre
+        if self.kind == "crank":
+            return abs(arm) - self.length
+        return (arm / (self.axis * (turn if self.kind == "guide" else 1.0))).imag
+
+    def normal(self, pose: tuple[complex, float]) -> complex:
+        """Across the path of the coupler: the line from the centre to this place has the pole."""
+        turn = cmath.rect(1, pose[1])
+        if self.kind == "crank":
+            return pose[0] + turn * self.moving - self.centre
+        return 1j * self.axis * (turn if self.kind == "guide" else 1.0)
+
+    def place(self, pose: tuple[complex, float]) -> complex:
+        if self.kind == "guide":
+            return self.centre
+        return pose[0] + cmath.rect(1, pose[1]) * self.moving
+
+
+class WrittenMechanisms(unittest.TestCase):
+    """Linkages as mechanism files, read by other means and analysed."""
+
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def written(self, path: str, *options: str) -> Iterator[tuple[dict, dict, Path]]:
+        """Task, linkage and file of everything that is written."""
+        report = program.run("synthesize", "--write-mechanism", str(self.folder), *options, path)
+        unit = math.radians(1) if report["mechanism"]["units"]["angle"] == "deg" else 1.0
+        for task in report["synthesis"]["tasks"]:
+            task["poses"] = [(point(one["at"]), one["angle"] * unit) for one in task["positions"]]
+            for linkage in task["linkages"]:
+                is_usable = linkage["defect"] is None
+                self.assertEqual(linkage["file"] is not None, is_usable or bool(options))
+                if linkage["file"]:
+                    yield task, linkage, Path(linkage["file"])
+
+    def check(self, task: dict, linkage: dict, path: Path) -> None:
+        done = program.call("analyze", "--strict", str(path))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        report = program.report(done)
+        self.assertEqual(report["diagnostics"], [])
+        counts = report["mobility"]["planar"]
+        self.assertEqual((counts["net_freedom"], counts["net_constraint"]), (1, 0))
+        file = yaml.safe_load(path.read_text(encoding="utf-8"))
+        couplings, first = file["couplings"], task["poses"][0]
+        # The coupler is drawn where the task says.
+        drawn = point(file["bodies"]["coupler"]["reference"])
+        size = max(abs(drawn), *(abs(point(one["at"])) for one in couplings.values()))
+        self.assertLessEqual(abs(drawn - first[0]), 1e-13 * size)
+        links = [Link(couplings["A0"], couplings["A"], first),
+                 Link(couplings["B0"], couplings["B"], first)]
+        for pose, position in zip(task["poses"], task["positions"]):
+            for link in links:
+                self.assertLessEqual(abs(link.miss(pose)), 1e-10 * size, (path.name, pose))
+                if position["pole"]:
+                    # A link that stands in the pole has no direction of its own.
+                    arm = point(position["pole"]) - link.place(pose)
+                    across = (arm * link.normal(pose).conjugate()).imag
+                    self.assertLessEqual(abs(across), 1e-9 * size * abs(link.normal(pose)))
+        case = report["cases"]["first position"]
+        self.assertEqual(case["kinematics"]["status"], "solved")
+        if task["positions"][0]["pole"]:
+            pole = point(task["positions"][0]["pole"])
+            found = pole_of(case["kinematics"]["bodies"]["coupler"])
+            self.assertLessEqual(abs(found - pole), 1e-9 * max(size, abs(pole)))
+        drive = linkage["drives"][linkage["drive"]]
+        freedoms = case["kinematics"]["freedoms"]
+        speed = freedoms["A0.v" if links[0].kind == "slider" else "A0.wz"]
+        self.assertEqual(speed, -1.0 if drive["passage"] == "decreasing" else 1.0)
+
+    def test_meet_every_position_and_pole_of_their_task(self) -> None:
+        types = []
+        for name in sorted(CRANKS.keys() - {"near_positions"}):
+            for task, linkage, path in self.written(path_of(name)):
+                with self.subTest(path.name):
+                    self.check(task, linkage, path)
+                    types.append(linkage["type"])
+        for kind, least in (("four_bar", 20), ("slider_crank", 2), ("inverted_slider_crank", 2)):
+            self.assertGreaterEqual(types.count(kind), least, kind)
+
+    def test_hold_sliders_and_guides_in_one_linkage(self) -> None:
+        text = self.folder / "conchoid.yaml"
+        text.write_text(CONCHOID, encoding="utf-8")
+        types = []
+        for task, linkage, path in self.written(str(text), "--all-linkages"):
+            with self.subTest(path.name):
+                self.check(task, linkage, path)
+                types.append(linkage["type"])
+        self.assertIn("slider_inverted_slider", types)
+
+    def test_are_taken_by_the_other_commands(self) -> None:
+        *_, path = next(self.written(path_of("slider_crank")))
+        for command in ("mobility", "inputs", "graph"):
+            done = program.call(command, str(path))
+            self.assertEqual((done.returncode, done.stderr), (0, ""), command)
 
 
 if __name__ == "__main__":
