@@ -1,7 +1,9 @@
 #include "report/linkage_text.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/tolerance.hpp"
@@ -11,6 +13,48 @@
 namespace kinestat {
 
 namespace {
+
+std::string_view phrase_of(Degeneracy reason) {
+  switch (reason) {
+    case Degeneracy::none:
+      return "";
+    case Degeneracy::translation:
+      return "the plane does not turn from position to position: every point is a circle point, or "
+             "none";
+    case Degeneracy::repeated_position:
+      return "a position is there twice, so that conditions are missing";
+    case Degeneracy::dependent:
+      return "the conditions of the positions follow from each other";
+    case Degeneracy::straight_paths:
+      return "a whole circle of points moves on straight lines";
+    case Degeneracy::sliding_lines:
+      return "a whole pencil of lines slides on fixed points";
+    case Degeneracy::shared_line:
+    case Degeneracy::shared_conic:
+      return "a whole curve of points stays on circles";
+  }
+  return "";
+}
+
+// Two positions that are the same pose.
+std::optional<std::pair<std::size_t, std::size_t>> find_same(
+    std::span<const PositionJets> positions) {
+  double size = 0.0;
+  for (const PositionJets& position : positions) {
+    size = std::max(size, std::abs(origin(position)));
+  }
+  for (std::size_t j = 1; j < positions.size(); ++j) {
+    for (std::size_t i = 0; i < j; ++i) {
+      const double away = std::abs(origin(positions[j]) - origin(positions[i]));
+      const double turn =
+          std::abs(unit_vector(positions[j].angle[0]) - unit_vector(positions[i].angle[0]));
+      if (away <= kSameValue * size && turn <= kSameValue) {
+        return std::pair(i, j);
+      }
+    }
+  }
+  return std::nullopt;
+}
 
 void add_dyad(const Dyad& dyad, std::size_t index, const PlaneText& task_plane, Table& table) {
   const PlaneText plane = task_plane.with_zero(zero_length(dyad));
@@ -159,26 +203,14 @@ std::string_view phrase_of(Defect defect) {
   return "";
 }
 
-std::string_view phrase_of(Degeneracy reason) {
-  switch (reason) {
-    case Degeneracy::none:
-      return "";
-    case Degeneracy::translation:
-      return "the plane does not turn from position to position: every point is a circle point, or "
-             "none";
-    case Degeneracy::repeated_position:
-      return "a position is there twice, so that fewer than five remain";
-    case Degeneracy::dependent:
-      return "the conditions of the positions follow from each other";
-    case Degeneracy::straight_paths:
-      return "a whole circle of points moves on straight lines";
-    case Degeneracy::sliding_lines:
-      return "a whole pencil of lines slides on fixed points";
-    case Degeneracy::shared_line:
-    case Degeneracy::shared_conic:
-      return "a whole curve of points stays on circles";
-  }
-  return "";
+std::string family_text(Degeneracy reason, std::span<const PositionJets> positions) {
+  const auto same = find_same(positions);
+  const std::string why =
+      same ? fmt::format("positions {} and {} are the same, so that conditions are missing",
+                         same->first + 1,
+                         same->second + 1)
+           : std::string(phrase_of(reason));
+  return fmt::format("a family of dyads: {}\n", why);
 }
 
 std::string dyads_text(const SynthesisTask& task, const PlaneText& plane) {
@@ -190,7 +222,7 @@ std::string dyads_text(const SynthesisTask& task, const PlaneText& plane) {
   std::string text;
   const bool is_family = solution.status == BurmesterStatus::family;
   if (is_family) {
-    text += fmt::format("a family of dyads: {}\n", phrase_of(solution.reason));
+    text += family_text(solution.reason, task.positions);
   }
   Table table({"dyad", "circle point", "centre", "length", "digits"});
   for (std::size_t i = 0; i < solution.dyads.size(); ++i) {

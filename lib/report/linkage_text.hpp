@@ -1,6 +1,7 @@
 // Dyads and linkages of a synthesis task as tables for people.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,8 +13,8 @@ namespace kinestat {
 /// The dyads of five positions, or why there are none and what comes nearest.
 std::string dyads_text(const SynthesisTask& task, const PlaneText& plane);
 
-/// Why the dyads are a family, in words.
-std::string_view phrase_of(Degeneracy reason);
+/// Why the dyads are a family, in words; the two positions by number that are the same.
+std::string family_text(Degeneracy reason, std::span<const PositionJets> positions);
 
 /// What speaks against a linkage, in words; of none "usable".
 std::string_view phrase_of(Defect defect);

@@ -73,7 +73,7 @@ class TaskText {
       return "no curves: the positions are too close to each other for numbers of 16 digits\n";
     }
     if (curves.status == BurmesterStatus::family) {
-      return fmt::format("a family of dyads: {}\n", phrase_of(curves.reason));
+      return family_text(curves.reason, task_.positions);
     }
     std::string text = curve_text("circle points", curves.circle_points) +
                        curve_text("centre points", curves.centre_points);
