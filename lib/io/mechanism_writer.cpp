@@ -35,14 +35,18 @@ std::string axis_text(const AxisDescription& axis) {
                            : std::string(axis.sign < 0.0 ? "-" : "") + axis.keyword;
 }
 
+void set_unit(FileUnits& units, QuantityKind kind, const std::string& text) {
+  const auto error = units.set(kind, text);
+  KINESTAT_EXPECTS(!error);
+}
+
 // Only what the units before it do not imply, as the velocity follows from the length.
 std::string units_text(const FileUnits& units) {
   FileUnits implied;
   std::string text;
   for (const QuantityKind kind : all_quantity_kinds()) {
     if (!key_of(kind).empty() && implied.text(kind) != units.text(kind)) {
-      const auto error = implied.set(kind, units.text(kind));
-      KINESTAT_EXPECTS(!error);
+      set_unit(implied, kind, units.text(kind));
       text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", key_of(kind), units.text(kind));
     }
   }
@@ -60,13 +64,13 @@ std::string body_text(const BodyDescription& body) {
 std::string coupling_text(const CouplingDescription& coupling) {
   KINESTAT_EXPECTS(coupling.type == CouplingType::revolute ||
                    coupling.type == CouplingType::prismatic);
+  KINESTAT_EXPECTS(!coupling.at || coupling.at->point);
   std::string text = fmt::format("  {}: {{type: {}, bodies: [{}, {}]",
                                  coupling.name.text,
                                  word_of(coupling.type),
                                  coupling.tail.text,
                                  coupling.head.text);
   if (coupling.at) {
-    KINESTAT_EXPECTS(coupling.at->point);
     text += ", at: " + list_text(coupling.at->point->coordinates);
   }
   if (coupling.axis) {
@@ -84,6 +88,7 @@ std::string actuator_text(const ActuatorDescription& actuator) {
 
 std::string names_text(std::string_view key, const std::vector<Name>& names) {
   std::vector<std::string> words;
+  words.reserve(names.size());
   for (const Name& name : names) {
     words.push_back(name.text);
   }

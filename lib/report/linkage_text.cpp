@@ -36,6 +36,11 @@ std::string_view phrase_of(Degeneracy reason) {
   return "";
 }
 
+bool is_same(const PositionJets& one, const PositionJets& other, double size) {
+  const double turn = std::abs(unit_vector(one.angle[0]) - unit_vector(other.angle[0]));
+  return std::abs(origin(one) - origin(other)) <= kSameValue * size && turn <= kSameValue;
+}
+
 // Two positions that are the same pose.
 std::optional<std::pair<std::size_t, std::size_t>> find_same(
     std::span<const PositionJets> positions) {
@@ -43,14 +48,11 @@ std::optional<std::pair<std::size_t, std::size_t>> find_same(
   for (const PositionJets& position : positions) {
     size = std::max(size, std::abs(origin(position)));
   }
-  for (std::size_t j = 1; j < positions.size(); ++j) {
-    for (std::size_t i = 0; i < j; ++i) {
-      const double away = std::abs(origin(positions[j]) - origin(positions[i]));
-      const double turn =
-          std::abs(unit_vector(positions[j].angle[0]) - unit_vector(positions[i].angle[0]));
-      if (away <= kSameValue * size && turn <= kSameValue) {
-        return std::pair(i, j);
-      }
+  for (std::size_t pair = 0; pair < positions.size() * positions.size(); ++pair) {
+    const std::size_t i = pair / positions.size();
+    const std::size_t j = pair % positions.size();
+    if (i < j && is_same(positions[i], positions[j], size)) {
+      return std::pair(i, j);
     }
   }
   return std::nullopt;

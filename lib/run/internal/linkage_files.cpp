@@ -45,6 +45,24 @@ std::string text_of(const SynthesisAnalysis& analysis,
   return mechanism_text(mechanism, head);
 }
 
+// Adds the files of one task and notes their paths in it.
+void add_files(SynthesisAnalysis& analysis,
+               std::size_t number,
+               WrittenLinkages which,
+               const std::string& folder,
+               std::vector<OutputFile>& files) {
+  SynthesisTask& task = analysis.tasks[number];
+  task.files.resize(task.linkages.size());
+  for (std::size_t i = 0; i < task.linkages.size(); ++i) {
+    if (which == WrittenLinkages::all || task.linkages[i].defect == Defect::none) {
+      task.files[i] = fmt::format("{}/{}", folder, name_of(analysis, number, i));
+      files.push_back({.path = task.files[i],
+                       .content = text_of(analysis, task, i),
+                       .signature = signature_text()});
+    }
+  }
+}
+
 }  // namespace
 
 bool write_linkages(SynthesisAnalysis& analysis,
@@ -53,17 +71,7 @@ bool write_linkages(SynthesisAnalysis& analysis,
                     Diagnostics& found) {
   std::vector<OutputFile> files;
   for (std::size_t i = 0; i < analysis.tasks.size(); ++i) {
-    SynthesisTask& task = analysis.tasks[i];
-    task.files.resize(task.linkages.size());
-    for (std::size_t j = 0; j < task.linkages.size(); ++j) {
-      if (which == WrittenLinkages::usable && task.linkages[j].defect != Defect::none) {
-        continue;
-      }
-      task.files[j] = fmt::format("{}/{}", output.folder, name_of(analysis, i, j));
-      files.push_back({.path = task.files[j],
-                       .content = text_of(analysis, task, j),
-                       .signature = signature_text()});
-    }
+    add_files(analysis, i, which, output.folder, files);
   }
   if (write_files(files, output.overwrite, found)) {
     return true;
