@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -216,7 +218,9 @@ std::vector<SynthesisRange> read_vary(const YamlNode& node, Diagnostics& found) 
   return ranges;
 }
 
+// To ask for curves is enough.
 std::optional<Value> find_curve_count(Fields& fields, Diagnostics& found) {
+  constexpr std::string_view kUsual = "200";
   const YamlNode* node = fields.find("curves");
   if (node == nullptr) {
     return std::nullopt;
@@ -224,7 +228,11 @@ std::optional<Value> find_curve_count(Fields& fields, Diagnostics& found) {
   Fields inner(*node, node->where, "'curves' of 'synthesis'", found);
   std::optional<Value> count = find_value(inner, "count", found);
   inner.finish();
-  return count;
+  return node->entries.empty()
+             ? std::optional(Value{.expression = std::get<Expression>(parse_expression(kUsual)),
+                                   .where = node->where,
+                                   .text_column = 0})
+             : count;
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ struct SynthesisTask {
   std::optional<FourPositionCurves> curves;  ///< of four
   std::optional<Circle> straight_paths;      ///< of three
   std::vector<LinkageCandidate> linkages;    ///< the best first
+  std::vector<std::string> files;            ///< written, one a linkage; empty ones are not
 };
 
 /// What a selection looked at.
@@ -49,6 +50,9 @@ struct SynthesisAnalysis {
 
 /// Lengths below this are rounding of the positions and reported as zero [m].
 double zero_length(const SynthesisTask& task);
+
+/// The same for the places of a dyad, which have fewer digits than the positions.
+double zero_length(const Dyad& dyad);
 
 FileReport make_synthesis_report(const SynthesisAnalysis& analysis,
                                  const ReportForms& forms,

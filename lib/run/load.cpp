@@ -118,6 +118,17 @@ std::optional<MechanismDescription> load_description(const std::string& path,
   return found.has_errors() ? std::nullopt : std::move(description);
 }
 
+void refuse_without_mechanism(const MechanismDescription& description, Diagnostics& found) {
+  found.error(
+      "E0303",
+      {},
+      "the file holds no mechanism",
+      description.synthesis
+          ? "it is a task for 'kinestat synthesize', which writes the linkages that it finds "
+            "as mechanisms: --write-mechanism FOLDER"
+          : "add ground, bodies and couplings");
+}
+
 std::optional<Loaded> load(const std::string& path,
                            const LoadOptions& options,
                            SourceFile& source,
@@ -130,7 +141,7 @@ std::optional<Loaded> load(const std::string& path,
   std::optional<Mechanism> mechanism = bind(*description, found);
   if (!mechanism) {
     if (!found.has_errors()) {
-      found.error("E0303", {}, "the file holds no mechanism", "add ground, bodies and couplings");
+      refuse_without_mechanism(*description, found);
     }
     return std::nullopt;
   }

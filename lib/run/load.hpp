@@ -35,6 +35,9 @@ std::optional<MechanismDescription> load_description(const std::string& path,
                                                      SourceFile& source,
                                                      Diagnostics& found);
 
+/// Says that a file holds no mechanism, and what does: E0303.
+void refuse_without_mechanism(const MechanismDescription& description, Diagnostics& found);
+
 /// Reads, applies the overrides and binds, gears included, whose `sizes` may be more than the
 /// usual; a file without a mechanism is an error. Empty iff an error was added.
 std::optional<Loaded> load(const std::string& path,

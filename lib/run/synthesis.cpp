@@ -11,6 +11,7 @@
 #include "mechanism/bind.hpp"
 #include "report/synthesis_report.hpp"
 #include "run/each_file.hpp"
+#include "run/internal/linkage_files.hpp"
 #include "run/internal/synthesis_task.hpp"
 
 namespace kinestat {
@@ -143,20 +144,25 @@ std::optional<SynthesisAnalysis> find_synthesis(const std::string& path,
 
 }  // namespace
 
-Outcome synthesize_files(const std::vector<std::string>& paths, const AnalyseOptions& options) {
-  const ReportForms forms = stream_forms(options.format, paths.size());
-  return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
-    SourceFile source;
-    Diagnostics found;
-    std::optional<MechanismDescription> description =
-        load_description(path, options.load, source, found);
-    if (description) {
-      if (const auto analysis = find_synthesis(path, *std::move(description), found)) {
-        add_to_stream(make_synthesis_report(*analysis, forms, found), options, outcome);
-      }
-    }
-    add_diagnostics(source, found, options.strictness, outcome);
-  });
+Outcome synthesize_files(const std::vector<std::string>& paths,
+                         WrittenLinkages written,
+                         const AnalyseOptions& options) {
+  return report_on_each_file(
+      paths,
+      options,
+      [&](const std::string& path, const ReportForms& forms, SourceFile& source, Diagnostics& found)
+          -> std::optional<FileReport> {
+        auto description = load_description(path, options.load, source, found);
+        auto analysis =
+            description ? find_synthesis(path, *std::move(description), found) : std::nullopt;
+        if (!analysis) {
+          return std::nullopt;
+        }
+        if (!options.output.folder.empty()) {
+          write_linkages(*analysis, written, options.output, found);
+        }
+        return make_synthesis_report(*analysis, forms, found);
+      });
 }
 
 }  // namespace kinestat

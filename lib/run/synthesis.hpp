@@ -8,7 +8,16 @@
 
 namespace kinestat {
 
-/// One report a file on standard output. A file without the section `synthesis` is an error.
-Outcome synthesize_files(const std::vector<std::string>& paths, const AnalyseOptions& options);
+/// Which linkages become mechanism files.
+enum class WrittenLinkages {
+  usable,  ///< without defect and within the limits
+  all
+};
+
+/// One report a file on standard output. A file without the section `synthesis` is an error. Where
+/// the options name a folder, linkages are written into it as mechanism files.
+Outcome synthesize_files(const std::vector<std::string>& paths,
+                         WrittenLinkages written,
+                         const AnalyseOptions& options);
 
 }  // namespace kinestat

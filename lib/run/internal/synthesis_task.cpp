@@ -96,7 +96,18 @@ std::optional<PositionJets> SynthesisValues::position(std::size_t index,
                                                       Diagnostics& found) const {
   const PositionDescription& given = task_.positions[index];
   if (!given.derivatives.empty()) {
-    return with_derivatives(given, angle);
+    PositionJets jets = with_derivatives(given, angle);
+    if (jets.x[1] == 0.0 && jets.y[1] == 0.0 && jets.angle[1] == 0.0) {
+      found.error(
+          "E0801",
+          given.where,
+          fmt::format("position {}: its first derivative is zero, so that the plane stands "
+                      "still there",
+                      index + 1),
+          "give the derivatives by a parameter at which the plane moves, or leave them out");
+      return std::nullopt;
+    }
+    return jets;
   }
   PositionSpecification specification{.at = point(given.at), .angle = angle};
   if (given.pole) {

@@ -22,7 +22,7 @@ class SynthesisValues {
 
   /// One task for every choice of the angles that are lists, the last position's first. `choice`
   /// stands for what the curvature of a position leaves to the ranges. Empty iff an error was
-  /// added: E0801 for a position that contradicts itself.
+  /// added: E0801 for a position that contradicts itself or at which nothing moves.
   std::optional<std::vector<std::vector<PositionJets>>> positions_of_tasks(
       const SynthesisChoice& choice, Diagnostics& found) const;
 

@@ -25,6 +25,14 @@ TEST(SynthesisReader, ReadsTheSmallestTask) {
   EXPECT_FALSE(task.curve_count);
 }
 
+TEST(SynthesisReader, TakesCurvesWithoutACountForTheUsualOne) {
+  const auto reading =
+      task_of("positions: [{at: [0, 1], angle: 0}, {at: [2, 3], angle: 0}]\ncurves: {}\n");
+
+  ASSERT_EQ(reading.complaints(), Complaints{});
+  EXPECT_EQ(reading.value->curve_count->expression.text(), "200");
+}
+
 TEST(SynthesisReader, ReadsEveryKey) {
   const auto reading = task_of(
       "linkage: slider_crank\n"
