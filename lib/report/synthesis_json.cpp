@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "report/in_units.hpp"
+#include "synthesis/cubic_branches.hpp"
 #include "synthesis/path_curvature.hpp"
 
 namespace kinestat {
