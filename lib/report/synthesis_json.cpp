@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "math/digit_limits.hpp"
 #include "report/in_units.hpp"
 #include "synthesis/cubic_branches.hpp"
 #include "synthesis/path_curvature.hpp"
@@ -54,8 +55,9 @@ class SynthesisJson {
       : analysis_(analysis), in_(analysis.description.units, {}) {}
 
   Json run() {
-    Json result = object_of(2);
+    Json result = object_of(4);
     result["form"] = analysis_.form;
+    result["working_digits"] = analysis_.digits.value_or(kDoubleDigits);
     result["selection"] = Json(nullptr);
     if (analysis_.selection) {
       result["selection"] = object_of(3);
@@ -89,10 +91,14 @@ class SynthesisJson {
   Json task_json(const SynthesisTask& task) const {
     Json result = object_of(8);
     if (task.choice) {
-      result["choice"] = object_of(2);
+      result["choice"] = object_of(8);
       result["choice"]["m"] = number(task.choice->m);
       result["choice"]["free_point"] =
           task.choice->free_point ? point(*task.choice->free_point) : Json(nullptr);
+      const auto& freedom = task.choice->freedom;
+      result["choice"]["s"] = freedom ? length(freedom->s) : Json(nullptr);
+      result["choice"]["tau"] = freedom ? number(freedom->tau) : Json(nullptr);
+      result["choice"]["tau_2"] = freedom ? number(freedom->tau_2) : Json(nullptr);
     }
     result["positions"] = Json::array();
     for (const PositionJets& position : task.positions) {

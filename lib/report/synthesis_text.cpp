@@ -1,9 +1,11 @@
 #include "report/synthesis_text.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "math/digit_limits.hpp"
 #include "report/analysis_text.hpp"
 #include "report/in_units.hpp"
 #include "report/numbers.hpp"
@@ -61,11 +63,13 @@ class SynthesisText {
       : analysis_(analysis), in_(analysis.description.units, {}) {}
 
   std::string run() {
-    std::string text = fmt::format("{}  task {}, lengths in {}, angles in {}\n",
-                                   title_text(analysis_.file, analysis_.description),
-                                   analysis_.form,
-                                   in_.units().text(QuantityKind::length),
-                                   in_.units().text(QuantityKind::angle));
+    std::string text =
+        fmt::format("{}  task {}, lengths in {}, angles in {}{}\n",
+                    title_text(analysis_.file, analysis_.description),
+                    analysis_.form,
+                    in_.units().text(QuantityKind::length),
+                    in_.units().text(QuantityKind::angle),
+                    analysis_.digits ? fmt::format(", {} digits", *analysis_.digits) : "");
     if (analysis_.selection) {
       text += selection_text(*analysis_.selection);
     }
@@ -98,10 +102,8 @@ class SynthesisText {
   std::string task_text(const SynthesisTask& task) const {
     std::string text = "\n";
     if (task.choice) {
-      text += task.choice->m ? "m " + format_short(*task.choice->m) : "";
-      text += task.choice->m && task.choice->free_point ? ", " : "";
-      text += task.choice->free_point ? "free_point " + point(*task.choice->free_point) : "";
-      text += "\n";
+      const std::string choice = choice_text(task);
+      text += choice + (choice.empty() ? "" : "\n");
     } else if (analysis_.tasks.size() > 1) {
       text += "angles";
       for (const PositionJets& position : task.positions) {
@@ -127,10 +129,28 @@ class SynthesisText {
     return text;
   }
 
+  std::string choice_text(const SynthesisTask& task) const {
+    const SynthesisChoice& choice = *task.choice;
+    std::string text = choice.m ? "m " + format_short(*choice.m) : "";
+    text += choice.m && choice.free_point ? ", " : "";
+    text += choice.free_point ? "free_point " + point(*choice.free_point) : "";
+    text += choice.freedom ? freedom_text(task) : "";
+    return text;
+  }
+
+  std::string freedom_text(const SynthesisTask& task) const {
+    const EffectiveFreedom& freedom = *task.choice->freedom;
+    const int order = std::ranges::max_element(task.positions, {}, &PositionJets::order)->order();
+    std::string text = "s " + length(freedom.s);
+    text += order > 3 ? ", tau " + format_short(freedom.tau) : "";
+    text += order > 4 ? ", tau_2 " + format_short(freedom.tau_2) : "";
+    return text;
+  }
+
   std::string dyads_text(const BurmesterSolution& solution) const {
     if (solution.status == BurmesterStatus::no_digits) {
-      return "no dyads: the positions are too close to each other for numbers of 16 digits; give "
-             "derivatives instead of positions that close in\n";
+      return fmt::format("no dyads: the positions are too close to each other for {} digits\n",
+                         analysis_.digits.value_or(kDoubleDigits));
     }
     std::string text;
     if (solution.status == BurmesterStatus::family) {
@@ -193,7 +213,8 @@ class SynthesisText {
 
   std::string curves_text(const FourPositionCurves& curves) const {
     if (curves.status == BurmesterStatus::no_digits) {
-      return "no curves: the positions are too close to each other for numbers of 16 digits\n";
+      return fmt::format("no curves: the positions are too close to each other for {} digits\n",
+                         kDoubleDigits);
     }
     if (curves.status == BurmesterStatus::family) {
       return fmt::format("a family of dyads: {}\n", phrase_of(curves.reason));

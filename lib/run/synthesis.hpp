@@ -1,14 +1,24 @@
 // Linkages for the synthesis tasks of files.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "math/digit_limits.hpp"
 #include "run/analyse.hpp"
 
 namespace kinestat {
 
+struct SynthesisOptions {
+  std::optional<int> digits;  ///< of the positions as typed, before what the files say
+  std::uint64_t jobs = 0;     ///< threads of a selection; 0: as many as the machine has cores
+};
+
 /// One report a file on standard output. A file without the section `synthesis` is an error.
-Outcome synthesize_files(const std::vector<std::string>& paths, const AnalyseOptions& options);
+Outcome synthesize_files(const std::vector<std::string>& paths,
+                         const AnalyseOptions& options,
+                         const SynthesisOptions& synthesis);
 
 }  // namespace kinestat
