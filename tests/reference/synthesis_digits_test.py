@@ -201,6 +201,25 @@ class Digits(unittest.TestCase):
             expected = (tuple(other["circle_point"]), tuple(other["centre_point"]))
             self.assertLess(error(one, expected), 1e-11)
 
+    def test_a_far_origin_takes_no_digits(self) -> None:
+        text = formulas("1e-9").replace("at: [cos", "at: [1e6 + cos").replace(", sin(t",
+                                                                           ", -1e6 + sin(t")
+        dyads = self.solved(text, "--digits", "100")["tasks"][0]["dyads"]
+        for circle_point, (x, y) in KNOWN:
+            expected = (circle_point, (x + 1e6, y - 1e6))
+            nearest = min(dyads, key=lambda one: error(one, expected))
+            self.assertLess(math.dist(nearest["circle_point"], circle_point), 1e-13)
+            self.assertLess(math.dist(nearest["centre_point"], expected[1]), 1e-9)
+
+    # An elliptic trammel: the midpoint of its two sliders turns about the crossing of their lines.
+    def test_a_family_stays_a_family(self) -> None:
+        angles = (10, 40, 75, 110, 160)
+        text = "kinestat: 1\nsynthesis:\n  positions:\n" + "".join(
+            f"    - {{at: [2*cos({a} deg), 0], angle: -{a} deg}}\n" for a in angles)
+        task = program.run("synthesize", "--digits", "40", "-", text=text)["synthesis"]["tasks"][0]
+        self.assertEqual((task["status"], task["reason"]), ("family", "straight_paths"))
+        self.assertLess(error(task["dyads"][0], ((-1.0, 0.0), (0.0, 0.0))), 1e-12)
+
     # PP-PP-P by poles, PPP-P-P by curvature and PPPPP by Burmester points: do Valle 1983, tables 2,
     # 3 and 5, with far more digits than they have.
     def test_poles_and_curvatures_are_read_with_all_digits(self) -> None:
