@@ -215,11 +215,11 @@ std::string family_text(Degeneracy reason, std::span<const PositionJets> positio
   return fmt::format("a family of dyads: {}\n", why);
 }
 
-std::string dyads_text(const SynthesisTask& task, const PlaneText& plane) {
+std::string dyads_text(const SynthesisTask& task, int digits, const PlaneText& plane) {
   const BurmesterSolution& solution = *task.dyads;
   if (solution.status == BurmesterStatus::no_digits) {
-    return "no dyads: the positions are too close to each other for numbers of 16 digits; give "
-           "derivatives instead of positions that close in\n";
+    return fmt::format("no dyads: the positions are too close to each other for {} digits\n",
+                       digits);
   }
   std::string text;
   const bool is_family = solution.status == BurmesterStatus::family;

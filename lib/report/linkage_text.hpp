@@ -10,8 +10,9 @@
 
 namespace kinestat {
 
-/// The dyads of five positions, or why there are none and what comes nearest.
-std::string dyads_text(const SynthesisTask& task, const PlaneText& plane);
+/// The dyads of five positions, found with so many digits, or why there are none and what comes
+/// nearest.
+std::string dyads_text(const SynthesisTask& task, int digits, const PlaneText& plane);
 
 /// Why the dyads are a family, in words; the two positions by number that are the same.
 std::string family_text(Degeneracy reason, std::span<const PositionJets> positions);

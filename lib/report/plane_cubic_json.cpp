@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
+#include "synthesis/cubic_branches.hpp"
 
 namespace kinestat {
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/utf8.hpp"
+#include "math/digit_limits.hpp"
 #include "report/linkage_json.hpp"
 #include "report/plane_cubic_json.hpp"
 #include "report/position_json.hpp"
@@ -104,9 +105,13 @@ class TaskJson {
   }
 
   Json choice_json(const SynthesisChoice& choice) const {
-    Json result = object_of(2);
+    Json result = object_of(8);
     result["m"] = number(choice.m);
     result["free_point"] = choice.free_point ? plane_.point(*choice.free_point) : Json(nullptr);
+    const auto& freedom = choice.freedom;
+    result["s"] = freedom ? plane_.length(freedom->s) : Json(nullptr);
+    result["tau"] = freedom ? number(freedom->tau) : Json(nullptr);
+    result["tau_2"] = freedom ? number(freedom->tau_2) : Json(nullptr);
     return result;
   }
 
@@ -151,8 +156,9 @@ class TaskJson {
 }  // namespace
 
 Json synthesis_json(const SynthesisAnalysis& analysis) {
-  Json result = object_of(3);
+  Json result = object_of(4);
   result["form"] = analysis.form;
+  result["working_digits"] = analysis.digits.value_or(kDoubleDigits);
   result["selection"] = analysis.selection ? selection_json(*analysis.selection) : Json(nullptr);
   result["tasks"] = Json::array();
   for (const SynthesisTask& task : analysis.tasks) {

@@ -10,6 +10,7 @@
 #include "synthesis/burmester.hpp"
 #include "synthesis/few_positions.hpp"
 #include "synthesis/special_frame.hpp"
+#include "synthesis/specification.hpp"
 #include "synthesis/synthesis.hpp"
 
 namespace kinestat {
@@ -18,6 +19,7 @@ namespace kinestat {
 struct SynthesisChoice {
   std::optional<double> m;
   std::optional<Point> free_point;
+  std::optional<EffectiveFreedom> freedom;  ///< instead of both
 };
 
 /// One choice of the angles that a file lists, and of its ranges, and what was found for it.
@@ -43,6 +45,7 @@ struct SynthesisAnalysis {
   std::string file;  ///< as the user gave it
   MechanismDescription description;
   int curve_count = 200;                     ///< points of each curve
+  std::optional<int> digits;                 ///< decimal digits of the positions, if asked for
   std::string form;                          ///< "PP-PP-P"
   std::optional<SelectionCounts> selection;  ///< where the file has ranges
   std::vector<SynthesisTask> tasks;          ///< with ranges the best choices, perhaps none

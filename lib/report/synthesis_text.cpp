@@ -1,9 +1,11 @@
 #include "report/synthesis_text.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "math/digit_limits.hpp"
 #include "report/analysis_text.hpp"
 #include "report/linkage_text.hpp"
 #include "report/position_text.hpp"
@@ -31,7 +33,8 @@ class TaskText {
   std::string run() const {
     std::string text = "\n" + choice_text() + positions_text(task_, plane_);
     if (task_.dyads) {
-      text += dyads_text(task_, plane_) + linkages_text(task_, plane_);
+      text += dyads_text(task_, analysis_.digits.value_or(kDoubleDigits), plane_) +
+              linkages_text(task_, plane_);
     }
     if (task_.curves) {
       text += curves_text(*task_.curves);
@@ -52,11 +55,14 @@ class TaskText {
   // What tells this task from the others of the file.
   std::string choice_text() const {
     if (task_.choice) {
-      const auto& [m, free_point] = *task_.choice;
-      return fmt::format("{}{}{}\n",
-                         m ? "m " + format_short(*m) : "",
-                         m && free_point ? ", " : "",
-                         free_point ? "free_point " + plane_.point(*free_point) : "");
+      const auto& [m, free_point, freedom] = *task_.choice;
+      const std::string text =
+          fmt::format("{}{}{}{}",
+                      m ? "m " + format_short(*m) : "",
+                      m && free_point ? ", " : "",
+                      free_point ? "free_point " + plane_.point(*free_point) : "",
+                      freedom ? freedom_text(*freedom) : "");
+      return text + (text.empty() ? "" : "\n");
     }
     if (analysis_.tasks.size() < 2) {
       return "";
@@ -68,9 +74,18 @@ class TaskText {
     return text + "\n";
   }
 
+  std::string freedom_text(const EffectiveFreedom& freedom) const {
+    const int order = std::ranges::max_element(task_.positions, {}, &PositionJets::order)->order();
+    std::string text = "s " + plane_.length(freedom.s);
+    text += order > 3 ? ", tau " + format_short(freedom.tau) : "";
+    text += order > 4 ? ", tau_2 " + format_short(freedom.tau_2) : "";
+    return text;
+  }
+
   std::string curves_text(const FourPositionCurves& curves) const {
     if (curves.status == BurmesterStatus::no_digits) {
-      return "no curves: the positions are too close to each other for numbers of 16 digits\n";
+      return fmt::format("no curves: the positions are too close to each other for {} digits\n",
+                         kDoubleDigits);
     }
     if (curves.status == BurmesterStatus::family) {
       return family_text(curves.reason, task_.positions);
@@ -103,11 +118,13 @@ class TaskText {
 
 std::string synthesis_text(const SynthesisAnalysis& analysis) {
   const FileUnits& units = analysis.description.units;
-  std::string text = fmt::format("{}  task {}, lengths in {}, angles in {}\n",
-                                 title_text(analysis.file, analysis.description),
-                                 analysis.form,
-                                 units.text(QuantityKind::length),
-                                 units.text(QuantityKind::angle));
+  std::string text =
+      fmt::format("{}  task {}, lengths in {}, angles in {}{}\n",
+                  title_text(analysis.file, analysis.description),
+                  analysis.form,
+                  units.text(QuantityKind::length),
+                  units.text(QuantityKind::angle),
+                  analysis.digits ? fmt::format(", {} digits", *analysis.digits) : "");
   if (analysis.selection) {
     text += selection_text(*analysis.selection);
   }

@@ -1,9 +1,12 @@
 // Linkages for the synthesis tasks of files.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "math/digit_limits.hpp"
 #include "run/analyse.hpp"
 
 namespace kinestat {
@@ -14,10 +17,16 @@ enum class WrittenLinkages {
   all
 };
 
+struct SynthesisOptions {
+  std::optional<int> digits;  ///< of the positions as typed, before what the files say
+  WrittenLinkages written = WrittenLinkages::usable;
+  std::uint64_t jobs = 0;  ///< threads of a selection; 0: as many as the machine has cores
+};
+
 /// One report a file on standard output. A file without the section `synthesis` is an error. Where
 /// the options name a folder, linkages are written into it as mechanism files.
 Outcome synthesize_files(const std::vector<std::string>& paths,
-                         WrittenLinkages written,
-                         const AnalyseOptions& options);
+                         const AnalyseOptions& options,
+                         const SynthesisOptions& synthesis);
 
 }  // namespace kinestat
