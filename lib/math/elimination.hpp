@@ -73,6 +73,7 @@ class Elimination {
 
  private:
   friend class Eliminator;
+  friend class RefinedSolve;
 
   struct Cell {
     int column = 0;
@@ -114,6 +115,7 @@ class Elimination {
   std::vector<Pivot> last_pivots_;       ///< of the columns of last_
   std::vector<int> free_columns_;
   RankEvidence evidence_;
+  bool has_dropped_ = false;  ///< a difference that was rounding and not zero was made zero
 };
 
 }  // namespace kinestat
