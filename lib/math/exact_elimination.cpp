@@ -5,28 +5,9 @@
 
 #include "core/contract.hpp"
 #include "math/internal/field_eliminator.hpp"
+#include "math/internal/rational_field.hpp"
 
 namespace kinestat {
-
-namespace {
-
-// The operations of Boost make a new number each; these of GMP work in place.
-struct RationalField {
-  using Value = Rational;
-
-  static bool is_zero(const Rational& a) { return a.is_zero(); }
-
-  static Rational quotient(const Rational& a, const Rational& b) { return a / b; }
-
-  void subtract_product(Rational& a, const Rational& b, const Rational& c) {
-    mpq_mul(product_.backend().data(), b.backend().data(), c.backend().data());
-    mpq_sub(a.backend().data(), a.backend().data(), product_.backend().data());
-  }
-
-  Rational product_;
-};
-
-}  // namespace
 
 struct ExactElimination::Factors {
   FieldElimination<RationalField> elimination;
@@ -53,21 +34,8 @@ ExactElimination::ExactElimination(const ExactMatrix& matrix, std::span<const in
     : factors_(std::make_unique<Factors>()) {
   factors_->columns = matrix.columns;
   factors_->last.assign(last.begin(), last.end());
-  auto& rows = factors_->elimination.rows;
-  rows.resize(static_cast<std::size_t>(matrix.rows));
-  for (const ExactEntry& entry : matrix.entries) {
-    auto& row = at(rows, entry.row);
-    const auto place = std::ranges::lower_bound(
-        row, entry.column, {}, &FieldElimination<RationalField>::Cell::column);
-    if (place != row.end() && place->column == entry.column) {
-      place->value += entry.value;
-    } else {
-      row.insert(place, {.column = entry.column, .value = entry.value});
-    }
-  }
-  for (auto& row : rows) {
-    std::erase_if(row, [](const auto& cell) { return cell.value.is_zero(); });
-  }
+  factors_->elimination.load(
+      matrix.rows, matrix.entries, [](const Rational& value) { return value; });
   FieldEliminator(factors_->elimination).run(matrix.columns, last);
 }
 
