@@ -23,44 +23,49 @@ class Pairing {
     int pairs = 0;
     while (find_distances()) {
       next_.assign(pattern_.size(), 0);
-      for (std::size_t row = 0; row < pattern_.size(); ++row) {
-        if (column_of_[row] == kNone && extend(static_cast<int>(row))) {
-          ++pairs;
-        }
+      for (int row = 0; row < static_cast<int>(pattern_.size()); ++row) {
+        pairs += at(column_of_, row) == kNone && extend(row) ? 1 : 0;
       }
     }
     return pairs;
   }
 
  private:
+  static std::size_t place(int i) { return static_cast<std::size_t>(i); }
+
+  static int& at(std::vector<int>& values, int i) { return values[place(i)]; }
+
   // Of every row from the nearest one without a column, and of the nearest row with a free column;
   // false if there is none.
   bool find_distances() {
     distance_.assign(pattern_.size(), kFar);
     nearest_ = kFar;
-    std::vector<int> waiting;
-    for (std::size_t row = 0; row < pattern_.size(); ++row) {
-      if (column_of_[row] == kNone) {
-        distance_[row] = 0;
-        waiting.push_back(static_cast<int>(row));
+    waiting_.clear();
+    for (int row = 0; row < static_cast<int>(pattern_.size()); ++row) {
+      if (at(column_of_, row) == kNone) {
+        at(distance_, row) = 0;
+        waiting_.push_back(row);
       }
     }
-    for (std::size_t i = 0; i < waiting.size(); ++i) {
-      const auto row = static_cast<std::size_t>(waiting[i]);
-      if (distance_[row] > nearest_) {
+    for (std::size_t i = 0; i < waiting_.size(); ++i) {
+      if (at(distance_, waiting_[i]) > nearest_) {
         break;
       }
-      for (const int column : pattern_[row]) {
-        const int partner = row_of_[static_cast<std::size_t>(column)];
-        if (partner == kNone) {
-          nearest_ = distance_[row];
-        } else if (distance_[static_cast<std::size_t>(partner)] == kFar) {
-          distance_[static_cast<std::size_t>(partner)] = distance_[row] + 1;
-          waiting.push_back(partner);
-        }
-      }
+      look_beyond(waiting_[i]);
     }
     return nearest_ != kFar;
+  }
+
+  void look_beyond(int row) {
+    for (const int column : pattern_[place(row)]) {
+      const int partner = at(row_of_, column);
+      if (partner == kNone) {
+        nearest_ = at(distance_, row);
+      } else if (at(distance_, partner) == kFar) {
+        at(distance_, partner) = at(distance_, row) + 1;
+        waiting_.push_back(partner);
+      }
+    }
   }
 
   // Depth first by growing distance; no entry is tried twice in a round. Paths may be as long as
@@ -68,19 +73,18 @@ class Pairing {
   bool extend(int start) {
     std::vector<int> way = {start};
     while (!way.empty()) {
-      const auto row = static_cast<std::size_t>(way.back());
-      if (next_[row] == pattern_[row].size()) {
+      const int row = way.back();
+      if (next_[place(row)] == pattern_[place(row)].size()) {
         way.pop_back();
         continue;
       }
-      const int column = pattern_[row][next_[row]++];
-      const int partner = row_of_[static_cast<std::size_t>(column)];
+      const int partner = at(row_of_, pattern_[place(row)][next_[place(row)]++]);
       if (partner == kNone) {
         exchange(way);
         return true;
       }
-      const int distance = distance_[row] + 1;
-      if (distance <= nearest_ && distance_[static_cast<std::size_t>(partner)] == distance) {
+      const int distance = at(distance_, row) + 1;
+      if (distance <= nearest_ && at(distance_, partner) == distance) {
         way.push_back(partner);
       }
     }
@@ -90,10 +94,9 @@ class Pairing {
   // Every row of the way takes the column that it tried last.
   void exchange(const std::vector<int>& way) {
     for (const int row : way) {
-      const auto place = static_cast<std::size_t>(row);
-      const int column = pattern_[place][next_[place] - 1];
-      column_of_[place] = column;
-      row_of_[static_cast<std::size_t>(column)] = row;
+      const int column = pattern_[place(row)][next_[place(row)] - 1];
+      at(column_of_, row) = column;
+      at(row_of_, column) = row;
     }
   }
 
@@ -102,6 +105,7 @@ class Pairing {
   std::vector<int> row_of_;
   std::vector<int> distance_;
   int nearest_ = kFar;
+  std::vector<int> waiting_;
   std::vector<std::size_t> next_;  ///< entry of a row to try
 };
 

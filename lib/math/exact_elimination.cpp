@@ -9,6 +9,23 @@
 
 namespace kinestat {
 
+namespace {
+
+using Rows = std::vector<FieldElimination<RationalField>::Row>;
+
+// sum -= row · x.
+void subtract_terms(const Rows& rows, int row, const std::vector<Rational>& x, Rational& sum) {
+  RationalField field;
+  for (const auto& cell : at(rows, row)) {
+    const Rational& factor = at(x, cell.column);
+    if (!factor.is_zero()) {
+      field.subtract_product(sum, cell.value, factor);
+    }
+  }
+}
+
+}  // namespace
+
 struct ExactElimination::Factors {
   FieldElimination<RationalField> elimination;
   std::vector<int> last;
@@ -22,8 +39,9 @@ struct ExactElimination::Factors {
 ExactMatrix exact_matrix(const SparseMatrix& matrix) {
   ExactMatrix result{.rows = matrix.rows, .columns = matrix.columns, .entries = {}};
   result.entries.reserve(matrix.entries.size());
+  KINESTAT_EXPECTS(std::ranges::all_of(
+      matrix.entries, [](const SparseEntry& entry) { return std::isfinite(entry.value); }));
   for (const SparseEntry& entry : matrix.entries) {
-    KINESTAT_EXPECTS(std::isfinite(entry.value));
     result.entries.push_back(
         {.row = entry.row, .column = entry.column, .value = Rational(entry.value)});
   }
@@ -59,29 +77,25 @@ int ExactElimination::relation_count() const {
 std::vector<Rational> ExactElimination::Factors::eliminate(std::span<const Rational> rhs) const {
   KINESTAT_EXPECTS(rhs.empty() || rhs.size() == elimination.rows.size());
   std::vector<Rational> right(rhs.begin(), rhs.end());
-  if (!rhs.empty()) {
-    RationalField field;
-    for (const auto& step : elimination.steps) {
-      const Rational& pivot = at(right, step.pivot_row);
-      if (!pivot.is_zero()) {
-        field.subtract_product(at(right, step.row), step.multiplier, pivot);
-      }
+  if (rhs.empty()) {
+    return right;
+  }
+  RationalField field;
+  for (const auto& step : elimination.steps) {
+    const Rational& pivot = at(right, step.pivot_row);
+    if (!pivot.is_zero()) {
+      field.subtract_product(at(right, step.row), step.multiplier, pivot);
     }
   }
   return right;
 }
 
+// x of the pivot's own column is still 0.
 void ExactElimination::Factors::back_substitute(std::span<const Rational> rhs,
                                                 std::vector<Rational>& x) const {
-  RationalField field;
   for (auto pivot = elimination.pivots.rbegin(); pivot != elimination.pivots.rend(); ++pivot) {
     Rational sum = rhs.empty() ? Rational() : rhs[static_cast<std::size_t>(pivot->row)];
-    for (const auto& cell : at(elimination.rows, pivot->row)) {
-      const Rational& factor = at(x, cell.column);
-      if (cell.column != pivot->column && !factor.is_zero()) {
-        field.subtract_product(sum, cell.value, factor);
-      }
-    }
+    subtract_terms(elimination.rows, pivot->row, x, sum);
     at(x, pivot->column) = sum.is_zero() ? sum : Rational(sum / pivot->value);
   }
 }
@@ -89,7 +103,6 @@ void ExactElimination::Factors::back_substitute(std::span<const Rational> rhs,
 // What is left of rows without a pivot outside `last` holds columns of `last` alone.
 bool ExactElimination::Factors::surplus_rows_hold(std::span<const Rational> right,
                                                   const std::vector<Rational>& x) const {
-  RationalField field;
   std::vector<bool> has_pivot(elimination.rows.size(), false);
   for (const auto& pivot : elimination.pivots) {
     at(has_pivot, pivot.row) = true;
@@ -99,9 +112,7 @@ bool ExactElimination::Factors::surplus_rows_hold(std::span<const Rational> righ
       continue;
     }
     Rational sum = right.empty() ? Rational() : right[r];
-    for (const auto& cell : elimination.rows[r]) {
-      field.subtract_product(sum, cell.value, at(x, cell.column));
-    }
+    subtract_terms(elimination.rows, static_cast<int>(r), x, sum);
     if (!sum.is_zero()) {
       return false;
     }

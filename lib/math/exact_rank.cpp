@@ -102,6 +102,11 @@ double error_probability(const RootMatrix& matrix, const PrimeField& field) {
   return std::min(1.0, bits_of_largest_norm(matrix) / kLeastBits / field.prime_count());
 }
 
+bool reaches(int rank, int upper_bound) {
+  KINESTAT_EXPECTS(rank <= upper_bound);
+  return rank == upper_bound;
+}
+
 }  // namespace
 
 std::string_view text_of(RankProof proof) {
@@ -119,8 +124,7 @@ std::string_view text_of(RankProof proof) {
 ExactRank find_exact_rank(const ExactMatrix& matrix, int upper_bound) {
   const PrimeField field(1, kFirstSeed);
   const int lower = modular_rank(matrix, field).value_or(0);
-  KINESTAT_EXPECTS(lower <= upper_bound);
-  if (lower == upper_bound) {
+  if (reaches(lower, upper_bound)) {
     return {.rank = lower, .proof = RankProof::structural, .error_probability = 0.0};
   }
   return {.rank = eliminated_rank<RationalField>(matrix),
@@ -135,8 +139,7 @@ ExactRank find_exact_rank(const RootMatrix& matrix, int upper_bound) {
     const std::optional<int> rank = modular_rank(matrix, field);
     result.rank = std::max(result.rank, rank.value_or(0));
     result.error_probability *= rank ? error_probability(matrix, field) : 1.0;
-    KINESTAT_EXPECTS(result.rank <= upper_bound);
-    if (result.rank == upper_bound) {
+    if (reaches(result.rank, upper_bound)) {
       result.error_probability = 0.0;
       return result;
     }

@@ -1,5 +1,6 @@
 #include "math/refined_solve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -166,9 +167,10 @@ MatX hilbert(int size, Random& /*random*/) {
 
 // The majorants of the factors grow without measure here: only the inverse gives a bound.
 MatX banded(int size, Random& random) {
-  MatX result = MatX::Zero(2 * size, 2 * size);
-  for (int r = 0; r < 2 * size; ++r) {
-    for (int c = std::max(0, r - 2); c <= std::min(2 * size - 1, r + 2); ++c) {
+  const int n = 2 * size;
+  MatX result = MatX::Zero(n, n);
+  for (int r = 0; r < n; ++r) {
+    for (int c = std::max(0, r - 2); c <= std::min(n - 1, r + 2); ++c) {
       result(r, c) = random.magnitude();
     }
   }
@@ -187,8 +189,9 @@ MatX whole_numbers(int size, Random& random) {
 }
 
 MatX long_chain(int size, Random& random) {
-  MatX result = MatX::Identity(3 * size, 3 * size);
-  for (int i = 1; i < 3 * size; ++i) {
+  const int n = 3 * size;
+  MatX result = MatX::Identity(n, n);
+  for (int i = 1; i < n; ++i) {
     result(i, i - 1) = -3.5 * random.magnitude();
   }
   return result;
@@ -228,9 +231,30 @@ class RefinedSolves : public ::testing::TestWithParam<Family> {
     }
   }
 
-  static Rational error(const System& system, const std::vector<DoubleDouble>& x, std::size_t i) {
-    return abs(Rational(exact(x[i]) - system.x[i]));
+  static std::vector<Rational> errors(const System& system, const RefinedSolve& solve) {
+    const std::vector<DoubleDouble> x = solve.x();
+    std::vector<Rational> result;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      result.emplace_back(abs(Rational(exact(x[i]) - system.x[i])));
+    }
+    return result;
   }
+
+  // Counts the unknowns, and those whose bound is at most a hundred times their error.
+  void expect_bounds(const System& system, const RefinedSolve& solve) {
+    const std::optional<VecX> bound = solve.error_bound();
+    ASSERT_TRUE(bound.has_value());
+    const std::vector<Rational> off = errors(system, solve);
+    for (std::size_t i = 0; i < off.size(); ++i) {
+      const Rational limit((*bound)[static_cast<Eigen::Index>(i)]);
+      EXPECT_LE(off[i], limit) << "unknown " << i;
+      close_ += off[i].is_zero() || limit <= 100 * off[i] ? 1 : 0;
+      ++count_;
+    }
+  }
+
+  int close_ = 0;
+  int count_ = 0;
 };
 
 INSTANTIATE_TEST_SUITE_P(Family,
@@ -246,45 +270,32 @@ INSTANTIATE_TEST_SUITE_P(Family,
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST_P(RefinedSolves, HaveBoundsThatCoverTheErrorAndAreClose) {
-  int close = 0;
-  int count = 0;
   for_each_system([&](const System& system) {
     RefinedSolve solve(system.factors, {}, system.rhs);
     for (int step = 0; step < kSteps; ++step) {
-      const std::optional<VecX> bound = solve.error_bound();
-      ASSERT_TRUE(bound.has_value());
-      const std::vector<DoubleDouble> x = solve.x();
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        const Rational limit((*bound)[static_cast<Eigen::Index>(i)]);
-        const Rational off = error(system, x, i);
-        ASSERT_LE(off, limit) << "unknown " << i << " after " << step << " steps";
-        close += off.is_zero() || limit <= 100 * off ? 1 : 0;
-        ++count;
-      }
+      SCOPED_TRACE(step);
+      expect_bounds(system, solve);
       solve.refine();
     }
   });
 
-  EXPECT_GT(count, 300);
-  EXPECT_GE(close, 0.95 * count);
+  EXPECT_GT(count_, 300);
+  EXPECT_GE(close_, 0.95 * count_);
 }
 
 // The flattest of these systems have a condition of 1e10: a step leaves at most 1e-4 of the error,
 // down to what two doubles can hold.
 TEST_P(RefinedSolves, LoseTheirErrorStepByStep) {
   for_each_system([&](const System& system) {
-    RefinedSolve solve(system.factors, {}, system.rhs);
     Rational largest = 0;
     for (const Rational& x : system.x) {
       largest = std::max(largest, Rational(abs(x)));
     }
+    RefinedSolve solve(system.factors, {}, system.rhs);
     Rational before = largest;
     for (int step = 0; step < kSteps; ++step) {
-      const std::vector<DoubleDouble> x = solve.x();
-      Rational worst = 0;
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        worst = std::max(worst, error(system, x, i));
-      }
+      const std::vector<Rational> off = errors(system, solve);
+      const Rational worst = *std::ranges::max_element(off);
       EXPECT_LE(worst, std::max(Rational(before / 10000), Rational(largest * kLeastShare)));
       before = worst;
       solve.refine();
