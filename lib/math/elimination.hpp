@@ -68,6 +68,9 @@ class Elimination {
   /// The largest |A x - b| relative to the largest sum of terms, in scaled rows.
   double residual(const VecX& x, std::span<const double> rhs) const;
 
+  /// The equations that determine columns outside `last`, ascending; all others are surplus.
+  std::vector<int> pivot_rows() const;
+
   /// A basis of the solutions of A x = 0 with x = 0 at `last`: one vector a free column, 1 there.
   std::vector<VecX> null_vectors() const;
 
