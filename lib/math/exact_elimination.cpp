@@ -54,7 +54,7 @@ ExactElimination::ExactElimination(const ExactMatrix& matrix, std::span<const in
   factors_->last.assign(last.begin(), last.end());
   factors_->elimination.load(
       matrix.rows, matrix.entries, [](const Rational& value) { return value; });
-  FieldEliminator(factors_->elimination).run(matrix.columns, last);
+  FieldEliminator(factors_->elimination, matrix.columns).run(last);
 }
 
 ExactElimination::~ExactElimination() = default;

@@ -17,6 +17,10 @@ constexpr std::uint64_t kFirstSeed = 20261121;
 
 constexpr int kPrimes = 2;
 
+// Products of fractions that an exact elimination may take: some seconds. The elimination modulo a
+// prime tells how many they will be.
+constexpr double kMostProducts = 1 << 23;
+
 // Fields of roots of unity; the reciprocal of a pivot serves all rows below it.
 struct RootField {
   using Value = RootSum;
@@ -47,9 +51,14 @@ std::optional<PrimeField::Value> image(const RootSum& value, const PrimeField& f
   return value.residue(field);
 }
 
+struct ModularRank {
+  int rank = 0;
+  std::int64_t products = 0;
+};
+
 // Empty if the prime divides a denominator.
 template <class Matrix>
-std::optional<int> modular_rank(const Matrix& matrix, const PrimeField& field) {
+std::optional<ModularRank> modular_rank(const Matrix& matrix, const PrimeField& field) {
   FieldElimination<PrimeField> elimination{.field = field};
   bool has_image = true;
   elimination.load(matrix.rows, matrix.entries, [&](const auto& value) {
@@ -60,15 +69,15 @@ std::optional<int> modular_rank(const Matrix& matrix, const PrimeField& field) {
   if (!has_image) {
     return std::nullopt;
   }
-  FieldEliminator(elimination).run(matrix.columns, {});
-  return elimination.rank();
+  FieldEliminator(elimination, matrix.columns).run({});
+  return ModularRank{.rank = elimination.rank(), .products = elimination.products};
 }
 
 template <class Field, class Matrix>
 int eliminated_rank(const Matrix& matrix) {
   FieldElimination<Field> elimination{.field = {}};
   elimination.load(matrix.rows, matrix.entries, [](const auto& value) { return value; });
-  FieldEliminator(elimination).run(matrix.columns, {});
+  FieldEliminator(elimination, matrix.columns).run({});
   return elimination.rank();
 }
 
@@ -76,35 +85,78 @@ double bits(const Integer& value) {
   return value.is_zero() ? 0.0 : static_cast<double>(msb(abs(value))) + 1.0;
 }
 
-// Of the norm of any minor, its rows multiplied with their denominators: no conjugate of a row is
-// larger than the sum of the sizes of its coefficients (Hadamard), and there are φ(N) conjugates.
-double bits_of_largest_norm(const RootMatrix& matrix) {
+// Calls `visit` with the coefficients of a number.
+template <class Visit>
+void for_each_coefficient(const Rational& value, const Visit& visit) {
+  visit(value);
+}
+
+template <class Visit>
+void for_each_coefficient(const RootSum& value, const Visit& visit) {
+  for (const auto& [k, factor] : value.terms()) {
+    visit(factor);
+  }
+}
+
+// Of any minor, its rows multiplied with their denominators, and of its conjugates: none of a row
+// is larger than the sum of the sizes of its coefficients (Hadamard).
+template <class Matrix>
+double bits_of_largest_minor(const Matrix& matrix) {
   std::vector<Rational> size(static_cast<std::size_t>(matrix.rows));
   std::vector<Integer> denominator(size.size(), Integer(1));
-  for (const RootEntry& entry : matrix.entries) {
-    for (const auto& [k, factor] : entry.value.terms()) {
+  for (const auto& entry : matrix.entries) {
+    for_each_coefficient(entry.value, [&](const Rational& factor) {
       at(size, entry.row) += abs(factor);
       Integer& common = at(denominator, entry.row);
       common = lcm(common, boost::multiprecision::denominator(factor));
-    }
+    });
   }
   double sum = 0.0;
   for (std::size_t r = 0; r < size.size(); ++r) {
-    const Rational whole = size[r] * denominator[r];
-    sum += bits(boost::multiprecision::numerator(whole));
+    sum += bits(boost::multiprecision::numerator(Rational(size[r] * denominator[r])));
   }
-  return sum * totient(matrix.root_count);
+  return sum;
 }
 
-// The rank is larger only if a prime divides the norm of a minor, which has room for so many.
-double error_probability(const RootMatrix& matrix, const PrimeField& field) {
+// The rank is larger only if the prime divides the norm of a minor, the product of its conjugates:
+// there is room for so many of all primes that might have been drawn.
+double error_probability(double bits_of_norm, const PrimeField& field) {
   constexpr double kLeastBits = 60.0;
-  return std::min(1.0, bits_of_largest_norm(matrix) / kLeastBits / field.prime_count());
+  return std::min(1.0, bits_of_norm / kLeastBits / field.prime_count());
 }
 
 bool reaches(int rank, int upper_bound) {
   KINESTAT_EXPECTS(rank <= upper_bound);
   return rank == upper_bound;
+}
+
+// `degree` fractions make a number of the Field, which has so many conjugates.
+template <class Field, class Matrix>
+ExactRank rank_of(const Matrix& matrix, int root_count, int degree, int upper_bound) {
+  ExactRank result{.rank = 0, .proof = RankProof::structural, .error_probability = 1.0};
+  std::int64_t products = 0;
+  for (int i = 0; i < kPrimes; ++i) {
+    const PrimeField field(root_count, kFirstSeed + static_cast<std::uint64_t>(i));
+    const std::optional<ModularRank> found = modular_rank(matrix, field);
+    if (!found) {
+      continue;
+    }
+    result.rank = std::max(result.rank, found->rank);
+    products = std::max(products, found->products);
+    if (reaches(result.rank, upper_bound)) {
+      result.error_probability = 0.0;
+      return result;
+    }
+    result.error_probability *= error_probability(bits_of_largest_minor(matrix) * degree, field);
+  }
+  const double fractions = static_cast<double>(products) * degree * degree;
+  if (degree > kLargestDegree || fractions > kMostProducts) {
+    result.proof = RankProof::modular;
+    return result;
+  }
+  return {.rank = eliminated_rank<Field>(matrix),
+          .proof = RankProof::elimination,
+          .error_probability = 0.0};
 }
 
 }  // namespace
@@ -122,35 +174,11 @@ std::string_view text_of(RankProof proof) {
 }
 
 ExactRank find_exact_rank(const ExactMatrix& matrix, int upper_bound) {
-  const PrimeField field(1, kFirstSeed);
-  const int lower = modular_rank(matrix, field).value_or(0);
-  if (reaches(lower, upper_bound)) {
-    return {.rank = lower, .proof = RankProof::structural, .error_probability = 0.0};
-  }
-  return {.rank = eliminated_rank<RationalField>(matrix),
-          .proof = RankProof::elimination,
-          .error_probability = 0.0};
+  return rank_of<RationalField>(matrix, 1, 1, upper_bound);
 }
 
 ExactRank find_exact_rank(const RootMatrix& matrix, int upper_bound) {
-  ExactRank result{.rank = 0, .proof = RankProof::structural, .error_probability = 1.0};
-  for (int i = 0; i < kPrimes; ++i) {
-    const PrimeField field(matrix.root_count, kFirstSeed + static_cast<std::uint64_t>(i));
-    const std::optional<int> rank = modular_rank(matrix, field);
-    result.rank = std::max(result.rank, rank.value_or(0));
-    result.error_probability *= rank ? error_probability(matrix, field) : 1.0;
-    if (reaches(result.rank, upper_bound)) {
-      result.error_probability = 0.0;
-      return result;
-    }
-  }
-  if (totient(matrix.root_count) <= kLargestDegree) {
-    return {.rank = eliminated_rank<RootField>(matrix),
-            .proof = RankProof::elimination,
-            .error_probability = 0.0};
-  }
-  result.proof = RankProof::modular;
-  return result;
+  return rank_of<RootField>(matrix, matrix.root_count, totient(matrix.root_count), upper_bound);
 }
 
 }  // namespace kinestat

@@ -41,11 +41,12 @@ struct RootMatrix {
 
 /// The rank of a matrix of fractions: modulo a prime of 61 bits first, and by elimination where
 /// that does not reach `upper_bound`, which must be proved and may be the smaller side of the
-/// matrix. Always proved.
+/// matrix. Only where an elimination without rounding would take long, as in redundant grids of
+/// thousands of bodies, a rank below `upper_bound` is `modular`.
 ExactRank find_exact_rank(const ExactMatrix& matrix, int upper_bound);
 
-/// The rank of a matrix of sines and cosines of parts of a turn: likewise, but elimination is only
-/// tried where φ(N) <= kLargestDegree; beyond, a rank below `upper_bound` is `modular`.
+/// The rank of a matrix of sines and cosines of parts of a turn: likewise, and `modular` too where
+/// φ(N) > kLargestDegree.
 ExactRank find_exact_rank(const RootMatrix& matrix, int upper_bound);
 
 /// A number of such a field has as many fractions; 24 covers trains with up to 12 planets.

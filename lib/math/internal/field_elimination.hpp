@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "math/internal/at.hpp"
@@ -40,6 +41,7 @@ struct FieldElimination {
   std::vector<Pivot> pivots{};       ///< of the columns outside `last`, in order
   std::vector<Pivot> last_pivots{};  ///< of the columns of `last`
   std::vector<int> free_columns{};   ///< outside `last` and without a pivot, ascending
+  std::int64_t products = 0;         ///< how many were subtracted
 
   int rank() const { return static_cast<int>(pivots.size() + last_pivots.size()); }
 

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "math/internal/at.hpp"
+#include "math/internal/count_queue.hpp"
 #include "math/internal/field_elimination.hpp"
 
 namespace kinestat {
@@ -18,29 +20,30 @@ namespace kinestat {
 template <class Field>
 class FieldEliminator {
  public:
-  explicit FieldEliminator(FieldElimination<Field>& result) : out_(result) {}
+  FieldEliminator(FieldElimination<Field>& result, int column_count)
+      : out_(result),
+        rows_of_(static_cast<std::size_t>(column_count)),
+        queue_(column_count),
+        active_(result.rows.size(), true) {}
 
   /// Pivots on the column with the fewest entries and there on the shortest row; on the columns of
   /// `last` after all others.
-  void run(int column_count, std::span<const int> last) {
-    rows_of_.assign(static_cast<std::size_t>(column_count), {});
-    count_.assign(static_cast<std::size_t>(column_count), 0);
-    active_.assign(out_.rows.size(), true);
+  void run(std::span<const int> last) {
     for (std::size_t r = 0; r < out_.rows.size(); ++r) {
       for (const Cell& cell : out_.rows[r]) {
         enter(static_cast<int>(r), cell.column);
       }
     }
-    std::vector<bool> is_last(static_cast<std::size_t>(column_count), false);
+    std::vector<bool> is_last(rows_of_.size(), false);
     for (const int c : last) {
       at(is_last, c) = true;
     }
-    std::vector<int> first(static_cast<std::size_t>(column_count));
+    std::vector<int> first(rows_of_.size());
     std::iota(first.begin(), first.end(), 0);
     std::erase_if(first, [&](int c) { return at(is_last, c); });
-    out_.free_columns = eliminate(std::move(first), out_.pivots);
+    out_.free_columns = eliminate(first, out_.pivots);
     std::ranges::sort(out_.free_columns);
-    eliminate({last.begin(), last.end()}, out_.last_pivots);
+    eliminate(last, out_.last_pivots);
   }
 
  private:
@@ -52,7 +55,7 @@ class FieldEliminator {
 
   void enter(int row, int column) {
     at(rows_of_, column).push_back(row);
-    ++at(count_, column);
+    queue_.change(column, 1);
   }
 
   const Cell* find(int row, int column) const {
@@ -61,17 +64,17 @@ class FieldEliminator {
   }
 
   // Pivots on the candidates until none is left; gives back those that found no pivot.
-  std::vector<int> eliminate(std::vector<int> candidates, std::vector<Pivot>& found) {
+  std::vector<int> eliminate(std::span<const int> candidates, std::vector<Pivot>& found) {
+    for (const int column : candidates) {
+      queue_.add(column);
+    }
     std::vector<int> without;
-    for (; !candidates.empty(); candidates.pop_back()) {
-      std::iter_swap(candidates.end() - 1, std::ranges::min_element(candidates, {}, [&](int c) {
-                       return at(count_, c);
-                     }));
-      const int row = shortest_row(candidates.back());
+    while (const std::optional<int> column = queue_.take()) {
+      const int row = shortest_row(*column);
       if (row < 0) {
-        without.push_back(candidates.back());
+        without.push_back(*column);
       } else {
-        pivot_on(row, candidates.back(), found);
+        pivot_on(row, *column, found);
       }
     }
     return without;
@@ -92,7 +95,7 @@ class FieldEliminator {
   void pivot_on(int row, int column, std::vector<Pivot>& found) {
     at(active_, row) = false;
     for (const Cell& cell : at(out_.rows, row)) {
-      --at(count_, cell.column);
+      queue_.change(cell.column, -1);
     }
     found.push_back({.row = row, .column = column, .value = find(row, column)->value});
     for (const int r : at(rows_of_, column)) {
@@ -105,6 +108,7 @@ class FieldEliminator {
   // row -= multiplier · pivot row.
   void subtract(int row, int pivot_row, int column, Value multiplier) {
     Row& a = at(out_.rows, row);
+    out_.products += static_cast<std::int64_t>(at(out_.rows, pivot_row).size()) - 1;
     merged_.clear();
     std::size_t i = 0;
     for (const Cell& cell : at(out_.rows, pivot_row)) {
@@ -122,7 +126,7 @@ class FieldEliminator {
       if (!was_there) {
         enter(row, cell.column);
       } else if (cell.column == column || out_.field.is_zero(sum.value)) {
-        --at(count_, cell.column);
+        queue_.change(cell.column, -1);
         continue;
       }
       merged_.push_back(std::move(sum));
@@ -134,7 +138,7 @@ class FieldEliminator {
 
   Result& out_;
   std::vector<std::vector<int>> rows_of_;  ///< of a column; may name rows that lost it
-  std::vector<int> count_;                 ///< entries of a column in active rows
+  CountQueue queue_;                       ///< columns by their entries in active rows
   std::vector<bool> active_;
   Row merged_;  ///< of subtract
 };

@@ -45,17 +45,18 @@ TEST(ExactRank, ReachesThePatternWithoutElimination) {
   EXPECT_EQ(rank.proof, RankProof::structural);
 }
 
-// A matrix whose determinant the first prime divides: the prime alone would say 1.
+// A matrix whose determinant the first prime divides: alone it would say 1.
 TEST(ExactRank, IsNotMisledByItsPrime) {
   const PrimeField field(1, 20261121);
   const Rational prime{Integer(field.modulus())};
   const ExactMatrix matrix{
-      .rows = 2, .columns = 2, .entries = {{0, 0, Rational(1)}, {1, 1, prime}}};
+      .rows = 3, .columns = 3, .entries = {{0, 0, Rational(1)}, {1, 1, prime}}};
 
-  const ExactRank rank = find_exact_rank(matrix, 2);
+  const ExactRank rank = find_exact_rank(matrix, 3);
 
   EXPECT_EQ(rank.rank, 2);
   EXPECT_EQ(rank.proof, RankProof::elimination);
+  EXPECT_EQ(find_exact_rank(matrix, 2).rank, 2);
 }
 
 TEST(ExactRank, IsFoundWhereThePrimeDividesADenominator) {
@@ -128,6 +129,28 @@ TEST(ExactRank, OfWholeDegreesIsProvedWhereThePatternAllowsNoMore) {
   EXPECT_EQ(rank.rank, 2);
   EXPECT_EQ(rank.proof, RankProof::structural);
   EXPECT_EQ(rank.error_probability, 0.0);
+}
+
+// 300 rows that depend on 299 others, all full: 9 million products of growing fractions would take
+// minutes.
+TEST(ExactRank, OfALargeFullMatrixIsModular) {
+  constexpr int kSize = 300;
+  Random random(1);
+  ExactMatrix matrix{.rows = kSize, .columns = kSize, .entries = {}};
+  for (int c = 0; c < kSize; ++c) {
+    Rational sum = 0;
+    for (int r = 0; r + 1 < kSize; ++r) {
+      matrix.entries.push_back({.row = r, .column = c, .value = random_fraction(random)});
+      sum += matrix.entries.back().value;
+    }
+    matrix.entries.push_back({.row = kSize - 1, .column = c, .value = sum});
+  }
+
+  const ExactRank rank = find_exact_rank(matrix, kSize);
+
+  EXPECT_EQ(rank.rank, kSize - 1);
+  EXPECT_EQ(rank.proof, RankProof::modular);
+  EXPECT_LT(rank.error_probability, 1e-20);
 }
 
 TEST(RankProof, HasAnotherTextForEachKind) {
