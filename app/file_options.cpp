@@ -1,6 +1,32 @@
 #include "file_options.hpp"
 
+#include <charconv>
+#include <cstdint>
+#include <string_view>
+
 namespace kinestat::app {
+
+namespace {
+
+// "64M": a whole number of bytes, KiB, MiB or GiB.
+std::size_t size_of(const std::string& text) {
+  constexpr std::string_view kUnits = "kMG";
+  std::uint64_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  const std::size_t unit = rest + 1 == end ? kUnits.find(*rest) : std::string_view::npos;
+  const bool is_whole = error == std::errc() && (rest == end || unit != std::string_view::npos);
+  const std::size_t shift = rest == end ? 0 : 10 * (unit + 1);
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 40U;
+  if (!is_whole || number == 0 || number > (kMost >> shift)) {
+    throw WrongValue("--max-file-size",
+                     text,
+                     "it is a whole number of bytes or of k, M or G, up to 1024G: 100M");
+  }
+  return static_cast<std::size_t>(number) << shift;
+}
+
+}  // namespace
 
 CLI::Option& with_value(CLI::App& command, CLI::Option* option, const std::string& type) {
   const bool is_choice = type.find('|') != std::string::npos;
@@ -33,17 +59,27 @@ void add_flag(CLI::App& command,
   command.add_flag_callback(names, std::move(action), description)->disable_flag_override();
 }
 
+void add_loading(CLI::App& command, LoadOptions& options) {
+  add_repeated(command,
+               "--set",
+               options.overrides,
+               "gives a parameter another value;\nmay be repeated",
+               "NAME=VALUE");
+  const auto take = [&options](const std::string& text) {
+    options.limits = ReadLimits::for_size(size_of(text));
+  };
+  with_value(
+      command,
+      command.add_option_function<std::string>(
+          "--max-file-size", take, "reads files of more than 1M, which are\nusually a mistake"),
+      "SIZE");
+}
+
 void add_files(CLI::App& command, FileOptions& options) {
   add_argument(
       command, "FILE", options.paths, "mechanism files, one after the other; - is\nstandard input")
       .required();
-  CLI::Option& set = with_value(command,
-                                command.add_option("--set",
-                                                   options.analyse.overrides,
-                                                   "gives a parameter another value;\n"
-                                                   "may be repeated"),
-                                "NAME=VALUE");
-  set.expected(1)->take_all()->allow_extra_args(false);
+  add_loading(command, options.analyse.load);
   add_choice<DiagnosticsForm>(command,
                               "--diagnostics",
                               {{"text", DiagnosticsForm::text}, {"json", DiagnosticsForm::json}},

@@ -19,7 +19,10 @@ struct FileOptions {
   AnalyseOptions analyse;
 };
 
-/// Declares FILE…, --set and --diagnostics.
+/// Declares --set and --max-file-size.
+void add_loading(CLI::App& command, LoadOptions& options);
+
+/// Declares FILE…, --set, --max-file-size and --diagnostics.
 void add_files(CLI::App& command, FileOptions& options);
 
 /// Declares --format.

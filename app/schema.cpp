@@ -10,11 +10,12 @@ void add_schema(CLI::App& parent, Job& job) {
       "  kinestat schema > mechanism.schema.json\n"
       "  kinestat schema report\n");
   auto name = std::make_shared<std::string>("mechanism");
-  add_argument(*command,
-               "NAME",
-               *name,
-               "mechanism (default), report, mobility, inputs,\nsensitivity, synthesis, comparison "
-               "or diagnostics");
+  add_argument(
+      *command,
+      "NAME",
+      *name,
+      "mechanism (default), report, mobility, inputs,\nsensitivity, sweep, synthesis, comparison "
+      "or diagnostics");
   command->callback([name, &job] { job = [name] { return schema_text(*name); }; });
 }
 

@@ -132,11 +132,7 @@ void add_sweep(CLI::App& parent, Job& job) {
   add_argument(
       *command, "FILE", sweep->path, "mechanism file with a section sweep; - is\nstandard input")
       .required();
-  add_repeated(*command,
-               "--set",
-               sweep->options.overrides,
-               "gives a parameter another value;\nmay be repeated",
-               "NAME=VALUE");
+  add_loading(*command, sweep->options.load);
   add_form(*command, *sweep);
   add_result_folder(*command,
                     sweep->options.folder,

@@ -1,7 +1,58 @@
 #include "command.hpp"
 #include "run/synthesis.hpp"
+#include "sweep_options.hpp"
 
 namespace kinestat::app {
+
+namespace {
+
+struct SynthesizeCommand {
+  FileOptions files;
+  SynthesisOptions options;
+};
+
+void add_output(CLI::App& command, SynthesizeCommand& options) {
+  with_value(command,
+             command.add_option("--write-mechanism",
+                                options.files.analyse.output.folder,
+                                "folder for a mechanism file of every usable\n"
+                                "linkage, <name>.linkage_0.yaml and so on;\n"
+                                "it must exist"),
+             "FOLDER");
+  add_flag(
+      command,
+      "--all-linkages",
+      [&options] { options.options.written = WrittenLinkages::all; },
+      "write those with a defect or outside the\nlimits too");
+  add_flag(
+      command,
+      "--force",
+      [&options] { options.files.analyse.output.overwrite = Overwrite::force; },
+      "replace files that this program did not write");
+}
+
+void add_digits(CLI::App& command, SynthesisOptions& options) {
+  add_count(
+      command,
+      "--digits",
+      [&options](std::uint64_t count) {
+        if (count < kLeastDigits) {
+          throw WrongValue("--digits",
+                           std::to_string(count),
+                           "it is 17 to 100; without it numbers have 16 digits");
+        }
+        if (count > kMostDigits) {
+          throw WrongValue(
+              "--digits", std::to_string(count), "it is 17 to 100, for example --digits 40");
+        }
+        options.digits = static_cast<int>(count);
+      },
+      "decimal digits that the positions have as\n"
+      "typed, 17 to 100, where 16 leave too few of\n"
+      "the dyads");
+}
+
+}  // namespace
 
 void add_synthesize(CLI::App& parent, Job& job) {
   CLI::App* command = parent.add_subcommand(
@@ -9,13 +60,26 @@ void add_synthesize(CLI::App& parent, Job& job) {
   command->footer(
       "  kinestat new synthesis task.yaml\n"
       "  kinestat synthesize task.yaml\n"
-      "  kinestat synthesize --format json task.yaml\n");
-  auto options = std::make_shared<FileOptions>();
-  add_files(*command, *options);
-  add_format(*command, *options);
-  add_strict(*command, *options);
+      "  kinestat synthesize --format json task.yaml\n"
+      "  kinestat synthesize --write-mechanism linkages task.yaml\n"
+      "  kinestat synthesize --digits 40 close_positions.yaml\n");
+  auto options = std::make_shared<SynthesizeCommand>();
+  add_files(*command, options->files);
+  add_format(*command, options->files);
+  add_output(*command, *options);
+  add_digits(*command, options->options);
+  add_count(
+      *command,
+      "--jobs",
+      [options](std::uint64_t count) { options->options.jobs = count; },
+      "threads of a selection; default as many as\n"
+      "there are cores. The result does not depend\n"
+      "on it");
+  add_strict(*command, options->files);
   command->callback([options, &job] {
-    job = [options] { return synthesize_files(options->paths, options->analyse); };
+    job = [options] {
+      return synthesize_files(options->files.paths, options->files.analyse, options->options);
+    };
   });
 }
 

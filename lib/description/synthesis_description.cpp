@@ -2,6 +2,33 @@
 
 namespace kinestat {
 
+std::string_view word_of(FreeNumber which) {
+  switch (which) {
+    case FreeNumber::m:
+      return "m";
+    case FreeNumber::free_point:
+      return "free_point";
+    case FreeNumber::s:
+      return "s";
+    case FreeNumber::tau:
+      return "tau";
+    case FreeNumber::tau_2:
+      return "tau_2";
+    case FreeNumber::circle_points:
+      return "circle_points";
+  }
+  return "";
+}
+
+QuantityKind kind_of(FreeNumber which) {
+  const bool is_length = is_point(which) || which == FreeNumber::s;
+  return is_length ? QuantityKind::length : QuantityKind::dimensionless;
+}
+
+bool is_point(FreeNumber which) {
+  return which == FreeNumber::free_point || which == FreeNumber::circle_points;
+}
+
 int PositionDescription::order() const {
   if (!derivatives.empty()) {
     return 1 + static_cast<int>(derivatives.size());

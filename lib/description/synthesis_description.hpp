@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "description/value.hpp"
@@ -41,9 +42,24 @@ struct PositionDescription {
   int order() const;
 };
 
-/// A free parameter of the task: a number m or a point, from … to.
+/// What `vary` may leave free. `s`, `tau` and `tau_2` are the effective freedom of what curvature,
+/// stationary curvature and a Burmester point leave open, in the place of free point and m; circle
+/// points are free with three and four positions.
+enum class FreeNumber { m, free_point, s, tau, tau_2, circle_points };
+
+/// The key, and the word in messages.
+std::string_view word_of(FreeNumber which);
+
+/// What it is measured in: of a point its coordinates.
+QuantityKind kind_of(FreeNumber which);
+
+/// Whether it has two coordinates.
+bool is_point(FreeNumber which);
+
+/// A free parameter of the task: a number or a point, from … to.
 struct SynthesisRange {
-  Name name;
+  FreeNumber which = FreeNumber::m;
+  SourceRange name_where;
   std::vector<Value> from;  ///< one number, or the coordinates of a point
   std::vector<Value> to;
   SourceRange where;
@@ -60,7 +76,9 @@ struct SynthesisDescription {
   std::vector<PositionDescription> positions;
   SynthesisLimits limits;
   std::vector<SynthesisRange> vary;
+  std::optional<Value> samples;      ///< of a selection, about
   std::optional<Value> curve_count;  ///< points of each curve
+  std::optional<Value> digits;       ///< decimal digits of the positions, more than a double has
   SourceRange where;
 };
 

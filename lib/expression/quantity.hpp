@@ -32,7 +32,8 @@ Dimension power(const Dimension& base, int exponent);
 bool is_bare(const Dimension& dimension);
 
 /// A value in SI: metre, kilogram, second, radian. `Number` is double, Dual (math/dual.hpp: with
-/// derivatives) or Exact (exact.hpp: with its exact value where it has one).
+/// derivatives), Exact (exact.hpp: with its exact value where it has one) or Precise (precise.hpp:
+/// with a hundred digits).
 template <class Number>
 struct BasicQuantity {
   Number value{};

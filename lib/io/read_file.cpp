@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
+#include <limits>
 #include <string_view>
 #include <sys/stat.h>
 #include <system_error>
@@ -35,10 +36,12 @@ void refuse_size(const std::string& path,
                  std::string_view size,
                  const ReadLimits& limits,
                  Diagnostics& found) {
-  found.error("E0201",
-              {},
-              fmt::format("{} is {}, the limit is {} bytes", shown(path), size, limits.bytes),
-              "check the file name; a mechanism file is a few kilobytes");
+  found.error(
+      "E0201",
+      {},
+      fmt::format("{} is {}, the limit is {} bytes", shown(path), size, limits.bytes),
+      "check the file name; a mechanism file is a few kilobytes. --max-file-size 100M reads "
+      "larger ones");
 }
 
 std::string_view kind_of(mode_t mode) {
@@ -98,6 +101,16 @@ std::optional<SourceFile> read_open(int descriptor,
 }
 
 }  // namespace
+
+ReadLimits ReadLimits::for_size(std::size_t bytes) {
+  const ReadLimits usual;
+  const double nodes = static_cast<double>(bytes) / static_cast<double>(usual.bytes) * usual.nodes;
+  ReadLimits limits;
+  limits.bytes = bytes;
+  limits.nodes =
+      static_cast<int>(std::clamp<double>(nodes, usual.nodes, std::numeric_limits<int>::max()));
+  return limits;
+}
 
 std::optional<SourceFile> read_file(const std::string& path,
                                     const ReadLimits& limits,

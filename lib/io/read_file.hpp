@@ -16,6 +16,9 @@ struct ReadLimits {
   int depth = 64;      ///< nested lists and mappings, the root counted; at most 400
   int nodes = 200000;  ///< values in the tree, expanded aliases counted
   std::size_t scalar = std::size_t{1} << 16U;  ///< bytes of one value
+
+  /// For files of so many bytes, with as many more values.
+  static ReadLimits for_size(std::size_t bytes);
 };
 
 /// The bytes of a file; "-" is standard input. Only regular files are read: a folder, a pipe or a

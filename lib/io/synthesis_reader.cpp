@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -169,54 +171,53 @@ SynthesisLimits find_limits(Fields& fields, Diagnostics& found) {
   return limits;
 }
 
-std::optional<SynthesisRange> find_number_range(Fields& vary,
-                                                const YamlNode& node,
-                                                Diagnostics& found) {
-  const YamlNode* range = vary.find("m");
+std::optional<SynthesisRange> find_range(Fields& vary,
+                                         const YamlNode& node,
+                                         FreeNumber which,
+                                         Diagnostics& found) {
+  const std::string key(word_of(which));
+  const YamlNode* range = vary.find(key);
   if (range == nullptr) {
     return std::nullopt;
   }
-  Fields fields(*range, range->where, "'m' of 'vary'", found);
+  Fields fields(*range, range->where, fmt::format("'{}' of 'vary'", key), found);
   SynthesisRange result;
-  result.name = {.text = "m", .where = place_of_key(node, "m")};
+  result.which = which;
+  result.name_where = place_of_key(node, key);
   result.where = range->where;
-  result.from.push_back(require_value(fields, "from", found));
-  result.to.push_back(require_value(fields, "to", found));
+  if (is_point(which)) {
+    result.from = require_point(fields, "from", kPlane, found).coordinates;
+    result.to = require_point(fields, "to", kPlane, found).coordinates;
+  } else {
+    result.from.push_back(require_value(fields, "from", found));
+    result.to.push_back(require_value(fields, "to", found));
+  }
   fields.finish();
   return result;
 }
 
-std::optional<SynthesisRange> find_point_range(Fields& vary,
-                                               const YamlNode& node,
-                                               Diagnostics& found) {
-  const YamlNode* range = vary.find("free_point");
-  if (range == nullptr) {
-    return std::nullopt;
-  }
-  Fields fields(*range, range->where, "'free_point' of 'vary'", found);
-  SynthesisRange result;
-  result.name = {.text = "free_point", .where = place_of_key(node, "free_point")};
-  result.where = range->where;
-  result.from = require_point(fields, "from", kPlane, found).coordinates;
-  result.to = require_point(fields, "to", kPlane, found).coordinates;
-  fields.finish();
-  return result;
-}
-
-std::vector<SynthesisRange> read_vary(const YamlNode& node, Diagnostics& found) {
-  std::vector<SynthesisRange> ranges;
+void read_vary(const YamlNode& node, SynthesisDescription& synthesis, Diagnostics& found) {
+  using enum FreeNumber;
+  const int errors_before = found.error_count();
   Fields fields(node, node.where, "'vary' of 'synthesis'", found);
-  if (auto m = find_number_range(fields, node, found)) {
-    ranges.push_back(*std::move(m));
+  for (const FreeNumber which : {m, free_point, s, tau, tau_2, circle_points}) {
+    if (auto range = find_range(fields, node, which, found)) {
+      synthesis.vary.push_back(*std::move(range));
+    }
   }
-  if (auto point = find_point_range(fields, node, found)) {
-    ranges.push_back(*std::move(point));
-  }
+  synthesis.samples = find_value(fields, "samples", found);
   fields.finish();
-  return ranges;
+  if (synthesis.vary.empty() && found.error_count() == errors_before) {
+    found.error("E0303",
+                node.where,
+                "'vary' names nothing that is free",
+                "write for example vary: {m: {from: 0.2, to: 3}}");
+  }
 }
 
+// To ask for curves is enough.
 std::optional<Value> find_curve_count(Fields& fields, Diagnostics& found) {
+  constexpr std::string_view kUsual = "200";
   const YamlNode* node = fields.find("curves");
   if (node == nullptr) {
     return std::nullopt;
@@ -224,7 +225,11 @@ std::optional<Value> find_curve_count(Fields& fields, Diagnostics& found) {
   Fields inner(*node, node->where, "'curves' of 'synthesis'", found);
   std::optional<Value> count = find_value(inner, "count", found);
   inner.finish();
-  return count;
+  return node->entries.empty()
+             ? std::optional(Value{.expression = std::get<Expression>(parse_expression(kUsual)),
+                                   .where = node->where,
+                                   .text_column = 0})
+             : count;
 }
 
 }  // namespace
@@ -244,9 +249,10 @@ std::optional<SynthesisDescription> read_synthesis(const YamlNode& node, Diagnos
   }
   synthesis.limits = find_limits(fields, found);
   if (const YamlNode* vary = fields.find("vary")) {
-    synthesis.vary = read_vary(*vary, found);
+    read_vary(*vary, synthesis, found);
   }
   synthesis.curve_count = find_curve_count(fields, found);
+  synthesis.digits = find_value(fields, "digits", found);
   fields.finish();
   return found.error_count() == errors_before ? std::optional(std::move(synthesis)) : std::nullopt;
 }

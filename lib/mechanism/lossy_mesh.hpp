@@ -10,7 +10,7 @@ namespace kinestat {
 /// mesh or from the ground (LossModel).
 struct LossyMesh {
   CouplingId coupling;
-  double share = 0.0;  ///< 1 - η, above 0 and below 1
+  double share = 0.0;  ///< 1 - η, not negative and below 1
   SourceRange where;
 };
 

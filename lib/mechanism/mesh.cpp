@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
+#include <vector>
 
 #include "core/tolerance.hpp"
 #include "screw/screw_axis.hpp"
@@ -26,7 +28,14 @@ struct Hinge {
   int head = 0;
   Vec3 direction;
   Vec3 point;
+  double mark = 0.0;  // the same for hinges on one line, up to rounding
 };
+
+// Where the line comes nearest to the origin, along a direction in which few mechanisms lie.
+double mark_of(const Vec3& point, const Vec3& direction) {
+  const Vec3 foot = point - point.dot(direction) * direction;
+  return foot.dot(Vec3(0.61, 0.67, 0.43));
+}
 
 class CarrierSearch {
  public:
@@ -36,6 +45,9 @@ class CarrierSearch {
       if (is_hinge(coupling.type)) {
         add(coupling, topology, geometry);
       }
+    }
+    for (std::vector<std::size_t>& hinges : hinges_at_) {
+      std::ranges::sort(hinges, {}, [this](std::size_t h) { return hinges_[h].mark; });
     }
   }
 
@@ -66,7 +78,9 @@ class CarrierSearch {
         hinges_.push_back({.tail = coupling.tail.value,
                            .head = coupling.head.value,
                            .direction = axis->direction,
-                           .point = *axis->point});
+                           .point = *axis->point,
+                           .mark = mark_of(*axis->point, axis->direction)});
+        farthest_ = std::max(farthest_, axis->point->norm());
         return;
       }
     }
@@ -85,7 +99,7 @@ class CarrierSearch {
     while (!waiting.empty()) {
       const auto at = static_cast<std::size_t>(waiting.back());
       waiting.pop_back();
-      for (const std::size_t h : hinges_at_[at]) {
+      for (const std::size_t h : hinges_near(line, at)) {
         const Hinge& hinge = hinges_[h];
         const int other = hinge.tail == static_cast<int>(at) ? hinge.head : hinge.tail;
         if (is_one_line(line, hinge) && bodies.insert(other).second) {
@@ -96,9 +110,20 @@ class CarrierSearch {
     return bodies;
   }
 
+  // The hinges of a body that may be on that line: of a housing of many shafts, few.
+  std::span<const std::size_t> hinges_near(const Hinge& line, std::size_t body) const {
+    const double slack = 4.0 * kParallelAxes * (length_ + farthest_);
+    const std::vector<std::size_t>& hinges = hinges_at_[body];
+    const auto mark = [this](std::size_t h) { return hinges_[h].mark; };
+    const auto begin = std::ranges::lower_bound(hinges, line.mark - slack, {}, mark);
+    const auto end = std::ranges::upper_bound(hinges, line.mark + slack, {}, mark);
+    return {begin, end};
+  }
+
   double length_;
+  double farthest_ = 0.0;  // of all points from the origin
   std::vector<Hinge> hinges_;
-  std::vector<std::vector<std::size_t>> hinges_at_;  // of each body
+  std::vector<std::vector<std::size_t>> hinges_at_;  // of each body, by their marks
 };
 
 }  // namespace

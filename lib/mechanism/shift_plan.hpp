@@ -53,6 +53,8 @@ struct GearCase {
   std::vector<int> engaged;  ///< elements without motion of which none follows from the others
   std::vector<int> open;     ///< elements whose action is given as none
   std::vector<int> others;   ///< indices into ShiftPlan::others, likewise
+
+  friend bool operator==(const GearCase&, const GearCase&) = default;
 };
 
 /// The gears as cases of the description: so they depend on its parameters as it does itself.

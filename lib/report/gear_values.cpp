@@ -110,6 +110,16 @@ class GearReader {
     values_.slips.push_back(slip ? std::optional(in_.rate(*slip, true)) : std::nullopt);
   }
 
+  // How many equal planets share what a coupling bears.
+  int planets_of(const CouplingTopology& coupling) const {
+    const std::vector<int>& counts = analysis_.mechanism.planet_counts;
+    return counts.empty() || coupling.action_count == 0
+               ? 1
+               : std::max(1, counts[static_cast<std::size_t>(coupling.first_action)]);
+  }
+
+  // The forces of one planet count where several share a load. Then bearings that no planet shares
+  // do not: on the main axis the forces of equal planets cancel, which the solution does not know.
   std::optional<LoadedCoupling> most_loaded(bool (*counts)(CouplingType)) const {
     std::optional<LoadedCoupling> most;
     if (!has_actions()) {
@@ -117,10 +127,14 @@ class GearReader {
     }
     const Topology& topology = analysis_.mechanism.topology;
     for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
-      if (!counts(topology.couplings[e].type) || !one_.action->wrenches[e]) {
+      const CouplingTopology& coupling = topology.couplings[e];
+      const int planets = planets_of(coupling);
+      const bool may_cancel =
+          planets == 1 && is_bearing(coupling.type) && has_planets(analysis_.mechanism);
+      if (!counts(coupling.type) || may_cancel || !one_.action->wrenches[e]) {
         continue;
       }
-      const double force = in_.force(one_.action->wrenches[e]->force.norm());
+      const double force = in_.force(one_.action->wrenches[e]->force.norm()) / planets;
       if (force > (most ? most->force : 0.0)) {
         most = {.name = topology.couplings[e].name, .force = force};
       }

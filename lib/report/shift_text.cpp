@@ -246,7 +246,7 @@ class ShiftTables {
                           bool of_engaged) const {
     std::vector<TextColumn> columns = {names(head.c_str(), 0, gears_.size())};
     TextColumn largest{.head = "largest size", .cells = {}};
-    std::vector<double> sizes(gears_.size(), 0.0);
+    std::vector<std::optional<double>> sizes(gears_.size(), 0.0);
     for (std::size_t e = 0; e < plan_.elements.size(); ++e) {
       TextColumn column{.head = element_name(static_cast<int>(e)), .cells = {}};
       for (std::size_t s = 0; s < gears_.size(); ++s) {
@@ -254,12 +254,15 @@ class ShiftTables {
             std::ranges::binary_search(solution_.states[s].engaged, static_cast<int>(e));
         const std::optional<double>& value = (gears_[s].*values)[e];
         column.cells.push_back(is_engaged == of_engaged ? shown(value) : kOpen);
-        sizes[s] = std::max(sizes[s], is_engaged == of_engaged ? std::abs(value.value_or(0)) : 0.0);
+        if (is_engaged == of_engaged) {
+          sizes[s] = value && sizes[s] ? std::optional(std::max(*sizes[s], std::abs(*value)))
+                                       : std::nullopt;
+        }
       }
       columns.push_back(std::move(column));
     }
-    for (const double size : sizes) {
-      largest.cells.push_back(format_short(size));
+    for (const std::optional<double>& size : sizes) {
+      largest.cells.push_back(shown(size));
     }
     columns.push_back(std::move(largest));
     return table_text(columns);

@@ -74,6 +74,9 @@ class QuantitySearch {
     if (name.text == "ratio" || name.text == "torque_ratio") {
       return ratio_of(name.text == "ratio" ? ratio : torque_ratio, name);
     }
+    if (name.text == "step") {
+      return step_of(name);
+    }
     if (name.text == "efficiency" || name.text == "recirculation") {
       return SweepQuantity{.kind = name.text == "efficiency" ? efficiency : recirculation,
                            .index = -1,
@@ -90,12 +93,21 @@ class QuantitySearch {
         return rate_of(f);
       }
     }
-    found_.error("E0315",
-                 name.where,
-                 fmt::format("'{}' of 'sweep' is not analysed yet", name.text),
-                 "write ratio, torque_ratio, efficiency or recirculation, an actuator, or "
-                 "coupling.freedom or coupling.action");
+    KINESTAT_EXPECTS(false);  // the check of the section lets no other name pass
     return std::nullopt;
+  }
+
+  // Between the gears of a shift table.
+  std::optional<SweepQuantity> step_of(const Name& name) {
+    if (!description_.shift) {
+      found_.error("E0305",
+                   name.where,
+                   "'step' is the ratio of the next lower gear over a gear's own, and the file has "
+                   "no section 'shift'",
+                   "remove 'step', or let 'shift:' name the input, the output and the elements");
+      return std::nullopt;
+    }
+    return SweepQuantity{.kind = step, .index = -1, .name = name.text, .unit = {}};
   }
 
   SweepQuantity rate_of(int freedom) const {
@@ -172,7 +184,7 @@ std::optional<double> ratio_value(SweepQuantityKind kind,
 }  // namespace
 
 bool needs_statics(SweepQuantityKind kind) {
-  return kind != ratio && kind != rate;
+  return kind != ratio && kind != rate && kind != step;
 }
 
 bool needs_power(SweepQuantityKind kind) {
@@ -200,6 +212,8 @@ std::optional<double> value_of(const SweepQuantity& quantity,
     case ratio:
     case torque_ratio:
       return ratio_value(quantity.kind, one, mechanism.topology, units);
+    case step:
+      return std::nullopt;
     case efficiency:
       return efficiency_value(one, mechanism);
     case recirculation:

@@ -11,7 +11,7 @@
 
 namespace kinestat {
 
-enum class SweepQuantityKind { ratio, torque_ratio, efficiency, recirculation, rate, action };
+enum class SweepQuantityKind { ratio, torque_ratio, step, efficiency, recirculation, rate, action };
 
 /// A column of a sweep, resolved once for all states.
 struct SweepQuantity {
@@ -28,15 +28,15 @@ bool needs_statics(SweepQuantityKind kind);
 bool needs_power(SweepQuantityKind kind);
 
 /// The quantities that `report` of the sweep names; if it names none, ratio and torque ratio where
-/// a case has them, and all rates and actions. Words of gears that this version does not give are
-/// E0315, a ratio whose unit differs from case to case E0305. Empty iff an error was added.
+/// a case has them, and all rates and actions. A ratio whose unit differs from case to case is
+/// E0305, and so is a step without gears. Empty iff an error was added.
 std::optional<std::vector<SweepQuantity>> find_sweep_quantities(
     const MechanismDescription& description,
     const Mechanism& mechanism,
     std::span<const Case> cases,
     Diagnostics& found);
 
-/// Its value in its unit; empty where the case has none.
+/// Its value in its unit; empty where the case has none. A step is not of one case.
 std::optional<double> value_of(const SweepQuantity& quantity,
                                const CaseAnalysis& one,
                                const Mechanism& mechanism,

@@ -41,6 +41,9 @@ class SynthesisCsv {
   explicit SynthesisCsv(const SynthesisAnalysis& analysis) : analysis_(analysis) {}
 
   std::string run(const Json& synthesis) {
+    status_ = "solved";
+    element_ = "selection";
+    add("", "", synthesis["selection"]);
     const Json& tasks = synthesis["tasks"];
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       task_ = std::to_string(i);

@@ -9,7 +9,7 @@
 namespace kinestat {
 
 /// One row a number of the JSON report: the case is the number of the task, the element the key
-/// below it, the quantity the path from there.
+/// below it, the quantity the path from there. What a selection tried belongs to no case.
 std::string synthesis_csv(const SynthesisAnalysis& analysis, const Json& synthesis);
 
 }  // namespace kinestat

@@ -22,6 +22,12 @@ double zero_length(const SynthesisTask& task) {
   return kReportZero * size;
 }
 
+double zero_length(const Dyad& dyad) {
+  const double size =
+      std::max({std::abs(dyad.circle_point), std::abs(dyad.centre_point), dyad.length});
+  return kReportsAgreeInZero * size;
+}
+
 FileReport make_synthesis_report(const SynthesisAnalysis& analysis,
                                  const ReportForms& forms,
                                  const Diagnostics& found) {

@@ -10,6 +10,7 @@
 #include "synthesis/burmester.hpp"
 #include "synthesis/few_positions.hpp"
 #include "synthesis/special_frame.hpp"
+#include "synthesis/specification.hpp"
 #include "synthesis/synthesis.hpp"
 
 namespace kinestat {
@@ -18,6 +19,7 @@ namespace kinestat {
 struct SynthesisChoice {
   std::optional<double> m;
   std::optional<Point> free_point;
+  std::optional<EffectiveFreedom> freedom;  ///< instead of both
 };
 
 /// One choice of the angles that a file lists, and of its ranges, and what was found for it.
@@ -29,6 +31,7 @@ struct SynthesisTask {
   std::optional<FourPositionCurves> curves;  ///< of four
   std::optional<Circle> straight_paths;      ///< of three
   std::vector<LinkageCandidate> linkages;    ///< the best first
+  std::vector<std::string> files;            ///< written, one a linkage; empty ones are not
 };
 
 /// What a selection looked at.
@@ -42,6 +45,7 @@ struct SynthesisAnalysis {
   std::string file;  ///< as the user gave it
   MechanismDescription description;
   int curve_count = 200;                     ///< points of each curve
+  std::optional<int> digits;                 ///< decimal digits of the positions, if asked for
   std::string form;                          ///< "PP-PP-P"
   std::optional<SelectionCounts> selection;  ///< where the file has ranges
   std::vector<SynthesisTask> tasks;          ///< with ranges the best choices, perhaps none
@@ -49,6 +53,9 @@ struct SynthesisAnalysis {
 
 /// Lengths below this are rounding of the positions and reported as zero [m].
 double zero_length(const SynthesisTask& task);
+
+/// The same for the places of a dyad, which have fewer digits than the positions.
+double zero_length(const Dyad& dyad);
 
 FileReport make_synthesis_report(const SynthesisAnalysis& analysis,
                                  const ReportForms& forms,

@@ -64,7 +64,7 @@ void analyse_file(const std::string& path,
   SourceFile source;
   Diagnostics found;
   std::optional<MechanismDescription> description =
-      load_description(path, options.overrides, source, found);
+      load_description(path, options.load, source, found);
   if (description) {
     const std::optional<FileReport> report =
         analyse_description(path, *std::move(description), forms, found);
@@ -91,7 +91,7 @@ Outcome check_files(const std::vector<std::string>& paths, const AnalyseOptions&
   return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
     SourceFile source;
     Diagnostics found;
-    const auto description = load_description(path, options.overrides, source, found);
+    const auto description = load_description(path, options.load, source, found);
     const bool is_right = description && check(*description, found);
     if (is_right && status_of(found, options.strictness) == ExitStatus::done) {
       outcome.out += fmt::format("{}: ok\n", path == "-" ? "<stdin>" : path);

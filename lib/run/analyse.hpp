@@ -14,7 +14,7 @@ namespace kinestat {
 enum class StreamFormat { table, json, csv };
 
 struct AnalyseOptions {
-  std::vector<Override> overrides;  ///< of --set
+  LoadOptions load;
   StreamFormat format = StreamFormat::table;
   OutputOptions output;
   Strictness strictness = Strictness::normal;

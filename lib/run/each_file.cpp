@@ -59,4 +59,18 @@ Outcome for_each_file(const std::vector<std::string>& paths,
   return outcome;
 }
 
+Outcome report_on_each_file(const std::vector<std::string>& paths,
+                            const AnalyseOptions& options,
+                            const FileAnswer& answer) {
+  const ReportForms forms = stream_forms(options.format, paths.size());
+  return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
+    SourceFile source;
+    Diagnostics found;
+    if (const std::optional<FileReport> report = answer(path, forms, source, found)) {
+      add_to_stream(*report, options, outcome);
+    }
+    add_diagnostics(source, found, options.strictness, outcome);
+  });
+}
+
 }  // namespace kinestat

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,16 @@ using FileJob = std::function<void(const std::string& path, Outcome& outcome)>;
 Outcome for_each_file(const std::vector<std::string>& paths,
                       const AnalyseOptions& options,
                       const FileJob& job);
+
+/// The report on one file in those forms, empty if there is none. Complaints about the file are
+/// added to `found`, whose places are in `source`.
+using FileAnswer = std::function<std::optional<FileReport>(
+    const std::string& path, const ReportForms& forms, SourceFile& source, Diagnostics& found)>;
+
+/// The same for a job whose outcome is a report on standard output, with the diagnostics.
+Outcome report_on_each_file(const std::vector<std::string>& paths,
+                            const AnalyseOptions& options,
+                            const FileAnswer& answer);
 
 /// The forms that go to standard output for that many files.
 ReportForms stream_forms(StreamFormat format, std::size_t file_count);

@@ -18,42 +18,6 @@ void add_unless(const std::vector<int>& known, int index, std::vector<int>& list
   }
 }
 
-GearCase gear_case(const NamedShiftState& one, const ShiftPlan& plan) {
-  GearCase gear{.label = one.name,
-                .where = one.where,
-                .moving = one.state.moving,
-                .engaged = {},
-                .open = {},
-                .others = {}};
-  for (int o = 0; o < static_cast<int>(plan.others.size()); ++o) {
-    add_unless(one.state.unloaded_others, o, gear.others);
-  }
-  for (int e = 0; e < static_cast<int>(plan.elements.size()); ++e) {
-    if (!std::ranges::binary_search(one.engaged, e)) {
-      add_unless(one.state.unloaded, e, gear.open);
-    } else {
-      add_unless(one.state.surplus, e, gear.engaged);
-    }
-  }
-  return gear;
-}
-
-// Each as the description would have it: so whatever binds the cases anew finds them.
-void add_cases(const ShiftAnalysis& shift,
-               MechanismDescription& description,
-               Mechanism& mechanism) {
-  std::vector<GearCase> gears;
-  for (const NamedShiftState& one : shift.solution.states) {
-    if (one.state.kind == ShiftClass::gear) {
-      gears.push_back(gear_case(one, shift.plan));
-    }
-  }
-  MechanismDescription alone = description;
-  alone.cases = describe_gears(description, mechanism.topology, shift.plan, gears);
-  std::ranges::move(bind_described_cases(alone, mechanism), std::back_inserter(mechanism.cases));
-  std::ranges::move(alone.cases, std::back_inserter(description.cases));
-}
-
 void complain_of_length(const ShiftAnalysis& shift, Diagnostics& found) {
   found.error("E0711",
               shift.plan.where,
@@ -84,6 +48,36 @@ void warn_of_missing_elements(const ShiftAnalysis& shift, Diagnostics& found) {
 
 }  // namespace
 
+GearCase gear_case(const NamedShiftState& state, const ShiftPlan& plan) {
+  GearCase gear{.label = state.name,
+                .where = state.where,
+                .moving = state.state.moving,
+                .engaged = {},
+                .open = {},
+                .others = {}};
+  for (int o = 0; o < static_cast<int>(plan.others.size()); ++o) {
+    add_unless(state.state.unloaded_others, o, gear.others);
+  }
+  for (int e = 0; e < static_cast<int>(plan.elements.size()); ++e) {
+    if (!std::ranges::binary_search(state.engaged, e)) {
+      add_unless(state.state.unloaded, e, gear.open);
+    } else {
+      add_unless(state.state.surplus, e, gear.engaged);
+    }
+  }
+  return gear;
+}
+
+void add_gear_cases(const std::vector<GearCase>& gears,
+                    const ShiftPlan& plan,
+                    MechanismDescription& description,
+                    Mechanism& mechanism) {
+  MechanismDescription alone = description;
+  alone.cases = describe_gears(description, mechanism.topology, plan, gears);
+  std::ranges::move(bind_described_cases(alone, mechanism), std::back_inserter(mechanism.cases));
+  std::ranges::move(alone.cases, std::back_inserter(description.cases));
+}
+
 std::optional<ShiftAnalysis> add_gears(MechanismDescription& description,
                                        Mechanism& mechanism,
                                        const ShiftOptions& options,
@@ -102,7 +96,13 @@ std::optional<ShiftAnalysis> add_gears(MechanismDescription& description,
   if (shift.solution.needed > static_cast<int>(shift.plan.elements.size())) {
     warn_of_missing_elements(shift, found);
   }
-  add_cases(shift, description, mechanism);
+  std::vector<GearCase> gears;
+  for (const NamedShiftState& one : shift.solution.states) {
+    if (one.state.kind == ShiftClass::gear) {
+      gears.push_back(gear_case(one, shift.plan));
+    }
+  }
+  add_gear_cases(gears, shift.plan, description, mechanism);
   return shift;
 }
 

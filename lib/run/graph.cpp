@@ -120,7 +120,7 @@ void graph_file(const std::string& path,
                 Outcome& outcome) {
   SourceFile source;
   Diagnostics found;
-  if (const std::optional<Loaded> loaded = load(path, options.overrides, source, found)) {
+  if (const std::optional<Loaded> loaded = load(path, options.load, source, found)) {
     const Case* which = choose_case(loaded->mechanism.cases, case_label, found);
     if (!found.has_errors()) {
       const FileReport report = make_graph_report(

@@ -278,7 +278,7 @@ Outcome inputs_files(const std::vector<std::string>& paths,
   return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
     SourceFile source;
     Diagnostics found;
-    if (const std::optional<Loaded> loaded = load(path, options.overrides, source, found)) {
+    if (const std::optional<Loaded> loaded = load(path, options.load, source, found)) {
       InputsJob job(path, *loaded, choice, found);
       if (const auto report = job.run(forms)) {
         add_to_stream(*report, options, outcome);

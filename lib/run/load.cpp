@@ -10,7 +10,6 @@
 #include "core/utf8.hpp"
 #include "expression/parameters.hpp"
 #include "io/mechanism_reader.hpp"
-#include "io/read_file.hpp"
 #include "io/yaml_tree.hpp"
 #include "mechanism/bind.hpp"
 #include "run/gears.hpp"
@@ -96,17 +95,16 @@ void apply_all(const std::vector<Override>& overrides,
 }  // namespace
 
 std::optional<MechanismDescription> load_description(const std::string& path,
-                                                     const std::vector<Override>& overrides,
+                                                     const LoadOptions& options,
                                                      SourceFile& source,
                                                      Diagnostics& found) {
-  const ReadLimits limits;
   source.path = path;
-  std::optional<SourceFile> file = read_file(path, limits, found);
+  std::optional<SourceFile> file = read_file(path, options.limits, found);
   if (!file) {
     return std::nullopt;
   }
   source = *std::move(file);
-  const std::optional<YamlNode> tree = read_yaml(source, limits, found);
+  const std::optional<YamlNode> tree = read_yaml(source, options.limits, found);
   if (!tree) {
     return std::nullopt;
   }
@@ -114,26 +112,36 @@ std::optional<MechanismDescription> load_description(const std::string& path,
   if (!description) {
     return std::nullopt;
   }
-  if (!overrides.empty()) {
-    apply_all(overrides, *description, found);
+  if (!options.overrides.empty()) {
+    apply_all(options.overrides, *description, found);
   }
   return found.has_errors() ? std::nullopt : std::move(description);
 }
 
+void refuse_without_mechanism(const MechanismDescription& description, Diagnostics& found) {
+  found.error(
+      "E0303",
+      {},
+      "the file holds no mechanism",
+      description.synthesis
+          ? "it is a task for 'kinestat synthesize', which writes the linkages that it finds "
+            "as mechanisms: --write-mechanism FOLDER"
+          : "add ground, bodies and couplings");
+}
+
 std::optional<Loaded> load(const std::string& path,
-                           const std::vector<Override>& overrides,
+                           const LoadOptions& options,
                            SourceFile& source,
                            Diagnostics& found,
                            const ShiftOptions& sizes) {
-  std::optional<MechanismDescription> description =
-      load_description(path, overrides, source, found);
+  std::optional<MechanismDescription> description = load_description(path, options, source, found);
   if (!description) {
     return std::nullopt;
   }
   std::optional<Mechanism> mechanism = bind(*description, found);
   if (!mechanism) {
     if (!found.has_errors()) {
-      found.error("E0303", {}, "the file holds no mechanism", "add ground, bodies and couplings");
+      refuse_without_mechanism(*description, found);
     }
     return std::nullopt;
   }

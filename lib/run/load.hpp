@@ -7,6 +7,7 @@
 
 #include "core/diagnostic.hpp"
 #include "core/source.hpp"
+#include "io/read_file.hpp"
 #include "mechanism/mechanism.hpp"
 #include "report/analysis.hpp"
 
@@ -14,6 +15,12 @@ namespace kinestat {
 
 /// A parameter given on the command line: NAME=VALUE.
 using Override = std::string;
+
+/// What a command says about reading its files.
+struct LoadOptions {
+  std::vector<Override> overrides;  ///< of --set
+  ReadLimits limits;                ///< of --max-file-size
+};
 
 struct Loaded {
   MechanismDescription description;
@@ -24,14 +31,17 @@ struct Loaded {
 /// Reads and applies the overrides. `source` keeps the text for messages, also when the result is
 /// empty, which it is iff an error was added.
 std::optional<MechanismDescription> load_description(const std::string& path,
-                                                     const std::vector<Override>& overrides,
+                                                     const LoadOptions& options,
                                                      SourceFile& source,
                                                      Diagnostics& found);
+
+/// Says that a file holds no mechanism, and what does: E0303.
+void refuse_without_mechanism(const MechanismDescription& description, Diagnostics& found);
 
 /// Reads, applies the overrides and binds, gears included, whose `sizes` may be more than the
 /// usual; a file without a mechanism is an error. Empty iff an error was added.
 std::optional<Loaded> load(const std::string& path,
-                           const std::vector<Override>& overrides,
+                           const LoadOptions& options,
                            SourceFile& source,
                            Diagnostics& found,
                            const ShiftOptions& sizes = {});

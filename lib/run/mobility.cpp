@@ -35,7 +35,7 @@ std::optional<MobilityAnalysis> find_mobility(const std::string& path,
         mechanism ? bind_in_space(description, found) : std::nullopt;
     if (!in_space) {
       if (!found.has_errors()) {
-        found.error("E0303", {}, "the file holds no mechanism", "add ground, bodies and couplings");
+        refuse_without_mechanism(description, found);
       }
       return std::nullopt;
     }
@@ -61,19 +61,17 @@ std::optional<MobilityAnalysis> find_mobility(const std::string& path,
 }  // namespace
 
 Outcome mobility_of_files(const std::vector<std::string>& paths, const AnalyseOptions& options) {
-  const ReportForms forms = stream_forms(options.format, paths.size());
-  return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
-    SourceFile source;
-    Diagnostics found;
-    std::optional<MechanismDescription> description =
-        load_description(path, options.overrides, source, found);
-    if (description) {
-      if (const auto analysis = find_mobility(path, *std::move(description), found)) {
-        add_to_stream(make_mobility_report(*analysis, forms, found), options, outcome);
-      }
-    }
-    add_diagnostics(source, found, options.strictness, outcome);
-  });
+  return report_on_each_file(
+      paths,
+      options,
+      [&](const std::string& path, const ReportForms& forms, SourceFile& source, Diagnostics& found)
+          -> std::optional<FileReport> {
+        auto description = load_description(path, options.load, source, found);
+        const auto analysis =
+            description ? find_mobility(path, *std::move(description), found) : std::nullopt;
+        return analysis ? std::optional(make_mobility_report(*analysis, forms, found))
+                        : std::nullopt;
+      });
 }
 
 }  // namespace kinestat

@@ -291,19 +291,19 @@ class SensitivityJob {
 Outcome sensitivity_files(const std::vector<std::string>& paths,
                           const SensitivityChoice& choice,
                           const AnalyseOptions& options) {
-  const ReportForms forms = stream_forms(options.format, paths.size());
-  return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
-    SourceFile source;
-    Diagnostics found;
-    if (std::optional<Loaded> loaded = load(path, options.overrides, source, found)) {
-      const Analysis analysis = solve_cases(path, *std::move(loaded));
-      add_findings(analysis, found);
-      if (const auto report = SensitivityJob(analysis, choice, found).run(forms)) {
-        add_to_stream(*report, options, outcome);
-      }
-    }
-    add_diagnostics(source, found, options.strictness, outcome);
-  });
+  return report_on_each_file(
+      paths,
+      options,
+      [&](const std::string& path, const ReportForms& forms, SourceFile& source, Diagnostics& found)
+          -> std::optional<FileReport> {
+        std::optional<Loaded> loaded = load(path, options.load, source, found);
+        if (!loaded) {
+          return std::nullopt;
+        }
+        const Analysis analysis = solve_cases(path, *std::move(loaded));
+        add_findings(analysis, found);
+        return SensitivityJob(analysis, choice, found).run(forms);
+      });
 }
 
 }  // namespace kinestat

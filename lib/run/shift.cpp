@@ -29,7 +29,7 @@ std::optional<Analysis> find_shift(const std::string& path,
                                    SourceFile& source,
                                    Diagnostics& found) {
   const ShiftOptions sizes{.one_more = choice.one_more, .one_fewer = choice.one_fewer};
-  std::optional<Loaded> loaded = load(path, options.overrides, source, found, sizes);
+  std::optional<Loaded> loaded = load(path, options.load, source, found, sizes);
   if (!loaded) {
     return std::nullopt;
   }
@@ -50,16 +50,18 @@ std::optional<Analysis> find_shift(const std::string& path,
 Outcome shift_of_files(const std::vector<std::string>& paths,
                        const ShiftChoice& choice,
                        const AnalyseOptions& options) {
-  const ReportForms forms = stream_forms(options.format, paths.size());
-  return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
-    SourceFile source;
-    Diagnostics found;
-    if (const auto analysis = find_shift(path, choice, options, source, found)) {
-      add_findings(*analysis, found);
-      add_to_stream(make_shift_report(*analysis, forms, found), options, outcome);
-    }
-    add_diagnostics(source, found, options.strictness, outcome);
-  });
+  return report_on_each_file(
+      paths,
+      options,
+      [&](const std::string& path, const ReportForms& forms, SourceFile& source, Diagnostics& found)
+          -> std::optional<FileReport> {
+        const auto analysis = find_shift(path, choice, options, source, found);
+        if (!analysis) {
+          return std::nullopt;
+        }
+        add_findings(*analysis, found);
+        return make_shift_report(*analysis, forms, found);
+      });
 }
 
 }  // namespace kinestat

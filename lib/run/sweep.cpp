@@ -128,7 +128,7 @@ void sweep_into(const std::string& path,
   SourceFile source;
   Diagnostics found;
   std::string told;
-  if (std::optional<Loaded> loaded = load(path, options.overrides, source, found)) {
+  if (std::optional<Loaded> loaded = load(path, options.load, source, found)) {
     std::optional<SweepTask> task = make_sweep_task(source, *std::move(loaded), options, found);
     if (task) {
       task->tapes = record_tapes(*task);

@@ -35,7 +35,7 @@ struct SweepHooks {
 };
 
 struct SweepOptions {
-  std::vector<Override> overrides;  ///< of --set
+  LoadOptions load;
   RowFormat format = RowFormat::csv;
   std::string folder;  ///< for the result; empty: rows go to SweepHooks::write
   Overwrite overwrite = Overwrite::own_only;

@@ -1,8 +1,10 @@
 #include "run/synthesis.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
-#include <span>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,31 +13,72 @@
 #include "mechanism/bind.hpp"
 #include "report/synthesis_report.hpp"
 #include "run/each_file.hpp"
+#include "run/internal/linkage_files.hpp"
+#include "run/internal/synthesis_selection.hpp"
 #include "run/internal/synthesis_task.hpp"
+#include "run/internal/task_positions.hpp"
+#include "synthesis/precise_burmester.hpp"
 
 namespace kinestat {
 
 namespace {
 
-SynthesisTask solve_task(std::vector<PositionJets> positions, const LinkageLimits& limits) {
-  SynthesisTask task;
-  task.positions = std::move(positions);
-  const int count = position_count(task.positions);
-  if (count == 5) {
-    task.dyads = solve_burmester(task.positions);
-    task.linkages = rank_linkages(task.dyads->dyads, task.positions, limits);
-  } else if (count == 4) {
-    task.curves = find_curves(task.positions);
-  } else if (count == 3) {
-    task.straight_paths = find_straight_path_circle(task.positions);
+// With many digits; circuits and branches need no more than a double has.
+bool solve_precise_tasks(int digits,
+                         const SynthesisValues& values,
+                         Diagnostics& found,
+                         SynthesisAnalysis& analysis) {
+  const TaskPositions<Precise> precise(analysis.description);
+  const auto tasks = precise.of_tasks({}, found);
+  if (!tasks) {
+    return false;
   }
-  return task;
+  for (const auto& positions : *tasks) {
+    SynthesisTask task;
+    for (const PositionJetsOf<BigFloat>& position : positions) {
+      task.positions.push_back(rounded(position));
+    }
+    task.dyads = solve_burmester_precisely(positions, digits);
+    task.linkages = rank_linkages(task.dyads->dyads, task.positions, values.limits());
+    analysis.tasks.push_back(std::move(task));
+  }
+  analysis.form = form_of(analysis.tasks.front().positions);
+  return true;
 }
 
-using Tasks = std::vector<std::vector<PositionJets>>;
+// The solver for many digits knows five positions, and a search has no typed ones.
+bool check_digits(int digits, const MechanismDescription& description, Diagnostics& found) {
+  const SynthesisDescription& task = *description.synthesis;
+  if (!task.vary.empty()) {
+    found.error(
+        "E0305",
+        task.vary.front().where,
+        fmt::format(
+            "a selection works with {} digits, and {} are asked for", kDoubleDigits, digits),
+        "write what it finds into the file without 'vary', and ask for the digits then");
+    return false;
+  }
+  int count = 0;
+  for (const PositionDescription& position : task.positions) {
+    count += position.order();
+  }
+  if (count != 5) {
+    found.error(
+        "E0305",
+        task.where,
+        fmt::format("{} digits are for tasks of five positions, and this has {}", digits, count),
+        "leave the digits out, or add positions");
+    return false;
+  }
+  return true;
+}
 
 bool solve_tasks(const SynthesisValues& values, Diagnostics& found, SynthesisAnalysis& analysis) {
-  const std::optional<Tasks> tasks = values.positions_of_tasks({}, found);
+  if (analysis.digits) {
+    return check_digits(*analysis.digits, analysis.description, found) &&
+           solve_precise_tasks(*analysis.digits, values, found, analysis);
+  }
+  const auto tasks = values.positions_of_tasks({}, found);
   if (!tasks) {
     return false;
   }
@@ -46,76 +89,48 @@ bool solve_tasks(const SynthesisValues& values, Diagnostics& found, SynthesisAna
   return true;
 }
 
-// The tasks of some choice. Where all that are tried contradict themselves, the first says why.
-std::optional<Tasks> find_possible_tasks(const SynthesisValues& values,
-                                         std::span<const SelectionRange> ranges,
-                                         Diagnostics& found) {
-  constexpr int kTried = 7;
-  Diagnostics unsaid;
-  for (int i = 0; i < kTried; ++i) {
-    std::vector<double> numbers;
-    for (const SelectionRange& range : ranges) {
-      numbers.push_back(range.from + (range.to - range.from) * (i + 0.5) / kTried);
-    }
-    if (auto tasks = values.positions_of_tasks(values.choice_of(numbers), unsaid)) {
-      return tasks;
+// Of the answers of one task: the fewest.
+double digits_left(const SynthesisTask& task) {
+  double digits = kDoubleDigits;
+  if (task.curves) {
+    digits = task.curves->status == BurmesterStatus::no_digits ? 0.0 : task.curves->digits;
+  }
+  if (task.dyads && task.dyads->status != BurmesterStatus::family) {
+    digits = task.dyads->status == BurmesterStatus::no_digits ? 0.0 : task.dyads->digits;
+    for (const Dyad& dyad : task.dyads->dyads) {
+      digits = std::min(digits, dyad.digits);
     }
   }
-  const Diagnostic& why = unsaid.items().front();
-  found.error(why.code, why.where, why.message, why.hint);
-  return std::nullopt;
+  return digits;
 }
 
-// The best choices for the positions of one choice of angles.
-void select_task(const SynthesisValues& values, std::size_t task, SynthesisAnalysis& analysis) {
-  constexpr int kKept = 5;
-  const std::vector<SelectionRange> ranges = values.ranges();
-  const TaskMaker make_task =
-      [&](std::span<const double> numbers) -> std::optional<std::vector<PositionJets>> {
-    Diagnostics unsaid;
-    auto tasks = values.positions_of_tasks(values.choice_of(numbers), unsaid);
-    return tasks ? std::optional((*tasks)[task]) : std::nullopt;
-  };
-  const Selection selection = select_linkages(ranges, make_task, values.limits(), kKept);
-  analysis.selection->samples += selection.samples;
-  analysis.selection->with_linkage += selection.with_linkage;
-  analysis.selection->usable += selection.usable;
-  std::vector<SelectedLinkage> shown = selection.best;
-  if (selection.nearest) {
-    shown.push_back(*selection.nearest);
+void warn_of_few_digits(const SynthesisAnalysis& analysis, Diagnostics& found) {
+  constexpr double kFew = 3.0;
+  double digits = kDoubleDigits;
+  for (const SynthesisTask& task : analysis.tasks) {
+    digits = std::min(digits, digits_left(task));
   }
-  for (const SelectedLinkage& one : shown) {
-    analysis.tasks.push_back(solve_task(*make_task(one.choice), values.limits()));
-    analysis.tasks.back().choice = values.choice_of(one.choice);
+  if (digits >= kFew) {
+    return;
   }
-}
-
-bool select_tasks(const SynthesisValues& values,
-                  const MechanismDescription& description,
-                  Diagnostics& found,
-                  SynthesisAnalysis& analysis) {
-  const std::optional<Tasks> possible = find_possible_tasks(values, values.ranges(), found);
-  if (!possible) {
-    return false;
-  }
-  analysis.form = form_of(possible->front());
-  if (position_count(possible->front()) != 5) {
-    found.error("E0305",
-                description.synthesis->vary.front().where,
-                fmt::format("'vary' needs a task of five positions, and this is {}", analysis.form),
-                "add a position or an order of contact, or remove 'vary'");
-    return false;
-  }
-  analysis.selection = SelectionCounts{};
-  for (std::size_t task = 0; task < possible->size(); ++task) {
-    select_task(values, task, analysis);
-  }
-  return true;
+  const bool has_five = analysis.tasks.front().dyads.has_value();
+  const std::string_view hint =
+      analysis.digits ? "write the positions with more digits, and raise --digits"
+      : has_five      ? "write the positions with more digits and run with --digits 40, or give "
+                        "derivatives instead of positions that close in"
+                      : "give derivatives instead of positions that close in";
+  found.warning("W0801",
+                analysis.description.synthesis->where,
+                fmt::format("of {} digits the positions leave {:.0f}",
+                            analysis.digits.value_or(kDoubleDigits),
+                            std::floor(digits)),
+                std::string(hint));
 }
 
 // Empty iff an error was added.
 std::optional<SynthesisAnalysis> find_synthesis(const std::string& path,
                                                 MechanismDescription description,
+                                                const SynthesisOptions& options,
                                                 Diagnostics& found) {
   if (!check(description, found)) {
     return std::nullopt;
@@ -129,34 +144,42 @@ std::optional<SynthesisAnalysis> find_synthesis(const std::string& path,
   }
   SynthesisAnalysis analysis;
   analysis.file = path;
-  const SynthesisValues values(description);
-  const bool is_right = description.synthesis->vary.empty()
-                            ? solve_tasks(values, found, analysis)
-                            : select_tasks(values, description, found, analysis);
+  analysis.description = std::move(description);
+  const SynthesisValues values(analysis.description);
+  analysis.digits = options.digits ? options.digits : values.digits();
+  const bool selects = !analysis.description.synthesis->vary.empty() && !analysis.digits;
+  const bool is_right = selects ? select_tasks(values, options.jobs, found, analysis)
+                                : solve_tasks(values, found, analysis);
   if (!is_right) {
     return std::nullopt;
   }
   analysis.curve_count = values.curve_count().value_or(analysis.curve_count);
-  analysis.description = std::move(description);
+  warn_of_few_digits(analysis, found);
   return analysis;
 }
 
 }  // namespace
 
-Outcome synthesize_files(const std::vector<std::string>& paths, const AnalyseOptions& options) {
-  const ReportForms forms = stream_forms(options.format, paths.size());
-  return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
-    SourceFile source;
-    Diagnostics found;
-    std::optional<MechanismDescription> description =
-        load_description(path, options.overrides, source, found);
-    if (description) {
-      if (const auto analysis = find_synthesis(path, *std::move(description), found)) {
-        add_to_stream(make_synthesis_report(*analysis, forms, found), options, outcome);
-      }
-    }
-    add_diagnostics(source, found, options.strictness, outcome);
-  });
+Outcome synthesize_files(const std::vector<std::string>& paths,
+                         const AnalyseOptions& options,
+                         const SynthesisOptions& synthesis) {
+  return report_on_each_file(
+      paths,
+      options,
+      [&](const std::string& path, const ReportForms& forms, SourceFile& source, Diagnostics& found)
+          -> std::optional<FileReport> {
+        auto description = load_description(path, options.load, source, found);
+        auto analysis = description
+                            ? find_synthesis(path, *std::move(description), synthesis, found)
+                            : std::nullopt;
+        if (!analysis) {
+          return std::nullopt;
+        }
+        if (!options.output.folder.empty()) {
+          write_linkages(*analysis, synthesis.written, options.output, found);
+        }
+        return make_synthesis_report(*analysis, forms, found);
+      });
 }
 
 }  // namespace kinestat

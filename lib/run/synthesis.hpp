@@ -1,14 +1,32 @@
 // Linkages for the synthesis tasks of files.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "math/digit_limits.hpp"
 #include "run/analyse.hpp"
 
 namespace kinestat {
 
-/// One report a file on standard output. A file without the section `synthesis` is an error.
-Outcome synthesize_files(const std::vector<std::string>& paths, const AnalyseOptions& options);
+/// Which linkages become mechanism files.
+enum class WrittenLinkages {
+  usable,  ///< without defect and within the limits
+  all
+};
+
+struct SynthesisOptions {
+  std::optional<int> digits;  ///< of the positions as typed, before what the files say
+  WrittenLinkages written = WrittenLinkages::usable;
+  std::uint64_t jobs = 0;  ///< threads of a selection; 0: as many as the machine has cores
+};
+
+/// One report a file on standard output. A file without the section `synthesis` is an error. Where
+/// the options name a folder, linkages are written into it as mechanism files.
+Outcome synthesize_files(const std::vector<std::string>& paths,
+                         const AnalyseOptions& options,
+                         const SynthesisOptions& synthesis);
 
 }  // namespace kinestat

@@ -75,13 +75,21 @@ class ReasonWriter {
     if (!state_.surplus.empty()) {
       text += (text.empty() ? "" : "; ") + redundancy_text();
     }
+    if (!state_.open_freewheels.empty()) {
+      const bool is_one = state_.open_freewheels.size() == 1;
+      text += fmt::format("{}equilibrium leaves open whether {} {} hold{}",
+                          text.empty() ? "" : "; ",
+                          is_one ? "freewheel" : "freewheels",
+                          names_of(state_.open_freewheels),
+                          is_one ? "s" : "");
+    }
     return text;
   }
 
   std::string redundancy_text() const {
     return fmt::format(
         "{} {} no slip already through the other elements, so that their torques are open",
-        surplus_text(),
+        names_of(state_.surplus),
         state_.surplus.size() == 1 ? "has" : "have");
   }
 
@@ -112,9 +120,9 @@ class ReasonWriter {
                              : fmt::format("outputs {} are", plain_list(names));
   }
 
-  std::string surplus_text() const {
+  std::string names_of(const std::vector<int>& elements) const {
     Names names;
-    for (const int element : state_.surplus) {
+    for (const int element : elements) {
       names.push_back(actuator_name(plan_.elements[static_cast<std::size_t>(element)].actuator));
     }
     return names.size() == 1 ? fmt::format("'{}'", names.front()) : plain_list(names);

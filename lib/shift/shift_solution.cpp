@@ -118,10 +118,11 @@ class ShiftSolver {
         others.push_back(one);
         continue;
       }
+      const double input = one.state.inputs.front();
       const double output = one.state.outputs.front().value_or(0.0);
       gears.push_back(
           {.state = static_cast<int>(s),
-           .ratio = output == 0.0 ? std::nullopt : std::optional(one.state.inputs.front() / output),
+           .ratio = input == 0.0 || output == 0.0 ? std::nullopt : std::optional(input / output),
            .engaged = one.engaged});
     }
     sort_gears(gears);

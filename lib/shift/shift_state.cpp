@@ -53,10 +53,10 @@ class StateSolver {
 
   bool move_inputs() {
     for (Eigen::Index i = 0; i < network_.inputs.rows(); ++i) {
-      if (!left_.changes(network_.inputs.row(i)) && state_.moving.empty()) {
+      const double speed = plan_.inputs[static_cast<std::size_t>(i)].speed;
+      if (speed != 0.0 && !left_.changes(network_.inputs.row(i)) && state_.moving.empty()) {
         return refuse(ShiftClass::locked, ShiftCause::input_held, i);
       }
-      const double speed = plan_.inputs[static_cast<std::size_t>(i)].speed;
       if (left_.prescribe(network_.inputs.row(i), speed)) {
         state_.moving.push_back(static_cast<int>(i));
       } else if (std::abs(left_.rate(network_.inputs.row(i)) - speed) >
@@ -178,12 +178,15 @@ class StateSolver {
     }
   }
 
-  // The action of an input. Where the file gives none, the first one is taken to drive, so that
-  // torques have a sense.
+  // The action of an input. Where the file gives none, the first one that moves is taken to drive,
+  // so that torques have a sense.
   std::optional<double> action_of(std::size_t input) const {
     const ShiftInput& one = plan_.inputs[input];
-    return plan_.asks_actions || input > 0 ? one.action
-                                           : std::optional(std::copysign(1.0, one.speed));
+    const auto driver = std::ranges::find_if(
+        plan_.inputs, [](const ShiftInput& each) { return each.speed != 0.0; });
+    const bool drives = driver == plan_.inputs.begin() + static_cast<std::ptrdiff_t>(input);
+    return plan_.asks_actions || !drives ? one.action
+                                         : std::optional(std::copysign(1.0, one.speed));
   }
 
   void forget_torques() {
@@ -216,7 +219,9 @@ class StateSolver {
         if (state_.slips[e] && holds * sign_of(*state_.slips[e], most_slip) < 0.0) {
           refuse(ShiftClass::tie_up, ShiftCause::freewheel_engages, element);
         }
-      } else if (!state_.torques.empty() && holds * sign_of(state_.torques[e], most_torque) < 0.0) {
+      } else if (state_.torques.empty()) {
+        state_.open_freewheels.push_back(static_cast<int>(e));
+      } else if (holds * sign_of(state_.torques[e], most_torque) < 0.0) {
         refuse(ShiftClass::neutral, ShiftCause::freewheel_lets_go, element);
       }
     }

@@ -48,11 +48,13 @@ enum class ShiftCause {
 struct ShiftState {
   ShiftClass kind = ShiftClass::gear;
   ShiftCause cause = ShiftCause::none;
-  int which = -1;             ///< index into the plan's inputs, outputs or elements; -1: none
-  int freedom = 0;            ///< what is left of the net degree of freedom with these elements
-  int idle = 0;               ///< of it, what is left while the inputs rest
-  std::vector<int> surplus;   ///< engaged elements whose rest follows from those before them
-  std::vector<int> unloaded;  ///< open elements that bear nothing by equilibrium alone
+  int which = -1;            ///< index into the plan's inputs, outputs or elements; -1: none
+  int freedom = 0;           ///< what is left of the net degree of freedom with these elements
+  int idle = 0;              ///< of it, what is left while the inputs rest
+  std::vector<int> surplus;  ///< engaged elements whose rest follows from those before them
+  std::vector<int> open_freewheels;  ///< engaged elements of a gear that hold one sign of torque,
+                                     ///< and equilibrium does not tell which they have
+  std::vector<int> unloaded;         ///< open elements that bear nothing by equilibrium alone
   std::vector<int> unloaded_others;  ///< others likewise
   std::vector<int> moving;           ///< inputs whose speed does not follow from those before them
   std::vector<double> inputs;        ///< rate of each input

@@ -84,15 +84,18 @@ MeshLossLaws find_mesh_loss_laws(const Mechanism& mechanism, const KinematicSolu
   for (const LossyMesh& lossy : mechanism.lossy_meshes) {
     const auto mesh = std::ranges::find(meshes, lossy.coupling, &Mesh::coupling);
     KINESTAT_EXPECTS(mesh != meshes.end());
+    const bool loses = lossy.share > 0.0;
     if (!mesh->carrier) {
-      result.without_carrier.push_back(lossy.coupling);
+      if (loses) {
+        result.without_carrier.push_back(lossy.coupling);
+      }
       continue;
     }
     std::optional<MeshLossLaw> law = maker.law_of(lossy, *mesh->carrier);
-    if (law) {
-      result.laws.push_back(*std::move(law));
-    } else {
+    if (!law) {
       result.not_rolling.push_back(lossy.coupling);
+    } else if (loses) {
+      result.laws.push_back(*std::move(law));
     }
   }
   return result;

@@ -63,12 +63,13 @@ class Solver {
   }
 
   void add_point(const ConicPoint& point, const MatX& basis) {
-    if (!point.is_real) {
-      solution_.imaginary_count += point.multiplicity;
-      return;
-    }
     const Eigen::Matrix<double, 7, 1> x = basis * point.y.real();
     std::optional<Dyad> dyad = dyad_of(x, system_, positions_[0]);
+    if (!point.is_real) {
+      solution_.imaginary_count += point.multiplicity;
+      keep_nearest(dyad);
+      return;
+    }
     if (!dyad) {
       set_family(Degeneracy::translation);
       return;
@@ -79,6 +80,14 @@ class Solver {
     dyad->digits = digits_of(loss / smallest_denominator(x, dyad->kind));
     dyad->residual = find_residual(*dyad, positions_);
     solution_.dyads.push_back(*dyad);
+  }
+
+  void keep_nearest(std::optional<Dyad> dyad) {
+    if (dyad) {
+      dyad->residual = find_residual(*dyad, positions_);
+      const bool is_nearer = !solution_.nearest || dyad->residual < solution_.nearest->residual;
+      solution_.nearest = is_nearer ? dyad : solution_.nearest;
+    }
   }
 
   // A line of solutions on which h vanishes has its centres, or its circle points, at infinity.

@@ -1,6 +1,7 @@
 // Five multiply separated positions: the Burmester points, and so all dyads.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,10 @@ struct BurmesterSolution {
   Degeneracy reason = Degeneracy::none;
   std::vector<Dyad> dyads;  ///< real ones; in a family those that stand alone
   int imaginary_count = 0;  ///< dyads that are not real, counted with multiplicity
+
+  /// The real part of one that is not real: of all the one that misses the positions least, see its
+  /// residual.
+  std::optional<Dyad> nearest = std::nullopt;
   double flatness = 0.0;    ///< smallest by largest singular value of the scaled conditions
   double shared_gap = 0.0;  ///< about 1: a finite number of dyads; rounding: a family
   double digits = 16.0;     ///< of the positions that the conditions keep, estimated

@@ -5,6 +5,9 @@
 #include <limits>
 #include <numbers>
 #include <utility>
+#include <vector>
+
+#include "core/tolerance.hpp"
 
 namespace kinestat {
 
@@ -147,6 +150,17 @@ double DriveCurve::coordinate_of(const Pose& pose) const {
       return wrapped(pose.angle - zero_);
   }
   return 0.0;
+}
+
+int DriveCurve::sense_of(const PositionJets& position) const {
+  const std::vector<Point> place = point_jets(position, input_.circle_point);
+  const Point arm = place[0] - input_.centre_point;
+  const Point along =
+      input_.kind == DyadKind::crank ? left_of(arm) / std::abs(arm) : input_.direction;
+  const bool turns = input_.kind == DyadKind::inverted_slider;
+  const double rate = turns ? position.angle[1] : dot(along, place[1]);
+  const double size = turns ? std::abs(rate) : std::abs(place[1]);
+  return !(std::abs(rate) > kCancellation * size) ? 0 : (rate > 0.0 ? 1 : -1);
 }
 
 int DriveCurve::side_of(const Pose& pose) const {

@@ -25,6 +25,10 @@ class DriveCurve {
   /// an inverted slider from where its normal points to the output's centre.
   double coordinate_of(const Pose& pose) const;
 
+  /// The sense in which the input passes a position by its derivatives: 1 where the coordinate
+  /// grows with the parameter, -1 where it falls, 0 in a dead point. The order is 2 at least.
+  int sense_of(const PositionJets& position) const;
+
   /// 1 or -1: on which side of the dead points the pose is; 0 in one, and where there are none.
   /// Of a four-bar the sign of (B - A) x (B0 - B).
   int side_of(const Pose& pose) const;

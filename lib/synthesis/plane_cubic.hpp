@@ -3,7 +3,6 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 #include "synthesis/plane.hpp"
 
@@ -35,22 +34,14 @@ struct PlaneCubic {
   /// The only real one. Empty if the curve is a conic.
   std::optional<PlaneLine> asymptote() const;
 
+  /// The direction of (k1, k2), across the asymptote; of a conic that of u.
+  Point normal() const;
+
+  /// The terms with q11, q12 and q22 at a vector of u and v.
+  double quadratic(const Point& e) const;
+
   /// The same curve in u, v about another centre and in another unit, such as 0 and 1.
   PlaneCubic about(const Point& new_centre, double new_length) const;
 };
-
-struct CurveBranch {
-  std::vector<Point> points;
-  bool is_closed = false;
-};
-
-/// The part of the curve within a circle, in branches; about `count` points in all. Lines parallel
-/// to the asymptote meet the curve in two other points at most, the roots of a quadratic equation:
-/// no direction and no number of branches is special. Where the curve falls apart into its
-/// asymptote and a circle, the line is a branch.
-std::vector<CurveBranch> sample(const PlaneCubic& cubic,
-                                const Point& middle,
-                                double radius,
-                                int count);
 
 }  // namespace kinestat

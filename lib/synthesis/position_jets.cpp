@@ -75,6 +75,7 @@ PositionJets by_angle(const PositionJets& position) {
   result.angle.assign(position.angle.size(), 0.0);
   result.angle[0] = position.angle[0];
   result.angle[1] = 1.0;
+  result.is_directed = false;
   return result;
 }
 

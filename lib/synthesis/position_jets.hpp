@@ -20,6 +20,10 @@ struct PositionJetsOf {
   std::vector<Scalar> y;      ///< β and its derivatives, likewise
   std::vector<Scalar> angle;  ///< γ and its derivatives [rad / t^k]
 
+  /// Whether t grows along the motion, like time, so that the derivatives have a sense. Where t is
+  /// the angle itself nobody says whether it grows or falls.
+  bool is_directed = false;
+
   int order() const { return static_cast<int>(angle.size()); }
 };
 

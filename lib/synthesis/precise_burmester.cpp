@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "core/contract.hpp"
@@ -14,12 +12,13 @@
 #include "synthesis/internal/condition_rows.hpp"
 #include "synthesis/internal/condition_space.hpp"
 #include "synthesis/internal/dyad_point.hpp"
+#include "synthesis/internal/precise_null_space.hpp"
 
 namespace kinestat {
 
 namespace {
 
-using Row = std::array<BigFloat, 7>;
+using Row = PreciseRow;
 using Vector = std::array<BigFloat, 3>;
 using Matrix = std::array<Vector, 3>;
 
@@ -27,121 +26,8 @@ double to_double(const BigFloat& x) {
   return static_cast<double>(x);
 }
 
-// The null space of four rows: the columns x of Row[i], i = 0 to 2, orthonormal.
-struct Basis {
-  std::array<Row, 3> vectors;
-  double flatness = 0.0;  // the last pivot of a complete elimination
-};
-
-class NullSpaceFinder {
- public:
-  explicit NullSpaceFinder(std::vector<Row> rows) : rows_(std::move(rows)) {
-    for (std::size_t i = 0; i < 7; ++i) {
-      columns_[i] = i;
-    }
-  }
-
-  // Empty if the rows depend on each other to the last digit.
-  std::optional<Basis> run() {
-    Basis basis;
-    for (std::size_t step = 0; step < rows_.size(); ++step) {
-      const BigFloat pivot = take_pivot(step);
-      basis.flatness = to_double(pivot);
-      if (is_rounding(pivot)) {
-        return std::nullopt;
-      }
-      eliminate(step);
-    }
-    for (std::size_t free = 0; free < 3; ++free) {
-      basis.vectors[free] = solution(free);
-    }
-    make_orthonormal(basis);
-    return basis;
-  }
-
- private:
-  static bool is_rounding(const BigFloat& pivot) {
-    return pivot < 1024 * std::numeric_limits<BigFloat>::epsilon();
-  }
-
-  BigFloat take_pivot(std::size_t step) {
-    std::size_t best_row = step;
-    std::size_t best = step;
-    BigFloat largest(-1);
-    for (std::size_t at = 0; at < rows_.size() * columns_.size(); ++at) {
-      const std::size_t i = at / columns_.size();
-      const std::size_t j = at % columns_.size();
-      const BigFloat size = i < step || j < step ? BigFloat(-1) : abs(rows_[i][columns_[j]]);
-      if (size > largest) {
-        largest = size;
-        best_row = i;
-        best = j;
-      }
-    }
-    std::swap(rows_[step], rows_[best_row]);
-    std::swap(columns_[step], columns_[best]);
-    return largest;
-  }
-
-  // Gauss and Jordan: the pivot column is left with a one.
-  void eliminate(std::size_t step) {
-    const BigFloat pivot = rows_[step][columns_[step]];
-    for (BigFloat& entry : rows_[step]) {
-      entry /= pivot;
-    }
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const BigFloat factor = rows_[i][columns_[step]];
-      for (std::size_t j = 0; i != step && j < 7; ++j) {
-        rows_[i][j] -= factor * rows_[step][j];
-      }
-    }
-  }
-
-  Row solution(std::size_t free) const {
-    Row x;
-    x.fill(BigFloat(0));
-    const std::size_t column = columns_[rows_.size() + free];
-    x[column] = BigFloat(1);
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      x[columns_[i]] = -rows_[i][column];
-    }
-    return x;
-  }
-
-  static BigFloat inner(const Row& a, const Row& b) {
-    BigFloat sum(0);
-    for (std::size_t i = 0; i < 7; ++i) {
-      sum += a[i] * b[i];
-    }
-    return sum;
-  }
-
-  static void take_out(Row& one, const Row& unit) {
-    const BigFloat share = inner(one, unit);
-    for (std::size_t k = 0; k < one.size(); ++k) {
-      one[k] -= share * unit[k];
-    }
-  }
-
-  static void make_orthonormal(Basis& basis) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      Row& one = basis.vectors[i];
-      for (std::size_t j = 0; j < i; ++j) {
-        take_out(one, basis.vectors[j]);
-      }
-      const BigFloat length = sqrt(inner(one, one));
-      for (BigFloat& entry : one) {
-        entry /= length;
-      }
-    }
-  }
-
-  std::vector<Row> rows_;
-  std::array<std::size_t, 7> columns_{};
-};
-
 // Symmetric product of two of the seven numbers as a form in the coordinates of the basis.
-void add_product(Matrix& form, const Basis& basis, std::size_t a, std::size_t b, int sign) {
+void add_product(Matrix& form, const PreciseBasis& basis, std::size_t a, std::size_t b, int sign) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       form[i][j] += sign * (basis.vectors[i][a] * basis.vectors[j][b] +
@@ -207,23 +93,51 @@ Vector improved(const Matrix& first, const Matrix& second, Vector y) {
   return y;
 }
 
+// How far seven numbers are from meeting the conditions, whose largest entry is 1, and from being
+// those of a dyad; their own largest one counts as 1.
+double residual_of(const Row& x, const std::vector<Row>& conditions) {
+  BigFloat size(0);
+  for (const BigFloat& one : x) {
+    size = std::max(size, BigFloat(abs(one)));
+  }
+  BigFloat worst(0);
+  for (const Row& condition : conditions) {
+    BigFloat sum(0);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      sum += condition[i] * x[i];
+    }
+    worst = std::max(worst, BigFloat(abs(sum) / size));
+  }
+  const BigFloat p = x[4] * x[6] - x[0] * x[2] - x[1] * x[3];
+  const BigFloat q = x[5] * x[6] - x[0] * x[3] + x[1] * x[2];
+  worst = std::max({worst, BigFloat(abs(p) / (size * size)), BigFloat(abs(q) / (size * size))});
+  return to_double(worst);
+}
+
 class PreciseSolver {
  public:
-  explicit PreciseSolver(std::span<const PositionJetsOf<BigFloat>> positions)
-      : system_(make_condition_rows(positions)) {
+  PreciseSolver(std::span<const PositionJetsOf<BigFloat>> positions, int digits)
+      : system_(make_condition_rows(positions, std::pow(10.0, -digits))) {
     for (const PositionJetsOf<BigFloat>& position : positions) {
       positions_.push_back(rounded(position));
     }
+    first_ = finite_position(
+        {to_double(positions[0].x[0] - system_.x), to_double(positions[0].y[0] - system_.y)},
+        positions_[0].angle[0]);
   }
 
   BurmesterSolution run() {
-    const auto basis = NullSpaceFinder(system_.rows).run();
+    const auto basis = find_precise_null_space(system_.rows);
     if (!basis) {
       return solve_burmester(positions_);
     }
     solution_.flatness = basis->flatness;
-    const double noise = std::ranges::max(system_.noise);
-    solution_.digits = digits_of(noise / basis->flatness);
+    loss_ = std::ranges::max(system_.noise) / basis->flatness;
+    solution_.digits = digits_of(loss_);
+    if (!(loss_ < kUselessLoss)) {
+      solution_.status = BurmesterStatus::no_digits;
+      return std::move(solution_);
+    }
     Matrix first = zero_form();
     add_product(first, *basis, 4, 6, 1);
     add_product(first, *basis, 0, 2, -1);
@@ -248,7 +162,7 @@ class PreciseSolver {
   void add_point(const ConicPoint& point,
                  const Matrix& first,
                  const Matrix& second,
-                 const Basis& basis) {
+                 const PreciseBasis& basis) {
     if (!point.is_real) {
       solution_.imaginary_count += point.multiplicity;
       return;
@@ -263,35 +177,38 @@ class PreciseSolver {
     add_dyad(x, point);
   }
 
-  // The unit and origin of the system are those of doubles; the moving frame is not.
+  // The differences from the origin of the system were taken with all digits.
   void add_dyad(const Row& x, const ConicPoint& point) {
     ConditionRows frame;
-    frame.x = to_double(system_.x);
-    frame.y = to_double(system_.y);
     frame.length = to_double(system_.length);
     Eigen::Matrix<double, 7, 1> values;
     for (std::size_t i = 0; i < 7; ++i) {
       values[static_cast<Eigen::Index>(i)] = to_double(x[i]);
     }
-    std::optional<Dyad> dyad = dyad_of(values, frame, positions_[0]);
+    std::optional<Dyad> dyad = dyad_of(values, frame, first_);
     if (!dyad) {
       return;
     }
+    dyad->centre_point += Point(to_double(system_.x), to_double(system_.y));
     dyad->multiplicity = point.multiplicity;
-    dyad->digits = solution_.digits;
-    dyad->residual = find_residual(*dyad, positions_);
+    const double loss = point.multiplicity > 1 ? std::sqrt(loss_) : loss_ * point.condition;
+    dyad->digits = digits_of(std::max(loss, kEpsilon) / smallest_denominator(values, dyad->kind));
+    dyad->residual = residual_of(x, system_.rows);
     solution_.dyads.push_back(*dyad);
   }
 
   ConditionRowsOf<BigFloat> system_;
   std::vector<PositionJets> positions_;
+  PositionJets first_;  // relative to the origin of the system
   BurmesterSolution solution_;
+  double loss_ = 0.0;
 };
 
 }  // namespace
 
 PositionJets rounded(const PositionJetsOf<BigFloat>& position) {
   PositionJets result;
+  result.is_directed = position.is_directed;
   for (std::size_t k = 0; k < position.angle.size(); ++k) {
     result.x.push_back(to_double(position.x[k]));
     result.y.push_back(to_double(position.y[k]));
@@ -300,13 +217,15 @@ PositionJets rounded(const PositionJetsOf<BigFloat>& position) {
   return result;
 }
 
-BurmesterSolution solve_burmester_precisely(std::span<const PositionJetsOf<BigFloat>> positions) {
+BurmesterSolution solve_burmester_precisely(std::span<const PositionJetsOf<BigFloat>> positions,
+                                            int digits) {
+  KINESTAT_EXPECTS(digits >= kLeastDigits && digits <= kMostDigits);
   int count = 0;
   for (const PositionJetsOf<BigFloat>& position : positions) {
     count += position.order();
   }
   KINESTAT_EXPECTS(count == 5);
-  return PreciseSolver(positions).run();
+  return PreciseSolver(positions, digits).run();
 }
 
 }  // namespace kinestat

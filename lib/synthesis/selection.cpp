@@ -12,37 +12,100 @@ namespace kinestat {
 namespace {
 
 // Usable ones first; then by how little is wrong, the later in the list of defects the less.
-bool is_better(const LinkageCandidate& one, const LinkageCandidate& other) {
-  const auto rank = [](Defect defect) {
-    return defect == Defect::none ? static_cast<int>(Defect::size) + 1 : static_cast<int>(defect);
-  };
-  return rank(one.defect) != rank(other.defect) ? rank(one.defect) > rank(other.defect)
-                                                : one.margin() > other.margin();
+int rank_of(Defect defect) {
+  return defect == Defect::none ? static_cast<int>(Defect::size) + 1 : static_cast<int>(defect);
 }
+
+bool is_better(const LinkageCandidate& one, const LinkageCandidate& other) {
+  const int rank = rank_of(one.defect);
+  const int other_rank = rank_of(other.defect);
+  return rank != other_rank ? rank > other_rank : one.margin() > other.margin();
+}
+
+// What is kept of the many.
+struct Sample {
+  double margin = -1.0;  // below zero without a usable linkage
+  double reached = 0.0;  // the margin of an unusable one
+  int rank = -1;         // by the defect; -1 without a linkage
+};
 
 class Selector {
  public:
   Selector(std::span<const SelectionRange> ranges,
-           const TaskMaker& make_task,
-           const LinkageLimits& limits,
-           std::size_t keep)
-      : ranges_(ranges), make_task_(make_task), limits_(limits), keep_(keep) {}
+           const CandidateMaker& make,
+           std::size_t keep,
+           const ForEach& for_each)
+      : ranges_(ranges), make_(make), keep_(keep), for_each_(for_each) {}
 
   Selection run() {
-    std::vector<int> index(ranges_.size(), 0);
-    do {
-      try_sample(choice_at(index));
-    } while (advance(index));
-    std::vector<SelectedLinkage> peaks = find_peaks();
+    try_samples();
+    count();
+    std::vector<std::size_t> places = find_peaks();
+    std::vector<SelectedLinkage> peaks(places.size());
+    for_each_(peaks.size(), [&](std::size_t i) {
+      peaks[i] = selected(places[i]);
+      improve(peaks[i]);
+    });
     for (SelectedLinkage& one : peaks) {
-      improve(one);
       keep_if_new(std::move(one));
     }
     sort(selection_.best);
+    selection_.best.resize(std::min(selection_.best.size(), keep_));
     return std::move(selection_);
   }
 
  private:
+  static constexpr std::size_t kBlock = 64;  // samples that one thread tries in one go
+  static constexpr std::size_t kPeaks = 4;   // several may lead to the same linkage
+
+  void try_samples() {
+    std::size_t count = 1;
+    for (const SelectionRange& range : ranges_) {
+      count *= static_cast<std::size_t>(range.count);
+    }
+    samples_.resize(count);
+    for_each_((count + kBlock - 1) / kBlock, [&](std::size_t block) {
+      const std::size_t end = std::min(count, (block + 1) * kBlock);
+      for (std::size_t i = block * kBlock; i < end; ++i) {
+        samples_[i] = sample_of(make_(choice_at(index_of(i))));
+      }
+    });
+  }
+
+  static Sample sample_of(const std::optional<LinkageCandidate>& found) {
+    if (!found) {
+      return {};
+    }
+    const bool is_usable = found->defect == Defect::none;
+    return {.margin = is_usable ? found->margin() : -1.0,
+            .reached = found->margin(),
+            .rank = rank_of(found->defect)};
+  }
+
+  // The counts; and if nothing is usable, what comes nearest: of equal ones the first.
+  void count() {
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      const Sample& sample = samples_[i];
+      const Sample& best = samples_[nearest];
+      ++selection_.samples;
+      selection_.with_linkage += sample.rank >= 0 ? 1 : 0;
+      selection_.usable += sample.margin >= 0.0 ? 1 : 0;
+      const bool is_nearer =
+          sample.rank != best.rank ? sample.rank > best.rank : sample.reached > best.reached;
+      nearest = is_nearer ? i : nearest;
+    }
+    if (selection_.usable == 0 && selection_.with_linkage > 0) {
+      selection_.nearest = selected(nearest);
+    }
+  }
+
+  SelectedLinkage selected(std::size_t sample) const {
+    SelectedLinkage result{.choice = choice_at(index_of(sample)), .candidate = {}};
+    result.candidate = *make_(result.choice);
+    return result;
+  }
+
   std::vector<double> choice_at(const std::vector<int>& index) const {
     std::vector<double> choice;
     for (std::size_t i = 0; i < index.size(); ++i) {
@@ -56,65 +119,19 @@ class Selector {
     return range.count > 1 ? (range.to - range.from) / (range.count - 1) : 0.0;
   }
 
-  // The next combination, the last number first.
-  bool advance(std::vector<int>& index) const {
-    for (std::size_t i = index.size(); i > 0; --i) {
-      if (++index[i - 1] < ranges_[i - 1].count) {
-        return true;
-      }
-      index[i - 1] = 0;
-    }
-    return false;
-  }
-
-  std::optional<LinkageCandidate> best_of(const std::vector<double>& choice) const {
-    const auto positions = make_task_(choice);
-    if (!positions) {
-      return std::nullopt;
-    }
-    const BurmesterSolution solution = solve_burmester(*positions);
-    std::vector<LinkageCandidate> found = rank_linkages(solution.dyads, *positions, limits_);
-    return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
-  }
-
-  // Notes the margin of the sample, below zero if it has no usable linkage.
-  void try_sample(std::vector<double> choice) {
-    ++selection_.samples;
-    margins_.push_back(-1.0);
-    std::optional<LinkageCandidate> found = best_of(choice);
-    if (!found) {
-      return;
-    }
-    ++selection_.with_linkage;
-    if (found->defect == Defect::none) {
-      ++selection_.usable;
-      margins_.back() = found->margin();
-      selection_.nearest.reset();
-    } else if (selection_.usable == 0 &&
-               (!selection_.nearest || is_better(*found, selection_.nearest->candidate))) {
-      selection_.nearest =
-          SelectedLinkage{.choice = std::move(choice), .candidate = *std::move(found)};
-    }
-  }
-
   // The samples with the largest margins among those that no neighbour along a range surpasses.
-  std::vector<SelectedLinkage> find_peaks() const {
+  std::vector<std::size_t> find_peaks() const {
     std::vector<std::size_t> peaks;
-    for (std::size_t i = 0; i < margins_.size(); ++i) {
-      if (margins_[i] >= 0.0 && is_peak(i)) {
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (samples_[i].margin >= 0.0 && is_peak(i)) {
         peaks.push_back(i);
       }
     }
-    std::ranges::stable_sort(
-        peaks, [&](std::size_t a, std::size_t b) { return margins_[a] > margins_[b]; });
-    peaks.resize(std::min(peaks.size(), keep_));
-    std::vector<SelectedLinkage> result;
-    for (const std::size_t peak : peaks) {
-      std::vector<double> choice = choice_at(index_of(peak));
-      LinkageCandidate candidate = *best_of(choice);
-      result.push_back({.choice = std::move(choice), .candidate = std::move(candidate)});
-    }
-    return result;
+    std::ranges::stable_sort(peaks, [&](std::size_t a, std::size_t b) {
+      return samples_[a].margin > samples_[b].margin;
+    });
+    peaks.resize(std::min(peaks.size(), kPeaks * keep_));
+    return peaks;
   }
 
   std::vector<int> index_of(std::size_t sample) const {
@@ -133,8 +150,8 @@ class Selector {
     for (std::size_t i = ranges_.size(); i > 0; --i) {
       const bool has_before = index[i - 1] > 0;
       const bool has_after = index[i - 1] + 1 < ranges_[i - 1].count;
-      if ((has_before && margins_[sample - stride] > margins_[sample]) ||
-          (has_after && margins_[sample + stride] > margins_[sample])) {
+      if ((has_before && samples_[sample - stride].margin > samples_[sample].margin) ||
+          (has_after && samples_[sample + stride].margin > samples_[sample].margin)) {
         return false;
       }
       stride *= static_cast<std::size_t>(ranges_[i - 1].count);
@@ -174,13 +191,17 @@ class Selector {
     });
   }
 
-  // Steps of half the grid's, halved whenever none of them helps; never beyond the ranges.
+  // Steps of half the grid's along every number, or if none of them helps across every two, so that
+  // a limit that runs obliquely is followed; halved if neither helps; never beyond the ranges.
   void improve(SelectedLinkage& one) const {
+    constexpr int kRounds = 60;
     constexpr int kHalvings = 24;
     double share = 0.5;
-    for (int i = 0; i < kHalvings; ++i) {
+    int halvings = 0;
+    for (int i = 0; i < kRounds && halvings < kHalvings; ++i) {
       if (!improve_by(one, share)) {
         share *= 0.5;
+        ++halvings;
       }
     }
   }
@@ -188,18 +209,35 @@ class Selector {
   bool improve_by(SelectedLinkage& one, double share) const {
     bool helps = false;
     for (std::size_t i = 0; i < ranges_.size(); ++i) {
-      const bool helps_up = improve_along(one, i, share);
-      const bool helps_down = improve_along(one, i, -share);
-      helps = helps || helps_up || helps_down;
+      for (const double sign : {1.0, -1.0}) {
+        const bool helps_so = improve_along(one, i, sign * share, i, 0.0);
+        helps = helps || helps_so;
+      }
+    }
+    return helps || improve_across(one, share);
+  }
+
+  bool improve_across(SelectedLinkage& one, double share) const {
+    bool helps = false;
+    for (std::size_t pair = 0; pair < ranges_.size() * ranges_.size(); ++pair) {
+      const std::size_t i = pair / ranges_.size();
+      const std::size_t j = pair % ranges_.size();
+      for (const double sign : {1.0, -1.0}) {
+        // Of i and j in both orders: with the same sign, and with the other.
+        const double other = i < j ? sign * share : -sign * share;
+        const bool helps_so = i != j && improve_along(one, i, sign * share, j, other);
+        helps = helps || helps_so;
+      }
     }
     return helps;
   }
 
-  bool improve_along(SelectedLinkage& one, std::size_t i, double share) const {
-    const auto [low, high] = std::minmax(ranges_[i].from, ranges_[i].to);
+  bool improve_along(
+      SelectedLinkage& one, std::size_t i, double share, std::size_t j, double other) const {
     std::vector<double> choice = one.choice;
-    choice[i] = std::clamp(choice[i] + share * step(i), low, high);
-    std::optional<LinkageCandidate> found = best_of(choice);
+    choice[i] = within(i, choice[i] + share * step(i));
+    choice[j] = within(j, choice[j] + other * step(j));
+    std::optional<LinkageCandidate> found = make_(choice);
     if (!found || !is_better(*found, one.candidate)) {
       return false;
     }
@@ -207,22 +245,50 @@ class Selector {
     return true;
   }
 
+  double within(std::size_t i, double value) const {
+    const auto [low, high] = std::minmax(ranges_[i].from, ranges_[i].to);
+    return std::clamp(value, low, high);
+  }
+
   std::span<const SelectionRange> ranges_;
-  const TaskMaker& make_task_;
-  const LinkageLimits& limits_;
+  const CandidateMaker& make_;
   std::size_t keep_;
-  std::vector<double> margins_;  // of all samples, the last range first
+  const ForEach& for_each_;
+  std::vector<Sample> samples_;  // the last range runs fastest
   Selection selection_;
 };
 
 }  // namespace
 
+int samples_along(int samples, double numbers) {
+  const double each = std::pow(static_cast<double>(samples), 1.0 / numbers);
+  return std::max(2, static_cast<int>(std::ceil(each * (1.0 - kSameValue))));
+}
+
+CandidateMaker candidates_of(const TaskMaker& make_task, const LinkageLimits& limits) {
+  return [make_task, limits](std::span<const double> choice) -> std::optional<LinkageCandidate> {
+    const auto positions = make_task(choice);
+    if (!positions) {
+      return std::nullopt;
+    }
+    const BurmesterSolution solution = solve_burmester(*positions);
+    std::vector<LinkageCandidate> found = rank_linkages(solution.dyads, *positions, limits);
+    return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
+  };
+}
+
+void one_after_another(std::size_t count, const std::function<void(std::size_t)>& job) {
+  for (std::size_t i = 0; i < count; ++i) {
+    job(i);
+  }
+}
+
 Selection select_linkages(std::span<const SelectionRange> ranges,
-                          const TaskMaker& make_task,
-                          const LinkageLimits& limits,
-                          int keep) {
+                          const CandidateMaker& make,
+                          int keep,
+                          const ForEach& for_each) {
   KINESTAT_EXPECTS(keep > 0);
-  return Selector(ranges, make_task, limits, static_cast<std::size_t>(keep)).run();
+  return Selector(ranges, make, static_cast<std::size_t>(keep), for_each).run();
 }
 
 }  // namespace kinestat

@@ -9,19 +9,29 @@ namespace {
 constexpr Point kI{0.0, 1.0};
 
 // i^k.
-Point quarter_turns(std::size_t k) {
-  constexpr Point kTurns[] = {{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}};
-  return kTurns[k % 4];
+template <class Scalar = double>
+PointOf<Scalar> quarter_turns(std::size_t k) {
+  constexpr int kCosines[] = {1, 0, -1, 0};
+  return PointOf<Scalar>(Scalar(kCosines[k % 4]), Scalar(kCosines[(k + 3) % 4]));
+}
+
+template <class Scalar>
+PointOf<Scalar> turned_by(const Scalar& angle) {
+  using std::cos;
+  using std::sin;
+  return PointOf<Scalar>(cos(angle), sin(angle));
 }
 
 }  // namespace
 
-Point SpecialFrame::to_fixed(const Point& point) const {
-  return pole + unit_vector(angle) * point;
+template <class Scalar>
+PointOf<Scalar> SpecialFrameOf<Scalar>::to_fixed(const PointOf<Scalar>& point) const {
+  return pole + turned_by(angle) * point;
 }
 
-Point SpecialFrame::from_fixed(const Point& point) const {
-  return unit_vector(-angle) * (point - pole);
+template <class Scalar>
+PointOf<Scalar> SpecialFrameOf<Scalar>::from_fixed(const PointOf<Scalar>& point) const {
+  return turned_by(Scalar(-angle)) * (point - pole);
 }
 
 std::optional<Point> find_pole(const PositionJets& position) {
@@ -57,20 +67,30 @@ std::optional<SpecialFrame> find_special_frame(const PositionJets& position) {
   return frame;
 }
 
-PositionJets jets_of(const SpecialFrame& frame, const Point& at, double angle) {
+template <class Scalar>
+PositionJetsOf<Scalar> jets_of(const SpecialFrameOf<Scalar>& frame,
+                               const PointOf<Scalar>& at,
+                               const Scalar& angle) {
   const std::size_t order = frame.derivatives.size();
-  PositionJets position{.x = {}, .y = {}, .angle = std::vector<double>(order, 0.0)};
-  for (std::size_t k = 0; k < order; ++k) {
-    const Point jet = unit_vector(frame.angle) * frame.derivatives[k] +
-                      quarter_turns(k) * (at - frame.pole) +
-                      (k == 0 ? frame.pole : Point(0.0, 0.0));
-    position.x.push_back(k == 0 ? at.real() : jet.real());
-    position.y.push_back(k == 0 ? at.imag() : jet.imag());
+  PositionJetsOf<Scalar> position{
+      .x = {at.real()}, .y = {at.imag()}, .angle = std::vector<Scalar>(order, Scalar(0))};
+  for (std::size_t k = 1; k < order; ++k) {
+    const PointOf<Scalar> jet = turned_by(frame.angle) * frame.derivatives[k] +
+                                quarter_turns<Scalar>(k) * (at - frame.pole);
+    position.x.push_back(jet.real());
+    position.y.push_back(jet.imag());
   }
   position.angle[0] = angle;
-  position.angle[1] = 1.0;
+  position.angle[1] = Scalar(1);
   return position;
 }
+
+template struct SpecialFrameOf<double>;
+template struct SpecialFrameOf<BigFloat>;
+template PositionJets jets_of(const SpecialFrame&, const Point&, const double&);
+template PositionJetsOf<BigFloat> jets_of(const SpecialFrameOf<BigFloat>&,
+                                          const PrecisePoint&,
+                                          const BigFloat&);
 
 Circle inflection_circle(const SpecialFrame& frame) {
   return {.centre = frame.to_fixed({0.0, frame.diameter / 2}), .radius = frame.diameter / 2};

@@ -5,25 +5,29 @@
 #include <vector>
 
 #include "synthesis/position_jets.hpp"
+#include "synthesis/precise_point.hpp"
 
 namespace kinestat {
 
 /// The special reference frame (pt: sistema especial de referência) has its origin in the pole, x
 /// along the pole tangent and y along the pole normal towards the inflection circle; both the fixed
 /// and the moving frame lie in it at that instant. do Valle 1983, section 2.3.
-struct SpecialFrame {
-  Point pole;             ///< [length], fixed frame
-  double diameter = 0.0;  ///< d of the inflection circle [length]; α2 = 0, β2 = d
-  double angle = 0.0;     ///< θ of x from the x axis of the fixed frame [rad]
+template <class Scalar>
+struct SpecialFrameOf {
+  PointOf<Scalar> pole;  ///< [length], fixed frame
+  Scalar diameter{0};    ///< d of the inflection circle [length]; α2 = 0, β2 = d
+  Scalar angle{0};       ///< θ of x from the x axis of the fixed frame [rad]
 
   /// a_k + i b_k: derivative k by the angle of the pole point of the plane, k = 0 to n - 1, in this
   /// frame [length]. The first three are 0, 0, i d.
-  std::vector<Point> derivatives;
+  std::vector<PointOf<Scalar>> derivatives;
 
   /// A point given in this frame, in the fixed one; and back.
-  Point to_fixed(const Point& point) const;
-  Point from_fixed(const Point& point) const;
+  PointOf<Scalar> to_fixed(const PointOf<Scalar>& point) const;
+  PointOf<Scalar> from_fixed(const PointOf<Scalar>& point) const;
 };
+
+using SpecialFrame = SpecialFrameOf<double>;
 
 struct Circle {
   Point centre;
@@ -43,8 +47,11 @@ struct StationaryCurvature {
 std::optional<SpecialFrame> find_special_frame(const PositionJets& position);
 
 /// The position whose moving frame has its origin at `at` and stands at `angle`, by the angle as
-/// parameter: the way back.
-PositionJets jets_of(const SpecialFrame& frame, const Point& at, double angle);
+/// parameter: the way back. `Scalar` is double or BigFloat.
+template <class Scalar>
+PositionJetsOf<Scalar> jets_of(const SpecialFrameOf<Scalar>& frame,
+                               const PointOf<Scalar>& at,
+                               const Scalar& angle);
 
 /// The point about which the plane turns at the instant; empty if it does not turn or the order is
 /// below 2.

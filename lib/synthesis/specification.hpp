@@ -4,30 +4,37 @@
 #include <optional>
 
 #include "synthesis/position_jets.hpp"
+#include "synthesis/precise_point.hpp"
 
 namespace kinestat {
 
 /// What fixes the inflection circle: the centre of curvature of the path of E, the origin of the
 /// moving frame, and the shape of the curvature of another point F. do Valle 1983, section 2.2.
-struct CurvatureSpecification {
-  Point centre;      ///< O_E, fixed frame, on the line from E to the pole
-  Point free_point;  ///< F, fixed frame, not on that line
+template <class Scalar>
+struct CurvatureSpecificationOf {
+  PointOf<Scalar> centre;      ///< O_E, fixed frame, on the line from E to the pole
+  PointOf<Scalar> free_point;  ///< F, fixed frame, not on that line
 
   /// m: the centre of curvature of F lies at O_F = F + m (P - F); below zero on the other side of F
   /// than the pole, above one beyond the pole, infinite on a straight path. Not zero.
-  double ratio = 1.0;
+  Scalar ratio{1};
 };
+
+using CurvatureSpecification = CurvatureSpecificationOf<double>;
 
 /// Each condition needs the one before. With a pole the group is PP, with curvature PPP, with
 /// stationary curvature of E and F PPPP, and if both are Burmester points PPPPP.
-struct PositionSpecification {
-  Point at;            ///< E [length], fixed frame
-  double angle = 0.0;  ///< of the moving frame [rad]
-  std::optional<Point> pole = std::nullopt;
-  std::optional<CurvatureSpecification> curvature = std::nullopt;
+template <class Scalar>
+struct PositionSpecificationOf {
+  PointOf<Scalar> at;  ///< E [length], fixed frame
+  Scalar angle{0};     ///< of the moving frame [rad]
+  std::optional<PointOf<Scalar>> pole = std::nullopt;
+  std::optional<CurvatureSpecificationOf<Scalar>> curvature = std::nullopt;
   bool is_stationary = false;
   bool is_burmester = false;
 };
+
+using PositionSpecification = PositionSpecificationOf<double>;
 
 /// Why no motion meets a specification.
 enum class SpecificationFault {
@@ -50,14 +57,21 @@ struct EffectiveFreedom {
   double tau_2 = 0.0;  ///< of the fourth derivative (α4, β4)/d likewise; plain number
 };
 
-struct SpecifiedPosition {
-  std::optional<PositionJets> jets;  ///< by the angle; empty if there is a fault
+template <class Scalar>
+struct SpecifiedPositionOf {
+  std::optional<PositionJetsOf<Scalar>> jets;  ///< by the angle; empty if there is a fault
   SpecificationFault fault = SpecificationFault::none;
 };
+
+using SpecifiedPosition = SpecifiedPositionOf<double>;
 
 /// Free of the divisions by cosines, tangents and coordinates of the pole that fail in the source;
 /// its equation 2.53 in the corrected form.
 SpecifiedPosition find_jets(const PositionSpecification& specification);
+
+/// With the digits of BigFloat.
+SpecifiedPositionOf<BigFloat> find_precise_jets(
+    const PositionSpecificationOf<BigFloat>& specification);
 
 /// The same for the conditions of E alone: pole, centre of curvature of its path, and whether it is
 /// a point of the cubic and a Burmester point. The free point and its ratio are not looked at.

@@ -144,6 +144,13 @@ class Judge {
     return curve_.is_cyclic() && bounds(zero_end_) && x < 0.0 ? x + 2.0 * kPi : x;
   }
 
+  // Whether the derivatives that have a sense ask for no other one.
+  bool allows(int sense) const {
+    return std::ranges::all_of(positions_, [&](const PositionJets& position) {
+      return !position.is_directed || position.order() < 2 || curve_.sense_of(position) != -sense;
+    });
+  }
+
   void find_passage() {
     std::vector<double> x = verdict_.coordinates;
     if (!verdict_.turns_fully) {
@@ -153,8 +160,8 @@ class Judge {
     }
     const double forward = turn(x, 1.0);
     const double backward = turn(x, -1.0);
-    const bool goes_forward = forward < 2.0 * kPi;
-    const bool goes_backward = backward < 2.0 * kPi;
+    const bool goes_forward = forward < 2.0 * kPi && allows(1);
+    const bool goes_backward = backward < 2.0 * kPi && allows(-1);
     if (goes_forward && (!goes_backward || forward <= backward)) {
       set_passage(Passage::increasing, forward);
     } else if (goes_backward) {
@@ -174,9 +181,9 @@ class Judge {
 
   void find_monotone(const std::vector<double>& x) {
     const double arc = x.back() - x.front();
-    if (std::ranges::is_sorted(x)) {
+    if (std::ranges::is_sorted(x) && allows(1)) {
       set_passage(Passage::increasing, arc);
-    } else if (std::ranges::is_sorted(x, std::greater<>())) {
+    } else if (std::ranges::is_sorted(x, std::greater<>()) && allows(-1)) {
       set_passage(Passage::decreasing, arc);
     }
   }

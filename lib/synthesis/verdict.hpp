@@ -47,9 +47,11 @@ struct DriveVerdict {
   bool is_defect_free() const { return same_circuit && same_branch && passage != Passage::none; }
 };
 
-/// Finite positions, in their order: of each group of coincident ones the pose counts. With a full
-/// turn any sense of rotation is in order that passes the positions within one turn; two positions
-/// always are, by the shorter way.
+/// Positions in their order: of each group of coincident ones the pose counts, and its sense if its
+/// parameter grows along the motion (PositionJets::is_directed): the input must pass all of them in
+/// the sense in which it goes from position to position. With a full turn any sense of rotation is
+/// in order that passes the positions within one turn; two positions without a sense always are, by
+/// the shorter way.
 DriveVerdict find_verdict(const Linkage& linkage,
                           Drive drive,
                           std::span<const PositionJets> positions);

@@ -30,6 +30,8 @@ STATES = ["c66_parameter_never_used", "e0501_motions_missing", "e0602_no_equilib
           "losses_and_friction_of_bearings", "c82_drive_in_reverse"]
 # A topology without dimensions, which only `kinestat mobility` answers.
 COUNTED = ROOT / "mechanisms" / "cables" / "surgical_instrument.yaml"
+# Tasks, which hold no mechanism and have reports of their own.
+TASKS = ROOT / "mechanisms" / "synthesis"
 # Where the CSV table of a pass finds its values: the quantity names the section.
 SECTIONS = {
     "kinematics": {"rate": "freedoms", None: "bodies"},
@@ -43,17 +45,19 @@ LOSSES = {"loss": "meshes", "lossy_friction": "friction", "lossy_action": "actua
 
 
 def files() -> list[Path]:
-    found = sorted((ROOT / "mechanisms").rglob("*.yaml"))
-    found.remove(COUNTED)
+    found = sorted(path for path in (ROOT / "mechanisms").rglob("*.yaml")
+                   if path != COUNTED and path.parent != TASKS)
     return found + [ROOT / "tests" / "cli" / name / "file.yaml" for name in STATES]
 
 
 def tasks() -> list[Path]:
-    """The synthesis tasks of the cases that have an answer."""
+    """The synthesis tasks of the library and of the cases that have an answer."""
     folders = ("synthesize_tables_of_the_source", "synthesize_families",
-               "synthesize_few_positions")
-    return sorted(path for name in folders
-                  for path in (ROOT / "tests" / "cli" / name).glob("*.yaml"))
+               "synthesize_few_positions", "synthesize_coupler_curves")
+    selections = ROOT / "tests" / "cli" / "synthesize_selection"
+    return [*(selections / f"{name}.yaml" for name in ("ratio", "point", "narrow")),
+            *sorted(path for folder in (TASKS, *(ROOT / "tests" / "cli" / one for one in folders))
+                    for path in folder.glob("*.yaml"))]
 
 
 def is_count_or_number(value: Any) -> bool:
@@ -311,10 +315,11 @@ class Reports(unittest.TestCase):
                 self.assertEqual(faults, [])
                 rows = [dict(zip(HEADER, row)) for row in rows_of("synthesize", path)[1:]]
                 for row in rows:
-                    task = answer["synthesis"]["tasks"][int(row["case"])]
-                    value = at(task[row["element"]], row["quantity"])
+                    synthesis = answer["synthesis"]
+                    part = synthesis["tasks"][int(row["case"])] if row["case"] else synthesis
+                    value = at(part[row["element"]], row["quantity"])
                     self.assertEqual(row["value"], json.dumps(value), row)
-                found = list(numbers(answer["synthesis"]["tasks"]))
+                found = list(numbers(answer["synthesis"]))
                 self.assertEqual(len(rows), sum(is_count_or_number(one) for one in found))
 
     def test_end_lines_with_lf_and_hold_no_minus_zero(self) -> None:

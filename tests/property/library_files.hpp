@@ -15,12 +15,13 @@ inline const std::filesystem::path kLibraryFolder =
     std::filesystem::path(KINESTAT_SOURCE_DIR) / "mechanisms";
 
 /// Relative to the folder, in order; without the one that can only be counted, as its couplings
-/// have no places and so no geometry.
+/// have no places and so no geometry, and without the synthesis tasks, which hold no mechanism.
 inline std::vector<std::string> list_library_files() {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(kLibraryFolder)) {
     const std::string name = std::filesystem::relative(entry.path(), kLibraryFolder).string();
-    if (entry.path().extension() == ".yaml" && name != "cables/surgical_instrument.yaml") {
+    if (entry.path().extension() == ".yaml" && name != "cables/surgical_instrument.yaml" &&
+        !name.starts_with("synthesis/")) {
       files.push_back(name);
     }
   }

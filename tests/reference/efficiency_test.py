@@ -286,6 +286,14 @@ class ClosedForms(unittest.TestCase):
         self.assertAlmostEqual(power["efficiency"]["absolute"],
                                0.98 * (given - 2 * friction * force) / 100, delta=1e-12)
 
+    def test_losses_of_nothing(self) -> None:
+        power = powers_of(PAIR.format(bearing="", more="losses: {gear_external: 0}"))["run"]
+
+        for value in ("carrier", "carrier_backward", "absolute"):
+            self.assertAlmostEqual(power["efficiency"][value], 1, delta=1e-12)
+        self.assertEqual(power["losses"]["meshes"]["g"]["power"], 0)
+        self.assertNotIn("driven", power["losses"]["meshes"]["g"])
+
     # At i0 = η0 the sun gives all that the teeth take.
     def test_efficiency_of_exactly_zero(self) -> None:
         train = stepped_set((100, 97, 100, 100), is_internal=False)

@@ -373,14 +373,17 @@ class Gearboxes(ReferenceTest):
     """Every gear of every transmission of the library loses nothing."""
 
     def test_power_balance(self) -> None:
+        compared = 0
         for path in sorted(MECHANISMS.glob("transmissions/*.yaml")):
-            if not re.search(r"^gears:", path.read_text(encoding="utf-8"), re.MULTILINE):
-                continue
             for label, case in program.run("analyze", str(path))["cases"].items():
+                if label == "jacked up":  # asks for speeds alone
+                    continue
                 with self.subTest(path.name, gear=label):
                     self.assertLess(abs(case["power"]["balance_residual"]), 1e-9)
+                    compared += 1
                     if "ratio" in case and isinstance(case["ratio"], float):
                         self.near(case["ratio"] * case["torque_ratio"], -1.0, label)
+        self.assertGreater(compared, 60)
 
 
 if __name__ == "__main__":

@@ -33,7 +33,7 @@ void report_nodes(const ReadLimits& limits, SourceRange where, Excess excess, Di
               fmt::format("more than {} values in the file, aliases expanded", limits.nodes),
               excess == Excess::by_alias
                   ? "an alias stands for all values that it names; repeat fewer of them"
-                  : "split the file, or keep tables elsewhere");
+                  : "split the file, or keep tables elsewhere; --max-file-size 100M reads more");
 }
 
 void report_open_quote(SourceMap& map, std::size_t quote, Diagnostics& found) {

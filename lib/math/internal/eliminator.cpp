@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
+#include <tuple>
 
 #include "core/tolerance.hpp"
 #include "math/internal/at.hpp"
@@ -40,6 +43,7 @@ void Eliminator::load() {
   const SparseMatrix& matrix = out_.matrix_;
   rows_.assign(static_cast<std::size_t>(matrix.rows), {});
   columns_.assign(static_cast<std::size_t>(matrix.columns), {});
+  counts_.assign(columns_.size(), 0);
   active_.assign(rows_.size(), true);
   reserve(matrix);
   for (const SparseEntry& entry : matrix.entries) {
@@ -67,7 +71,7 @@ void Eliminator::reserve(const SparseMatrix& matrix) {
     rows_[r].reserve(in_row[r]);
   }
   for (std::size_t c = 0; c < columns_.size(); ++c) {
-    columns_[c].rows.reserve(in_column[c]);
+    columns_[c].reserve(in_column[c]);
   }
   out_.multipliers_.reserve(matrix.entries.size());
 }
@@ -90,8 +94,15 @@ void Eliminator::sort_and_add(Row& row) {
 }
 
 void Eliminator::enter(int row, int column) {
-  at(columns_, column).rows.push_back(row);
-  ++at(columns_, column).count;
+  at(columns_, column).push_back(row);
+  count(column, 1);
+}
+
+void Eliminator::count(int column, int change) {
+  at(counts_, column) += change;
+  if (queue_ != nullptr) {
+    queue_->tell(column);
+  }
 }
 
 double Eliminator::value_at(int row, int column) const {
@@ -103,7 +114,7 @@ double Eliminator::value_at(int row, int column) const {
 // The sparsest active row whose entry is at least kPivotShare of the largest; also forgets the
 // rows that no longer hold the column.
 Eliminator::Choice Eliminator::choose_row(int column) {
-  std::vector<int>& rows = at(columns_, column).rows;
+  std::vector<int>& rows = at(columns_, column);
   Choice choice;
   values_.clear();
   std::erase_if(rows, [&](int r) {
@@ -131,44 +142,56 @@ Eliminator::Choice Eliminator::choose_row(int column) {
 void Eliminator::eliminate(std::vector<int>& candidates, std::vector<Elimination::Pivot>& pivots) {
   std::vector<int> waiting;
   std::vector<int> without;
-  while (!candidates.empty()) {
-    const auto best =
-        std::ranges::min_element(candidates, {}, [&](int c) { return at(columns_, c).count; });
-    const int column = *best;
-    candidates.erase(best);
-    const Choice choice = choose_row(column);
+  ColumnQueue queue(std::move(candidates), counts_);
+  queue_ = &queue;
+  while (const std::optional<int> column = queue.take_least()) {
+    const Choice choice = choose_row(*column);
     if (choice.largest < kPivotWaits) {
-      (choice.row < 0 ? without : waiting).push_back(column);
+      (choice.row < 0 ? without : waiting).push_back(*column);
     } else {
-      pivot_on(column, choice, pivots);
+      pivot_on(*column, choice, pivots);
     }
   }
+  queue_ = nullptr;
   settle(waiting, without, pivots);
   candidates = std::move(without);
 }
 
-// The columns whose entries are small: the largest first, until what remains counts as zero.
+// The columns whose entries are small: the largest first, until what remains counts as zero. A
+// pivot changes the entries of the columns of its row and no others.
 void Eliminator::settle(std::vector<int>& waiting,
                         std::vector<int>& without,
                         std::vector<Elimination::Pivot>& pivots) {
-  while (!waiting.empty()) {
-    std::size_t best = 0;
-    Choice choice;
-    for (std::size_t i = 0; i < waiting.size(); ++i) {
-      const Choice candidate = choose_row(waiting[i]);
-      if (i == 0 || candidate.largest > choice.largest) {
-        best = i;
-        choice = candidate;
-      }
-    }
-    if (choice.largest <= kRankZero) {
-      out_.evidence_.largest_dropped = std::max(out_.evidence_.largest_dropped, choice.largest);
-      without.insert(without.end(), waiting.begin(), waiting.end());
+  std::vector<double> largest(columns_.size(), -1.0);
+  std::set<std::tuple<double, std::size_t, int>> order;
+  std::vector<std::size_t> place(columns_.size(), 0);
+  const auto enter_column = [&](int column) {
+    at(largest, column) = choose_row(column).largest;
+    order.emplace(-at(largest, column), at(place, column), column);
+  };
+  for (std::size_t i = 0; i < waiting.size(); ++i) {
+    at(place, waiting[i]) = i;
+    enter_column(waiting[i]);
+  }
+  while (!order.empty()) {
+    const int column = std::get<int>(*order.begin());
+    if (at(largest, column) <= kRankZero) {
+      out_.evidence_.largest_dropped =
+          std::max(out_.evidence_.largest_dropped, at(largest, column));
+      std::ranges::copy_if(
+          waiting, std::back_inserter(without), [&](int c) { return at(largest, c) >= 0.0; });
       return;
     }
-    const int column = waiting[best];
-    waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(best));
+    order.erase(order.begin());
+    at(largest, column) = -1.0;
+    const Choice choice = choose_row(column);
     pivot_on(column, choice, pivots);
+    for (const Cell& cell : at(rows_, choice.row)) {
+      if (at(largest, cell.column) >= 0.0) {
+        order.erase({-at(largest, cell.column), at(place, cell.column), cell.column});
+        enter_column(cell.column);
+      }
+    }
   }
 }
 
@@ -177,10 +200,10 @@ void Eliminator::pivot_on(int column,
                           std::vector<Elimination::Pivot>& pivots) {
   at(active_, choice.row) = false;
   for (const Cell& cell : at(rows_, choice.row)) {
-    --at(columns_, cell.column).count;
+    count(cell.column, -1);
   }
   // A row whose entry was lost and filled in again is listed twice; the second time it is 0.
-  for (const int r : at(columns_, column).rows) {
+  for (const int r : at(columns_, column)) {
     const double value = r == choice.row ? 0.0 : value_at(r, column);
     if (value != 0.0) {
       subtract(r, choice.row, column, value / choice.value);
@@ -213,7 +236,7 @@ void Eliminator::subtract(int row, int pivot_row, int column, double multiplier)
     ++i;
     if (cell.column == column || std::abs(difference) <= kCancellation * size) {
       out_.has_dropped_ |= cell.column != column && difference != 0.0;
-      --at(columns_, cell.column).count;
+      count(cell.column, -1);
     } else {
       merged_.push_back({.column = cell.column, .value = difference});
     }

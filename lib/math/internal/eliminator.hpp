@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "math/elimination.hpp"
+#include "math/internal/column_queue.hpp"
 
 namespace kinestat {
 
@@ -18,11 +19,6 @@ class Eliminator {
   using Cell = Elimination::Cell;
   using Row = std::vector<Cell>;
 
-  struct Column {
-    std::vector<int> rows;  ///< may name rows that are done or have lost the entry
-    int count = 0;          ///< entries in active rows
-  };
-
   struct Choice {
     int row = -1;
     double value = 0.0;    ///< of the pivot
@@ -33,6 +29,7 @@ class Eliminator {
   void reserve(const SparseMatrix& matrix);
   static void sort_and_add(Row& row);
   void enter(int row, int column);
+  void count(int column, int change);
   double value_at(int row, int column) const;
   Choice choose_row(int column);
   void eliminate(std::vector<int>& candidates, std::vector<Elimination::Pivot>& pivots);
@@ -44,10 +41,12 @@ class Eliminator {
 
   Elimination& out_;
   std::vector<Row>& rows_;
-  std::vector<Column> columns_;
+  std::vector<std::vector<int>> columns_;  ///< rows of each; some are done, or have lost the entry
+  std::vector<int> counts_;                ///< of each column: entries in active rows
   std::vector<bool> active_;
-  std::vector<double> values_;  ///< of choose_row
-  Row merged_;                  ///< of subtract
+  std::vector<double> values_;    ///< of choose_row
+  Row merged_;                    ///< of subtract
+  ColumnQueue* queue_ = nullptr;  ///< while columns are chosen by their counts, if it must be told
 };
 
 }  // namespace kinestat

@@ -25,10 +25,9 @@ class LossBinder {
       const bool is_mesh =
           coupling.type == CouplingType::gear || coupling.type == CouplingType::bevel_gear;
       const LossValue* loss = is_mesh ? loss_of(coupling) : nullptr;
-      const double share = loss == nullptr ? 0.0 : share_of(*loss, coupling.name.text);
-      if (share > 0.0) {
+      if (loss != nullptr) {
         result.push_back({.coupling = CouplingId{static_cast<int>(e)},
-                          .share = share,
+                          .share = share_of(*loss, coupling.name.text),
                           .where = loss->value.where});
       }
     }

@@ -130,11 +130,15 @@ class ShiftCheck {
   void check_values(const std::vector<InputValue>& values,
                     const Sides& sides,
                     const std::string& what) {
+    std::size_t at_rest = 0;
     for (const InputValue& one : values) {
       if (!one.target) {
         check_for_all(one.value, sides, what);
       } else if (holds(shift_.inputs, one.target->text)) {
-        check_value(one.value, context_.names.kind_of_actuator(one.target->text), sides, what);
+        const DriveKind kind = context_.names.kind_of_actuator(one.target->text);
+        const bool is_last = at_rest + 1 == shift_.inputs.size();
+        const auto number = check_value(one.value, kind, sides, what, !is_last);
+        at_rest += number == 0.0 ? 1 : 0;
       } else {
         context_.evaluator.quantity(one.value);
         check_target(*one.target, what);
@@ -158,23 +162,28 @@ class ShiftCheck {
       return;
     }
     for (const DriveKind kind : kinds) {
-      check_value(value, kind, sides, what);
+      check_value(value, kind, sides, what, false);
     }
   }
 
-  void check_value(const Value& value,
-                   DriveKind kind,
-                   const Sides& sides,
-                   const std::string& what) {
+  // One of several inputs may rest, but not all.
+  std::optional<double> check_value(const Value& value,
+                                    DriveKind kind,
+                                    const Sides& sides,
+                                    const std::string& what,
+                                    bool may_rest) {
     if (kind == DriveKind::unknown) {
       context_.evaluator.quantity(value);
-      return;
+      return std::nullopt;
     }
+    const auto kind_of_value = kind == DriveKind::sliding ? sides.sliding : sides.turning;
+    const NumberRule any = {
+        .kind = kind_of_value, .accepts = [](double) { return true; }, .allowed = "a value"};
     const NumberRule rule = {
-        .kind = kind == DriveKind::sliding ? sides.sliding : sides.turning,
+        .kind = kind_of_value,
         .accepts = [](double x) { return x != 0.0; },
         .allowed = "a value other than zero: gears are seen only when the input works"};
-    context_.number(value, rule, what);
+    return context_.number(value, may_rest ? any : rule, what);
   }
 
   // Where an input itself is misspelt, an actuator here may well be the one that is meant.

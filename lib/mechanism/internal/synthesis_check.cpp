@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "math/digit_limits.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -32,6 +34,16 @@ constexpr NumberRule kCurveCount = {
     .accepts = [](double x) { return is_whole(x) && x >= 2.0 && x <= 1'000'000.0; },
     .allowed = "a whole number from 2 to 1000000"};
 
+constexpr NumberRule kSamples = {
+    .kind = QuantityKind::dimensionless,
+    .accepts = [](double x) { return is_whole(x) && x >= 2.0 && x <= 1'000'000.0; },
+    .allowed = "a whole number from 2 to 1000000"};
+
+constexpr NumberRule kDigits = {
+    .kind = QuantityKind::dimensionless,
+    .accepts = [](double x) { return is_whole(x) && x >= kLeastDigits && x <= kMostDigits; },
+    .allowed = "a whole number of decimal digits from 17 to 100; without it there are 16"};
+
 class SynthesisCheck {
  public:
   SynthesisCheck(const SectionContext& context, const SynthesisDescription& task)
@@ -50,6 +62,9 @@ class SynthesisCheck {
       check_range(range);
     }
     context_.number(task_.curve_count, kCurveCount, "'count' of 'curves'");
+    context_.number(task_.samples, kSamples, "'samples' of 'vary'");
+    check_together();
+    context_.number(task_.digits, kDigits, "'digits' of 'synthesis'");
   }
 
  private:
@@ -72,17 +87,20 @@ class SynthesisCheck {
     context_.point(curvature.centre);
     context_.point(curvature.free_point);
     context_.number(curvature.m, kPathRatio, "'m' of " + what);
-    if (!curvature.free_point && !is_varied("free_point")) {
+    if (is_varied(FreeNumber::s)) {
+      return;
+    }
+    if (!curvature.free_point && !is_varied(FreeNumber::free_point)) {
       lacks(curvature, what, "free_point", "free_point: [x, y]");
     }
-    if (!curvature.m && !is_varied("m")) {
+    if (!curvature.m && !is_varied(FreeNumber::m)) {
       lacks(curvature, what, "m", "m: 0.58");
     }
   }
 
-  bool is_varied(std::string_view name) const {
-    return std::ranges::any_of(
-        task_.vary, [&](const SynthesisRange& range) { return range.name.text == name; });
+  bool is_varied(FreeNumber which) const {
+    return std::ranges::any_of(task_.vary,
+                               [&](const SynthesisRange& range) { return range.which == which; });
   }
 
   void lacks(const CurvatureDescription& curvature,
@@ -126,19 +144,95 @@ class SynthesisCheck {
   }
 
   void check_range(const SynthesisRange& range) {
-    const bool is_point = range.name.text == "free_point";
-    const QuantityKind kind = is_point ? QuantityKind::length : QuantityKind::dimensionless;
-    context_.components(range.from, kind);
-    context_.components(range.to, kind);
+    context_.components(range.from, kind_of(range.which));
+    context_.components(range.to, kind_of(range.which));
+    if (range.which == FreeNumber::circle_points) {
+      check_circle_points(range);
+      return;
+    }
     const bool has_curvature = std::ranges::any_of(
         task_.positions, [](const PositionDescription& one) { return one.curvature.has_value(); });
     if (!has_curvature) {
       context_.found.error(
           "E0313",
-          range.name.where,
-          fmt::format("'vary' names '{}', but no position has 'curvature'", range.name.text),
+          range.name_where,
+          fmt::format("'vary' names '{}', but no position has 'curvature'", word_of(range.which)),
           "remove it, or add 'curvature' to a position");
     }
+  }
+
+  void check_circle_points(const SynthesisRange& range) {
+    int count = 0;
+    for (const PositionDescription& position : task_.positions) {
+      count += position.order();
+    }
+    if (count != 3 && count != 4) {
+      context_.found.error(
+          "E0305",
+          range.name_where,
+          fmt::format("circle points are free with three and four positions, and this has {}",
+                      count),
+          count < 3 ? "add a position, its pole or its curvature"
+                    : "five positions have their own; let 'm', 'free_point' or 's' vary");
+    }
+  }
+
+  // s, tau and tau_2 stand for free point and m together, one for each order.
+  void check_together() {
+    using enum FreeNumber;
+    for (const SynthesisRange& range : task_.vary) {
+      const bool is_effective = range.which == s || range.which == tau || range.which == tau_2;
+      if (is_effective && (is_varied(m) || is_varied(free_point))) {
+        context_.found.error(
+            "E0302",
+            range.name_where,
+            fmt::format("'vary' cannot have '{}' beside 'm' or 'free_point'", word_of(range.which)),
+            "keep s, tau and tau_2, or m and free_point: both say the same");
+      }
+      if (range.which == circle_points && task_.vary.size() > 1) {
+        context_.found.error("E0302",
+                             range.name_where,
+                             "'vary' cannot have 'circle_points' beside other ranges",
+                             "keep one of them, and give numbers for what the others leave free");
+      }
+    }
+    check_effective();
+  }
+
+  void check_effective() {
+    using enum FreeNumber;
+    const bool is_stationary = std::ranges::any_of(
+        task_.positions, [](const PositionDescription& one) { return one.stationary; });
+    const bool is_burmester = std::ranges::any_of(
+        task_.positions, [](const PositionDescription& one) { return one.burmester; });
+    check_needed(tau, s, is_stationary, "stationary");
+    check_needed(tau_2, tau, is_burmester, "burmester");
+  }
+
+  // An order that a position has and one that 'vary' has belong together.
+  void check_needed(FreeNumber which, FreeNumber before, bool has_order, std::string_view order) {
+    if (is_varied(before) && has_order && !is_varied(which)) {
+      context_.found.error("E0303",
+                           place_of(before),
+                           fmt::format("'vary' names '{}' and needs '{}' for '{}: true'",
+                                       word_of(before),
+                                       word_of(which),
+                                       order),
+                           fmt::format("add {}: {{from: -1, to: 1}}", word_of(which)));
+    }
+    if (is_varied(which) && !(is_varied(before) && has_order)) {
+      context_.found.error("E0313",
+                           place_of(which),
+                           fmt::format("'vary' names '{}', which needs '{}' and '{}: true'",
+                                       word_of(which),
+                                       word_of(before),
+                                       order),
+                           "remove it, or add what it needs");
+    }
+  }
+
+  SourceRange place_of(FreeNumber which) const {
+    return std::ranges::find(task_.vary, which, &SynthesisRange::which)->name_where;
   }
 
   const SectionContext& context_;

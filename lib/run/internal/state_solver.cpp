@@ -77,8 +77,24 @@ std::string_view row_status(const CaseAnalysis& one,
   const bool asks_ratio = std::ranges::any_of(task.quantities, [](const SweepQuantity& quantity) {
     return quantity.kind == SweepQuantityKind::ratio;
   });
-  return asks_ratio && one.ratios && !one.ratios->ratio ? ratio_status(one, task.mechanism.topology)
-                                                        : "solved";
+  if (asks_ratio && one.ratios && !one.ratios->ratio) {
+    return ratio_status(one, task.mechanism.topology);
+  }
+  const bool asks_efficiency = std::ranges::any_of(
+      task.quantities,
+      [](const SweepQuantity& quantity) { return quantity.kind == SweepQuantityKind::efficiency; });
+  const bool is_lossless = !one.efficiency && one.action && one.action->friction.empty();
+  const bool has_efficiency =
+      value_of({.kind = SweepQuantityKind::efficiency, .index = -1, .name = {}, .unit = {}},
+               one,
+               task.mechanism,
+               task.description.units)
+          .has_value();
+  if (asks_efficiency && one.power && !one.which.inputs.empty() && !one.which.outputs.empty() &&
+      !has_efficiency && !is_lossless) {
+    return "no_efficiency";
+  }
+  return "solved";
 }
 
 StateBinder::StateBinder(const SweepTask& task) : task_(task), description_(task.description) {}
@@ -97,6 +113,10 @@ std::optional<Mechanism> StateBinder::bind(const Slots& slots) {
   return mechanism;
 }
 
+std::optional<double> gear_ratio(const SweepTask& task, std::size_t row, const CaseAnalysis& one) {
+  return task.gears[row] && one.ratios ? one.ratios->ratio : std::nullopt;
+}
+
 void fill_row(const SweepTask& task,
               const Mechanism& mechanism,
               const CaseAnalysis& one,
@@ -109,7 +129,7 @@ void fill_row(const SweepTask& task,
 }
 
 StateSolver::StateSolver(const SweepTask& task)
-    : task_(task), binder_(task), rows_(task.cases.size()) {
+    : task_(task), binder_(task), rows_(task.cases.size()), states_(task.cases.size()) {
   if (task.tapes) {
     taped_.emplace(task, *task.tapes);
   }
@@ -137,11 +157,38 @@ void StateSolver::analyse(const StateWalk& walk) {
     fail(binder_.code());
     return;
   }
-  const std::vector<CaseAnalysis> cases =
-      solve_some_cases(*mechanism, chosen_cases(task_, *mechanism));
+  std::vector<Case> cases = chosen_cases(task_, *mechanism);
+  if (task_.shift) {
+    decide_gears(*mechanism, cases);
+  }
+  std::vector<std::optional<double>> ratios(rows_.size());
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    std::ranges::fill(rows_[i].values, kNoValue);
+    if (states_[i] && states_[i]->kind != ShiftClass::gear) {
+      rows_[i].status = word_of(states_[i]->kind);
+      continue;
+    }
+    const CaseAnalysis one = solve_some_cases(*mechanism, std::span(&cases[i], 1)).front();
+    fill_row(task_, *mechanism, one, rows_[i]);
+    rows_[i].status = row_status(one, task_, task_.is_usually_solved[i]);
+    ratios[i] = gear_ratio(task_, i, one);
+  }
+  fill_steps(task_.quantities, ratios, rows_);
+}
+
+void StateSolver::decide_gears(const Mechanism& mechanism, std::vector<Case>& cases) {
+  const std::optional<ShiftPlan> plan = bind_shift(binder_.description(), mechanism.topology);
+  KINESTAT_EXPECTS(plan.has_value());
+  states_ = find_states(task_.gears, mechanism, *plan);
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    fill_row(task_, *mechanism, cases[i], rows_[i]);
-    rows_[i].status = row_status(cases[i], task_, task_.is_usually_solved[i]);
+    if (!states_[i] || states_[i]->kind != ShiftClass::gear) {
+      continue;
+    }
+    if (std::optional<Case> anew =
+            described_anew(*task_.gears[i], *states_[i], *plan, binder_.description(), mechanism)) {
+      anew->asks_actions = anew->asks_actions && task_.has_statics;
+      cases[i] = *std::move(anew);
+    }
   }
 }
 

@@ -20,6 +20,9 @@ class StateBinder {
 
   std::string_view code() const { return code_; }
 
+  /// That of the last state.
+  const MechanismDescription& description() const { return description_; }
+
  private:
   const SweepTask& task_;
   MechanismDescription description_;
@@ -38,6 +41,7 @@ class StateSolver {
 
  private:
   void analyse(const StateWalk& walk);
+  void decide_gears(const Mechanism& mechanism, std::vector<Case>& cases);
   void check_tape(const StateWalk& walk);
   void fail(std::string_view status);
 
@@ -45,7 +49,11 @@ class StateSolver {
   StateBinder binder_;
   std::optional<TapedSolver> taped_;
   std::vector<SweepRow> rows_;
+  std::vector<std::optional<ShiftState>> states_;  ///< of each row that is of a combination
 };
+
+/// Of the ratio of a gear in SI; empty of any other case, and where a state is no gear.
+std::optional<double> gear_ratio(const SweepTask& task, std::size_t row, const CaseAnalysis& one);
 
 /// Writes the quantities of a case into its row; one that it does not have is a NaN.
 void fill_row(const SweepTask& task,

@@ -1,15 +1,16 @@
 #include "run/internal/sweep_task.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "core/version.hpp"
 #include "io/chunk_record.hpp"
+#include "run/gears.hpp"
 #include "run/output.hpp"
 #include "run/solve_cases.hpp"
 
@@ -17,41 +18,85 @@ namespace kinestat {
 
 namespace {
 
-std::vector<std::string> labels_of(const std::vector<Case>& cases) {
-  std::vector<std::string> labels;
-  for (const Case& which : cases) {
-    labels.push_back(which.label);
-  }
-  return labels;
-}
+// Which cases of the mechanism are run: those that the sweep names, or all that the file writes,
+// all gears and whatever else has a label. Combinations that are no gears with the parameters of
+// the file get a case here, for in other states they may be.
+class CaseChoice {
+ public:
+  CaseChoice(const SweepDescription& sweep, Loaded& loaded, Diagnostics& found)
+      : sweep_(sweep),
+        shift_(loaded.shift),
+        description_(loaded.description),
+        mechanism_(loaded.mechanism),
+        found_(found) {}
 
-// The labels that the sweep names, or all.
-std::vector<std::size_t> choose_cases(const SweepDescription& sweep,
-                                      const std::vector<Case>& cases,
-                                      Diagnostics& found) {
-  std::vector<std::size_t> chosen;
-  for (const Name& label : sweep.cases) {
-    const auto at = std::ranges::find(cases, label.text, &Case::label);
-    if (at == cases.end()) {
-      found.error("E0315",
-                  label.where,
-                  fmt::format("gear '{}' of 'sweep' is not analysed yet", printable(label.text)),
-                  fmt::format("write it as a case; cases are {}", plain_list(labels_of(cases))));
-      continue;
+  void run() {
+    if (sweep_.cases.empty()) {
+      choose_all();
     }
-    chosen.push_back(static_cast<std::size_t>(at - cases.begin()));
+    for (const Name& label : sweep_.cases) {
+      choose(label);
+    }
+    if (chosen.empty() && !found_.has_errors()) {
+      found_.error("E0303",
+                   sweep_.where,
+                   "the file has neither cases nor gears, so that the sweep has nothing to analyse",
+                   "add 'cases:' with what is known of motions and actions, or 'shift:'");
+    }
   }
-  for (std::size_t i = 0; i < cases.size() && sweep.cases.empty(); ++i) {
-    chosen.push_back(i);
+
+  std::vector<std::size_t> chosen;
+  std::vector<std::optional<SweptGear>> gears;
+
+ private:
+  void choose_all() {
+    const std::size_t count = mechanism_.cases.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      add(i,
+          shift_ ? find_combination(mechanism_.cases[i].label, mechanism_, shift_->plan)
+                 : std::nullopt);
+    }
+    for (std::size_t l = 0; shift_ && l < shift_->plan.labels.size(); ++l) {
+      const std::string& label = shift_->plan.labels[l].text;
+      if (std::ranges::find(mechanism_.cases, label, &Case::label) == mechanism_.cases.end()) {
+        add_case(*find_combination(label, mechanism_, shift_->plan));
+      }
+    }
   }
-  if (cases.empty()) {
-    found.error("E0303",
-                sweep.where,
-                "the file has no cases, so that the sweep has nothing to analyse",
-                "add 'cases:' with what is known of motions and actions");
+
+  void choose(const Name& label) {
+    const std::vector<Case>& cases = mechanism_.cases;
+    const auto at = std::ranges::find(cases, label.text, &Case::label);
+    std::optional<NamedShiftState> gear =
+        shift_ ? find_combination(label.text, mechanism_, shift_->plan) : std::nullopt;
+    if (at != cases.end()) {
+      add(static_cast<std::size_t>(at - cases.begin()), std::move(gear));
+    } else {
+      KINESTAT_EXPECTS(gear.has_value());  // or the check of the section would have complained
+      add_case(*std::move(gear));
+    }
   }
-  return chosen;
-}
+
+  void add(std::size_t which, std::optional<NamedShiftState> gear) {
+    chosen.push_back(which);
+    gears.emplace_back();
+    if (gear) {
+      GearCase described = gear_case(*gear, shift_->plan);
+      gears.back() = {.state = *std::move(gear), .described = std::move(described)};
+    }
+  }
+
+  void add_case(NamedShiftState gear) {
+    add_gear_cases({gear_case(gear, shift_->plan)}, shift_->plan, description_, mechanism_);
+    add(mechanism_.cases.size() - 1, std::move(gear));
+  }
+
+  const SweepDescription& sweep_;
+  const std::optional<ShiftAnalysis>& shift_;
+  MechanismDescription& description_;
+  Mechanism& mechanism_;
+  Diagnostics& found_;
+};
 
 bool has_sweep(const MechanismDescription& description, Diagnostics& found) {
   if (!description.sweep) {
@@ -69,22 +114,8 @@ MechanismDescription without_tasks(MechanismDescription description) {
   description.sweep.reset();
   description.motion.reset();
   description.synthesis.reset();
-  description.shift.reset();  // its gears are cases by now
   description.published.clear();
   return description;
-}
-
-// Whether one engages depends on the state, and the gears of a sweep are those of the file.
-void refuse_freewheels(const MechanismDescription& description, Diagnostics& found) {
-  for (const CouplingDescription& coupling : description.couplings) {
-    if (coupling.one_way) {
-      found.error("E0315",
-                  coupling.name.where,
-                  fmt::format("freewheel '{}' in a sweep is not analysed yet", coupling.name.text),
-                  "remove 'one_way' for the sweep, which then shows the torque of the engaged "
-                  "element; 'kinestat shift --set' decides single states");
-    }
-  }
 }
 
 // A sweep gives what it varies its own values.
@@ -128,7 +159,7 @@ std::string plan_text(const SourceFile& source,
                       const SweepOptions& options,
                       const SweepPlan& plan) {
   std::string text = fmt::format("kinestat {} sweep 1\n", kVersion);
-  for (const Override& one : options.overrides) {
+  for (const Override& one : options.load.overrides) {
     text += fmt::format("set {}:{}\n", one.size(), one);
   }
   text += fmt::format("format {}\nchunks {} of {}\n",
@@ -168,15 +199,10 @@ SweepHeader header_of(const SourceFile& source,
 
 }  // namespace
 
-std::vector<Case> sweepable_cases(const Mechanism& mechanism) {
-  return mechanism.cases;
-}
-
 std::vector<Case> chosen_cases(const SweepTask& task, const Mechanism& mechanism) {
-  const std::vector<Case> all = sweepable_cases(mechanism);
   std::vector<Case> cases;
   for (const std::size_t i : task.chosen) {
-    cases.push_back(all[i]);
+    cases.push_back(mechanism.cases[i]);
     cases.back().asks_actions = cases.back().asks_actions && task.has_statics;
   }
   return cases;
@@ -191,12 +217,14 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
     return std::nullopt;
   }
   const int errors_before = found.error_count();
-  refuse_freewheels(description, found);
-  refuse_overridden_axes(*description.sweep, options.overrides, found);
-  const std::vector<Case> all = sweepable_cases(loaded.mechanism);
-  std::vector<std::size_t> chosen = choose_cases(*description.sweep, all, found);
+  const SweepDescription sweep = *description.sweep;
+  refuse_overridden_axes(sweep, options.load.overrides, found);
+  CaseChoice choice(sweep, loaded, found);
+  choice.run();
   std::vector<Case> cases;
-  std::ranges::transform(chosen, std::back_inserter(cases), [&](std::size_t i) { return all[i]; });
+  for (const std::size_t i : choice.chosen) {
+    cases.push_back(loaded.mechanism.cases[i]);
+  }
   auto quantities = find_sweep_quantities(description, loaded.mechanism, cases, found);
   std::optional<std::size_t> key;
   if (quantities && options.top) {
@@ -209,8 +237,10 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
   SweepTask task{.description = without_tasks(description),
                  .mechanism = std::move(loaded.mechanism),
                  .plan = std::move(plan),
-                 .chosen = std::move(chosen),
+                 .chosen = std::move(choice.chosen),
                  .cases = {},
+                 .shift = {},
+                 .gears = std::move(choice.gears),
                  .is_usually_solved = {},
                  .quantities = *std::move(quantities),
                  .has_statics = false,
@@ -219,6 +249,9 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
                  .header = {}};
   task.has_statics = std::ranges::any_of(
       task.quantities, [](const SweepQuantity& one) { return needs_statics(one.kind); });
+  if (loaded.shift) {
+    task.shift = std::move(loaded.shift->plan);
+  }
   task.cases = chosen_cases(task, task.mechanism);
   for (const CaseAnalysis& one : solve_some_cases(task.mechanism, task.cases)) {
     task.is_usually_solved.push_back((!one.motion || one.motion->status == SolveStatus::solved) &&

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "report/sweep_quantity.hpp"
+#include "run/internal/swept_gears.hpp"
 #include "run/internal/taped_solver.hpp"
 #include "run/load.hpp"
 #include "run/sweep.hpp"
@@ -17,8 +18,10 @@ struct SweepTask {
   MechanismDescription description;  ///< without the sections that a state does not need
   Mechanism mechanism;               ///< with the parameters of the file
   SweepPlan plan;
-  std::vector<std::size_t> chosen;      ///< which of all cases are run
-  std::vector<Case> cases;              ///< these, with the parameters of the file
+  std::vector<std::size_t> chosen;              ///< which of all cases are run
+  std::vector<Case> cases;                      ///< these, with the parameters of the file
+  std::optional<ShiftPlan> shift;               ///< of the file's section, with its parameters
+  std::vector<std::optional<SweptGear>> gears;  ///< of each of `cases`: its combination, if any
   std::vector<bool> is_usually_solved;  ///< of each: whether it has an answer as the file has it
   std::vector<SweepQuantity> quantities;
   bool has_statics = false;         ///< whether a quantity needs actions
@@ -27,9 +30,6 @@ struct SweepTask {
                                     ///< empty where every state is analysed as a whole
   SweepHeader header;
 };
-
-/// All cases of a mechanism that a sweep may run, in their order: those that the file writes.
-std::vector<Case> sweepable_cases(const Mechanism& mechanism);
 
 /// The cases of a sweep with no more passes than its quantities need.
 std::vector<Case> chosen_cases(const SweepTask& task, const Mechanism& mechanism);

@@ -1,48 +1,10 @@
 #include "run/internal/synthesis_task.hpp"
 
-#include <cmath>
-#include <string>
-#include <utility>
-#include <variant>
-
-#include <fmt/format.h>
-
-#include "core/contract.hpp"
-#include "expression/evaluate.hpp"
+#include <algorithm>
 
 namespace kinestat {
 
 namespace {
-
-// What is wrong, and what to give instead.
-std::pair<std::string, std::string> words_of(SpecificationFault fault) {
-  switch (fault) {
-    case SpecificationFault::none:
-      break;
-    case SpecificationFault::point_in_pole:
-      return {"'at' is the pole, where a path has a cusp and no centre of curvature",
-              "move 'at', or leave out 'curvature'"};
-    case SpecificationFault::free_point_in_pole:
-      return {"'free_point' is the pole, where a path has a cusp and no centre of curvature",
-              "choose another 'free_point'"};
-    case SpecificationFault::aligned_points:
-      return {
-          "'at', 'free_point' and 'pole' lie on one line, on which one curvature gives the other",
-          "choose a 'free_point' beside that line"};
-    case SpecificationFault::centre_off_normal:
-      return {"'centre' does not lie on the line from 'at' to 'pole', the normal of the path",
-              "move 'centre' on that line, or correct 'pole'"};
-    case SpecificationFault::centre_in_point:
-      return {"'centre' is 'at': the path would have no radius", "move 'centre' along the normal"};
-    case SpecificationFault::zero_ratio:
-      return {"'m' is zero: the path of 'free_point' would have no radius",
-              "write a ratio other than zero"};
-    case SpecificationFault::no_inflection_circle:
-      return {"the inflection circle is a point, so that no higher curvature can be asked for",
-              "leave out 'stationary' and 'burmester', or change 'centre' or 'm'"};
-  }
-  return {};
-}
 
 std::optional<LinkageType> type_of(LinkageKind kind) {
   switch (kind) {
@@ -60,110 +22,96 @@ std::optional<LinkageType> type_of(LinkageKind kind) {
 
 }  // namespace
 
+SynthesisTask solve_task(std::vector<PositionJets> positions, const LinkageLimits& limits) {
+  SynthesisTask task;
+  task.positions = std::move(positions);
+  const int count = position_count(task.positions);
+  if (count == 5) {
+    task.dyads = solve_burmester(task.positions);
+    task.linkages = rank_linkages(task.dyads->dyads, task.positions, limits);
+  } else if (count == 4) {
+    task.curves = find_curves(task.positions);
+  } else if (count == 3) {
+    task.straight_paths = find_straight_path_circle(task.positions);
+  }
+  return task;
+}
+
 SynthesisValues::SynthesisValues(const MechanismDescription& description)
-    : description_(description),
-      task_(*description.synthesis),
-      table_(evaluate_parameters(parameters_of(description)).table) {}
+    : task_(*description.synthesis), positions_(description) {}
 
 double SynthesisValues::number(const Value& value, QuantityKind kind) const {
-  const auto result = evaluate_as(kind, value.expression, description_.units, table_.lookup(), {});
-  KINESTAT_EXPECTS(std::holds_alternative<double>(result));
-  return std::get<double>(result);
-}
-
-Point SynthesisValues::point(const PointDescription& point) const {
-  return {number(point.coordinates[0], QuantityKind::length),
-          number(point.coordinates[1], QuantityKind::length)};
-}
-
-PositionJets SynthesisValues::with_derivatives(const PositionDescription& position,
-                                               double angle) const {
-  PositionJets jets = finite_position(point(position.at), angle);
-  for (const PoseDerivative& derivative : position.derivatives) {
-    const Point at = point(derivative.at);
-    jets.x.push_back(at.real());
-    jets.y.push_back(at.imag());
-    const double by_angle = jets.angle.size() == 1 ? 1.0 : 0.0;
-    jets.angle.push_back(derivative.angle ? number(*derivative.angle, QuantityKind::dimensionless)
-                                          : by_angle);
-  }
-  return jets;
-}
-
-std::optional<PositionJets> SynthesisValues::position(std::size_t index,
-                                                      double angle,
-                                                      const SynthesisChoice& choice,
-                                                      Diagnostics& found) const {
-  const PositionDescription& given = task_.positions[index];
-  if (!given.derivatives.empty()) {
-    return with_derivatives(given, angle);
-  }
-  PositionSpecification specification{.at = point(given.at), .angle = angle};
-  if (given.pole) {
-    specification.pole = point(*given.pole);
-  }
-  if (given.curvature) {
-    const CurvatureDescription& curvature = *given.curvature;
-    const Point free_point = choice.free_point ? *choice.free_point : point(*curvature.free_point);
-    const double m = choice.m ? *choice.m : number(*curvature.m, QuantityKind::dimensionless);
-    specification.curvature = CurvatureSpecification{
-        .centre = point(curvature.centre), .free_point = free_point, .ratio = m};
-  }
-  specification.is_stationary = given.stationary;
-  specification.is_burmester = given.burmester;
-  SpecifiedPosition result = find_jets(specification);
-  if (!result.jets) {
-    const auto [message, hint] = words_of(result.fault);
-    found.error("E0801", given.where, fmt::format("position {}: {}", index + 1, message), hint);
-  }
-  return std::move(result.jets);
+  Diagnostics none;
+  return positions_.number(value, kind, none);
 }
 
 std::optional<std::vector<std::vector<PositionJets>>> SynthesisValues::positions_of_tasks(
     const SynthesisChoice& choice, Diagnostics& found) const {
-  std::vector<std::vector<PositionJets>> tasks(1);
-  for (std::size_t i = 0; i < task_.positions.size(); ++i) {
-    std::vector<std::vector<PositionJets>> longer;
-    for (const std::vector<PositionJets>& task : tasks) {
-      for (const Value& angle : task_.positions[i].angles) {
-        const auto jets = position(i, number(angle, QuantityKind::angle), choice, found);
-        if (!jets) {
-          return std::nullopt;
-        }
-        longer.push_back(task);
-        longer.back().push_back(*jets);
-      }
-    }
-    tasks = std::move(longer);
-  }
-  return tasks;
+  return positions_.of_tasks(choice, found);
 }
 
 std::vector<SelectionRange> SynthesisValues::ranges() const {
-  constexpr double kSamples = 4000.0;
   std::vector<SelectionRange> result;
   for (const SynthesisRange& range : task_.vary) {
-    const QuantityKind kind =
-        range.name.text == "m" ? QuantityKind::dimensionless : QuantityKind::length;
+    if (range.which == FreeNumber::circle_points) {
+      continue;
+    }
+    const QuantityKind kind = kind_of(range.which);
     for (std::size_t i = 0; i < range.from.size(); ++i) {
       result.push_back({.from = number(range.from[i], kind), .to = number(range.to[i], kind)});
     }
   }
-  const double each = std::pow(kSamples, 1.0 / static_cast<double>(result.size()));
   for (SelectionRange& range : result) {
-    range.count = static_cast<int>(each) + 1;
+    range.count = samples_along(samples(), static_cast<double>(result.size()));
   }
   return result;
 }
 
+std::optional<CirclePointArea> SynthesisValues::circle_points() const {
+  const auto range =
+      std::ranges::find(task_.vary, FreeNumber::circle_points, &SynthesisRange::which);
+  if (range == task_.vary.end()) {
+    return std::nullopt;
+  }
+  const auto corner = [&](const std::vector<Value>& of) {
+    return Point(number(of[0], QuantityKind::length), number(of[1], QuantityKind::length));
+  };
+  return CirclePointArea{.from = corner(range->from), .to = corner(range->to)};
+}
+
+int SynthesisValues::samples() const {
+  constexpr int kSamples = 4000;
+  return task_.samples ? static_cast<int>(number(*task_.samples, QuantityKind::dimensionless))
+                       : kSamples;
+}
+
 SynthesisChoice SynthesisValues::choice_of(std::span<const double> numbers) const {
   SynthesisChoice choice;
+  const bool is_effective =
+      std::ranges::find(task_.vary, FreeNumber::s, &SynthesisRange::which) != task_.vary.end();
+  if (is_effective) {
+    choice.freedom = EffectiveFreedom{};
+  }
   std::size_t at = 0;
   for (const SynthesisRange& range : task_.vary) {
-    if (range.name.text == "m") {
-      choice.m = numbers[at];
-    } else {
-      choice.free_point = Point(numbers[at], numbers[at + 1]);
+    switch (range.which) {
+      case FreeNumber::m:
+        choice.m = numbers[at];
+        break;
+      case FreeNumber::free_point:
+        choice.free_point = Point(numbers[at], numbers[at + 1]);
+        break;
+      case FreeNumber::s:
+        choice.freedom->s = numbers[at];
+        break;
+      case FreeNumber::tau:
+        choice.freedom->tau = numbers[at];
+        break;
+      case FreeNumber::tau_2:
+        choice.freedom->tau_2 = numbers[at];
+        break;
+      case FreeNumber::circle_points:
+        break;
     }
     at += range.from.size();
   }
@@ -184,6 +132,12 @@ LinkageLimits SynthesisValues::limits() const {
     limits.size = number(*given.size, QuantityKind::length);
   }
   return limits;
+}
+
+std::optional<int> SynthesisValues::digits() const {
+  return task_.digits
+             ? std::optional(static_cast<int>(number(*task_.digits, QuantityKind::dimensionless)))
+             : std::nullopt;
 }
 
 std::optional<int> SynthesisValues::curve_count() const {

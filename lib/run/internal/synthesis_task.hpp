@@ -7,27 +7,35 @@
 
 #include "core/diagnostic.hpp"
 #include "description/mechanism_description.hpp"
-#include "expression/parameters.hpp"
 #include "report/synthesis_report.hpp"
+#include "run/internal/task_positions.hpp"
+#include "synthesis/circle_point_choice.hpp"
 #include "synthesis/selection.hpp"
-#include "synthesis/specification.hpp"
 #include "synthesis/synthesis.hpp"
 
 namespace kinestat {
+
+/// A task of this file with what was found for it: dyads, linkages and curves, by the number of its
+/// positions.
+SynthesisTask solve_task(std::vector<PositionJets> positions, const LinkageLimits& limits);
 
 /// Values of the section `synthesis` of a description that is right by itself (check).
 class SynthesisValues {
  public:
   explicit SynthesisValues(const MechanismDescription& description);
 
-  /// One task for every choice of the angles that are lists, the last position's first. `choice`
-  /// stands for what the curvature of a position leaves to the ranges. Empty iff an error was
-  /// added: E0801 for a position that contradicts itself.
+  /// See TaskPositions.
   std::optional<std::vector<std::vector<PositionJets>>> positions_of_tasks(
       const SynthesisChoice& choice, Diagnostics& found) const;
 
-  /// The ranges of `vary`: m, then both coordinates of the free point.
+  /// The ranges of `vary` by its numbers, two for a point; none where circle points are free.
   std::vector<SelectionRange> ranges() const;
+
+  /// Where circle points may lie, if they are free.
+  std::optional<CirclePointArea> circle_points() const;
+
+  /// How many combinations a selection tries, about.
+  int samples() const;
 
   /// What one number for each of those ranges means.
   SynthesisChoice choice_of(std::span<const double> numbers) const;
@@ -35,18 +43,14 @@ class SynthesisValues {
   LinkageLimits limits() const;
   std::optional<int> curve_count() const;
 
+  /// Decimal digits that the file asks for.
+  std::optional<int> digits() const;
+
  private:
   double number(const Value& value, QuantityKind kind) const;
-  Point point(const PointDescription& point) const;
-  std::optional<PositionJets> position(std::size_t index,
-                                       double angle,
-                                       const SynthesisChoice& choice,
-                                       Diagnostics& found) const;
-  PositionJets with_derivatives(const PositionDescription& position, double angle) const;
 
-  const MechanismDescription& description_;
   const SynthesisDescription& task_;
-  ParameterTable table_;
+  TaskPositions<double> positions_;
 };
 
 }  // namespace kinestat

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "core/tolerance.hpp"
 #include "network/bases.hpp"
 #include "run/internal/state_solver.hpp"
 #include "run/internal/sweep_task.hpp"
@@ -150,12 +151,30 @@ bool record_case(const SweepTask& task,
          taped.action.has_value() == one.action.has_value();
 }
 
+// A tape keeps no torque of a freewheel. The class of a combination hangs on the speeds where there
+// are several inputs, and those of the state are not at hand.
+bool knows_gears(const SweepTask& task) {
+  if (!task.shift) {
+    return true;
+  }
+  const bool has_freewheels = std::ranges::any_of(
+      task.shift->elements, [](const ShiftElement& element) { return element.one_way != 0; });
+  const bool has_combinations =
+      std::ranges::any_of(task.gears, [](const std::optional<SweptGear>& gear) {
+        return gear && gear->state.state.kind != ShiftClass::gear;
+      });
+  return !has_freewheels && (task.shift->inputs.size() == 1 || !has_combinations);
+}
+
 }  // namespace
 
 std::optional<SweepTapes> record_tapes(const SweepTask& task) {
   // What a case that the file does not write itself knows is not looked into.
   const std::size_t written = task.description.cases.size();
   if (std::ranges::any_of(task.chosen, [&](std::size_t i) { return i >= written; })) {
+    return std::nullopt;
+  }
+  if (!knows_gears(task)) {
     return std::nullopt;
   }
   std::optional<Rebinder> rebinder =
@@ -168,10 +187,12 @@ std::optional<SweepTapes> record_tapes(const SweepTask& task) {
     return std::nullopt;
   }
   SweepTapes tapes{.rebinder = *std::move(rebinder), .cases = {}};
-  for (const CaseAnalysis& one : solve_some_cases(task.mechanism, task.cases)) {
+  const std::vector<CaseAnalysis> cases = solve_some_cases(task.mechanism, task.cases);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
     tapes.cases.emplace_back();
-    if (!is_plain(task, one) ||
-        !record_case(task, *samples, tapes.rebinder, one, tapes.cases.back())) {
+    const bool is_taped = !task.gears[i] || task.gears[i]->state.state.kind == ShiftClass::gear;
+    if (is_taped && (!is_plain(task, cases[i]) ||
+                     !record_case(task, *samples, tapes.rebinder, cases[i], tapes.cases.back()))) {
       return std::nullopt;
     }
   }
@@ -182,10 +203,11 @@ TapedSolver::TapedSolver(const SweepTask& task, const SweepTapes& tapes)
     : task_(task),
       tapes_(tapes),
       rebinder_(tapes.rebinder),
-      geometry_(task.mechanism.geometry),
-      all_cases_(sweepable_cases(task.mechanism)) {
+      mechanism_(task.mechanism),
+      all_cases_(task.mechanism.cases) {
   for (std::size_t i = 0; i < task.cases.size(); ++i) {
     const TapedCase& taped = tapes.cases[i];
+    has_combinations_ = has_combinations_ || is_no_gear(i);
     CaseAnalysis one;
     one.which = task.cases[i];
     Work work;
@@ -208,20 +230,63 @@ TapedSolver::TapedSolver(const SweepTask& task, const SweepTapes& tapes)
 }
 
 bool TapedSolver::solve(const StateWalk& walk, std::span<SweepRow> rows) {
-  if (!rebinder_.rebind_geometry(walk.slots(), geometry_) ||
+  if (!rebinder_.rebind_geometry(walk.slots(), mechanism_.geometry) ||
       !rebinder_.rebind_cases(walk.slots(), all_cases_)) {
     return false;
   }
+  if (has_combinations_ && !decide_gears(rows)) {
+    return false;
+  }
   for (std::size_t i = 0; i < analyses_.size(); ++i) {
-    if (!solve_case(i)) {
+    if (!is_no_gear(i) && (!solve_case(i) || (task_.gears[i] && !drives_output(i)))) {
       return false;
     }
   }
+  std::vector<std::optional<double>> ratios(rows.size());
   for (std::size_t i = 0; i < analyses_.size(); ++i) {
-    fill_row(task_, task_.mechanism, analyses_[i], rows[i]);
-    rows[i].status = row_status(analyses_[i], task_, true);
+    if (!is_no_gear(i)) {
+      fill_row(task_, task_.mechanism, analyses_[i], rows[i]);
+      rows[i].status = row_status(analyses_[i], task_, true);
+      ratios[i] = gear_ratio(task_, i, analyses_[i]);
+    }
+  }
+  fill_steps(task_.quantities, ratios, rows);
+  return true;
+}
+
+bool TapedSolver::is_no_gear(std::size_t i) const {
+  return task_.gears[i] && task_.gears[i]->state.state.kind != ShiftClass::gear;
+}
+
+// Of the combinations without a tape; false where one of them is a gear here.
+bool TapedSolver::decide_gears(std::span<SweepRow> rows) {
+  const auto states = find_states(task_.gears, mechanism_, *task_.shift);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!is_no_gear(i)) {
+      continue;
+    }
+    if (states[i]->kind == ShiftClass::gear) {
+      return false;
+    }
+    rows[i].status = word_of(states[i]->kind);
+    std::ranges::fill(rows[i].values, std::numeric_limits<double>::quiet_NaN());
   }
   return true;
+}
+
+// A gear whose outputs rest is none: then the whole analysis decides.
+bool TapedSolver::drives_output(std::size_t i) const {
+  const CaseAnalysis& one = analyses_[i];
+  const auto rate_of = [&](int actuator) {
+    const auto& label = task_.mechanism.topology.actuators[static_cast<std::size_t>(actuator)];
+    return std::abs(one.motion->rates[static_cast<std::size_t>(label.freedom)]);
+  };
+  double largest = 0.0;
+  for (const int input : one.which.inputs) {
+    largest = std::max(largest, rate_of(input));
+  }
+  return std::ranges::any_of(one.which.outputs,
+                             [&](int output) { return rate_of(output) > kSameValue * largest; });
 }
 
 bool TapedSolver::solve_case(std::size_t i) {
@@ -240,7 +305,7 @@ bool TapedSolver::solve_motion(std::size_t i) {
   const TapedCase& taped = tapes_.cases[i];
   const Case& which = all_cases_[task_.chosen[i]];
   EliminationTape::Workspace& workspace = work_[i].motion;
-  if (!taped.motion->eliminate(geometry_, workspace) ||
+  if (!taped.motion->eliminate(mechanism_.geometry, workspace) ||
       !taped.motion->solve(which.motions, workspace, known_, wanted_)) {
     return false;
   }
@@ -254,7 +319,7 @@ bool TapedSolver::solve_action(std::size_t i) {
   const TapedCase& taped = tapes_.cases[i];
   const Case& which = all_cases_[task_.chosen[i]];
   EliminationTape::Workspace& workspace = work_[i].action;
-  if (!taped.action->eliminate(geometry_, workspace) ||
+  if (!taped.action->eliminate(mechanism_.geometry, workspace) ||
       !taped.action->solve(which.actions, workspace, known_, wanted_)) {
     return false;
   }

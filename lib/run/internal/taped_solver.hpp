@@ -30,8 +30,8 @@ struct SweepTapes {
 
 /// Empty where the states of a sweep must be analysed one by one: a quantity needs the power flow,
 /// a case has no answer with the parameters of the file, or the parameters move more than couplings
-/// and primaries. What was recorded is compared with whole analyses of some states before it is
-/// trusted.
+/// and primaries, or freewheels shift. What was recorded is compared with whole analyses of some
+/// states before it is trusted.
 std::optional<SweepTapes> record_tapes(const SweepTask& task);
 
 /// Each worker has its own.
@@ -50,6 +50,9 @@ class TapedSolver {
     EliminationTape::Workspace action;
   };
 
+  bool decide_gears(std::span<SweepRow> rows);
+  bool is_no_gear(std::size_t i) const;
+  bool drives_output(std::size_t i) const;
   bool solve_case(std::size_t i);
   bool solve_motion(std::size_t i);
   bool solve_action(std::size_t i);
@@ -57,8 +60,9 @@ class TapedSolver {
   const SweepTask& task_;
   const SweepTapes& tapes_;
   Rebinder rebinder_;
-  Geometry geometry_;
+  Mechanism mechanism_;  ///< with the geometry of the state
   std::vector<Case> all_cases_;
+  bool has_combinations_ = false;  ///< that are no gears with the parameters of the file
   std::vector<CaseAnalysis> analyses_;
   std::vector<Work> work_;
   std::vector<double> known_;

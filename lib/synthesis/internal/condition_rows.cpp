@@ -20,7 +20,8 @@ double size_of(const Scalar& x, const Scalar& y) {
 template <class Scalar>
 class RowMaker {
  public:
-  explicit RowMaker(std::span<const PositionJetsOf<Scalar>> positions) : positions_(positions) {}
+  RowMaker(std::span<const PositionJetsOf<Scalar>> positions, double unit)
+      : positions_(positions), unit_(unit) {}
 
   ConditionRowsOf<Scalar> run() {
     find_origin();
@@ -85,14 +86,13 @@ class RowMaker {
 
   // Rounding of what is given for position j and the first, relative to the system's units.
   double rounding(std::size_t j) const {
-    const double unit = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
     const PositionJetsOf<Scalar>& one = positions_[0];
     const PositionJetsOf<Scalar>& other = positions_[j];
     const double length = static_cast<double>(system_.length);
     const double places = (size_of(one.x[0], one.y[0]) + size_of(other.x[0], other.y[0])) / length;
     const double angles =
         std::abs(static_cast<double>(one.angle[0])) + std::abs(static_cast<double>(other.angle[0]));
-    return unit * (places + angles * (1.0 + system_.radius));
+    return unit_ * (places + angles * (1.0 + system_.radius));
   }
 
   void add_rows(std::size_t j) {
@@ -111,8 +111,7 @@ class RowMaker {
       // The first position has no displacement; its derivatives feel the centre only through E.
       const double turns = k == 0 ? 1.0 : size_of(d.cosine[k], d.sine[k]);
       const double size = static_cast<double>(largest);
-      const double unit = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
-      system_.noise.push_back(size > 0.0 ? unit + rounding(j) * turns / size : 1.0);
+      system_.noise.push_back(size > 0.0 ? unit_ + rounding(j) * turns / size : 1.0);
       for (Scalar& entry : row) {
         entry /= size > 0.0 ? largest : Scalar(1);
       }
@@ -121,6 +120,7 @@ class RowMaker {
   }
 
   std::span<const PositionJetsOf<Scalar>> positions_;
+  double unit_;
   std::vector<DisplacementJetsOf<Scalar>> displacements_;
   ConditionRowsOf<Scalar> system_;
 };
@@ -128,14 +128,15 @@ class RowMaker {
 }  // namespace
 
 template <class Scalar>
-ConditionRowsOf<Scalar> make_condition_rows(std::span<const PositionJetsOf<Scalar>> positions) {
+ConditionRowsOf<Scalar> make_condition_rows(std::span<const PositionJetsOf<Scalar>> positions,
+                                            double unit) {
   KINESTAT_EXPECTS(!positions.empty());
-  return RowMaker<Scalar>(positions).run();
+  return RowMaker<Scalar>(positions, unit).run();
 }
 
 template ConditionRowsOf<double> make_condition_rows(
-    std::span<const PositionJetsOf<double>> positions);
+    std::span<const PositionJetsOf<double>> positions, double unit);
 template ConditionRowsOf<BigFloat> make_condition_rows(
-    std::span<const PositionJetsOf<BigFloat>> positions);
+    std::span<const PositionJetsOf<BigFloat>> positions, double unit);
 
 }  // namespace kinestat

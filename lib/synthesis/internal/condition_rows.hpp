@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -82,7 +83,10 @@ std::array<Scalar, 7> condition_row(const DisplacementJetsOf<Scalar>& d, std::si
 
 /// The centroid of the positions becomes the origin. The unit of length balances the columns: a
 /// displacement by a turn about a far pole is large beside the turn.
+/// `unit` is the rounding of what is given, as a share of it.
 template <class Scalar>
-ConditionRowsOf<Scalar> make_condition_rows(std::span<const PositionJetsOf<Scalar>> positions);
+ConditionRowsOf<Scalar> make_condition_rows(
+    std::span<const PositionJetsOf<Scalar>> positions,
+    double unit = static_cast<double>(std::numeric_limits<Scalar>::epsilon()));
 
 }  // namespace kinestat

@@ -25,6 +25,14 @@ TEST(SynthesisReader, ReadsTheSmallestTask) {
   EXPECT_FALSE(task.curve_count);
 }
 
+TEST(SynthesisReader, TakesCurvesWithoutACountForTheUsualOne) {
+  const auto reading =
+      task_of("positions: [{at: [0, 1], angle: 0}, {at: [2, 3], angle: 0}]\ncurves: {}\n");
+
+  ASSERT_EQ(reading.complaints(), Complaints{});
+  EXPECT_EQ(reading.value->curve_count->expression.text(), "200");
+}
+
 TEST(SynthesisReader, ReadsEveryKey) {
   const auto reading = task_of(
       "linkage: slider_crank\n"
@@ -33,7 +41,9 @@ TEST(SynthesisReader, ReadsEveryKey) {
       "     curvature: {centre: [3, 2.6], free_point: [0.75, 2], m: 0.58},\n"
       "     stationary: true, burmester: true}\n"
       "limits: {transmission_angle: 30 deg, link_ratio: 12, size: 20}\n"
-      "vary: {m: {from: 0.2, to: 3}, free_point: {from: [0, 1], to: [2, 3]}}\n"
+      "vary: {m: {from: 0.2, to: 3}, free_point: {from: [0, 1], to: [2, 3]}, "
+      "samples: 100}\n"
+      "digits: 40\n"
       "curves: {count: 400}\n");
 
   ASSERT_EQ(reading.complaints(), Complaints{});
@@ -47,9 +57,28 @@ TEST(SynthesisReader, ReadsEveryKey) {
   EXPECT_EQ(position.curvature->m->expression.text(), "0.58");
   EXPECT_EQ(task.limits.link_ratio->expression.text(), "12");
   ASSERT_EQ(task.vary.size(), 2U);
-  EXPECT_EQ(task.vary[0].name.text, "m");
+  EXPECT_EQ(task.vary[0].which, FreeNumber::m);
   EXPECT_EQ(task.vary[1].to[1].expression.text(), "3");
+  EXPECT_EQ(task.samples->expression.text(), "100");
+  EXPECT_EQ(task.digits->expression.text(), "40");
   EXPECT_EQ(task.curve_count->expression.text(), "400");
+}
+
+TEST(SynthesisReader, ReadsWhatMayBeFree) {
+  const auto reading = task_of(
+      "positions: [{at: [0, 0], angle: 0}]\n"
+      "vary: {tau_2: {from: 1, to: 2}, tau: {from: 3, to: 4}, s: {from: 5, to: 6},\n"
+      "       circle_points: {from: [1, 2], to: [3, 4]}}\n");
+
+  ASSERT_EQ(reading.complaints(), Complaints{});
+  const SynthesisDescription& task = *reading.value;
+  ASSERT_EQ(task.vary.size(), 4U);
+  EXPECT_EQ(task.vary[0].which, FreeNumber::s);
+  EXPECT_EQ(task.vary[0].to[0].expression.text(), "6");
+  EXPECT_EQ(task.vary[1].which, FreeNumber::tau);
+  EXPECT_EQ(task.vary[2].which, FreeNumber::tau_2);
+  EXPECT_EQ(task.vary[3].which, FreeNumber::circle_points);
+  EXPECT_EQ(task.vary[3].to[1].expression.text(), "4");
 }
 
 TEST(SynthesisReader, ReadsDerivatives) {

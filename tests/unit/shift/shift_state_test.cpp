@@ -148,6 +148,41 @@ TEST_F(TwoSpeedTrain, AddsTheSpeedsOfTwoInputs) {
   EXPECT_NEAR(both.output_torques[0], -10.0, kRounding);
 }
 
+// A motor at rest is an input all the same: the carrier then turns at 30/100 of the other.
+TEST_F(TwoSpeedTrain, LetsOneOfTwoInputsRest) {
+  Mechanism mechanism = mechanism_of(two_speed_text().replace(
+      two_speed_text().find("out: {coupling: c}"), 18, "out: {coupling: c}, in2: {coupling: r}"));
+  ShiftPlan plan = plan_of(mechanism, {"B"});
+  plan.inputs.insert(plan.inputs.begin(), shift_input(mechanism, "in2", 0.0, std::nullopt));
+  plan.asks_actions = false;
+  plan.inputs[1].action.reset();
+
+  const std::vector<int> none;
+  const ShiftState free = solve_shift_state(network_of(mechanism, plan), plan, none);
+  EXPECT_EQ(free.kind, ShiftClass::gear);
+  EXPECT_NEAR(free.outputs.front().value(), 3.0, kRounding);
+  EXPECT_EQ(free.moving, (std::vector<int>{0, 1}));
+
+  // The brake holds what rests anyway.
+  const std::vector<int> brake = {0};
+  const ShiftState held = solve_shift_state(network_of(mechanism, plan), plan, brake);
+  EXPECT_EQ(held.kind, ShiftClass::gear);
+  EXPECT_NEAR(held.outputs.front().value(), 3.0, kRounding);
+  EXPECT_EQ(held.moving, std::vector<int>{1});
+}
+
+// Two brakes on one body share its torque as they like.
+TEST_F(TwoSpeedTrain, TellsThatTheSignOfAFreewheelIsOpen) {
+  plan_.outputs.push_back(actuator_index(mechanism_, "B"));
+  plan_.elements = {plan_.elements[2]};
+  plan_.elements[0].one_way = 1;
+
+  const ShiftState shared = state({0});
+
+  EXPECT_EQ(shared.kind, ShiftClass::gear);
+  EXPECT_EQ(shared.open_freewheels, std::vector<int>{0});
+}
+
 TEST_F(TwoSpeedTrain, RefusesInputsThatTheClutchCouples) {
   Mechanism mechanism = mechanism_of(two_speed_text().replace(
       two_speed_text().find("out: {coupling: c}"), 18, "out: {coupling: c}, in2: {coupling: r}"));

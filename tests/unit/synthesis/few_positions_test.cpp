@@ -9,6 +9,7 @@
 
 #include "known_linkage.hpp"
 #include "near_dyad.hpp"
+#include "synthesis/cubic_branches.hpp"
 #include "synthesis/specification.hpp"
 
 namespace kinestat {

@@ -28,6 +28,10 @@ struct ReferenceFourBar {
   Point third_pivot;  ///< of the cognates that trace the origin of the moving frame
 };
 
-const std::vector<ReferenceFourBar>& reference_four_bars();
+/// Those of do Valle's tables, with case 1.
+const std::vector<ReferenceFourBar>& four_bars_of_the_source();
+
+/// All of them.
+std::vector<ReferenceFourBar> reference_four_bars();
 
 }  // namespace kinestat

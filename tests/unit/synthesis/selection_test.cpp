@@ -63,7 +63,7 @@ TEST(Selection, HasTheReferencesLinkageOfTable3) {
   const std::vector<SelectionRange> ranges = {
       {.from = -2.1655612406317544, .to = -2.1655612406317544, .count = 1}};
 
-  const Selection found = select_linkages(ranges, table_3, {}, 1);
+  const Selection found = select_linkages(ranges, candidates_of(table_3, {}), 1);
 
   ASSERT_EQ(found.best.size(), 1U);
   const LinkageCandidate& best = found.best[0].candidate;
@@ -77,8 +77,8 @@ TEST(Selection, ImprovesTheBestLinkageOfTheGrid) {
   const std::vector<SelectionRange> coarse = {{.from = -20.0, .to = 20.0, .count = 41}};
   const std::vector<SelectionRange> fine = {{.from = -4.0, .to = -1.0, .count = 3001}};
 
-  const Selection found = select_linkages(coarse, table_3, {}, 1);
-  const Selection scanned = select_linkages(fine, table_3, {}, 1);
+  const Selection found = select_linkages(coarse, candidates_of(table_3, {}), 1);
+  const Selection scanned = select_linkages(fine, candidates_of(table_3, {}), 1);
 
   ASSERT_EQ(found.best.size(), 1U);
   EXPECT_NEAR(found.best[0].candidate.margin(), scanned.best[0].candidate.margin(), 1e-7);
@@ -90,7 +90,7 @@ TEST(Selection, HasTheReferencesLinkageOfTable5) {
       {.from = -19.952623149688797, .to = -19.952623149688797, .count = 1},
       {.from = 0.12742749857031335, .to = 0.12742749857031335, .count = 1}};
 
-  const Selection found = select_linkages(ranges, table_5, {.ratio = 12.0}, 1);
+  const Selection found = select_linkages(ranges, candidates_of(table_5, {.ratio = 12.0}), 1);
 
   ASSERT_EQ(found.best.size(), 1U);
   const LinkageCandidate& best = found.best[0].candidate;
@@ -99,11 +99,105 @@ TEST(Selection, HasTheReferencesLinkageOfTable5) {
   EXPECT_NEAR(best.lengths->longest(), 39.573829836725594, 1e-9);
 }
 
+// do Valle 1983, table 4 (PPP-PP).
+std::optional<std::vector<PositionJets>> table_4(std::span<const double> choice) {
+  const auto first = find_jets(first_position(30.0, false), {.s = choice[0]});
+  const auto second =
+      find_jets({.at = {2.85, 0.075}, .angle = 55.0 * kDegree, .pole = Point(2.26, 2.26)});
+  return std::vector{*first.jets, *second.jets};
+}
+
+// The grid of the reference: both signs of powers of ten in equal steps. The first number is the
+// sign, the second the exponent.
+const std::vector<SelectionRange> kSignAndExponent = {{.from = -1.0, .to = 1.0, .count = 2},
+                                                      {.from = -2.0, .to = 2.0, .count = 150}};
+
+TaskMaker by_exponent(const TaskMaker& by_s) {
+  return [by_s](std::span<const double> choice) {
+    return by_s(std::vector{choice[0] * std::pow(10.0, choice[1])});
+  };
+}
+
+// The reference counts samples with a linkage free of defects, whatever its ratio of links.
+TEST(Selection, FindsAsManyUsableSamplesAsTheReferenceInTable3) {
+  const Selection found =
+      select_linkages(kSignAndExponent, candidates_of(by_exponent(table_3), {}), 1);
+
+  EXPECT_EQ(found.samples, 300);
+  EXPECT_EQ(found.usable, 165);
+}
+
+TEST(Selection, FindsAsManyUsableSamplesAsTheReferenceInTable4) {
+  const Selection found =
+      select_linkages(kSignAndExponent, candidates_of(by_exponent(table_4), {}), 1);
+
+  EXPECT_EQ(found.samples, 300);
+  EXPECT_EQ(found.usable, 189);
+}
+
+// Signs and exponents of s and of tau. The reference counts 1172: of its 2400 linkages it judges
+// one otherwise.
+TEST(Selection, FindsAsManyUsableSamplesAsTheReferenceInTable5) {
+  const std::vector<SelectionRange> ranges = {{.from = -1.0, .to = 1.0, .count = 2},
+                                              {.from = -1.0, .to = 1.3, .count = 30},
+                                              {.from = -1.0, .to = 1.0, .count = 2},
+                                              {.from = -2.0, .to = 1.0, .count = 20}};
+  const TaskMaker make = [](std::span<const double> choice) {
+    return table_5(
+        std::vector{choice[0] * std::pow(10.0, choice[1]), choice[2] * std::pow(10.0, choice[3])});
+  };
+
+  const Selection found =
+      select_linkages(ranges, candidates_of(make, {.transmission = 0.0045 * kDegree}), 1);
+
+  EXPECT_EQ(found.samples, 2400);
+  EXPECT_EQ(found.usable, 1172);
+}
+
+// At the edge of that grid, s = -100.
+TEST(Selection, HasTheReferencesLinkageOfTable4) {
+  const std::vector<SelectionRange> ranges = {{.from = -100.0, .to = -100.0, .count = 1}};
+
+  const Selection found = select_linkages(ranges, candidates_of(table_4, {}), 1);
+
+  ASSERT_EQ(found.best.size(), 1U);
+  const LinkageCandidate& best = found.best[0].candidate;
+  EXPECT_NEAR(best.margin(), 44.43 * kDegree, 0.005 * kDegree);
+  EXPECT_NEAR(best.ratio, 5.1, 0.005);
+  EXPECT_NEAR(best.lengths->ground, 0.75776, 5e-6);
+  EXPECT_NEAR(best.lengths->coupler, 0.715703, 5e-7);
+  EXPECT_NEAR(std::min(best.lengths->crank_one, best.lengths->crank_other), 0.148575, 5e-7);
+  EXPECT_NEAR(std::max(best.lengths->crank_one, best.lengths->crank_other), 0.186488, 5e-7);
+  const auto jets = find_jets(first_position(30.0, false), {.s = -100.0});
+  EXPECT_NEAR(*find_ratio(*jets.jets, kFreePoint), -0.120539, 5e-7);
+}
+
+// Whatever is done at once, in whatever order: here backwards.
+TEST(Selection, DoesNotDependOnTheOrderOfItsSamples) {
+  const ForEach backwards = [](std::size_t count, const std::function<void(std::size_t)>& job) {
+    for (std::size_t i = count; i > 0; --i) {
+      job(i - 1);
+    }
+  };
+  const std::vector<SelectionRange> ranges = {{.from = -20.0, .to = 20.0, .count = 500}};
+  const CandidateMaker make = candidates_of(table_3, {});
+
+  const Selection one = select_linkages(ranges, make, 3);
+  const Selection other = select_linkages(ranges, make, 3, backwards);
+
+  ASSERT_EQ(one.best.size(), other.best.size());
+  for (std::size_t i = 0; i < one.best.size(); ++i) {
+    EXPECT_EQ(one.best[i].choice, other.best[i].choice);
+    EXPECT_EQ(one.best[i].candidate.margin(), other.best[i].candidate.margin());
+  }
+}
+
 TEST(Selection, KeepsToTheLimits) {
   const std::vector<SelectionRange> ranges = {{.from = -20.0, .to = -1.0, .count = 20},
                                               {.from = -1.0, .to = 1.0, .count = 21}};
 
-  const Selection found = select_linkages(ranges, table_5, {.ratio = 6.0, .size = 30.0}, 5);
+  const Selection found =
+      select_linkages(ranges, candidates_of(table_5, {.ratio = 6.0, .size = 30.0}), 5);
 
   ASSERT_FALSE(found.best.empty());
   EXPECT_LE(found.usable, found.with_linkage);
@@ -116,8 +210,8 @@ TEST(Selection, KeepsToTheLimits) {
 TEST(Selection, OfATaskWithoutMotionIsEmpty) {
   const std::vector<SelectionRange> ranges = {{.from = 0.0, .to = 1.0, .count = 3}};
 
-  const Selection found = select_linkages(
-      ranges, [](auto) { return std::nullopt; }, LinkageLimits{}, 3);
+  const Selection found =
+      select_linkages(ranges, candidates_of([](auto) { return std::nullopt; }, {}), 3);
 
   EXPECT_EQ(found.samples, 3);
   EXPECT_EQ(found.with_linkage, 0);

@@ -146,6 +146,42 @@ void meet(const std::vector<Vec3>& way,
   }
 }
 
+// Whether the input, going on from the first state without a stop, meets the others in their order,
+// and every position that has a sense in that sense.
+bool passes_in_order(const std::vector<Vec3>& way,
+                     const Dyad& input,
+                     const Tracer& tracer,
+                     const std::vector<PositionJets>& positions) {
+  std::size_t next = 0;
+  double last = 0.0;
+  std::vector<bool> seen(positions.size(), false);
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const Vec3 forward = i == 0 ? Vec3(way[1] - way[0]) : Vec3(way[i] - way[i - 1]);
+    Vec3 tangent = tracer.tangent_at(way[i]);
+    tangent = tangent.dot(forward) < 0.0 ? Vec3(-tangent) : tangent;
+    const double rate = input_rate(input, way[i], tangent);
+    if (last * rate < 0.0) {
+      return false;
+    }
+    last = rate;
+    for (std::size_t j = 0; j < positions.size(); ++j) {
+      if (seen[j] || distance(way[i], state_of(pose_of(positions[j]))) > 0.6 * kStep) {
+        continue;
+      }
+      seen[j] = true;
+      const PositionJets& met = positions[j];
+      const bool has_sense = met.is_directed && met.order() > 1;
+      if (j != next || (has_sense && tangent.dot(Vec3(met.x[1], met.y[1], met.angle[1])) < 0.0)) {
+        return false;
+      }
+      if (++next == positions.size()) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 struct Kinds {
   std::string name;
   DyadKind one;
@@ -191,6 +227,44 @@ TEST_P(Tracing, AgreesWithCircuitsAndBranches) {
       }
     }
   }
+}
+
+// Half of the positions have derivatives with a sense, which is right or wrong by chance.
+TEST_P(Tracing, AgreesWithTheOrder) {
+  Random random(31);
+  int in_order = 0;
+  int done = 0;
+  for (int seed = 0; done < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    ASSERT_LT(seed, 4000);
+    const KnownLinkage known = random_linkage(random, GetParam().one, GetParam().other);
+    auto positions = done % 2 == 0 ? random_positions(random, known, {2, 1})
+                                   : random_positions(random, known, {1, 2, 1});
+    if (positions.empty()) {
+      continue;
+    }
+    ++done;
+    for (PositionJets& position : positions) {
+      position.is_directed = true;
+    }
+    const Tracer tracer(known);
+    const Vec3 start = state_of(pose_of(positions[0]));
+    const std::vector<Vec3> forth = tracer.trace(start, 1.0).first;
+    const std::vector<Vec3> back = tracer.trace(start, -1.0).first;
+    const Linkage linkage{.one = known.one, .other = known.other};
+    for (const Drive drive : {Drive::one, Drive::other}) {
+      const Dyad& input = input_of(linkage, drive);
+      const bool expected = passes_in_order(forth, input, tracer, positions) ||
+                            passes_in_order(back, input, tracer, positions);
+
+      const DriveVerdict verdict = find_verdict(linkage, drive, positions);
+
+      EXPECT_EQ(verdict.passage != Passage::none, expected) << "drive " << static_cast<int>(drive);
+      in_order += expected ? 1 : 0;
+    }
+  }
+  EXPECT_GT(in_order, 5);
+  EXPECT_LT(in_order, 75);
 }
 
 TEST_P(Tracing, MeetsThePosesOfTheDriveCurve) {
@@ -239,13 +313,16 @@ TEST_P(Tracing, KeepsTheDyadsAlongACircuit) {
 }
 
 using enum DyadKind;
-INSTANTIATE_TEST_SUITE_P(Linkages,
-                         Tracing,
-                         testing::Values(Kinds{"FourBar", crank, crank},
-                                         Kinds{"SliderCrank", crank, slider},
-                                         Kinds{"InvertedSliderCrank", crank, inverted_slider},
-                                         Kinds{"SliderAndInvertedSlider", slider, inverted_slider}),
-                         [](const auto& one) { return one.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Linkages,
+    Tracing,
+    testing::Values(Kinds{"FourBar", crank, crank},
+                    Kinds{"SliderCrank", crank, slider},
+                    Kinds{"InvertedSliderCrank", crank, inverted_slider},
+                    Kinds{"SliderAndInvertedSlider", slider, inverted_slider},
+                    Kinds{"DoubleSlider", slider, slider},
+                    Kinds{"DoubleInvertedSlider", inverted_slider, inverted_slider}),
+    [](const auto& one) { return one.param.name; });
 
 }  // namespace
 }  // namespace kinestat

@@ -1,0 +1,164 @@
+#include "core/internal/warning_codes.hpp"
+
+#include <array>
+
+namespace kinestat {
+
+namespace {
+
+using enum ExitStatus;
+
+constexpr auto kWarningCodes = std::to_array<Code>({
+    {"W0101",
+     done,
+     "value of an option is reduced",
+     "The option asks for more than this program uses, such as more threads than any machine has "
+     "cores. The message says what is used instead; the result does not depend on it."},
+    {"W0301",
+     done,
+     "declared but never used",
+     "It may stand, but nothing depends on it: a parameter in no expression, a stiffness that "
+     "'statics:' does not ask for, gravity without masses, a load on the ground. Often a name is "
+     "misspelt where it is used, or something was forgotten there."},
+    {"W0302",
+     done,
+     "section is not analysed yet",
+     "The section or key is read and checked, but this version has no analysis for it, or has it "
+     "in a command of its own, which the hint names. The rest of the file is analysed as if it "
+     "were absent; no other answer depends on it. 'kinestat check' warns in this way also of what "
+     "leaves 'kinestat analyze' without an answer (E0315)."},
+    {"W0303",
+     done,
+     "angle is more than a full turn",
+     "A bare number stands for an angle and counts in radians, the unit that holds unless 'units:' "
+     "names another, but it is more than a full turn: degrees were probably meant. Write the unit, "
+     "30 deg, or 'units: {angle: deg}' for the whole file."},
+    {"W0304",
+     done,
+     "gravity is of an unlikely size",
+     "A bare number of 'gravity' counts in the units of the file, length by time squared: with "
+     "'units: {length: mm}', 9.81 is 9.81 mm/s^2, a thousandth of the earth's. Write the unit, "
+     "9.81 m/s^2; with its unit, any value is taken without a word."},
+    {"W0305",
+     done,
+     "teeth ask for different centre distances",
+     "Two gears without profile shift mesh where their centres are half the sum of their teeth, "
+     "or with a ring half the difference, times the module apart. The meshes of a planet ask for "
+     "different distances, or for another one than 'centre_distance' and the triangle of two "
+     "planets give, or a bearing stands beside the axis of its gears; of a plain set, ring = sun "
+     "+ 2*planet is not met. Ratios are exact all the same, because each pitch point divides the "
+     "distance in the ratio of teeth. With profile shift write 'centre_distance' of the planet; a "
+     "difference of less than a module is then taken without a word."},
+    {"W0306",
+     done,
+     "planets cannot be assembled at equal angles",
+     "From one of several equal planets to the next, the teeth of the gears on the main axis must "
+     "repeat: of a sun and a ring, (sun + ring)/count must be whole, and of stepped or paired "
+     "planets the number that the message gives. Planets at unequal angles, or turned against "
+     "each other on their shafts, may be meant; motions and actions do not change."},
+    {"W0307",
+     done,
+     "neighbouring planets touch",
+     "With so many planets the tip circles of two neighbours, one module outside their pitch "
+     "circles, would overlap. The message gives the distance of their centres and the one they "
+     "need. Motions and actions do not change."},
+    {"W0308",
+     done,
+     "rope does not run around its pulley as it should",
+     "It is led around the far side, turns by more than half a turn and comes back over itself; or "
+     "its 'points' give it two levers about the axis. The first is right for a capstan, on which a "
+     "rope lies beside itself, and 'turns: 0' says so, but more often 'wrap', the sense of turning "
+     "for someone who follows the rope in listed order, names the other sense: then torques and "
+     "speeds have the wrong sign. The second is a rope on an arm rather than on a round pulley: "
+     "the tensions of its two sides differ as the levers do."},
+    {"W0601",
+     done,
+     "actions are statically indeterminate",
+     "Equilibrium alone does not determine every action with those that are known: the mechanism "
+     "is overconstrained, or fewer actions are given than it needs. Determined ones have values, "
+     "the others are listed, and the report has the self-stresses that are possible. Friction "
+     "that such actions cause is open, too. Give more actions (the hint names sets that would "
+     "do), release constraints by 'passive:', give couplings a stiffness, or ask for the values "
+     "of least norm; 'kinestat help stiffness' has examples."},
+    {"W0602",
+     done,
+     "mechanism is self-locking in this case",
+     "With friction the input alone does not move the output: the output, too, must give power, "
+     "although without friction it would take some. In a screw jack it means that the load does "
+     "not lower itself; then it is a result and no mistake."},
+    {"W0603",
+     done,
+     "friction locks the mechanism",
+     "The friction grows with the actions that it causes, and at these coefficients there is no "
+     "finite solution for the motion of the case: the mechanism jams. The report has the status "
+     "'locked' and no actions for the case. Less friction, a longer guide or another direction "
+     "of motion may have an answer; 'kinestat help friction' says how friction is counted."},
+    {"W0604",
+     done,
+     "a reaction does not rub",
+     "The coupling has friction and bears a force or couple that would press too, but the file "
+     "does not say on what radius or length, so that it adds nothing to the friction. Give the "
+     "dimension that the hint names; where the surface runs on rollers or balls, tau may stand "
+     "for it."},
+    {"W0605",
+     done,
+     "a contact would have to pull",
+     "Two surfaces that touch can only push each other apart: along the normal, which points from "
+     "the tail to the head, the action must not be negative. In reality they would part, and the "
+     "answer of the case holds only for a contact that is held from both sides."},
+    {"W0606",
+     done,
+     "rope would be pushed",
+     "A rope, belt or chain pulls and cannot push. Equilibrium asks for a force that would push "
+     "this segment, so in truth it goes slack and the answer does not hold. Where a pretension, a "
+     "self-stress that pulls on segments and pushes on none, keeps all segments taut, the hint has "
+     "the least one: add it to the tension that the case knows."},
+    {"W0607",
+     done,
+     "rope would slip",
+     "Friction holds a rope on a pulley as long as the ratio of its tensions is at most exp(mu "
+     "theta), theta being the contact angle (Euler and Eytelwein). The case does not let the rope "
+     "slip, and the ratio is larger: so it will slip, or needs more pretension."},
+    {"W0701",
+     done,
+     "loss of a mesh is not known",
+     "A mesh loses a share of the power that rolls as seen from its carrier, the body in which the "
+     "axes of both gears stand. Here no body holds both axes, or several do, so that the carrier "
+     "model gives no efficiency. The axes of a gear are those of its revolute and cylindrical "
+     "couplings, clutches and brakes; the absolute model needs no carrier."},
+    {"W0702",
+     done,
+     "losses of meshes lock the case",
+     "With the losses of its meshes the train cannot be driven by the input alone: whichever gears "
+     "drive, the output, too, would have to give power. It is a result and no mistake: a train of "
+     "high ratio may hold a load without a brake. The report has the efficiency of the other "
+     "direction; 'kinestat help losses' has an example."},
+    {"W0711",
+     done,
+     "too few shift elements for a gear",
+     "A gear engages as many elements as the net degree of freedom has more than there are "
+     "inputs, and 'shift' names fewer: so no combination holds all that must be held. An element "
+     "is missing, or a body of the train is held by nothing."},
+    {"W0801",
+     done,
+     "positions leave too few digits",
+     "Positions that close in on each other differ in their last digits only, and the dyads follow "
+     "from the differences: with five positions at a distance h about four times the digits of h "
+     "are lost, and numbers have 16. Fewer than three are left. Write the positions with more "
+     "digits, which count as typed, and ask for them with --digits or 'digits:'; or give "
+     "derivatives at one position instead of several close to it."},
+    {"W0901",
+     done,
+     "tolerance meets no value",
+     "No value of the two reports is at the place that '--tolerance' names, or below it, so it "
+     "loosens nothing: a key is misspelt, or a name has changed. Places are JSON Pointers as in "
+     "the differences, for example /cases/drive/ratio; '*' stands for any one key."},
+});
+
+}  // namespace
+
+std::span<const Code> warning_codes() {
+  return kWarningCodes;
+}
+
+}  // namespace kinestat

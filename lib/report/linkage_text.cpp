@@ -1,0 +1,260 @@
+#include "report/linkage_text.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/tolerance.hpp"
+#include "core/utf8.hpp"
+#include "report/table.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::string_view phrase_of(Degeneracy reason) {
+  switch (reason) {
+    case Degeneracy::none:
+      return "";
+    case Degeneracy::translation:
+      return "the plane does not turn from position to position: every point is a circle point, or "
+             "none";
+    case Degeneracy::repeated_position:
+      return "a position is there twice, so that conditions are missing";
+    case Degeneracy::dependent:
+      return "the conditions of the positions follow from each other";
+    case Degeneracy::straight_paths:
+      return "a whole circle of points moves on straight lines";
+    case Degeneracy::sliding_lines:
+      return "a whole pencil of lines slides on fixed points";
+    case Degeneracy::shared_line:
+    case Degeneracy::shared_conic:
+      return "a whole curve of points stays on circles";
+  }
+  return "";
+}
+
+bool is_same(const PositionJets& one, const PositionJets& other, double size) {
+  const double turn = std::abs(unit_vector(one.angle[0]) - unit_vector(other.angle[0]));
+  return std::abs(origin(one) - origin(other)) <= kSameValue * size && turn <= kSameValue;
+}
+
+// Two positions that are the same pose.
+std::optional<std::pair<std::size_t, std::size_t>> find_same(
+    std::span<const PositionJets> positions) {
+  double size = 0.0;
+  for (const PositionJets& position : positions) {
+    size = std::max(size, std::abs(origin(position)));
+  }
+  for (std::size_t pair = 0; pair < positions.size() * positions.size(); ++pair) {
+    const std::size_t i = pair / positions.size();
+    const std::size_t j = pair % positions.size();
+    if (i < j && is_same(positions[i], positions[j], size)) {
+      return std::pair(i, j);
+    }
+  }
+  return std::nullopt;
+}
+
+void add_dyad(const Dyad& dyad, std::size_t index, const PlaneText& task_plane, Table& table) {
+  const PlaneText plane = task_plane.with_zero(zero_length(dyad));
+  std::string kind = dyad.multiplicity > 1 ? " double" : "";
+  std::string length_text = plane.length(dyad.length);
+  if (dyad.kind != DyadKind::crank) {
+    kind += dyad.kind == DyadKind::slider ? " slider" : " inverted slider";
+    length_text = fmt::format("along ({}, {})",
+                              format_short(snap(dyad.direction.real(), kReportsAgreeInZero)),
+                              format_short(snap(dyad.direction.imag(), kReportsAgreeInZero)));
+  }
+  table.add({fmt::format("{}{}", index, kind),
+             plane.point(dyad.circle_point),
+             plane.point(dyad.centre_point),
+             length_text,
+             fmt::format("{:.0f}", dyad.digits)});
+}
+
+// What would be a crank if the places of its circle point were as far from its centre.
+std::string nearest_text(const Dyad& dyad, const SynthesisTask& task, const PlaneText& plane) {
+  if (dyad.kind != DyadKind::crank) {
+    return "";
+  }
+  std::vector<double> distances;
+  for (const PositionJets& position : task.positions) {
+    distances.push_back(std::abs(pose_of(position).place(dyad.circle_point) - dyad.centre_point));
+  }
+  const auto [least, most] = std::ranges::minmax(distances);
+  return fmt::format("nearest: circle point {}, centre {}, whose distance goes from {} to {}\n",
+                     plane.point(dyad.circle_point),
+                     plane.point(dyad.centre_point),
+                     plane.length(least),
+                     plane.length(most));
+}
+
+std::string range_text(const TransmissionRange& range, const PlaneText& plane) {
+  return fmt::format("{} to {}", plane.angle(range.least), plane.angle(range.most));
+}
+
+std::string verdict_table(const SynthesisTask& task, const PlaneText& plane) {
+  Table table({"linkage", "dyads", "drive", "verdict", "margin", "full turn", "ratio", "class"});
+  for (std::size_t i = 0; i < task.linkages.size(); ++i) {
+    const LinkageCandidate& candidate = task.linkages[i];
+    const DriveVerdict& best = candidate.best();
+    const std::size_t drive = candidate.best_drive == Drive::one ? 0 : 1;
+    table.add({fmt::format("{} {}", i, word_of(candidate.linkage.type())),
+               fmt::format("{} {}", candidate.dyads[0], candidate.dyads[1]),
+               fmt::format("{}", candidate.dyads[drive]),
+               std::string(phrase_of(candidate.defect)),
+               best.working_arc ? plane.angle(candidate.margin()) : "",
+               best.turns_fully ? "yes" : "no",
+               format_short(candidate.ratio),
+               candidate.grashof ? std::string(word_of(candidate.grashof->kind)) : ""});
+  }
+  return table.text("");
+}
+
+// The link of a dyad: the length of a crank, or what it is.
+std::string link_text(const Dyad& dyad, const PlaneText& plane) {
+  switch (dyad.kind) {
+    case DyadKind::crank:
+      return plane.length(dyad.length);
+    case DyadKind::slider:
+      return "slider";
+    case DyadKind::inverted_slider:
+      return "guide";
+  }
+  return "";
+}
+
+// Between two points, unless one of them lies at infinity.
+std::string distance_text(bool is_finite,
+                          const Point& from,
+                          const Point& to,
+                          const PlaneText& plane) {
+  return is_finite ? plane.length(std::abs(to - from)) : "";
+}
+
+// Links in the order of the dyads, and the transmission angle with the drive above.
+std::string link_table(const SynthesisTask& task, const PlaneText& plane) {
+  Table table({"linkage", "ground", "first", "coupler", "second", "on the way", "full range"});
+  for (std::size_t i = 0; i < task.linkages.size(); ++i) {
+    const Dyad& one = task.linkages[i].linkage.one;
+    const Dyad& other = task.linkages[i].linkage.other;
+    const DriveVerdict& best = task.linkages[i].best();
+    const auto has_none = [&](DyadKind kind) { return one.kind != kind && other.kind != kind; };
+    table.add(
+        {fmt::format("{}", i),
+         distance_text(has_none(DyadKind::slider), one.centre_point, other.centre_point, plane),
+         link_text(one, plane),
+         distance_text(
+             has_none(DyadKind::inverted_slider), one.circle_point, other.circle_point, plane),
+         link_text(other, plane),
+         best.working_arc ? range_text(*best.working_arc, plane) : "",
+         range_text(best.full, plane)});
+  }
+  return table.text("");
+}
+
+std::string cognates_text(const SynthesisTask& task, const PlaneText& plane) {
+  Table table({"cognates of", "centre of dyad", "third centre", "pivot on it", "other pivot"});
+  for (std::size_t i = 0; i < task.linkages.size(); ++i) {
+    const LinkageCandidate& candidate = task.linkages[i];
+    const bool is_shown = i == 0 || candidate.defect == Defect::none;
+    for (std::size_t j = 0; is_shown && candidate.cognates && j < 2; ++j) {
+      const FourBarPlaces& one = candidate.cognates->linkages[j];
+      table.add({fmt::format("{}", i),
+                 fmt::format("{}", candidate.dyads[j]),
+                 plane.point(one.fixed[1]),
+                 plane.point(one.moving[1]),
+                 plane.point(one.moving[0])});
+    }
+  }
+  return table.is_empty() ? "" : "\n" + table.text("");
+}
+
+std::string files_text(const SynthesisTask& task) {
+  std::string text;
+  for (const std::string& file : task.files) {
+    text += file.empty() ? "" : fmt::format("{}: written\n", printable(file));
+  }
+  const bool is_asked = !task.files.empty();
+  text += is_asked && text.empty() ? "no file is written; --all-linkages writes these too\n" : "";
+  return is_asked ? "\n" + text : text;
+}
+
+}  // namespace
+
+std::string_view phrase_of(Defect defect) {
+  switch (defect) {
+    case Defect::none:
+      return "usable";
+    case Defect::circuit:
+      return "circuit defect";
+    case Defect::branch:
+      return "branch defect";
+    case Defect::order:
+      return "order defect";
+    case Defect::transmission:
+      return "transmission angle too small";
+    case Defect::ratio:
+      return "link ratio too large";
+    case Defect::size:
+      return "too large";
+  }
+  return "";
+}
+
+std::string family_text(Degeneracy reason, std::span<const PositionJets> positions) {
+  const auto same = find_same(positions);
+  const std::string why =
+      same ? fmt::format("positions {} and {} are the same, so that conditions are missing",
+                         same->first + 1,
+                         same->second + 1)
+           : std::string(phrase_of(reason));
+  return fmt::format("a family of dyads: {}\n", why);
+}
+
+std::string dyads_text(const SynthesisTask& task, int digits, const PlaneText& plane) {
+  const BurmesterSolution& solution = *task.dyads;
+  if (solution.status == BurmesterStatus::no_digits) {
+    return fmt::format("no dyads: the positions are too close to each other for {} digits\n",
+                       digits);
+  }
+  std::string text;
+  const bool is_family = solution.status == BurmesterStatus::family;
+  if (is_family) {
+    text += family_text(solution.reason, task.positions);
+  }
+  Table table({"dyad", "circle point", "centre", "length", "digits"});
+  for (std::size_t i = 0; i < solution.dyads.size(); ++i) {
+    add_dyad(solution.dyads[i], i, plane, table);
+  }
+  text += !table.is_empty() ? table.text("")
+          : is_family       ? "no dyad stands alone\n"
+                            : "no real dyad\n";
+  if (solution.imaginary_count > 0) {
+    text += fmt::format("{} dyads are not real\n", solution.imaginary_count);
+  }
+  const bool has_nearest = solution.dyads.empty() && solution.nearest;
+  return text + (has_nearest ? nearest_text(*solution.nearest, task, plane) : "");
+}
+
+std::string linkages_text(const SynthesisTask& task, const PlaneText& plane) {
+  if (task.dyads->status == BurmesterStatus::no_digits) {
+    return "";
+  }
+  if (task.linkages.empty()) {
+    const bool is_family = task.dyads->status == BurmesterStatus::family;
+    return task.dyads->dyads.size() >= 2 ? "no linkage of the kind that 'linkage' asks for\n"
+           : is_family                   ? "no linkage: that takes two dyads that stand alone\n"
+                                         : "no linkage: that takes two real dyads\n";
+  }
+  std::string text = "\n" + verdict_table(task, plane);
+  if (task.linkages.front().defect != Defect::none) {
+    text += "no linkage is usable; the first one is the nearest\n";
+  }
+  return text + "\n" + link_table(task, plane) + cognates_text(task, plane) + files_text(task);
+}
+
+}  // namespace kinestat

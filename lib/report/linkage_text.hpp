@@ -1,0 +1,27 @@
+// Dyads and linkages of a synthesis task as tables for people.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "report/plane_text.hpp"
+#include "report/synthesis_report.hpp"
+
+namespace kinestat {
+
+/// The dyads of five positions, found with so many digits, or why there are none and what comes
+/// nearest.
+std::string dyads_text(const SynthesisTask& task, int digits, const PlaneText& plane);
+
+/// Why the dyads are a family, in words; the two positions by number that are the same.
+std::string family_text(Degeneracy reason, std::span<const PositionJets> positions);
+
+/// What speaks against a linkage, in words; of none "usable".
+std::string_view phrase_of(Defect defect);
+
+/// All linkages with their verdicts and links, the best first; the cognates of those that are
+/// usable, or of the one that comes nearest; and where they were written to.
+std::string linkages_text(const SynthesisTask& task, const PlaneText& plane);
+
+}  // namespace kinestat

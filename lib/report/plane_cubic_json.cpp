@@ -1,0 +1,58 @@
+#include "report/plane_cubic_json.hpp"
+
+#include <utility>
+
+#include "core/tolerance.hpp"
+#include "synthesis/cubic_branches.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// The largest is 1.
+Json coefficients_json(const PlaneCubic& fixed) {
+  Json result = object_of(8);
+  result["k1"] = number(snap(fixed.k[0], kReportsAgreeInZero));
+  result["k2"] = number(snap(fixed.k[1], kReportsAgreeInZero));
+  result["q11"] = number(snap(fixed.q[0], kReportsAgreeInZero));
+  result["q12"] = number(snap(fixed.q[1], kReportsAgreeInZero));
+  result["q22"] = number(snap(fixed.q[2], kReportsAgreeInZero));
+  result["l1"] = number(snap(fixed.l[0], kReportsAgreeInZero));
+  result["l2"] = number(snap(fixed.l[1], kReportsAgreeInZero));
+  result["c"] = number(snap(fixed.c, kReportsAgreeInZero));
+  return result;
+}
+
+Json branch_json(const CurveBranch& branch, const PlaneJson& plane) {
+  Json result = object_of(2);
+  result["closed"] = branch.is_closed;
+  result["points"] = Json::array();
+  for (const Point& one : branch.points) {
+    result["points"].push_back(plane.point(one));
+  }
+  return result;
+}
+
+}  // namespace
+
+Json cubic_json(const PlaneCubic& cubic, const CurveWindow& window, const PlaneJson& plane) {
+  const PlaneCubic fixed = cubic.about({0.0, 0.0}, plane.unit_of_length());
+  Json result = object_of(8);
+  result["coefficients"] = coefficients_json(fixed);
+  const auto focus = cubic.focus();
+  result["focus"] = focus ? plane.point(*focus) : Json(nullptr);
+  const auto asymptote = cubic.asymptote();
+  result["asymptote"] = Json(nullptr);
+  if (asymptote) {
+    result["asymptote"] = object_of(2);
+    result["asymptote"]["normal"] = PlaneJson::direction(asymptote->normal);
+    result["asymptote"]["offset"] = plane.length(asymptote->offset);
+  }
+  result["branches"] = Json::array();
+  for (const CurveBranch& branch : sample(cubic, window.middle, window.radius, window.count)) {
+    result["branches"].push_back(branch_json(branch, plane));
+  }
+  return result;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,19 @@
+// The curves of four positions as JSON.
+#pragma once
+
+#include "report/plane_json.hpp"
+#include "synthesis/few_positions.hpp"
+
+namespace kinestat {
+
+/// The part of the plane in which a curve is drawn, and with how many points.
+struct CurveWindow {
+  Point middle;
+  double radius = 1.0;
+  int count = 200;
+};
+
+/// Coefficients in the fixed frame, in the file's unit of length.
+Json cubic_json(const PlaneCubic& cubic, const CurveWindow& window, const PlaneJson& plane);
+
+}  // namespace kinestat

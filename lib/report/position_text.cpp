@@ -1,0 +1,77 @@
+#include "report/position_text.hpp"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/tolerance.hpp"
+#include "synthesis/path_curvature.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Such as ", K' 0.5", if there is a value; below rounding of K it is zero.
+std::string curvature_text(std::string_view symbol,
+                           const std::optional<double>& value,
+                           double zero,
+                           double unit) {
+  return value ? fmt::format(", {} {}", symbol, format_short(snap(*value, zero) * unit)) : "";
+}
+
+std::string path_text(const PositionJets& position, const PlaneText& plane) {
+  const PathCurvature curvature = find_path_curvature(position, {0.0, 0.0});
+  const double zero = kReportsAgreeInZero * std::abs(curvature.k.value_or(0.0));
+  const double unit = plane.unit_of_length();
+  const std::string text = curvature_text("K", curvature.k, zero, unit) +
+                           curvature_text("K'", curvature.k_prime, zero, unit) +
+                           curvature_text("K''", curvature.k_second, zero, unit);
+  return text.empty() ? "" : "; path of E:" + text.substr(1);
+}
+
+// M or N, infinite where the cubic of stationary curvature falls apart.
+std::string diameter_text(double inverse, const PlaneText& plane) {
+  return inverse == 0.0 ? "infinite" : plane.length(1.0 / inverse);
+}
+
+std::string frame_text(const SpecialFrame& frame, const PlaneText& plane) {
+  std::string text = fmt::format("  special frame: x at {}, d {}; inflection circle about {}",
+                                 plane.angle(frame.angle),
+                                 plane.length(frame.diameter),
+                                 plane.point(inflection_circle(frame).centre));
+  for (std::size_t k = 3; k < frame.derivatives.size(); ++k) {
+    text += fmt::format(
+        "{} a_{} b_{} {}", k == 3 ? "\n   " : ";", k, k, plane.point(frame.derivatives[k]));
+  }
+  if (const auto cubic = find_stationary_curvature(frame)) {
+    text += fmt::format("; M {}, N {}",
+                        diameter_text(cubic->inverse_m, plane),
+                        diameter_text(cubic->inverse_n, plane));
+  }
+  const auto ball = find_ball_point(frame);
+  return text + (ball ? "; Ball's point " + plane.point(*ball) : "") + "\n";
+}
+
+}  // namespace
+
+std::string positions_text(const SynthesisTask& task, const PlaneText& plane) {
+  std::string text;
+  for (std::size_t i = 0; i < task.positions.size(); ++i) {
+    const PositionJets& position = task.positions[i];
+    if (position.order() < 2) {
+      continue;
+    }
+    const auto pole = find_pole(position);
+    text += fmt::format("position {}, {}: {}{}\n",
+                        i + 1,
+                        form_of(std::span(&position, 1)),
+                        pole ? "pole " + plane.point(*pole) : "no pole, it does not turn",
+                        path_text(position, plane));
+    if (const auto frame = find_special_frame(position)) {
+      text += frame_text(*frame, plane);
+    }
+  }
+  return text;
+}
+
+}  // namespace kinestat

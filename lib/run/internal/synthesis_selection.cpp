@@ -1,0 +1,139 @@
+#include "run/internal/synthesis_selection.hpp"
+
+#include <functional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "run/internal/for_each_on_threads.hpp"
+
+namespace kinestat {
+
+namespace {
+
+using Tasks = std::vector<std::vector<PositionJets>>;
+
+constexpr int kKept = 5;
+
+// The tasks of some choice. Where all that are tried contradict themselves, the first says why.
+std::optional<Tasks> find_possible_tasks(const SynthesisValues& values,
+                                         std::span<const SelectionRange> ranges,
+                                         Diagnostics& found) {
+  constexpr int kTried = 7;
+  Diagnostics unsaid;
+  for (int i = 0; i < kTried; ++i) {
+    std::vector<double> numbers;
+    for (const SelectionRange& range : ranges) {
+      numbers.push_back(range.from + (range.to - range.from) * (i + 0.5) / kTried);
+    }
+    if (auto tasks = values.positions_of_tasks(values.choice_of(numbers), unsaid)) {
+      return tasks;
+    }
+  }
+  const Diagnostic& why = unsaid.items().front();
+  found.error(why.code, why.where, why.message, why.hint);
+  return std::nullopt;
+}
+
+void add_counts(const Selection& selection, SynthesisAnalysis& analysis) {
+  analysis.selection->samples += selection.samples;
+  analysis.selection->with_linkage += selection.with_linkage;
+  analysis.selection->usable += selection.usable;
+}
+
+// What a report shows of a selection: the best, or else what comes nearest.
+std::vector<SelectedLinkage> shown_of(const Selection& selection) {
+  std::vector<SelectedLinkage> shown = selection.best;
+  if (selection.nearest) {
+    shown.push_back(*selection.nearest);
+  }
+  return shown;
+}
+
+// The best choices for the positions of one choice of angles.
+void select_task(const SynthesisValues& values,
+                 std::size_t task,
+                 const ForEach& for_each,
+                 SynthesisAnalysis& analysis) {
+  const TaskMaker make_task =
+      [&](std::span<const double> numbers) -> std::optional<std::vector<PositionJets>> {
+    Diagnostics unsaid;
+    auto tasks = values.positions_of_tasks(values.choice_of(numbers), unsaid);
+    return tasks ? std::optional((*tasks)[task]) : std::nullopt;
+  };
+  const Selection selection =
+      select_linkages(values.ranges(), candidates_of(make_task, values.limits()), kKept, for_each);
+  add_counts(selection, analysis);
+  for (const SelectedLinkage& one : shown_of(selection)) {
+    analysis.tasks.push_back(solve_task(*make_task(one.choice), values.limits()));
+    analysis.tasks.back().choice = values.choice_of(one.choice);
+  }
+}
+
+// Three or four positions: the dyads are those of the circle points chosen.
+void select_circle_points(const SynthesisValues& values,
+                          const std::vector<PositionJets>& positions,
+                          const ForEach& for_each,
+                          SynthesisAnalysis& analysis) {
+  const CirclePointChoice choice(positions, *values.circle_points());
+  const LinkageLimits limits = values.limits();
+  const CandidateMaker make = [&](std::span<const double> numbers) {
+    return choice.candidate(numbers, limits);
+  };
+  const std::vector<SelectionRange> ranges = choice.ranges(values.samples());
+  if (ranges.empty()) {
+    analysis.tasks.push_back(solve_task(positions, limits));
+    return;
+  }
+  const Selection selection = select_linkages(ranges, make, kKept, for_each);
+  add_counts(selection, analysis);
+  for (const SelectedLinkage& one : shown_of(selection)) {
+    SynthesisTask task;
+    task.choice = SynthesisChoice{};
+    task.positions = positions;
+    task.dyads = BurmesterSolution{.dyads = choice.dyads(one.choice)};
+    if (choice.curves()) {
+      task.dyads->digits = choice.curves()->digits;
+      task.dyads->flatness = choice.curves()->flatness;
+    }
+    task.linkages = rank_linkages(task.dyads->dyads, positions, limits);
+    analysis.tasks.push_back(std::move(task));
+  }
+}
+
+}  // namespace
+
+bool select_tasks(const SynthesisValues& values,
+                  std::uint64_t jobs,
+                  Diagnostics& found,
+                  SynthesisAnalysis& analysis) {
+  const bool chooses_points = values.circle_points().has_value();
+  const std::optional<Tasks> possible = chooses_points
+                                            ? values.positions_of_tasks({}, found)
+                                            : find_possible_tasks(values, values.ranges(), found);
+  if (!possible) {
+    return false;
+  }
+  analysis.form = form_of(possible->front());
+  if (!chooses_points && position_count(possible->front()) != 5) {
+    found.error("E0305",
+                analysis.description.synthesis->vary.front().where,
+                fmt::format("'{}' is chosen in tasks of five positions, and this is {}",
+                            word_of(analysis.description.synthesis->vary.front().which),
+                            analysis.form),
+                "give it a number and let 'circle_points' vary, or add positions");
+    return false;
+  }
+  const ForEach for_each = for_each_on_threads(jobs);
+  analysis.selection = SelectionCounts{};
+  for (std::size_t task = 0; task < possible->size(); ++task) {
+    if (chooses_points) {
+      select_circle_points(values, (*possible)[task], for_each, analysis);
+    } else {
+      select_task(values, task, for_each, analysis);
+    }
+  }
+  return true;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,231 @@
+#!/usr/bin/env python3
+"""Sweeps end to end: nobody who shares, interrupts or damages a run changes a byte of its result
+unseen."""
+
+from __future__ import annotations
+
+import json
+import random
+import re
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+from sweep_case import SWEEP, TRAIN, InFolder, kinestat, main, program
+
+
+class Sharing(InFolder):
+    """Threads, shards, interruptions and damage."""
+
+    def setUp(self) -> None:
+        super().setUp()
+        self.file = self.write(TRAIN + SWEEP)
+        self.whole = self.new_folder("whole")
+        done = kinestat("sweep", "--jobs", "1", "--out", self.whole, self.file)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.files = {path.name: path.read_bytes() for path in self.whole.iterdir()}
+        self.assertEqual(set(self.files), {"train.sweep.csv", "train.sweep.json"})
+
+    def shards(self, count: int, folder: str = "shards", *options: str) -> list[Path]:
+        place = self.new_folder(folder)
+        for k in range(1, count + 1):
+            done = kinestat("sweep", *options, "--shard", f"{k}/{count}", "--out", place, self.file)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        return sorted(place.iterdir())
+
+    def assert_merges(self, shards: list[Path], name: str) -> None:
+        out = self.new_folder(name)
+        done = kinestat("merge", "--out", out, *shards)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual({path.name: path.read_bytes() for path in out.iterdir()}, self.files)
+
+    def refused(self, status: int, words: list[str], *shards: object) -> None:
+        out = self.folder / "refused"
+        out.mkdir(exist_ok=True)
+        done = kinestat("merge", "--out", out, *shards)
+        self.assertEqual(done.returncode, status, done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+        self.assertEqual(list(out.iterdir()), [])
+
+    def test_threads_and_shards_change_no_byte(self) -> None:
+        """Fault 112."""
+        for jobs in (2, 8):
+            out = self.new_folder(f"jobs{jobs}")
+            kinestat("sweep", "--jobs", jobs, "--out", out, self.file)
+            self.assertEqual({p.name: p.read_bytes() for p in out.iterdir()}, self.files)
+        for count in (1, 2, 7, 16):
+            for jobs in ("1", "2"):
+                shards = self.shards(count, f"s{count}j{jobs}", "--jobs", jobs)
+                self.assertEqual(len(shards), count)
+                random.shuffle(shards)
+                self.assert_merges(shards, f"m{count}j{jobs}")
+
+    def test_standard_output_has_the_same_rows(self) -> None:
+        streamed = kinestat("sweep", "--jobs", "3", self.file).stdout.encode()
+        merged = kinestat("merge", *self.shards(3)).stdout.encode()
+        self.assertEqual(streamed, self.files["train.sweep.csv"])
+        self.assertEqual(merged, self.files["train.sweep.csv"])
+
+    def test_top_rows_of_shards(self) -> None:
+        top = ("--top", "5", "--by", "e.Rc", "--order", "smallest")
+        streamed = kinestat("sweep", *top, self.file).stdout
+        merged = kinestat("merge", *self.shards(7, "top", *top)).stdout
+        self.assertEqual(merged, streamed)
+        self.assertEqual(len(streamed.splitlines()), 6)
+
+    def test_missing_and_duplicate_shards_are_named(self) -> None:
+        """Fault 109."""
+        shards = self.shards(4)
+        self.refused(3, ["E0907", "2/4 is missing"], shards[0], *shards[2:])
+        self.refused(3, ["E0907", "3/4 is there twice"], *shards, shards[2])
+        self.refused(3, ["E0907", "1/4, 3/4, 4/4 are missing"], shards[1])
+
+    def test_damaged_shards_are_named(self) -> None:
+        """Fault 108: cut off or changed at any place."""
+        shards = self.shards(3)
+        victim = shards[1]
+        text = victim.read_bytes()
+        places = random.Random(7).sample(range(len(text)), 40)
+        for at in [0, len(text) - 1, *places]:
+            victim.write_bytes(text[:at])
+            self.refused(3, ["E0906", victim.name], *shards)
+            changed = bytes([text[at] ^ 1])
+            victim.write_bytes(text[:at] + changed + text[at + 1:])
+            done = kinestat("merge", *shards)
+            self.assertEqual(done.returncode, 3, (at, text[at - 20:at + 20], done.stderr))
+        victim.write_bytes(text + text)
+        self.refused(3, ["E0906", victim.name], *shards)
+        victim.write_bytes(text)
+        self.assert_merges(shards, "mended")
+
+    def test_shards_of_another_plan_or_version_are_refused(self) -> None:
+        """Fault 111."""
+        shards = self.shards(2)
+        others = self.shards(2, "others", "--set", "module=3")
+        self.refused(3, ["E0906", others[1].name, "another sweep"], shards[0], others[1])
+        text = shards[0].read_text()
+        version = json.loads(text.splitlines()[0])["kinestat"]["version"]
+        shards[0].write_text(text.replace(f'"version":"{version}"', '"version":"0.0.1"', 1))
+        self.refused(3, ["E0906", "version 0.0.1"], *shards)
+        self.refused(3, ["E0906", "no shard"], self.file)
+        self.refused(4, ["E0151"], self.folder / "nothing.shard")
+
+    def test_shards_outside_their_count_are_refused(self) -> None:
+        """Fault 110."""
+        for word in ("0/4", "5/4", "a/b", "1/0", "1", "/", "1/4/2", "-1/4", "1.5/4", ""):
+            done = kinestat("sweep", "--out", self.whole, f"--shard={word}", self.file)
+            self.assertEqual(done.returncode, 2, word)
+            self.assertIn("E0101", done.stderr)
+
+
+class Interruption(InFolder):
+    """A sweep of some seconds that is ended on the way."""
+
+    OPTIONS = ("--jobs", "2", "--quiet", "--progress", "always")
+
+    def setUp(self) -> None:
+        super().setUp()
+        # The friction keeps every state on the long way.
+        text = TRAIN.replace("at: [0, 0]}", "at: [0, 0], friction: {mu: 0.1, radius: 5}}", 1)
+        self.file = self.write(text + """
+sweep:
+  vary: {Ns: {from: 17, to: 66, step: 1}, Np: {from: 17, to: 56, step: 1}}
+  report: [ratio, efficiency, e.Rc]
+""")
+        out = self.new_folder("whole")
+        kinestat("sweep", "--quiet", "--out", out, self.file)
+        self.files = {path.name: path.read_bytes() for path in out.iterdir()}
+        self.assertEqual(len(self.files), 2)
+
+    def start(self, out: Path, *options: str) -> subprocess.Popen[str]:
+        return subprocess.Popen(
+            [str(program()), "sweep", *self.OPTIONS, *options, "--out", str(out), str(self.file)],
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
+        )
+
+    def interrupt(self, out: Path, with_signal: signal.Signals, *options: str) -> int:
+        """Ends it once some chunks are there, if it has not ended before."""
+        process = self.start(out, *options)
+        work = out / "train.sweep-work"
+        while process.poll() is None:
+            if work.is_dir() and len(list(work.glob("chunk-*"))) >= 20:
+                process.send_signal(with_signal)
+                break
+            time.sleep(0.002)
+        process.communicate()
+        return process.returncode
+
+    def test_signals_end_it_and_resume_completes_it(self) -> None:
+        """Faults 105 and 106."""
+        for with_signal in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
+            with self.subTest(with_signal=with_signal):
+                out = self.new_folder(with_signal.name)
+                status = self.interrupt(out, with_signal)
+                self.assertEqual(status, -with_signal)
+                self.assertEqual([path.name for path in out.iterdir()], ["train.sweep-work"])
+                (out / "train.sweep-work" / ".kinestat-0123456789abcdef.tmp").write_text("stale")
+                refused = kinestat("sweep", "--out", out, self.file)
+                self.assertEqual(refused.returncode, 4)
+                self.assertIn("E0908", refused.stderr)
+                again = self.interrupt(out, with_signal, "--resume")
+                self.assertIn(again, (0, -with_signal))
+                done = kinestat("sweep", "--resume", "--jobs", "1", "--out", out, self.file)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual({p.name: p.read_bytes() for p in out.iterdir()}, self.files)
+
+    def test_damaged_chunks_are_made_again(self) -> None:
+        out = self.new_folder("damaged")
+        self.interrupt(out, signal.SIGKILL)
+        chunks = sorted((out / "train.sweep-work").glob("chunk-*"))
+        chunks[0].write_bytes(chunks[0].read_bytes()[:-5])
+        text = chunks[1].read_bytes()
+        chunks[1].write_bytes(text[:-9] + bytes([text[-9] ^ 1]) + text[-8:])
+        chunks[2].rename(chunks[2].with_name("chunk-99999999"))
+        done = kinestat("sweep", "--resume", "--out", out, self.file)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual({p.name: p.read_bytes() for p in out.iterdir()}, self.files)
+
+    def test_resume_goes_on_only_with_the_same_sweep(self) -> None:
+        out = self.new_folder("other")
+        self.interrupt(out, signal.SIGTERM)
+        done = kinestat("sweep", "--resume", "--set", "module=3", "--out", out, self.file)
+        self.assertEqual(done.returncode, 4)
+        self.assertIn("E0908", done.stderr)
+        done = kinestat("sweep", "--force", "--out", out, self.file)
+        self.assertEqual({p.name: p.read_bytes() for p in out.iterdir()}, self.files)
+        before = {p.name: p.stat().st_ino for p in out.iterdir()}
+        done = kinestat("sweep", "--resume", "--out", out, self.file)
+        self.assertIn("complete", done.stderr)
+        self.assertEqual({p.name: p.stat().st_ino for p in out.iterdir()}, before)
+
+    def test_two_processes_on_one_folder(self) -> None:
+        """Fault 107: the second is told, and both together leave one whole result."""
+        out = self.new_folder("both")
+        both = [self.start(out), self.start(out)]
+        told = [process.communicate()[1] for process in both]
+        statuses = sorted(process.returncode for process in both)
+        self.assertIn(statuses, ([0, 4], [0, 0]), told)
+        self.assertEqual({p.name: p.read_bytes() for p in out.iterdir()}, self.files)
+
+    def test_a_closed_pipe_ends_it_quietly(self) -> None:
+        """Fault 100."""
+        done = subprocess.run(
+            ["bash", "-c", f"'{program()}' sweep -q '{self.file}' | head -3; echo ${{PIPESTATUS[0]}}"],
+            capture_output=True, encoding="utf-8", check=True, cwd=self.folder, timeout=240,
+        )
+        self.assertEqual(done.stderr, "")
+        self.assertIn(done.stdout.splitlines()[-1], ("141", "0"))
+        self.assertEqual(len(done.stdout.splitlines()), 4)
+        self.assertEqual({path.name for path in self.folder.iterdir()}, {"train.yaml", "whole"})
+
+    def test_progress_has_a_rate_and_no_escape_sequence(self) -> None:
+        done = kinestat("sweep", "--progress", "always", self.file)
+        self.assertRegex(done.stderr, r"\d+ %, \d+ of 2000 states, \d+ rows")
+        self.assertNotIn("\x1b", done.stderr)
+        self.assertEqual(kinestat("sweep", "-q", self.file).stderr, "")
+
+
+if __name__ == "__main__":
+    main(__doc__)
