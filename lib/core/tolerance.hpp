@@ -26,6 +26,11 @@ inline constexpr double kPivotShare = 0.1;
 /// are no longer taken in the order that keeps the rows short.
 inline constexpr double kPivotWaits = 1e-6;
 
+/// Where an elimination need not go on, because another way to the answer is at hand, a pivot must
+/// be at least this share of the largest entry: more than three digits are not risked. So a tape
+/// gives a state back to the whole analysis.
+inline constexpr double kSafePivot = 1e-3;
+
 /// Equations that are surplus must hold to this share of the terms they sum.
 inline constexpr double kConsistency = 1e-9;
 

@@ -61,7 +61,7 @@ bool EliminationTape::eliminate(Workspace& workspace) const {
 
 bool EliminationTape::is_good(const std::vector<double>& cells) const {
   return std::ranges::all_of(
-             pivots_, [&](int cell) { return std::abs(cells[index(cell)]) >= kPivotWaits; }) &&
+             pivots_, [&](int cell) { return std::abs(cells[index(cell)]) >= kSafePivot; }) &&
          std::ranges::all_of(surplus_,
                              [&](int cell) { return std::abs(cells[index(cell)]) <= kRankZero; });
 }

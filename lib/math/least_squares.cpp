@@ -84,7 +84,7 @@ class RowUnknowns {
     for (Eigen::Index c = k; c < A_.cols(); ++c) {
       for (Eigen::Index r = 0; r < A_.rows(); ++r) {
         const double size = std::abs(A_(r, c));
-        if (counts(r) && size >= kPivotWaits * largest && size * weights_[r] > best.weight) {
+        if (counts(r) && size >= kSafePivot * largest && size * weights_[r] > best.weight) {
           best = {.row = r, .column = c, .weight = size * weights_[r]};
         }
       }

@@ -56,7 +56,7 @@ bool TapeRecorder::choose(int column, Pivot& pivot) const {
   for (const int r : at(columns_, column)) {
     largest = std::max(largest, size_of(at(rows_, r).at(column)));
   }
-  if (largest < kPivotWaits) {
+  if (largest < kSafePivot) {
     return false;
   }
   std::size_t shortest = 0;
