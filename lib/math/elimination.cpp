@@ -210,6 +210,15 @@ void Elimination::unscale(VecX& x) const {
   }
 }
 
+std::vector<int> Elimination::pivot_rows() const {
+  std::vector<int> rows;
+  for (const Pivot& pivot : pivots_) {
+    rows.push_back(pivot.row);
+  }
+  std::ranges::sort(rows);
+  return rows;
+}
+
 std::vector<VecX> Elimination::null_vectors() const {
   std::vector<VecX> result;
   for (const int column : free_columns_) {

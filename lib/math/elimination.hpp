@@ -68,11 +68,15 @@ class Elimination {
   /// The largest |A x - b| relative to the largest sum of terms, in scaled rows.
   double residual(const VecX& x, std::span<const double> rhs) const;
 
+  /// The equations that determine columns outside `last`, ascending; all others are surplus.
+  std::vector<int> pivot_rows() const;
+
   /// A basis of the solutions of A x = 0 with x = 0 at `last`: one vector a free column, 1 there.
   std::vector<VecX> null_vectors() const;
 
  private:
   friend class Eliminator;
+  friend class RefinedSolve;
 
   struct Cell {
     int column = 0;
@@ -114,6 +118,7 @@ class Elimination {
   std::vector<Pivot> last_pivots_;       ///< of the columns of last_
   std::vector<int> free_columns_;
   RankEvidence evidence_;
+  bool has_dropped_ = false;  ///< a difference that was rounding and not zero was made zero
 };
 
 }  // namespace kinestat

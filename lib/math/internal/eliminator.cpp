@@ -235,6 +235,7 @@ void Eliminator::subtract(int row, int pivot_row, int column, double multiplier)
     const double size = std::abs(a[i].value) + std::abs(term);
     ++i;
     if (cell.column == column || std::abs(difference) <= kCancellation * size) {
+      out_.has_dropped_ |= cell.column != column && difference != 0.0;
       count(cell.column, -1);
     } else {
       merged_.push_back({.column = cell.column, .value = difference});

@@ -257,6 +257,14 @@ TEST(Elimination, PutsKnownValuesInTheOrderInWhichTheyWereNamed) {
   EXPECT_TRUE(is_near(solution.x, rows_of({{7}, {-12}, {5}}), kTight));
 }
 
+// x_2 is to be known, and the second equation is about nothing else.
+TEST(Elimination, NamesTheEquationsThatDetermineTheUnknowns) {
+  const Elimination elimination(sparse(rows_of({{2, 0, 1}, {0, 0, 1}, {2, 3, 0}})),
+                                std::vector<int>{2});
+
+  EXPECT_EQ(elimination.pivot_rows(), (std::vector<int>{0, 2}));
+}
+
 TEST(Elimination, AcceptsSurplusEquationsThatAgree) {
   const Elimination elimination(sparse(rows_of({{1, 1}, {1, -1}, {3, 1}})), {});
 
