@@ -59,8 +59,12 @@ TEST(LossBinder, PrefersTheLossOfTheMeshItself) {
   EXPECT_EQ(bound.share(0), 0.015);
 }
 
-TEST(LossBinder, LeavesOutMeshesThatLoseNothing) {
-  EXPECT_TRUE(Bound("losses: {gear_external: 0, gear_internal: {eta: 1}}\n").meshes.empty());
+// A loss of nothing makes an efficiency of one; where no loss is given there is none.
+TEST(LossBinder, KeepsMeshesThatLoseNothing) {
+  const Bound bound("losses: {gear_external: 0, gear_internal: {eta: 1}}\n");
+
+  EXPECT_EQ(bound.share(0), 0.0);
+  EXPECT_EQ(bound.share(1), 0.0);
   EXPECT_TRUE(Bound("losses: {}\n").meshes.empty());
 }
 
