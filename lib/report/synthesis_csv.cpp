@@ -42,6 +42,8 @@ class SynthesisCsv {
 
   std::string run(const Json& synthesis) {
     status_ = "solved";
+    element_ = "working_digits";
+    add("", "", synthesis["working_digits"]);
     element_ = "selection";
     add("", "", synthesis["selection"]);
     const Json& tasks = synthesis["tasks"];

@@ -92,7 +92,7 @@ bool solve_tasks(const SynthesisValues& values, Diagnostics& found, SynthesisAna
 // Of the answers of one task: the fewest.
 double digits_left(const SynthesisTask& task) {
   double digits = kDoubleDigits;
-  if (task.curves) {
+  if (task.curves && task.curves->status != BurmesterStatus::family) {
     digits = task.curves->status == BurmesterStatus::no_digits ? 0.0 : task.curves->digits;
   }
   if (task.dyads && task.dyads->status != BurmesterStatus::family) {
@@ -113,10 +113,11 @@ void warn_of_few_digits(const SynthesisAnalysis& analysis, Diagnostics& found) {
   if (digits >= kFew) {
     return;
   }
-  const bool has_five = analysis.tasks.front().dyads.has_value();
+  const bool may_have_more = position_count(analysis.tasks.front().positions) == 5 &&
+                             analysis.description.synthesis->vary.empty();
   const std::string_view hint =
       analysis.digits ? "write the positions with more digits, and raise --digits"
-      : has_five      ? "write the positions with more digits and run with --digits 40, or give "
+      : may_have_more ? "write the positions with more digits and run with --digits 40, or give "
                         "derivatives instead of positions that close in"
                       : "give derivatives instead of positions that close in";
   found.warning("W0801",

@@ -193,6 +193,8 @@ class Library(ShiftTest):
         for path in sorted((MECHANISMS / "transmissions").glob("*.yaml")):
             report = program.run("analyze", str(path))
             for name, case in report["cases"].items():
+                if name == "jacked up":  # asks for speeds alone
+                    continue
                 with self.subTest(file=path.name, case=name):
                     self.assertLess(case["power"]["balance_residual"], 1e-9)
             for name, state in report.get("shift", {"states": {}})["states"].items():
