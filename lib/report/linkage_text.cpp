@@ -189,6 +189,8 @@ std::string_view phrase_of(Defect defect) {
   switch (defect) {
     case Defect::none:
       return "usable";
+    case Defect::digits:
+      return "no digits left";
     case Defect::circuit:
       return "circuit defect";
     case Defect::branch:

@@ -64,7 +64,9 @@ class Solver {
 
   void add_point(const ConicPoint& point, const MatX& basis) {
     const Eigen::Matrix<double, 7, 1> x = basis * point.y.real();
-    std::optional<Dyad> dyad = dyad_of(x, system_, positions_[0]);
+    // A double point moves by the root of what moves the conics.
+    const double loss = point.multiplicity > 1 ? std::sqrt(loss_) : loss_ * point.condition;
+    std::optional<Dyad> dyad = dyad_of(x, system_, positions_[0], loss);
     if (!point.is_real) {
       solution_.imaginary_count += point.multiplicity;
       keep_nearest(dyad);
@@ -75,8 +77,6 @@ class Solver {
       return;
     }
     dyad->multiplicity = point.multiplicity;
-    // A double point moves by the root of what moves the conics.
-    const double loss = point.multiplicity > 1 ? std::sqrt(loss_) : loss_ * point.condition;
     dyad->digits = digits_of(loss / smallest_denominator(x, dyad->kind));
     dyad->residual = find_residual(*dyad, positions_);
     solution_.dyads.push_back(*dyad);

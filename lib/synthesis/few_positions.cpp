@@ -101,14 +101,38 @@ Vec3 values_at(const LinearRow& row, const Point& z) {
   return result;
 }
 
-// The vector that the rows leave over: of all pairs of rows the longest product, which is that of
-// the two that differ most.
-Vec3 common_solution(const std::vector<Vec3>& rows) {
-  Vec3 best = Vec3::Zero();
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t j = i + 1; j < rows.size(); ++j) {
-      const Vec3 product = rows[i].cross(rows[j]);
-      best = product.norm() > best.norm() ? product : best;
+// The conditions of a given circle point, or of a given centre, each with what rounding of the
+// positions does to it.
+struct Conditions {
+  std::vector<Vec3> rows;
+  std::vector<double> errors;
+
+  Conditions(const ConditionRows& system, LinearRow (*row_for)(const Row&), const Point& given) {
+    for (std::size_t i = 0; i < system.rows.size(); ++i) {
+      rows.push_back(values_at(row_for(system.rows[i]), given));
+      errors.push_back(system.noise[i] * (1.0 + std::abs(given)));
+    }
+  }
+};
+
+// What conditions leave over, with its error as a share of it.
+struct CommonSolution {
+  Vec3 vector = Vec3::Zero();
+  double error = 1.0;
+};
+
+// Of all pairs of rows the longest product, which is that of the two that differ most.
+CommonSolution common_solution(const Conditions& all) {
+  CommonSolution best;
+  for (std::size_t i = 0; i < all.rows.size(); ++i) {
+    for (std::size_t j = i + 1; j < all.rows.size(); ++j) {
+      const Vec3& one = all.rows[i];
+      const Vec3& other = all.rows[j];
+      const Vec3 product = one.cross(other);
+      if (product.norm() > best.vector.norm()) {
+        const double error = all.errors[i] * other.norm() + all.errors[j] * one.norm();
+        best = {.vector = product, .error = error / product.norm()};
+      }
     }
   }
   return best;
@@ -131,10 +155,23 @@ Point in_system(const ConditionRows& system, const Point& point) {
   return (point - Point(system.x, system.y)) / system.length;
 }
 
+// The dyad of seven numbers with an error, as a share of the largest of them.
+std::optional<Dyad> dyad_with_digits(const Homogeneous& x,
+                                     const ConditionRows& system,
+                                     std::span<const PositionJets> positions,
+                                     double error) {
+  std::optional<Dyad> dyad = dyad_of(x, system, positions[0], error);
+  if (dyad) {
+    dyad->digits = digits_of(error / smallest_denominator(x, dyad->kind));
+    dyad->residual = find_residual(*dyad, positions);
+  }
+  return dyad;
+}
+
 // Solutions with h = 0 and one of the two points at infinity: the null vector of three equations
 // for four of the seven numbers.
 std::optional<Dyad> find_infinite(const ConditionRows& system,
-                                  const PositionJets& first,
+                                  std::span<const PositionJets> positions,
                                   const std::array<std::size_t, 4>& columns) {
   MatX matrix(3, 4);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -151,15 +188,7 @@ std::optional<Dyad> find_infinite(const ConditionRows& system,
   for (std::size_t j = 0; j < 4; ++j) {
     x[static_cast<Eigen::Index>(columns[j])] = space.basis(static_cast<Eigen::Index>(j), 0);
   }
-  return dyad_of(x, system, first);
-}
-
-std::optional<Dyad> with_residual(std::optional<Dyad> dyad,
-                                  std::span<const PositionJets> positions) {
-  if (dyad) {
-    dyad->residual = find_residual(*dyad, positions);
-  }
-  return dyad;
+  return dyad_with_digits(x, system, positions, find_loss(space, system.noise));
 }
 
 }  // namespace
@@ -184,41 +213,32 @@ FourPositionCurves find_curves(std::span<const PositionJets> positions) {
   }
   result.circle_points = cubic_of(of_circle_points, system);
   result.centre_points = cubic_of(of_centres, system);
-  result.slider = with_residual(find_infinite(system, positions[0], {2, 3, 4, 5}), positions);
-  result.inverted_slider =
-      with_residual(find_infinite(system, positions[0], {0, 1, 4, 5}), positions);
+  result.slider = find_infinite(system, positions, {2, 3, 4, 5});
+  result.inverted_slider = find_infinite(system, positions, {0, 1, 4, 5});
   return result;
 }
 
 std::optional<Dyad> find_dyad(std::span<const PositionJets> positions, const Point& circle_point) {
   const ConditionRows system = make_condition_rows(positions);
   const Point z = in_system(system, circle_point);
-  std::vector<Vec3> rows;
-  for (const Row& row : system.rows) {
-    rows.push_back(values_at(row_for_circle_point(row), z));
-  }
-  const Vec3 centre = common_solution(rows);
-  if (!(centre.norm() > kCancellation)) {
+  const CommonSolution centre = common_solution({system, row_for_circle_point, z});
+  if (!(centre.error < kUselessLoss)) {
     return std::nullopt;
   }
   const Vec3 circle(z.real(), z.imag(), 1.0);
-  return with_residual(dyad_of(seven_of(circle, centre), system, positions[0]), positions);
+  return dyad_with_digits(seven_of(circle, centre.vector), system, positions, centre.error);
 }
 
 std::optional<Dyad> find_dyad_with_centre(std::span<const PositionJets> positions,
                                           const Point& centre) {
   const ConditionRows system = make_condition_rows(positions);
   const Point w = in_system(system, centre);
-  std::vector<Vec3> rows;
-  for (const Row& row : system.rows) {
-    rows.push_back(values_at(row_for_centre(row), w));
-  }
-  const Vec3 circle = common_solution(rows);
-  if (!(circle.norm() > kCancellation)) {
+  const CommonSolution circle = common_solution({system, row_for_centre, w});
+  if (!(circle.error < kUselessLoss)) {
     return std::nullopt;
   }
   const Vec3 fixed(w.real(), w.imag(), 1.0);
-  return with_residual(dyad_of(seven_of(circle, fixed), system, positions[0]), positions);
+  return dyad_with_digits(seven_of(circle.vector, fixed), system, positions, circle.error);
 }
 
 std::optional<PlaneLine> find_centre_line(std::span<const PositionJets> positions,

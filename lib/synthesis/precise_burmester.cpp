@@ -185,13 +185,13 @@ class PreciseSolver {
     for (std::size_t i = 0; i < 7; ++i) {
       values[static_cast<Eigen::Index>(i)] = to_double(x[i]);
     }
-    std::optional<Dyad> dyad = dyad_of(values, frame, first_);
+    const double loss = point.multiplicity > 1 ? std::sqrt(loss_) : loss_ * point.condition;
+    std::optional<Dyad> dyad = dyad_of(values, frame, first_, loss);
     if (!dyad) {
       return;
     }
     dyad->centre_point += Point(to_double(system_.x), to_double(system_.y));
     dyad->multiplicity = point.multiplicity;
-    const double loss = point.multiplicity > 1 ? std::sqrt(loss_) : loss_ * point.condition;
     dyad->digits = digits_of(std::max(loss, kEpsilon) / smallest_denominator(values, dyad->kind));
     dyad->residual = residual_of(x, system_.rows);
     solution_.dyads.push_back(*dyad);

@@ -65,6 +65,10 @@ void choose_drive(LinkageCandidate& candidate, const LinkageLimits& limits) {
   candidate.defect = takes_other ? other : one;
 }
 
+bool has_digits(const Dyad& dyad) {
+  return dyad.digits >= -std::log10(kUselessLoss);
+}
+
 LinkageCandidate judge(const Linkage& linkage,
                        std::span<const PositionJets> positions,
                        const LinkageLimits& limits) {
@@ -78,6 +82,9 @@ LinkageCandidate judge(const Linkage& linkage,
   candidate.verdicts = {find_verdict(linkage, Drive::one, positions),
                         find_verdict(linkage, Drive::other, positions)};
   choose_drive(candidate, limits);
+  if (!has_digits(linkage.one) || !has_digits(linkage.other)) {
+    candidate.defect = Defect::digits;
+  }
   const std::vector<double> lengths = link_lengths(linkage);
   if (!lengths.empty()) {
     candidate.longest = std::ranges::max(lengths);
@@ -98,6 +105,8 @@ std::string_view word_of(Defect defect) {
   switch (defect) {
     case Defect::none:
       return "none";
+    case Defect::digits:
+      return "digits";
     case Defect::circuit:
       return "circuit";
     case Defect::branch:

@@ -26,6 +26,7 @@ struct LinkageLimits {
 /// What speaks against a linkage, worst first.
 enum class Defect {
   none,
+  digits,        ///< the positions leave a dyad no digits
   circuit,       ///< positions lie in circuits that no motion joins
   branch,        ///< a dead point of the input lies between positions
   order,         ///< the input passes the positions in another order

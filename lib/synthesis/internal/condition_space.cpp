@@ -20,15 +20,6 @@ MatX matrix_of(const ConditionRows& system) {
   return matrix;
 }
 
-// What rounding of the positions moves the null space by.
-double find_loss(const NullSpace& space, const std::vector<double>& noise) {
-  double loss = kEpsilon;
-  for (std::size_t i = 0; i < noise.size(); ++i) {
-    loss += noise[i] * space.inverse.col(static_cast<Eigen::Index>(i)).norm();
-  }
-  return loss;
-}
-
 bool is_translation(std::span<const PositionJets> positions) {
   return std::ranges::all_of(positions, [&](const PositionJets& position) {
     const bool stands =
@@ -65,6 +56,14 @@ void find_why_flat(const ConditionRows& system,
 }
 
 }  // namespace
+
+double find_loss(const NullSpace& space, const std::vector<double>& noise) {
+  double loss = kEpsilon;
+  for (std::size_t i = 0; i < noise.size(); ++i) {
+    loss += noise[i] * space.inverse.col(static_cast<Eigen::Index>(i)).norm();
+  }
+  return loss;
+}
 
 double digits_of(double loss) {
   constexpr double kMost = 16.0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "math/null_space.hpp"
 #include "synthesis/burmester.hpp"
@@ -22,6 +23,9 @@ struct ConditionSpace {
 /// clear gap in the singular values and rounding far below, the latter neither.
 ConditionSpace find_condition_space(const ConditionRows& system,
                                     std::span<const PositionJets> positions);
+
+/// What rounding of the rows, each by its noise, moves their null space by.
+double find_loss(const NullSpace& space, const std::vector<double>& noise);
 
 /// Decimal digits that an error leaves, 0 to 16.
 double digits_of(double loss);

@@ -3,22 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "core/tolerance.hpp"
 #include "math/dense_solve.hpp"
+#include "synthesis/internal/straight_fit.hpp"
 
 namespace kinestat {
 
 namespace {
 
-// Numerator by denominator; `is_far` where the quotient is beyond all sizes of the task.
+// Numerator by denominator; `is_far` where the denominator is zero as far as one can tell.
 struct Quotient {
   Point numerator;
   Point denominator;
 
-  bool is_far() const { return std::abs(numerator) > kInfinitePoint * std::abs(denominator); }
+  bool is_far(double error) const { return !(std::abs(denominator) > error); }
 
-  bool is_empty() const { return std::abs(numerator) + std::abs(denominator) < kCancellation; }
+  Point value() const { return numerator / denominator; }
 };
 
 struct Homogeneous {
@@ -109,6 +111,33 @@ class CrankImprover {
   Eigen::Vector4d at_;
 };
 
+std::vector<PreciseRow> precise_rows(const ConditionRows& system) {
+  std::vector<PreciseRow> rows(system.rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::ranges::copy(system.rows[i], rows[i].begin());
+  }
+  return rows;
+}
+
+// A dyad with a far point, improved where there are conditions enough.
+StraightDyad improved(const ConditionRows& system,
+                      FarPoint far,
+                      const Point& finite,
+                      const Point& normal) {
+  const StraightDyad start{.finite = finite, .normal = normal / std::abs(normal), .misses = {}};
+  if (system.rows.size() != 4) {
+    return start;
+  }
+  const std::vector<PreciseRow> rows = precise_rows(system);
+  return fit_straight(rows, system.noise, far, start);
+}
+
+// Whether both points lie further away than an error can tell that is too large to call it
+// infinity.
+bool is_lost(const Quotient& z, const Quotient& w, double error) {
+  return error > kRealPoint && std::abs(z.denominator) > 0.0 && std::abs(w.denominator) > 0.0;
+}
+
 class DyadMaker {
  public:
   DyadMaker(const ConditionRows& system, const PositionJets& first)
@@ -163,23 +192,29 @@ class DyadMaker {
 
 std::optional<Dyad> dyad_of(const Eigen::Matrix<double, 7, 1>& x,
                             const ConditionRows& system,
-                            const PositionJets& first) {
+                            const PositionJets& first,
+                            double error) {
   const Homogeneous point(x);
   const Quotient z = point.circle_point();
   const Quotient w = point.centre_point();
   const DyadMaker make(system, first);
-  const bool far_circle = z.is_far() || z.is_empty();
-  const bool far_centre = w.is_far() || w.is_empty();
+  // Positions that were computed carry a few roundings each.
+  constexpr double kRoundings = 8.0;
+  const double least = std::max(kRoundings * error, kCancellation);
+  const bool far_circle = z.is_far(least);
+  const bool far_centre = w.is_far(least);
   if (far_circle && far_centre) {
-    return std::nullopt;
+    return is_lost(z, w, error) ? std::optional(make.crank(z.value(), w.value())) : std::nullopt;
   }
   if (far_centre) {
-    return make.slider(z.numerator / z.denominator, point.centre);
+    const StraightDyad straight = improved(system, FarPoint::centre, z.value(), point.centre);
+    return make.slider(straight.finite, straight.normal);
   }
   if (far_circle) {
-    return make.inverted_slider(w.numerator / w.denominator, point.circle);
+    const StraightDyad straight = improved(system, FarPoint::circle_point, w.value(), point.circle);
+    return make.inverted_slider(straight.finite, straight.normal);
   }
-  CrankImprover improver(system, z.numerator / z.denominator, w.numerator / w.denominator);
+  CrankImprover improver(system, z.value(), w.value());
   if (system.rows.size() == 4) {
     improver.run();
   }

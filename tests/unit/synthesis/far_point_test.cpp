@@ -1,0 +1,105 @@
+// A point lies at infinity where the positions cannot tell it from there.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "known_linkage.hpp"
+#include "near_dyad.hpp"
+#include "reference_tasks.hpp"
+#include "synthesis/burmester.hpp"
+#include "synthesis/synthesis.hpp"
+
+namespace kinestat {
+namespace {
+
+std::vector<PositionJets> shifted(std::vector<PositionJets> positions, double by) {
+  for (PositionJets& position : positions) {
+    position.x[0] += by;
+    position.y[0] -= by;
+  }
+  return positions;
+}
+
+class FarOrigin : public testing::TestWithParam<double> {};
+
+// Random slider-cranks and inverted ones in all groupings: rounding of the places by the distance
+// of the origin must not turn a slider into a crank of a million sizes.
+TEST_P(FarOrigin, LeavesSlidersSliders) {
+  const std::vector<std::vector<int>> forms = {
+      {5}, {4, 1}, {3, 2}, {3, 1, 1}, {2, 2, 1}, {2, 1, 1, 1}, {1, 1, 1, 1, 1}};
+  Random random(17);
+  int done = 0;
+  for (int seed = 0; done < 140; ++seed) {
+    SCOPED_TRACE(seed);
+    const KnownLinkage linkage = random_linkage(
+        random, DyadKind::crank, seed % 2 == 0 ? DyadKind::slider : DyadKind::inverted_slider);
+    const auto positions =
+        random_positions(random, linkage, forms[static_cast<std::size_t>(seed) % forms.size()]);
+    if (positions.empty()) {
+      continue;
+    }
+    ++done;
+
+    const BurmesterSolution solution = solve_burmester(shifted(positions, GetParam()));
+
+    Dyad known = linkage.other;
+    known.centre_point += Point(GetParam(), -GetParam());
+    if (solution.status != BurmesterStatus::solved) {
+      EXPECT_EQ(solution.status, BurmesterStatus::no_digits);
+      continue;
+    }
+    const Dyad found = nearest_dyad(solution.dyads, known);
+    EXPECT_EQ(found.kind, known.kind);
+    EXPECT_LT(distance(found, known), std::max(1e-13, std::pow(10.0, 1.0 - found.digits)));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Burmester,
+                         FarOrigin,
+                         testing::Values(0.0, 1e3, 1e5, 1e6, 1e7, 1e8),
+                         [](const auto& one) {
+                           return "By1e" + std::to_string(std::lround(
+                                               one.param > 0.0 ? std::log10(one.param) : 0.0));
+                         });
+
+// IC16: the slider of a slider-crank whose doubles are 1e7 sizes away from the origin, which leave
+// it nine decimals.
+TEST(FarPoint, IsThatOfTheSliderOfAFarTask) {
+  const auto task = std::ranges::find(reference_tasks(), "IC16", &ReferenceTask::name);
+  const std::vector<PositionJets> positions = shifted(task->positions, 1e7);
+
+  const BurmesterSolution solution = solve_burmester(positions);
+  const auto linkages =
+      rank_linkages(solution.dyads, positions, {.type = LinkageType::slider_crank});
+
+  ASSERT_EQ(solution.dyads.size(), 4U);
+  EXPECT_EQ(solution.dyads[3].kind, DyadKind::slider);
+  EXPECT_LT(std::abs(solution.dyads[3].circle_point - Point(2.7, 0.4)), 1e-6);
+  EXPECT_LT(std::abs(cross(solution.dyads[3].direction, unit_vector(0.1))), 1e-6);
+  EXPECT_EQ(linkages.size(), 3U);
+}
+
+TEST(Ranking, HasLinkagesWithoutDigitsLastWhateverTheirMargin) {
+  const auto task = std::ranges::find(reference_tasks(), "IC01", &ReferenceTask::name);
+  std::vector<Dyad> dyads = solve_burmester(task->positions).dyads;
+  const auto before = rank_linkages(dyads, task->positions, {});
+  ASSERT_EQ(before[0].defect, Defect::none);
+  dyads[before[0].dyads[0]].digits = 0.0;
+
+  const auto after = rank_linkages(dyads, task->positions, {});
+
+  ASSERT_EQ(after.size(), before.size());
+  const auto is_lost = [&](const LinkageCandidate& one) {
+    return one.dyads[0] == before[0].dyads[0] || one.dyads[1] == before[0].dyads[0];
+  };
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    EXPECT_EQ(is_lost(after[i]), i >= 3);
+    EXPECT_EQ(after[i].defect == Defect::digits, is_lost(after[i]));
+  }
+}
+
+}  // namespace
+}  // namespace kinestat
