@@ -92,7 +92,7 @@ Json verdict_json(const DriveVerdict& verdict,
 Json dyad_json(const Dyad& dyad, const PlaneJson& task_plane) {
   const bool is_crank = dyad.kind == DyadKind::crank;
   const PlaneJson plane = task_plane.with_zero(zero_length(dyad));
-  Json result = object_of(8);
+  Json result = object_of(10);
   result["type"] = word_of(dyad.kind);
   result["circle_point"] = plane.point(dyad.circle_point);
   result["centre_point"] = plane.point(dyad.centre_point);
@@ -101,6 +101,10 @@ Json dyad_json(const Dyad& dyad, const PlaneJson& task_plane) {
   result["multiplicity"] = dyad.multiplicity;
   result["digits"] = number(dyad.digits);
   result["residual"] = number(dyad.residual);
+  if (dyad.crank_length > 0.0) {
+    result["crank_length"] = task_plane.length(dyad.crank_length);
+    result["deviation"] = task_plane.length(dyad.deviation);
+  }
   return result;
 }
 

@@ -75,6 +75,22 @@ void add_dyad(const Dyad& dyad, std::size_t index, const PlaneText& task_plane, 
              fmt::format("{:.0f}", dyad.digits)});
 }
 
+// Sliders that stand for very long cranks.
+std::string straight_text(std::span<const Dyad> dyads, const PlaneText& plane) {
+  std::string text;
+  for (std::size_t i = 0; i < dyads.size(); ++i) {
+    if (dyads[i].crank_length > 0.0) {
+      text += fmt::format(
+          "dyad {} slides within the decimals of the positions, which miss it by {}; as written "
+          "they have a crank of length {}\n",
+          i,
+          plane.length(dyads[i].deviation),
+          plane.length(dyads[i].crank_length));
+    }
+  }
+  return text;
+}
+
 // What would be a crank if the places of its circle point were as far from its centre.
 std::string nearest_text(const Dyad& dyad, const SynthesisTask& task, const PlaneText& plane) {
   if (dyad.kind != DyadKind::crank) {
@@ -232,7 +248,8 @@ std::string dyads_text(const SynthesisTask& task, int digits, const PlaneText& p
   for (std::size_t i = 0; i < solution.dyads.size(); ++i) {
     add_dyad(solution.dyads[i], i, plane, table);
   }
-  text += !table.is_empty() ? table.text("")
+  const std::string straight = straight_text(solution.dyads, plane);
+  text += !table.is_empty() ? table.text("") + straight
           : is_family       ? "no dyad stands alone\n"
                             : "no real dyad\n";
   if (solution.imaginary_count > 0) {

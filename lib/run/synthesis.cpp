@@ -13,6 +13,7 @@
 #include "mechanism/bind.hpp"
 #include "report/synthesis_report.hpp"
 #include "run/each_file.hpp"
+#include "run/internal/last_decimal.hpp"
 #include "run/internal/linkage_files.hpp"
 #include "run/internal/synthesis_selection.hpp"
 #include "run/internal/synthesis_task.hpp"
@@ -38,7 +39,8 @@ bool solve_precise_tasks(int digits,
     for (const PositionJetsOf<BigFloat>& position : positions) {
       task.positions.push_back(rounded(position));
     }
-    task.dyads = solve_burmester_precisely(positions, digits);
+    task.dyads =
+        solve_burmester_precisely(positions, digits, last_decimal_of(analysis.description));
     task.linkages = rank_linkages(task.dyads->dyads, task.positions, values.limits());
     analysis.tasks.push_back(std::move(task));
   }
@@ -83,7 +85,8 @@ bool solve_tasks(const SynthesisValues& values, Diagnostics& found, SynthesisAna
     return false;
   }
   for (const std::vector<PositionJets>& positions : *tasks) {
-    analysis.tasks.push_back(solve_task(positions, values.limits()));
+    analysis.tasks.push_back(
+        solve_task(positions, values.limits(), last_decimal_of(analysis.description)));
   }
   analysis.form = form_of(tasks->front());
   return true;

@@ -20,8 +20,8 @@ Mat3 symmetric_product(const Vec3& a, const Vec3& b) {
 
 class Solver {
  public:
-  explicit Solver(std::span<const PositionJets> positions)
-      : positions_(positions), system_(make_condition_rows(positions)) {}
+  Solver(std::span<const PositionJets> positions, const LastDecimal& decimal)
+      : positions_(positions), decimal_(decimal), system_(make_condition_rows(positions)) {}
 
   BurmesterSolution run() {
     const ConditionSpace space = find_condition_space(system_, positions_);
@@ -76,8 +76,12 @@ class Solver {
       set_family(Degeneracy::translation);
       return;
     }
-    dyad->multiplicity = point.multiplicity;
     dyad->digits = digits_of(loss / smallest_denominator(x, dyad->kind));
+    if (dyad->length > kLongCrank * system_.length) {
+      dyad = find_straight(x, straight_conditions(system_), decimal_, system_, positions_[0])
+                 .value_or(*dyad);
+    }
+    dyad->multiplicity = point.multiplicity;
     dyad->residual = find_residual(*dyad, positions_);
     solution_.dyads.push_back(*dyad);
   }
@@ -105,6 +109,7 @@ class Solver {
   }
 
   std::span<const PositionJets> positions_;
+  LastDecimal decimal_;
   ConditionRows system_;
   BurmesterSolution solution_;
   double loss_ = 0.0;
@@ -134,9 +139,10 @@ std::string_view word_of(Degeneracy reason) {
   return "";
 }
 
-BurmesterSolution solve_burmester(std::span<const PositionJets> positions) {
+BurmesterSolution solve_burmester(std::span<const PositionJets> positions,
+                                  const LastDecimal& decimal) {
   KINESTAT_EXPECTS(position_count(positions) == 5);
-  return Solver(positions).run();
+  return Solver(positions, decimal).run();
 }
 
 }  // namespace kinestat

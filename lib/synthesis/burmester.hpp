@@ -49,7 +49,10 @@ struct BurmesterSolution {
 /// Exactly five positions in any grouping: PPPPP, PPPP-P, PPP-PP, PPP-P-P, PP-PP-P, PP-P-P-P,
 /// P-P-P-P-P. The null space of the four conditions is a plane; in it, what makes seven numbers a
 /// dyad (p = au + bv, q = bu - av) are two conics, and their four shared points the Burmester
-/// points: the quartic, without the poles and circular points of the classical elimination.
-BurmesterSolution solve_burmester(std::span<const PositionJets> positions);
+/// points: the quartic, without the poles and circular points of the classical elimination. A crank
+/// more than kLongCrank times as long as the task is large is a slider if the last decimal of the
+/// positions explains the difference.
+BurmesterSolution solve_burmester(std::span<const PositionJets> positions,
+                                  const LastDecimal& decimal = {});
 
 }  // namespace kinestat

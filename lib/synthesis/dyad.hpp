@@ -30,6 +30,12 @@ struct Dyad {
   int multiplicity = 1;   ///< 2: two dyads that coincide
   double digits = 16.0;   ///< decimal digits that the data and the method leave, estimated
   double residual = 0.0;  ///< the worst breach of its conditions, see find_residual
+
+  /// Of a slider, or an inverted one, that the decimals of the positions cannot tell from a very
+  /// long crank: the length of that crank, and by how much the positions miss the slider [length].
+  /// Zero of others.
+  double crank_length = 0.0;
+  double deviation = 0.0;
 };
 
 /// How far a dyad misses the positions: the largest change, from the first position, of what it

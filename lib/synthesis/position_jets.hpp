@@ -29,6 +29,12 @@ struct PositionJetsOf {
 
 using PositionJets = PositionJetsOf<double>;
 
+/// Half a unit of the last decimal with which positions are written; zero where they are exact.
+struct LastDecimal {
+  double length = 0.0;  ///< [length]
+  double angle = 0.0;   ///< [rad]
+};
+
 /// A pose alone: a group of one position.
 PositionJets finite_position(const Point& at, double angle);
 

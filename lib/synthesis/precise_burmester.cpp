@@ -116,8 +116,10 @@ double residual_of(const Row& x, const std::vector<Row>& conditions) {
 
 class PreciseSolver {
  public:
-  PreciseSolver(std::span<const PositionJetsOf<BigFloat>> positions, int digits)
-      : system_(make_condition_rows(positions, std::pow(10.0, -digits))) {
+  PreciseSolver(std::span<const PositionJetsOf<BigFloat>> positions,
+                int digits,
+                const LastDecimal& decimal)
+      : decimal_(decimal), system_(make_condition_rows(positions, std::pow(10.0, -digits))) {
     for (const PositionJetsOf<BigFloat>& position : positions) {
       positions_.push_back(rounded(position));
     }
@@ -129,7 +131,7 @@ class PreciseSolver {
   BurmesterSolution run() {
     const auto basis = find_precise_null_space(system_.rows);
     if (!basis) {
-      return solve_burmester(positions_);
+      return solve_burmester(positions_, decimal_);
     }
     solution_.flatness = basis->flatness;
     loss_ = std::ranges::max(system_.noise) / basis->flatness;
@@ -149,7 +151,7 @@ class PreciseSolver {
     const ConicIntersection shared = intersect_conics(rounded_form(first), rounded_form(second));
     solution_.shared_gap = shared.gap;
     if (shared.shared != SharedPart::none) {
-      return solve_burmester(positions_);
+      return solve_burmester(positions_, decimal_);
     }
     for (const ConicPoint& point : shared.points) {
       add_point(point, first, second, *basis);
@@ -190,13 +192,19 @@ class PreciseSolver {
     if (!dyad) {
       return;
     }
+    dyad->digits = digits_of(std::max(loss, kEpsilon) / smallest_denominator(values, dyad->kind));
+    if (dyad->length > kLongCrank * frame.length) {
+      dyad = find_straight(values, straight_conditions(system_), decimal_, frame, first_)
+                 .value_or(*dyad);
+    }
     dyad->centre_point += Point(to_double(system_.x), to_double(system_.y));
     dyad->multiplicity = point.multiplicity;
-    dyad->digits = digits_of(std::max(loss, kEpsilon) / smallest_denominator(values, dyad->kind));
-    dyad->residual = residual_of(x, system_.rows);
+    dyad->residual =
+        dyad->deviation > 0.0 ? find_residual(*dyad, positions_) : residual_of(x, system_.rows);
     solution_.dyads.push_back(*dyad);
   }
 
+  LastDecimal decimal_;
   ConditionRowsOf<BigFloat> system_;
   std::vector<PositionJets> positions_;
   PositionJets first_;  // relative to the origin of the system
@@ -218,14 +226,15 @@ PositionJets rounded(const PositionJetsOf<BigFloat>& position) {
 }
 
 BurmesterSolution solve_burmester_precisely(std::span<const PositionJetsOf<BigFloat>> positions,
-                                            int digits) {
+                                            int digits,
+                                            const LastDecimal& decimal) {
   KINESTAT_EXPECTS(digits >= kLeastDigits && digits <= kMostDigits);
   int count = 0;
   for (const PositionJetsOf<BigFloat>& position : positions) {
     count += position.order();
   }
   KINESTAT_EXPECTS(count == 5);
-  return PreciseSolver(positions, digits).run();
+  return PreciseSolver(positions, digits, decimal).run();
 }
 
 }  // namespace kinestat

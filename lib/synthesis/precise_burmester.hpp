@@ -15,7 +15,8 @@ namespace kinestat {
 /// digits. What is returned is rounded to double; residuals are those before it is. The positions
 /// count as rounded to `digits` decimals: so the digits of the answer are estimated.
 BurmesterSolution solve_burmester_precisely(std::span<const PositionJetsOf<BigFloat>> positions,
-                                            int digits = kMostDigits);
+                                            int digits = kMostDigits,
+                                            const LastDecimal& decimal = {});
 
 /// The nearest doubles.
 PositionJets rounded(const PositionJetsOf<BigFloat>& position);

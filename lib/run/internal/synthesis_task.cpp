@@ -22,12 +22,14 @@ std::optional<LinkageType> type_of(LinkageKind kind) {
 
 }  // namespace
 
-SynthesisTask solve_task(std::vector<PositionJets> positions, const LinkageLimits& limits) {
+SynthesisTask solve_task(std::vector<PositionJets> positions,
+                         const LinkageLimits& limits,
+                         const LastDecimal& decimal) {
   SynthesisTask task;
   task.positions = std::move(positions);
   const int count = position_count(task.positions);
   if (count == 5) {
-    task.dyads = solve_burmester(task.positions);
+    task.dyads = solve_burmester(task.positions, decimal);
     task.linkages = rank_linkages(task.dyads->dyads, task.positions, limits);
   } else if (count == 4) {
     task.curves = find_curves(task.positions);

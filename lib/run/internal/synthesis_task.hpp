@@ -17,7 +17,9 @@ namespace kinestat {
 
 /// A task of this file with what was found for it: dyads, linkages and curves, by the number of its
 /// positions.
-SynthesisTask solve_task(std::vector<PositionJets> positions, const LinkageLimits& limits);
+SynthesisTask solve_task(std::vector<PositionJets> positions,
+                         const LinkageLimits& limits,
+                         const LastDecimal& decimal = {});
 
 /// Values of the section `synthesis` of a description that is right by itself (check).
 class SynthesisValues {

@@ -112,6 +112,7 @@ class RowMaker {
       const double turns = k == 0 ? 1.0 : size_of(d.cosine[k], d.sine[k]);
       const double size = static_cast<double>(largest);
       system_.noise.push_back(size > 0.0 ? unit_ + rounding(j) * turns / size : 1.0);
+      system_.slopes.push_back(size > 0.0 ? std::max(turns, 1.0) / size : 1.0);
       for (Scalar& entry : row) {
         entry /= size > 0.0 ? largest : Scalar(1);
       }

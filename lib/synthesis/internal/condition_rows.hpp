@@ -22,7 +22,8 @@ namespace kinestat {
 template <class Scalar>
 struct ConditionRowsOf {
   std::vector<std::array<Scalar, 7>> rows;  ///< each divided by its largest entry
-  std::vector<double> noise;  ///< what rounding of the positions does to each such row
+  std::vector<double> noise;   ///< what rounding of the positions does to each such row
+  std::vector<double> slopes;  ///< and what a change of a position by one unit of length does
   Scalar x{0};
   Scalar y{0};
   Scalar length{1};

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <vector>
 
 #include "core/tolerance.hpp"
 #include "math/dense_solve.hpp"
+#include "synthesis/internal/condition_space.hpp"
 #include "synthesis/internal/straight_fit.hpp"
 
 namespace kinestat {
@@ -111,14 +114,6 @@ class CrankImprover {
   Eigen::Vector4d at_;
 };
 
-std::vector<PreciseRow> precise_rows(const ConditionRows& system) {
-  std::vector<PreciseRow> rows(system.rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    std::ranges::copy(system.rows[i], rows[i].begin());
-  }
-  return rows;
-}
-
 // A dyad with a far point, improved where there are conditions enough.
 StraightDyad improved(const ConditionRows& system,
                       FarPoint far,
@@ -128,14 +123,45 @@ StraightDyad improved(const ConditionRows& system,
   if (system.rows.size() != 4) {
     return start;
   }
-  const std::vector<PreciseRow> rows = precise_rows(system);
-  return fit_straight(rows, system.noise, far, start);
+  return fit_straight(straight_conditions(system).rows, system.noise, far, start);
 }
 
 // Whether both points lie further away than an error can tell that is too large to call it
 // infinity.
 bool is_lost(const Quotient& z, const Quotient& w, double error) {
   return error > kRealPoint && std::abs(z.denominator) > 0.0 && std::abs(w.denominator) > 0.0;
+}
+
+// What rounding to the last decimal may do to each condition of a slider: to the places of its
+// position and of the first one, in both coordinates, and to their turns about its point.
+std::vector<double> allowances_of(const StraightConditions& conditions,
+                                  const LastDecimal& decimal,
+                                  double length,
+                                  double distance) {
+  const double places = 2.0 * std::numbers::sqrt2 * decimal.length / length;
+  const double turns = 2.0 * decimal.angle * (distance + conditions.radius);
+  std::vector<double> allowances;
+  for (std::size_t i = 0; i < conditions.slopes.size(); ++i) {
+    allowances.push_back((places + turns) * conditions.slopes[i] + conditions.noise[i]);
+  }
+  return allowances;
+}
+
+// By the sum of the squares, which the best fit has no larger than that within all allowances.
+bool is_within(const std::vector<double>& misses, const std::vector<double>& allowances) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < misses.size(); ++i) {
+    sum += (misses[i] / allowances[i]) * (misses[i] / allowances[i]);
+  }
+  return sum <= static_cast<double>(misses.size());
+}
+
+double largest_deviation(const std::vector<double>& misses, const std::vector<double>& slopes) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < misses.size(); ++i) {
+    largest = std::max(largest, std::abs(misses[i]) / slopes[i]);
+  }
+  return largest;
 }
 
 class DyadMaker {
@@ -219,6 +245,37 @@ std::optional<Dyad> dyad_of(const Eigen::Matrix<double, 7, 1>& x,
     improver.run();
   }
   return make.crank(improver.circle_point(), improver.centre());
+}
+
+std::optional<Dyad> find_straight(const Eigen::Matrix<double, 7, 1>& x,
+                                  const StraightConditions& conditions,
+                                  const LastDecimal& decimal,
+                                  const ConditionRows& system,
+                                  const PositionJets& first) {
+  const Homogeneous point(x);
+  const Point z = point.circle_point().value();
+  const Point w = point.centre_point().value();
+  const FarPoint far = std::abs(w) > std::abs(z) ? FarPoint::centre : FarPoint::circle_point;
+  const Point& near = far == FarPoint::centre ? z : w;
+  const bool is_written = decimal.length > 0.0 || decimal.angle > 0.0;
+  if (!is_written || !(std::abs(near) < kLongCrank)) {
+    return std::nullopt;
+  }
+  const Point normal = (z - w) / std::abs(z - w);
+  const std::vector<double> allowances =
+      allowances_of(conditions, decimal, system.length, std::abs(near));
+  const StraightDyad straight = fit_straight(
+      conditions.rows, allowances, far, {.finite = near, .normal = normal, .misses = {}});
+  if (!is_within(straight.misses, allowances)) {
+    return std::nullopt;
+  }
+  const DyadMaker make(system, first);
+  Dyad dyad = far == FarPoint::centre ? make.slider(straight.finite, straight.normal)
+                                      : make.inverted_slider(straight.finite, straight.normal);
+  dyad.crank_length = system.length * std::abs(z - w);
+  dyad.deviation = system.length * largest_deviation(straight.misses, conditions.slopes);
+  dyad.digits = digits_of(std::max(straight.uncertainty, kEpsilon));
+  return dyad;
 }
 
 double smallest_denominator(const Eigen::Matrix<double, 7, 1>& x, DyadKind kind) {

@@ -1,13 +1,21 @@
 // From seven homogeneous numbers to a dyad.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "core/types.hpp"
 #include "synthesis/dyad.hpp"
 #include "synthesis/internal/condition_rows.hpp"
+#include "synthesis/internal/precise_null_space.hpp"
 
 namespace kinestat {
+
+/// A crank longer than this many sizes of the task may be a slider whose positions are rounded:
+/// over the task its arc leaves a straight line by an eighth of the reciprocal.
+inline constexpr double kLongCrank = 1e3;
 
 /// (u, v, a, b, p, q, h), of any length. Finite points are divided by whichever of their two
 /// denominators is larger, which stays accurate far away. `error` is what the positions leave
@@ -19,6 +27,35 @@ std::optional<Dyad> dyad_of(const Eigen::Matrix<double, 7, 1>& x,
                             const ConditionRows& system,
                             const PositionJets& first,
                             double error);
+
+/// Conditions with all their digits, and what a change of a position by a unit of length does to
+/// each.
+struct StraightConditions {
+  std::vector<PreciseRow> rows;
+  std::vector<double> slopes;
+  std::vector<double> noise;
+  double radius = 1.0;  ///< of the positions, in units of the system
+};
+
+template <class Scalar>
+StraightConditions straight_conditions(const ConditionRowsOf<Scalar>& system) {
+  StraightConditions result{
+      .rows = {}, .slopes = system.slopes, .noise = system.noise, .radius = system.radius};
+  for (const std::array<Scalar, 7>& row : system.rows) {
+    PreciseRow& precise = result.rows.emplace_back();
+    std::ranges::copy(row, precise.begin());
+  }
+  return result;
+}
+
+/// Instead of a very long crank the slider, or inverted slider, that misses the positions by no
+/// more than half a unit of their last decimal explains: that with the least sum of squares. Empty
+/// if there is none. Its digits are those that the decimals leave. The residual is not set.
+std::optional<Dyad> find_straight(const Eigen::Matrix<double, 7, 1>& x,
+                                  const StraightConditions& conditions,
+                                  const LastDecimal& decimal,
+                                  const ConditionRows& system,
+                                  const PositionJets& first);
 
 /// The smaller denominator among those that a dyad of this kind needs, as a share of the largest
 /// of the seven numbers: its reciprocal is what their errors are multiplied by.

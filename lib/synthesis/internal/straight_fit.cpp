@@ -1,6 +1,7 @@
 #include "synthesis/internal/straight_fit.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "core/contract.hpp"
@@ -11,17 +12,17 @@ namespace {
 
 using Vector = std::array<BigFloat, 3>;
 
-BigFloat dot(const PreciseRow& a, const PreciseRow& b) {
+template <std::size_t n>
+BigFloat dot(const std::array<BigFloat, n>& a, const std::array<BigFloat, n>& b) {
   BigFloat sum(0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     sum += a[i] * b[i];
   }
   return sum;
 }
 
-BigFloat determinant(const Vector& a, const Vector& b, const Vector& c) {
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-         a[2] * (b[0] * c[1] - b[1] * c[0]);
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 class StraightFitter {
@@ -42,7 +43,10 @@ class StraightFitter {
     constexpr int kSteps = 8;
     for (int i = 0; i < kSteps && step(); ++i) {
     }
-    StraightDyad result{.finite = rounded(at_), .normal = rounded(normal_), .misses = {}};
+    StraightDyad result{.finite = rounded(at_),
+                        .normal = rounded(normal_),
+                        .misses = {},
+                        .uncertainty = uncertainty_};
     const PreciseRow x = seven_of(at_, normal_);
     for (const PreciseRow& row : rows_) {
       result.misses.push_back(static_cast<double>(dot(row, x)));
@@ -85,15 +89,16 @@ class StraightFitter {
     return result;
   }
 
-  // False where the conditions leave the step open.
-  bool step() {
+  // The normal equations, weighted: square * step = right.
+  struct Equations {
+    std::array<Vector, 3> square{};
+    Vector right{};
+  };
+
+  Equations equations() const {
+    Equations result;
     const PreciseRow x = seven_of(at_, normal_);
     const std::array<PreciseRow, 3> changes = derivatives();
-    std::array<Vector, 3> square;
-    for (Vector& row : square) {
-      row.fill(BigFloat(0));
-    }
-    Vector right = square[0];
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       const BigFloat weight = 1 / (BigFloat(allowances_[r]) * allowances_[r]);
       Vector slope;
@@ -102,22 +107,33 @@ class StraightFitter {
       }
       const BigFloat miss = dot(rows_[r], x);
       for (std::size_t i = 0; i < 3; ++i) {
-        right[i] -= weight * slope[i] * miss;
+        result.right[i] -= weight * slope[i] * miss;
         for (std::size_t j = 0; j < 3; ++j) {
-          square[i][j] += weight * slope[i] * slope[j];
+          result.square[i][j] += weight * slope[i] * slope[j];
         }
       }
     }
-    const BigFloat divisor = determinant(square[0], square[1], square[2]);
+    return result;
+  }
+
+  // False where the conditions leave the step open. By Cramer; the matrix is symmetric, so that its
+  // rows are its columns.
+  bool step() {
+    const auto [square, right] = equations();
+    const Vector one = cross(square[1], square[2]);
+    const Vector two = cross(square[2], square[0]);
+    const Vector three = cross(square[0], square[1]);
+    const BigFloat divisor = dot(square[0], one);
     if (divisor == 0) {
       return false;
     }
-    // Cramer; the matrix is symmetric, so that its rows are its columns.
-    at_[0] += determinant(right, square[1], square[2]) / divisor;
-    at_[1] += determinant(square[0], right, square[2]) / divisor;
-    const BigFloat turn = determinant(square[0], square[1], right) / divisor;
+    at_[0] += dot(right, one) / divisor;
+    at_[1] += dot(right, two) / divisor;
+    const BigFloat turn = dot(right, three) / divisor;
     normal_ = {normal_[0] - turn * normal_[1], normal_[1] + turn * normal_[0]};
     normalise();
+    // The root of the trace of the inverse.
+    uncertainty_ = std::sqrt(static_cast<double>((one[0] + two[1] + three[2]) / divisor));
     return true;
   }
 
@@ -132,6 +148,7 @@ class StraightFitter {
   FarPoint far_;
   Pair at_;
   Pair normal_;
+  double uncertainty_ = 0.0;
 };
 
 }  // namespace

@@ -17,6 +17,7 @@ struct StraightDyad {
   Point finite;                ///< the other point
   Point normal = {1.0, 0.0};   ///< direction of the far one, of length 1
   std::vector<double> misses;  ///< what is left of each condition
+  double uncertainty = 0.0;    ///< by how much the allowances move points and direction
 };
 
 /// Four conditions for the two coordinates of the finite point and the direction of the far one: by
