@@ -117,28 +117,6 @@ class Solver {
 
 }  // namespace
 
-std::string_view word_of(Degeneracy reason) {
-  switch (reason) {
-    case Degeneracy::none:
-      return "none";
-    case Degeneracy::translation:
-      return "translation";
-    case Degeneracy::repeated_position:
-      return "repeated_position";
-    case Degeneracy::dependent:
-      return "dependent_positions";
-    case Degeneracy::straight_paths:
-      return "straight_paths";
-    case Degeneracy::sliding_lines:
-      return "sliding_lines";
-    case Degeneracy::shared_line:
-      return "shared_line";
-    case Degeneracy::shared_conic:
-      return "shared_conic";
-  }
-  return "";
-}
-
 BurmesterSolution solve_burmester(std::span<const PositionJets> positions,
                                   const LastDecimal& decimal) {
   KINESTAT_EXPECTS(position_count(positions) == 5);

@@ -3,9 +3,9 @@
 
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
+#include "synthesis/degeneracy.hpp"
 #include "synthesis/dyad.hpp"
 #include "synthesis/position_jets.hpp"
 
@@ -16,21 +16,6 @@ enum class BurmesterStatus {
   family,    ///< infinitely many dyads, see `reason`
   no_digits  ///< the positions are too close to each other for their number of digits
 };
-
-/// Why there is no finite number of dyads, or which part of the answer is a family.
-enum class Degeneracy {
-  none,
-  translation,        ///< no position turns against another: whole translations
-  repeated_position,  ///< a position is there twice: four positions remain at most
-  dependent,          ///< the conditions of the positions follow from each other
-  straight_paths,     ///< a whole circle of points moves on straight lines (Cardan motion)
-  sliding_lines,      ///< a whole pencil of lines slides on fixed points
-  shared_line,        ///< a curve of circle points, and at most one dyad beside it
-  shared_conic        ///< the positions leave a curve of circle points
-};
-
-/// The word in reports.
-std::string_view word_of(Degeneracy reason);
 
 struct BurmesterSolution {
   BurmesterStatus status = BurmesterStatus::solved;

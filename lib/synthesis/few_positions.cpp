@@ -202,7 +202,12 @@ FourPositionCurves find_curves(std::span<const PositionJets> positions) {
   result.reason = space.reason;
   result.flatness = space.flatness;
   result.digits = space.digits;
-  if (space.status != BurmesterStatus::solved) {
+  const Degeneracy translation = find_degeneracy(positions);
+  if (space.status == BurmesterStatus::solved && translation != Degeneracy::none) {
+    result.status = BurmesterStatus::family;
+    result.reason = translation;
+  }
+  if (result.status != BurmesterStatus::solved) {
     return result;
   }
   std::array<LinearRow, 3> of_circle_points{};

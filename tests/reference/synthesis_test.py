@@ -201,7 +201,7 @@ class Tasks(unittest.TestCase):
         self.assertEqual((trammel["status"], trammel["reason"]), ("family", "straight_paths"))
         parallelogram = task_of("parallelogram")
         self.assertEqual((parallelogram["status"], parallelogram["reason"]),
-                         ("family", "translation"))
+                         ("family", "parallelogram"))
         refused = task_of("too_near_positions")
         self.assertEqual((refused["status"], refused["dyads"], refused["linkages"]),
                          ("no_digits", [], []))

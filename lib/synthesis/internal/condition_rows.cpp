@@ -110,11 +110,14 @@ class RowMaker {
       }
       // The first position has no displacement; its derivatives feel the centre only through E.
       const double turns = k == 0 ? 1.0 : size_of(d.cosine[k], d.sine[k]);
-      const double size = static_cast<double>(largest);
+      // A displacement within rounding is none: the position is there twice.
+      const double size = k == 0 && static_cast<double>(largest) <= 4.0 * rounding(j)
+                              ? 0.0
+                              : static_cast<double>(largest);
       system_.noise.push_back(size > 0.0 ? unit_ + rounding(j) * turns / size : 1.0);
       system_.slopes.push_back(size > 0.0 ? std::max(turns, 1.0) / size : 1.0);
       for (Scalar& entry : row) {
-        entry /= size > 0.0 ? largest : Scalar(1);
+        entry = size > 0.0 ? Scalar(entry / largest) : Scalar(0);
       }
       system_.rows.push_back(row);
     }

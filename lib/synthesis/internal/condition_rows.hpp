@@ -47,7 +47,7 @@ DisplacementJetsOf<Scalar> displacement_jets(const PositionJetsOf<Scalar>& first
                                              const Scalar& centre_y) {
   using std::sin;
   std::vector<Scalar> angle = position.angle;
-  angle[0] -= first.angle[0];
+  angle[0] = turn_between(first.angle[0], position.angle[0]);
   auto [cosine, sine] = turn_jets(angle);
   DisplacementJetsOf<Scalar> result{
       .cosine = cosine, .sine = sine, .x = {}, .y = {}, .versine = {}};

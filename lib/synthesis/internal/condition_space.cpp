@@ -20,16 +20,6 @@ MatX matrix_of(const ConditionRows& system) {
   return matrix;
 }
 
-bool is_translation(std::span<const PositionJets> positions) {
-  return std::ranges::all_of(positions, [&](const PositionJets& position) {
-    const bool stands =
-        std::ranges::all_of(position.angle.begin() + 1, position.angle.end(), [](double rate) {
-          return std::abs(rate) < kSameAngle;
-        });
-    return stands && std::abs(position.angle[0] - positions[0].angle[0]) < kSameAngle;
-  });
-}
-
 // Every singular value clearly counts or is rounding.
 bool has_clear_gap(const VecX& values) {
   return std::ranges::all_of(values, [&](double value) {
@@ -40,18 +30,16 @@ bool has_clear_gap(const VecX& values) {
 void find_why_flat(const ConditionRows& system,
                    std::span<const PositionJets> positions,
                    ConditionSpace& space) {
-  const bool is_repeated = std::ranges::any_of(system.rows, [](const auto& row) {
-    return std::ranges::all_of(row, [](double entry) { return entry == 0.0; });
-  });
+  const Degeneracy reason = find_degeneracy(positions);
   const bool is_noisy =
       std::ranges::any_of(system.noise, [](double noise) { return noise > kNoisyRow; });
   space.status = BurmesterStatus::family;
-  if (is_repeated) {
-    space.reason = Degeneracy::repeated_position;
+  if (reason == Degeneracy::repeated_position) {
+    space.reason = reason;
   } else if (is_noisy || !has_clear_gap(space.space.singular_values)) {
     space.status = BurmesterStatus::no_digits;
   } else {
-    space.reason = is_translation(positions) ? Degeneracy::translation : Degeneracy::dependent;
+    space.reason = reason == Degeneracy::none ? Degeneracy::dependent : reason;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,19 @@ Scalar product_jet(const std::vector<Scalar>& a, const std::vector<Scalar>& b, s
     sum += Scalar(binomial(k, i)) * a[i] * b[k - i];
   }
   return sum;
+}
+
+/// The turn from one angle to another, at most half a turn; zero where rounding alone tells the
+/// angles apart.
+template <class Scalar>
+Scalar turn_between(const Scalar& from, const Scalar& to) {
+  using std::abs;
+  using std::acos;
+  using std::round;
+  const Scalar full = 2 * acos(Scalar(-1));
+  const Scalar turn = (to - from) - full * round((to - from) / full);
+  const Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon() * (abs(from) + abs(to));
+  return abs(turn) <= rounding ? Scalar(0) : turn;
 }
 
 /// Derivatives of the cosine and the sine of an angle that is given with its own.

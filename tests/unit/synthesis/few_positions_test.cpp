@@ -224,18 +224,6 @@ INSTANTIATE_TEST_SUITE_P(FourPositions,
                                          Form{"Finite", {1, 1, 1, 1}}),
                          [](const auto& one) { return one.param.name; });
 
-TEST(FourPositions, OfATranslationAreAFamily) {
-  std::vector<PositionJets> positions;
-  for (const double angle : {0.3, 1.0, 2.0, 3.5}) {
-    positions.push_back(finite_position(unit_vector(angle), 0.2));
-  }
-
-  const FourPositionCurves found = find_curves(positions);
-
-  EXPECT_EQ(found.status, BurmesterStatus::family);
-  EXPECT_EQ(found.reason, Degeneracy::translation);
-}
-
 // Three places of a point and the centre of the circle through them.
 TEST(ThreePositions, GiveEachPointTheCentreOfItsCircle) {
   const std::vector<PositionJets> positions = {finite_position({0.0, 0.0}, 0.0),
