@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/tolerance.hpp"
 #include "core/utf8.hpp"
 #include "report/table.hpp"
 
@@ -19,43 +18,63 @@ std::string_view phrase_of(Degeneracy reason) {
     case Degeneracy::none:
       return "";
     case Degeneracy::translation:
-      return "the plane does not turn from position to position: every point is a circle point, or "
-             "none";
+      return "no dyads: the plane does not turn from position to position, and its places lie on "
+             "no "
+             "circle and no line";
+    case Degeneracy::parallelogram:
+      return "a family of dyads: the plane moves along a circle and does not turn, so that every "
+             "point has a crank of the same length and direction";
+    case Degeneracy::straight_translation:
+      return "a family of dyads: the plane moves along a line and does not turn, so that every "
+             "point "
+             "is that of a slider, and none that of a crank";
     case Degeneracy::repeated_position:
-      return "a position is there twice, so that conditions are missing";
+      return "a family of dyads: a position is there twice, so that conditions are missing";
     case Degeneracy::dependent:
-      return "the conditions of the positions follow from each other";
+      return "a family of dyads: the conditions of the positions follow from each other";
     case Degeneracy::straight_paths:
-      return "a whole circle of points moves on straight lines";
+      return "a family of dyads: a whole circle of points moves on straight lines";
     case Degeneracy::sliding_lines:
-      return "a whole pencil of lines slides on fixed points";
+      return "a family of dyads: a whole pencil of lines slides on fixed points";
     case Degeneracy::shared_line:
     case Degeneracy::shared_conic:
-      return "a whole curve of points stays on circles";
+      return "a family of dyads: a whole curve of points stays on circles";
   }
   return "";
-}
-
-bool is_same(const PositionJets& one, const PositionJets& other, double size) {
-  const double turn = std::abs(unit_vector(one.angle[0]) - unit_vector(other.angle[0]));
-  return std::abs(origin(one) - origin(other)) <= kSameValue * size && turn <= kSameValue;
 }
 
 // Two positions that are the same pose.
 std::optional<std::pair<std::size_t, std::size_t>> find_same(
     std::span<const PositionJets> positions) {
-  double size = 0.0;
-  for (const PositionJets& position : positions) {
-    size = std::max(size, std::abs(origin(position)));
-  }
   for (std::size_t pair = 0; pair < positions.size() * positions.size(); ++pair) {
     const std::size_t i = pair / positions.size();
     const std::size_t j = pair % positions.size();
-    if (i < j && is_same(positions[i], positions[j], size)) {
+    if (i < j && is_same_pose(positions[i], positions[j])) {
       return std::pair(i, j);
     }
   }
   return std::nullopt;
+}
+
+// What positions leave open of which some are there twice.
+std::string_view phrase_of_rest(std::span<const PositionJets> positions) {
+  int left = position_count(positions);
+  for (std::size_t j = 0; j < positions.size(); ++j) {
+    const bool is_there = std::ranges::any_of(positions.first(j), [&](const PositionJets& one) {
+      return is_same_pose(one, positions[j]);
+    });
+    left -= is_there ? 1 : 0;
+  }
+  switch (left) {
+    case 1:
+      return "any point may have any centre";
+    case 2:
+      return "any point is a circle point, with its centres on a line";
+    case 3:
+      return "any point is a circle point";
+    default:
+      return "a curve of circle points is left";
+  }
 }
 
 void add_dyad(const Dyad& dyad, std::size_t index, const PlaneText& task_plane, Table& table) {
@@ -225,12 +244,13 @@ std::string_view phrase_of(Defect defect) {
 
 std::string family_text(Degeneracy reason, std::span<const PositionJets> positions) {
   const auto same = find_same(positions);
-  const std::string why =
-      same ? fmt::format("positions {} and {} are the same, so that conditions are missing",
-                         same->first + 1,
-                         same->second + 1)
-           : std::string(phrase_of(reason));
-  return fmt::format("a family of dyads: {}\n", why);
+  return same ? fmt::format(
+                    "a family of dyads: positions {} and {} are the same, so that conditions are "
+                    "missing: {}\n",
+                    same->first + 1,
+                    same->second + 1,
+                    phrase_of_rest(positions))
+              : fmt::format("{}\n", phrase_of(reason));
 }
 
 std::string dyads_text(const SynthesisTask& task, int digits, const PlaneText& plane) {

@@ -83,6 +83,9 @@ class TaskJson {
     if (task_.curves) {
       result["curves"] = curves_json(*task_.curves);
     }
+    if (!task_.dyads && !task_.curves) {
+      result["reason"] = reason(task_.special);
+    }
     if (task_.straight_paths) {
       result["straight_paths"] = plane_.circle(*task_.straight_paths);
     }

@@ -30,6 +30,7 @@ struct SynthesisTask {
   std::optional<BurmesterSolution> dyads;    ///< of five positions
   std::optional<FourPositionCurves> curves;  ///< of four
   std::optional<Circle> straight_paths;      ///< of three
+  Degeneracy special = Degeneracy::none;     ///< of two and three: why they leave more open
   std::vector<LinkageCandidate> linkages;    ///< the best first
   std::vector<std::string> files;            ///< written, one a linkage; empty ones are not
 };

@@ -39,7 +39,9 @@ class TaskText {
     if (task_.curves) {
       text += curves_text(*task_.curves);
     }
-    if (task_.straight_paths) {
+    if (!task_.dyads && !task_.curves && task_.special != Degeneracy::none) {
+      text += family_text(task_.special, task_.positions);
+    } else if (task_.straight_paths) {
       text += fmt::format(
           "three positions: any point is a circle point; those of the circle about "
           "{} with radius {} move on straight lines\n",
@@ -104,9 +106,15 @@ class TaskText {
 
   std::string curve_text(std::string_view what, const PlaneCubic& cubic) const {
     const auto focus = cubic.focus();
+    const auto circle = cubic.circle();
     return fmt::format("curve of {}: {}\n",
                        what,
-                       focus ? "focus " + plane_.point(*focus) : std::string("a conic"));
+                       focus          ? "focus " + plane_.point(*focus)
+                       : circle       ? fmt::format("a circle about {} with radius {}",
+                                              plane_.point(circle->centre),
+                                              plane_.length(circle->radius))
+                       : cubic.line() ? std::string("a straight line")
+                                      : std::string("a conic"));
   }
 
   const SynthesisAnalysis& analysis_;

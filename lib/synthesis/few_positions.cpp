@@ -90,7 +90,11 @@ PlaneCubic cubic_of(const std::array<LinearRow, 3>& rows, const ConditionRows& s
   cubic.q = {p[2][0], p[1][1], p[0][2]};
   cubic.l = {p[1][0], p[0][1]};
   cubic.c = p[0][0];
-  return cubic.about(cubic.centre, cubic.length);  // divides by the largest coefficient
+  cubic = cubic.about(cubic.centre, cubic.length);  // divides by the largest coefficient
+  if (std::hypot(cubic.k[0], cubic.k[1]) < kSameValue) {
+    cubic.k = {0.0, 0.0};
+  }
+  return cubic;
 }
 
 Vec3 values_at(const LinearRow& row, const Point& z) {

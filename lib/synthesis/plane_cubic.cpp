@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/contract.hpp"
+#include "core/tolerance.hpp"
 
 namespace kinestat {
 
@@ -46,6 +47,29 @@ std::optional<PlaneLine> PlaneCubic::asymptote() const {
   const Point across = normal();
   const double offset = -quadratic(left_of(across)) / size;
   return PlaneLine{.normal = across, .offset = length * offset + dot(across, centre)};
+}
+
+std::optional<Circle> PlaneCubic::circle() const {
+  const double leading = 0.5 * (q[0] + q[2]);
+  const double oblong = std::abs(q[0] - q[2]) + std::abs(q[1]);
+  if (focus() || !(std::abs(leading) > kSameValue) || oblong > kSameValue * std::abs(leading)) {
+    return std::nullopt;
+  }
+  const Point middle = Point(l[0], l[1]) / (-2.0 * leading);
+  const double square = std::norm(middle) - c / leading;
+  return square > 0.0 ? std::optional(Circle{.centre = centre + length * middle,
+                                             .radius = length * std::sqrt(square)})
+                      : std::nullopt;
+}
+
+std::optional<PlaneLine> PlaneCubic::line() const {
+  const double curved = std::abs(q[0]) + std::abs(q[1]) + std::abs(q[2]);
+  const double size = std::hypot(l[0], l[1]);
+  if (focus() || curved > kSameValue || !(size > kSameValue)) {
+    return std::nullopt;
+  }
+  const Point across = Point(l[0], l[1]) / size;
+  return PlaneLine{.normal = across, .offset = dot(across, centre) - length * c / size};
 }
 
 Point PlaneCubic::normal() const {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "synthesis/plane.hpp"
+#include "synthesis/special_frame.hpp"
 
 namespace kinestat {
 
@@ -33,6 +34,13 @@ struct PlaneCubic {
 
   /// The only real one. Empty if the curve is a conic.
   std::optional<PlaneLine> asymptote() const;
+
+  /// Of a conic, if it is a circle. Of three parallel positions and one that is turned the circle
+  /// points, and the centres, are one.
+  std::optional<Circle> circle() const;
+
+  /// Of a conic, if it is a straight line. Empty if all of it lies at infinity.
+  std::optional<PlaneLine> line() const;
 
   /// The direction of (k1, k2), across the asymptote; of a conic that of u.
   Point normal() const;

@@ -36,6 +36,9 @@ SynthesisTask solve_task(std::vector<PositionJets> positions,
   } else if (count == 3) {
     task.straight_paths = find_straight_path_circle(task.positions);
   }
+  if (count < 4) {
+    task.special = find_degeneracy(task.positions);
+  }
   return task;
 }
 

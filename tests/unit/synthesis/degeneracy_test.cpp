@@ -121,6 +121,45 @@ INSTANTIATE_TEST_SUITE_P(Positions,
                          testing::ValuesIn(special_positions()),
                          [](const auto& one) { return one.param.name; });
 
+// Where three positions are parallel, z + c is the centre of z, and the fourth asks for |E z + D -
+// z
+// - c| = |c|: a circle.
+TEST(ThreeParallelPositions, LeaveACircleOfCirclePointsWithAFourth) {
+  const std::vector<PositionJets> positions = {finite_position({1.0, 2.0}, 0.3),
+                                               finite_position({2.0, 2.0}, 0.3),
+                                               finite_position({3.0, 5.0}, 0.3),
+                                               finite_position({0.0, 1.0}, 1.0)};
+  const Point arm =
+      Point(1.5, 23.0 / 6.0) - Point(1.0, 2.0);  // to the centre of the first three places
+
+  const auto circle = find_curves(positions).circle_points.circle();
+
+  ASSERT_TRUE(circle);
+  for (const double angle : {0.1, 2.0, 4.0}) {
+    const Point z = circle->centre + circle->radius * unit_vector(angle);
+    const Point moving = unit_vector(-0.3) * (z - Point(1.0, 2.0));
+    const Point fourth = point_jets(positions[3], moving)[0];
+    EXPECT_NEAR(std::abs(fourth - (z + arm)), std::abs(arm), 1e-12);
+  }
+}
+
+// On a line their points have centres far away, and so must the fourth place lie on that line.
+TEST(ThreeParallelPositions, OnALineLeaveALineOfSlidersWithAFourth) {
+  const std::vector<PositionJets> positions = {finite_position({1.0, 2.0}, 0.3),
+                                               finite_position({2.0, 2.0}, 0.3),
+                                               finite_position({4.0, 2.0}, 0.3),
+                                               finite_position({0.0, 1.0}, 1.0)};
+
+  const auto line = find_curves(positions).circle_points.line();
+
+  ASSERT_TRUE(line);
+  for (const double along : {-1.0, 0.0, 3.0}) {
+    const Point z = line->offset * line->normal + along * left_of(line->normal);
+    const Point moving = unit_vector(-0.3) * (z - Point(1.0, 2.0));
+    EXPECT_NEAR(point_jets(positions[3], moving)[0].imag(), z.imag(), 1e-12);
+  }
+}
+
 // All points have the same arm to their centre, here from (1, 0) to c.
 TEST(Parallelogram, HasTheSameCrankForEveryPoint) {
   const Point c(3.0, -2.0);
