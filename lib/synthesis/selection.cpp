@@ -11,22 +11,10 @@ namespace kinestat {
 
 namespace {
 
-// Usable ones first; then by how little is wrong, the later in the list of defects the less.
-int rank_of(Defect defect) {
-  return defect == Defect::none ? static_cast<int>(Defect::size) + 1 : static_cast<int>(defect);
-}
-
-bool is_better(const LinkageCandidate& one, const LinkageCandidate& other) {
-  const int rank = rank_of(one.defect);
-  const int other_rank = rank_of(other.defect);
-  return rank != other_rank ? rank > other_rank : one.margin() > other.margin();
-}
-
 // What is kept of the many.
 struct Sample {
   double margin = -1.0;  // below zero without a usable linkage
-  double reached = 0.0;  // the margin of an unusable one
-  int rank = -1;         // by the defect; -1 without a linkage
+  Standing standing;     // of the default rank without any linkage
 };
 
 class Selector {
@@ -77,9 +65,7 @@ class Selector {
       return {};
     }
     const bool is_usable = found->defect == Defect::none;
-    return {.margin = is_usable ? found->margin() : -1.0,
-            .reached = found->margin(),
-            .rank = rank_of(found->defect)};
+    return {.margin = is_usable ? found->margin() : -1.0, .standing = found->standing()};
   }
 
   // The counts; and if nothing is usable, what comes nearest: of equal ones the first.
@@ -89,11 +75,9 @@ class Selector {
       const Sample& sample = samples_[i];
       const Sample& best = samples_[nearest];
       ++selection_.samples;
-      selection_.with_linkage += sample.rank >= 0 ? 1 : 0;
+      selection_.with_linkage += sample.standing.rank >= 0 ? 1 : 0;
       selection_.usable += sample.margin >= 0.0 ? 1 : 0;
-      const bool is_nearer =
-          sample.rank != best.rank ? sample.rank > best.rank : sample.reached > best.reached;
-      nearest = is_nearer ? i : nearest;
+      nearest = sample.standing.is_better_than(best.standing) ? i : nearest;
     }
     if (selection_.usable == 0 && selection_.with_linkage > 0) {
       selection_.nearest = selected(nearest);
@@ -187,7 +171,7 @@ class Selector {
 
   static void sort(std::vector<SelectedLinkage>& found) {
     std::ranges::stable_sort(found, [](const SelectedLinkage& one, const SelectedLinkage& other) {
-      return is_better(one.candidate, other.candidate);
+      return one.candidate.standing().is_better_than(other.candidate.standing());
     });
   }
 
@@ -238,7 +222,7 @@ class Selector {
     choice[i] = within(i, choice[i] + share * step(i));
     choice[j] = within(j, choice[j] + other * step(j));
     std::optional<LinkageCandidate> found = make_(choice);
-    if (!found || !is_better(*found, one.candidate)) {
+    if (!found || !found->standing().is_better_than(one.candidate.standing())) {
       return false;
     }
     one = {.choice = std::move(choice), .candidate = *std::move(found)};

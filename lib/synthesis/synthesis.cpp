@@ -47,20 +47,11 @@ double margin_of(const DriveVerdict& verdict) {
   return verdict.working_arc ? verdict.working_arc->margin() : 0.0;
 }
 
-// The later in the list of defects, the better; then the margin.
-bool is_better(Defect one, double one_margin, Defect other, double other_margin) {
-  const auto rank = [](Defect defect) {
-    return defect == Defect::none ? 0
-                                  : 1 + static_cast<int>(Defect::size) - static_cast<int>(defect);
-  };
-  return rank(one) != rank(other) ? rank(one) < rank(other) : one_margin > other_margin;
-}
-
 void choose_drive(LinkageCandidate& candidate, const LinkageLimits& limits) {
   const Defect one = defect_of(candidate.verdicts[0], limits);
   const Defect other = defect_of(candidate.verdicts[1], limits);
   const bool takes_other =
-      is_better(other, margin_of(candidate.verdicts[1]), one, margin_of(candidate.verdicts[0]));
+      Standing(other, candidate.verdicts[1]).is_better_than({one, candidate.verdicts[0]});
   candidate.best_drive = takes_other ? Drive::other : Drive::one;
   candidate.defect = takes_other ? other : one;
 }
@@ -123,6 +114,14 @@ std::string_view word_of(Defect defect) {
   return "";
 }
 
+Standing::Standing(Defect defect, const DriveVerdict& verdict)
+    : rank(defect == Defect::none ? static_cast<int>(Defect::size) + 1 : static_cast<int>(defect)),
+      margin(margin_of(verdict)) {}
+
+bool Standing::is_better_than(const Standing& other) const {
+  return rank != other.rank ? rank > other.rank : margin > other.margin;
+}
+
 const DriveVerdict& LinkageCandidate::best() const {
   return verdicts[best_drive == Drive::one ? 0 : 1];
 }
@@ -145,7 +144,7 @@ std::vector<LinkageCandidate> rank_linkages(std::span<const Dyad> dyads,
     }
   }
   std::ranges::stable_sort(candidates, [](const auto& one, const auto& other) {
-    return is_better(one.defect, one.margin(), other.defect, other.margin());
+    return one.standing().is_better_than(other.standing());
   });
   return candidates;
 }

@@ -38,6 +38,18 @@ enum class Defect {
 /// The word in reports.
 std::string_view word_of(Defect defect);
 
+/// What linkages are ranked by.
+struct Standing {
+  int rank = -1;        ///< the later its defect in the list, the higher; highest without one
+  double margin = 0.0;  ///< of the transmission angle on the working arc [rad]
+
+  Standing() = default;
+
+  Standing(Defect defect, const DriveVerdict& verdict);
+
+  bool is_better_than(const Standing& other) const;
+};
+
 struct LinkageCandidate {
   Linkage linkage;
   std::array<std::size_t, 2> dyads{};  ///< which of the given dyads
@@ -51,6 +63,8 @@ struct LinkageCandidate {
   Defect defect = Defect::none;  ///< with the best drive
 
   const DriveVerdict& best() const;
+
+  Standing standing() const { return {defect, best()}; }
 
   /// Of the transmission angle on the working arc of the best drive [rad]; zero if it has none.
   double margin() const;
