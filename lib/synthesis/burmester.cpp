@@ -69,7 +69,7 @@ class Solver {
     std::optional<Dyad> dyad = dyad_of(x, system_, positions_[0], loss);
     if (!point.is_real) {
       solution_.imaginary_count += point.multiplicity;
-      keep_nearest(dyad);
+      keep_nearest(dyad, point.y.imag().cwiseAbs().maxCoeff());
       return;
     }
     if (!dyad) {
@@ -86,11 +86,11 @@ class Solver {
     solution_.dyads.push_back(*dyad);
   }
 
-  void keep_nearest(std::optional<Dyad> dyad) {
-    if (dyad) {
+  void keep_nearest(std::optional<Dyad> dyad, double imaginary) {
+    if (dyad && (!solution_.nearest || imaginary < least_imaginary_)) {
       dyad->residual = find_residual(*dyad, positions_);
-      const bool is_nearer = !solution_.nearest || dyad->residual < solution_.nearest->residual;
-      solution_.nearest = is_nearer ? dyad : solution_.nearest;
+      solution_.nearest = dyad;
+      least_imaginary_ = imaginary;
     }
   }
 
@@ -113,6 +113,7 @@ class Solver {
   ConditionRows system_;
   BurmesterSolution solution_;
   double loss_ = 0.0;
+  double least_imaginary_ = 0.0;  // of the nearest dyad
 };
 
 }  // namespace

@@ -23,8 +23,8 @@ struct BurmesterSolution {
   std::vector<Dyad> dyads;  ///< real ones; in a family those that stand alone
   int imaginary_count = 0;  ///< dyads that are not real, counted with multiplicity
 
-  /// The real part of one that is not real: of all the one that misses the positions least, see its
-  /// residual.
+  /// The real part of one that is not real: of all the one with the least imaginary part. By how
+  /// much it misses the positions its residual tells.
   std::optional<Dyad> nearest = std::nullopt;
   double flatness = 0.0;    ///< smallest by largest singular value of the scaled conditions
   double shared_gap = 0.0;  ///< about 1: a finite number of dyads; rounding: a family

@@ -8,6 +8,7 @@
 
 #include "near_dyad.hpp"
 #include "reference_tasks.hpp"
+#include "support/random.hpp"
 
 namespace kinestat {
 namespace {
@@ -178,6 +179,47 @@ TEST(Burmester, MergesTwoDyadsThatMeet) {
   ASSERT_NE(twofold, solution.dyads.end());
   EXPECT_EQ(solution.dyads.size(), 3U);
   EXPECT_LT(twofold->residual, 1e-10);
+}
+
+std::vector<PositionJets> random_task(Random& random) {
+  std::vector<PositionJets> positions;
+  for (int i = 0; i < 5; ++i) {
+    const double x = random.between(-2.0, 2.0);
+    const double y = random.between(-2.0, 2.0);
+    positions.push_back(finite_position({x, y}, random.between(-3.0, 3.0)));
+  }
+  return positions;
+}
+
+// On the way from a task with two real dyads to one without any, the last two meet; just beyond,
+// the nearest dyad is still there, though others may miss the positions less.
+TEST(Burmester, HasTheDyadsThatMetLastForTheNearestOne) {
+  Random random(5);
+  int done = 0;
+  for (int seed = 0; done < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    const std::vector<PositionJets> one = random_task(random);
+    const std::vector<PositionJets> other = random_task(random);
+    if (solve_burmester(one).imaginary_count != 2 || solve_burmester(other).imaginary_count != 4) {
+      continue;
+    }
+    double low = 0.0;
+    double high = 1.0;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = 0.5 * (low + high);
+      (solve_burmester(between(one, other, middle)).imaginary_count < 4 ? low : high) = middle;
+    }
+    const BurmesterSolution before = solve_burmester(between(one, other, low));
+    const BurmesterSolution after = solve_burmester(between(one, other, high + 1e-3));
+    if (before.imaginary_count != 2 || after.imaginary_count != 4 ||
+        before.dyads[0].kind != DyadKind::crank) {
+      continue;
+    }
+    ++done;
+
+    ASSERT_TRUE(after.nearest);
+    EXPECT_LT(distance(*after.nearest, before.dyads[0]), 0.3 * (1.0 + before.dyads[0].length));
+  }
 }
 
 }  // namespace
