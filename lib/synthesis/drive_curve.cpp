@@ -19,6 +19,12 @@ double wrapped(double angle) {
   return std::remainder(angle, 2.0 * std::numbers::pi);
 }
 
+// The angle with this cosine, which only rounding takes beyond a dead point; NaN out of reach.
+double reached_angle(double cosine) {
+  return std::abs(cosine) < 1.0 + kSameValue ? std::acos(std::clamp(cosine, -1.0, 1.0))
+                                             : std::numeric_limits<double>::quiet_NaN();
+}
+
 // Normal of the path of a slider, or of the line of an inverted one in its own frame.
 Point normal_of(const Dyad& dyad) {
   return left_of(dyad.direction);
@@ -220,16 +226,17 @@ double DriveCurve::plane_angle(const Point& input_place, int side) const {
   if (output_.kind == DyadKind::slider) {
     const Point normal = normal_of(output_);
     const double away = dot(normal, input_place - output_.centre_point);
-    return std::arg(normal) - side * std::acos(-away / std::abs(arm)) - std::arg(arm);
+    return std::arg(normal) - side * reached_angle(-away / std::abs(arm)) - std::arg(arm);
   }
   const Point to_centre = output_.centre_point - input_place;
   const double rho = std::abs(to_centre);
   if (output_.kind == DyadKind::crank) {
     const double h = std::abs(arm);
     const double cosine = (h * h + rho * rho - output_.length * output_.length) / (2.0 * h * rho);
-    return std::arg(to_centre) - side * std::acos(cosine) - std::arg(arm);
+    return std::arg(to_centre) - side * reached_angle(cosine) - std::arg(arm);
   }
-  return std::arg(to_centre) + side * std::acos(-over_root_ / rho) - std::arg(normal_of(output_));
+  return std::arg(to_centre) + side * reached_angle(-over_root_ / rho) -
+         std::arg(normal_of(output_));
 }
 
 Pose DriveCurve::pose_of_inverted_input(double x, int side) const {
@@ -238,9 +245,9 @@ Pose DriveCurve::pose_of_inverted_input(double x, int side) const {
   const Point along = unit_vector(pose.angle) * input_.direction;
   const double offset = dot(normal_of(input_), output_.circle_point - input_.circle_point);
   if (output_.kind == DyadKind::crank) {
-    const double c = cosine(x);
-    const Point place = output_.centre_point -
-                        output_.length * (c * normal + side * std::sqrt(1.0 - c * c) * along);
+    const Point arm = unit_vector(side * reached_angle(cosine(x)));
+    const Point place =
+        output_.centre_point - output_.length * (arm.real() * normal + arm.imag() * along);
     pose.origin = place - unit_vector(pose.angle) * output_.circle_point;
     return pose;
   }

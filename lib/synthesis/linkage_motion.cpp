@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <optional>
+#include <queue>
 
 #include "core/contract.hpp"
 
@@ -110,25 +112,105 @@ Place place_on(const Interval& interval, Course course, double share) {
   return {};
 }
 
+// Steps of equal shares of the way; then the longest step is halved again and again, so that the
+// poses are about equally far from each other even where the input hardly moves.
+class Tracer {
+ public:
+  Tracer(const Linkage& linkage, Drive drive, const Pose& start, double reach)
+      : curve_(linkage, drive),
+        start_(start),
+        reach_(reach),
+        lever_(std::abs(linkage.one.circle_point) + std::abs(linkage.other.circle_point)),
+        side_(curve_.side_of(start) < 0 ? -1 : 1),
+        interval_(interval_of(curve_, curve_.coordinate_of(start), reach)),
+        course_(course_of(interval_)) {}
+
+  LinkageMotion run(std::size_t count) {
+    LinkageMotion motion;
+    motion.is_closed = interval_.is_turn || course_ == Course::round;
+    const std::size_t first = count / 2 + 1;
+    const std::size_t steps = motion.is_closed ? first : first - 1;
+    for (std::size_t i = 0; i <= steps; ++i) {
+      add(static_cast<double>(i) / static_cast<double>(steps));
+    }
+    for (std::size_t i = 0; i < steps; ++i) {
+      push(i, i + 1);
+    }
+    // The end of a closed way is its beginning.
+    while (samples_.size() < (motion.is_closed ? count + 1 : count) && !steps_.empty()) {
+      halve();
+    }
+    std::ranges::sort(samples_, {}, &Sample::share);
+    samples_.resize(samples_.size() - (motion.is_closed ? 1 : 0));
+    for (const Sample& sample : samples_) {
+      if (sample.pose) {
+        motion.poses.push_back(*sample.pose);
+      }
+    }
+    return motion;
+  }
+
+ private:
+  struct Sample {
+    double share = 0.0;
+    std::optional<Pose> pose;
+  };
+
+  struct Step {
+    double length = 0.0;
+    std::size_t from = 0;
+    std::size_t to = 0;
+
+    bool operator<(const Step& other) const {
+      return length != other.length ? length < other.length : from > other.from;
+    }
+  };
+
+  void add(double share) {
+    const auto [x, is_other_side] = place_on(interval_, course_, share);
+    samples_.push_back({.share = share, .pose = curve_.pose_at(x, is_other_side ? -side_ : side_)});
+  }
+
+  bool is_beyond(const Pose& pose) const { return std::abs(pose.origin - start_.origin) > reach_; }
+
+  // What lies beyond the reach at both ends does not count.
+  double length_of(const Sample& one, const Sample& other) const {
+    if (!one.pose || !other.pose || (is_beyond(*one.pose) && is_beyond(*other.pose))) {
+      return 0.0;
+    }
+    const double turn = std::abs(unit_vector(one.pose->angle) - unit_vector(other.pose->angle));
+    return std::abs(one.pose->origin - other.pose->origin) + lever_ * turn;
+  }
+
+  void push(std::size_t from, std::size_t to) {
+    steps_.push({.length = length_of(samples_[from], samples_[to]), .from = from, .to = to});
+  }
+
+  void halve() {
+    const Step longest = steps_.top();
+    steps_.pop();
+    add(0.5 * (samples_[longest.from].share + samples_[longest.to].share));
+    push(longest.from, samples_.size() - 1);
+    push(samples_.size() - 1, longest.to);
+  }
+
+  DriveCurve curve_;
+  Pose start_;
+  double reach_;
+  double lever_;  // of the turn of the plane
+  int side_;
+  Interval interval_;
+  Course course_;
+  std::vector<Sample> samples_;
+  std::priority_queue<Step> steps_;
+};
+
 }  // namespace
 
 LinkageMotion trace_circuit(
     const Linkage& linkage, Drive drive, const Pose& start, int count, double reach) {
   KINESTAT_EXPECTS(count > 1);
-  const DriveCurve curve(linkage, drive);
-  const int side = curve.side_of(start);
-  const Interval interval = interval_of(curve, curve.coordinate_of(start), reach);
-  const Course course = course_of(interval);
-  LinkageMotion motion;
-  motion.is_closed = interval.is_turn || course == Course::round;
-  for (int i = 0; i < count; ++i) {
-    const double share = static_cast<double>(i) / (motion.is_closed ? count : count - 1);
-    const auto [x, is_other_side] = place_on(interval, course, share);
-    if (const auto pose = curve.pose_at(x, is_other_side ? -side : side)) {
-      motion.poses.push_back(*pose);
-    }
-  }
-  return motion;
+  return Tracer(linkage, drive, start, reach).run(static_cast<std::size_t>(count));
 }
 
 std::vector<Point> coupler_curve(const LinkageMotion& motion, const Point& moving) {

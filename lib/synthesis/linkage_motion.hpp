@@ -13,9 +13,9 @@ struct LinkageMotion {
   bool is_closed = false;  ///< the last pose leads back to the first
 };
 
-/// Poses along the circuit that holds `start`, `count` of them: over the full turn of the input, or
-/// forth on one side of its dead points and back on the other. What reaches to infinity is cut at
-/// `reach` [length] of a sliding input.
+/// Poses along the circuit that holds `start`, `count` of them and about equally far from each
+/// other: over the full turn of the input, or forth on one side of its dead points and back on the
+/// other. What reaches to infinity is cut at `reach` [length] of a sliding input.
 LinkageMotion trace_circuit(
     const Linkage& linkage, Drive drive, const Pose& start, int count, double reach);
 

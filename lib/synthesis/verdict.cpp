@@ -87,7 +87,7 @@ class Judge {
       find_passage();
     }
     if (verdict_.passage != Passage::none) {
-      verdict_.working_arc = range_of_arc();
+      verdict_.working_arc = range_of_arc(verdict_.arc);
     }
     return std::move(verdict_);
   }
@@ -162,11 +162,20 @@ class Judge {
     const double backward = turn(x, -1.0);
     const bool goes_forward = forward < 2.0 * kPi && allows(1);
     const bool goes_backward = backward < 2.0 * kPi && allows(-1);
-    if (goes_forward && (!goes_backward || forward <= backward)) {
+    if (goes_forward) {
       set_passage(Passage::increasing, forward);
-    } else if (goes_backward) {
+    }
+    if (goes_backward && (!goes_forward || is_better_way(-backward, forward))) {
       set_passage(Passage::decreasing, -backward);
     }
+  }
+
+  // Of two ways, which only two positions leave open, the one that transmits better; of equal ones
+  // the shorter.
+  bool is_better_way(double arc, double other) const {
+    const double margin = range_of_arc(arc).margin();
+    const double other_margin = range_of_arc(other).margin();
+    return margin != other_margin ? margin > other_margin : std::abs(arc) < std::abs(other);
   }
 
   // How far the input turns from the first position to the last in one sense.
@@ -199,9 +208,9 @@ class Judge {
   }
 
   // cos μ is monotone in the argument, so that it is extreme at the ends and where the argument is.
-  TransmissionRange range_of_arc() const {
+  TransmissionRange range_of_arc(double arc) const {
     const double from = unrolled(verdict_.coordinates.front());
-    const double to = from + verdict_.arc;
+    const double to = from + arc;
     const double low = std::min(from, to);
     const double high = std::max(from, to);
     TransmissionRange range{.least = transmission_at(from), .most = transmission_at(from)};
