@@ -33,9 +33,24 @@ Json branch_json(const CurveBranch& branch, const PlaneJson& plane) {
   return result;
 }
 
+Json centres_json(const CurveBranch& branch,
+                  std::span<const PositionJets> positions,
+                  const PlaneJson& plane) {
+  Json result = Json::array();
+  for (const Point& one : branch.points) {
+    const auto dyad = find_dyad(positions, one);
+    const bool is_crank = dyad && dyad->kind == DyadKind::crank;
+    result.push_back(is_crank ? plane.point(dyad->centre_point) : Json(nullptr));
+  }
+  return result;
+}
+
 }  // namespace
 
-Json cubic_json(const PlaneCubic& cubic, const CurveWindow& window, const PlaneJson& plane) {
+Json cubic_json(const PlaneCubic& cubic,
+                const CurveWindow& window,
+                const PlaneJson& plane,
+                std::span<const PositionJets> positions) {
   const PlaneCubic fixed = cubic.about({0.0, 0.0}, plane.unit_of_length());
   Json result = object_of(8);
   result["coefficients"] = coefficients_json(fixed);
@@ -51,6 +66,9 @@ Json cubic_json(const PlaneCubic& cubic, const CurveWindow& window, const PlaneJ
   result["branches"] = Json::array();
   for (const CurveBranch& branch : sample(cubic, window.middle, window.radius, window.count)) {
     result["branches"].push_back(branch_json(branch, plane));
+    if (!positions.empty()) {
+      result["branches"].back()["centres"] = centres_json(branch, positions, plane);
+    }
   }
   return result;
 }

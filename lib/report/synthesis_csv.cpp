@@ -15,11 +15,11 @@ namespace {
 
 // Keys below which all numbers are lengths, or angles. The coordinates of a drive are one or the
 // other, and coefficients, ratios and counts neither.
-constexpr std::array<std::string_view, 20> kLengths = {
-    "at",         "pole",         "diameter",     "centre",         "radius",
-    "ball_point", "circle_point", "length",       "crank_length",   "deviation",
-    "longest",    "lengths",      "fixed",        "moving",         "focus",
-    "offset",     "points",       "centre_point", "straight_paths", "free_point"};
+constexpr std::array<std::string_view, 21> kLengths = {
+    "at",           "pole",           "diameter",     "centre",  "radius",    "ball_point",
+    "circle_point", "length",         "crank_length", "centres", "deviation", "longest",
+    "lengths",      "fixed",          "moving",       "focus",   "offset",    "points",
+    "centre_point", "straight_paths", "free_point"};
 constexpr std::array<std::string_view, 5> kAngles = {
     "angle", "margin", "transmission", "working_transmission", "full_transmission"};
 

@@ -134,16 +134,16 @@ class TaskJson {
 
   Json curves_json(const FourPositionCurves& curves) const {
     const bool is_solved = curves.status == BurmesterStatus::solved;
-    const auto cubic = [&](const PlaneCubic& one) {
-      return is_solved ? cubic_json(one, window_, plane_) : Json(nullptr);
+    const auto cubic = [&](const PlaneCubic& one, std::span<const PositionJets> positions) {
+      return is_solved ? cubic_json(one, window_, plane_, positions) : Json(nullptr);
     };
     Json result = object_of(8);
     result["status"] = word_of(curves.status);
     result["reason"] = reason(curves.reason);
     result["digits"] = number(curves.digits);
     result["flatness"] = number(curves.flatness);
-    result["circle_points"] = cubic(curves.circle_points);
-    result["centre_points"] = cubic(curves.centre_points);
+    result["circle_points"] = cubic(curves.circle_points, task_.positions);
+    result["centre_points"] = cubic(curves.centre_points, {});
     result["slider"] = curves.slider ? dyad_json(*curves.slider, plane_) : Json(nullptr);
     result["inverted_slider"] =
         curves.inverted_slider ? dyad_json(*curves.inverted_slider, plane_) : Json(nullptr);
