@@ -111,7 +111,7 @@ class RowMaker {
       // The first position has no displacement; its derivatives feel the centre only through E.
       const double turns = k == 0 ? 1.0 : size_of(d.cosine[k], d.sine[k]);
       // A displacement within rounding is none: the position is there twice.
-      const double size = k == 0 && static_cast<double>(largest) <= 4.0 * rounding(j)
+      const double size = k == 0 && static_cast<double>(largest) <= 0.5 * rounding(j)
                               ? 0.0
                               : static_cast<double>(largest);
       system_.noise.push_back(size > 0.0 ? unit_ + rounding(j) * turns / size : 1.0);

@@ -126,6 +126,13 @@ StraightDyad improved(const ConditionRows& system,
   return fit_straight(straight_conditions(system).rows, system.noise, far, start);
 }
 
+// Whether a point differs from a quotient by no more than an error explains. A crank that the error
+// does not tell from a slider may lead to another slider.
+bool is_close(const Point& found, const Quotient& start, double error) {
+  const double size = std::max(1.0, std::abs(start.value()));
+  return std::abs(found - start.value()) <= size * error / std::abs(start.denominator);
+}
+
 // Whether both points lie further away than an error can tell that is too large to call it
 // infinity.
 bool is_lost(const Quotient& z, const Quotient& w, double error) {
@@ -178,6 +185,12 @@ class DyadMaker {
     return dyad;
   }
 
+  Dyad straight(const StraightDyad& dyad, FarPoint far) const {
+    return far == FarPoint::centre ? slider(dyad.finite, dyad.normal)
+                                   : inverted_slider(dyad.finite, dyad.normal);
+  }
+
+ private:
   Dyad slider(const Point& z, const Point& normal) const {
     return {.kind = DyadKind::slider,
             .circle_point = moving(z),
@@ -194,7 +207,6 @@ class DyadMaker {
             .direction = along};
   }
 
- private:
   Point fixed(const Point& z) const { return origin_ + length_ * z; }
 
   Point moving(const Point& z) const {
@@ -232,13 +244,14 @@ std::optional<Dyad> dyad_of(const Eigen::Matrix<double, 7, 1>& x,
   if (far_circle && far_centre) {
     return is_lost(z, w, error) ? std::optional(make.crank(z.value(), w.value())) : std::nullopt;
   }
-  if (far_centre) {
-    const StraightDyad straight = improved(system, FarPoint::centre, z.value(), point.centre);
-    return make.slider(straight.finite, straight.normal);
-  }
-  if (far_circle) {
-    const StraightDyad straight = improved(system, FarPoint::circle_point, w.value(), point.circle);
-    return make.inverted_slider(straight.finite, straight.normal);
+  if (far_centre || far_circle) {
+    const FarPoint far = far_centre ? FarPoint::centre : FarPoint::circle_point;
+    const Quotient& near = far_centre ? z : w;
+    const StraightDyad straight =
+        improved(system, far, near.value(), far_centre ? point.centre : point.circle);
+    if (is_close(straight.finite, near, std::max(error, kCancellation))) {
+      return make.straight(straight, far);
+    }
   }
   CrankImprover improver(system, z.value(), w.value());
   if (system.rows.size() == 4) {
@@ -270,8 +283,7 @@ std::optional<Dyad> find_straight(const Eigen::Matrix<double, 7, 1>& x,
     return std::nullopt;
   }
   const DyadMaker make(system, first);
-  Dyad dyad = far == FarPoint::centre ? make.slider(straight.finite, straight.normal)
-                                      : make.inverted_slider(straight.finite, straight.normal);
+  Dyad dyad = make.straight(straight, far);
   dyad.crank_length = system.length * std::abs(z - w);
   dyad.deviation = system.length * largest_deviation(straight.misses, conditions.slopes);
   dyad.digits = digits_of(std::max(straight.uncertainty, kEpsilon));

@@ -79,6 +79,23 @@ TEST(FarPoint, IsThatOfTheSliderOfAFarTask) {
   EXPECT_EQ(linkages.size(), 3U);
 }
 
+// So far away that its long crank may be a slider as well: but not the one that is there already.
+TEST(FarPoint, IsThatOfOneSliderOnly) {
+  const auto task = std::ranges::find(reference_tasks(), "IC16", &ReferenceTask::name);
+
+  const BurmesterSolution solution = solve_burmester(shifted(task->positions, 1e11));
+
+  ASSERT_EQ(solution.dyads.size(), 4U);
+  EXPECT_EQ(std::ranges::count(solution.dyads, DyadKind::slider, &Dyad::kind), 1);
+}
+
+// Positions of size 1 whose doubles leave an eighth: nearly the same, but not the same.
+TEST(FarPoint, IsNoReasonToTakePositionsForTheSame) {
+  const auto task = std::ranges::find(reference_tasks(), "IC16", &ReferenceTask::name);
+
+  EXPECT_EQ(solve_burmester(shifted(task->positions, 1e15)).status, BurmesterStatus::no_digits);
+}
+
 double rounded_to(double value, double unit) {
   return std::round(value / unit) * unit;
 }
