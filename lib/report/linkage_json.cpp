@@ -103,7 +103,7 @@ Json dyad_json(const Dyad& dyad, const PlaneJson& task_plane) {
   result["residual"] = number(dyad.residual);
   if (dyad.crank_length > 0.0) {
     result["crank_length"] = task_plane.length(dyad.crank_length);
-    result["deviation"] = task_plane.length(dyad.deviation);
+    result["deviation"] = task_plane.difference(dyad.deviation);
   }
   return result;
 }

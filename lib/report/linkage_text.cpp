@@ -103,7 +103,7 @@ std::string straight_text(std::span<const Dyad> dyads, const PlaneText& plane) {
           "dyad {} slides within the decimals of the positions, which miss it by {}; as written "
           "they have a crank of length {}\n",
           i,
-          plane.length(dyads[i].deviation),
+          plane.difference(dyads[i].deviation),
           plane.length(dyads[i].crank_length));
     }
   }

@@ -22,6 +22,9 @@ class PlaneJson {
 
   Json length(double value) const { return number(in_.length(snap(value, zero_))); }
 
+  /// A difference of places, which may be smaller than the zero of a place.
+  Json difference(double value) const { return number(in_.length(value)); }
+
   Json angle(double value) const { return number(in_.angle(value)); }
 
   Json point(const Point& p) const { return Json::array({length(p.real()), length(p.imag())}); }

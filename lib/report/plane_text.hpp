@@ -23,6 +23,9 @@ class PlaneText {
 
   std::string length(double value) const { return format_short(in_.length(snap(value, zero_))); }
 
+  /// A difference of places, which may be smaller than the zero of a place.
+  std::string difference(double value) const { return format_short(in_.length(value)); }
+
   std::string angle(double value) const { return format_short(in_.angle(value)); }
 
   std::string point(const Point& p) const {
