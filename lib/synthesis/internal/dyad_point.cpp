@@ -154,23 +154,6 @@ std::vector<double> allowances_of(const StraightConditions& conditions,
   return allowances;
 }
 
-// By the sum of the squares, which the best fit has no larger than that within all allowances.
-bool is_within(const std::vector<double>& misses, const std::vector<double>& allowances) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < misses.size(); ++i) {
-    sum += (misses[i] / allowances[i]) * (misses[i] / allowances[i]);
-  }
-  return sum <= static_cast<double>(misses.size());
-}
-
-double largest_deviation(const std::vector<double>& misses, const std::vector<double>& slopes) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < misses.size(); ++i) {
-    largest = std::max(largest, std::abs(misses[i]) / slopes[i]);
-  }
-  return largest;
-}
-
 class DyadMaker {
  public:
   DyadMaker(const ConditionRows& system, const PositionJets& first)
@@ -279,13 +262,13 @@ std::optional<Dyad> find_straight(const Eigen::Matrix<double, 7, 1>& x,
       allowances_of(conditions, decimal, system.length, std::abs(near));
   const StraightDyad straight = fit_straight(
       conditions.rows, allowances, far, {.finite = near, .normal = normal, .misses = {}});
-  if (!is_within(straight.misses, allowances)) {
+  if (!straight.is_within(allowances)) {
     return std::nullopt;
   }
   const DyadMaker make(system, first);
   Dyad dyad = make.straight(straight, far);
   dyad.crank_length = system.length * std::abs(z - w);
-  dyad.deviation = system.length * largest_deviation(straight.misses, conditions.slopes);
+  dyad.deviation = system.length * straight.deviation(conditions.slopes);
   dyad.digits = digits_of(std::max(straight.uncertainty, kEpsilon));
   return dyad;
 }

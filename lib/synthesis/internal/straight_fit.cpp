@@ -1,5 +1,6 @@
 #include "synthesis/internal/straight_fit.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -152,6 +153,22 @@ class StraightFitter {
 };
 
 }  // namespace
+
+bool StraightDyad::is_within(std::span<const double> allowances) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < misses.size(); ++i) {
+    sum += (misses[i] / allowances[i]) * (misses[i] / allowances[i]);
+  }
+  return sum <= static_cast<double>(misses.size());
+}
+
+double StraightDyad::deviation(std::span<const double> slopes) const {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < misses.size(); ++i) {
+    largest = std::max(largest, std::abs(misses[i]) / slopes[i]);
+  }
+  return largest;
+}
 
 StraightDyad fit_straight(std::span<const PreciseRow> rows,
                           std::span<const double> allowances,

@@ -18,6 +18,12 @@ struct StraightDyad {
   Point normal = {1.0, 0.0};   ///< direction of the far one, of length 1
   std::vector<double> misses;  ///< what is left of each condition
   double uncertainty = 0.0;    ///< by how much the allowances move points and direction
+
+  /// By the sum of the squares, which the best fit has no larger than one within all allowances.
+  bool is_within(std::span<const double> allowances) const;
+
+  /// The largest miss, for conditions that change so much with a position that is moved by one.
+  double deviation(std::span<const double> slopes) const;
 };
 
 /// Four conditions for the two coordinates of the finite point and the direction of the far one: by
