@@ -87,6 +87,16 @@ class SynthesisCheck {
     context_.point(curvature.centre);
     context_.point(curvature.free_point);
     context_.number(curvature.m, kPathRatio, "'m' of " + what);
+    for (const FreeNumber varied : {FreeNumber::m, FreeNumber::s}) {
+      if (curvature.m && is_varied(varied)) {
+        has_both("m", varied, curvature.m->where, what);
+      }
+    }
+    for (const FreeNumber varied : {FreeNumber::free_point, FreeNumber::s}) {
+      if (curvature.free_point && is_varied(varied)) {
+        has_both("free_point", varied, curvature.free_point->where, what);
+      }
+    }
     if (is_varied(FreeNumber::s)) {
       return;
     }
@@ -101,6 +111,23 @@ class SynthesisCheck {
   bool is_varied(FreeNumber which) const {
     return std::ranges::any_of(task_.vary,
                                [&](const SynthesisRange& range) { return range.which == which; });
+  }
+
+  // A number that a range would override without a word.
+  void has_both(std::string_view key,
+                FreeNumber varied,
+                SourceRange where,
+                const std::string& what) {
+    const std::string_view word = word_of(varied);
+    context_.found.error(
+        "E0302",
+        where,
+        word == key
+            ? fmt::format("'curvature' of {} gives '{}', which 'vary' lets vary", what, key)
+            : fmt::format(
+                  "'curvature' of {} gives '{}', for which '{}' of 'vary' stands", what, key, word),
+        fmt::format(
+            "delete '{}' here to try the range, or '{}' of 'vary' to keep the number", key, word));
   }
 
   void lacks(const CurvatureDescription& curvature,
