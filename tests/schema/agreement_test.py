@@ -43,6 +43,7 @@ EXCEPTIONS = [
     (r"the step of '.*' leads away from 'to'", "compares two values, which may be expressions"),
     (r"the step of '.*' is zero", "the value of an expression; a bare 0 is refused"),
     (r"the sweep has .* states; at most .*", "multiplies the numbers of values"),
+    (r"the lists of angles make .* tasks; at most .*", "multiplies the numbers of angles"),
     (r"the task .* has \d+ positions?; a dyad takes two to five", "adds the orders of positions"),
     (r"circle points are free with three and four positions, and this has \d",
      "adds the orders of positions"),

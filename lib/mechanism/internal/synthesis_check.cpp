@@ -54,6 +54,7 @@ class SynthesisCheck {
       check_position(task_.positions[i], fmt::format("position {}", i + 1));
     }
     check_count();
+    check_tasks();
     context_.number(
         task_.limits.transmission_angle, kTransmissionAngle, "'transmission_angle' of 'limits'");
     context_.number(task_.limits.link_ratio, kLinkRatio, "'link_ratio' of 'limits'");
@@ -163,6 +164,26 @@ class SynthesisCheck {
                                      count == 1 ? "" : "s"),
                          count < kLeast ? "add a position, or its pole"
                                         : "leave out a position, a pole, or an order of contact");
+  }
+
+  // The lists of angles multiply; the place is the list that makes too many tasks.
+  void check_tasks() {
+    constexpr double kMostTasks = 1000.0;
+    double count = 1.0;
+    SourceRange where;
+    for (const PositionDescription& position : task_.positions) {
+      const bool was_right = count <= kMostTasks;
+      count *= static_cast<double>(position.angles.size());
+      where = was_right ? position.angles.front().where : where;
+    }
+    if (count > kMostTasks) {
+      context_.found.error(
+          "E0305",
+          where,
+          fmt::format(
+              "the lists of angles make {:.15g} tasks; at most {} can be run", count, kMostTasks),
+          "list fewer angles, or share them among several files");
+    }
   }
 
   static std::string shown(const std::string& form) {

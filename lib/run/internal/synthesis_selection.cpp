@@ -55,11 +55,9 @@ void select_task(const SynthesisValues& values,
                  std::size_t task,
                  const ForEach& for_each,
                  SynthesisAnalysis& analysis) {
-  const TaskMaker make_task =
-      [&](std::span<const double> numbers) -> std::optional<std::vector<PositionJets>> {
+  const TaskMaker make_task = [&](std::span<const double> numbers) {
     Diagnostics unsaid;
-    auto tasks = values.positions_of_tasks(values.choice_of(numbers), unsaid);
-    return tasks ? std::optional((*tasks)[task]) : std::nullopt;
+    return values.positions_of_task(task, values.choice_of(numbers), unsaid);
   };
   const Selection selection =
       select_linkages(values.ranges(), candidates_of(make_task, values.limits()), kKept, for_each);

@@ -169,22 +169,43 @@ auto TaskPositions<Number>::position(std::size_t index,
 }
 
 template <class Number>
+std::size_t TaskPositions<Number>::count() const {
+  std::size_t count = 1;
+  for (const PositionDescription& position : task_.positions) {
+    count *= position.angles.size();
+  }
+  return count;
+}
+
+template <class Number>
+auto TaskPositions<Number>::of_task(std::size_t task,
+                                    const SynthesisChoice& choice,
+                                    Diagnostics& found) const -> std::optional<Positions> {
+  Positions positions;
+  std::size_t choices = count();
+  for (std::size_t i = 0; i < task_.positions.size(); ++i) {
+    const std::vector<Value>& angles = task_.positions[i].angles;
+    choices /= angles.size();
+    const Value& angle = angles[task / choices % angles.size()];
+    auto jets = position(i, number(angle, QuantityKind::angle, found), choice, found);
+    if (!jets) {
+      return std::nullopt;
+    }
+    positions.push_back(*std::move(jets));
+  }
+  return positions;
+}
+
+template <class Number>
 auto TaskPositions<Number>::of_tasks(const SynthesisChoice& choice, Diagnostics& found) const
     -> std::optional<std::vector<Positions>> {
-  std::vector<Positions> tasks(1);
-  for (std::size_t i = 0; i < task_.positions.size(); ++i) {
-    std::vector<Positions> longer;
-    for (const Positions& task : tasks) {
-      for (const Value& angle : task_.positions[i].angles) {
-        const auto jets = position(i, number(angle, QuantityKind::angle, found), choice, found);
-        if (!jets) {
-          return std::nullopt;
-        }
-        longer.push_back(task);
-        longer.back().push_back(*jets);
-      }
+  std::vector<Positions> tasks;
+  for (std::size_t i = 0; i < count(); ++i) {
+    auto positions = of_task(i, choice, found);
+    if (!positions) {
+      return std::nullopt;
     }
-    tasks = std::move(longer);
+    tasks.push_back(*std::move(positions));
   }
   return tasks;
 }
