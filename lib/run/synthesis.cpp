@@ -161,6 +161,17 @@ std::optional<SynthesisAnalysis> find_synthesis(const std::string& path,
 
 }  // namespace
 
+bool check_synthesis_task(const MechanismDescription& description, Diagnostics& found) {
+  const SynthesisValues values(description);
+  if (const auto digits = values.digits()) {
+    return check_digits(*digits, description, found) &&
+           TaskPositions<Precise>(description).of_tasks({}, found).has_value();
+  }
+  return description.synthesis->vary.empty()
+             ? values.positions_of_tasks({}, found).has_value()
+             : find_selection_tasks(values, *description.synthesis, found).has_value();
+}
+
 Outcome synthesize_files(const std::vector<std::string>& paths,
                          const AnalyseOptions& options,
                          const SynthesisOptions& synthesis) {

@@ -101,27 +101,36 @@ void select_circle_points(const SynthesisValues& values,
 
 }  // namespace
 
+std::optional<Tasks> find_selection_tasks(const SynthesisValues& values,
+                                          const SynthesisDescription& task,
+                                          Diagnostics& found) {
+  if (values.circle_points()) {
+    return values.positions_of_tasks({}, found);
+  }
+  std::optional<Tasks> possible = find_possible_tasks(values, values.ranges(), found);
+  if (possible && position_count(possible->front()) != 5) {
+    found.error("E0305",
+                task.vary.front().where,
+                fmt::format("'{}' is chosen in tasks of five positions, and this is {}",
+                            word_of(task.vary.front().which),
+                            form_of(possible->front())),
+                "give it a number and let 'circle_points' vary, or add positions");
+    return std::nullopt;
+  }
+  return possible;
+}
+
 bool select_tasks(const SynthesisValues& values,
                   std::uint64_t jobs,
                   Diagnostics& found,
                   SynthesisAnalysis& analysis) {
-  const bool chooses_points = values.circle_points().has_value();
-  const std::optional<Tasks> possible = chooses_points
-                                            ? values.positions_of_tasks({}, found)
-                                            : find_possible_tasks(values, values.ranges(), found);
+  const std::optional<Tasks> possible =
+      find_selection_tasks(values, *analysis.description.synthesis, found);
   if (!possible) {
     return false;
   }
+  const bool chooses_points = values.circle_points().has_value();
   analysis.form = form_of(possible->front());
-  if (!chooses_points && position_count(possible->front()) != 5) {
-    found.error("E0305",
-                analysis.description.synthesis->vary.front().where,
-                fmt::format("'{}' is chosen in tasks of five positions, and this is {}",
-                            word_of(analysis.description.synthesis->vary.front().which),
-                            analysis.form),
-                "give it a number and let 'circle_points' vary, or add positions");
-    return false;
-  }
   const ForEach for_each = for_each_on_threads(jobs);
   analysis.selection = SelectionCounts{};
   for (std::size_t task = 0; task < possible->size(); ++task) {

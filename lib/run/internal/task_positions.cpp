@@ -1,5 +1,6 @@
 #include "run/internal/task_positions.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <variant>
@@ -42,6 +43,33 @@ std::pair<std::string, std::string> words_of(SpecificationFault fault) {
               "leave out 'stationary' and 'burmester', or change 'centre' or 'm'"};
   }
   return {};
+}
+
+// Where the file says what is wrong.
+SourceRange place_of(SpecificationFault fault,
+                     const PositionDescription& position,
+                     const std::vector<SynthesisRange>& vary) {
+  const CurvatureDescription& curvature = *position.curvature;
+  const auto range_of = [&](FreeNumber which) {
+    const auto range = std::ranges::find(vary, which, &SynthesisRange::which);
+    return range == vary.end() ? curvature.where : range->name_where;
+  };
+  switch (fault) {
+    case SpecificationFault::none:
+    case SpecificationFault::no_inflection_circle:
+      break;
+    case SpecificationFault::point_in_pole:
+      return position.pole->where;
+    case SpecificationFault::free_point_in_pole:
+    case SpecificationFault::aligned_points:
+      return curvature.free_point ? curvature.free_point->where : range_of(FreeNumber::free_point);
+    case SpecificationFault::centre_off_normal:
+    case SpecificationFault::centre_in_point:
+      return curvature.centre.where;
+    case SpecificationFault::zero_ratio:
+      return curvature.m ? curvature.m->where : range_of(FreeNumber::m);
+  }
+  return curvature.where;
 }
 
 SpecifiedPosition specified(const PositionSpecification& given, const SynthesisChoice& choice) {
@@ -127,7 +155,7 @@ auto TaskPositions<Number>::position(std::size_t index,
     if (jets.x[1] == 0 && jets.y[1] == 0 && jets.angle[1] == 0) {
       found.error(
           "E0801",
-          given.where,
+          given.derivatives.front().at.where,
           fmt::format("position {}: its first derivative is zero, so that the plane stands still "
                       "there",
                       index + 1),
@@ -163,7 +191,10 @@ auto TaskPositions<Number>::position(std::size_t index,
   auto result = specified(specification, choice);
   if (!result.jets) {
     const auto [message, hint] = words_of(result.fault);
-    found.error("E0801", given.where, fmt::format("position {}: {}", index + 1, message), hint);
+    found.error("E0801",
+                place_of(result.fault, given, task_.vary),
+                fmt::format("position {}: {}", index + 1, message),
+                hint);
   }
   return std::move(result.jets);
 }
