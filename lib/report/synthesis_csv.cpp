@@ -15,7 +15,7 @@ namespace {
 
 // Keys below which all numbers are lengths, or angles. The coordinates of a drive are one or the
 // other, and coefficients, ratios and counts neither.
-constexpr std::array<std::string_view, 18> kLengths = {"at",
+constexpr std::array<std::string_view, 19> kLengths = {"at",
                                                        "pole",
                                                        "diameter",
                                                        "centre",
@@ -32,9 +32,14 @@ constexpr std::array<std::string_view, 18> kLengths = {"at",
                                                        "points",
                                                        "centre_point",
                                                        "straight_paths",
-                                                       "free_point"};
-constexpr std::array<std::string_view, 5> kAngles = {
-    "angle", "margin", "transmission", "working_transmission", "full_transmission"};
+                                                       "free_point",
+                                                       "size"};
+constexpr std::array<std::string_view, 6> kAngles = {"angle",
+                                                     "margin",
+                                                     "transmission",
+                                                     "transmission_angle",
+                                                     "working_transmission",
+                                                     "full_transmission"};
 
 class SynthesisCsv {
  public:
@@ -82,10 +87,11 @@ class SynthesisCsv {
       return;
     }
     if (value.is_number()) {
-      const std::string number = value.is_number_integer() ? std::to_string(value.get<long>())
-                                                           : format_exact(value.get<double>());
+      const bool is_count = value.is_number_integer();
+      const std::string number =
+          is_count ? std::to_string(value.get<long>()) : format_exact(value.get<double>());
       text_ += csv_line(std::array<std::string, 8>{
-          name(), task_, "synthesis", element_, path, number, unit, status_});
+          name(), task_, "synthesis", element_, path, number, is_count ? "" : unit, status_});
     }
   }
 

@@ -36,9 +36,17 @@ std::optional<Tasks> find_possible_tasks(const SynthesisValues& values,
 }
 
 void add_counts(const Selection& selection, SynthesisAnalysis& analysis) {
-  analysis.selection->samples += selection.samples;
-  analysis.selection->with_linkage += selection.with_linkage;
-  analysis.selection->usable += selection.usable;
+  for (SelectionCounts* counts : {&*analysis.selection, &analysis.selections.back().counts}) {
+    counts->samples += selection.samples;
+    counts->with_linkage += selection.with_linkage;
+    counts->usable += selection.usable;
+    for (std::size_t i = 0; i < kDefectCount; ++i) {
+      counts->defects[i] += selection.defects[i];
+    }
+    for (std::size_t i = 0; i < kLackCount; ++i) {
+      counts->lacks[i] += selection.lacks[i];
+    }
+  }
 }
 
 // What a report shows of a selection: the best, or else what comes nearest.
@@ -59,12 +67,22 @@ void select_task(const SynthesisValues& values,
     Diagnostics unsaid;
     return values.positions_of_task(task, values.choice_of(numbers), unsaid);
   };
-  const Selection selection =
-      select_linkages(values.ranges(), candidates_of(make_task, values.limits()), kKept, for_each);
+  const Selection selection = select_linkages(values.ranges(),
+                                              candidates_of(make_task, values.limits()),
+                                              kKept,
+                                              for_each,
+                                              shortfalls_of(make_task));
   add_counts(selection, analysis);
+  std::vector<std::vector<double>> choices;
   for (const SelectedLinkage& one : shown_of(selection)) {
-    analysis.tasks.push_back(solve_task(*make_task(one.choice), values.limits()));
-    analysis.tasks.back().choice = values.choice_of(one.choice);
+    choices.push_back(one.choice);
+  }
+  if (selection.nearest_choice) {
+    choices.push_back(*selection.nearest_choice);
+  }
+  for (const std::vector<double>& choice : choices) {
+    analysis.tasks.push_back(solve_task(*make_task(choice), values.limits()));
+    analysis.tasks.back().choice = values.choice_of(choice);
   }
 }
 
@@ -134,6 +152,10 @@ bool select_tasks(const SynthesisValues& values,
   const ForEach for_each = for_each_on_threads(jobs);
   analysis.selection = SelectionCounts{};
   for (std::size_t task = 0; task < possible->size(); ++task) {
+    analysis.selections.push_back({.first_task = analysis.tasks.size()});
+    for (const PositionJets& position : (*possible)[task]) {
+      analysis.selections.back().angles.push_back(position.angle[0]);
+    }
     if (chooses_points) {
       select_circle_points(values, (*possible)[task], for_each, analysis);
     } else {
