@@ -1,6 +1,7 @@
 #include "command.hpp"
 #include "run/synthesis.hpp"
 #include "sweep_options.hpp"
+#include "usage_error.hpp"
 
 namespace kinestat::app {
 
@@ -23,12 +24,12 @@ void add_output(CLI::App& command, SynthesizeCommand& options) {
       command,
       "--all-linkages",
       [&options] { options.options.written = WrittenLinkages::all; },
-      "write those with a defect or outside the\nlimits too");
+      "write those with a defect or outside the\nlimits too; needs --write-mechanism");
   add_flag(
       command,
       "--force",
       [&options] { options.files.analyse.output.overwrite = Overwrite::force; },
-      "replace files that this program did not write");
+      "replace files that this program did not\nwrite; needs --write-mechanism");
 }
 
 void add_digits(CLI::App& command, SynthesisOptions& options) {
@@ -50,6 +51,17 @@ void add_digits(CLI::App& command, SynthesisOptions& options) {
       "decimal digits that the positions have as\n"
       "typed, 17 to 100, where 16 leave too few of\n"
       "the dyads");
+}
+
+// What says how to write needs a place to write to.
+void check_together(const CLI::App& command, const SynthesizeCommand& options) {
+  for (const char* name : {"--all-linkages", "--force"}) {
+    if (command.count(name) > 0 && options.files.analyse.output.folder.empty()) {
+      throw LonelyOption(name,
+                         "--write-mechanism",
+                         "name the folder for the linkages, as in --write-mechanism linkages");
+    }
+  }
 }
 
 }  // namespace
@@ -76,7 +88,8 @@ void add_synthesize(CLI::App& parent, Job& job) {
       "there are cores. The result does not depend\n"
       "on it");
   add_strict(*command, options->files);
-  command->callback([options, &job] {
+  command->callback([options, command, &job] {
+    check_together(*command, *options);
     job = [options] {
       return synthesize_files(options->files.paths, options->files.analyse, options->options);
     };

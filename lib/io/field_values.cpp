@@ -85,7 +85,8 @@ PointDescription require_point(Fields& fields,
                                std::string_view key,
                                Space space,
                                Diagnostics& found) {
-  const YamlNode* node = fields.require(key);
+  const YamlNode* node = fields.require(
+      key, fmt::format("'{}: {}'", key, space == Space::planar ? "[x, y]" : "[x, y, z]"));
   const auto point =
       node == nullptr ? std::nullopt : read_point(*node, title(key, fields), space, found);
   return point.value_or(PointDescription{});

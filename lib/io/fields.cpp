@@ -44,9 +44,7 @@ std::string example_of(std::string_view key) {
       {"drive", "'drive: NAME', an actuator"},
       {"vary", "'vary: {N1: {from: 15, to: 40, step: 1}}', the parameters that change"},
       {"positions", "'positions:' and below it lines '- {at: [x, y], angle: 30 deg}'"},
-      {"at", "'at: [x, y]', in space 'at: [x, y, z]'"},
       {"angle", "for example 'angle: 30 deg'"},
-      {"centre", "'centre: [x, y]', the centre of curvature"},
       {"from", "'from: VALUE', where it begins"},
       {"to", "'to: VALUE', where it ends"},
       {"step", "for example 'step: 1'"},
@@ -76,8 +74,11 @@ const YamlNode* Fields::find(std::string_view key) {
   return node_ == nullptr ? nullptr : node_->find(key);
 }
 
-const YamlNode* Fields::require(std::string_view key) {
+const YamlNode* Fields::require(std::string_view key, std::string example) {
   const YamlNode* value = find(key);
+  if (!example.empty()) {
+    examples_.emplace_back(key, std::move(example));
+  }
   if (value == nullptr && node_ != nullptr) {
     missing_.emplace_back(key);
   }
@@ -100,10 +101,11 @@ void Fields::finish() {
     }
   }
   for (const std::string& key : missing_) {
+    const auto own = std::ranges::find(examples_, key, &std::pair<std::string, std::string>::first);
     found_.error("E0303",
                  where_,
                  fmt::format("{} lacks the key '{}'", what_, key),
-                 fmt::format("add {}", example_of(key)));
+                 fmt::format("add {}", own != examples_.end() ? own->second : example_of(key)));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/diagnostic.hpp"
@@ -21,8 +22,9 @@ class Fields {
   /// The value of the key, or null if it is absent.
   const YamlNode* find(std::string_view key);
 
-  /// Likewise, but absence is an error of finish().
-  const YamlNode* require(std::string_view key);
+  /// Likewise, but absence is an error of finish(). `example` is what to add, if the key alone does
+  /// not say it: "'at: [x, y]'".
+  const YamlNode* require(std::string_view key, std::string example = {});
 
   /// Lets keys that begin so stand without being listed among the known ones.
   void ignore_prefix(std::string_view prefix);
@@ -44,6 +46,7 @@ class Fields {
   std::vector<std::string> known_;
   std::string ignored_prefix_;  ///< empty: none
   std::vector<std::string> missing_;
+  std::vector<std::pair<std::string, std::string>> examples_;  ///< of required keys
 };
 
 }  // namespace kinestat

@@ -68,6 +68,7 @@ Json verdict_json(const DriveVerdict& verdict,
   const bool is_angle = input_of(candidate.linkage, verdict.drive).kind != DyadKind::slider;
   const auto coordinate = [&](double x) { return is_angle ? plane.angle(x) : plane.length(x); };
   Json result = object_of(12);
+  result["dyad"] = candidate.dyads[verdict.drive == Drive::one ? 0 : 1];
   result["coordinates"] = Json::array();
   result["transmission"] = Json::array();
   for (std::size_t i = 0; i < verdict.coordinates.size(); ++i) {
@@ -109,12 +110,12 @@ Json dyad_json(const Dyad& dyad, const PlaneJson& task_plane) {
 }
 
 Json linkage_json(const LinkageCandidate& candidate, const PlaneJson& plane) {
-  Json result = object_of(13);
+  Json result = object_of(14);
   result["type"] = word_of(candidate.linkage.type());
   result["dyads"] = Json::array({candidate.dyads[0], candidate.dyads[1]});
   result["defect"] =
       candidate.defect == Defect::none ? Json(nullptr) : Json(word_of(candidate.defect));
-  result["drive"] = candidate.best_drive == Drive::one ? 0 : 1;
+  result["drive"] = candidate.dyads[candidate.best_drive == Drive::one ? 0 : 1];
   result["margin"] = candidate.best().working_arc ? plane.angle(candidate.margin()) : Json(nullptr);
   result["longest"] = plane.length(candidate.longest);
   result["link_ratio"] = number(candidate.ratio);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/utf8.hpp"
+#include "report/limits_text.hpp"
 #include "report/table.hpp"
 
 namespace kinestat {
@@ -279,20 +280,26 @@ std::string dyads_text(const SynthesisTask& task, int digits, const PlaneText& p
   return text + (has_nearest ? nearest_text(*solution.nearest, task, plane) : "");
 }
 
-std::string linkages_text(const SynthesisTask& task, const PlaneText& plane) {
+std::string linkages_text(const SynthesisTask& task,
+                          const LinkageLimits& limits,
+                          const PlaneText& plane) {
   if (task.dyads->status == BurmesterStatus::no_digits) {
     return "";
   }
   if (task.linkages.empty()) {
     const bool is_family = task.dyads->status == BurmesterStatus::family;
-    return task.dyads->dyads.size() >= 2 ? "no linkage of the kind that 'linkage' asks for\n"
-           : is_family                   ? "no linkage: that takes two dyads that stand alone\n"
+    const std::string text = task.dyads->dyads.size() >= 2
+                                 ? "no linkage of the kind that 'linkage' asks for\n"
+                             : is_family ? "no linkage: that takes two dyads that stand alone\n"
                                          : "no linkage: that takes two real dyads\n";
+    return text + left_out_text(task, limits);
   }
   std::string text = "\n" + verdict_table(task, plane);
   if (task.linkages.front().defect != Defect::none) {
-    text += "no linkage is usable; the first one is the nearest\n";
+    text += fmt::format("no linkage is usable; the first one is the nearest{}\n",
+                        limits_text(task.linkages.front(), limits, plane));
   }
+  text += left_out_text(task, limits);
   return text + "\n" + link_table(task, plane) + cognates_text(task, plane) + files_text(task);
 }
 

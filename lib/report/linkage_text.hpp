@@ -21,7 +21,10 @@ std::string family_text(Degeneracy reason, std::span<const PositionJets> positio
 std::string_view phrase_of(Defect defect);
 
 /// All linkages with their verdicts and links, the best first; the cognates of those that are
-/// usable, or of the one that comes nearest; and where they were written to.
-std::string linkages_text(const SynthesisTask& task, const PlaneText& plane);
+/// usable, or of the one that comes nearest, with the limits that it takes; those that the file
+/// does not ask for; and where they were written to.
+std::string linkages_text(const SynthesisTask& task,
+                          const LinkageLimits& limits,
+                          const PlaneText& plane);
 
 }  // namespace kinestat

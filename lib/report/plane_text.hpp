@@ -32,6 +32,9 @@ class PlaneText {
     return fmt::format("({}, {})", length(p.real()), length(p.imag()));
   }
 
+  /// The file's unit of angle [rad].
+  double unit_of_angle() const { return in_.units().factor(QuantityKind::angle); }
+
   /// The file's unit of length [m].
   double unit_of_length() const { return in_.units().factor(QuantityKind::length); }
 

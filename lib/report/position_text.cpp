@@ -23,10 +23,13 @@ std::string path_text(const PositionJets& position, const PlaneText& plane) {
   const PathCurvature curvature = find_path_curvature(position, {0.0, 0.0});
   const double zero = kReportsAgreeInZero * std::abs(curvature.k.value_or(0.0));
   const double unit = plane.unit_of_length();
+  const std::string_view parameter = !curvature.k_prime     ? ""
+                                     : position.is_directed ? " by the parameter of 'derivatives'"
+                                                            : " by the angle in radians";
   const std::string text = curvature_text("K", curvature.k, zero, unit) +
                            curvature_text("K'", curvature.k_prime, zero, unit) +
                            curvature_text("K''", curvature.k_second, zero, unit);
-  return text.empty() ? "" : "; path of E:" + text.substr(1);
+  return text.empty() ? "" : fmt::format("; path of E:{}{}", text.substr(1), parameter);
 }
 
 // M or N, infinite where the cubic of stationary curvature falls apart.

@@ -15,13 +15,17 @@ namespace {
 
 // Keys below which all numbers are lengths, or angles. The coordinates of a drive are one or the
 // other, and coefficients, ratios and counts neither.
-constexpr std::array<std::string_view, 21> kLengths = {
+constexpr std::array<std::string_view, 22> kLengths = {
     "at",           "pole",           "diameter",     "centre",  "radius",    "ball_point",
     "circle_point", "length",         "crank_length", "centres", "deviation", "longest",
     "lengths",      "fixed",          "moving",       "focus",   "offset",    "points",
-    "centre_point", "straight_paths", "free_point"};
-constexpr std::array<std::string_view, 5> kAngles = {
-    "angle", "margin", "transmission", "working_transmission", "full_transmission"};
+    "centre_point", "straight_paths", "free_point",   "size"};
+constexpr std::array<std::string_view, 6> kAngles = {"angle",
+                                                     "margin",
+                                                     "transmission",
+                                                     "transmission_angle",
+                                                     "working_transmission",
+                                                     "full_transmission"};
 
 class SynthesisCsv {
  public:
@@ -69,10 +73,11 @@ class SynthesisCsv {
       return;
     }
     if (value.is_number()) {
-      const std::string number = value.is_number_integer() ? std::to_string(value.get<long>())
-                                                           : format_exact(value.get<double>());
+      const bool is_count = value.is_number_integer();
+      const std::string number =
+          is_count ? std::to_string(value.get<long>()) : format_exact(value.get<double>());
       text_ += csv_line(std::array<std::string, 8>{
-          name(), task_, "synthesis", element_, path, number, unit, status_});
+          name(), task_, "synthesis", element_, path, number, is_count ? "" : unit, status_});
     }
   }
 

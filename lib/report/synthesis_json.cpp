@@ -29,11 +29,54 @@ Json reason(Degeneracy why) {
   return why == Degeneracy::none ? Json(nullptr) : Json(word_of(why));
 }
 
-Json selection_json(const SelectionCounts& counts) {
-  Json result = object_of(3);
+// Why samples fell out: each is counted once.
+Json rejected_json(const SelectionCounts& counts) {
+  Json result = object_of(kLackCount + kDefectCount);
+  for (std::size_t i = 0; i < kLackCount; ++i) {
+    result[word_of(static_cast<Lack>(i))] = counts.lacks[i];
+  }
+  for (std::size_t i = 1; i < kDefectCount; ++i) {
+    result[word_of(static_cast<Defect>(i))] = counts.defects[i];
+  }
+  return result;
+}
+
+void add_counts(const SelectionCounts& counts, Json& result) {
   result["samples"] = counts.samples;
   result["with_linkage"] = counts.with_linkage;
   result["usable"] = counts.usable;
+  result["rejected"] = rejected_json(counts);
+}
+
+// Which of the listed angles; empty where a file has no lists.
+Json listed_angles_json(const std::vector<double>& angles, const SynthesisAnalysis& analysis) {
+  const PlaneJson plane(analysis.description.units, 0.0);
+  Json result = Json::array();
+  for (const std::size_t place : positions_with_lists(*analysis.description.synthesis)) {
+    Json entry = object_of(2);
+    entry["position"] = place + 1;
+    entry["angle"] = plane.angle(angles[place]);
+    result.push_back(std::move(entry));
+  }
+  return result;
+}
+
+Json selection_json(const SynthesisAnalysis& analysis) {
+  if (!analysis.selection) {
+    return nullptr;
+  }
+  Json result = object_of(5);
+  add_counts(*analysis.selection, result);
+  result["by_angles"] = Json::array();
+  if (!positions_with_lists(*analysis.description.synthesis).empty()) {
+    for (const AngleSelection& one : analysis.selections) {
+      Json entry = object_of(6);
+      entry["listed_angles"] = listed_angles_json(one.angles, analysis);
+      add_counts(one.counts, entry);
+      entry["first_task"] = one.first_task;
+      result["by_angles"].push_back(std::move(entry));
+    }
+  }
   return result;
 }
 
@@ -59,13 +102,19 @@ CurveWindow window_of(const SynthesisTask& task, int count) {
 class TaskJson {
  public:
   TaskJson(const SynthesisAnalysis& analysis, const SynthesisTask& task)
-      : task_(task),
+      : analysis_(analysis),
+        task_(task),
         plane_(analysis.description.units, zero_length(task)),
         window_(window_of(task, analysis.curve_count)),
         has_coupler_curves_(analysis.description.synthesis->curve_count.has_value()) {}
 
   Json run() const {
-    Json result = object_of(12);
+    Json result = object_of(14);
+    std::vector<double> angles;
+    for (const PositionJets& position : task_.positions) {
+      angles.push_back(position.angle[0]);
+    }
+    result["listed_angles"] = listed_angles_json(angles, analysis_);
     if (task_.choice) {
       result["choice"] = choice_json(*task_.choice);
     }
@@ -78,6 +127,10 @@ class TaskJson {
       result["linkages"] = Json::array();
       for (std::size_t i = 0; i < task_.linkages.size(); ++i) {
         result["linkages"].push_back(numbered_linkage_json(i));
+      }
+      result["left_out"] = Json::object();
+      for (const LeftOutLinkages& one : task_.left_out) {
+        result["left_out"][word_of(one.type)] = one.usable;
       }
     }
     if (task_.curves) {
@@ -97,6 +150,7 @@ class TaskJson {
     const LinkageCandidate& candidate = task_.linkages[number];
     const bool is_written = number < task_.files.size() && !task_.files[number].empty();
     Json result = linkage_json(candidate, plane_);
+    result["limits_needed"] = limits_needed_json(candidate);
     result["coupler_curve"] =
         has_coupler_curves_ ? coupler_curve_json(candidate,
                                                  pose_of(task_.positions[0]),
@@ -104,6 +158,19 @@ class TaskJson {
                                                  plane_)
                             : Json(nullptr);
     result["file"] = is_written ? Json(printable(task_.files[number])) : Json(nullptr);
+    return result;
+  }
+
+  Json limits_needed_json(const LinkageCandidate& candidate) const {
+    const auto needed = find_limits_needed(candidate, analysis_.limits);
+    if (!needed) {
+      return nullptr;
+    }
+    Json result = object_of(3);
+    result["transmission_angle"] =
+        needed->transmission ? plane_.angle(*needed->transmission) : Json(nullptr);
+    result["link_ratio"] = number(needed->ratio);
+    result["size"] = needed->size ? plane_.length(*needed->size) : Json(nullptr);
     return result;
   }
 
@@ -150,6 +217,7 @@ class TaskJson {
     return result;
   }
 
+  const SynthesisAnalysis& analysis_;
   const SynthesisTask& task_;
   PlaneJson plane_;
   CurveWindow window_;
@@ -162,7 +230,7 @@ Json synthesis_json(const SynthesisAnalysis& analysis) {
   Json result = object_of(4);
   result["form"] = analysis.form;
   result["working_digits"] = analysis.digits.value_or(kDoubleDigits);
-  result["selection"] = analysis.selection ? selection_json(*analysis.selection) : Json(nullptr);
+  result["selection"] = selection_json(analysis);
   result["tasks"] = Json::array();
   for (const SynthesisTask& task : analysis.tasks) {
     result["tasks"].push_back(TaskJson(analysis, task).run());

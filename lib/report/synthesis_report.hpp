@@ -1,6 +1,8 @@
 // The answers to the synthesis task of one file in the forms of a report.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "report/file_report.hpp"
 #include "synthesis/burmester.hpp"
 #include "synthesis/few_positions.hpp"
+#include "synthesis/selection.hpp"
 #include "synthesis/special_frame.hpp"
 #include "synthesis/specification.hpp"
 #include "synthesis/synthesis.hpp"
@@ -22,6 +25,12 @@ struct SynthesisChoice {
   std::optional<EffectiveFreedom> freedom;  ///< instead of both
 };
 
+/// Usable linkages of a kind that the file does not ask for.
+struct LeftOutLinkages {
+  LinkageType type = LinkageType::slider_crank;
+  int usable = 0;
+};
+
 /// One choice of the angles that a file lists, and of its ranges, and what was found for it.
 /// Lengths in SI.
 struct SynthesisTask {
@@ -32,6 +41,7 @@ struct SynthesisTask {
   std::optional<Circle> straight_paths;      ///< of three
   Degeneracy special = Degeneracy::none;     ///< of two and three: why they leave more open
   std::vector<LinkageCandidate> linkages;    ///< the best first
+  std::vector<LeftOutLinkages> left_out;     ///< usable ones of other kinds than were asked for
   std::vector<std::string> files;            ///< written, one a linkage; empty ones are not
 };
 
@@ -40,17 +50,44 @@ struct SelectionCounts {
   int samples = 0;
   int with_linkage = 0;
   int usable = 0;
+  std::array<int, kDefectCount> defects{};  ///< by Defect; of none, as many as are usable
+  std::array<int, kLackCount> lacks{};      ///< by Lack
+};
+
+/// A selection for one choice of the angles that a file lists.
+struct AngleSelection {
+  std::vector<double> angles;  ///< of all positions [rad]
+  SelectionCounts counts;
+  std::size_t first_task = 0;  ///< of those found for it
 };
 
 struct SynthesisAnalysis {
   std::string file;  ///< as the user gave it
   MechanismDescription description;
-  int curve_count = 200;                     ///< points of each curve
-  std::optional<int> digits;                 ///< decimal digits of the positions, if asked for
-  std::string form;                          ///< "PP-PP-P"
+  int curve_count = 200;      ///< points of each curve
+  std::optional<int> digits;  ///< decimal digits of the positions, if asked for
+  std::string form;           ///< "PP-PP-P"
+  LinkageLimits limits;
   std::optional<SelectionCounts> selection;  ///< where the file has ranges
+  std::vector<AngleSelection> selections;    ///< of which that is the sum
   std::vector<SynthesisTask> tasks;          ///< with ranges the best choices, perhaps none
 };
+
+/// The places, from 0, of the positions whose angle is a list: what tells the tasks of a file
+/// apart.
+std::vector<std::size_t> positions_with_lists(const SynthesisDescription& task);
+
+/// Limits with which a linkage that has no other defect would be usable; those that it keeps to are
+/// empty.
+struct LimitsNeeded {
+  std::optional<double> transmission;  ///< [rad]
+  std::optional<double> ratio;
+  std::optional<double> size;  ///< [length]
+};
+
+/// Empty where no limit helps, or none is needed.
+std::optional<LimitsNeeded> find_limits_needed(const LinkageCandidate& candidate,
+                                               const LinkageLimits& limits);
 
 /// Lengths below this are rounding of the positions and reported as zero [m].
 double zero_length(const SynthesisTask& task);

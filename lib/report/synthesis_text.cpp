@@ -14,14 +14,58 @@ namespace kinestat {
 
 namespace {
 
-std::string selection_text(const SelectionCounts& counts) {
-  return fmt::format("{} choices tried, {} with a linkage, {} with a usable one{}\n",
+std::string_view phrase_of(Lack lack) {
+  switch (lack) {
+    case Lack::motion:
+      return "contradictory positions";
+    case Lack::dyads:
+      return "fewer than two real dyads";
+    case Lack::kind:
+      return "no linkage of the kind that 'linkage' asks for";
+  }
+  return "";
+}
+
+// Why samples fell out: each is counted once.
+std::string rejected_text(const SelectionCounts& counts) {
+  std::vector<std::string> reasons;
+  for (std::size_t i = 0; i < kLackCount; ++i) {
+    if (counts.lacks[i] > 0) {
+      reasons.push_back(fmt::format("{} {}", phrase_of(static_cast<Lack>(i)), counts.lacks[i]));
+    }
+  }
+  for (std::size_t i = 1; i < kDefectCount; ++i) {
+    if (counts.defects[i] > 0) {
+      reasons.push_back(fmt::format("{} {}", phrase_of(static_cast<Defect>(i)), counts.defects[i]));
+    }
+  }
+  return reasons.empty() ? "" : fmt::format("not usable: {}\n", fmt::join(reasons, ", "));
+}
+
+std::string selection_text(const SelectionCounts& counts, bool has_tasks) {
+  if (counts.samples == 0) {
+    return "nothing to choose from: no curve of circle points passes through the area of "
+           "'circle_points'\n";
+  }
+  return fmt::format("{} choices tried, {} with a linkage, {} with a usable one\n{}{}",
                      counts.samples,
                      counts.with_linkage,
                      counts.usable,
-                     counts.usable > 0         ? "; the best are:"
-                     : counts.with_linkage > 0 ? "; the nearest is:"
-                                               : "");
+                     rejected_text(counts),
+                     counts.usable > 0 ? "the best are:\n"
+                     : has_tasks       ? "the nearest is:\n"
+                                       : "");
+}
+
+// Which of the listed angles: "angle 70 of position 3"; empty where a file has no lists.
+std::string listed_angles_text(const std::vector<double>& angles,
+                               const SynthesisAnalysis& analysis,
+                               const PlaneText& plane) {
+  std::vector<std::string> texts;
+  for (const std::size_t place : positions_with_lists(*analysis.description.synthesis)) {
+    texts.push_back(fmt::format("angle {} of position {}", plane.angle(angles[place]), place + 1));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 // One task in the units of its file.
@@ -34,7 +78,7 @@ class TaskText {
     std::string text = "\n" + choice_text() + positions_text(task_, plane_);
     if (task_.dyads) {
       text += dyads_text(task_, analysis_.digits.value_or(kDoubleDigits), plane_) +
-              linkages_text(task_, plane_);
+              linkages_text(task_, analysis_.limits, plane_);
     }
     if (task_.curves) {
       text += curves_text(*task_.curves);
@@ -54,26 +98,26 @@ class TaskText {
   }
 
  private:
-  // What tells this task from the others of the file.
+  // What tells this task from the others of the file; its number is that of files and other forms.
   std::string choice_text() const {
+    std::vector<double> angles;
+    for (const PositionJets& position : task_.positions) {
+      angles.push_back(position.angle[0]);
+    }
+    std::vector<std::string> texts = {listed_angles_text(angles, analysis_, plane_)};
     if (task_.choice) {
       const auto& [m, free_point, freedom] = *task_.choice;
-      const std::string text =
-          fmt::format("{}{}{}{}",
-                      m ? "m " + format_short(*m) : "",
-                      m && free_point ? ", " : "",
-                      free_point ? "free_point " + plane_.point(*free_point) : "",
-                      freedom ? freedom_text(*freedom) : "");
-      return text + (text.empty() ? "" : "\n");
+      texts.push_back(m ? "m " + format_short(*m) : "");
+      texts.push_back(free_point ? "free_point " + plane_.point(*free_point) : "");
+      texts.push_back(freedom ? freedom_text(*freedom) : "");
     }
-    if (analysis_.tasks.size() < 2) {
-      return "";
+    std::erase(texts, "");
+    if (analysis_.tasks.size() > 1) {
+      const std::string number = fmt::format("task {}", &task_ - analysis_.tasks.data());
+      return texts.empty() ? number + "\n"
+                           : fmt::format("{}: {}\n", number, fmt::join(texts, ", "));
     }
-    std::string text = "angles";
-    for (const PositionJets& position : task_.positions) {
-      text += " " + plane_.angle(position.angle[0]);
-    }
-    return text + "\n";
+    return texts.empty() ? "" : fmt::format("{}\n", fmt::join(texts, ", "));
   }
 
   std::string freedom_text(const EffectiveFreedom& freedom) const {
@@ -133,11 +177,24 @@ std::string synthesis_text(const SynthesisAnalysis& analysis) {
                   units.text(QuantityKind::length),
                   units.text(QuantityKind::angle),
                   analysis.digits ? fmt::format(", {} digits", *analysis.digits) : "");
-  if (analysis.selection) {
-    text += selection_text(*analysis.selection);
+  const PlaneText plane(units, 0.0);
+  const auto add_tasks = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      text += TaskText(analysis, analysis.tasks[i]).run();
+    }
+  };
+  const std::size_t count = analysis.tasks.size();
+  for (std::size_t i = 0; i < analysis.selections.size(); ++i) {
+    const AngleSelection& one = analysis.selections[i];
+    const bool is_last = i + 1 == analysis.selections.size();
+    const std::size_t end = is_last ? count : analysis.selections[i + 1].first_task;
+    const std::string angles = listed_angles_text(one.angles, analysis, plane);
+    text += (angles.empty() ? "" : "\n" + angles + ": ") +
+            selection_text(one.counts, end > one.first_task);
+    add_tasks(one.first_task, end);
   }
-  for (const SynthesisTask& task : analysis.tasks) {
-    text += TaskText(analysis, task).run();
+  if (analysis.selections.empty()) {
+    add_tasks(0, count);
   }
   return text;
 }

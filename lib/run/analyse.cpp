@@ -12,6 +12,7 @@
 #include "run/findings.hpp"
 #include "run/gears.hpp"
 #include "run/solve_cases.hpp"
+#include "run/synthesis.hpp"
 
 namespace kinestat {
 
@@ -92,7 +93,8 @@ Outcome check_files(const std::vector<std::string>& paths, const AnalyseOptions&
     SourceFile source;
     Diagnostics found;
     const auto description = load_description(path, options.load, source, found);
-    const bool is_right = description && check(*description, found);
+    const bool is_right = description && check(*description, found) &&
+                          (!description->synthesis || check_synthesis_task(*description, found));
     if (is_right && status_of(found, options.strictness) == ExitStatus::done) {
       outcome.out += fmt::format("{}: ok\n", path == "-" ? "<stdin>" : path);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -92,6 +93,37 @@ bool solve_tasks(const SynthesisValues& values, Diagnostics& found, SynthesisAna
   return true;
 }
 
+// Usable linkages of other kinds than `asked`, in the order of the kinds.
+std::vector<LeftOutLinkages> left_out_of(const SynthesisTask& task,
+                                         LinkageType asked,
+                                         const LinkageLimits& of_any_kind) {
+  std::map<LinkageType, int> usable;
+  for (const LinkageCandidate& one :
+       rank_linkages(task.dyads->dyads, task.positions, of_any_kind)) {
+    const LinkageType type = one.linkage.type();
+    if (one.defect == Defect::none && type != asked) {
+      ++usable[type];
+    }
+  }
+  std::vector<LeftOutLinkages> result;
+  for (const auto& [type, count] : usable) {
+    result.push_back({.type = type, .usable = count});
+  }
+  return result;
+}
+
+// What a file that asks for one kind of linkage would not hear of.
+void add_left_out(SynthesisAnalysis& analysis) {
+  const std::optional<LinkageType> asked = analysis.limits.type;
+  LinkageLimits of_any_kind = analysis.limits;
+  of_any_kind.type = std::nullopt;
+  for (SynthesisTask& task : analysis.tasks) {
+    if (asked && task.dyads) {
+      task.left_out = left_out_of(task, *asked, of_any_kind);
+    }
+  }
+}
+
 // Of the answers of one task: the fewest.
 double digits_left(const SynthesisTask& task) {
   double digits = kDoubleDigits;
@@ -151,18 +183,31 @@ std::optional<SynthesisAnalysis> find_synthesis(const std::string& path,
   analysis.description = std::move(description);
   const SynthesisValues values(analysis.description);
   analysis.digits = options.digits ? options.digits : values.digits();
+  analysis.limits = values.limits();
   const bool selects = !analysis.description.synthesis->vary.empty() && !analysis.digits;
   const bool is_right = selects ? select_tasks(values, options.jobs, found, analysis)
                                 : solve_tasks(values, found, analysis);
   if (!is_right) {
     return std::nullopt;
   }
+  add_left_out(analysis);
   analysis.curve_count = values.curve_count().value_or(analysis.curve_count);
   warn_of_few_digits(analysis, found);
   return analysis;
 }
 
 }  // namespace
+
+bool check_synthesis_task(const MechanismDescription& description, Diagnostics& found) {
+  const SynthesisValues values(description);
+  if (const auto digits = values.digits()) {
+    return check_digits(*digits, description, found) &&
+           TaskPositions<Precise>(description).of_tasks({}, found).has_value();
+  }
+  return description.synthesis->vary.empty()
+             ? values.positions_of_tasks({}, found).has_value()
+             : find_selection_tasks(values, *description.synthesis, found).has_value();
+}
 
 Outcome synthesize_files(const std::vector<std::string>& paths,
                          const AnalyseOptions& options,

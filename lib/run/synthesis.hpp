@@ -23,6 +23,11 @@ struct SynthesisOptions {
   std::uint64_t jobs = 0;  ///< threads of a selection; 0: as many as the machine has cores
 };
 
+/// Whether the task of a description that is right by itself (check) is one that can be solved: no
+/// position contradicts itself, and digits and ranges belong to its number of positions. False iff
+/// an error was added.
+bool check_synthesis_task(const MechanismDescription& description, Diagnostics& found);
+
 /// One report a file on standard output. A file without the section `synthesis` is an error. Where
 /// the options name a folder, linkages are written into it as mechanism files.
 Outcome synthesize_files(const std::vector<std::string>& paths,

@@ -11,19 +11,56 @@ namespace kinestat {
 
 namespace {
 
+// How near a linkage comes to the limit that speaks against it, or its margin: the more the better.
+double reached_by(const LinkageCandidate& candidate) {
+  switch (candidate.defect) {
+    case Defect::none:
+    case Defect::digits:
+    case Defect::circuit:
+    case Defect::branch:
+    case Defect::order:
+    case Defect::transmission:
+      return candidate.margin();
+    case Defect::ratio:
+      return -candidate.ratio;
+    case Defect::size:
+      return -candidate.longest;
+  }
+  return 0.0;
+}
+
 // What is kept of the many.
 struct Sample {
   double margin = -1.0;  // below zero without a usable linkage
-  Standing standing;     // of the default rank without any linkage
+  Standing standing;  // its margin is what reached_by says; the rank is negative without a linkage
+  Defect defect = Defect::none;
+  Lack lack = Lack::dyads;  // without a linkage
 };
+
+Sample sample_of(const LinkageCandidate& candidate) {
+  Sample sample{.standing = candidate.standing(), .defect = candidate.defect};
+  sample.standing.margin = reached_by(candidate);
+  if (candidate.defect == Defect::none) {
+    sample.margin = candidate.margin();
+  }
+  return sample;
+}
+
+Sample sample_of(const Shortfall& shortfall) {
+  Sample sample{.lack = shortfall.lack};
+  sample.standing.rank = static_cast<int>(shortfall.lack) - static_cast<int>(kLackCount);
+  sample.standing.margin = -shortfall.residual;
+  return sample;
+}
 
 class Selector {
  public:
   Selector(std::span<const SelectionRange> ranges,
            const CandidateMaker& make,
            std::size_t keep,
-           const ForEach& for_each)
-      : ranges_(ranges), make_(make), keep_(keep), for_each_(for_each) {}
+           const ForEach& for_each,
+           const ShortfallFinder& lacking)
+      : ranges_(ranges), make_(make), keep_(keep), for_each_(for_each), lacking_(lacking) {}
 
   Selection run() {
     try_samples();
@@ -55,17 +92,14 @@ class Selector {
     for_each_((count + kBlock - 1) / kBlock, [&](std::size_t block) {
       const std::size_t end = std::min(count, (block + 1) * kBlock);
       for (std::size_t i = block * kBlock; i < end; ++i) {
-        samples_[i] = sample_of(make_(choice_at(index_of(i))));
+        samples_[i] = try_choice(choice_at(index_of(i)));
       }
     });
   }
 
-  static Sample sample_of(const std::optional<LinkageCandidate>& found) {
-    if (!found) {
-      return {};
-    }
-    const bool is_usable = found->defect == Defect::none;
-    return {.margin = is_usable ? found->margin() : -1.0, .standing = found->standing()};
+  Sample try_choice(const std::vector<double>& choice) const {
+    const auto found = make_(choice);
+    return found ? sample_of(*found) : sample_of(lacking_ ? lacking_(choice) : Shortfall{});
   }
 
   // The counts; and if nothing is usable, what comes nearest: of equal ones the first.
@@ -75,12 +109,21 @@ class Selector {
       const Sample& sample = samples_[i];
       const Sample& best = samples_[nearest];
       ++selection_.samples;
-      selection_.with_linkage += sample.standing.rank >= 0 ? 1 : 0;
+      if (sample.standing.rank >= 0) {
+        ++selection_.with_linkage;
+        ++selection_.defects[static_cast<std::size_t>(sample.defect)];
+      } else {
+        ++selection_.lacks[static_cast<std::size_t>(sample.lack)];
+      }
       selection_.usable += sample.margin >= 0.0 ? 1 : 0;
       nearest = sample.standing.is_better_than(best.standing) ? i : nearest;
     }
     if (selection_.usable == 0 && selection_.with_linkage > 0) {
       selection_.nearest = selected(nearest);
+    }
+    if (selection_.with_linkage == 0 && !samples_.empty() &&
+        samples_[nearest].lack != Lack::motion) {
+      selection_.nearest_choice = choice_at(index_of(nearest));
     }
   }
 
@@ -238,6 +281,7 @@ class Selector {
   const CandidateMaker& make_;
   std::size_t keep_;
   const ForEach& for_each_;
+  const ShortfallFinder& lacking_;
   std::vector<Sample> samples_;  // the last range runs fastest
   Selection selection_;
 };
@@ -249,18 +293,6 @@ int samples_along(int samples, double numbers) {
   return std::max(2, static_cast<int>(std::ceil(each * (1.0 - kSameValue))));
 }
 
-CandidateMaker candidates_of(const TaskMaker& make_task, const LinkageLimits& limits) {
-  return [make_task, limits](std::span<const double> choice) -> std::optional<LinkageCandidate> {
-    const auto positions = make_task(choice);
-    if (!positions) {
-      return std::nullopt;
-    }
-    const BurmesterSolution solution = solve_burmester(*positions);
-    std::vector<LinkageCandidate> found = rank_linkages(solution.dyads, *positions, limits);
-    return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
-  };
-}
-
 void one_after_another(std::size_t count, const std::function<void(std::size_t)>& job) {
   for (std::size_t i = 0; i < count; ++i) {
     job(i);
@@ -270,9 +302,10 @@ void one_after_another(std::size_t count, const std::function<void(std::size_t)>
 Selection select_linkages(std::span<const SelectionRange> ranges,
                           const CandidateMaker& make,
                           int keep,
-                          const ForEach& for_each) {
+                          const ForEach& for_each,
+                          const ShortfallFinder& lacking) {
   KINESTAT_EXPECTS(keep > 0);
-  return Selector(ranges, make, static_cast<std::size_t>(keep), for_each).run();
+  return Selector(ranges, make, static_cast<std::size_t>(keep), for_each, lacking).run();
 }
 
 }  // namespace kinestat

@@ -1,13 +1,14 @@
 // The best linkage over what a task leaves free.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "synthesis/synthesis.hpp"
+#include "synthesis/selection_choice.hpp"
 
 namespace kinestat {
 
@@ -22,21 +23,12 @@ struct SelectionRange {
 /// combinations: not fewer.
 int samples_along(int samples, double numbers);
 
-/// The best linkage for a choice of the free numbers, one a range; empty where there is none. It is
-/// asked from several threads at once.
-using CandidateMaker = std::function<std::optional<LinkageCandidate>(std::span<const double>)>;
-
-/// The positions for a choice of the free numbers; empty where there is no such motion.
-using TaskMaker =
-    std::function<std::optional<std::vector<PositionJets>>(std::span<const double> choice)>;
-
-/// Five positions a task: the best pair of their dyads.
-CandidateMaker candidates_of(const TaskMaker& make_task, const LinkageLimits& limits);
-
 /// Does the job of every number below `count`, in any order or at the same time.
 using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>& job)>;
 
 void one_after_another(std::size_t count, const std::function<void(std::size_t)>& job);
+
+inline constexpr std::size_t kDefectCount = static_cast<std::size_t>(Defect::size) + 1;
 
 struct SelectedLinkage {
   std::vector<double> choice;  ///< one number a range
@@ -47,17 +39,24 @@ struct Selection {
   std::vector<SelectedLinkage>
       best;  ///< usable, the best first: each better than what is around it
   std::optional<SelectedLinkage> nearest;  ///< without a usable one: what comes nearest
+  std::optional<std::vector<double>>
+      nearest_choice;  ///< without any linkage: that which comes nearest to one
   int samples = 0;
   int with_linkage = 0;  ///< samples that have a linkage at all
   int usable = 0;        ///< samples that have one without defect and within the limits
+  std::array<int, kDefectCount> defects{};  ///< samples with a linkage by its Defect
+  std::array<int, kLackCount> lacks{};      ///< the others by their Lack
 };
 
 /// Every combination of the ranges; of those that no neighbour surpasses the `keep` best are
 /// improved between their neighbours, step by step along each number, as long as the margin of the
-/// transmission angle grows. The same result in every run, whatever `for_each` does at once.
+/// transmission angle grows. Where none is usable, the nearest has the mildest defect, and of those
+/// that miss a limit it misses it least. The same result in every run, whatever `for_each` does at
+/// once. Without `lacking` a choice without a linkage lacks dyads.
 Selection select_linkages(std::span<const SelectionRange> ranges,
                           const CandidateMaker& make,
                           int keep,
-                          const ForEach& for_each = one_after_another);
+                          const ForEach& for_each = one_after_another,
+                          const ShortfallFinder& lacking = {});
 
 }  // namespace kinestat

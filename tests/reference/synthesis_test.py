@@ -283,7 +283,7 @@ class CouplerCurves(unittest.TestCase):
                 ends = places[1:] + (places[:1] if curve["closed"] else [])
                 size = max(abs(place - places[0]) for place in places)
                 for i, position in enumerate(answer["positions"]):
-                    drive = linkage["drives"][linkage["drive"]]
+                    drive = linkage["drives"][linkage["dyads"].index(linkage["drive"])]
                     near = min(distance(point(position["at"]), one, other)
                                for one, other in zip(places, ends))
                     if drive["circuits"][i] == drive["circuits"][0]:
@@ -395,7 +395,7 @@ class WrittenMechanisms(unittest.TestCase):
             pole = point(task["positions"][0]["pole"])
             found = pole_of(case["kinematics"]["bodies"]["coupler"])
             self.assertLessEqual(abs(found - pole), 1e-9 * max(size, abs(pole)))
-        drive = linkage["drives"][linkage["drive"]]
+        drive = linkage["drives"][linkage["dyads"].index(linkage["drive"])]
         freedoms = case["kinematics"]["freedoms"]
         speed = freedoms["A0.v" if links[0].kind == "slider" else "A0.wz"]
         self.assertEqual(speed, -1.0 if drive["passage"] == "decreasing" else 1.0)

@@ -54,6 +54,7 @@ class SynthesisCheck {
       check_position(task_.positions[i], fmt::format("position {}", i + 1));
     }
     check_count();
+    check_tasks();
     context_.number(
         task_.limits.transmission_angle, kTransmissionAngle, "'transmission_angle' of 'limits'");
     context_.number(task_.limits.link_ratio, kLinkRatio, "'link_ratio' of 'limits'");
@@ -87,6 +88,16 @@ class SynthesisCheck {
     context_.point(curvature.centre);
     context_.point(curvature.free_point);
     context_.number(curvature.m, kPathRatio, "'m' of " + what);
+    for (const FreeNumber varied : {FreeNumber::m, FreeNumber::s}) {
+      if (curvature.m && is_varied(varied)) {
+        has_both("m", varied, curvature.m->where, what);
+      }
+    }
+    for (const FreeNumber varied : {FreeNumber::free_point, FreeNumber::s}) {
+      if (curvature.free_point && is_varied(varied)) {
+        has_both("free_point", varied, curvature.free_point->where, what);
+      }
+    }
     if (is_varied(FreeNumber::s)) {
       return;
     }
@@ -101,6 +112,23 @@ class SynthesisCheck {
   bool is_varied(FreeNumber which) const {
     return std::ranges::any_of(task_.vary,
                                [&](const SynthesisRange& range) { return range.which == which; });
+  }
+
+  // A number that a range would override without a word.
+  void has_both(std::string_view key,
+                FreeNumber varied,
+                SourceRange where,
+                const std::string& what) {
+    const std::string_view word = word_of(varied);
+    context_.found.error(
+        "E0302",
+        where,
+        word == key
+            ? fmt::format("'curvature' of {} gives '{}', which 'vary' lets vary", what, key)
+            : fmt::format(
+                  "'curvature' of {} gives '{}', for which '{}' of 'vary' stands", what, key, word),
+        fmt::format(
+            "delete '{}' here to try the range, or '{}' of 'vary' to keep the number", key, word));
   }
 
   void lacks(const CurvatureDescription& curvature,
@@ -136,6 +164,26 @@ class SynthesisCheck {
                                      count == 1 ? "" : "s"),
                          count < kLeast ? "add a position, or its pole"
                                         : "leave out a position, a pole, or an order of contact");
+  }
+
+  // The lists of angles multiply; the place is the list that makes too many tasks.
+  void check_tasks() {
+    constexpr double kMostTasks = 1000.0;
+    double count = 1.0;
+    SourceRange where;
+    for (const PositionDescription& position : task_.positions) {
+      const bool was_right = count <= kMostTasks;
+      count *= static_cast<double>(position.angles.size());
+      where = was_right ? position.angles.front().where : where;
+    }
+    if (count > kMostTasks) {
+      context_.found.error(
+          "E0305",
+          where,
+          fmt::format(
+              "the lists of angles make {:.15g} tasks; at most {} can be run", count, kMostTasks),
+          "list fewer angles, or share them among several files");
+    }
   }
 
   static std::string shown(const std::string& form) {

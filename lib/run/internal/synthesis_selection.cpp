@@ -36,9 +36,17 @@ std::optional<Tasks> find_possible_tasks(const SynthesisValues& values,
 }
 
 void add_counts(const Selection& selection, SynthesisAnalysis& analysis) {
-  analysis.selection->samples += selection.samples;
-  analysis.selection->with_linkage += selection.with_linkage;
-  analysis.selection->usable += selection.usable;
+  for (SelectionCounts* counts : {&*analysis.selection, &analysis.selections.back().counts}) {
+    counts->samples += selection.samples;
+    counts->with_linkage += selection.with_linkage;
+    counts->usable += selection.usable;
+    for (std::size_t i = 0; i < kDefectCount; ++i) {
+      counts->defects[i] += selection.defects[i];
+    }
+    for (std::size_t i = 0; i < kLackCount; ++i) {
+      counts->lacks[i] += selection.lacks[i];
+    }
+  }
 }
 
 // What a report shows of a selection: the best, or else what comes nearest.
@@ -55,18 +63,26 @@ void select_task(const SynthesisValues& values,
                  std::size_t task,
                  const ForEach& for_each,
                  SynthesisAnalysis& analysis) {
-  const TaskMaker make_task =
-      [&](std::span<const double> numbers) -> std::optional<std::vector<PositionJets>> {
+  const TaskMaker make_task = [&](std::span<const double> numbers) {
     Diagnostics unsaid;
-    auto tasks = values.positions_of_tasks(values.choice_of(numbers), unsaid);
-    return tasks ? std::optional((*tasks)[task]) : std::nullopt;
+    return values.positions_of_task(task, values.choice_of(numbers), unsaid);
   };
-  const Selection selection =
-      select_linkages(values.ranges(), candidates_of(make_task, values.limits()), kKept, for_each);
+  const Selection selection = select_linkages(values.ranges(),
+                                              candidates_of(make_task, values.limits()),
+                                              kKept,
+                                              for_each,
+                                              shortfalls_of(make_task));
   add_counts(selection, analysis);
+  std::vector<std::vector<double>> choices;
   for (const SelectedLinkage& one : shown_of(selection)) {
-    analysis.tasks.push_back(solve_task(*make_task(one.choice), values.limits()));
-    analysis.tasks.back().choice = values.choice_of(one.choice);
+    choices.push_back(one.choice);
+  }
+  if (selection.nearest_choice) {
+    choices.push_back(*selection.nearest_choice);
+  }
+  for (const std::vector<double>& choice : choices) {
+    analysis.tasks.push_back(solve_task(*make_task(choice), values.limits()));
+    analysis.tasks.back().choice = values.choice_of(choice);
   }
 }
 
@@ -103,30 +119,43 @@ void select_circle_points(const SynthesisValues& values,
 
 }  // namespace
 
+std::optional<Tasks> find_selection_tasks(const SynthesisValues& values,
+                                          const SynthesisDescription& task,
+                                          Diagnostics& found) {
+  if (values.circle_points()) {
+    return values.positions_of_tasks({}, found);
+  }
+  std::optional<Tasks> possible = find_possible_tasks(values, values.ranges(), found);
+  if (possible && position_count(possible->front()) != 5) {
+    found.error("E0305",
+                task.vary.front().where,
+                fmt::format("'{}' is chosen in tasks of five positions, and this is {}",
+                            word_of(task.vary.front().which),
+                            form_of(possible->front())),
+                "give it a number and let 'circle_points' vary, or add positions");
+    return std::nullopt;
+  }
+  return possible;
+}
+
 bool select_tasks(const SynthesisValues& values,
                   std::uint64_t jobs,
                   Diagnostics& found,
                   SynthesisAnalysis& analysis) {
-  const bool chooses_points = values.circle_points().has_value();
-  const std::optional<Tasks> possible = chooses_points
-                                            ? values.positions_of_tasks({}, found)
-                                            : find_possible_tasks(values, values.ranges(), found);
+  const std::optional<Tasks> possible =
+      find_selection_tasks(values, *analysis.description.synthesis, found);
   if (!possible) {
     return false;
   }
+  const bool chooses_points = values.circle_points().has_value();
   analysis.form = form_of(possible->front());
-  if (!chooses_points && position_count(possible->front()) != 5) {
-    found.error("E0305",
-                analysis.description.synthesis->vary.front().where,
-                fmt::format("'{}' is chosen in tasks of five positions, and this is {}",
-                            word_of(analysis.description.synthesis->vary.front().which),
-                            analysis.form),
-                "give it a number and let 'circle_points' vary, or add positions");
-    return false;
-  }
   const ForEach for_each = for_each_on_threads(jobs);
   analysis.selection = SelectionCounts{};
   for (std::size_t task = 0; task < possible->size(); ++task) {
+    analysis.selections.push_back({.first_task = analysis.tasks.size()});
+    for (const PositionJets& position : (*possible)[task]) {
+      analysis.selections.back().angles.push_back(position.angle[0]);
+    }
     if (chooses_points) {
       select_circle_points(values, (*possible)[task], for_each, analysis);
     } else {

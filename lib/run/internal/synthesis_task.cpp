@@ -55,6 +55,11 @@ std::optional<std::vector<std::vector<PositionJets>>> SynthesisValues::positions
   return positions_.of_tasks(choice, found);
 }
 
+std::optional<std::vector<PositionJets>> SynthesisValues::positions_of_task(
+    std::size_t task, const SynthesisChoice& choice, Diagnostics& found) const {
+  return positions_.of_task(task, choice, found);
+}
+
 std::vector<SelectionRange> SynthesisValues::ranges() const {
   std::vector<SelectionRange> result;
   for (const SynthesisRange& range : task_.vary) {

@@ -1,6 +1,7 @@
 // The numbers of a synthesis task: positions, limits.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -29,6 +30,11 @@ class SynthesisValues {
   /// See TaskPositions.
   std::optional<std::vector<std::vector<PositionJets>>> positions_of_tasks(
       const SynthesisChoice& choice, Diagnostics& found) const;
+
+  /// See TaskPositions.
+  std::optional<std::vector<PositionJets>> positions_of_task(std::size_t task,
+                                                             const SynthesisChoice& choice,
+                                                             Diagnostics& found) const;
 
   /// The ranges of `vary` by its numbers, two for a point; none where circle points are free.
   std::vector<SelectionRange> ranges() const;

@@ -1,5 +1,6 @@
 #include "run/internal/task_positions.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <variant>
@@ -42,6 +43,33 @@ std::pair<std::string, std::string> words_of(SpecificationFault fault) {
               "leave out 'stationary' and 'burmester', or change 'centre' or 'm'"};
   }
   return {};
+}
+
+// Where the file says what is wrong.
+SourceRange place_of(SpecificationFault fault,
+                     const PositionDescription& position,
+                     const std::vector<SynthesisRange>& vary) {
+  const CurvatureDescription& curvature = *position.curvature;
+  const auto range_of = [&](FreeNumber which) {
+    const auto range = std::ranges::find(vary, which, &SynthesisRange::which);
+    return range == vary.end() ? curvature.where : range->name_where;
+  };
+  switch (fault) {
+    case SpecificationFault::none:
+    case SpecificationFault::no_inflection_circle:
+      break;
+    case SpecificationFault::point_in_pole:
+      return position.pole->where;
+    case SpecificationFault::free_point_in_pole:
+    case SpecificationFault::aligned_points:
+      return curvature.free_point ? curvature.free_point->where : range_of(FreeNumber::free_point);
+    case SpecificationFault::centre_off_normal:
+    case SpecificationFault::centre_in_point:
+      return curvature.centre.where;
+    case SpecificationFault::zero_ratio:
+      return curvature.m ? curvature.m->where : range_of(FreeNumber::m);
+  }
+  return curvature.where;
 }
 
 SpecifiedPosition specified(const PositionSpecification& given, const SynthesisChoice& choice) {
@@ -127,7 +155,7 @@ auto TaskPositions<Number>::position(std::size_t index,
     if (jets.x[1] == 0 && jets.y[1] == 0 && jets.angle[1] == 0) {
       found.error(
           "E0801",
-          given.where,
+          given.derivatives.front().at.where,
           fmt::format("position {}: its first derivative is zero, so that the plane stands still "
                       "there",
                       index + 1),
@@ -163,28 +191,52 @@ auto TaskPositions<Number>::position(std::size_t index,
   auto result = specified(specification, choice);
   if (!result.jets) {
     const auto [message, hint] = words_of(result.fault);
-    found.error("E0801", given.where, fmt::format("position {}: {}", index + 1, message), hint);
+    found.error("E0801",
+                place_of(result.fault, given, task_.vary),
+                fmt::format("position {}: {}", index + 1, message),
+                hint);
   }
   return std::move(result.jets);
 }
 
 template <class Number>
+std::size_t TaskPositions<Number>::count() const {
+  std::size_t count = 1;
+  for (const PositionDescription& position : task_.positions) {
+    count *= position.angles.size();
+  }
+  return count;
+}
+
+template <class Number>
+auto TaskPositions<Number>::of_task(std::size_t task,
+                                    const SynthesisChoice& choice,
+                                    Diagnostics& found) const -> std::optional<Positions> {
+  Positions positions;
+  std::size_t choices = count();
+  for (std::size_t i = 0; i < task_.positions.size(); ++i) {
+    const std::vector<Value>& angles = task_.positions[i].angles;
+    choices /= angles.size();
+    const Value& angle = angles[task / choices % angles.size()];
+    auto jets = position(i, number(angle, QuantityKind::angle, found), choice, found);
+    if (!jets) {
+      return std::nullopt;
+    }
+    positions.push_back(*std::move(jets));
+  }
+  return positions;
+}
+
+template <class Number>
 auto TaskPositions<Number>::of_tasks(const SynthesisChoice& choice, Diagnostics& found) const
     -> std::optional<std::vector<Positions>> {
-  std::vector<Positions> tasks(1);
-  for (std::size_t i = 0; i < task_.positions.size(); ++i) {
-    std::vector<Positions> longer;
-    for (const Positions& task : tasks) {
-      for (const Value& angle : task_.positions[i].angles) {
-        const auto jets = position(i, number(angle, QuantityKind::angle, found), choice, found);
-        if (!jets) {
-          return std::nullopt;
-        }
-        longer.push_back(task);
-        longer.back().push_back(*jets);
-      }
+  std::vector<Positions> tasks;
+  for (std::size_t i = 0; i < count(); ++i) {
+    auto positions = of_task(i, choice, found);
+    if (!positions) {
+      return std::nullopt;
     }
-    tasks = std::move(longer);
+    tasks.push_back(*std::move(positions));
   }
   return tasks;
 }

@@ -1,6 +1,7 @@
 // The positions of a synthesis task, in doubles or with a hundred digits.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -24,10 +25,18 @@ class TaskPositions {
 
   explicit TaskPositions(const MechanismDescription& description);
 
-  /// One task for every choice of the angles that are lists, the last position's first. `choice`
-  /// stands for what the curvature of a position leaves to the ranges; it has doubles only. Empty
-  /// iff an error was added: E0801 for a position that contradicts itself or at which nothing
-  /// moves, E0316 for a value that only rounding of doubles gives.
+  /// How many tasks: one for every choice of the angles that are lists.
+  std::size_t count() const;
+
+  /// One of them, by the angle of the last position first. `choice` stands for what the curvature
+  /// of a position leaves to the ranges; it has doubles only. Empty iff an error was added: E0801
+  /// for a position that contradicts itself or at which nothing moves, E0316 for a value that only
+  /// rounding of doubles gives.
+  std::optional<Positions> of_task(std::size_t task,
+                                   const SynthesisChoice& choice,
+                                   Diagnostics& found) const;
+
+  /// All of them. Empty iff an error was added.
   std::optional<std::vector<Positions>> of_tasks(const SynthesisChoice& choice,
                                                  Diagnostics& found) const;
 

@@ -1,6 +1,8 @@
 #include "synthesis/selection.hpp"
 
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -207,12 +209,85 @@ TEST(Selection, KeepsToTheLimits) {
   }
 }
 
-TEST(Selection, OfATaskWithoutMotionIsEmpty) {
-  const std::vector<SelectionRange> ranges = {{.from = 0.0, .to = 1.0, .count = 3}};
+// All samples once more, each task solved and judged by itself.
+struct Trials {
+  std::array<int, kDefectCount> defects{};
+  int without_linkage = 0;
+  double least_ratio = std::numeric_limits<double>::infinity();  // of those with that defect
+};
+
+Trials try_table_3(const SelectionRange& range, const LinkageLimits& limits) {
+  Trials trials;
+  for (int i = 0; i < range.count; ++i) {
+    const double s = range.from + (range.to - range.from) / (range.count - 1) * i;
+    const std::vector<PositionJets> positions = *table_3(std::vector{s});
+    const auto ranked = rank_linkages(solve_burmester(positions).dyads, positions, limits);
+    if (ranked.empty()) {
+      ++trials.without_linkage;
+      continue;
+    }
+    ++trials.defects[static_cast<std::size_t>(ranked.front().defect)];
+    if (ranked.front().defect == Defect::ratio) {
+      trials.least_ratio = std::min(trials.least_ratio, ranked.front().ratio);
+    }
+  }
+  return trials;
+}
+
+TEST(Selection, CountsEverySampleByWhatSpeaksAgainstIt) {
+  const SelectionRange range = {.from = -20.0, .to = 20.0, .count = 200};
+  const LinkageLimits limits = {.transmission = 2.0 * kDegree, .ratio = 2.0};
+  const Trials expected = try_table_3(range, limits);
+
+  const Selection found = select_linkages(std::span(&range, 1), candidates_of(table_3, limits), 1);
+
+  EXPECT_EQ(found.defects, expected.defects);
+  EXPECT_EQ(found.lacks[static_cast<std::size_t>(Lack::dyads)], expected.without_linkage);
+  EXPECT_EQ(found.usable, found.defects[0]);
+}
+
+TEST(Selection, HasAsTheNearestWhatMissesItsLimitLeast) {
+  const SelectionRange range = {.from = -20.0, .to = 20.0, .count = 200};
+  const LinkageLimits limits = {.ratio = 1.0};
+  const Trials expected = try_table_3(range, limits);
+
+  const Selection found = select_linkages(std::span(&range, 1), candidates_of(table_3, limits), 1);
+
+  ASSERT_TRUE(found.nearest.has_value());
+  EXPECT_EQ(found.nearest->candidate.defect, Defect::ratio);
+  EXPECT_EQ(found.nearest->candidate.ratio, expected.least_ratio);
+}
+
+// Its dyads are cranks, and of some choices none is real.
+TEST(Selection, ComesNearestToALinkageWithTheDyadsOfAnotherKind) {
+  const SelectionRange range = {.from = -20.0, .to = 20.0, .count = 200};
 
   const Selection found =
-      select_linkages(ranges, candidates_of([](auto) { return std::nullopt; }, {}), 3);
+      select_linkages(std::span(&range, 1),
+                      candidates_of(table_3, {.type = LinkageType::slider_crank}),
+                      1,
+                      one_after_another,
+                      shortfalls_of(table_3));
 
+  EXPECT_EQ(found.with_linkage, 0);
+  EXPECT_EQ(found.lacks[static_cast<std::size_t>(Lack::dyads)],
+            try_table_3(range, {}).without_linkage);
+  EXPECT_EQ(found.lacks[static_cast<std::size_t>(Lack::kind)] +
+                found.lacks[static_cast<std::size_t>(Lack::dyads)],
+            200);
+  ASSERT_TRUE(found.nearest_choice.has_value());
+  EXPECT_GE(solve_burmester(*table_3(*found.nearest_choice)).dyads.size(), 2U);
+}
+
+TEST(Selection, OfATaskWithoutMotionIsEmpty) {
+  const std::vector<SelectionRange> ranges = {{.from = 0.0, .to = 1.0, .count = 3}};
+  const TaskMaker none = [](auto) { return std::nullopt; };
+
+  const Selection found =
+      select_linkages(ranges, candidates_of(none, {}), 3, one_after_another, shortfalls_of(none));
+
+  EXPECT_EQ(found.lacks[static_cast<std::size_t>(Lack::motion)], 3);
+  EXPECT_FALSE(found.nearest_choice.has_value());
   EXPECT_EQ(found.samples, 3);
   EXPECT_EQ(found.with_linkage, 0);
   EXPECT_TRUE(found.best.empty());

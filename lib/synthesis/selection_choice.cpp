@@ -1,0 +1,45 @@
+#include "synthesis/selection_choice.hpp"
+
+#include <utility>
+
+namespace kinestat {
+
+CandidateMaker candidates_of(const TaskMaker& make_task, const LinkageLimits& limits) {
+  return [make_task, limits](std::span<const double> choice) -> std::optional<LinkageCandidate> {
+    const auto positions = make_task(choice);
+    if (!positions) {
+      return std::nullopt;
+    }
+    const BurmesterSolution solution = solve_burmester(*positions);
+    std::vector<LinkageCandidate> found = rank_linkages(solution.dyads, *positions, limits);
+    return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
+  };
+}
+
+std::string_view word_of(Lack lack) {
+  switch (lack) {
+    case Lack::motion:
+      return "contradiction";
+    case Lack::dyads:
+      return "dyads";
+    case Lack::kind:
+      return "kind";
+  }
+  return "";
+}
+
+ShortfallFinder shortfalls_of(const TaskMaker& make_task) {
+  return [make_task](std::span<const double> choice) -> Shortfall {
+    const auto positions = make_task(choice);
+    if (!positions) {
+      return {.lack = Lack::motion};
+    }
+    const BurmesterSolution solution = solve_burmester(*positions);
+    if (solution.dyads.size() >= 2) {
+      return {.lack = Lack::kind};
+    }
+    return {.lack = Lack::dyads, .residual = solution.nearest ? solution.nearest->residual : 0.0};
+  };
+}
+
+}  // namespace kinestat
