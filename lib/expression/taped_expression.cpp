@@ -132,6 +132,12 @@ class ExpressionRecorder {
 
 }  // namespace
 
+std::optional<TapeQuantity> record_quantity(const SlotExpression& expression,
+                                            std::span<const std::optional<TapeQuantity>> slots,
+                                            LaneRecorder& recorder) {
+  return ExpressionRecorder(expression, slots, recorder).record();
+}
+
 std::optional<TapeNumber> record_as(QuantityKind kind,
                                     const SlotExpression& expression,
                                     const FileUnits& units,

@@ -14,6 +14,12 @@ namespace kinestat {
 /// A number of a tape with its dimension, which is the same in every state.
 using TapeQuantity = BasicQuantity<TapeNumber>;
 
+/// Records a quantity as SlotExpression evaluates it, with the same bits; a lane in which it has
+/// none has no answer. For the rest see record_as.
+std::optional<TapeQuantity> record_quantity(const SlotExpression& expression,
+                                            std::span<const std::optional<TapeQuantity>> slots,
+                                            LaneRecorder& recorder);
+
 /// Records a number in SI as evaluate_as gives it, with the same bits; a lane in which evaluate_as
 /// has an error has no answer. `slots` are the quantities at the places of names. Empty where the
 /// expression does more than add, subtract, multiply and divide what varies, or one of its names

@@ -8,6 +8,7 @@
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "math/internal/lane_tape_maker.hpp"
+#include "math/internal/tape_range.hpp"
 
 namespace kinestat {
 
@@ -32,16 +33,19 @@ TapeNumber LaneRecorder::push(const Node& node) {
 TapeNumber LaneRecorder::constant(double value) {
   const auto [at, is_new] = constants_.try_emplace(std::bit_cast<std::uint64_t>(value), 0);
   if (is_new) {
-    at->second = push({.value = value}).node;
+    at->second = push({.value = value, .range = {value, value}}).node;
   }
   return {.node = at->second};
 }
 
-TapeNumber LaneRecorder::input(double value) {
-  return push({.what = What::input, .value = value, .input = input_count_++});
+TapeNumber LaneRecorder::input(double value, const TapeRange& range) {
+  return push({.what = What::input, .value = value, .range = range, .input = input_count_++});
 }
 
-TapeNumber LaneRecorder::operation(Kind kind, double value, const Operands& operands) {
+TapeNumber LaneRecorder::operation(Kind kind,
+                                   double value,
+                                   const TapeRange& range,
+                                   const Operands& operands) {
   const bool is_constant = std::ranges::all_of(operands, [&](int operand) {
     return operand < 0 || nodes_[static_cast<std::size_t>(operand)].what == What::constant;
   });
@@ -50,8 +54,12 @@ TapeNumber LaneRecorder::operation(Kind kind, double value, const Operands& oper
   }
   const auto [at, is_new] = operations_.try_emplace({kind, operands}, 0);
   if (is_new) {
-    at->second =
-        push({.what = What::operation, .value = value, .kind = kind, .operands = operands}).node;
+    at->second = push({.what = What::operation,
+                       .value = value,
+                       .range = range,
+                       .kind = kind,
+                       .operands = operands})
+                     .node;
   }
   return {.node = at->second};
 }
@@ -60,11 +68,16 @@ TapeNumber LaneRecorder::add(TapeNumber a, TapeNumber b) {
   if (is_zero(a)) {
     return b;
   }
-  return is_zero(b) ? a : operation(Kind::add, value(a) + value(b), {a.node, b.node, -1});
+  return is_zero(b)
+             ? a
+             : operation(Kind::add, value(a) + value(b), range(a) + range(b), {a.node, b.node, -1});
 }
 
 TapeNumber LaneRecorder::subtract(TapeNumber a, TapeNumber b) {
-  return is_zero(b) ? a : operation(Kind::subtract, value(a) - value(b), {a.node, b.node, -1});
+  return is_zero(b)
+             ? a
+             : operation(
+                   Kind::subtract, value(a) - value(b), range(a) - range(b), {a.node, b.node, -1});
 }
 
 // Two factors round as one where one of them is a power of two.
@@ -80,17 +93,21 @@ TapeNumber LaneRecorder::scaled(TapeNumber a, double factor) {
       return scaled(first, value(second) * factor);
     }
   }
-  return factor == 1.0
-             ? a
-             : operation(Kind::multiply, value(a) * factor, {a.node, constant(factor).node, -1});
+  return factor == 1.0 ? a
+                       : operation(Kind::multiply,
+                                   value(a) * factor,
+                                   range(a) * TapeRange{factor, factor},
+                                   {a.node, constant(factor).node, -1});
 }
 
 TapeNumber LaneRecorder::multiply(TapeNumber a, TapeNumber b) {
   if (is_constant(b)) {
     return is_constant(a) ? constant(value(a) * value(b)) : scaled(a, value(b));
   }
-  return is_constant(a) ? scaled(b, value(a))
-                        : operation(Kind::multiply, value(a) * value(b), {a.node, b.node, -1});
+  return is_constant(a)
+             ? scaled(b, value(a))
+             : operation(
+                   Kind::multiply, value(a) * value(b), range(a) * range(b), {a.node, b.node, -1});
 }
 
 TapeNumber LaneRecorder::divide(TapeNumber a, TapeNumber b) {
@@ -100,24 +117,36 @@ TapeNumber LaneRecorder::divide(TapeNumber a, TapeNumber b) {
   if (is_constant(b) && !is_constant(a) && is_power_of_two(value(b))) {
     return scaled(a, 1.0 / value(b));
   }
-  return operation(Kind::divide, value(a) / value(b), {a.node, b.node, -1});
+  return operation(Kind::divide, value(a) / value(b), range(a) / range(b), {a.node, b.node, -1});
 }
 
 TapeNumber LaneRecorder::smaller(TapeNumber a, TapeNumber b) {
-  return operation(Kind::smaller, std::min(value(a), value(b)), {a.node, b.node, -1});
+  const TapeRange chosen{std::min(range(a).low, range(b).low),
+                         std::min(range(a).high, range(b).high)};
+  return operation(Kind::smaller,
+                   std::min(value(a), value(b)),
+                   range_of_choice(range(a), range(b), chosen),
+                   {a.node, b.node, -1});
 }
 
 TapeNumber LaneRecorder::larger(TapeNumber a, TapeNumber b) {
-  return operation(Kind::larger, std::max(value(a), value(b)), {a.node, b.node, -1});
+  const TapeRange chosen{std::max(range(a).low, range(b).low),
+                         std::max(range(a).high, range(b).high)};
+  return operation(Kind::larger,
+                   std::max(value(a), value(b)),
+                   range_of_choice(range(a), range(b), chosen),
+                   {a.node, b.node, -1});
 }
 
 TapeNumber LaneRecorder::negate_product(TapeNumber a, TapeNumber b) {
   if (is_constant(a)) {
     return multiply(constant(-value(a)), b);
   }
-  return is_constant(b)
-             ? multiply(a, constant(-value(b)))
-             : operation(Kind::negate_product, -(value(a) * value(b)), {a.node, b.node, -1});
+  return is_constant(b) ? multiply(a, constant(-value(b)))
+                        : operation(Kind::negate_product,
+                                    -(value(a) * value(b)),
+                                    TapeRange{0.0, 0.0} - range(a) * range(b),
+                                    {a.node, b.node, -1});
 }
 
 TapeNumber LaneRecorder::subtract_product(TapeNumber a, TapeNumber b, TapeNumber c) {
@@ -128,8 +157,10 @@ TapeNumber LaneRecorder::subtract_product(TapeNumber a, TapeNumber b, TapeNumber
     return negate_product(b, c);
   }
   const double product = value(b) * value(c);
+  const TapeRange products = range(b) * range(c);
   return operation(Kind::subtract_product,
                    without_rounding(value(a) - product, std::abs(value(a)) + std::abs(product)),
+                   without_rounding(range(a) - products, range(a).most() + products.most()),
                    {a.node, b.node, c.node});
 }
 
@@ -137,14 +168,20 @@ TapeNumber LaneRecorder::substitute(std::span<const Product> products, TapeNumbe
   std::vector<Product> used;
   double sum = 0.0;
   double size = 0.0;
+  TapeRange sums{0.0, 0.0};
+  double most = 0.0;
   bool all_constant = is_constant(pivot);
   for (const Product& one : products) {
     if (is_zero(one.a) || is_zero(one.b)) {
       continue;
     }
     used.push_back(one);
-    sum -= value(one.a) * value(one.b);
-    size += std::abs(value(one.a) * value(one.b));
+    const double product = value(one.a) * value(one.b);
+    const TapeRange all = range(one.a) * range(one.b);
+    sum -= product;
+    size += std::abs(product);
+    sums = sums - all;
+    most += all.most();
     all_constant = all_constant && is_constant(one.a) && is_constant(one.b);
   }
   const double result = without_rounding(sum, size) / value(pivot);
@@ -158,6 +195,7 @@ TapeNumber LaneRecorder::substitute(std::span<const Product> products, TapeNumbe
   products_.insert(products_.end(), used.begin(), used.end());
   return push({.what = What::operation,
                .value = result,
+               .range = without_rounding(sums, most) / range(pivot),
                .kind = Kind::substitute_sum,
                .operands = {-1, -1, pivot.node},
                .first_product = first,
@@ -168,23 +206,25 @@ TapeNumber LaneRecorder::substitute(std::span<const Product> products, TapeNumbe
 void LaneRecorder::demand(Kind kind, const Operands& operands) {
   const auto [at, is_new] = operations_.try_emplace({kind, operands}, 0);
   if (is_new) {
-    at->second = push({.what = What::operation, .kind = kind, .operands = operands}).node;
+    at->second =
+        push({.what = What::operation, .range = {}, .kind = kind, .operands = operands}).node;
     demands_.push_back(at->second);
   }
 }
 
 // Of several constant limits the smallest counts.
 void LaneRecorder::demand_at_most(TapeNumber magnitude_of, TapeNumber limit) {
-  if (!is_constant(limit)) {
-    demand(Kind::demand_at_most, {magnitude_of.node, limit.node, -1});
+  if (range(magnitude_of).most() <= range(limit).low) {
     return;
   }
-  if (is_constant(magnitude_of) && std::abs(value(magnitude_of)) <= value(limit)) {
+  if (!is_constant(limit)) {
+    demand(Kind::demand_at_most, {magnitude_of.node, limit.node, -1});
     return;
   }
   const auto [at, is_new] = limits_.try_emplace(magnitude_of.node, -1);
   if (is_new) {
     at->second = push({.what = What::operation,
+                       .range = {},
                        .kind = Kind::demand_at_most,
                        .operands = {magnitude_of.node, limit.node, -1}})
                      .node;
@@ -197,15 +237,13 @@ void LaneRecorder::demand_at_most(TapeNumber magnitude_of, TapeNumber limit) {
 }
 
 void LaneRecorder::demand_at_least(TapeNumber magnitude_of, TapeNumber limit) {
-  const bool is_sure = is_constant(magnitude_of) && is_constant(limit) &&
-                       std::abs(value(magnitude_of)) >= value(limit);
-  if (!is_sure) {
+  if (!(range(magnitude_of).least() >= range(limit).high)) {
     demand(Kind::demand_at_least, {magnitude_of.node, limit.node, -1});
   }
 }
 
 void LaneRecorder::demand_no_underflow(TapeNumber result, TapeNumber b, TapeNumber c) {
-  const bool is_sure = result == b || (is_constant(result) && value(result) != 0.0);
+  const bool is_sure = result == b || range(result).least() > 0.0;
   if (!is_sure && !is_zero(b) && !is_zero(c)) {
     demand(Kind::demand_no_underflow, {result.node, b.node, c.node});
   }

@@ -1,9 +1,12 @@
 // Arithmetic with numbers of which the values come later: it is noted down for a LaneTape.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <compare>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <span>
 #include <utility>
@@ -20,17 +23,32 @@ struct TapeNumber {
   friend auto operator<=>(const TapeNumber&, const TapeNumber&) = default;
 };
 
+/// What a number of a tape lies between in every lane, as it is rounded. Rounding keeps the order
+/// of numbers, so that the ends of an operation are those that its ends give.
+struct TapeRange {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+
+  /// Of the magnitude.
+  double most() const { return std::max(std::abs(low), std::abs(high)); }
+
+  double least() const { return std::max({low, -high, 0.0}); }
+};
+
 /// Every number also has a value, for one state by which decisions are taken. What follows from
 /// constants alone is worked out at once, and so is what changes no bit of a finite number: times
-/// or over one, plus zero. The same operation on the same numbers is noted once.
+/// or over one, plus zero. The same operation on the same numbers is noted once. What is demanded
+/// of a number whose range leaves no doubt is not noted.
 class LaneRecorder {
  public:
   TapeNumber constant(double value);
 
-  /// The next input.
-  TapeNumber input(double value);
+  /// The next input, which a lane may only give a number of that range.
+  TapeNumber input(double value, const TapeRange& range = {});
 
   double value(TapeNumber a) const { return node(a).value; }
+
+  const TapeRange& range(TapeNumber a) const { return node(a).range; }
 
   bool is_constant(TapeNumber a) const { return node(a).what == What::constant; }
 
@@ -78,6 +96,7 @@ class LaneRecorder {
   struct Node {
     What what = What::constant;
     double value = 0.0;
+    TapeRange range;
     int input = -1;
     Kind kind = Kind::add;
     Operands operands = {-1, -1, -1};
@@ -92,7 +111,7 @@ class LaneRecorder {
   }
 
   TapeNumber push(const Node& node);
-  TapeNumber operation(Kind kind, double value, const Operands& operands);
+  TapeNumber operation(Kind kind, double value, const TapeRange& range, const Operands& operands);
   TapeNumber scaled(TapeNumber a, double factor);
   void demand(Kind kind, const Operands& operands);
 

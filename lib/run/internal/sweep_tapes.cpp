@@ -101,24 +101,41 @@ class SweepRecorder {
   }
 
  private:
-  TapeNumber take(const SweepInput& input, double value) {
+  TapeNumber take(const SweepInput& input, double value, const TapeRange& range = {}) {
     tapes_->inputs.push_back(input);
-    return recorder_.input(value);
+    return recorder_.input(value, range);
   }
 
+  // Those that are varied, and what follows from them: by its formula where that can be.
   void add_parameters() {
-    const std::vector<bool> varies = varying_parameters(task_.plan);
     const Slots& slots = task_.plan.slots();
-    for (std::size_t i = 0; i < varies.size(); ++i) {
+    for (std::size_t i = 0; i < slots.values.size(); ++i) {
       slots_.emplace_back();
-      if (!slots.has_value[i]) {
-        continue;
+      if (slots.has_value[i]) {
+        slots_.back() = {recorder_.constant(slots.values[i].value), slots.values[i].dimension};
       }
-      const Quantity& value = slots.values[i];
+    }
+    for (const SweepAxis& axis : task_.plan.axes()) {
+      const auto [least, most] = axis.bounds();
+      take_parameter(axis.parameter(), {least, most});
+    }
+    for (const DependentParameter& one : task_.plan.dependents()) {
+      if (const auto quantity = record_quantity(one.value, slots_, recorder_)) {
+        slots_[static_cast<std::size_t>(one.parameter)] = quantity;
+      } else {
+        take_parameter(one.parameter, {});
+      }
+    }
+  }
+
+  void take_parameter(int parameter, const TapeRange& range) {
+    const auto i = static_cast<std::size_t>(parameter);
+    slots_[i].reset();
+    if (task_.plan.slots().has_value[i]) {
+      const Quantity& value = task_.plan.slots().values[i];
       const SweepInput input{
           .from = SweepInput::From::parameter, .index = i, .part = 0, .dimension = value.dimension};
-      slots_.back() = {varies[i] ? take(input, value.value) : recorder_.constant(value.value),
-                       value.dimension};
+      slots_[i] = {take(input, value.value, range), value.dimension};
     }
   }
 

@@ -23,7 +23,7 @@ std::vector<TapeNumber> record_anything(std::mt19937& random,
                                         LaneRecorder& recorder) {
   std::vector<TapeNumber> numbers = {recorder.constant(0.5), recorder.constant(-3.0)};
   for (std::size_t i = 0; i < inputs; ++i) {
-    numbers.push_back(recorder.input(1.0 + static_cast<double>(i)));
+    numbers.push_back(recorder.input(1.0, {.low = -2.0, .high = 2.0 + static_cast<double>(i)}));
   }
   const auto any = [&] { return numbers[random() % numbers.size()]; };
   for (int i = 0; i < 200; ++i) {
@@ -99,6 +99,52 @@ TEST(LaneTape, GivesTheSameBitsForAnyNumberOfLanes) {
       }
     }
   }
+}
+
+TEST(LaneTape, StaysWithinTheRangesOfItsNumbers) {
+  constexpr unsigned kSeed = 20261123;
+  constexpr std::size_t kInputs = 4;
+  std::mt19937 random(kSeed);
+  int bounded = 0;
+  for (int round = 0; round < 200; ++round) {
+    SCOPED_TRACE(round);
+    LaneRecorder recorder;
+    std::vector<TapeNumber> outputs = record_anything(random, kInputs, recorder);
+    outputs.resize(60);  // later ones are bounded by nothing
+    const LaneTape tape = recorder.make_tape(outputs);
+    LaneTape::Workspace workspace = tape.make_workspace(kLanes);
+    for (std::size_t i = 0; i < kInputs * kLanes; ++i) {
+      const double most = 2.0 + static_cast<double>(i / kLanes);
+      std::uniform_real_distribution<double> number(-2.0, most);
+      const double ends[] = {-2.0, most, 0.0, number(random), number(random)};
+      tape.set_input(workspace, i / kLanes, i % kLanes, ends[random() % 5]);
+    }
+    tape.play(workspace);
+    for (std::size_t o = 0; o < outputs.size(); ++o) {
+      const TapeRange& range = recorder.range(outputs[o]);
+      bounded += std::isfinite(range.most()) ? 1 : 0;
+      for (std::size_t lane = 0; lane < kLanes && std::isfinite(range.most()); ++lane) {
+        const double value = tape.output(workspace, o, lane);
+        EXPECT_TRUE(range.low <= value && value <= range.high)
+            << value << " " << range.low << " " << range.high;
+      }
+    }
+  }
+  EXPECT_GT(bounded, 2000);
+}
+
+TEST(LaneTape, NotesNoDemandThatTheRangesAnswer) {
+  LaneRecorder recorder;
+  const TapeNumber x = recorder.input(3.0, {.low = 2.0, .high = 4.0});
+  const TapeNumber y = recorder.input(7.0, {.low = 5.0, .high = 9.0});
+  const TapeNumber difference = recorder.subtract(x, y);
+  recorder.demand_at_least(difference, recorder.constant(1.0));
+  recorder.demand_at_most(difference, recorder.constant(7.0));
+  recorder.demand_no_underflow(recorder.multiply(x, y), x, y);
+  EXPECT_EQ(recorder.make_tape({}).operation_count(), 0U);
+
+  recorder.demand_at_least(difference, recorder.constant(1.5));
+  EXPECT_EQ(recorder.make_tape({}).operation_count(), 2U);
 }
 
 TEST(LaneTape, DoesWhatIsRecorded) {
