@@ -13,7 +13,7 @@ namespace kinestat {
 /// From the least to the greatest; anything where one of them is no number.
 inline TapeRange range_around(std::initializer_list<double> ends) {
   const bool has_ends = std::ranges::none_of(ends, [](double end) { return std::isnan(end); });
-  return has_ends ? TapeRange{std::ranges::min(ends), std::ranges::max(ends)} : TapeRange{};
+  return has_ends ? TapeRange{std::min(ends), std::max(ends)} : TapeRange{};
 }
 
 inline TapeRange operator+(const TapeRange& a, const TapeRange& b) {

@@ -178,7 +178,7 @@ void StateSolver::take(const StateWalk& walk, std::size_t lane) {
 }
 
 void StateSolver::solve(const Pending& pending, std::size_t lane) {
-  constexpr std::uint64_t kCheckEvery = 10007;
+  constexpr std::uint64_t kCheckEvery = 10007;  // takes a tenth of the time that tapes take
   if (!taped_ || pending.is_undefined || !taped_->fill(lane, rows_of(lane))) {
     analyse(pending, rows_of(lane));
   } else if (pending.state % kCheckEvery == 0) {
