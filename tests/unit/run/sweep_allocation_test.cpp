@@ -13,7 +13,7 @@ long allocations = 0;
 
 void* counted(std::size_t size, std::size_t alignment) {
   ++allocations;
-  void* const place = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+  void* const place = std::aligned_alloc(alignment, (size / alignment + 1) * alignment);
   if (place == nullptr) {
     throw std::bad_alloc();
   }
