@@ -28,7 +28,9 @@ class SlotExpression {
   /// Every name must have a place.
   SlotExpression(Expression expression, const SlotOf& slot_of);
 
-  /// The places that it reads.
+  const Expression& expression() const { return expression_; }
+
+  /// The places that it reads, of each name of the expression.
   std::span<const int> slots() const { return slots_; }
 
   /// Empty where evaluate has an error or a name has no value. `scratch` is kept by the caller, so

@@ -8,10 +8,34 @@
 
 #include "description/mechanism_description.hpp"
 #include "expression/slots.hpp"
+#include "expression/taped_expression.hpp"
 #include "mechanism/coupling_geometry.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {
+
+/// Coordinates of a screw on a tape, in the order of Twist or Wrench.
+using TapedScrew = std::array<TapeNumber, 6>;
+
+/// Unit screws on a tape, parallel to those of the Geometry.
+struct TapedScrews {
+  std::vector<TapedScrew> motions;
+  std::vector<TapedScrew> actions;
+};
+
+/// The values of a case's primaries on a tape, parallel to those of the Case; empty where a value
+/// is more than a tape can do.
+struct TapedPrimaries {
+  std::vector<std::optional<TapeNumber>> motions;
+  std::vector<std::optional<TapeNumber>> actions;
+};
+
+/// How a tape sees that the screws may stay about the world origin.
+enum class NearOrigin {
+  by_fixed_points,  ///< those that do not move are far enough apart for all that do: cheap, but a
+                    ///< lane in which a point goes too far has no answer
+  by_all_points
+};
 
 /// Evaluates again only what depends on the parameters that vary, with the same functions as bind
 /// and hence the same bits. It knows mechanisms of which they move the couplings and the primaries
@@ -35,6 +59,21 @@ class Rebinder {
 
   /// The primaries of the cases, which must be in the order of the description.
   bool rebind_cases(const Slots& slots, std::span<Case> cases);
+
+  /// What rebind_geometry does, on a tape, for quantities at the slots of parameters: the same
+  /// bits, and no answer for a lane where it has none. Empty where more moves than points of lines,
+  /// by formulas that a tape can do, or the fixed points do not suffice. `geometry` is that of the
+  /// mechanism.
+  std::optional<TapedScrews> record_screws(NearOrigin near,
+                                           const Geometry& geometry,
+                                           std::span<const std::optional<TapeQuantity>> slots,
+                                           LaneRecorder& recorder) const;
+
+  /// What rebind_cases does, for the case of that index.
+  TapedPrimaries record_primaries(std::size_t index,
+                                  const Case& which,
+                                  std::span<const std::optional<TapeQuantity>> slots,
+                                  LaneRecorder& recorder) const;
 
  private:
   // A number that stands for itself, or its formula.
@@ -79,6 +118,9 @@ class Rebinder {
   bool place(const Slots& slots, MovingCoupling& moving);
   void write_screws(const MovingCoupling& moving, const Vec3& origin, Geometry& geometry) const;
   void move_lines(const MovingCoupling& moving, const Vec3& origin, Geometry& geometry) const;
+  bool record_points(std::span<const std::optional<TapeQuantity>> slots,
+                     std::vector<std::array<TapeNumber, 3>>& points,
+                     LaneRecorder& recorder) const;
 
   const MechanismDescription* description_;
   const Topology* topology_;

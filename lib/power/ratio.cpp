@@ -1,28 +1,26 @@
 #include "power/ratio.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
+#include "power/rate_ratio.hpp"
 
 namespace kinestat {
 
 namespace {
 
-// The rate of all inputs, or empty if they differ.
-std::optional<double> common_rate(const Mechanism& mechanism,
-                                  const Case& which,
-                                  const KinematicSolution& motion) {
-  std::optional<double> common;
+std::vector<double> input_rates(const Mechanism& mechanism,
+                                const Case& which,
+                                const KinematicSolution& motion) {
+  std::vector<double> rates;
   for (const int i : which.inputs) {
     const int freedom = mechanism.topology.actuators[static_cast<std::size_t>(i)].freedom;
-    const double rate = motion.rates[static_cast<std::size_t>(freedom)];
-    if (common && !(std::abs(rate - *common) <= kCancellation * std::abs(*common))) {
-      return std::nullopt;
-    }
-    common = common.value_or(rate);
+    rates.push_back(motion.rates[static_cast<std::size_t>(freedom)]);
   }
-  return common;
+  return rates;
 }
 
 // The sum of the inputs' actions; empty if one of them is open, or a convention.
@@ -43,6 +41,18 @@ std::optional<double> total_action(const Mechanism& mechanism,
 
 }  // namespace
 
+std::optional<double> common_rate(std::span<const double> rates) {
+  const double first = rates.front();
+  const bool is_common = std::ranges::all_of(rates, [&](double rate) {
+    return std::abs(rate - first) <= kCancellation * std::abs(first);
+  });
+  return is_common ? std::optional(first) : std::nullopt;
+}
+
+std::optional<double> share_of(std::optional<double> above, std::optional<double> below) {
+  return above && below && *below != 0.0 ? std::optional(*above / *below) : std::nullopt;
+}
+
 Ratios find_ratios(const Mechanism& mechanism,
                    const Case& which,
                    const KinematicSolution& motion,
@@ -51,25 +61,24 @@ Ratios find_ratios(const Mechanism& mechanism,
   KINESTAT_EXPECTS(motion.status == SolveStatus::solved);
   const auto& actuators = mechanism.topology.actuators;
   const ActuatorTopology& output = actuators[static_cast<std::size_t>(which.outputs.front())];
-  const std::optional<double> fast = common_rate(mechanism, which, motion);
+  const std::optional<double> fast = common_rate(input_rates(mechanism, which, motion));
   const double slow = motion.rates[static_cast<std::size_t>(output.freedom)];
   Ratios ratios;
   if (!fast) {
     ratios.reason = "the inputs have different rates";
     return ratios;
   }
-  if (slow == 0.0) {
+  ratios.ratio = share_of(fast, slow);
+  if (!ratios.ratio) {
     ratios.reason = "output '" + output.name + "' is at rest";
-  } else {
-    ratios.ratio = *fast / slow;
   }
   if (action == nullptr) {
     return ratios;
   }
   const std::optional<double> in = total_action(mechanism, which, *action);
   const std::optional<double> out = action->magnitudes[static_cast<std::size_t>(output.action)];
-  if (in && out && *out != 0.0 && !is_by_convention(*action, output.action)) {
-    ratios.torque_ratio = *in / *out;
+  if (!is_by_convention(*action, output.action)) {
+    ratios.torque_ratio = share_of(in, out);
   }
   return ratios;
 }

@@ -25,21 +25,45 @@ bool StateWalk::next() {
   return false;
 }
 
-// Only what depends on an axis that has moved is evaluated again.
-void StateWalk::enter(std::uint64_t state) {
-  state_ = state;
-  int moved = static_cast<int>(places_.size());
+void StateWalk::set_place(std::size_t i, std::uint64_t place) {
+  const SweepAxis& axis = plan_.axes()[i];
+  const auto slot = static_cast<std::size_t>(axis.parameter());
+  places_[i] = place;
+  slots_.values[slot] = axis.value_at(place);
+  slots_.has_value[slot] = true;
+}
+
+// The first axis that moves on the way to the next state.
+std::size_t StateWalk::step_on() {
+  std::size_t i = places_.size();
+  bool is_through = true;
+  while (is_through && i > 0) {
+    --i;
+    is_through = places_[i] + 1 == plan_.axes()[i].size();
+    set_place(i, is_through ? 0 : places_[i] + 1);
+  }
+  return i;
+}
+
+// Likewise on the way to any other.
+std::size_t StateWalk::jump_to(std::uint64_t state) {
+  std::size_t moved = places_.size();
   for (std::size_t i = places_.size(); i > 0; --i) {
-    const SweepAxis& axis = plan_.axes()[i - 1];
-    const std::uint64_t place = state / plan_.stride(static_cast<int>(i - 1)) % axis.size();
+    const std::uint64_t place =
+        state / plan_.stride(static_cast<int>(i - 1)) % plan_.axes()[i - 1].size();
     if (is_first_ || place != places_[i - 1]) {
-      moved = static_cast<int>(i - 1);
-      places_[i - 1] = place;
-      const auto slot = static_cast<std::size_t>(axis.parameter());
-      slots_.values[slot] = axis.value_at(place);
-      slots_.has_value[slot] = true;
+      moved = i - 1;
+      set_place(i - 1, place);
     }
   }
+  return moved;
+}
+
+// Only what depends on an axis that has moved is evaluated again.
+void StateWalk::enter(std::uint64_t state) {
+  const bool is_next = !is_first_ && state == state_ + 1;
+  const auto moved = static_cast<int>(is_next ? step_on() : jump_to(state));
+  state_ = state;
   is_first_ = false;
   for (const DependentParameter& one : plan_.dependents()) {
     if (one.depth >= moved) {

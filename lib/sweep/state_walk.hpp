@@ -37,6 +37,9 @@ class StateWalk {
 
  private:
   void enter(std::uint64_t state);
+  void set_place(std::size_t axis, std::uint64_t place);
+  std::size_t step_on();
+  std::size_t jump_to(std::uint64_t state);
   std::uint64_t states_excluded();
 
   const SweepPlan& plan_;

@@ -127,4 +127,13 @@ Quantity SweepAxis::value_at(std::uint64_t index) const {
   return {unit_.scale == UnitScale{} ? count : unit_.scale.to_si(count), dimension_};
 }
 
+std::pair<double, double> SweepAxis::bounds() const {
+  if (counts_.empty()) {
+    // The values of a range keep their order when they are rounded.
+    return std::minmax({value_at(0).value, value_at(size_ - 1).value});
+  }
+  const auto [least, most] = std::ranges::minmax_element(values_);
+  return {*least, *most};
+}
+
 }  // namespace kinestat

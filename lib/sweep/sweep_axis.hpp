@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "description/mechanism_description.hpp"
@@ -39,6 +40,9 @@ class SweepAxis {
 
   /// In SI: what the file would give if the value were typed there.
   Quantity value_at(std::uint64_t index) const;
+
+  /// The smallest and the largest value [SI].
+  std::pair<double, double> bounds() const;
 
  private:
   void read_list(const std::vector<Value>& values, const BasicParameterTable<Exact>& exact);

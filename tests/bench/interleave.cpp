@@ -42,7 +42,7 @@ Interleaved measure(const std::function<void()>& unit, const std::vector<Job>& j
     for (std::size_t j = 0; j < jobs.size(); ++j) {
       const double time = seconds_of(jobs[j].run, batches[j]);
       const double after = seconds_of(unit, unit_batch);
-      ratios[j].push_back(2.0 * time / (before + after));
+      ratios[j].push_back(2.0 * time / (before + after) / jobs[j].parts);
       unit_times.push_back(after);
       before = after;
     }

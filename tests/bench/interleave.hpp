@@ -14,6 +14,7 @@ struct Job {
   std::string name;
   std::function<void()> run;
   std::optional<double> target;
+  double parts = 1.0;  ///< one run does so many of what the ratio is of
 };
 
 struct Interleaved {

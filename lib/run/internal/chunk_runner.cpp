@@ -38,11 +38,14 @@ class ChunkSolver {
     const std::optional<TopChoice>& top = task_.header.top;
     TopRows best(top ? top->count : 0, top ? top->order : RankOrder::largest);
     StateWalk walk(task_.plan, begin, end);
-    while (walk.next()) {
+    for (auto states = states_.solve_next(walk); !states.empty();
+         states = states_.solve_next(walk)) {
       if (is_stopped(hooks_)) {
         return std::nullopt;
       }
-      add_state(walk, best, result);
+      for (const SolvedState& state : states) {
+        add_state(state, best, result);
+      }
     }
     result.counts.states = end - begin;
     result.counts.excluded.assign(walk.excluded().begin(), walk.excluded().end());
@@ -53,9 +56,9 @@ class ChunkSolver {
   }
 
  private:
-  void add_state(const StateWalk& walk, TopRows& best, ChunkResult& result) {
-    text_.enter(walk.places());
-    for (const SweepRow& row : states_.solve(walk)) {
+  void add_state(const SolvedState& state, TopRows& best, ChunkResult& result) {
+    text_.enter(state.places);
+    for (const SweepRow& row : state.rows) {
       ++result.counts.rows;
       count(row.status, result.counts);
       if (!task_.key) {
@@ -63,7 +66,7 @@ class ChunkSolver {
         continue;
       }
       const double key = row.values[*task_.key];
-      const std::uint64_t number = walk.state() * task_.cases.size() + row.which;
+      const std::uint64_t number = state.number * task_.cases.size() + row.which;
       if (!std::isnan(key) && best.accepts(key, number)) {
         RankedRow ranked{.key = key, .number = number, .text = {}};
         text_.append(row, ranked.text);

@@ -99,11 +99,12 @@ std::string_view row_status(const CaseAnalysis& one,
 
 StateBinder::StateBinder(const SweepTask& task) : task_(task), description_(task.description) {}
 
-std::optional<Mechanism> StateBinder::bind(const Slots& slots) {
-  for (const SweepAxis& axis : task_.plan.axes()) {
-    const auto i = static_cast<std::size_t>(axis.parameter());
-    Value& value = description_.parameters[i].value;
-    value.expression = expression_of(slots.values[i]);
+std::optional<Mechanism> StateBinder::bind(std::uint64_t state) {
+  for (std::size_t a = 0; a < task_.plan.axes().size(); ++a) {
+    const SweepAxis& axis = task_.plan.axes()[a];
+    const std::uint64_t place = state / task_.plan.stride(static_cast<int>(a)) % axis.size();
+    Value& value = description_.parameters[static_cast<std::size_t>(axis.parameter())].value;
+    value.expression = expression_of(axis.value_at(place));
     value.text_column = 0;
   }
   Diagnostics found;
@@ -128,52 +129,87 @@ void fill_row(const SweepTask& task,
   }
 }
 
-StateSolver::StateSolver(const SweepTask& task)
-    : task_(task), binder_(task), rows_(task.cases.size()), states_(task.cases.size()) {
+StateSolver::StateSolver(const SweepTask& task, std::size_t lanes)
+    : task_(task), binder_(task), states_(task.cases.size()) {
+  const std::size_t together = task.tapes ? lanes : 1;
   if (task.tapes) {
-    taped_.emplace(task, *task.tapes);
+    taped_.emplace(task, *task.tapes, together);
   }
+  pending_.resize(together);
+  places_.resize(together * task.plan.axes().size());
+  rows_.resize(together * task.cases.size());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    rows_[i].which = i;
+    rows_[i].which = i % task.cases.size();
     rows_[i].values.assign(task.quantities.size(), kNoValue);
   }
+  solved_.reserve(together);
 }
 
-std::span<const SweepRow> StateSolver::solve(const StateWalk& walk) {
-  constexpr std::uint64_t kCheckEvery = 1009;
-  const bool is_taped = taped_ && !walk.is_undefined() && taped_->solve(walk, rows_);
-  if (!is_taped) {
-    analyse(walk);
-  } else if (walk.state() % kCheckEvery == 0) {
-    check_tape(walk);
+std::span<SweepRow> StateSolver::rows_of(std::size_t lane) {
+  return std::span(rows_).subspan(lane * task_.cases.size(), task_.cases.size());
+}
+
+std::span<const SolvedState> StateSolver::solve_next(StateWalk& walk) {
+  std::size_t count = 0;
+  while (count < pending_.size() && walk.next()) {
+    take(walk, count++);
   }
-  return rows_;
+  if (taped_ && count > 0) {
+    taped_->play();
+  }
+  solved_.clear();
+  const std::size_t axes = task_.plan.axes().size();
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    solve(pending_[lane], lane);
+    solved_.push_back({.number = pending_[lane].state,
+                       .places = std::span(places_).subspan(lane * axes, axes),
+                       .rows = rows_of(lane)});
+  }
+  return solved_;
 }
 
-void StateSolver::analyse(const StateWalk& walk) {
-  const std::optional<Mechanism> mechanism = binder_.bind(walk.slots());
+void StateSolver::take(const StateWalk& walk, std::size_t lane) {
+  pending_[lane] = {.state = walk.state(), .is_undefined = walk.is_undefined()};
+  std::ranges::copy(walk.places(),
+                    places_.begin() + static_cast<std::ptrdiff_t>(lane * walk.places().size()));
+  if (taped_ && !walk.is_undefined()) {
+    taped_->load(walk, lane);
+  }
+}
+
+void StateSolver::solve(const Pending& pending, std::size_t lane) {
+  constexpr std::uint64_t kCheckEvery = 10007;  // takes a tenth of the time that tapes take
+  if (!taped_ || pending.is_undefined || !taped_->fill(lane, rows_of(lane))) {
+    analyse(pending, rows_of(lane));
+  } else if (pending.state % kCheckEvery == 0) {
+    check_tape(pending, rows_of(lane));
+  }
+}
+
+void StateSolver::analyse(const Pending& pending, std::span<SweepRow> rows) {
+  const std::optional<Mechanism> mechanism = binder_.bind(pending.state);
   // A requirement alone may have no answer; then none of the numbers counts.
-  if (!mechanism || walk.is_undefined()) {
-    fail(binder_.code());
+  if (!mechanism || pending.is_undefined) {
+    fail(binder_.code(), rows);
     return;
   }
   std::vector<Case> cases = chosen_cases(task_, *mechanism);
   if (task_.shift) {
     decide_gears(*mechanism, cases);
   }
-  std::vector<std::optional<double>> ratios(rows_.size());
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    std::ranges::fill(rows_[i].values, kNoValue);
+  std::vector<std::optional<double>> ratios(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::ranges::fill(rows[i].values, kNoValue);
     if (states_[i] && states_[i]->kind != ShiftClass::gear) {
-      rows_[i].status = word_of(states_[i]->kind);
+      rows[i].status = word_of(states_[i]->kind);
       continue;
     }
     const CaseAnalysis one = solve_some_cases(*mechanism, std::span(&cases[i], 1)).front();
-    fill_row(task_, *mechanism, one, rows_[i]);
-    rows_[i].status = row_status(one, task_, task_.is_usually_solved[i]);
+    fill_row(task_, *mechanism, one, rows[i]);
+    rows[i].status = row_status(one, task_, task_.is_usually_solved[i]);
     ratios[i] = gear_ratio(task_, i, one);
   }
-  fill_steps(task_.quantities, ratios, rows_);
+  fill_steps(task_.quantities, ratios, rows);
 }
 
 void StateSolver::decide_gears(const Mechanism& mechanism, std::vector<Case>& cases) {
@@ -193,27 +229,26 @@ void StateSolver::decide_gears(const Mechanism& mechanism, std::vector<Case>& ca
 }
 
 // Now and then a state is analysed both ways, so that no mistake of a tape stays unseen.
-void StateSolver::check_tape(const StateWalk& walk) {
-  const std::vector<SweepRow> taped = rows_;
-  analyse(walk);
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
+void StateSolver::check_tape(const Pending& pending, std::span<const SweepRow> taped) {
+  std::vector<SweepRow> rows(taped.begin(), taped.end());
+  analyse(pending, rows);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
     double largest = 0.0;
-    for (const double value : rows_[i].values) {
+    for (const double value : rows[i].values) {
       largest = std::isnan(value) ? largest : std::max(largest, std::abs(value));
     }
-    for (std::size_t q = 0; q < rows_[i].values.size(); ++q) {
-      const double a = rows_[i].values[q];
+    for (std::size_t q = 0; q < rows[i].values.size(); ++q) {
+      const double a = rows[i].values[q];
       const double b = taped[i].values[q];
       KINESTAT_EXPECTS(std::isnan(a) == std::isnan(b) &&
                        (std::isnan(a) || std::abs(a - b) <= kReportsAgree * largest));
     }
-    KINESTAT_EXPECTS(rows_[i].status == taped[i].status);
+    KINESTAT_EXPECTS(rows[i].status == taped[i].status);
   }
-  rows_ = taped;
 }
 
-void StateSolver::fail(std::string_view status) {
-  for (SweepRow& row : rows_) {
+void StateSolver::fail(std::string_view status, std::span<SweepRow> rows) {
+  for (SweepRow& row : rows) {
     row.status = status;
     std::ranges::fill(row.values, kNoValue);
   }

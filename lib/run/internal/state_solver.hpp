@@ -1,11 +1,16 @@
-// One state of a sweep after the other: parameters in, rows out.
+// The states of a sweep, some at a time: parameters in, rows out.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "report/sweep_rows.hpp"
 #include "run/internal/sweep_task.hpp"
+#include "run/internal/taped_solver.hpp"
 #include "sweep/state_walk.hpp"
 
 namespace kinestat {
@@ -15,8 +20,9 @@ class StateBinder {
  public:
   explicit StateBinder(const SweepTask& task);
 
-  /// Empty where the state has no mechanism; the code of its first error is then kept.
-  std::optional<Mechanism> bind(const Slots& slots);
+  /// Empty where the state of that number has no mechanism; the code of its first error is then
+  /// kept.
+  std::optional<Mechanism> bind(std::uint64_t state);
 
   std::string_view code() const { return code_; }
 
@@ -29,26 +35,46 @@ class StateBinder {
   std::string_view code_;
 };
 
+/// A state of a sweep that was worked out.
+struct SolvedState {
+  std::uint64_t number = 0;
+  std::span<const std::uint64_t> places;  ///< on the axes
+  std::span<const SweepRow> rows;         ///< one a case
+};
+
 /// Each worker has its own. The numbers of a row are those that an analysis with --set gives; where
-/// a tape gives them, up to the rounding that another order of pivots makes.
+/// a tape gives them, up to the rounding that another order of pivots makes. They do not depend on
+/// which states are worked out together.
 class StateSolver {
  public:
-  /// The task must outlive it.
-  explicit StateSolver(const SweepTask& task);
+  /// The task must outlive it. `lanes` is how many states a tape works out together: 1 or kLanes.
+  explicit StateSolver(const SweepTask& task, std::size_t lanes = kLanes);
 
-  /// The rows of the state at which the walk stands, one a case.
-  std::span<const SweepRow> solve(const StateWalk& walk);
+  /// The next states of the walk, as many as are worked out together; empty at its end. They stay
+  /// until the next call.
+  std::span<const SolvedState> solve_next(StateWalk& walk);
 
  private:
-  void analyse(const StateWalk& walk);
+  struct Pending {
+    std::uint64_t state = 0;
+    bool is_undefined = false;
+  };
+
+  std::span<SweepRow> rows_of(std::size_t lane);
+  void take(const StateWalk& walk, std::size_t lane);
+  void solve(const Pending& pending, std::size_t lane);
+  void analyse(const Pending& pending, std::span<SweepRow> rows);
   void decide_gears(const Mechanism& mechanism, std::vector<Case>& cases);
-  void check_tape(const StateWalk& walk);
-  void fail(std::string_view status);
+  void check_tape(const Pending& pending, std::span<const SweepRow> taped);
+  void fail(std::string_view status, std::span<SweepRow> rows);
 
   const SweepTask& task_;
   StateBinder binder_;
   std::optional<TapedSolver> taped_;
-  std::vector<SweepRow> rows_;
+  std::vector<Pending> pending_;       ///< of each lane
+  std::vector<std::uint64_t> places_;  ///< of each lane, axis by axis
+  std::vector<SweepRow> rows_;         ///< of each lane, case by case
+  std::vector<SolvedState> solved_;
   std::vector<std::optional<ShiftState>> states_;  ///< of each row that is of a combination
 };
 

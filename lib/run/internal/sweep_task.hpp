@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "report/sweep_quantity.hpp"
+#include "run/internal/sweep_tapes.hpp"
 #include "run/internal/swept_gears.hpp"
-#include "run/internal/taped_solver.hpp"
 #include "run/load.hpp"
 #include "run/sweep.hpp"
 #include "sweep/sweep_plan.hpp"

@@ -1,72 +1,86 @@
-// States of a sweep by tapes: the numbers of a state alone, without a file, a name or a report.
+// States of a sweep by a tape: the numbers alone, without a file, a name or a report, several
+// states at a time.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include "math/lane_tape.hpp"
 #include "mechanism/rebind.hpp"
 #include "report/sweep_rows.hpp"
-#include "sweep/network_tape.hpp"
+#include "run/internal/sweep_tapes.hpp"
 #include "sweep/state_walk.hpp"
 
 namespace kinestat {
 
 struct SweepTask;
 
-/// What the tapes of one case are asked for.
-struct TapedCase {
-  std::optional<NetworkTape> motion;
-  std::optional<NetworkTape> action;
-  std::vector<int> freedoms;  ///< the wanted ones
-  std::vector<int> actions;   ///< likewise
-};
-
-/// The tapes of all cases of a sweep; shared by the workers.
-struct SweepTapes {
-  Rebinder rebinder;
-  std::vector<TapedCase> cases;
-};
-
-/// Empty where the states of a sweep must be analysed one by one: a quantity needs the power flow,
-/// a case has no answer with the parameters of the file, or the parameters move more than couplings
-/// and primaries, or freewheels shift. What was recorded is compared with whole analyses of some
-/// states before it is trusted.
-std::optional<SweepTapes> record_tapes(const SweepTask& task);
-
-/// Each worker has its own.
+/// Each worker has its own. After it was made it allocates nothing, but for combinations of
+/// `shift` that are no gears with the parameters of the file.
 class TapedSolver {
  public:
-  /// Both must outlive it.
-  TapedSolver(const SweepTask& task, const SweepTapes& tapes);
+  /// Both must outlive it. `lanes` is 1 or kLanes.
+  TapedSolver(const SweepTask& task, const SweepTapes& tapes, std::size_t lanes);
 
-  /// Fills the rows of the state, one a case. False where the tapes have no answer for it: it must
-  /// be analysed as a whole.
-  bool solve(const StateWalk& walk, std::span<SweepRow> rows);
+  /// Takes the state at which the walk stands into a lane.
+  void load(const StateWalk& walk, std::size_t lane);
+
+  /// Works out all lanes.
+  void play() { tapes_.tape.play(workspace_); }
+
+  /// Fills the rows of the state in the lane, one a case. False where the tape has no answer for
+  /// it: it must be analysed as a whole.
+  bool fill(std::size_t lane, std::span<SweepRow> rows);
 
  private:
-  struct Work {
-    EliminationTape::Workspace motion;
-    EliminationTape::Workspace action;
+  // In SI; empty where there is none.
+  struct TapedRatios {
+    std::optional<double> ratio;
+    std::optional<double> torque_ratio;
   };
 
-  bool decide_gears(std::span<SweepRow> rows);
-  bool is_no_gear(std::size_t i) const;
-  bool drives_output(std::size_t i) const;
-  bool solve_case(std::size_t i);
-  bool solve_motion(std::size_t i);
-  bool solve_action(std::size_t i);
+  bool rebind(const StateWalk& walk);
+  bool load_other(const SweepInput& input,
+                  std::size_t cell,
+                  const StateWalk& walk,
+                  std::size_t lane);
+  bool decide_gears(std::size_t lane);
+  bool fill_case(std::size_t i, std::size_t lane, SweepRow& row);
+  bool drives_output(const TapedCase& taped, std::size_t lane);
+  TapedRatios find_ratios(const TapedCase& taped, std::size_t lane);
+  std::string_view status_of(const TapedCase& taped, const TapedRatios& ratios, std::size_t lane);
+  void fill_ratios(const TapedCase& taped, const TapedRatios& ratios, SweepRow& row) const;
+  std::span<const double> read(std::span<const std::size_t> outputs, std::size_t lane);
+
+  // Whether all are finite.
+  bool fill_columns(std::span<const TapedColumn> columns, std::size_t lane, SweepRow& row) const;
 
   const SweepTask& task_;
   const SweepTapes& tapes_;
+  LaneTape::Workspace workspace_;
   Rebinder rebinder_;
-  Mechanism mechanism_;  ///< with the geometry of the state
-  std::vector<Case> all_cases_;
+  Mechanism mechanism_;          ///< with the geometry of a state, where that is rebound
+  std::vector<Case> all_cases_;  ///< likewise
+  std::vector<char> is_loaded_;  ///< of each lane
+
+  // An input that the tape reads.
+  struct Load {
+    std::size_t input = 0;
+    std::size_t cell = 0;
+  };
+
+  std::vector<Load> axes_;         ///< parameters that are varied
+  std::vector<Load> others_;       ///< what may have no value
   bool has_combinations_ = false;  ///< that are no gears with the parameters of the file
-  std::vector<CaseAnalysis> analyses_;
-  std::vector<Work> work_;
-  std::vector<double> known_;
-  std::vector<double> wanted_;
+  std::vector<std::size_t> ratio_columns_;
+  std::vector<std::size_t> torque_ratio_columns_;
+  bool asks_steps_ = false;
+  std::vector<std::string_view> statuses_;     ///< of each lane and case: of such a combination
+  std::vector<std::optional<double>> ratios_;  ///< of each case that is a gear [SI]
+  std::vector<double> rates_;                  ///< what was read last
 };
 
 }  // namespace kinestat

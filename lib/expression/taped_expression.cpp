@@ -1,0 +1,160 @@
+#include "expression/taped_expression.hpp"
+
+#include <limits>
+#include <variant>
+#include <vector>
+
+#include "core/contract.hpp"
+#include "expression/evaluate.hpp"
+#include "expression/internal/arithmetic.hpp"
+
+namespace kinestat {
+
+namespace {
+
+class ExpressionRecorder {
+ public:
+  ExpressionRecorder(const SlotExpression& expression,
+                     std::span<const std::optional<TapeQuantity>> slots,
+                     LaneRecorder& recorder)
+      : expression_(expression), slots_(slots), recorder_(recorder) {}
+
+  std::optional<TapeQuantity> record() {
+    for (const Node& node : expression_.expression().nodes()) {
+      const std::optional<TapeQuantity> one = record(node);
+      if (!one) {
+        return std::nullopt;
+      }
+      numbers_.push_back(*one);
+    }
+    demand_finite(numbers_.back().value);
+    return numbers_.back();
+  }
+
+  // A number counted in a unit, in SI.
+  TapeNumber to_si(TapeNumber count, const UnitScale& unit) {
+    const UnitScale above{unit.numerator, 1.0, unit.pi_power};
+    const TapeNumber result =
+        recorder_.divide(recorder_.multiply(count, recorder_.constant(above.factor())),
+                         recorder_.constant(unit.denominator));
+    recorder_.demand_no_underflow(result, count, recorder_.constant(1.0));
+    return result;
+  }
+
+  // What overflows stays infinite or becomes a NaN, or makes a zero that is looked for.
+  void demand_finite(TapeNumber number) {
+    recorder_.demand_at_most(number, recorder_.constant(std::numeric_limits<double>::max()));
+  }
+
+ private:
+  std::optional<TapeQuantity> record(const Node& node) {
+    if (node.kind == NodeKind::name) {
+      return slots_[static_cast<std::size_t>(
+          expression_.slots()[static_cast<std::size_t>(node.name)])];
+    }
+    if (node.left < 0) {
+      const Quantity value = leaf(node);
+      return TapeQuantity{recorder_.constant(value.value), value.dimension};
+    }
+    const int right = node.right < 0 ? node.left : node.right;
+    const Node& divisor = expression_.expression().nodes()[static_cast<std::size_t>(right)];
+    const Unit* unit = node.right < 0 ? nullptr : divisor.unit;
+    const TapeQuantity& a = numbers_[static_cast<std::size_t>(node.left)];
+    const TapeQuantity& b = numbers_[static_cast<std::size_t>(right)];
+    return recorder_.is_constant(a.value) && recorder_.is_constant(b.value)
+               ? record_constant(node, a, b, unit)
+               : record_operation(node, a, b, unit);
+  }
+
+  std::optional<TapeQuantity> record_constant(const Node& node,
+                                              const TapeQuantity& a,
+                                              const TapeQuantity& b,
+                                              const Unit* unit) {
+    const Outcome outcome = operate(node,
+                                    {recorder_.value(a.value), a.dimension},
+                                    {recorder_.value(b.value), b.dimension},
+                                    unit);
+    const auto* value = std::get_if<Quantity>(&outcome);
+    return value != nullptr
+               ? std::optional(TapeQuantity{recorder_.constant(value->value), value->dimension})
+               : std::nullopt;
+  }
+
+  // As operate does it.
+  std::optional<TapeQuantity> record_operation(const Node& node,
+                                               const TapeQuantity& a,
+                                               const TapeQuantity& b,
+                                               const Unit* unit) {
+    const bool is_sum = node.kind == NodeKind::add || node.kind == NodeKind::subtract;
+    if (is_sum && a.dimension != b.dimension) {
+      return std::nullopt;
+    }
+    switch (node.kind) {
+      case NodeKind::negate:
+        return TapeQuantity{recorder_.subtract(recorder_.constant(0.0), a.value), a.dimension};
+      case NodeKind::add:
+        return TapeQuantity{recorder_.add(a.value, b.value), a.dimension};
+      case NodeKind::subtract:
+        return TapeQuantity{recorder_.subtract(a.value, b.value), a.dimension};
+      case NodeKind::multiply:
+        return TapeQuantity{unit != nullptr ? to_si(a.value, unit->scale) : product(a, b),
+                            a.dimension * b.dimension};
+      case NodeKind::divide:
+        return unit != nullptr
+                   ? std::nullopt
+                   : std::optional(TapeQuantity{quotient(a, b), a.dimension / b.dimension});
+      default:
+        return std::nullopt;
+    }
+  }
+
+  TapeNumber product(const TapeQuantity& a, const TapeQuantity& b) {
+    const TapeNumber result = recorder_.multiply(a.value, b.value);
+    recorder_.demand_no_underflow(result, a.value, b.value);
+    return result;
+  }
+
+  TapeNumber quotient(const TapeQuantity& a, const TapeQuantity& b) {
+    const TapeNumber result = recorder_.divide(a.value, b.value);
+    recorder_.demand_no_underflow(result, a.value, recorder_.constant(1.0));
+    if (!recorder_.is_constant(b.value)) {
+      demand_finite(b.value);  // a share of infinity would be a zero like others
+      demand_finite(result);
+    }
+    return result;
+  }
+
+  const SlotExpression& expression_;
+  std::span<const std::optional<TapeQuantity>> slots_;
+  LaneRecorder& recorder_;
+  std::vector<TapeQuantity> numbers_;
+};
+
+}  // namespace
+
+std::optional<TapeQuantity> record_quantity(const SlotExpression& expression,
+                                            std::span<const std::optional<TapeQuantity>> slots,
+                                            LaneRecorder& recorder) {
+  return ExpressionRecorder(expression, slots, recorder).record();
+}
+
+std::optional<TapeNumber> record_as(QuantityKind kind,
+                                    const SlotExpression& expression,
+                                    const FileUnits& units,
+                                    std::span<const std::optional<TapeQuantity>> slots,
+                                    LaneRecorder& recorder) {
+  KINESTAT_EXPECTS(kind != QuantityKind::lead);
+  ExpressionRecorder one(expression, slots, recorder);
+  const std::optional<TapeQuantity> value = one.record();
+  if (!value) {
+    return std::nullopt;
+  }
+  if (!is_bare(value->dimension)) {
+    return fits(value->dimension, kind) ? std::optional(value->value) : std::nullopt;
+  }
+  const TapeNumber result = one.to_si(value->value, units.scale(kind));
+  one.demand_finite(result);
+  return result;
+}
+
+}  // namespace kinestat
