@@ -7,7 +7,7 @@ build=(g++ cmake ninja-build ccache pkg-config libeigen3-dev libyaml-cpp-dev lib
   libfmt-dev nlohmann-json3-dev libboost-dev libgmp-dev)
 test=("${build[@]}" libgtest-dev python3 python3-jsonschema python3-yaml)
 sanitize=("${test[@]}" clang libclang-rt-14-dev)
-bench=("${build[@]}" liblapack-dev libblas-dev)
+bench=("${build[@]}" liblapack-dev libblas-dev libsuitesparse-dev)
 lint=(clang-format clang-tidy)
 
 stop() {

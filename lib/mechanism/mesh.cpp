@@ -1,11 +1,11 @@
 #include "mechanism/mesh.hpp"
 
 #include <algorithm>
-#include <set>
-#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/tolerance.hpp"
+#include "graph/components.hpp"
 #include "screw/screw_axis.hpp"
 
 namespace kinestat {
@@ -37,44 +37,61 @@ double mark_of(const Vec3& point, const Vec3& direction) {
   return foot.dot(Vec3(0.61, 0.67, 0.43));
 }
 
+// Bodies that turn with or against each other about one line, joined by hinges on it, are a group.
+// A carrier turns about one line with the one gear and about another with the other.
 class CarrierSearch {
  public:
   CarrierSearch(const Topology& topology, const Geometry& geometry)
-      : length_(geometry.length), hinges_at_(topology.bodies.size()) {
+      : length_(geometry.length),
+        hinges_at_(topology.bodies.size()),
+        groups_at_(topology.bodies.size()),
+        reach_(topology.bodies.size(), 0) {
     for (const CouplingTopology& coupling : topology.couplings) {
       if (is_hinge(coupling.type)) {
         add(coupling, topology, geometry);
       }
     }
-    for (std::vector<std::size_t>& hinges : hinges_at_) {
-      std::ranges::sort(hinges, {}, [this](std::size_t h) { return hinges_[h].mark; });
-    }
+    find_groups();
   }
 
   std::optional<BodyId> carrier_of(int first, int second) const {
-    std::set<int> found;
-    for (const std::size_t a : hinges_at_[static_cast<std::size_t>(first)]) {
-      for (const std::size_t b : hinges_at_[static_cast<std::size_t>(second)]) {
-        if (!is_one_line(hinges_[a], hinges_[b])) {
-          std::ranges::set_intersection(turning_on(hinges_[a], first),
-                                        turning_on(hinges_[b], second),
-                                        std::inserter(found, found.end()));
+    const bool is_first_near = at(reach_, first) <= at(reach_, second);
+    const int near = is_first_near ? first : second;
+    const int far = is_first_near ? second : first;
+    std::optional<BodyId> found;
+    for (const int group : at(groups_at_, near)) {
+      for (const int body : at(members_, group)) {
+        const bool is_known = body == near || body == far || (found && found->value == body);
+        if (is_known || !turns_about_another_line(body, far, group)) {
+          continue;
         }
+        if (found) {
+          return std::nullopt;
+        }
+        found = BodyId{body};
       }
     }
-    found.erase(first);
-    found.erase(second);
-    return found.size() == 1 ? std::optional(BodyId{*found.begin()}) : std::nullopt;
+    return found;
   }
 
  private:
+  template <class T>
+  static T& at(std::vector<T>& values, int i) {
+    return values[static_cast<std::size_t>(i)];
+  }
+
+  template <class T>
+  static const T& at(const std::vector<T>& values, int i) {
+    return values[static_cast<std::size_t>(i)];
+  }
+
   void add(const CouplingTopology& coupling, const Topology& topology, const Geometry& geometry) {
     for (int f = coupling.first_freedom; f < coupling.first_freedom + coupling.freedom_count; ++f) {
       const auto i = static_cast<std::size_t>(f);
       const std::optional<ScrewAxis> axis = find_axis(geometry.motions[i], geometry.length);
       if (topology.freedoms[i].is_rotation && axis && axis->point) {
-        hinges_at_[static_cast<std::size_t>(coupling.tail.value)].push_back(hinges_.size());
-        hinges_at_[static_cast<std::size_t>(coupling.head.value)].push_back(hinges_.size());
+        at(hinges_at_, coupling.tail.value).push_back(static_cast<int>(hinges_.size()));
+        at(hinges_at_, coupling.head.value).push_back(static_cast<int>(hinges_.size()));
         hinges_.push_back({.tail = coupling.tail.value,
                            .head = coupling.head.value,
                            .direction = axis->direction,
@@ -92,38 +109,71 @@ class CarrierSearch {
            between.cross(a.direction).norm() <= kParallelAxes * length_;
   }
 
-  // The body, and all that turn with it or against it about the line of the hinge.
-  std::set<int> turning_on(const Hinge& line, int body) const {
-    std::set<int> bodies = {body};
-    std::vector<int> waiting = {body};
-    while (!waiting.empty()) {
-      const auto at = static_cast<std::size_t>(waiting.back());
-      waiting.pop_back();
-      for (const std::size_t h : hinges_near(line, at)) {
-        const Hinge& hinge = hinges_[h];
-        const int other = hinge.tail == static_cast<int>(at) ? hinge.head : hinge.tail;
-        if (is_one_line(line, hinge) && bodies.insert(other).second) {
-          waiting.push_back(other);
-        }
+  void find_groups() {
+    Digraph joined{.vertex_count = static_cast<int>(hinges_.size()), .edges = {}};
+    for (std::vector<int>& hinges : hinges_at_) {
+      join_lines(hinges, joined);
+    }
+    for (const std::vector<int>& hinges : find_components(joined)) {
+      std::vector<int> bodies;
+      for (const int h : hinges) {
+        bodies.push_back(at(hinges_, h).tail);
+        bodies.push_back(at(hinges_, h).head);
+      }
+      std::ranges::sort(bodies);
+      bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+      members_.push_back(std::move(bodies));
+      line_of_.push_back(hinges.front());
+    }
+    for (int group = 0; group < static_cast<int>(members_.size()); ++group) {
+      for (const int body : at(members_, group)) {
+        at(groups_at_, body).push_back(group);
+        at(reach_, body) += at(members_, group).size();
       }
     }
-    return bodies;
   }
 
-  // The hinges of a body that may be on that line: of a housing of many shafts, few.
-  std::span<const std::size_t> hinges_near(const Hinge& line, std::size_t body) const {
+  // Joins the hinges of one body that lie on one line. Sorted by their marks, each need be compared
+  // only with the first of each line near it: of many shafts in a housing, few.
+  void join_lines(std::vector<int>& hinges, Digraph& joined) const {
     const double slack = 4.0 * kParallelAxes * (length_ + farthest_);
-    const std::vector<std::size_t>& hinges = hinges_at_[body];
-    const auto mark = [this](std::size_t h) { return hinges_[h].mark; };
-    const auto begin = std::ranges::lower_bound(hinges, line.mark - slack, {}, mark);
-    const auto end = std::ranges::upper_bound(hinges, line.mark + slack, {}, mark);
-    return {begin, end};
+    std::ranges::sort(hinges, {}, [this](int h) { return at(hinges_, h).mark; });
+    std::vector<int> lines;
+    for (const int h : hinges) {
+      const Hinge& hinge = at(hinges_, h);
+      auto line = lines.rbegin();
+      while (line != lines.rend() && at(hinges_, *line).mark >= hinge.mark - slack &&
+             !is_one_line(at(hinges_, *line), hinge)) {
+        ++line;
+      }
+      if (line != lines.rend() && at(hinges_, *line).mark >= hinge.mark - slack) {
+        joined.edges.push_back({.tail = *line, .head = h});
+      } else {
+        lines.push_back(h);
+      }
+    }
+  }
+
+  // Whether both are in a group on another line than that of `group`.
+  bool turns_about_another_line(int body, int other, int group) const {
+    const std::vector<int>& a = at(groups_at_, body);
+    const std::vector<int>& b = at(groups_at_, other);
+    const std::vector<int>& shorter = a.size() <= b.size() ? a : b;
+    const std::vector<int>& longer = a.size() <= b.size() ? b : a;
+    return std::ranges::any_of(shorter, [&](int shared) {
+      return std::ranges::binary_search(longer, shared) &&
+             !is_one_line(at(hinges_, at(line_of_, group)), at(hinges_, at(line_of_, shared)));
+    });
   }
 
   double length_;
   double farthest_ = 0.0;  // of all points from the origin
   std::vector<Hinge> hinges_;
-  std::vector<std::vector<std::size_t>> hinges_at_;  // of each body, by their marks
+  std::vector<std::vector<int>> hinges_at_;  // of each body, by their marks
+  std::vector<std::vector<int>> members_;    // of each group: its bodies, ascending
+  std::vector<int> line_of_;                 // of each group: one of its hinges
+  std::vector<std::vector<int>> groups_at_;  // of each body, ascending
+  std::vector<std::size_t> reach_;           // of each body: the members of its groups
 };
 
 }  // namespace

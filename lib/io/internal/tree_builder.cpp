@@ -203,6 +203,10 @@ void TreeBuilder::attach(std::size_t part, SourceRange where, std::size_t mark) 
   if (frame.awaits_key) {
     frame.key_offset = mark;
     take_key(frame, parts_[part].node, where);
+    // Nothing refers to it any more, unless by an anchor.
+    if (anchors_.empty() && part + 1 == parts_.size()) {
+      parts_.pop_back();
+    }
     return;
   }
   take_child(frame, part);
@@ -221,6 +225,22 @@ void TreeBuilder::take_child(Frame& frame, std::size_t part) {
   parent.height = std::max(parent.height, child.height + 1);
   frame.key.part = part;
   parent.children.push_back(std::exchange(frame.key, {}));
+}
+
+// Where a mapping has a key. Most are short; for a long one there is a table.
+std::optional<SourceRange> TreeBuilder::find_key(Frame& frame, const std::string& key) const {
+  constexpr std::size_t kLongestScan = 16;
+  const std::vector<Child>& children = parts_[frame.part].children;
+  if (children.size() <= kLongestScan) {
+    const auto found = std::ranges::find(children, key, &Child::key);
+    return found == children.end() ? std::nullopt : std::optional(found->key_where);
+  }
+  while (frame.seen.size() < children.size()) {
+    const Child& child = children[frame.seen.size()];
+    frame.seen.emplace(child.key, child.key_where);
+  }
+  const auto found = frame.seen.find(key);
+  return found == frame.seen.end() ? std::nullopt : std::optional(found->second);
 }
 
 void TreeBuilder::take_key(Frame& frame, const YamlNode& key, SourceRange where) {
@@ -243,11 +263,10 @@ void TreeBuilder::take_key(Frame& frame, const YamlNode& key, SourceRange where)
            "repeat the entries, or name the whole mapping by an alias");
     return;
   }
-  const auto [first, is_new] = frame.seen.try_emplace(key.text, where);
-  if (!is_new) {
+  if (const std::optional<SourceRange> first = find_key(frame, key.text)) {
     refuse(
         "E0207", where, fmt::format("key '{}' is given twice", key.text), "remove one of the two")
-        .notes.push_back({first->second, "first given here"});
+        .notes.push_back({*first, "first given here"});
     return;
   }
   frame.is_key_usable = true;
@@ -274,25 +293,43 @@ std::size_t TreeBuilder::skip_properties(std::size_t mark) {
   return at;
 }
 
-YamlNode TreeBuilder::expand(std::size_t number) const {
-  const Part& part = parts_[number];
-  YamlNode node = part.node;
+// Adds the children of a part, each as `child_of` makes it.
+template <class ChildOf>
+YamlNode TreeBuilder::assembled(Part part, const ChildOf& child_of) {
+  YamlNode node = std::move(part.node);
   const bool is_mapping = node.kind == YamlKind::mapping;
   (is_mapping ? node.entries.reserve(part.children.size())
               : node.items.reserve(part.children.size()));
-  for (const Child& child : part.children) {
+  for (Child& child : part.children) {
     if (is_mapping) {
-      node.entries.push_back(
-          {.key = child.key, .key_where = child.key_where, .value = expand(child.part)});
+      node.entries.push_back({.key = std::move(child.key),
+                              .key_where = child.key_where,
+                              .value = child_of(child.part)});
     } else {
-      node.items.push_back(expand(child.part));
+      node.items.push_back(child_of(child.part));
     }
   }
   return node;
 }
 
-std::optional<YamlNode> TreeBuilder::take_root() const {
-  return parts_.empty() ? std::nullopt : std::optional(expand(0));
+YamlNode TreeBuilder::expand(std::size_t number) const {
+  return assembled(parts_[number], [this](std::size_t child) { return expand(child); });
+}
+
+// Numbers rise along the tree: what stands before a part is in the tree by then, or was a key.
+YamlNode TreeBuilder::take(std::size_t number) {
+  while (taken_ < number) {
+    parts_.pop_front();
+    ++taken_;
+  }
+  return assembled(std::move(parts_.front()), [this](std::size_t child) { return take(child); });
+}
+
+std::optional<YamlNode> TreeBuilder::take_root() {
+  if (parts_.empty()) {
+    return std::nullopt;
+  }
+  return anchors_.empty() ? take(0) : expand(0);
 }
 
 }  // namespace kinestat

@@ -28,8 +28,9 @@ class TreeBuilder : public YAML::EventHandler {
 
   TreeBuilder(SourceMap& map, const ReadLimits& limits, Diagnostics& found);
 
-  /// The root with all aliases expanded; empty if no node came. Only without errors.
-  std::optional<YamlNode> take_root() const;
+  /// The root with all aliases expanded; empty if no node came. Only without errors, and once:
+  /// where nothing is shared the nodes move, so that a large file is never held twice.
+  std::optional<YamlNode> take_root();
 
   /// The last quoted text of several lines, of which a quote may be missing; else line 0.
   SourceRange last_long_quote() const { return last_long_quote_; }
@@ -88,7 +89,7 @@ class TreeBuilder : public YAML::EventHandler {
     bool is_key_usable = false;
     std::size_t key_offset = 0;  // as the parser marked it
     Child key;
-    std::unordered_map<std::string, SourceRange> seen;
+    std::unordered_map<std::string, SourceRange> seen;  // of a long mapping
   };
 
   std::size_t add_part(YamlKind kind, SourceRange where, YAML::anchor_t anchor);
@@ -101,11 +102,15 @@ class TreeBuilder : public YAML::EventHandler {
   void check_text(const YamlNode& node, std::size_t begin);
   void attach(std::size_t part, SourceRange where, std::size_t mark);
   void take_key(Frame& frame, const YamlNode& key, SourceRange where);
+  std::optional<SourceRange> find_key(Frame& frame, const std::string& key) const;
   void take_child(Frame& frame, std::size_t part);
   std::size_t skip_properties(std::size_t mark);
   void count(int nodes, std::size_t bytes, SourceRange where);
   void check_depth(int height, SourceRange where);
+  template <class ChildOf>
+  static YamlNode assembled(Part part, const ChildOf& child_of);
   YamlNode expand(std::size_t number) const;
+  YamlNode take(std::size_t number);
   Diagnostic& refuse(std::string_view code,
                      SourceRange where,
                      std::string message,
@@ -117,6 +122,7 @@ class TreeBuilder : public YAML::EventHandler {
   const ReadLimits& limits_;
   Diagnostics& found_;
   std::deque<Part> parts_;  // never copied while it grows
+  std::size_t taken_ = 0;   // how many have been taken from its front
   std::vector<Frame> frames_;
   std::unordered_map<YAML::anchor_t, std::size_t> anchors_;
   int documents_ = 0;

@@ -322,6 +322,18 @@ TEST(Yaml, ReportsSeveralMistakesAtOnce) {
             "E0208 3:1+2 merge key '<<' is not supported\n");
 }
 
+// Beyond 16 keys there is a table of them.
+TEST(Yaml, FindsARepeatedKeyInALongMapping) {
+  std::string text;
+  for (int i = 10; i < 40; ++i) {
+    text += "k" + std::to_string(i) + ": {a: 1}\n";
+  }
+
+  EXPECT_EQ(complaints(text + "k11: 1\nk39: 2\na: 3\n"),
+            "E0207 31:1+3 key 'k11' is given twice (note 2:1+3 first given here)\n"
+            "E0207 32:1+3 key 'k39' is given twice (note 30:1+3 first given here)\n");
+}
+
 TEST(Yaml, GivesUpAfterAHundredMistakes) {
   std::string text;
   for (int i = 0; i < 1000; ++i) {

@@ -49,6 +49,30 @@ couplings:
             Names({"arm", "arm"}));
 }
 
+// A ring fixed in the housing meets every shaft of a coaxial train there; looking from each mesh at
+// all of them again would take minutes.
+TEST(Mesh, OfALongCoaxialTrainHasTheArmOfItsPlanet) {
+  constexpr int kStages = 2000;
+  std::string bodies = "s0";
+  std::string couplings = "  a0: {type: revolute, bodies: [g, s0], at: [0, 0]}\n";
+  Names arms;
+  for (int i = 1; i <= kStages; ++i) {
+    const std::string n = std::to_string(i);
+    bodies += ", s" + n + ", p" + n;
+    couplings += "  a" + n + ": {type: revolute, bodies: [g, s" + n + "], at: [0, 0]}\n";
+    couplings += "  b" + n + ": {type: revolute, bodies: [s" + n + ", p" + n + "], at: [0, 3]}\n";
+    couplings += "  m" + n + ": {type: gear, bodies: [s" + std::to_string(i - 1) + ", p" + n +
+                 "], at: [0, 2], line_of_action: x}\n";
+    couplings += "  r" + n + ": {type: gear, bodies: [g, p" + n +
+                 "], at: [0, 4], line_of_action: x, internal: true}\n";
+    arms.insert(arms.end(), 2, "s" + n);
+  }
+
+  EXPECT_EQ(
+      carriers_of("space: planar\nground: g\nbodies: [" + bodies + "]\ncouplings:\n" + couplings),
+      arms);
+}
+
 TEST(Mesh, OfAxesThatNoBodyHasInCommonHasNoCarrier) {
   EXPECT_EQ(carriers_of(R"(
 space: planar
