@@ -23,6 +23,7 @@ void add_sweep(CLI::App& parent, Job& job);
 void add_merge(CLI::App& parent, Job& job);
 void add_synthesize(CLI::App& parent, Job& job);
 void add_compare(CLI::App& parent, Job& job);
+void add_bench(CLI::App& parent, Job& job);
 void add_new(CLI::App& parent, Job& job);
 void add_schema(CLI::App& parent, Job& job);
 void add_explain(CLI::App& parent, Job& job);

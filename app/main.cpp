@@ -55,6 +55,7 @@ void add_commands(CLI::App& app, Job& job) {
   kinestat::app::add_merge(app, job);
   kinestat::app::add_synthesize(app, job);
   kinestat::app::add_compare(app, job);
+  kinestat::app::add_bench(app, job);
   kinestat::app::add_explain(app, job);
   kinestat::app::add_schema(app, job);
   kinestat::app::add_help(app, job);

@@ -41,6 +41,7 @@ MAY_INCLUDE: dict[str, set[str]] = {
         "shift": f"{_BOTH_SIDES} power",
         "motion": f"{_MECHANICS} mobility kinematics",
         "synthesis": "core math screw description",
+        "benchmark": _MECHANICS,
         "sweep": f"{_BOTH_SIDES} expression description power shift",
     }.items()
 }

@@ -9,6 +9,7 @@
 #include "network/network_matrices.hpp"
 #include "report/graph_report.hpp"
 #include "run/each_file.hpp"
+#include "run/internal/chosen_case.hpp"
 
 namespace kinestat {
 
@@ -87,29 +88,6 @@ std::vector<LabelledMatrix> all_matrices(const Loaded& loaded, const Case* which
            actions,
            all);
   return all;
-}
-
-// Null if the file has no cases; an unknown label is an error.
-const Case* choose_case(const std::vector<Case>& cases,
-                        const std::string& label,
-                        Diagnostics& found) {
-  if (label.empty()) {
-    return cases.empty() ? nullptr : &cases.front();
-  }
-  const auto at = std::ranges::find(cases, label, &Case::label);
-  if (at != cases.end()) {
-    return &*at;
-  }
-  std::vector<std::string> labels;
-  for (const Case& one : cases) {
-    labels.push_back(one.label);
-  }
-  found.error("E0101",
-              {},
-              fmt::format("--case: there is no case '{}'", label),
-              labels.empty() ? "the file has no cases; leave --case out"
-                             : fmt::format("its cases are {}", quoted_list(labels)));
-  return nullptr;
 }
 
 void graph_file(const std::string& path,

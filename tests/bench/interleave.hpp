@@ -22,8 +22,7 @@ struct Interleaved {
   double unit_seconds = 0.0;  ///< median of the unit
 };
 
-/// In every round each job runs for a batch, long enough for the clock and short enough to be
-/// seldom interrupted, and is divided by batches of the unit right before and after it.
+/// As benchmark/interleaved_times has it, by the steady clock of the process.
 Interleaved measure(const std::function<void()>& unit, const std::vector<Job>& jobs, int rounds);
 
 /// Makes the compiler believe that `value` is looked at.

@@ -255,6 +255,41 @@ class Reports(unittest.TestCase):
                 rows = [row for row in rows_of("analyze", path) if row[2] == "shift"]
                 self.assertEqual(rows_of("shift", path)[1:], rows)
 
+    def test_have_trade_offs_by_their_schema(self) -> None:
+        for path in self.for_each():
+            if path.name in ("four_bar.yaml", "ravigneaux.yaml"):
+                answer = json_of("bench", path)
+                self.assertEqual(check_schemas.report_faults(answer, schema("bench")), [])
+                for side in (s for case in answer["bench"].values() for s in case.values()):
+                    if side["status"] == "measured":
+                        self.check_front(list(side["methods"].values()))
+
+    def check_front(self, methods: list[dict]) -> None:
+        def beats(one: dict, other: dict) -> bool:
+            pairs = [(one[key], other[key]) for key in ("time", "worst_error")]
+            return all(a <= b for a, b in pairs) and any(a < b for a, b in pairs)
+
+        judged = [method for method in methods if method["worst_error"] is not None]
+        for method in methods:
+            is_best = method in judged and not any(beats(other, method) for other in judged)
+            self.assertEqual(method["pareto"], is_best)
+
+    def test_have_the_same_trade_offs_in_csv(self) -> None:
+        path = ROOT / "mechanisms" / "planar" / "four_bar.yaml"
+        answer = json_of("bench", path)
+        sides = [side for case in answer["bench"].values() for side in case.values()]
+        rows = [dict(zip(HEADER, row)) for row in rows_of("bench", path)[1:]]
+        # Two numbers a side; four of each method, three of each extreme. Times are of another run.
+        count = sum(2 + len(s["methods"]) * (4 + 3 * 6) for s in sides if s["status"] == "measured")
+        self.assertEqual(len(rows), count)
+        for row in rows:
+            side, *keys = row["quantity"].split("/")
+            value = answer["bench"][row["case"]][side]
+            for key in ([] if row["element"] == "" else ["methods", row["element"]]) + keys:
+                value = value[key]
+            if keys[-1] in ("unknowns", "error", "value_error", "bound", "worst_error"):
+                self.assertEqual(row["value"], "" if value is None else json.dumps(value), row)
+
     def test_have_inputs_by_their_schema(self) -> None:
         for path in self.for_each():
             answer = json_of("inputs", path)
@@ -383,7 +418,7 @@ class Goldens(unittest.TestCase):
 
 class Schema(unittest.TestCase):
     def test_describes_every_property(self) -> None:
-        for name in ("report", "mobility", "inputs", "sensitivity", "synthesis", "comparison"):
+        for name in ("report", "mobility", "inputs", "sensitivity", "synthesis", "comparison", "bench"):
             self.assertEqual(list(undescribed(schema(name))), [], name)
 
     def test_refuses_an_unknown_key_anywhere(self) -> None:

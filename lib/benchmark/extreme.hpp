@@ -1,0 +1,27 @@
+// The same mechanism as somebody else might have drawn it.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace kinestat {
+
+/// Neither the unit of lengths nor the place of the world origin may change an answer. Methods that
+/// take the equations as the textbook writes them do suffer from both.
+struct Extreme {
+  std::string_view name;
+  double scale = 1.0;     ///< by which all lengths are multiplied
+  double distance = 0.0;  ///< of the world origin, in sizes of the mechanism
+};
+
+/// The first is the mechanism as it is.
+inline constexpr std::array<Extreme, 6> kExtremes = {{
+    {.name = "as drawn", .scale = 1.0, .distance = 0.0},
+    {.name = "lengths 1e-9", .scale = 1.0 / 1e9, .distance = 0.0},
+    {.name = "lengths 1e9", .scale = 1e9, .distance = 0.0},
+    {.name = "origin 1e3", .scale = 1.0, .distance = 1e3},
+    {.name = "origin 1e6", .scale = 1.0, .distance = 1e6},
+    {.name = "origin 1e9", .scale = 1.0, .distance = 1e9},
+}};
+
+}  // namespace kinestat

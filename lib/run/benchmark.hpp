@@ -1,0 +1,24 @@
+// The methods of solution, timed and judged on files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "benchmark/interleaved_times.hpp"
+#include "run/analyse.hpp"
+
+namespace kinestat {
+
+struct BenchmarkChoice {
+  std::string case_label;  ///< empty: all
+  TimingLimits limits;     ///< of each side of a case
+};
+
+/// One report a file on standard output. Without a file the built-in networks are taken: near a
+/// dead point, a long train, many planets.
+Outcome benchmark_files(const std::vector<std::string>& paths,
+                        const BenchmarkChoice& choice,
+                        const AnalyseOptions& options,
+                        const Clock& clock);
+
+}  // namespace kinestat
