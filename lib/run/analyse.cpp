@@ -30,6 +30,7 @@ ReportForms forms_of(const AnalyseOptions& options, std::size_t file_count) {
 // that decides and is not analysed yet, has a report that says so.
 std::optional<FileReport> analyse_description(const std::string& path,
                                               MechanismDescription description,
+                                              const AccuracyRequest& accuracy,
                                               const ReportForms& forms,
                                               Diagnostics& found) {
   std::optional<Mechanism> mechanism = bind(description, found);
@@ -47,7 +48,8 @@ std::optional<FileReport> analyse_description(const std::string& path,
     const Analysis analysis = solve_cases(path,
                                           {.description = std::move(description),
                                            .mechanism = *std::move(mechanism),
-                                           .shift = std::move(shift)});
+                                           .shift = std::move(shift)},
+                                          accuracy);
     add_findings(analysis, found);
     return make_report(analysis, forms, found);
   }
@@ -67,7 +69,7 @@ void analyse_file(const std::string& path,
       load_description(path, options.load, source, found);
   if (description) {
     const std::optional<FileReport> report =
-        analyse_description(path, *std::move(description), forms, found);
+        analyse_description(path, *std::move(description), options.accuracy, forms, found);
     if (report) {
       add_to_stream(*report, options, outcome);
       if (!options.output.folder.empty()) {

@@ -111,10 +111,18 @@ CoordinateBasis basis_for(const Mechanism& mechanism,
                          : action_basis(mechanism.geometry, mechanism.static_order, outside);
 }
 
+// What is asked of a case beside its own numbers.
+struct CaseRequest {
+  const Case& which;
+  const AccuracyRequest& accuracy;
+};
+
+// Friction is followed in doubles: there is no bound for it.
 StaticSolution solve_statics(const Mechanism& mechanism,
                              const CoordinateBasis& common,
-                             const Case& which,
+                             const CaseRequest& request,
                              const KinematicSolution* motion) {
+  const Case& which = request.which;
   const std::vector<BodyWrench> loads = wrenches_of(which.loads);
   Frictions frictions = find_frictions(mechanism, motion);
   const CoordinateBasis basis = basis_for(mechanism, common, loads, frictions.laws);
@@ -123,7 +131,9 @@ StaticSolution solve_statics(const Mechanism& mechanism,
                              std::move(frictions.at_rest));
   }
   StaticSolution solution =
-      solve_with_friction(mechanism, basis, which.actions, loads, frictions.laws);
+      frictions.laws.empty()
+          ? solve_action(mechanism, basis, which.actions, loads, request.accuracy)
+          : solve_with_friction(mechanism, basis, which.actions, loads, frictions.laws);
   return resolve_indeterminacy(mechanism, basis, which.actions, loads, std::move(solution));
 }
 
@@ -158,7 +168,7 @@ std::vector<int> find_turned_flanks(const Geometry& geometry, const LoadedFlanks
 
 LoadedFlanks solve_on_flanks(const Mechanism& drawn,
                              const Bases& bases,
-                             const Case& which,
+                             const CaseRequest& request,
                              const KinematicSolution* motion,
                              std::vector<int> turned) {
   LoadedFlanks result{.turned = std::move(turned), .mechanism = {}, .basis = bases.action};
@@ -168,7 +178,7 @@ LoadedFlanks solve_on_flanks(const Mechanism& drawn,
     result.basis = action_basis(result.mechanism->geometry, drawn.static_order);
   }
   result.action =
-      solve_statics(result.mechanism ? *result.mechanism : drawn, result.basis, which, motion);
+      solve_statics(result.mechanism ? *result.mechanism : drawn, result.basis, request, motion);
   return result;
 }
 
@@ -176,16 +186,16 @@ LoadedFlanks solve_on_flanks(const Mechanism& drawn,
 // take more where bearings rub. Friction under which no flanks fit their forces lets nothing move.
 LoadedFlanks solve_on_loaded_flanks(const Mechanism& drawn,
                                     const Bases& bases,
-                                    const Case& which,
+                                    const CaseRequest& request,
                                     const KinematicSolution* motion) {
-  LoadedFlanks result = solve_on_flanks(drawn, bases, which, motion, {});
+  LoadedFlanks result = solve_on_flanks(drawn, bases, request, motion, {});
   const std::size_t most_rounds = 2 * drawn.geometry.other_flanks.size();
   for (std::size_t i = 0; i < most_rounds && !result.action.magnitudes.empty(); ++i) {
     std::vector<int> turned = find_turned_flanks(drawn.geometry, result);
     if (turned == result.turned) {
       return result;
     }
-    result = solve_on_flanks(drawn, bases, which, motion, std::move(turned));
+    result = solve_on_flanks(drawn, bases, request, motion, std::move(turned));
   }
   const bool fits = result.action.magnitudes.empty() || most_rounds == 0 ||
                     find_turned_flanks(drawn.geometry, result) == result.turned;
@@ -197,16 +207,17 @@ LoadedFlanks solve_on_loaded_flanks(const Mechanism& drawn,
   return result;
 }
 
-CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const Case& which) {
+CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRequest& request) {
+  const Case& which = request.which;
   CaseAnalysis result;
   result.which = which;
   if (which.asks_motions) {
-    result.motion = solve_velocity(drawn, bases.motion, which.motions);
+    result.motion = solve_velocity(drawn, bases.motion, which.motions, request.accuracy);
   }
   const KinematicSolution* motion = is_solved(result.motion) ? &*result.motion : nullptr;
   LoadedFlanks flanks;
   if (which.asks_actions) {
-    flanks = solve_on_loaded_flanks(drawn, bases, which, motion);
+    flanks = solve_on_loaded_flanks(drawn, bases, request, motion);
     result.action = std::move(flanks.action);
     result.turned_flanks = std::move(flanks.turned);
   }
@@ -241,26 +252,28 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const Case& 
 
 }  // namespace
 
-std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism) {
-  return solve_some_cases(mechanism, mechanism.cases);
+std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism,
+                                          const AccuracyRequest& request) {
+  return solve_some_cases(mechanism, mechanism.cases, request);
 }
 
 std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism,
-                                           std::span<const Case> wanted) {
+                                           std::span<const Case> wanted,
+                                           const AccuracyRequest& request) {
   const Bases bases{.motion = motion_basis(mechanism.geometry, mechanism.kinematic_order),
                     .action = action_basis(mechanism.geometry, mechanism.static_order)};
   std::vector<CaseAnalysis> cases;
   for (const Case& which : wanted) {
-    cases.push_back(solve_case(mechanism, bases, which));
+    cases.push_back(solve_case(mechanism, bases, {.which = which, .accuracy = request}));
   }
   return cases;
 }
 
-Analysis solve_cases(std::string file, Loaded loaded) {
+Analysis solve_cases(std::string file, Loaded loaded, const AccuracyRequest& request) {
   Analysis analysis;
   analysis.file = std::move(file);
   analysis.mobility = counts_of(loaded);
-  analysis.cases = solve_all_cases(loaded.mechanism);
+  analysis.cases = solve_all_cases(loaded.mechanism, request);
   analysis.shift = std::move(loaded.shift);
   analysis.description = std::move(loaded.description);
   analysis.mechanism = std::move(loaded.mechanism);
