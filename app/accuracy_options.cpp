@@ -8,7 +8,7 @@ void add_accuracy(CLI::App& command, AccuracyRequest& request) {
   using enum Accuracy;
   add_choice<Accuracy>(command,
                        "--accuracy",
-                       {{"auto", automatic}, {"fast", fast}, {"high", high}},
+                       {{"auto", automatic}, {"fast", fast}, {"high", high}, {"exact", exact}},
                        request.accuracy,
                        "how errors are bounded and made smaller;\n"
                        "'kinestat help accuracy' says at what price");

@@ -7,11 +7,12 @@
 #include <fmt/format.h>
 
 #include "mechanism/bind.hpp"
-#include "report/file_report.hpp"
+#include "report/certified_report.hpp"
+#include "run/certainty_findings.hpp"
+#include "run/certified_cases.hpp"
 #include "run/each_file.hpp"
 #include "run/findings.hpp"
 #include "run/gears.hpp"
-#include "run/solve_cases.hpp"
 
 namespace kinestat {
 
@@ -45,13 +46,15 @@ std::optional<FileReport> analyse_description(const std::string& path,
     if (found.has_errors()) {
       return std::nullopt;
     }
-    const Analysis analysis = solve_cases(path,
-                                          {.description = std::move(description),
-                                           .mechanism = *std::move(mechanism),
-                                           .shift = std::move(shift)},
-                                          accuracy);
-    add_findings(analysis, found);
-    return make_report(analysis, forms, found);
+    const CertifiedAnalysis certified =
+        solve_certified_cases(path,
+                              {.description = std::move(description),
+                               .mechanism = *std::move(mechanism),
+                               .shift = std::move(shift)},
+                              accuracy);
+    add_certainty_findings(certified.analysis, certified.certainty, found);
+    add_findings(certified.analysis, found);
+    return make_certified_report(certified.analysis, certified.certainty, forms, found);
   }
   const bool is_right = std::ranges::all_of(found.items(), [](const Diagnostic& one) {
     return one.severity == Severity::warning || one.code == "E0315";

@@ -9,7 +9,9 @@
 #include "kinematics/velocity.hpp"
 #include "mechanism/bind.hpp"
 #include "network/bases.hpp"
+#include "run/certified_cases.hpp"
 #include "run/free_parameters.hpp"
+#include "run/internal/typed_numbers.hpp"
 #include "statics/action.hpp"
 #include "statics/friction.hpp"
 #include "statics/indeterminacy.hpp"
@@ -115,6 +117,9 @@ CoordinateBasis basis_for(const Mechanism& mechanism,
 struct CaseRequest {
   const Case& which;
   const AccuracyRequest& accuracy;
+  TypedNumbers* typed = nullptr;       // of all cases; null where none are wanted
+  std::size_t index = 0;               // among these
+  CaseCertainty* certainty = nullptr;  // filled in beside `typed`
 };
 
 // Friction is followed in doubles: there is no bound for it.
@@ -214,10 +219,18 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   if (which.asks_motions) {
     result.motion = solve_velocity(drawn, bases.motion, which.motions, request.accuracy);
   }
+  if (result.motion && request.typed != nullptr) {
+    request.certainty->has_typed_motion = request.typed->improve(request.index, *result.motion);
+  }
   const KinematicSolution* motion = is_solved(result.motion) ? &*result.motion : nullptr;
   LoadedFlanks flanks;
   if (which.asks_actions) {
     flanks = solve_on_loaded_flanks(drawn, bases, request, motion);
+    const bool has_laws = !find_frictions(drawn, motion).laws.empty();
+    if (request.typed != nullptr && !has_laws) {
+      request.certainty->has_typed_action =
+          request.typed->improve(request.index, flanks.turned, flanks.action);
+    }
     result.action = std::move(flanks.action);
     result.turned_flanks = std::move(flanks.turned);
   }
@@ -250,6 +263,31 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   return result;
 }
 
+Bases bases_of(const Mechanism& mechanism) {
+  return {.motion = motion_basis(mechanism.geometry, mechanism.kinematic_order),
+          .action = action_basis(mechanism.geometry, mechanism.static_order)};
+}
+
+// What is proved of the ranks; the numbers as typed are asked where the doubles prove nothing.
+void find_certainty(TypedNumbers& typed, const Analysis& analysis, Certainty& result) {
+  const Mechanism& mechanism = analysis.mechanism;
+  const bool is_wanted = result.accuracy.accuracy == Accuracy::exact;
+  const auto asks = [&](const RankCertainty& certainty) {
+    return (is_wanted || (certainty.how != "structural" && typed.is_small())) &&
+           typed.find() != nullptr;
+  };
+  result.motion_rank = find_motion_certainty(mechanism);
+  if (asks(*result.motion_rank)) {
+    add_typed_motions(mechanism, *typed.find(), *result.motion_rank);
+  }
+  if (analysis.mobility.minimal.actions) {
+    result.action_rank = find_action_certainty(mechanism);
+    if (asks(*result.action_rank)) {
+      add_typed_actions(mechanism, *typed.find(), *result.action_rank);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism,
@@ -260,8 +298,7 @@ std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism,
 std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism,
                                            std::span<const Case> wanted,
                                            const AccuracyRequest& request) {
-  const Bases bases{.motion = motion_basis(mechanism.geometry, mechanism.kinematic_order),
-                    .action = action_basis(mechanism.geometry, mechanism.static_order)};
+  const Bases bases = bases_of(mechanism);
   std::vector<CaseAnalysis> cases;
   for (const Case& which : wanted) {
     cases.push_back(solve_case(mechanism, bases, {.which = which, .accuracy = request}));
@@ -270,15 +307,38 @@ std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism,
 }
 
 Analysis solve_cases(std::string file, Loaded loaded, const AccuracyRequest& request) {
-  Analysis analysis;
+  return solve_certified_cases(std::move(file), std::move(loaded), request).analysis;
+}
+
+CertifiedAnalysis solve_certified_cases(std::string file,
+                                        Loaded loaded,
+                                        const AccuracyRequest& request) {
+  CertifiedAnalysis result;
+  Analysis& analysis = result.analysis;
   analysis.file = std::move(file);
   analysis.mobility = counts_of(loaded);
-  analysis.cases = solve_all_cases(loaded.mechanism, request);
   analysis.shift = std::move(loaded.shift);
   analysis.description = std::move(loaded.description);
   analysis.mechanism = std::move(loaded.mechanism);
+  const Mechanism& mechanism = analysis.mechanism;
+  TypedNumbers typed(analysis.description, mechanism, request);
+  result.certainty.accuracy = request;
+  result.certainty.cases.resize(mechanism.cases.size());
+  const Bases bases = bases_of(mechanism);
+  for (std::size_t c = 0; c < mechanism.cases.size(); ++c) {
+    analysis.cases.push_back(solve_case(mechanism,
+                                        bases,
+                                        {.which = mechanism.cases[c],
+                                         .accuracy = request,
+                                         .typed = &typed,
+                                         .index = c,
+                                         .certainty = &result.certainty.cases[c]}));
+  }
   find_affine_dependence(analysis);
-  return analysis;
+  if (request.accuracy != Accuracy::fast) {
+    find_certainty(typed, analysis, result.certainty);
+  }
+  return result;
 }
 
 }  // namespace kinestat
