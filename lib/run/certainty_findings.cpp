@@ -98,11 +98,15 @@ void add_digit_findings(int digits, const CaseAnalysis& one, Diagnostics& found)
 
 }  // namespace
 
+void add_rank_findings(const Certainty& certainty, Diagnostics& found) {
+  add_rank_finding(certainty.motion_rank, "motions", found);
+  add_rank_finding(certainty.action_rank, "actions", found);
+}
+
 void add_certainty_findings(const Analysis& analysis,
                             const Certainty& certainty,
                             Diagnostics& found) {
-  add_rank_finding(certainty.motion_rank, "motions", found);
-  add_rank_finding(certainty.action_rank, "actions", found);
+  add_rank_findings(certainty, found);
   const bool is_taken = certainty.accuracy.accuracy == Accuracy::exact;
   for (std::size_t c = 0; c < analysis.cases.size(); ++c) {
     add_typed_answers(analysis.cases[c], certainty.cases[c], is_taken, found);

@@ -268,26 +268,6 @@ Bases bases_of(const Mechanism& mechanism) {
           .action = action_basis(mechanism.geometry, mechanism.static_order)};
 }
 
-// What is proved of the ranks; the numbers as typed are asked where the doubles prove nothing.
-void find_certainty(TypedNumbers& typed, const Analysis& analysis, Certainty& result) {
-  const Mechanism& mechanism = analysis.mechanism;
-  const bool is_wanted = result.accuracy.accuracy == Accuracy::exact;
-  const auto asks = [&](const RankCertainty& certainty) {
-    return (is_wanted || (certainty.how != "structural" && typed.is_small())) &&
-           typed.find() != nullptr;
-  };
-  result.motion_rank = find_motion_certainty(mechanism);
-  if (asks(*result.motion_rank)) {
-    add_typed_motions(mechanism, *typed.find(), *result.motion_rank);
-  }
-  if (analysis.mobility.minimal.actions) {
-    result.action_rank = find_action_certainty(mechanism);
-    if (asks(*result.action_rank)) {
-      add_typed_actions(mechanism, *typed.find(), *result.action_rank);
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism,
@@ -336,7 +316,7 @@ CertifiedAnalysis solve_certified_cases(std::string file,
   }
   find_affine_dependence(analysis);
   if (request.accuracy != Accuracy::fast) {
-    find_certainty(typed, analysis, result.certainty);
+    typed.find_ranks(analysis.mobility.minimal.actions.has_value(), result.certainty);
   }
   return result;
 }

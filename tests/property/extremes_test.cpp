@@ -11,6 +11,7 @@
 
 #include "io/mechanism_reader.hpp"
 #include "mechanism/bind.hpp"
+#include "run/certainty_findings.hpp"
 #include "run/certified_cases.hpp"
 
 namespace kinestat {
@@ -417,6 +418,18 @@ INSTANTIATE_TEST_SUITE_P(Of,
 
 TEST_P(ExtremeMechanism, IsRightOrRefusedOrHasBothAnswers) {
   GetParam().check(GetParam().text);
+}
+
+// Refinement keeps 32 digits of the fastest wheel, 43 decades above the slowest.
+TEST(ChainOfEightyStages, RefinedAloneSaysThatDigitsAreMissing) {
+  const auto found = analyse(chain(80, false).text, Accuracy::high);
+  ASSERT_TRUE(found.has_value());
+
+  Diagnostics findings;
+  add_certainty_findings(found->analysis, found->certainty, findings);
+
+  ASSERT_EQ(findings.items().size(), 1U);
+  EXPECT_EQ(findings.items()[0].code, "W0502");
 }
 
 TEST(ListOfExtremes, HasAtLeastSixty) {

@@ -56,6 +56,25 @@ bool TypedNumbers::is_needed(SolveStatus status,
   return false;
 }
 
+bool TypedNumbers::asks_for_typed(const RankCertainty& certainty) {
+  const bool is_wanted = request_.accuracy == Accuracy::exact;
+  return (is_wanted || (certainty.how != "structural" && is_small())) && find() != nullptr;
+}
+
+void TypedNumbers::find_ranks(bool with_actions, Certainty& certainty) {
+  certainty.motion_rank = find_motion_certainty(*mechanism_);
+  if (asks_for_typed(*certainty.motion_rank)) {
+    add_typed_motions(*mechanism_, *typed_, *certainty.motion_rank);
+  }
+  if (!with_actions) {
+    return;
+  }
+  certainty.action_rank = find_action_certainty(*mechanism_);
+  if (asks_for_typed(*certainty.action_rank)) {
+    add_typed_actions(*mechanism_, *typed_, *certainty.action_rank);
+  }
+}
+
 bool TypedNumbers::improve(std::size_t which, KinematicSolution& motion) {
   if (!is_needed(motion.status, motion.answer, motion.evidence) || find() == nullptr) {
     return false;
