@@ -1,3 +1,4 @@
+#include "accuracy_options.hpp"
 #include "command.hpp"
 
 namespace kinestat::app {
@@ -32,6 +33,7 @@ void add_analyze(CLI::App& parent, Job& job) {
   AnalyseOptions& analyse = options->analyse;
   add_files(*command, *options);
   add_format(*command, *options);
+  add_accuracy(*command, analyse.accuracy);
   add_output(*command, analyse);
   add_strict(*command, *options);
   add_flag(

@@ -1,5 +1,6 @@
 #include "run/mobility.hpp"
 
+#include "accuracy_options.hpp"
 #include "command.hpp"
 
 namespace kinestat::app {
@@ -13,6 +14,7 @@ void add_mobility(CLI::App& parent, Job& job) {
   auto options = std::make_shared<FileOptions>();
   add_files(*command, *options);
   add_format(*command, *options);
+  add_accuracy(*command, options->analyse.accuracy);
   add_strict(*command, *options);
   command->callback([options, &job] {
     job = [options] { return mobility_of_files(options->paths, options->analyse); };

@@ -1,5 +1,6 @@
 #include "run/shift.hpp"
 
+#include "accuracy_options.hpp"
 #include "command.hpp"
 
 namespace kinestat::app {
@@ -22,6 +23,7 @@ void add_shift(CLI::App& parent, Job& job) {
   auto flags = std::make_shared<ShiftFlags>();
   add_files(*command, flags->files);
   add_format(*command, flags->files);
+  add_accuracy(*command, flags->files.analyse.accuracy);
   add_strict(*command, flags->files);
   add_flag(
       *command,

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/accuracy.hpp"
 #include "core/solve_status.hpp"
 #include "math/rank.hpp"
 #include "network/counts.hpp"
@@ -18,6 +19,7 @@ struct KinematicSolution {
   MotionCounts counts;
   RankEvidence evidence;         ///< of the velocity system, whose rank is m + λ (n - 1)
   double residual = 0.0;         ///< relative, of the velocity system
+  AnswerEvidence answer;         ///< its bounds are those of the rates
   PrimaryCheck check;            ///< what is wrong with the primaries, if anything
   std::vector<double> rates;     ///< of each freedom [rad/s or m/s]
   std::vector<Twist> bodies;     ///< of each body relative to the ground

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/bounded_solve.hpp"
 #include "network/node_system.hpp"
 
 namespace kinestat {
@@ -37,6 +38,23 @@ void fill(const Topology& topology,
   }
 }
 
+// What is known of the error of the rates.
+AnswerEvidence evidence_of(const Topology& topology,
+                           const CoordinateBasis& basis,
+                           const BoundedSolution& solved,
+                           const std::vector<bool>& counts) {
+  AnswerEvidence result{.rung = solved.rung, .error_bound = {}, .bounds = {}};
+  if (!solved.bound) {
+    return result;
+  }
+  result.error_bound = worst_relative_error(solved.solution.x, *solved.bound, counts);
+  for (int f = 0; f < topology.freedom_count(); ++f) {
+    result.bounds.push_back(rate_unit(topology, basis, f) *
+                            (*solved.bound)[velocity_column(topology, basis, f)]);
+  }
+  return result;
+}
+
 bool is_finite(const KinematicSolution& solution) {
   return std::ranges::all_of(solution.rates, [](double rate) { return std::isfinite(rate); }) &&
          std::ranges::all_of(solution.bodies,
@@ -47,7 +65,8 @@ bool is_finite(const KinematicSolution& solution) {
 
 KinematicSolution solve_velocity(const Mechanism& mechanism,
                                  const CoordinateBasis& basis,
-                                 std::span<const Primary> primaries) {
+                                 std::span<const Primary> primaries,
+                                 const AccuracyRequest& request) {
   const Topology& topology = mechanism.topology;
   std::vector<int> columns;
   std::vector<double> known;
@@ -72,9 +91,12 @@ KinematicSolution solve_velocity(const Mechanism& mechanism,
     solution.status = SolveStatus::underdetermined;
     return solution;
   }
-  const EliminationSolution solved = elimination.solve(known, {});
-  solution.residual = solved.residual;
-  fill(topology, basis, solved.x, solution);
+  const std::vector<bool> counts(
+      static_cast<std::size_t>(velocity_column(topology, basis, topology.freedom_count())), true);
+  const BoundedSolution solved = solve_to_digits(elimination, known, {}, request, counts);
+  solution.residual = solved.solution.residual;
+  solution.answer = evidence_of(topology, basis, solved, counts);
+  fill(topology, basis, solved.solution.x, solution);
   if (!is_finite(solution)) {
     solution.status = SolveStatus::overflow;
   }

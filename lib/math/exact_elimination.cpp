@@ -5,35 +5,15 @@
 
 #include "core/contract.hpp"
 #include "math/internal/field_eliminator.hpp"
+#include "math/internal/field_solve.hpp"
 #include "math/internal/rational_field.hpp"
 
 namespace kinestat {
-
-namespace {
-
-using Rows = std::vector<FieldElimination<RationalField>::Row>;
-
-// sum -= row · x.
-void subtract_terms(const Rows& rows, int row, const std::vector<Rational>& x, Rational& sum) {
-  RationalField field;
-  for (const auto& cell : at(rows, row)) {
-    const Rational& factor = at(x, cell.column);
-    if (!factor.is_zero()) {
-      field.subtract_product(sum, cell.value, factor);
-    }
-  }
-}
-
-}  // namespace
 
 struct ExactElimination::Factors {
   FieldElimination<RationalField> elimination;
   std::vector<int> last;
   int columns = 0;
-
-  void back_substitute(std::span<const Rational> rhs, std::vector<Rational>& x) const;
-  std::vector<Rational> eliminate(std::span<const Rational> rhs) const;
-  bool surplus_rows_hold(std::span<const Rational> right, const std::vector<Rational>& x) const;
 };
 
 ExactMatrix exact_matrix(const SparseMatrix& matrix) {
@@ -73,53 +53,6 @@ int ExactElimination::relation_count() const {
   return static_cast<int>(factors_->elimination.last_pivots.size());
 }
 
-// The right-hand side after the steps of the elimination; empty stands for zero.
-std::vector<Rational> ExactElimination::Factors::eliminate(std::span<const Rational> rhs) const {
-  KINESTAT_EXPECTS(rhs.empty() || rhs.size() == elimination.rows.size());
-  std::vector<Rational> right(rhs.begin(), rhs.end());
-  if (rhs.empty()) {
-    return right;
-  }
-  RationalField field;
-  for (const auto& step : elimination.steps) {
-    const Rational& pivot = at(right, step.pivot_row);
-    if (!pivot.is_zero()) {
-      field.subtract_product(at(right, step.row), step.multiplier, pivot);
-    }
-  }
-  return right;
-}
-
-// x of the pivot's own column is still 0.
-void ExactElimination::Factors::back_substitute(std::span<const Rational> rhs,
-                                                std::vector<Rational>& x) const {
-  for (auto pivot = elimination.pivots.rbegin(); pivot != elimination.pivots.rend(); ++pivot) {
-    Rational sum = rhs.empty() ? Rational() : rhs[static_cast<std::size_t>(pivot->row)];
-    subtract_terms(elimination.rows, pivot->row, x, sum);
-    at(x, pivot->column) = sum.is_zero() ? sum : Rational(sum / pivot->value);
-  }
-}
-
-// What is left of rows without a pivot outside `last` holds columns of `last` alone.
-bool ExactElimination::Factors::surplus_rows_hold(std::span<const Rational> right,
-                                                  const std::vector<Rational>& x) const {
-  std::vector<bool> has_pivot(elimination.rows.size(), false);
-  for (const auto& pivot : elimination.pivots) {
-    at(has_pivot, pivot.row) = true;
-  }
-  for (std::size_t r = 0; r < has_pivot.size(); ++r) {
-    if (has_pivot[r]) {
-      continue;
-    }
-    Rational sum = right.empty() ? Rational() : right[r];
-    subtract_terms(elimination.rows, static_cast<int>(r), x, sum);
-    if (!sum.is_zero()) {
-      return false;
-    }
-  }
-  return true;
-}
-
 ExactSolution ExactElimination::solve(std::span<const Rational> known,
                                       std::span<const Rational> rhs) const {
   KINESTAT_EXPECTS(known.size() == factors_->last.size());
@@ -128,9 +61,14 @@ ExactSolution ExactElimination::solve(std::span<const Rational> known,
   for (std::size_t i = 0; i < known.size(); ++i) {
     at(solution.x, factors_->last[i]) = known[i];
   }
-  const std::vector<Rational> right = factors_->eliminate(rhs);
-  factors_->back_substitute(right, solution.x);
-  solution.consistent = factors_->surplus_rows_hold(right, solution.x);
+  const FieldElimination<RationalField>& elimination = factors_->elimination;
+  KINESTAT_EXPECTS(rhs.empty() || rhs.size() == elimination.rows.size());
+  const std::vector<Rational> right = eliminated<RationalField>(elimination, rhs);
+  back_substitute<RationalField>(elimination, right, solution.x);
+  const std::vector<Rational> left =
+      left_by_surplus_rows<RationalField>(elimination, right, solution.x);
+  solution.consistent =
+      std::ranges::all_of(left, [](const Rational& one) { return one.is_zero(); });
   return solution;
 }
 
@@ -139,7 +77,7 @@ std::vector<std::vector<Rational>> ExactElimination::null_vectors() const {
   for (const int column : factors_->elimination.free_columns) {
     std::vector<Rational> x(static_cast<std::size_t>(factors_->columns));
     at(x, column) = 1;
-    factors_->back_substitute({}, x);
+    back_substitute<RationalField>(factors_->elimination, {}, x);
     result.push_back(std::move(x));
   }
   return result;

@@ -17,6 +17,16 @@ RootSum::RootSum(const Rational& value, int root_count) : root_count_(root_count
   reduce();
 }
 
+RootSum RootSum::in_field(int root_count) const {
+  KINESTAT_EXPECTS(is_zero() || root_count % root_count_ == 0);
+  RootSum result(Rational(0), root_count);
+  for (const auto& [k, factor] : terms_) {
+    result.add_term(k * (root_count / root_count_), factor);
+  }
+  result.reduce();
+  return result;
+}
+
 RootSum RootSum::root(int k, int root_count) {
   RootSum result(Rational(0), root_count);
   const int rest = k % root_count;

@@ -30,6 +30,9 @@ class RootSum {
 
   bool is_zero() const { return terms_.empty(); }
 
+  /// The same number in the field of a multiple of N.
+  RootSum in_field(int root_count) const;
+
   /// The coefficients of the roots by k, none zero; only φ(N) of the k occur.
   const std::map<int, Rational>& terms() const { return terms_; }
 

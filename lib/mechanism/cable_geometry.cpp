@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/tolerance.hpp"
+#include "mechanism/internal/typed_vector.hpp"
 
 namespace kinestat {
 
@@ -133,5 +134,6 @@ template CableSpan tangent_span(const CableStationGeometry&, const CableStationG
 template CableSpanOf<Dual> tangent_span(const Station<Dual>&, const Station<Dual>&);
 template double wrap_angle(const CableStationGeometry&, const CableSpan&, const CableSpan&);
 template Dual wrap_angle(const Station<Dual>&, const CableSpanOf<Dual>&, const CableSpanOf<Dual>&);
+template CableSpanOf<Typed> tangent_span(const Station<Typed>&, const Station<Typed>&);
 
 }  // namespace kinestat

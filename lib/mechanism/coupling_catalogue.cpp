@@ -5,6 +5,7 @@
 
 #include "mechanism/internal/catalogue_row.hpp"
 #include "mechanism/internal/reciprocal_complement.hpp"
+#include "mechanism/internal/typed_vector.hpp"
 
 namespace kinestat {
 
@@ -302,5 +303,9 @@ template CouplingScrewsOf<Dual> coupling_screws(CouplingType,
                                                 const CouplingGeometryOf<Dual>&);
 template NamedWrenchOf<double> internal_action(const NamedTwistOf<double>&, const Vec3In<double>&);
 template NamedWrenchOf<Dual> internal_action(const NamedTwistOf<Dual>&, const Vec3In<Dual>&);
+template CouplingScrewsOf<Typed> coupling_screws(CouplingType,
+                                                 Space,
+                                                 const CouplingGeometryOf<Typed>&);
+template NamedWrenchOf<Typed> internal_action(const NamedTwistOf<Typed>&, const Vec3In<Typed>&);
 
 }  // namespace kinestat

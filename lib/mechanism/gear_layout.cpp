@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
+#include "mechanism/internal/typed_vector.hpp"
 
 namespace kinestat {
 
@@ -159,5 +160,7 @@ template struct GearLayoutOf<double>;
 template struct GearLayoutOf<Dual>;
 template std::optional<GearLayout> find_layout(GearTrain, const GearNumbersOf<double>&);
 template std::optional<GearLayoutOf<Dual>> find_layout(GearTrain, const GearNumbersOf<Dual>&);
+template struct GearLayoutOf<Typed>;
+template std::optional<GearLayoutOf<Typed>> find_layout(GearTrain, const GearNumbersOf<Typed>&);
 
 }  // namespace kinestat

@@ -56,8 +56,8 @@ Json kinematics_json(const Mechanism& mechanism,
     body["at"] = vector(in.length(at));
     body["screw"] = screw_json(find_axis(in.snapped(twist), mechanism.geometry.length), origin, in);
   }
-  result["evidence"] = evidence_json(motion.evidence);
-  result["evidence"]["residual"] = is_solved ? number(motion.residual) : Json(nullptr);
+  result["evidence"] = evidence_json(
+      motion.evidence, is_solved ? std::optional(motion.residual) : std::nullopt, motion.answer);
   return result;
 }
 

@@ -3,6 +3,8 @@
 #include "report/analysis_csv.hpp"
 #include "report/analysis_json.hpp"
 #include "report/analysis_text.hpp"
+#include "report/certainty_json.hpp"
+#include "report/certified_report.hpp"
 #include "report/mechanism_json.hpp"
 #include "report/published.hpp"
 
@@ -17,11 +19,21 @@ std::string_view csv_signature() {
 }
 
 FileReport make_report(const Analysis& analysis, const ReportForms& forms, Diagnostics& found) {
+  return make_certified_report(analysis, {}, forms, found);
+}
+
+FileReport make_certified_report(const Analysis& analysis,
+                                 const Certainty& certainty,
+                                 const ReportForms& forms,
+                                 Diagnostics& found) {
   FileReport report;
   const bool needs_json =
       forms.json || forms.json_line || forms.csv || !analysis.description.published.empty();
   if (needs_json) {
     Json json = analysis_json(analysis);
+    if (certainty.motion_rank) {
+      json["mobility"]["evidence"]["certainty"] = certainty_json(certainty);
+    }
     check_published(json, analysis.description.published, found);
     json["diagnostics"] = diagnostics_json(found);
     if (forms.json) {

@@ -31,4 +31,19 @@ Json evidence_json(const RankEvidence& rank) {
   return result;
 }
 
+Json evidence_json(const RankEvidence& rank,
+                   const std::optional<double>& residual,
+                   const AnswerEvidence& answer) {
+  Json result = evidence_json(rank);
+  result["residual"] = residual ? number(*residual) : Json(nullptr);
+  result["rung"] = residual ? Json(word_of(answer.rung)) : Json(nullptr);
+  const bool has_bound = residual && answer.error_bound;
+  result["error_bound"] = has_bound ? number(*answer.error_bound) : Json(nullptr);
+  result["exact"] = answer.is_exact;
+  result["refers_to"] = !has_bound        ? Json(nullptr)
+                        : answer.is_typed ? Json("numbers as typed")
+                                          : Json("numbers rounded to double");
+  return result;
+}
+
 }  // namespace kinestat

@@ -1,6 +1,7 @@
 // Parts of solutions as JSON, in the units of the file.
 #pragma once
 
+#include "core/accuracy.hpp"
 #include "math/rank.hpp"
 #include "report/in_units.hpp"
 #include "report/json_values.hpp"
@@ -19,5 +20,10 @@ Json screw_json(const std::optional<ScrewAxis>& axis, const Vec3& origin, const 
 
 /// Method, rank, smallest pivot, largest entry dropped, gap.
 Json evidence_json(const RankEvidence& rank);
+
+/// The rank with the residual, null where there is no answer, and what is known of the error.
+Json evidence_json(const RankEvidence& rank,
+                   const std::optional<double>& residual,
+                   const AnswerEvidence& answer);
 
 }  // namespace kinestat

@@ -178,9 +178,10 @@ Json statics_json(const Mechanism& mechanism, const CaseAnalysis& one, const InU
           contact_json(mechanism.contacts[i], one.contacts[i], in);
     }
   }
-  result["evidence"] = evidence_json(action.evidence);
-  result["evidence"]["residual"] =
-      action.wrenches.empty() ? Json(nullptr) : number(action.residual);
+  result["evidence"] =
+      evidence_json(action.evidence,
+                    action.wrenches.empty() ? std::nullopt : std::optional(action.residual),
+                    action.answer);
   return result;
 }
 

@@ -7,11 +7,12 @@
 #include <fmt/format.h>
 
 #include "mechanism/bind.hpp"
-#include "report/file_report.hpp"
+#include "report/certified_report.hpp"
+#include "run/certainty_findings.hpp"
+#include "run/certified_cases.hpp"
 #include "run/each_file.hpp"
 #include "run/findings.hpp"
 #include "run/gears.hpp"
-#include "run/solve_cases.hpp"
 #include "run/synthesis.hpp"
 
 namespace kinestat {
@@ -31,6 +32,7 @@ ReportForms forms_of(const AnalyseOptions& options, std::size_t file_count) {
 // that decides and is not analysed yet, has a report that says so.
 std::optional<FileReport> analyse_description(const std::string& path,
                                               MechanismDescription description,
+                                              const AccuracyRequest& accuracy,
                                               const ReportForms& forms,
                                               Diagnostics& found) {
   std::optional<Mechanism> mechanism = bind(description, found);
@@ -45,12 +47,15 @@ std::optional<FileReport> analyse_description(const std::string& path,
     if (found.has_errors()) {
       return std::nullopt;
     }
-    const Analysis analysis = solve_cases(path,
-                                          {.description = std::move(description),
-                                           .mechanism = *std::move(mechanism),
-                                           .shift = std::move(shift)});
-    add_findings(analysis, found);
-    return make_report(analysis, forms, found);
+    const CertifiedAnalysis certified =
+        solve_certified_cases(path,
+                              {.description = std::move(description),
+                               .mechanism = *std::move(mechanism),
+                               .shift = std::move(shift)},
+                              accuracy);
+    add_certainty_findings(certified.analysis, certified.certainty, found);
+    add_findings(certified.analysis, found);
+    return make_certified_report(certified.analysis, certified.certainty, forms, found);
   }
   const bool is_right = std::ranges::all_of(found.items(), [](const Diagnostic& one) {
     return one.severity == Severity::warning || one.code == "E0315";
@@ -68,7 +73,7 @@ void analyse_file(const std::string& path,
       load_description(path, options.load, source, found);
   if (description) {
     const std::optional<FileReport> report =
-        analyse_description(path, *std::move(description), forms, found);
+        analyse_description(path, *std::move(description), options.accuracy, forms, found);
     if (report) {
       add_to_stream(*report, options, outcome);
       if (!options.output.folder.empty()) {

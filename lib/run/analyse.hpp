@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/accuracy.hpp"
 #include "run/load.hpp"
 #include "run/outcome.hpp"
 #include "run/output.hpp"
@@ -19,6 +20,7 @@ struct AnalyseOptions {
   OutputOptions output;
   Strictness strictness = Strictness::normal;
   DiagnosticsForm diagnostics = DiagnosticsForm::text;
+  AccuracyRequest accuracy{.accuracy = Accuracy::automatic};
   bool is_quiet = false;   ///< no table on standard output
   bool fail_fast = false;  ///< stop after the first file that fails
 };

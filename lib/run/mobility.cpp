@@ -6,7 +6,9 @@
 #include "mechanism/bind.hpp"
 #include "mechanism/bind_counted.hpp"
 #include "report/mobility_report.hpp"
+#include "run/certainty_findings.hpp"
 #include "run/each_file.hpp"
+#include "run/internal/typed_numbers.hpp"
 
 namespace kinestat {
 
@@ -23,9 +25,20 @@ void count_without_geometry(MobilityAnalysis& analysis) {
   }
 }
 
+void add_certainty(const MobilityAnalysis& analysis,
+                   const AccuracyRequest& accuracy,
+                   Diagnostics& found) {
+  if (accuracy.accuracy != Accuracy::fast) {
+    Certainty certainty;
+    TypedNumbers(analysis.description, analysis.mechanism, accuracy).find_ranks(true, certainty);
+    add_rank_findings(certainty, found);
+  }
+}
+
 // Empty iff an error was added.
 std::optional<MobilityAnalysis> find_mobility(const std::string& path,
                                               MechanismDescription description,
+                                              const AccuracyRequest& accuracy,
                                               Diagnostics& found) {
   MobilityAnalysis analysis;
   const bool has_places = !can_only_be_counted(description);
@@ -54,6 +67,7 @@ std::optional<MobilityAnalysis> find_mobility(const std::string& path,
   count_without_geometry(analysis);
   if (has_places) {
     analysis.mobility.exact = find_exact_mobility(analysis.mechanism, analysis.in_space);
+    add_certainty(analysis, accuracy, found);
   }
   return analysis;
 }
@@ -68,7 +82,8 @@ Outcome mobility_of_files(const std::vector<std::string>& paths, const AnalyseOp
           -> std::optional<FileReport> {
         auto description = load_description(path, options.load, source, found);
         const auto analysis =
-            description ? find_mobility(path, *std::move(description), found) : std::nullopt;
+            description ? find_mobility(path, *std::move(description), options.accuracy, found)
+                        : std::nullopt;
         return analysis ? std::optional(make_mobility_report(*analysis, forms, found))
                         : std::nullopt;
       });

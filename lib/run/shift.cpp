@@ -42,7 +42,7 @@ std::optional<Analysis> find_shift(const std::string& path,
     return std::nullopt;
   }
   drop_own_cases(*loaded);
-  return solve_cases(path, *std::move(loaded));
+  return solve_cases(path, *std::move(loaded), options.accuracy);
 }
 
 }  // namespace

@@ -9,7 +9,9 @@
 #include "kinematics/velocity.hpp"
 #include "mechanism/bind.hpp"
 #include "network/bases.hpp"
+#include "run/certified_cases.hpp"
 #include "run/free_parameters.hpp"
+#include "run/internal/typed_numbers.hpp"
 #include "statics/action.hpp"
 #include "statics/friction.hpp"
 #include "statics/indeterminacy.hpp"
@@ -111,10 +113,21 @@ CoordinateBasis basis_for(const Mechanism& mechanism,
                          : action_basis(mechanism.geometry, mechanism.static_order, outside);
 }
 
+// What is asked of a case beside its own numbers.
+struct CaseRequest {
+  const Case& which;
+  const AccuracyRequest& accuracy;
+  TypedNumbers* typed = nullptr;       // of all cases; null where none are wanted
+  std::size_t index = 0;               // among these
+  CaseCertainty* certainty = nullptr;  // filled in beside `typed`
+};
+
+// Friction is followed in doubles: there is no bound for it.
 StaticSolution solve_statics(const Mechanism& mechanism,
                              const CoordinateBasis& common,
-                             const Case& which,
+                             const CaseRequest& request,
                              const KinematicSolution* motion) {
+  const Case& which = request.which;
   const std::vector<BodyWrench> loads = wrenches_of(which.loads);
   Frictions frictions = find_frictions(mechanism, motion);
   const CoordinateBasis basis = basis_for(mechanism, common, loads, frictions.laws);
@@ -123,7 +136,9 @@ StaticSolution solve_statics(const Mechanism& mechanism,
                              std::move(frictions.at_rest));
   }
   StaticSolution solution =
-      solve_with_friction(mechanism, basis, which.actions, loads, frictions.laws);
+      frictions.laws.empty()
+          ? solve_action(mechanism, basis, which.actions, loads, request.accuracy)
+          : solve_with_friction(mechanism, basis, which.actions, loads, frictions.laws);
   return resolve_indeterminacy(mechanism, basis, which.actions, loads, std::move(solution));
 }
 
@@ -158,7 +173,7 @@ std::vector<int> find_turned_flanks(const Geometry& geometry, const LoadedFlanks
 
 LoadedFlanks solve_on_flanks(const Mechanism& drawn,
                              const Bases& bases,
-                             const Case& which,
+                             const CaseRequest& request,
                              const KinematicSolution* motion,
                              std::vector<int> turned) {
   LoadedFlanks result{.turned = std::move(turned), .mechanism = {}, .basis = bases.action};
@@ -168,7 +183,7 @@ LoadedFlanks solve_on_flanks(const Mechanism& drawn,
     result.basis = action_basis(result.mechanism->geometry, drawn.static_order);
   }
   result.action =
-      solve_statics(result.mechanism ? *result.mechanism : drawn, result.basis, which, motion);
+      solve_statics(result.mechanism ? *result.mechanism : drawn, result.basis, request, motion);
   return result;
 }
 
@@ -176,16 +191,16 @@ LoadedFlanks solve_on_flanks(const Mechanism& drawn,
 // take more where bearings rub. Friction under which no flanks fit their forces lets nothing move.
 LoadedFlanks solve_on_loaded_flanks(const Mechanism& drawn,
                                     const Bases& bases,
-                                    const Case& which,
+                                    const CaseRequest& request,
                                     const KinematicSolution* motion) {
-  LoadedFlanks result = solve_on_flanks(drawn, bases, which, motion, {});
+  LoadedFlanks result = solve_on_flanks(drawn, bases, request, motion, {});
   const std::size_t most_rounds = 2 * drawn.geometry.other_flanks.size();
   for (std::size_t i = 0; i < most_rounds && !result.action.magnitudes.empty(); ++i) {
     std::vector<int> turned = find_turned_flanks(drawn.geometry, result);
     if (turned == result.turned) {
       return result;
     }
-    result = solve_on_flanks(drawn, bases, which, motion, std::move(turned));
+    result = solve_on_flanks(drawn, bases, request, motion, std::move(turned));
   }
   const bool fits = result.action.magnitudes.empty() || most_rounds == 0 ||
                     find_turned_flanks(drawn.geometry, result) == result.turned;
@@ -197,16 +212,25 @@ LoadedFlanks solve_on_loaded_flanks(const Mechanism& drawn,
   return result;
 }
 
-CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const Case& which) {
+CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRequest& request) {
+  const Case& which = request.which;
   CaseAnalysis result;
   result.which = which;
   if (which.asks_motions) {
-    result.motion = solve_velocity(drawn, bases.motion, which.motions);
+    result.motion = solve_velocity(drawn, bases.motion, which.motions, request.accuracy);
+  }
+  if (result.motion && request.typed != nullptr) {
+    request.certainty->has_typed_motion = request.typed->improve(request.index, *result.motion);
   }
   const KinematicSolution* motion = is_solved(result.motion) ? &*result.motion : nullptr;
   LoadedFlanks flanks;
   if (which.asks_actions) {
-    flanks = solve_on_loaded_flanks(drawn, bases, which, motion);
+    flanks = solve_on_loaded_flanks(drawn, bases, request, motion);
+    const bool has_laws = !find_frictions(drawn, motion).laws.empty();
+    if (request.typed != nullptr && !has_laws) {
+      request.certainty->has_typed_action =
+          request.typed->improve(request.index, flanks.turned, flanks.action);
+    }
     result.action = std::move(flanks.action);
     result.turned_flanks = std::move(flanks.turned);
   }
@@ -239,33 +263,62 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const Case& 
   return result;
 }
 
+Bases bases_of(const Mechanism& mechanism) {
+  return {.motion = motion_basis(mechanism.geometry, mechanism.kinematic_order),
+          .action = action_basis(mechanism.geometry, mechanism.static_order)};
+}
+
 }  // namespace
 
-std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism) {
-  return solve_some_cases(mechanism, mechanism.cases);
+std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism,
+                                          const AccuracyRequest& request) {
+  return solve_some_cases(mechanism, mechanism.cases, request);
 }
 
 std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism,
-                                           std::span<const Case> wanted) {
-  const Bases bases{.motion = motion_basis(mechanism.geometry, mechanism.kinematic_order),
-                    .action = action_basis(mechanism.geometry, mechanism.static_order)};
+                                           std::span<const Case> wanted,
+                                           const AccuracyRequest& request) {
+  const Bases bases = bases_of(mechanism);
   std::vector<CaseAnalysis> cases;
   for (const Case& which : wanted) {
-    cases.push_back(solve_case(mechanism, bases, which));
+    cases.push_back(solve_case(mechanism, bases, {.which = which, .accuracy = request}));
   }
   return cases;
 }
 
-Analysis solve_cases(std::string file, Loaded loaded) {
-  Analysis analysis;
+Analysis solve_cases(std::string file, Loaded loaded, const AccuracyRequest& request) {
+  return solve_certified_cases(std::move(file), std::move(loaded), request).analysis;
+}
+
+CertifiedAnalysis solve_certified_cases(std::string file,
+                                        Loaded loaded,
+                                        const AccuracyRequest& request) {
+  CertifiedAnalysis result;
+  Analysis& analysis = result.analysis;
   analysis.file = std::move(file);
   analysis.mobility = counts_of(loaded);
-  analysis.cases = solve_all_cases(loaded.mechanism);
   analysis.shift = std::move(loaded.shift);
   analysis.description = std::move(loaded.description);
   analysis.mechanism = std::move(loaded.mechanism);
+  const Mechanism& mechanism = analysis.mechanism;
+  TypedNumbers typed(analysis.description, mechanism, request);
+  result.certainty.accuracy = request;
+  result.certainty.cases.resize(mechanism.cases.size());
+  const Bases bases = bases_of(mechanism);
+  for (std::size_t c = 0; c < mechanism.cases.size(); ++c) {
+    analysis.cases.push_back(solve_case(mechanism,
+                                        bases,
+                                        {.which = mechanism.cases[c],
+                                         .accuracy = request,
+                                         .typed = &typed,
+                                         .index = c,
+                                         .certainty = &result.certainty.cases[c]}));
+  }
   find_affine_dependence(analysis);
-  return analysis;
+  if (request.accuracy != Accuracy::fast) {
+    typed.find_ranks(analysis.mobility.minimal.actions.has_value(), result.certainty);
+  }
+  return result;
 }
 
 }  // namespace kinestat

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/accuracy.hpp"
 #include "report/analysis.hpp"
 #include "run/load.hpp"
 
@@ -12,12 +13,15 @@ namespace kinestat {
 /// A case that names motions has its velocities solved, one that names actions or on which loads
 /// act its statics; power and ratios where both sides, or an input and an output, are there. The
 /// motions are always counted, the actions if some case asks for any or if there are no cases.
-Analysis solve_cases(std::string file, Loaded loaded);
+Analysis solve_cases(std::string file, Loaded loaded, const AccuracyRequest& request = {});
 
 /// The cases alone.
-std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism);
+std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism,
+                                          const AccuracyRequest& request = {});
 
 /// Some cases alone, which may be others than those of the mechanism.
-std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism, std::span<const Case> cases);
+std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism,
+                                           std::span<const Case> cases,
+                                           const AccuracyRequest& request = {});
 
 }  // namespace kinestat

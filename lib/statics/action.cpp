@@ -34,6 +34,14 @@ void fill_magnitudes(const VecX& magnitudes, StaticSolution& solution) {
   }
 }
 
+std::vector<bool> determined_actions(const Mechanism& mechanism, const PrimaryCheck& check) {
+  std::vector<bool> result(mechanism.topology.actions.size(), true);
+  for (const int a : check.undetermined) {
+    result[static_cast<std::size_t>(a)] = false;
+  }
+  return result;
+}
+
 bool is_finite(const StaticSolution& solution) {
   return std::ranges::all_of(
              solution.magnitudes,
@@ -48,7 +56,8 @@ bool is_finite(const StaticSolution& solution) {
 StaticSolution solve_action(const Mechanism& mechanism,
                             const CoordinateBasis& basis,
                             std::span<const Primary> primaries,
-                            std::span<const BodyWrench> loads) {
+                            std::span<const BodyWrench> loads,
+                            const AccuracyRequest& request) {
   std::vector<int> indices;
   std::vector<double> known;
   for (const Primary& primary : primaries) {
@@ -56,11 +65,12 @@ StaticSolution solve_action(const Mechanism& mechanism,
     known.push_back(primary.value);
   }
   const Equilibrium equilibrium(mechanism, basis, std::move(indices));
-  const EquilibriumActions actions = equilibrium.solve(known, loads);
   StaticSolution solution;
   solution.evidence = equilibrium.evidence();
   solution.counts = equilibrium.counts();
   solution.check = equilibrium.check(loads);
+  const EquilibriumActions actions =
+      equilibrium.solve_to(request, determined_actions(mechanism, solution.check), known, loads);
   if (!actions.consistent) {
     solution.status = SolveStatus::inconsistent;
     solution.unheld = find_unheld_motion(mechanism, basis, primaries, loads);
@@ -74,6 +84,7 @@ StaticSolution solve_action(const Mechanism& mechanism,
   }
   solution.status = solution.check.missing > 0 ? SolveStatus::underdetermined : SolveStatus::solved;
   solution.residual = actions.residual;
+  solution.answer = actions.answer;
   fill_magnitudes(actions.magnitudes, solution);
   solution.wrenches = coupling_wrenches(mechanism, solution);
   if (!is_finite(solution)) {

@@ -17,6 +17,7 @@ namespace kinestat {
 [[nodiscard]] StaticSolution solve_action(const Mechanism& mechanism,
                                           const CoordinateBasis& basis,
                                           std::span<const Primary> primaries,
-                                          std::span<const BodyWrench> loads = {});
+                                          std::span<const BodyWrench> loads = {},
+                                          const AccuracyRequest& request = {});
 
 }  // namespace kinestat

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/contract.hpp"
+#include "math/bounded_solve.hpp"
 #include "network/node_system.hpp"
 
 namespace kinestat {
@@ -37,17 +38,31 @@ PrimaryCheck Equilibrium::check(std::span<const BodyWrench> loads) const {
 
 EquilibriumActions Equilibrium::solve(std::span<const double> known,
                                       std::span<const BodyWrench> loads) const {
+  return solve_to({}, {}, known, loads);
+}
+
+EquilibriumActions Equilibrium::solve_to(const AccuracyRequest& request,
+                                         const std::vector<bool>& counts,
+                                         std::span<const double> known,
+                                         std::span<const BodyWrench> loads) const {
   KINESTAT_EXPECTS(known.size() == primaries_.size());
   std::vector<double> in_units;
   for (std::size_t i = 0; i < known.size(); ++i) {
     in_units.push_back(known[i] / units_[static_cast<std::size_t>(primaries_[i])]);
   }
-  const EliminationSolution solved =
-      elimination_.solve(in_units, load_vector(body_count_, basis_, loads));
+  const BoundedSolution solved = solve_to_digits(
+      elimination_, in_units, load_vector(body_count_, basis_, loads), request, counts);
   const Eigen::Map<const VecX> units(units_.data(), static_cast<Eigen::Index>(units_.size()));
-  return {.magnitudes = units.cwiseProduct(solved.x),
-          .residual = solved.residual,
-          .consistent = solved.consistent};
+  EquilibriumActions result{.magnitudes = units.cwiseProduct(solved.solution.x),
+                            .residual = solved.solution.residual,
+                            .consistent = solved.solution.consistent,
+                            .answer = {.rung = solved.rung, .error_bound = {}, .bounds = {}}};
+  if (solved.bound) {
+    const VecX bounds = units.cwiseProduct(*solved.bound);
+    result.answer.error_bound = worst_relative_error(solved.solution.x, *solved.bound, counts);
+    result.answer.bounds.assign(bounds.begin(), bounds.end());
+  }
+  return result;
 }
 
 double Equilibrium::residual(const VecX& magnitudes, std::span<const BodyWrench> loads) const {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/accuracy.hpp"
 #include "math/elimination.hpp"
 #include "mechanism/mechanism.hpp"
 #include "network/counts.hpp"
@@ -17,6 +18,7 @@ struct EquilibriumActions {
   VecX magnitudes;         ///< of each action [N·m or N]; where undetermined, one choice of many
   double residual = 0.0;   ///< relative
   bool consistent = true;  ///< the equations that are surplus hold within kConsistency
+  AnswerEvidence answer;   ///< of those magnitudes that were asked for
 };
 
 /// A_N ψ + loads = 0 as the equilibrium of the bodies, factored once for a choice of primary
@@ -38,6 +40,12 @@ class Equilibrium {
 
   /// The actions for magnitudes of the primaries [N·m or N], in the order of their choice.
   EquilibriumActions solve(std::span<const double> known, std::span<const BodyWrench> loads) const;
+
+  /// The same with as many digits as asked for of the actions that `counts`.
+  EquilibriumActions solve_to(const AccuracyRequest& request,
+                              const std::vector<bool>& counts,
+                              std::span<const double> known,
+                              std::span<const BodyWrench> loads) const;
 
   /// How well the actions [N·m or N] are in equilibrium with the loads: the largest sum on a body
   /// relative to the largest sum of sizes.

@@ -42,6 +42,7 @@ StaticSolution completed(const Mechanism& mechanism,
                          StaticSolution solution) {
   const CompletedActions found = find_completed_actions(
       mechanism, equilibrium.solve(known.actions, known.loads).magnitudes, stresses);
+  solution.answer = {};
   solution.completion.by = mechanism.indeterminate;
   solution.completion.length = mechanism.geometry.length;
   for (const int a : solution.check.undetermined) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/accuracy.hpp"
 #include "core/solve_status.hpp"
 #include "math/rank.hpp"
 #include "mechanism/mechanism.hpp"
@@ -64,6 +65,8 @@ struct StaticSolution {
   ActionCounts counts;
   RankEvidence evidence;
   double residual = 0.0;  ///< relative, of the equilibrium system
+  AnswerEvidence answer;  ///< its bounds are those of the magnitudes that are determined; none
+                          ///< where friction or what completes equilibrium has a part in them
   PrimaryCheck check;
   std::vector<std::optional<double>> magnitudes;  ///< of each action [N·m or N]
   std::vector<std::optional<Wrench>> wrenches;    ///< of each coupling: tail on head, friction

@@ -71,6 +71,20 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "for someone who follows the rope in listed order, names the other sense: then torques and "
      "speeds have the wrong sign. The second is a rope on an arm rather than on a round pulley: "
      "the tensions of its two sides differ as the levers do."},
+    {"W0501",
+     done,
+     "rounding decides on a rank",
+     "The numbers as typed and the same numbers rounded to double give different ranks: one says "
+     "that the mechanism is redundant, or stands in a singular position, and the other that it is "
+     "not. Both answers are in the report; counts and solutions are those of the rounded numbers, "
+     "unless '--accuracy exact' solves a case as typed. Coordinates that were calculated and then "
+     "typed with a few decimals make a redundant mechanism regular: write expressions instead, "
+     "such as 100*sqrt(2) mm."},
+    {"W0502",
+     done,
+     "fewer digits than asked for",
+     "The bound of the error of a value exceeds what '--digits' asks for, also after refinement. "
+     "It is a bound: the value may be better. '--accuracy exact' solves the numbers as typed."},
     {"W0601",
      done,
      "actions are statically indeterminate",

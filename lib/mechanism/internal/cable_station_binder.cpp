@@ -1,5 +1,7 @@
 #include "mechanism/internal/cable_station_binder.hpp"
 
+#include "mechanism/internal/typed_vector.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -68,5 +70,7 @@ std::optional<CableStationGeometryOf<Scalar>> bind_station(const CableStation& s
 template std::optional<CableStationGeometry> bind_station(const CableStation&, Evaluator&);
 template std::optional<CableStationGeometryOf<Dual>> bind_station(const CableStation&,
                                                                   EvaluatorOf<Dual>&);
+template std::optional<CableStationGeometryOf<Typed>> bind_station(const CableStation&,
+                                                                   EvaluatorOf<Typed>&);
 
 }  // namespace kinestat

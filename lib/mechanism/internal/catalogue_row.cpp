@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "mechanism/internal/typed_vector.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -116,5 +118,7 @@ template std::pair<Vec3, Vec3> transverse_to<double>(const Vec3&);
 template std::pair<Vec3Of<Dual>, Vec3Of<Dual>> transverse_to<Dual>(const Vec3Of<Dual>&);
 template class CatalogueRow<double>;
 template class CatalogueRow<Dual>;
+template std::pair<Vec3Of<Typed>, Vec3Of<Typed>> transverse_to<Typed>(const Vec3Of<Typed>&);
+template class CatalogueRow<Typed>;
 
 }  // namespace kinestat

@@ -10,6 +10,7 @@
 #include "mechanism/internal/geometry_check.hpp"
 #include "mechanism/internal/place_binder.hpp"
 #include "mechanism/internal/tooth_binder.hpp"
+#include "mechanism/internal/typed_vector.hpp"
 
 namespace kinestat {
 
@@ -17,6 +18,16 @@ namespace {
 
 constexpr std::string_view kAxisHint = "add axis: x, y, z, -x, … or a vector";
 constexpr std::string_view kNormalHint = "add normal: x, y, z, -x, … or a vector";
+
+template <class Scalar>
+Scalar radians_of_a_turn() {
+  return Scalar(2.0 * std::numbers::pi);
+}
+
+template <>
+Typed radians_of_a_turn<Typed>() {
+  return Typed(2.0) * typed_pi();
+}
 
 template <class Scalar>
 class GeometryBinder {
@@ -171,7 +182,7 @@ class GeometryBinder {
       take(evaluator_.number(*coupling_.pitch, QuantityKind::pitch), geometry_.pitch);
     } else if (coupling_.lead) {
       take(evaluator_.number(*coupling_.lead, QuantityKind::lead), geometry_.pitch);
-      geometry_.pitch = geometry_.pitch / Scalar(2.0 * std::numbers::pi);
+      geometry_.pitch = geometry_.pitch / radians_of_a_turn<Scalar>();
     }
   }
 
@@ -248,5 +259,10 @@ template std::optional<CouplingGeometry> bind_geometry(
     const CouplingDescription&, Space, const GearFrame*, Evaluator&, Diagnostics&);
 template std::optional<CouplingGeometryOf<Dual>> bind_geometry(
     const CouplingDescription&, Space, const GearFrameOf<Dual>*, EvaluatorOf<Dual>&, Diagnostics&);
+template std::optional<CouplingGeometryOf<Typed>> bind_geometry(const CouplingDescription&,
+                                                                Space,
+                                                                const GearFrameOf<Typed>*,
+                                                                EvaluatorOf<Typed>&,
+                                                                Diagnostics&);
 
 }  // namespace kinestat

@@ -6,6 +6,7 @@
 
 #include "core/tolerance.hpp"
 #include "mechanism/internal/geometry_check.hpp"
+#include "mechanism/internal/typed_vector.hpp"
 
 namespace kinestat {
 
@@ -81,5 +82,6 @@ bool DirectionBinder<Scalar>::check_perpendicular(const AxisOf<Scalar>& a,
 
 template class DirectionBinder<double>;
 template class DirectionBinder<Dual>;
+template class DirectionBinder<Typed>;
 
 }  // namespace kinestat

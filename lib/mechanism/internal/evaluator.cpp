@@ -9,6 +9,7 @@
 #include "core/tolerance.hpp"
 #include "core/utf8.hpp"
 #include "expression/evaluate.hpp"
+#include "mechanism/internal/typed_vector.hpp"
 
 namespace kinestat {
 
@@ -164,5 +165,6 @@ void EvaluatorOf<Scalar>::warn_of_unused() const {
 
 template class EvaluatorOf<double>;
 template class EvaluatorOf<Dual>;
+template class EvaluatorOf<Typed>;
 
 }  // namespace kinestat

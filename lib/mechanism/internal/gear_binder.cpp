@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "description/gear_expansion.hpp"
+#include "mechanism/internal/typed_vector.hpp"
 
 namespace kinestat {
 
@@ -97,5 +98,11 @@ template std::optional<GearNumbersOf<Dual>> bind_gear_numbers(const GearsDescrip
 template std::optional<GearFrame> bind_gear_frame(const MechanismDescription&, Evaluator&);
 template std::optional<GearFrameOf<Dual>> bind_gear_frame(const MechanismDescription&,
                                                           EvaluatorOf<Dual>&);
+template MeshTeethOf<Typed> teeth_of(const GearFrameOf<Typed>&, const CouplingDescription&);
+template std::optional<GearNumbersOf<Typed>> bind_gear_numbers(const GearsDescription&,
+                                                               const GearTrain&,
+                                                               EvaluatorOf<Typed>&);
+template std::optional<GearFrameOf<Typed>> bind_gear_frame(const MechanismDescription&,
+                                                           EvaluatorOf<Typed>&);
 
 }  // namespace kinestat

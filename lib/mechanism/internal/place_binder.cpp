@@ -4,6 +4,7 @@
 
 #include "core/contract.hpp"
 #include "mechanism/internal/cable_station_binder.hpp"
+#include "mechanism/internal/typed_vector.hpp"
 
 namespace kinestat {
 
@@ -121,5 +122,10 @@ template void bind_place(const CouplingDescription&,
                          EvaluatorOf<Dual>&,
                          Diagnostics&,
                          CouplingGeometryOf<Dual>&);
+template void bind_place(const CouplingDescription&,
+                         const GearFrameOf<Typed>*,
+                         EvaluatorOf<Typed>&,
+                         Diagnostics&,
+                         CouplingGeometryOf<Typed>&);
 
 }  // namespace kinestat

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
+#include "mechanism/internal/typed_vector.hpp"
 
 namespace kinestat {
 
@@ -198,5 +199,9 @@ template std::vector<NamedTwistOf<double>> reciprocal_twists(
 template std::vector<NamedTwistOf<Dual>> reciprocal_twists(const std::vector<NamedWrenchOf<Dual>>&,
                                                            bool,
                                                            const Vec3In<Dual>&);
+template std::vector<NamedWrenchOf<Typed>> reciprocal_wrenches(
+    const std::vector<NamedTwistOf<Typed>>&, bool, const Vec3In<Typed>&);
+template std::vector<NamedTwistOf<Typed>> reciprocal_twists(
+    const std::vector<NamedWrenchOf<Typed>>&, bool, const Vec3In<Typed>&);
 
 }  // namespace kinestat

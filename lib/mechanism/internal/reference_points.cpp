@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mechanism/internal/typed_vector.hpp"
+
 namespace kinestat {
 
 template <class Scalar>
@@ -47,5 +49,10 @@ template std::vector<Vec3Of<Dual>> bind_reference_points(const MechanismDescript
                                                          const Topology&,
                                                          const GeometryOf<Dual>&,
                                                          EvaluatorOf<Dual>&);
+template std::vector<Vec3Of<Typed>> bind_reference_points(const MechanismDescription&,
+                                                          const std::vector<bool>&,
+                                                          const Topology&,
+                                                          const GeometryOf<Typed>&,
+                                                          EvaluatorOf<Typed>&);
 
 }  // namespace kinestat

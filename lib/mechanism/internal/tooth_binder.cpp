@@ -7,10 +7,25 @@
 
 #include "core/tolerance.hpp"
 #include "mechanism/internal/geometry_check.hpp"
+#include "mechanism/internal/typed_vector.hpp"
 
 namespace kinestat {
 
 namespace {
+
+// The pressure angle in the section across the teeth.
+template <class Scalar>
+Scalar normal_angle(const Scalar& alpha, const Scalar& beta) {
+  using std::atan, std::cos, std::tan;
+  return atan(tan(alpha) * cos(beta));
+}
+
+// Straight teeth keep an exact angle.
+template <>
+Typed normal_angle<Typed>(const Typed& alpha, const Typed& beta) {
+  const Typed normal = atan(tan(alpha) * cos(beta));
+  return is_zero(beta) ? Typed(normal.value, alpha.precise, alpha.exact, alpha.pi_power) : normal;
+}
 
 template <class Scalar>
 class ToothBinder {
@@ -124,8 +139,8 @@ class ToothBinder {
                                        const Vec3Of<Scalar>& t,
                                        const Scalar& alpha,
                                        const Scalar& beta) {
-    using std::atan, std::cos, std::sin, std::tan;
-    const Scalar normal = atan(tan(alpha) * cos(beta));
+    using std::cos, std::sin;
+    const Scalar normal = normal_angle<Scalar>(alpha, beta);
     return Vec3Of<Scalar>(cos(normal) * cos(beta) * t + sin(normal) * a.cross(t) +
                           cos(normal) * sin(beta) * a);
   }
@@ -165,5 +180,12 @@ template std::optional<Vec3> bind_line_of_action(
     const CouplingDescription&, Space, const Axis&, EvaluatorOf<double>&, Diagnostics&);
 template std::optional<Vec3Of<Dual>> bind_line_of_action(
     const CouplingDescription&, Space, const AxisOf<Dual>&, EvaluatorOf<Dual>&, Diagnostics&);
+template std::optional<Vec3Of<Typed>> bind_mesh_line_of_action(const CouplingDescription&,
+                                                               Space,
+                                                               const MeshTeethOf<Typed>&,
+                                                               EvaluatorOf<Typed>&,
+                                                               Diagnostics&);
+template std::optional<Vec3Of<Typed>> bind_line_of_action(
+    const CouplingDescription&, Space, const AxisOf<Typed>&, EvaluatorOf<Typed>&, Diagnostics&);
 
 }  // namespace kinestat

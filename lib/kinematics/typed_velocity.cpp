@@ -1,0 +1,80 @@
+#include "kinematics/typed_velocity.hpp"
+
+#include <algorithm>
+
+#include "math/bounded_solve.hpp"
+#include "network/node_system.hpp"
+#include "network/typed_system.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// A rate may be open, unlike a twist, which follows from them.
+bool determines_all(const TypedElimination& elimination) {
+  return elimination.free_columns().empty() && elimination.relation_count() == 0;
+}
+
+void fill(const Topology& topology,
+          const CoordinateBasis& basis,
+          const TypedSolution& solved,
+          KinematicSolution& solution) {
+  for (int f = 0; f < topology.freedom_count(); ++f) {
+    const double unit = rate_unit(topology, basis, f);
+    const int column = velocity_column(topology, basis, f);
+    solution.rates.push_back(unit * solved.x[column]);
+    solution.answer.bounds.push_back(unit * solved.bound[column]);
+  }
+  for (int b = 0; b < topology.body_count(); ++b) {
+    solution.bodies.push_back(body_twist(solved.x, basis, BodyId{b}));
+  }
+  for (const CouplingTopology& coupling : topology.couplings) {
+    solution.couplings.push_back(solution.bodies[static_cast<std::size_t>(coupling.head.value)] -
+                                 solution.bodies[static_cast<std::size_t>(coupling.tail.value)]);
+  }
+}
+
+}  // namespace
+
+std::optional<KinematicSolution> solve_velocity_as_typed(const Mechanism& mechanism,
+                                                         const std::vector<TypedScrew>& motions,
+                                                         std::span<const Primary> primaries,
+                                                         std::span<const Typed> values,
+                                                         const KinematicSolution& rounded) {
+  const Topology& topology = mechanism.topology;
+  const CoordinateBasis basis = spatial_basis(ScrewKind::twist, mechanism.geometry.length);
+  TypedMatrix system = typed_velocity_system(topology, motions, basis);
+  if (!has_digits(system)) {
+    return std::nullopt;
+  }
+  std::vector<int> columns;
+  std::vector<Typed> known;
+  for (std::size_t i = 0; i < primaries.size(); ++i) {
+    columns.push_back(velocity_column(topology, basis, primaries[i].index));
+    known.push_back(values[i] / Typed(rate_unit(topology, basis, primaries[i].index)));
+  }
+  const TypedElimination elimination(std::move(system), columns);
+  const auto solved = determines_all(elimination) ? elimination.solve(known, {}) : std::nullopt;
+  if (!solved || !solved->x.allFinite()) {
+    return std::nullopt;
+  }
+  KinematicSolution solution{.status = SolveStatus::solved,
+                             .counts = rounded.counts,
+                             .evidence = rounded.evidence,
+                             .residual = 0.0,
+                             .answer = {.rung = Rung::exact,
+                                        .error_bound = {},
+                                        .bounds = {},
+                                        .is_typed = true,
+                                        .is_exact = elimination.is_exact()},
+                             .check = {},
+                             .rates = {},
+                             .bodies = {},
+                             .couplings = {}};
+  const std::vector<bool> counts(static_cast<std::size_t>(solved->x.size()), true);
+  solution.answer.error_bound = worst_relative_error(solved->x, solved->bound, counts);
+  fill(topology, basis, *solved, solution);
+  return solution;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,22 @@
+// Velocities from the numbers as typed.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "kinematics/kinematic_solution.hpp"
+#include "mechanism/typed_mechanism.hpp"
+
+namespace kinestat {
+
+/// solve_velocity without rounding: in fractions where all numbers are, otherwise in a hundred
+/// digits. Counts, evidence and the check of the primaries are those of `rounded`, the solution in
+/// doubles. Empty where the primaries are not right as typed, or a number has no digits.
+[[nodiscard]] std::optional<KinematicSolution> solve_velocity_as_typed(
+    const Mechanism& mechanism,
+    const std::vector<TypedScrew>& motions,
+    std::span<const Primary> primaries,
+    std::span<const Typed> values,
+    const KinematicSolution& rounded);
+
+}  // namespace kinestat

@@ -1,0 +1,279 @@
+#include "math/typed_elimination.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "core/contract.hpp"
+#include "core/tolerance.hpp"
+#include "math/equilibrate.hpp"
+#include "math/internal/decimal_field.hpp"
+#include "math/internal/field_eliminator.hpp"
+#include "math/internal/field_solve.hpp"
+
+namespace kinestat {
+
+namespace {
+
+using Decimals = FieldElimination<DecimalField>;
+
+// The common field of a matrix of exact numbers; beyond this its primes are hard to find.
+constexpr int kMostCommonRoots = 1 << 16;
+
+// Rounding to the nearest double.
+constexpr double kUnitRoundoff = kEpsilon / 2.0;
+
+// The rows and columns that doubles would have; where all doubles of a line are zero or beyond
+// their range, 1.
+Scaling scaling_of(const TypedMatrix& matrix) {
+  SparseMatrix doubles{.rows = matrix.rows, .columns = matrix.columns, .entries = {}};
+  for (const TypedEntry& entry : matrix.entries) {
+    if (entry.value.precise) {
+      doubles.add(entry.row, entry.column, static_cast<double>(*entry.value.precise));
+    }
+  }
+  return find_scaling(doubles);
+}
+
+struct DecimalEntry {
+  int row = 0;
+  int column = 0;
+  BigFloat value;
+};
+
+std::vector<DecimalEntry> scaled_entries(const TypedMatrix& matrix, const Scaling& scaling) {
+  std::vector<DecimalEntry> entries;
+  entries.reserve(matrix.entries.size());
+  for (const TypedEntry& entry : matrix.entries) {
+    entries.push_back({.row = entry.row,
+                       .column = entry.column,
+                       .value = *entry.value.precise * BigFloat(at(scaling.rows, entry.row)) *
+                                BigFloat(at(scaling.columns, entry.column))});
+  }
+  return entries;
+}
+
+Decimals eliminate_decimals(const TypedMatrix& matrix,
+                            const std::vector<DecimalEntry>& entries,
+                            std::span<const int> last) {
+  Decimals result{.field = {}};
+  result.load(matrix.rows, entries, [](const BigFloat& value) { return value; });
+  FieldEliminator(result, matrix.columns).run(last);
+  return result;
+}
+
+ExactMatrix rational_matrix(const TypedMatrix& matrix) {
+  ExactMatrix result{.rows = matrix.rows, .columns = matrix.columns, .entries = {}};
+  for (const TypedEntry& entry : matrix.entries) {
+    result.entries.push_back(
+        {.row = entry.row, .column = entry.column, .value = *rational_of(entry.value)});
+  }
+  return result;
+}
+
+// Empty if an entry is no such sum, holds pi, or if the fields have too large a common one.
+std::optional<RootMatrix> root_matrix(const TypedMatrix& matrix) {
+  int count = 4;
+  for (const TypedEntry& entry : matrix.entries) {
+    if (!entry.value.exact || entry.value.pi_power != 0) {
+      return std::nullopt;
+    }
+    count = std::lcm(count, entry.value.exact->root_count());
+    if (count > kMostCommonRoots) {
+      return std::nullopt;
+    }
+  }
+  RootMatrix result{
+      .rows = matrix.rows, .columns = matrix.columns, .root_count = count, .entries = {}};
+  for (const TypedEntry& entry : matrix.entries) {
+    result.entries.push_back(
+        {.row = entry.row, .column = entry.column, .value = entry.value.exact->in_field(count)});
+  }
+  return result;
+}
+
+TypedRank typed(const ExactRank& found) {
+  TypedRank result{.rank = found.rank, .error_probability = found.error_probability};
+  switch (found.proof) {
+    case RankProof::structural:
+      result.proof = TypedProof::structural;
+      break;
+    case RankProof::elimination:
+      result.proof = TypedProof::elimination;
+      break;
+    case RankProof::modular:
+      result.proof = TypedProof::modular;
+      break;
+  }
+  return result;
+}
+
+std::optional<std::vector<Rational>> rational_list(std::span<const Typed> numbers) {
+  std::vector<Rational> result;
+  for (const Typed& number : numbers) {
+    const std::optional<Rational> value = rational_of(number);
+    if (!value) {
+      return std::nullopt;
+    }
+    result.push_back(*value);
+  }
+  return result;
+}
+
+}  // namespace
+
+bool has_digits(const TypedMatrix& matrix) {
+  return std::ranges::all_of(matrix.entries,
+                             [](const TypedEntry& one) { return one.value.precise.has_value(); });
+}
+
+bool is_rational(const TypedMatrix& matrix) {
+  return std::ranges::all_of(
+      matrix.entries, [](const TypedEntry& one) { return rational_of(one.value).has_value(); });
+}
+
+std::optional<TypedRank> find_typed_rank(const TypedMatrix& matrix, int upper_bound) {
+  if (!has_digits(matrix)) {
+    return std::nullopt;
+  }
+  if (is_rational(matrix)) {
+    return typed(find_exact_rank(rational_matrix(matrix), upper_bound));
+  }
+  if (const std::optional<RootMatrix> roots = root_matrix(matrix)) {
+    return typed(find_exact_rank(*roots, upper_bound));
+  }
+  const Decimals found = eliminate_decimals(matrix, scaled_entries(matrix, scaling_of(matrix)), {});
+  return TypedRank{.rank = found.rank(), .proof = TypedProof::digits};
+}
+
+struct TypedElimination::Factors {
+  TypedMatrix matrix;
+  std::vector<int> last;
+  std::optional<ExactElimination> fractions;
+  Scaling scaling;
+  std::vector<DecimalEntry> entries;
+  Decimals decimals;
+
+  std::optional<TypedSolution> solve_in_fractions(std::span<const Typed> known,
+                                                  std::span<const Typed> rhs) const;
+  std::optional<TypedSolution> solve_in_decimals(std::span<const Typed> known,
+                                                 std::span<const Typed> rhs) const;
+  std::vector<BigFloat> residual(const std::vector<BigFloat>& right,
+                                 const std::vector<BigFloat>& x) const;
+};
+
+TypedElimination::TypedElimination(TypedMatrix matrix, std::span<const int> last)
+    : factors_(std::make_unique<Factors>()) {
+  KINESTAT_EXPECTS(has_digits(matrix));
+  factors_->matrix = std::move(matrix);
+  factors_->last.assign(last.begin(), last.end());
+  if (is_rational(factors_->matrix)) {
+    factors_->fractions.emplace(rational_matrix(factors_->matrix), last);
+    return;
+  }
+  factors_->scaling = scaling_of(factors_->matrix);
+  factors_->entries = scaled_entries(factors_->matrix, factors_->scaling);
+  factors_->decimals = eliminate_decimals(factors_->matrix, factors_->entries, last);
+}
+
+TypedElimination::~TypedElimination() = default;
+TypedElimination::TypedElimination(TypedElimination&& other) noexcept = default;
+TypedElimination& TypedElimination::operator=(TypedElimination&& other) noexcept = default;
+
+bool TypedElimination::is_exact() const {
+  return factors_->fractions.has_value();
+}
+
+int TypedElimination::rank() const {
+  return is_exact() ? factors_->fractions->rank() : factors_->decimals.rank();
+}
+
+const std::vector<int>& TypedElimination::free_columns() const {
+  return is_exact() ? factors_->fractions->free_columns() : factors_->decimals.free_columns;
+}
+
+int TypedElimination::relation_count() const {
+  return is_exact() ? factors_->fractions->relation_count()
+                    : static_cast<int>(factors_->decimals.last_pivots.size());
+}
+
+std::optional<TypedSolution> TypedElimination::solve(std::span<const Typed> known,
+                                                     std::span<const Typed> rhs) const {
+  KINESTAT_EXPECTS(known.size() == factors_->last.size());
+  KINESTAT_EXPECTS(rhs.empty() || rhs.size() == static_cast<std::size_t>(factors_->matrix.rows));
+  return is_exact() ? factors_->solve_in_fractions(known, rhs)
+                    : factors_->solve_in_decimals(known, rhs);
+}
+
+std::optional<TypedSolution> TypedElimination::Factors::solve_in_fractions(
+    std::span<const Typed> known, std::span<const Typed> rhs) const {
+  const auto values = rational_list(known);
+  const auto right = rational_list(rhs);
+  if (!values || !right) {
+    return std::nullopt;
+  }
+  const ExactSolution found = fractions->solve(*values, *right);
+  TypedSolution result{.x = VecX(matrix.columns), .bound = {}, .consistent = found.consistent};
+  for (int c = 0; c < matrix.columns; ++c) {
+    result.x[c] = to_double(at(found.x, c));
+  }
+  result.bound = kUnitRoundoff * result.x.cwiseAbs();
+  return result;
+}
+
+// b - A x of the rows that hold a pivot, scaled.
+std::vector<BigFloat> TypedElimination::Factors::residual(const std::vector<BigFloat>& right,
+                                                          const std::vector<BigFloat>& x) const {
+  std::vector<BigFloat> rest = right;
+  for (const DecimalEntry& entry : entries) {
+    at(rest, entry.row) -= entry.value * at(x, entry.column);
+  }
+  return rest;
+}
+
+std::optional<TypedSolution> TypedElimination::Factors::solve_in_decimals(
+    std::span<const Typed> known, std::span<const Typed> rhs) const {
+  const auto has_none = [](const Typed& number) { return !number.precise.has_value(); };
+  if (std::ranges::any_of(known, has_none) || std::ranges::any_of(rhs, has_none)) {
+    return std::nullopt;
+  }
+  std::vector<BigFloat> x(static_cast<std::size_t>(matrix.columns));
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    at(x, last[i]) = *known[i].precise / BigFloat(at(scaling.columns, last[i]));
+  }
+  std::vector<BigFloat> b(static_cast<std::size_t>(matrix.rows));
+  for (std::size_t r = 0; r < rhs.size(); ++r) {
+    b[r] = *rhs[r].precise * BigFloat(scaling.rows[r]);
+  }
+  const std::vector<BigFloat> right = eliminated<DecimalField>(decimals, b);
+  back_substitute<DecimalField>(decimals, right, x);
+  std::vector<BigFloat> correction(x.size());
+  back_substitute<DecimalField>(
+      decimals, eliminated<DecimalField>(decimals, residual(b, x)), correction);
+  BigFloat largest = 0;
+  BigFloat size = 0;
+  for (const BigFloat& one : x) {
+    largest = std::max(largest, BigFloat(abs(one)));
+  }
+  for (const BigFloat& one : b) {
+    size = std::max(size, BigFloat(abs(one)));
+  }
+  TypedSolution result{.x = VecX(matrix.columns), .bound = VecX(matrix.columns)};
+  for (int c = 0; c < matrix.columns; ++c) {
+    const double unit = at(scaling.columns, c);
+    result.x[c] = unit * static_cast<double>(at(x, c));
+    result.bound[c] = kUnitRoundoff * std::abs(result.x[c]) +
+                      2.0 * unit * std::abs(static_cast<double>(at(correction, c)));
+  }
+  const std::vector<BigFloat> left = left_by_surplus_rows<DecimalField>(decimals, right, x);
+  BigFloat worst = 0;
+  for (const BigFloat& one : left) {
+    worst = std::max(worst, BigFloat(abs(one)));
+  }
+  const BigFloat scale = std::max(largest, size);
+  result.consistent = scale.is_zero() || DecimalField::is_zero(BigFloat(worst / scale));
+  return result;
+}
+
+}  // namespace kinestat

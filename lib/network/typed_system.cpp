@@ -1,0 +1,120 @@
+#include "network/typed_system.hpp"
+
+#include "core/contract.hpp"
+#include "graph/structural_rank.hpp"
+#include "network/node_system.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Adds factor · (the screw's coordinates in the basis) as a column piece that begins at row
+// `first`.
+void add_screw(const TypedScrew& screw,
+               const CoordinateBasis& basis,
+               double factor,
+               int first,
+               int column,
+               TypedMatrix& to) {
+  for (int i = 0; i < basis.order(); ++i) {
+    const int c = basis.coordinates[static_cast<std::size_t>(i)];
+    const Typed& coordinate = screw[static_cast<std::size_t>(c)];
+    if (!is_zero(coordinate)) {
+      to.entries.push_back({.row = first + i,
+                            .column = column,
+                            .value = Typed(factor / basis.unit[c]) * coordinate});
+    }
+  }
+}
+
+template <class Entry>
+int rank_of_pattern(const std::vector<Entry>& entries, int rows, int columns) {
+  EntryPattern pattern(static_cast<std::size_t>(rows));
+  for (const Entry& entry : entries) {
+    pattern[static_cast<std::size_t>(entry.row)].push_back(entry.column);
+  }
+  return structural_rank(pattern, columns);
+}
+
+}  // namespace
+
+TypedMatrix typed_velocity_system(const Topology& topology,
+                                  const std::vector<TypedScrew>& motions,
+                                  const CoordinateBasis& basis) {
+  KINESTAT_EXPECTS(basis.is_made_of_coordinates());
+  const int order = basis.order();
+  TypedMatrix system{.rows = order * topology.coupling_count(),
+                     .columns = order * (topology.body_count() - 1) + topology.freedom_count(),
+                     .entries = {}};
+  const auto add_body = [&](BodyId body, int first, double sign) {
+    for (int i = 0; body.value > 0 && i < order; ++i) {
+      system.entries.push_back(
+          {.row = first + i, .column = order * (body.value - 1) + i, .value = Typed(sign)});
+    }
+  };
+  for (int e = 0; e < topology.coupling_count(); ++e) {
+    const CouplingTopology& coupling = topology.couplings[static_cast<std::size_t>(e)];
+    add_body(coupling.head, order * e, 1.0);
+    add_body(coupling.tail, order * e, -1.0);
+    for (int f = coupling.first_freedom; f < coupling.first_freedom + coupling.freedom_count; ++f) {
+      add_screw(motions[static_cast<std::size_t>(f)],
+                basis,
+                -rate_unit(topology, basis, f),
+                order * e,
+                velocity_column(topology, basis, f),
+                system);
+    }
+  }
+  return system;
+}
+
+TypedMatrix typed_action_system(const Topology& topology,
+                                const std::vector<TypedScrew>& actions,
+                                const CoordinateBasis& basis) {
+  KINESTAT_EXPECTS(basis.is_made_of_coordinates());
+  const int order = basis.order();
+  TypedMatrix system{.rows = order * (topology.body_count() - 1),
+                     .columns = topology.action_count(),
+                     .entries = {}};
+  for (const CouplingTopology& coupling : topology.couplings) {
+    for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
+      const TypedScrew& screw = actions[static_cast<std::size_t>(a)];
+      const double unit = action_unit(topology, basis, a);
+      if (coupling.head.value > 0) {
+        add_screw(screw, basis, unit, order * (coupling.head.value - 1), a, system);
+      }
+      if (coupling.tail.value > 0) {
+        add_screw(screw, basis, -unit, order * (coupling.tail.value - 1), a, system);
+      }
+    }
+  }
+  return system;
+}
+
+std::vector<Typed> typed_load_vector(int body_count,
+                                     const CoordinateBasis& basis,
+                                     std::span<const Load> loads,
+                                     const std::vector<TypedScrew>& wrenches) {
+  KINESTAT_EXPECTS(basis.is_made_of_coordinates() && loads.size() == wrenches.size());
+  const auto order = static_cast<std::size_t>(basis.order());
+  std::vector<Typed> right(order * static_cast<std::size_t>(body_count - 1));
+  for (std::size_t l = 0; l < loads.size(); ++l) {
+    const int body = loads[l].acts.body.value;
+    for (std::size_t i = 0; body > 0 && i < order; ++i) {
+      const int c = basis.coordinates[i];
+      Typed& sum = right[order * static_cast<std::size_t>(body - 1) + i];
+      sum = sum - Typed(1.0 / basis.unit[c]) * wrenches[l][static_cast<std::size_t>(c)];
+    }
+  }
+  return right;
+}
+
+int largest_rank(const TypedMatrix& matrix) {
+  return rank_of_pattern(matrix.entries, matrix.rows, matrix.columns);
+}
+
+int largest_rank(const SparseMatrix& matrix) {
+  return rank_of_pattern(matrix.entries, matrix.rows, matrix.columns);
+}
+
+}  // namespace kinestat

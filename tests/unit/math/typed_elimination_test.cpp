@@ -1,0 +1,114 @@
+#include "math/typed_elimination.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kinestat {
+namespace {
+
+TypedMatrix matrix_of(const std::vector<std::vector<Typed>>& rows) {
+  TypedMatrix matrix{.rows = static_cast<int>(rows.size()),
+                     .columns = static_cast<int>(rows.front().size()),
+                     .entries = {}};
+  for (int r = 0; r < matrix.rows; ++r) {
+    for (int c = 0; c < matrix.columns; ++c) {
+      const Typed& value = rows[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)];
+      if (!is_zero(value)) {
+        matrix.entries.push_back({.row = r, .column = c, .value = value});
+      }
+    }
+  }
+  return matrix;
+}
+
+Typed tenth(int count) {
+  return Typed(count) / Typed(10.0);
+}
+
+// Rows that are multiples of each other as decimals and not as doubles.
+TEST(TypedRank, OfDecimalsIsThatOfTheFractions) {
+  const auto found = find_typed_rank(matrix_of({{tenth(1), tenth(3)}, {tenth(3), tenth(9)}}), 2);
+
+  EXPECT_EQ(found->rank, 1);
+  EXPECT_EQ(found->proof, TypedProof::elimination);
+}
+
+TEST(TypedRank, IsProvedByThePatternWhereItIsFull) {
+  const auto found = find_typed_rank(matrix_of({{tenth(1), tenth(3)}, {tenth(3), tenth(8)}}), 2);
+
+  EXPECT_EQ(found->rank, 2);
+  EXPECT_EQ(found->proof, TypedProof::structural);
+}
+
+// √2 · √3 = √6.
+TEST(TypedRank, OfRootsIsThatOfTheirField) {
+  const auto found = find_typed_rank(
+      matrix_of({{sqrt(Typed(2.0)), Typed(1.0)}, {sqrt(Typed(6.0)), sqrt(Typed(3.0))}}), 2);
+
+  EXPECT_EQ(found->rank, 1);
+  EXPECT_EQ(found->proof, TypedProof::elimination);
+}
+
+// 19 and 23 are beyond the primes whose roots are exact: √19 · √23 = √437.
+TEST(TypedRank, OfOtherNumbersIsThatOfSixtyDigits) {
+  const auto found = find_typed_rank(
+      matrix_of({{sqrt(Typed(19.0)), Typed(1.0)}, {sqrt(Typed(437.0)), sqrt(Typed(23.0))}}), 2);
+
+  EXPECT_EQ(found->rank, 1);
+  EXPECT_EQ(found->proof, TypedProof::digits);
+}
+
+TEST(TypedRank, TellsWhatIsFarBelowADouble) {
+  const Typed small = Typed(1e-25) * Typed(1e-25);
+  const auto found = find_typed_rank(
+      matrix_of({{sqrt(Typed(19.0)), Typed(1.0)}, {sqrt(Typed(437.0)), sqrt(Typed(23.0)) + small}}),
+      2);
+
+  EXPECT_EQ(found->rank, 2);
+}
+
+TEST(TypedElimination, SolvesInFractions) {
+  const TypedElimination elimination(
+      matrix_of({{Typed(3.0), Typed(1.0)}, {Typed(1.0), Typed(2.0)}}), {});
+
+  const auto found = elimination.solve({}, std::vector<Typed>{Typed(1.0), Typed(0.0)});
+
+  EXPECT_TRUE(elimination.is_exact());
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->x[0], 2.0 / 5.0);
+  EXPECT_EQ(found->x[1], -1.0 / 5.0);
+  EXPECT_LE(found->bound[0], 0x1p-53);
+}
+
+// (3 + 10^-20) x + y = 0 and 3 x + y = 1 have x = -10^20: as doubles they contradict each other.
+TEST(TypedElimination, SolvesWhatRoundingMakesSingular) {
+  const Typed near = Typed(3.0) + Typed(1.0) / Typed(1e10) / Typed(1e10);
+  const TypedElimination elimination(matrix_of({{near * sqrt(Typed(19.0)), Typed(1.0)},
+                                                {Typed(3.0) * sqrt(Typed(19.0)), Typed(1.0)}}),
+                                     {});
+
+  const auto found = elimination.solve({}, std::vector<Typed>{Typed(0.0), sqrt(Typed(19.0))});
+
+  EXPECT_FALSE(elimination.is_exact());
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(found->x[0], -1e20, 1e5);
+  EXPECT_LE(found->bound[0], 1e5);
+}
+
+TEST(TypedElimination, SaysWhichColumnsAreFree) {
+  const std::vector<int> last = {0};
+  const TypedElimination elimination(matrix_of({{sqrt(Typed(19.0)), Typed(1.0), Typed(1.0)}}),
+                                     last);
+
+  EXPECT_EQ(elimination.free_columns().size(), 1U);
+  EXPECT_EQ(elimination.relation_count(), 0);
+}
+
+TEST(TypedElimination, SeesContradictions) {
+  const TypedElimination elimination(matrix_of({{sqrt(Typed(19.0))}, {sqrt(Typed(19.0))}}), {});
+
+  EXPECT_TRUE(elimination.solve({}, std::vector<Typed>{Typed(1.0), Typed(1.0)})->consistent);
+  EXPECT_FALSE(elimination.solve({}, std::vector<Typed>{Typed(1.0), Typed(2.0)})->consistent);
+}
+
+}  // namespace
+}  // namespace kinestat
