@@ -2,6 +2,7 @@
 
 #include <array>
 #include <set>
+#include <unordered_set>
 
 #include "core/utf8.hpp"
 #include "report/csv.hpp"
@@ -22,7 +23,19 @@ struct Place {
 
 class CsvWriter {
  public:
-  CsvWriter(const Analysis& analysis, std::string& text) : analysis_(analysis), text_(text) {}
+  CsvWriter(const Analysis& analysis, std::string& text) : analysis_(analysis), text_(text) {
+    const Topology& topology = analysis.mechanism.topology;
+    for (int a = 0; a < topology.action_count(); ++a) {
+      if (!topology.actions[static_cast<std::size_t>(a)].is_couple) {
+        forces_.insert(topology.action_name(a));
+      }
+    }
+    for (int f = 0; f < topology.freedom_count(); ++f) {
+      if (!topology.freedoms[static_cast<std::size_t>(f)].is_rotation) {
+        translations_.insert(topology.freedom_name(f));
+      }
+    }
+  }
 
   // Writes the numbers of a value and of all that it contains.
   void add(const Place& place, const std::string& quantity, const Json& value) {
@@ -146,28 +159,14 @@ class CsvWriter {
     return is_length ? units.text(QuantityKind::length) : "";
   }
 
-  bool is_rotation(const std::string& freedom) const {
-    const Topology& topology = analysis_.mechanism.topology;
-    for (int f = 0; f < topology.freedom_count(); ++f) {
-      if (topology.freedom_name(f) == freedom) {
-        return topology.freedoms[static_cast<std::size_t>(f)].is_rotation;
-      }
-    }
-    return true;
-  }
+  bool is_rotation(const std::string& freedom) const { return !translations_.contains(freedom); }
 
-  bool is_couple(const std::string& action) const {
-    const Topology& topology = analysis_.mechanism.topology;
-    for (int a = 0; a < topology.action_count(); ++a) {
-      if (topology.action_name(a) == action) {
-        return topology.actions[static_cast<std::size_t>(a)].is_couple;
-      }
-    }
-    return true;
-  }
+  bool is_couple(const std::string& action) const { return !forces_.contains(action); }
 
   const Analysis& analysis_;
   std::string& text_;
+  std::unordered_set<std::string> translations_;  ///< names of freedoms, only looked up
+  std::unordered_set<std::string> forces_;        ///< of actions likewise
 };
 
 void add_elements(CsvWriter& writer,

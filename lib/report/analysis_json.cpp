@@ -38,18 +38,18 @@ Json kinematics_json(const Mechanism& mechanism,
   result["status"] = word_of(motion.status);
   result["order"] = motion.counts.order;
   result["net_freedom"] = motion.counts.net_freedom;
-  result["freedoms"] = object_of(topology.freedoms.size());
+  Json& freedoms = result["freedoms"] = object_of(topology.freedoms.size());
   for (std::size_t f = 0; f < topology.freedoms.size(); ++f) {
-    result["freedoms"][topology.freedom_name(static_cast<int>(f))] =
+    appended(freedoms, topology.freedom_name(static_cast<int>(f))) =
         is_solved ? number(in.rate(motion.rates[f], topology.freedoms[f].is_rotation))
                   : Json(nullptr);
   }
-  result["bodies"] = object_of(topology.bodies.size());
+  Json& bodies = result["bodies"] = object_of(topology.bodies.size());
   for (std::size_t b = 0; is_solved && b < topology.bodies.size(); ++b) {
     const Twist& twist = motion.bodies[b];
     const Vec3& at = mechanism.geometry.references[b];
     const Vec3& origin = mechanism.geometry.origin;
-    Json& body = result["bodies"][topology.bodies[b].name];
+    Json& body = appended(bodies, topology.bodies[b].name);
     body["twist"] = sixfold_of(about_world(twist, origin), in);
     body["angular"] = vector(in.angular(twist.angular));
     body["linear"] = vector(in.linear(velocity_at(twist, at - origin)));

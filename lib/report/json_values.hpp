@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include <nlohmann/json.hpp>
 
@@ -17,6 +18,13 @@ inline Json object_of(std::size_t count) {
   Json::object_t object;
   object.reserve(count);
   return object;
+}
+
+/// The value of a key that the object does not have yet, in one step: operator[] compares all keys.
+inline Json& appended(Json& object, const std::string& key) {
+  Json::object_t& members = object.get_ref<Json::object_t&>();
+  members.emplace_back(key, Json());
+  return members.back().second;
 }
 
 inline Json number(double value) {

@@ -1,5 +1,7 @@
 #include "report/power_json.hpp"
 
+#include <utility>
+
 #include "report/efficiency_json.hpp"
 
 namespace kinestat {
@@ -10,7 +12,7 @@ namespace {
 Json arcs_json(const Topology& topology, const PowerGraph& graph, const InUnits& in) {
   Json arcs = object_of(graph.arcs.size());
   for (const PowerArc& one : graph.arcs) {
-    Json& arc = arcs[topology.coupling(one.coupling).name];
+    Json& arc = appended(arcs, topology.coupling(one.coupling).name);
     arc["from"] = topology.body(one.from).name;
     arc["to"] = topology.body(one.to).name;
     arc["power"] = number(in.power(one.power));
@@ -23,7 +25,7 @@ Json bodies_json(const Topology& topology, const PowerGraph& graph, const InUnit
   Json bodies = object_of(graph.bodies.size());
   for (std::size_t b = 1; b < graph.bodies.size(); ++b) {
     const std::optional<BodyPower>& powers = graph.bodies[b];
-    Json& body = bodies[topology.bodies[b].name];
+    Json& body = appended(bodies, topology.bodies[b].name);
     body["received"] = powers ? number(in.power(powers->received)) : Json(nullptr);
     body["given"] = powers ? number(in.power(powers->given)) : Json(nullptr);
   }
@@ -33,7 +35,7 @@ Json bodies_json(const Topology& topology, const PowerGraph& graph, const InUnit
 Json meshes_json(const Topology& topology, const PowerGraph& graph, const InUnits& in) {
   Json meshes = object_of(graph.meshes.size());
   for (const MeshPower& one : graph.meshes) {
-    Json& mesh = meshes[topology.coupling(one.coupling).name];
+    Json& mesh = appended(meshes, topology.coupling(one.coupling).name);
     mesh["carrier"] = topology.body(one.carrier).name;
     mesh["rolling"] = number(in.power(one.rolling));
   }
@@ -75,13 +77,15 @@ Json power_json(const Mechanism& mechanism, const CaseAnalysis& one, const InUni
   const PowerFlow& flow = *one.power;
   Json result = object_of(8);
   result["status"] = flow.is_balanced ? "solved" : "inconsistent";
-  result["couplings"] = object_of(topology.couplings.size());
-  result["supplied"] = object_of(topology.couplings.size());
+  Json couplings = object_of(topology.couplings.size());
+  Json supplied = object_of(topology.couplings.size());
   for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
-    result["couplings"][topology.couplings[e].name] =
+    appended(couplings, topology.couplings[e].name) =
         flow.into_head[e] ? number(in.power(*flow.into_head[e])) : Json(nullptr);
-    result["supplied"][topology.couplings[e].name] = number(in.power(flow.supplied[e]));
+    appended(supplied, topology.couplings[e].name) = number(in.power(flow.supplied[e]));
   }
+  result["couplings"] = std::move(couplings);
+  result["supplied"] = std::move(supplied);
   result["actuators"] = object_of(8);
   for (std::size_t i = 0; i < topology.actuators.size(); ++i) {
     result["actuators"][topology.actuators[i].name] = number(in.power(flow.actuators[i]));

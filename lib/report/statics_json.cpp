@@ -130,11 +130,11 @@ Json statics_json(const Mechanism& mechanism, const CaseAnalysis& one, const InU
   result["status"] = word_of(action.status);
   result["order"] = action.counts.order;
   result["net_constraint"] = action.counts.net_constraint;
-  result["actions"] = object_of(topology.actions.size());
+  Json& actions = result["actions"] = object_of(topology.actions.size());
   for (std::size_t a = 0; a < topology.actions.size(); ++a) {
     const std::optional<double> magnitude =
         action.magnitudes.empty() ? std::nullopt : action.magnitudes[a];
-    result["actions"][topology.action_name(static_cast<int>(a))] =
+    appended(actions, topology.action_name(static_cast<int>(a))) =
         magnitude ? number(in.action(*magnitude, topology.actions[a].is_couple)) : Json(nullptr);
   }
   result["undetermined"] = Json::array();
@@ -150,9 +150,9 @@ Json statics_json(const Mechanism& mechanism, const CaseAnalysis& one, const InU
   if (action.completion.by != IndeterminateChoice::report) {
     result["completion"] = completion_json(topology, action.completion, in);
   }
-  result["couplings"] = object_of(topology.couplings.size());
+  Json& couplings = result["couplings"] = object_of(topology.couplings.size());
   for (std::size_t e = 0; e < action.wrenches.size(); ++e) {
-    result["couplings"][topology.couplings[e].name] =
+    appended(couplings, topology.couplings[e].name) =
         wrench_json(mechanism, e, action.wrenches[e], in);
   }
   if (!one.which.loads.empty()) {
