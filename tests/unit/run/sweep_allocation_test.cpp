@@ -30,6 +30,18 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
   return counted(size, static_cast<std::size_t>(alignment));
 }
 
+void* operator new(std::size_t size, const std::nothrow_t& /*nothrow*/) noexcept {
+  try {
+    return counted(size, alignof(std::max_align_t));
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
+void operator delete(void* place, const std::nothrow_t& /*nothrow*/) noexcept {
+  std::free(place);
+}
+
 void operator delete(void* place) noexcept {
   std::free(place);
 }
