@@ -1,1 +1,1 @@
-// Only here so that there is something to compile tests/precompiled.hpp for.
+// Only here so that there is something to precompile the headers of the tests for.
