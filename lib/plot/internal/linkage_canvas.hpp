@@ -1,0 +1,107 @@
+// What planar and spatial drawings of mechanisms have in common: scale, arrows, names, paths.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plot/internal/drawn_case.hpp"
+#include "plot/internal/label_placer.hpp"
+#include "plot/internal/linkage_parts.hpp"
+#include "plot/linkage_drawing.hpp"
+
+namespace kinestat {
+
+/// Parallel projection: the world point p is at (x0 + scale right·p, y0 - scale up·p).
+struct LinkageView {
+  Vec3 right = Vec3::UnitX();  ///< unit vectors, perpendicular to each other
+  Vec3 up = Vec3::UnitY();
+  double scale = 1.0;  ///< [px/m]
+  double x0 = 0.0;     ///< [px]
+  double y0 = 0.0;     ///< [px]
+
+  PixelPoint at(const Vec3& p) const;
+
+  /// A world vector on the picture [px].
+  PixelPoint along(const Vec3& v) const;
+};
+
+/// The scale and the origin with which all points fit the usual size of a picture, its middle at
+/// (0, 0).
+LinkageView fit_view(LinkageView directions, const std::vector<Vec3>& points);
+
+/// All places that a drawing must hold.
+std::vector<Vec3> extent_points(const LinkageParts& parts,
+                                const Analysis& analysis,
+                                const LinkageOptions& options);
+
+/// "crank-1", the value of data-body.
+std::string body_mark(const Topology& topology, BodyId body);
+
+/// The ink of a body: of the ground that of text, of the others in turn.
+Ink body_ink(BodyId body);
+
+/// Writes one drawing, layer by layer.
+class LinkageCanvas {
+ public:
+  LinkageCanvas(const Analysis& analysis, const LinkageOptions& options, const LinkageView& view);
+
+  Svg& svg() { return svg_; }
+
+  LabelPlacer& placer() { return placer_; }
+
+  const LinkageView& view() const { return view_; }
+
+  void open_body(BodyId body);
+
+  void open_layer(const std::string& name);
+
+  /// The name of a body or of couplings, written with all others when everything is drawn.
+  void name(std::string text, PixelPoint anchor, double distance, Ink ink);
+
+  /// Where the symbol of a coupling stands: at its point, a rope in the middle, or beside another
+  /// coupling that has the point already [m].
+  const Vec3& place(CouplingId coupling) const {
+    return places_[static_cast<std::size_t>(coupling.value)];
+  }
+
+  void set_place(CouplingId coupling, const Vec3& place) {
+    places_[static_cast<std::size_t>(coupling.value)] = place;
+  }
+
+  /// One name for all couplings of one place.
+  void name_couplings();
+
+  void draw_paths();
+
+  /// Forces, couples, drives and velocities of the case.
+  void draw_arrows();
+
+  void draw_names();
+
+  /// The scale of lengths, what arrows mean, and the case, below everything else.
+  void draw_legend();
+
+ private:
+  struct WaitingName {
+    std::string text;
+    PixelPoint anchor;
+    double distance = 0.0;
+    TextStyle style;
+  };
+
+  void draw_arrow(const DrawnArrow& arrow, double factor);
+  void draw_axial(const DrawnArrow& arrow);
+
+  const Analysis& analysis_;
+  const LinkageOptions& options_;
+  LinkageView view_;
+  std::vector<DrawnArrow> arrows_;
+  std::vector<Vec3> places_;    // of each coupling [m]
+  double largest_force_ = 0.0;  // [N]
+  Svg svg_;
+  LabelPlacer placer_;
+  std::vector<WaitingName> names_;
+  std::vector<PixelPoint> turnings_;  // where turning arrows stand
+};
+
+}  // namespace kinestat

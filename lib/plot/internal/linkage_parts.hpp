@@ -1,0 +1,77 @@
+// What a drawing of a mechanism shows of each body: places where couplings are, wheels, ropes.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mechanism/mechanism.hpp"
+
+namespace kinestat {
+
+enum class WheelKind {
+  gear,   ///< its pitch circle
+  ring,   ///< toothed inside
+  pulley  ///< a rope runs over it
+};
+
+/// A round part of a body. World frame [m].
+struct Wheel {
+  BodyId body;
+  CouplingId at;  ///< the mesh, or a segment of the rope
+  WheelKind kind = WheelKind::gear;
+  Vec3 centre = Vec3::Zero();
+  Vec3 axis = Vec3::UnitZ();  ///< unit vector
+  double radius = 0.0;
+};
+
+/// A straight part of a rope between what it touches.
+struct RopeSpan {
+  CouplingId coupling;
+  Vec3 from = Vec3::Zero();  ///< on the tail
+  Vec3 to = Vec3::Zero();    ///< on the head
+};
+
+/// The part of a rope that lies on a pulley, from where it meets it to where it leaves it, turning
+/// about +axis where `is_positive`.
+struct RopeArc {
+  BodyId body;  ///< of the pulley
+  Vec3 centre = Vec3::Zero();
+  Vec3 axis = Vec3::UnitZ();
+  double radius = 0.0;
+  Vec3 from = Vec3::Zero();
+  Vec3 to = Vec3::Zero();
+  bool is_positive = true;
+};
+
+/// A place of a body that its drawing reaches.
+struct BodyPoint {
+  Vec3 at = Vec3::Zero();
+  std::optional<CouplingId> coupling;  ///< empty: a load or a point of a path is there
+};
+
+/// Lists that are said to be of each body are parallel to that of the Topology.
+struct LinkageParts {
+  std::vector<std::vector<BodyPoint>> points;  ///< of each body; none of virtual links of ropes
+  std::vector<std::vector<Vec3>> outlines;     ///< of each body, where the file has one
+  std::vector<bool> is_virtual;                ///< of each body: a virtual link of a rope
+  std::vector<Wheel> wheels;                   ///< one a body, centre and radius
+  std::vector<RopeSpan> spans;
+  std::vector<RopeArc> arcs;
+};
+
+LinkageParts find_linkage_parts(const MechanismDescription& description,
+                                const Mechanism& mechanism);
+
+/// The wheels of one coupling of teeth; the pinion alone of a rack.
+struct MeshWheels {
+  CouplingId coupling;
+  std::optional<Wheel> tail;
+  std::optional<Wheel> head;
+};
+
+/// In the order of the couplings. A wheel turns about the hinge that its body has in common with
+/// the carrier of the mesh; without one about its nearest. Empty where a body has no hinge.
+std::vector<MeshWheels> find_mesh_wheels(const MechanismDescription& description,
+                                         const Mechanism& mechanism);
+
+}  // namespace kinestat

@@ -1,0 +1,522 @@
+#include "plot/internal/planar_linkage.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "plot/internal/symbols.hpp"
+
+namespace kinestat {
+
+namespace {
+
+using enum CouplingType;
+
+constexpr double kHalfBar = 6.0;     // half the width of a link [px]
+constexpr double kGuideHalf = 46.0;  // half the length of a guide [px]
+constexpr double kGuideDepth = 9.5;  // from the middle of a block to its guide [px]
+constexpr double kSlotHalf = 24.0;
+constexpr double kRingDepth = 9.0;
+constexpr double kRackDepth = 14.0;
+
+std::size_t index(BodyId body) {
+  return static_cast<std::size_t>(body.value);
+}
+
+class PlanarDrawing {
+ public:
+  PlanarDrawing(const Analysis& analysis,
+                const LinkageOptions& options,
+                const LinkageParts& parts,
+                LinkageCanvas& canvas)
+      : topology_(analysis.mechanism.topology),
+        geometry_(analysis.mechanism.geometry),
+        options_(options),
+        parts_(parts),
+        canvas_(canvas),
+        svg_(canvas.svg()) {}
+
+  void draw() {
+    for (const RopeSpan& span : parts_.spans) {
+      canvas_.set_place(span.coupling, (span.from + span.to) / 2);
+    }
+    draw_ground();
+    for (const BodyId body : bodies_from_behind()) {
+      canvas_.open_body(body);
+      draw_wheels(body);
+      draw_link(body);
+      svg_.close_group();
+    }
+    draw_ropes();
+    canvas_.draw_paths();
+    draw_couplings();
+    canvas_.name_couplings();
+    for (const BodyId body : bodies_from_behind()) {
+      name_body(body);
+    }
+    name_ground();
+    canvas_.draw_arrows();
+    canvas_.draw_names();
+    canvas_.draw_legend();
+  }
+
+ private:
+  // Moving bodies that are drawn, those with the largest wheels first.
+  std::vector<BodyId> bodies_from_behind() const {
+    std::vector<BodyId> bodies;
+    for (int b = 1; b < topology_.body_count(); ++b) {
+      if (!parts_.is_virtual[static_cast<std::size_t>(b)]) {
+        bodies.push_back(BodyId{b});
+      }
+    }
+    std::ranges::stable_sort(
+        bodies, [this](BodyId a, BodyId b) { return largest_wheel(a) > largest_wheel(b); });
+    return bodies;
+  }
+
+  double largest_wheel(BodyId body) const {
+    double radius = 0.0;
+    for (const Wheel& wheel : parts_.wheels) {
+      if (wheel.body == body) {
+        radius = std::max(radius, wheel.radius);
+      }
+    }
+    return radius;
+  }
+
+  PixelPoint at(CouplingId id) const {
+    return canvas_.view().at(geometry_.points[static_cast<std::size_t>(id.value)]);
+  }
+
+  // Of the sliding freedom of a coupling.
+  PixelPoint sliding_direction(const CouplingTopology& coupling) const {
+    for (int f = coupling.first_freedom; f < coupling.first_freedom + coupling.freedom_count; ++f) {
+      const auto i = static_cast<std::size_t>(f);
+      if (!topology_.freedoms[i].is_rotation) {
+        return unit_of(canvas_.view().along(geometry_.motions[i].linear));
+      }
+    }
+    return {.x = 1.0, .y = 0.0};
+  }
+
+  // Of the force in a contact, which pushes the head.
+  PixelPoint normal(const CouplingTopology& coupling) const {
+    return coupling.action_count == 0
+               ? PixelPoint{.x = 0.0, .y = -1.0}
+               : unit_of(canvas_.view().along(
+                     geometry_.actions[static_cast<std::size_t>(coupling.first_action)].force));
+  }
+
+  // What fixes the body that is held, of a prismatic coupling the one that has the guide.
+  BodyId guide_body(const CouplingTopology& coupling) const {
+    return coupling.head.value == 0 ? coupling.head : coupling.tail;
+  }
+
+  // Pins that stand in the ground have one support a place.
+  void draw_ground() {
+    canvas_.open_body(BodyId{0});
+    std::vector<PixelPoint> supports;
+    for (const BodyPoint& point : parts_.points[0]) {
+      const CouplingType type =
+          point.coupling ? topology_.coupling(*point.coupling).type : CouplingType::revolute;
+      const PixelPoint pin = canvas_.view().at(point.at);
+      const bool is_new = std::ranges::none_of(
+          supports, [&](PixelPoint other) { return length_of(other - pin) < 3.0; });
+      const bool has_guide = type == prismatic || type == pin_in_slot || type == point_contact ||
+                             type == cam || type == screws;
+      if (point.coupling && !has_guide && is_new) {
+        supports.push_back(pin);
+        draw_support(svg_, pin);
+        canvas_.placer().keep_off(
+            {.left = pin.x - 16, .top = pin.y, .right = pin.x + 16, .bottom = pin.y + 24});
+      }
+    }
+    draw_wheels(BodyId{0});
+    draw_outline(BodyId{0});
+    for (const CouplingTopology& coupling : topology_.couplings) {
+      if (coupling.type == prismatic && guide_body(coupling).value == 0) {
+        draw_guide(coupling);
+      }
+    }
+    svg_.close_group();
+  }
+
+  void draw_guide(const CouplingTopology& coupling) {
+    const CouplingId id{static_cast<int>(&coupling - topology_.couplings.data())};
+    PixelPoint along = sliding_direction(coupling);
+    // The fixed line runs so that its hatching is below, or at the right.
+    if (along.x < -0.01 || (std::abs(along.x) <= 0.01 && along.y > 0.0)) {
+      along = -1.0 * along;
+    }
+    const double depth =
+        has_rack(coupling.tail) || has_rack(coupling.head) ? kRackDepth + 3.0 : kGuideDepth;
+    const PixelPoint side = -depth * left_of(along);
+    const PixelPoint from = at(id) + side - kGuideHalf * along;
+    const PixelPoint to = at(id) + side + kGuideHalf * along;
+    draw_fixed_line(svg_, from, to);
+    canvas_.placer().keep_off(from, to);
+  }
+
+  // Whether the body slides as a rack, and so needs no block.
+  bool has_rack(BodyId body) const {
+    const auto slides = [&](CouplingType type) {
+      return std::ranges::any_of(topology_.couplings, [&](const CouplingTopology& coupling) {
+        return coupling.type == type && (coupling.tail == body || coupling.head == body);
+      });
+    };
+    return body.value != 0 && slides(rack) && slides(prismatic);
+  }
+
+  void draw_outline(BodyId body) {
+    std::vector<PixelPoint> corners;
+    for (const Vec3& corner : parts_.outlines[index(body)]) {
+      corners.push_back(canvas_.view().at(corner));
+    }
+    if (corners.size() > 2) {
+      svg_.polygon(
+          corners,
+          {.stroke = body_ink(body), .fill = body_ink(body), .width = 1.4, .opacity = 0.14});
+    }
+  }
+
+  void draw_wheels(BodyId body) {
+    for (const Wheel& wheel : parts_.wheels) {
+      if (wheel.body == body) {
+        draw_wheel(wheel);
+      }
+    }
+  }
+
+  void draw_wheel(const Wheel& wheel) {
+    const Ink ink = body_ink(wheel.body);
+    const PixelPoint centre = canvas_.view().at(wheel.centre);
+    const double radius = wheel.radius * canvas_.view().scale;
+    canvas_.placer().keep_off_circle(centre, radius);
+    if (wheel.kind == WheelKind::ring) {
+      svg_.circle(centre, radius + kRingDepth, {.stroke = ink, .width = 1.4});
+      svg_.circle(centre, radius, {.stroke = ink, .width = 1.2, .dash = "8 2 2 2"});
+      draw_teeth(centre, radius, ink);
+      return;
+    }
+    const bool is_gear = wheel.kind == WheelKind::gear;
+    svg_.circle(centre,
+                radius,
+                {.stroke = ink,
+                 .fill = ink,
+                 .width = is_gear ? 1.2 : 1.6,
+                 .dash = is_gear ? "8 2 2 2" : "",
+                 .opacity = 0.1});
+    if (is_gear) {
+      draw_teeth(centre, radius, ink);
+    } else if (radius > 9.0) {
+      svg_.circle(centre, radius - 4.0, {.stroke = ink, .width = 0.8});
+    }
+    // A mark, so that turning is seen.
+    svg_.line(centre, centre + PixelPoint{.x = 0.0, .y = -radius}, {.stroke = ink, .width = 0.8});
+  }
+
+  // Strokes along the pitch circle; not as many as there are teeth.
+  void draw_teeth(PixelPoint centre, double radius, Ink ink) {
+    constexpr double kPitch = 9.0;
+    constexpr double kHalfTooth = 2.6;
+    const int count = std::max(8, static_cast<int>(2 * std::numbers::pi * radius / kPitch));
+    std::string data;
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2 * std::numbers::pi * i / count;
+      const PixelPoint out = {.x = std::cos(angle), .y = std::sin(angle)};
+      const PixelPoint from = centre + (radius - kHalfTooth) * out;
+      const PixelPoint to = centre + (radius + kHalfTooth) * out;
+      data += fmt::format("M{:.1f},{:.1f}L{:.1f},{:.1f}", from.x, from.y, to.x, to.y);
+    }
+    svg_.path(data, box_of_circle(centre, radius + kHalfTooth), {.stroke = ink, .width = 1.0});
+  }
+
+  // The places of a body: its couplings, its loads, points that are traced; slots and guides reach
+  // further.
+  std::vector<PixelPoint> places(BodyId body) const {
+    std::vector<PixelPoint> result;
+    const auto add = [&result](PixelPoint p) {
+      if (std::ranges::none_of(result, [&](PixelPoint q) { return length_of(p - q) < 0.5; })) {
+        result.push_back(p);
+      }
+    };
+    for (const BodyPoint& point : parts_.points[index(body)]) {
+      const PixelPoint p = canvas_.view().at(point.at);
+      add(p);
+      if (!point.coupling) {
+        continue;
+      }
+      const CouplingTopology& coupling = topology_.coupling(*point.coupling);
+      const bool has_slot = coupling.type == pin_in_slot && coupling.head == body;
+      const bool has_rod =
+          coupling.type == prismatic && coupling.tail == body && guide_body(coupling).value != 0;
+      if (has_slot || has_rod) {
+        const double half = has_slot ? kSlotHalf : 0.8 * kGuideHalf;
+        add(p + half * sliding_direction(coupling));
+        add(p - half * sliding_direction(coupling));
+      }
+    }
+    for (const TracedPath& path : options_.paths) {
+      if (path.body == body && !path.points.empty()) {
+        add(canvas_.view().at(path.points.front()));
+      }
+    }
+    return result;
+  }
+
+  bool is_cam_lobe(BodyId body, const CouplingTopology& coupling) const {
+    return (coupling.type == cam || coupling.type == point_contact) && coupling.tail == body;
+  }
+
+  void draw_link(BodyId body) {
+    draw_outline(body);
+    if (parts_.outlines[index(body)].size() > 2) {
+      return;
+    }
+    const std::vector<PixelPoint> points = places(body);
+    if (points.size() < 2) {
+      return;
+    }
+    std::vector<Round> rounds;
+    for (const PixelPoint& point : points) {
+      rounds.push_back({.centre = point, .radius = kHalfBar});
+    }
+    add_lobe(body, rounds);
+    svg_.polygon(rounded_hull(rounds),
+                 {.stroke = body_ink(body), .fill = body_ink(body), .width = 1.5, .opacity = 0.16});
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const PixelPoint side = kHalfBar * left_of(unit_of(points[i] - points[i - 1]));
+      canvas_.placer().keep_off(points[i - 1] + side, points[i] + side);
+      canvas_.placer().keep_off(points[i - 1] - side, points[i] - side);
+    }
+  }
+
+  // A cam touches with a round flank that swells from its axis; its true form the file does not
+  // tell.
+  void add_lobe(BodyId body, std::vector<Round>& rounds) {
+    for (const BodyPoint& point : parts_.points[index(body)]) {
+      if (!point.coupling || !is_cam_lobe(body, topology_.coupling(*point.coupling))) {
+        continue;
+      }
+      const PixelPoint touch = canvas_.view().at(point.at);
+      const PixelPoint out = normal(topology_.coupling(*point.coupling));
+      double reach = 0.0;
+      std::erase_if(rounds, [&](const Round& r) { return length_of(r.centre - touch) < 0.5; });
+      for (const Round& round : rounds) {
+        reach = std::max(reach, length_of(round.centre - touch));
+      }
+      for (Round& round : rounds) {
+        round.radius = std::max(round.radius, 0.45 * reach);
+      }
+      rounds.push_back({.centre = touch - 0.45 * reach * out, .radius = 0.45 * reach});
+    }
+  }
+
+  void draw_ropes() {
+    for (const RopeSpan& span : parts_.spans) {
+      const std::array<Attribute, 1> marks = {
+          {{"data-rope", topology_.coupling(span.coupling).name}}};
+      svg_.open_group(topology_.coupling(span.coupling).name, marks);
+      const PixelPoint from = canvas_.view().at(span.from);
+      const PixelPoint to = canvas_.view().at(span.to);
+      svg_.line(from, to, {.stroke = Ink::brown, .width = 2.2});
+      canvas_.placer().keep_off(from, to);
+      svg_.close_group();
+    }
+    for (const RopeArc& arc : parts_.arcs) {
+      const std::array<Attribute, 1> marks = {{{"data-wrap", body_mark(topology_, arc.body)}}};
+      svg_.open_group({}, marks);
+      draw_wrap(arc);
+      svg_.close_group();
+    }
+  }
+
+  void draw_wrap(const RopeArc& arc) {
+    const bool is_anticlockwise = arc.is_positive == (arc.axis.z() > 0.0);
+    const Vec3 begin = arc.from - arc.centre;
+    const Vec3 end = arc.to - arc.centre;
+    const double from = std::atan2(begin.y(), begin.x());
+    double to = std::atan2(end.y(), end.x());
+    if (is_anticlockwise && to < from) {
+      to += 2 * std::numbers::pi;
+    } else if (!is_anticlockwise && to > from) {
+      to -= 2 * std::numbers::pi;
+    }
+    svg_.polyline(
+        arc_points(canvas_.view().at(arc.centre), arc.radius * canvas_.view().scale, from, to),
+        {.stroke = Ink::brown, .width = 2.2});
+  }
+
+  // Pins on top of blocks.
+  void draw_couplings() {
+    for (const bool is_block : {true, false}) {
+      for (int e = 0; e < topology_.coupling_count(); ++e) {
+        if ((topology_.coupling(CouplingId{e}).type == prismatic) == is_block) {
+          draw_coupling(CouplingId{e});
+        }
+      }
+    }
+  }
+
+  void draw_coupling(CouplingId id) {
+    const CouplingTopology& coupling = topology_.coupling(id);
+    if (parts_.is_virtual[index(coupling.tail)] || parts_.is_virtual[index(coupling.head)] ||
+        coupling.type == cable || coupling.type == gear || coupling.type == bevel_gear) {
+      return;
+    }
+    const bool is_reversed = coupling.head.value == 0;
+    canvas_.open_body(is_reversed ? coupling.tail : coupling.head);
+    draw_symbol(id, coupling);
+    svg_.close_group();
+    canvas_.placer().keep_off(box_of_circle(at(id), 6.0));
+  }
+
+  void draw_symbol(CouplingId id, const CouplingTopology& coupling) {
+    const PixelPoint p = at(id);
+    switch (coupling.type) {
+      case prismatic: {
+        const BodyId moving = coupling.head.value == 0 ? coupling.tail : coupling.head;
+        if (has_rack(moving)) {
+          break;
+        }
+        draw_block(
+            svg_,
+            p,
+            sliding_direction(coupling),
+            {.stroke = body_ink(moving), .fill = body_ink(moving), .width = 1.5, .opacity = 0.3});
+        canvas_.placer().keep_off(box_of_circle(p, 13.0));
+        break;
+      }
+      case pin_in_slot:
+        draw_slot(p, sliding_direction(coupling), coupling.tail);
+        break;
+      case cam:
+      case point_contact:
+        draw_contact(p, normal(coupling));
+        break;
+      case rack:
+        draw_rack(p, coupling);
+        break;
+      case rigid:
+        svg_.rectangle(box_of_circle(p, 4.0), {.stroke = Ink::ink, .fill = Ink::ink});
+        break;
+      default:
+        draw_pin(svg_, p);
+        break;
+    }
+  }
+
+  // The slot moves with the body of the group, its pin with the other.
+  void draw_slot(PixelPoint p, PixelPoint along, BodyId pin_body) {
+    const std::array<Round, 2> rounds = {{{.centre = p - (kSlotHalf - 4) * along, .radius = 4.5},
+                                          {.centre = p + (kSlotHalf - 4) * along, .radius = 4.5}}};
+    svg_.polygon(rounded_hull(rounds), {.stroke = Ink::ink, .fill = Ink::paper, .width = 1.2});
+    svg_.close_group();
+    canvas_.open_body(pin_body);
+    draw_pin(svg_, p, 3.6);
+  }
+
+  void draw_contact(PixelPoint p, PixelPoint out) {
+    const PixelPoint across = left_of(out);
+    svg_.circle(p + 7.0 * out, 7.0, {.stroke = Ink::ink, .fill = Ink::paper, .width = 1.5});
+    svg_.line(
+        p - 16.0 * across, p + 16.0 * across, {.stroke = Ink::soft, .width = 0.9, .dash = "4 2"});
+  }
+
+  // A bar with strokes for its teeth, along the tangent of its pinion.
+  void draw_rack(PixelPoint p, const CouplingTopology& coupling) {
+    PixelPoint away = {.x = 0.0, .y = 1.0};
+    BodyId rack_body = coupling.head;
+    for (const Wheel& wheel : parts_.wheels) {
+      if (wheel.body == coupling.tail || wheel.body == coupling.head) {
+        away = unit_of(p - canvas_.view().at(wheel.centre));
+        rack_body = wheel.body == coupling.tail ? coupling.head : coupling.tail;
+      }
+    }
+    constexpr double kHalf = 110.0;
+    const PixelPoint along = left_of(away);
+    const std::vector<PixelPoint> corners = {p - kHalf * along,
+                                             p + kHalf * along,
+                                             p + kHalf * along + kRackDepth * away,
+                                             p - kHalf * along + kRackDepth * away};
+    svg_.close_group();
+    canvas_.open_body(rack_body);
+    svg_.polygon(corners,
+                 {.stroke = body_ink(rack_body),
+                  .fill = body_ink(rack_body),
+                  .width = 1.4,
+                  .opacity = 0.16});
+    for (double s = -kHalf + 4.5; s < kHalf; s += 9.0) {
+      svg_.line(p + s * along - 2.6 * away,
+                p + s * along + 2.6 * away,
+                {.stroke = body_ink(rack_body), .width = 1.0});
+    }
+    canvas_.placer().keep_off(corners[0], corners[1]);
+    canvas_.placer().keep_off(corners[2], corners[3]);
+  }
+
+  // Beside the middle of a link, or the rim of a wheel.
+  void name_body(BodyId body) {
+    const std::vector<PixelPoint> points = places(body);
+    const std::string& name = topology_.body(body).name;
+    if (points.size() < 2) {
+      name_wheel_or_slider(body, points);
+      return;
+    }
+    PixelPoint middle = {.x = 0.0, .y = 0.0};
+    for (const PixelPoint& point : points) {
+      middle = middle + (1.0 / static_cast<double>(points.size())) * point;
+    }
+    canvas_.name(name, middle, kHalfBar + 4.0, body_ink(body));
+  }
+
+  void name_wheel_or_slider(BodyId body, const std::vector<PixelPoint>& points) {
+    const std::string& name = topology_.body(body).name;
+    for (const Wheel& wheel : parts_.wheels) {
+      if (wheel.body == body) {
+        const double radius = wheel.radius * canvas_.view().scale;
+        const double depth = wheel.kind == WheelKind::ring ? kRingDepth : 0.0;
+        const PixelPoint rim =
+            canvas_.view().at(wheel.centre) + (radius + depth) * unit_of({.x = 0.7, .y = -0.7});
+        canvas_.name(name, rim, 5.0, body_ink(body));
+        return;
+      }
+    }
+    if (!points.empty()) {
+      canvas_.name(name, points.front(), 19.0, body_ink(body));
+    }
+  }
+
+  // Below the first support.
+  void name_ground() {
+    for (const BodyPoint& point : parts_.points[0]) {
+      if (point.coupling) {
+        const PixelPoint below = {.x = 0.0, .y = 26.0};
+        canvas_.name(
+            topology_.body(BodyId{0}).name, canvas_.view().at(point.at) + below, 3.0, Ink::soft);
+        return;
+      }
+    }
+  }
+
+  const Topology& topology_;
+  const Geometry& geometry_;
+  const LinkageOptions& options_;
+  const LinkageParts& parts_;
+  LinkageCanvas& canvas_;
+  Svg& svg_;
+};
+
+}  // namespace
+
+void draw_planar(const Analysis& analysis,
+                 const LinkageOptions& options,
+                 const LinkageParts& parts,
+                 LinkageCanvas& canvas) {
+  PlanarDrawing(analysis, options, parts, canvas).draw();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,349 @@
+#include "plot/internal/spatial_linkage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/tolerance.hpp"
+#include "plot/internal/spatial_symbols.hpp"
+#include "plot/internal/symbols.hpp"
+
+namespace kinestat {
+
+namespace {
+
+using enum CouplingType;
+
+constexpr double kHalfBar = 4.0;  // [px]
+constexpr double kDegree = std::numbers::pi / 180;
+
+// Azimuth and elevation of the eye [degrees], the usual one first.
+struct Eye {
+  double azimuth = 0.0;
+  double elevation = 0.0;
+};
+
+LinkageView view_from(Eye eye) {
+  const double a = eye.azimuth * kDegree;
+  const double e = eye.elevation * kDegree;
+  const Vec3 out(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e));
+  LinkageView view;
+  view.right = Vec3(-std::sin(a), std::cos(a), 0.0);
+  view.up = out.cross(view.right);
+  return view;
+}
+
+// How far apart the two couplings are that come closest to each other on the picture, of those
+// that are apart in space.
+double least_distance(const LinkageView& view, const std::vector<Vec3>& places, double length) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if ((places[i] - places[j]).norm() > kSameLinkage * length) {
+        const PixelPoint between = view.at(places[i]) - view.at(places[j]);
+        least = std::min(least, length_of(between));
+      }
+    }
+  }
+  return least;
+}
+
+class SpatialDrawing {
+ public:
+  SpatialDrawing(const Analysis& analysis,
+                 const LinkageOptions& options,
+                 const LinkageParts& parts,
+                 LinkageCanvas& canvas)
+      : topology_(analysis.mechanism.topology),
+        geometry_(analysis.mechanism.geometry),
+        options_(options),
+        parts_(parts),
+        canvas_(canvas),
+        svg_(canvas.svg()) {}
+
+  void draw() {
+    for (const RopeSpan& span : parts_.spans) {
+      canvas_.set_place(span.coupling, (span.from + span.to) / 2);
+    }
+    separate_sliders();
+    canvas_.open_body(BodyId{0});
+    draw_ground();
+    svg_.close_group();
+    for (const BodyId body : bodies_from_behind()) {
+      canvas_.open_body(body);
+      draw_body(body);
+      svg_.close_group();
+    }
+    draw_ropes();
+    canvas_.draw_paths();
+    for (const CouplingId id : couplings_from_behind()) {
+      draw_coupling(id);
+    }
+    canvas_.name_couplings();
+    for (int b = 0; b < topology_.body_count(); ++b) {
+      name_body(BodyId{b});
+    }
+    canvas_.draw_arrows();
+    canvas_.draw_names();
+    canvas_.draw_legend();
+    draw_axes();
+  }
+
+ private:
+  Vec3 out() const { return canvas_.view().right.cross(canvas_.view().up); }
+
+  const Vec3& place(CouplingId id) const { return canvas_.place(id); }
+
+  // What slides in the point of another coupling moves along its axis, towards the rest of its
+  // head, so that both are seen.
+  void separate_sliders() {
+    constexpr double kAside = 34.0;  // [px]
+    for (int e = 0; e < topology_.coupling_count(); ++e) {
+      const CouplingTopology& coupling = topology_.coupling(CouplingId{e});
+      const bool slides = coupling.type == prismatic || coupling.type == cylindrical;
+      if (!slides || !is_shared_place(CouplingId{e})) {
+        continue;
+      }
+      const Vec3 axis = axes_of(coupling).back();
+      double ahead = 0.0;
+      for (const BodyPoint& point : parts_.points[static_cast<std::size_t>(coupling.head.value)]) {
+        ahead += axis.dot(point.at - place(CouplingId{e}));
+      }
+      const double sense = ahead < 0.0 ? -1.0 : 1.0;
+      canvas_.set_place(CouplingId{e},
+                        place(CouplingId{e}) + sense * kAside / canvas_.view().scale * axis);
+    }
+  }
+
+  bool is_shared_place(CouplingId id) const {
+    for (int other = 0; other < topology_.coupling_count(); ++other) {
+      const double apart = (place(CouplingId{other}) - place(id)).norm();
+      if (other != id.value && apart <= kSameLinkage * geometry_.length) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  double depth(BodyId body) const {
+    const auto& points = parts_.points[static_cast<std::size_t>(body.value)];
+    double sum = 0.0;
+    for (const BodyPoint& point : points) {
+      sum += out().dot(point.at) / static_cast<double>(points.size());
+    }
+    return sum;
+  }
+
+  std::vector<BodyId> bodies_from_behind() const {
+    std::vector<BodyId> bodies;
+    for (int b = 1; b < topology_.body_count(); ++b) {
+      if (!parts_.is_virtual[static_cast<std::size_t>(b)]) {
+        bodies.push_back(BodyId{b});
+      }
+    }
+    std::ranges::stable_sort(bodies, [this](BodyId a, BodyId b) { return depth(a) < depth(b); });
+    return bodies;
+  }
+
+  std::vector<CouplingId> couplings_from_behind() const {
+    std::vector<CouplingId> couplings;
+    for (int e = 0; e < topology_.coupling_count(); ++e) {
+      couplings.push_back(CouplingId{e});
+    }
+    std::ranges::stable_sort(couplings, [this](CouplingId a, CouplingId b) {
+      return out().dot(place(a)) < out().dot(place(b));
+    });
+    return couplings;
+  }
+
+  // Each coupling of the ground stands on a piece of it.
+  void draw_ground() {
+    for (const BodyPoint& point : parts_.points[0]) {
+      const PixelPoint p = canvas_.view().at(point.at);
+      const PixelPoint foot = p + PixelPoint{.x = 0.0, .y = 17.0};
+      svg_.line(p, foot, {.stroke = Ink::ink, .width = 1.4});
+      const PixelPoint half = {.x = 13.0, .y = 0.0};
+      draw_fixed_line(svg_, foot - half, foot + half);
+      canvas_.placer().keep_off(
+          {.left = p.x - 13, .top = foot.y - 2, .right = p.x + 13, .bottom = foot.y + 7});
+    }
+  }
+
+  std::vector<PixelPoint> places(BodyId body) const {
+    std::vector<PixelPoint> result;
+    const auto add = [&result](PixelPoint p) {
+      if (std::ranges::none_of(result, [&](PixelPoint q) { return length_of(p - q) < 0.5; })) {
+        result.push_back(p);
+      }
+    };
+    for (const BodyPoint& point : parts_.points[static_cast<std::size_t>(body.value)]) {
+      const bool is_rope = point.coupling && topology_.coupling(*point.coupling).type == cable;
+      add(canvas_.view().at(point.coupling && !is_rope ? place(*point.coupling) : point.at));
+    }
+    for (const TracedPath& path : options_.paths) {
+      if (path.body == body && !path.points.empty()) {
+        add(canvas_.view().at(path.points.front()));
+      }
+    }
+    return result;
+  }
+
+  void draw_body(BodyId body) {
+    const Ink ink = body_ink(body);
+    for (const Wheel& wheel : parts_.wheels) {
+      if (wheel.body == body) {
+        const double r = wheel.radius * canvas_.view().scale;
+        const std::vector<PixelPoint> rim =
+            circle_in_space(canvas_.view(), wheel.centre, wheel.axis, r);
+        svg_.polygon(rim, {.stroke = ink, .fill = ink, .width = 1.3, .opacity = 0.1});
+        for (std::size_t i = 1; i < rim.size(); ++i) {
+          canvas_.placer().keep_off(rim[i - 1], rim[i]);
+        }
+      }
+    }
+    std::vector<Round> rounds;
+    for (const PixelPoint& p : places(body)) {
+      rounds.push_back({.centre = p, .radius = kHalfBar});
+    }
+    if (rounds.size() < 2) {
+      return;
+    }
+    svg_.polygon(rounded_hull(rounds), {.stroke = ink, .fill = ink, .width = 1.4, .opacity = 0.16});
+    for (std::size_t i = 1; i < rounds.size(); ++i) {
+      const PixelPoint from = rounds[i - 1].centre;
+      const PixelPoint to = rounds[i].centre;
+      const PixelPoint side = kHalfBar * left_of(unit_of(to - from));
+      canvas_.placer().keep_off(from + side, to + side);
+      canvas_.placer().keep_off(from - side, to - side);
+    }
+  }
+
+  void draw_ropes() {
+    for (const RopeSpan& span : parts_.spans) {
+      const PixelPoint from = canvas_.view().at(span.from);
+      const PixelPoint to = canvas_.view().at(span.to);
+      svg_.line(from, to, {.stroke = Ink::brown, .width = 2.2});
+      canvas_.placer().keep_off(from, to);
+    }
+  }
+
+  std::vector<Vec3> axes_of(const CouplingTopology& coupling) const {
+    std::vector<Vec3> axes;
+    for (int f = coupling.first_freedom; f < coupling.first_freedom + coupling.freedom_count; ++f) {
+      const auto i = static_cast<std::size_t>(f);
+      const Twist& unit = geometry_.motions[i];
+      axes.push_back(topology_.freedoms[i].is_rotation ? unit.angular : unit.linear);
+    }
+    return axes;
+  }
+
+  void draw_coupling(CouplingId id) {
+    const CouplingTopology& coupling = topology_.coupling(id);
+    const bool is_hidden = parts_.is_virtual[static_cast<std::size_t>(coupling.tail.value)] ||
+                           parts_.is_virtual[static_cast<std::size_t>(coupling.head.value)];
+    if (is_hidden || coupling.type == cable || coupling.type == gear) {
+      return;
+    }
+    canvas_.open_body(coupling.head.value == 0 ? coupling.tail : coupling.head);
+    Vec3 normal = Vec3::UnitZ();
+    if (coupling.action_count > 0) {
+      normal = geometry_.actions[static_cast<std::size_t>(coupling.first_action)].force;
+    }
+    draw_spatial_coupling(
+        svg_,
+        canvas_.view(),
+        {.type = coupling.type,
+         .at = place(id),
+         .axes = axes_of(coupling),
+         .normal = normal,
+         .ink = body_ink(coupling.head.value == 0 ? coupling.tail : coupling.head)});
+    svg_.close_group();
+    canvas_.placer().keep_off(box_of_circle(canvas_.view().at(place(id)), 9.0));
+  }
+
+  void name_body(BodyId body) {
+    const std::vector<PixelPoint> points = places(body);
+    if (parts_.is_virtual[static_cast<std::size_t>(body.value)] || points.empty()) {
+      return;
+    }
+    PixelPoint anchor = points.front();
+    if (body.value == 0) {
+      anchor = anchor + PixelPoint{.x = 0.0, .y = 24.0};
+    } else if (points.size() > 1) {
+      anchor = 0.5 * (points[0] + points[1]);
+    }
+    for (const Wheel& wheel : parts_.wheels) {
+      if (wheel.body == body && points.size() < 2) {
+        anchor = circle_in_space(
+            canvas_.view(), wheel.centre, wheel.axis, wheel.radius * canvas_.view().scale)[4];
+      }
+    }
+    canvas_.name(topology_.body(body).name, anchor, 8.0, body_ink(body));
+  }
+
+  // The world axes, at the right of the legend.
+  void draw_axes() {
+    const PixelPoint corner = {.x = svg_.bounds().right + 22.0, .y = svg_.bounds().bottom - 8.0};
+    const TextStyle style = {.ink = Ink::soft, .size = 11.0, .anchor = Anchor::middle};
+    const char* const names[] = {"x", "y", "z"};
+    for (int i = 0; i < 3; ++i) {
+      const double to_pixels = 30.0 / canvas_.view().scale;
+      const PixelPoint along = canvas_.view().along(to_pixels * Vec3::Unit(i));
+      if (length_of(along) < 3.0) {
+        continue;
+      }
+      svg_.arrow(corner, corner + along, {.stroke = Ink::soft, .width = 1.2}, 6.0);
+      const PixelPoint text = corner + along + 8.0 * unit_of(along);
+      svg_.text(text + PixelPoint{.x = 0.0, .y = 4.0}, names[i], style);
+    }
+  }
+
+  const Topology& topology_;
+  const Geometry& geometry_;
+  const LinkageOptions& options_;
+  const LinkageParts& parts_;
+  LinkageCanvas& canvas_;
+  Svg& svg_;
+};
+
+}  // namespace
+
+LinkageView best_view(const Analysis& analysis, const std::vector<Vec3>& points) {
+  constexpr Eye kEyes[] = {{-60, 24},
+                           {-50, 30},
+                           {-70, 20},
+                           {-30, 24},
+                           {-40, 35},
+                           {30, 24},
+                           {40, 30},
+                           {50, 20},
+                           {60, 24},
+                           {-15, 24},
+                           {-75, 35},
+                           {15, 30}};
+  // Any further apart than that is as good [px].
+  constexpr double kFarEnough = 34.0;
+  LinkageView best;
+  double most = -1.0;
+  for (const Eye& eye : kEyes) {
+    const LinkageView view = fit_view(view_from(eye), points);
+    const Geometry& geometry = analysis.mechanism.geometry;
+    const double least =
+        std::min(kFarEnough, least_distance(view, geometry.points, geometry.length));
+    if (least > most) {
+      most = least;
+      best = view;
+    }
+  }
+  return best;
+}
+
+void draw_spatial(const Analysis& analysis,
+                  const LinkageOptions& options,
+                  const LinkageParts& parts,
+                  LinkageCanvas& canvas) {
+  SpatialDrawing(analysis, options, parts, canvas).draw();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,51 @@
+#include "plot/linkage_drawing.hpp"
+
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "plot/internal/linkage_canvas.hpp"
+#include "plot/internal/planar_linkage.hpp"
+#include "plot/internal/spatial_linkage.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::string describe(const Analysis& analysis, const LinkageOptions& options) {
+  const Topology& topology = analysis.mechanism.topology;
+  std::string text = fmt::format("Drawing to scale of {} bodies and {} couplings",
+                                 topology.body_count(),
+                                 topology.coupling_count());
+  if (options.which && *options.which < analysis.cases.size()) {
+    text += fmt::format(", case {}", analysis.cases[*options.which].which.label);
+  }
+  return text + ".";
+}
+
+}  // namespace
+
+Picture draw_linkage(const Analysis& analysis, const LinkageOptions& options) {
+  const LinkageParts parts = find_linkage_parts(analysis.description, analysis.mechanism);
+  const std::vector<Vec3> points = extent_points(parts, analysis, options);
+  const bool is_planar = analysis.mechanism.space == Space::planar;
+  const LinkageView view = is_planar ? fit_view({}, points) : best_view(analysis, points);
+  LinkageCanvas canvas(analysis, options, view);
+  const std::array<Attribute, 3> marks = {{
+      {"data-scale", fmt::format("{}", view.scale)},
+      {"data-x0", fmt::format("{}", view.x0)},
+      {"data-y0", fmt::format("{}", view.y0)},
+  }};
+  canvas.svg().open_group({}, marks);
+  if (is_planar) {
+    draw_planar(analysis, options, parts, canvas);
+  } else {
+    draw_spatial(analysis, options, parts, canvas);
+  }
+  canvas.svg().close_group();
+  return make_picture(
+      "linkage", analysis.mechanism.name, describe(analysis, options), canvas.svg());
+}
+
+}  // namespace kinestat
