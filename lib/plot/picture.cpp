@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,10 @@
 namespace kinestat {
 
 namespace {
+
+constexpr double kMargin = 12.0;
+constexpr double kTitleSize = 15.0;
+constexpr double kTitleLine = 20.0;
 
 std::string with_ids(const std::string& elements, std::string_view prefix) {
   std::string result;
@@ -47,6 +52,25 @@ std::string words(const Picture& picture) {
                      escape_markup(picture.description));
 }
 
+// The picture with its title above what it shows, in as many lines as its width asks for.
+Picture with_title(const Picture& picture) {
+  Picture whole = picture;
+  const double left = picture.view.left + kMargin;
+  const double width = picture.view.width() - 2 * kMargin;
+  const std::vector<std::string> lines =
+      wrapped_text(picture.title, kTitleSize, width, Weight::bold);
+  Svg svg;
+  double y = picture.view.top - kTitleLine * static_cast<double>(lines.size());
+  whole.view.top = std::floor(y - kMargin);
+  for (const std::string& line : lines) {
+    y += kTitleLine;
+    svg.text(
+        {.x = left, .y = y - kTitleLine / 4}, line, {.size = kTitleSize, .weight = Weight::bold});
+  }
+  whole.elements = svg.elements() + picture.elements;
+  return whole;
+}
+
 }  // namespace
 
 Picture make_picture(
@@ -64,18 +88,19 @@ Picture make_picture(
 }
 
 std::string svg_file(const Picture& picture) {
+  const Picture whole = with_title(picture);
   Svg paper;
-  paper.rectangle(picture.view, {.stroke = Ink::none, .fill = Ink::paper});
+  paper.rectangle(whole.view, {.stroke = Ink::none, .fill = Ink::paper});
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}>\n{}<style>:root{{{}}}"
       "@media (prefers-color-scheme:dark){{:root{{{}}}}}{}</style>\n{}{}</svg>\n",
-      opening(picture),
-      words(picture),
+      opening(whole),
+      words(whole),
       light_variables(),
       dark_variables(),
       ink_rules(),
       paper.elements(),
-      with_ids(picture.elements, picture.name));
+      with_ids(whole.elements, whole.name));
 }
 
 std::string svg_element(const Picture& picture, std::string_view prefix) {

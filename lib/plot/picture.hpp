@@ -11,7 +11,8 @@ namespace kinestat {
 /// Stands before every id of a picture until it is embedded; escaped text never has it.
 inline constexpr std::string_view kIdMark = "\x01";
 
-/// Made by a function from solutions; a file or a part of a page is written of it.
+/// Made by a function from solutions; a file or a part of a page is written of it. The title is not
+/// among the elements: a file shows it above the picture, a page has it in its own words.
 struct Picture {
   std::string name;         ///< "shift_matrix": fit for file names and ids
   std::string title;        ///< what it shows, as typed: not escaped
@@ -27,8 +28,8 @@ Picture make_picture(std::string name,
                      const Svg& svg,
                      double margin = 12.0);
 
-/// The whole file of a picture that stands alone; by itself light or dark as the reader prefers,
-/// with a background. In programs that know no style sheets it is light.
+/// The whole file of a picture that stands alone, its title above it; light or dark as the reader
+/// prefers, with a background. In programs that know no style sheets it is light.
 std::string svg_file(const Picture& picture);
 
 /// The element `svg` for a page, without style: the page has ink_rules() and the variables. Ids

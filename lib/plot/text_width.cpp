@@ -65,4 +65,26 @@ std::string fitting_text(std::string_view text, double size, double width, Weigh
   return std::string(text.substr(0, length)) + dots;
 }
 
+std::vector<std::string> wrapped_text(std::string_view text,
+                                      double size,
+                                      double width,
+                                      Weight weight) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string word = fitting_text(text.substr(at, end - at), size, width, weight);
+    at = end + 1;
+    if (word.empty()) {
+      continue;
+    }
+    const std::string longer = lines.empty() ? word : lines.back() + " " + word;
+    if (!lines.empty() && text_width(longer, size, weight) <= width) {
+      lines.back() = longer;
+    } else {
+      lines.push_back(word);
+    }
+  }
+  return lines;
+}
+
 }  // namespace kinestat

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kinestat {
 
@@ -21,5 +22,11 @@ std::string fitting_text(std::string_view text,
                          double size,
                          double width,
                          Weight weight = Weight::normal);
+
+/// The text in lines of at most that width, broken at spaces; a longer word ends with "…".
+std::vector<std::string> wrapped_text(std::string_view text,
+                                      double size,
+                                      double width,
+                                      Weight weight = Weight::normal);
 
 }  // namespace kinestat
