@@ -79,7 +79,7 @@ std::string title_text(const std::string& file, const MechanismDescription& desc
 std::string analysis_text(const Analysis& analysis) {
   std::string text = head_text(analysis) + mobility_text(analysis.mobility);
   if (analysis.shift) {
-    text += shift_text(analysis);
+    text += shift_blocks(analysis).text();
   }
   for (const CaseAnalysis& one : analysis.cases) {
     text += case_text(analysis, one);

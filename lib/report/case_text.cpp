@@ -57,9 +57,9 @@ std::string ratio_text(const CaseAnalysis& one,
   return text + "\n";
 }
 
-std::string freedoms_text(const Topology& topology,
-                          const KinematicSolution& motion,
-                          const InUnits& in) {
+TextBlocks freedoms_blocks(const Topology& topology,
+                           const KinematicSolution& motion,
+                           const InUnits& in) {
   Table table({"Freedom", "rate", "unit"});
   for (std::size_t f = 0; f < topology.freedoms.size(); ++f) {
     const bool turns = topology.freedoms[f].is_rotation;
@@ -67,12 +67,12 @@ std::string freedoms_text(const Topology& topology,
                format_short(in.rate(motion.rates[f], turns)),
                in.units().text(turns ? QuantityKind::angular_velocity : QuantityKind::velocity)});
   }
-  return table.text("  ") + "\n";
+  return TextBlocks(std::move(table));
 }
 
-std::string bodies_text(const Mechanism& mechanism,
-                        const KinematicSolution& motion,
-                        const InUnits& in) {
+TextBlocks bodies_blocks(const Mechanism& mechanism,
+                         const KinematicSolution& motion,
+                         const InUnits& in) {
   TextColumn names{.head = "Body", .cells = {}};
   VectorColumns angular{
       .symbol = "w", .unit = in.units().text(QuantityKind::angular_velocity), .rows = {}};
@@ -90,39 +90,46 @@ std::string bodies_text(const Mechanism& mechanism,
   angular.add_to(columns);
   linear.add_to(columns);
   at.add_to(columns);
-  return table_text(columns);
+  return TextBlocks(columns);
 }
 
-std::string motion_text(const Mechanism& mechanism,
-                        const KinematicSolution& motion,
-                        const InUnits& in) {
+TextBlocks motion_blocks(const Mechanism& mechanism,
+                         const KinematicSolution& motion,
+                         const InUnits& in) {
   if (motion.status != SolveStatus::solved) {
-    return fmt::format("  kinematics: {}\n\n", word_of(motion.status));
+    return TextBlocks(fmt::format("  kinematics: {}\n\n", word_of(motion.status)));
   }
-  return freedoms_text(mechanism.topology, motion, in) + bodies_text(mechanism, motion, in);
+  TextBlocks blocks = freedoms_blocks(mechanism.topology, motion, in);
+  return blocks += bodies_blocks(mechanism, motion, in);
 }
 
 }  // namespace
 
-std::string case_text(const Analysis& analysis, const CaseAnalysis& one) {
+CaseBlocks case_blocks(const Analysis& analysis, const CaseAnalysis& one) {
   const Mechanism& mechanism = analysis.mechanism;
   const InUnits in(analysis.description.units, find_zero_snap(one, mechanism.geometry.length));
-  std::string text = fmt::format("Case {}\n", printable(one.which.label));
-  text += known_text(mechanism.topology, one.which, in);
+  CaseBlocks blocks;
+  blocks.known = known_text(mechanism.topology, one.which, in);
   if (one.ratios) {
-    text += ratio_text(one, mechanism, analysis.description.units);
+    blocks.ratio = ratio_text(one, mechanism, analysis.description.units);
   }
-  text += "\n";
   if (one.motion) {
-    text += motion_text(mechanism, *one.motion, in);
+    blocks.motion = motion_blocks(mechanism, *one.motion, in);
   }
   if (one.action) {
-    text += statics_text(mechanism, one, in);
+    blocks.action = statics_blocks(mechanism, one, in);
   }
   if (one.power) {
-    text += power_text(mechanism, one, in);
+    blocks.power = power_blocks(mechanism, one, in);
   }
-  return text + affine_text(analysis, one);
+  blocks.affine = affine_text(analysis, one);
+  return blocks;
+}
+
+std::string case_text(const Analysis& analysis, const CaseAnalysis& one) {
+  const CaseBlocks blocks = case_blocks(analysis, one);
+  return fmt::format("Case {}\n{}{}\n", printable(one.which.label), blocks.known, blocks.ratio) +
+         blocks.motion.text() + blocks.action.text() + blocks.power.text() + blocks.affine;
 }
 
 }  // namespace kinestat

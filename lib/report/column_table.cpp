@@ -7,7 +7,6 @@
 
 #include "core/contract.hpp"
 #include "report/numbers.hpp"
-#include "report/table.hpp"
 
 namespace kinestat {
 
@@ -37,7 +36,7 @@ void VectorColumns::add_to(std::vector<TextColumn>& columns) const {
   }
 }
 
-std::string table_text(const std::vector<TextColumn>& columns) {
+Table table_of(const std::vector<TextColumn>& columns) {
   std::vector<std::string> head;
   for (const TextColumn& column : columns) {
     KINESTAT_EXPECTS(column.cells.size() == columns.front().cells.size());
@@ -51,7 +50,7 @@ std::string table_text(const std::vector<TextColumn>& columns) {
     }
     table.add(std::move(row));
   }
-  return table.text("  ") + "\n";
+  return table;
 }
 
 }  // namespace kinestat

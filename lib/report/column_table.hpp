@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/types.hpp"
+#include "report/table.hpp"
 
 namespace kinestat {
 
@@ -29,8 +30,7 @@ struct VectorColumns {
   void add_to(std::vector<TextColumn>& columns) const;
 };
 
-/// All columns must have the same number of cells. Every line is indented by two spaces; an empty
-/// line follows.
-std::string table_text(const std::vector<TextColumn>& columns);
+/// All columns must have the same number of cells.
+Table table_of(const std::vector<TextColumn>& columns);
 
 }  // namespace kinestat

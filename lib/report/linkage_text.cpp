@@ -8,7 +8,6 @@
 
 #include "core/utf8.hpp"
 #include "report/limits_text.hpp"
-#include "report/table.hpp"
 
 namespace kinestat {
 
@@ -132,7 +131,7 @@ std::string range_text(const TransmissionRange& range, const PlaneText& plane) {
   return fmt::format("{} to {}", plane.angle(range.least), plane.angle(range.most));
 }
 
-std::string verdict_table(const SynthesisTask& task, const PlaneText& plane) {
+Table verdict_table(const SynthesisTask& task, const PlaneText& plane) {
   Table table({"linkage", "dyads", "drive", "verdict", "margin", "full turn", "ratio", "class"});
   for (std::size_t i = 0; i < task.linkages.size(); ++i) {
     const LinkageCandidate& candidate = task.linkages[i];
@@ -147,7 +146,7 @@ std::string verdict_table(const SynthesisTask& task, const PlaneText& plane) {
                format_short(candidate.ratio),
                candidate.grashof ? std::string(word_of(candidate.grashof->kind)) : ""});
   }
-  return table.text("");
+  return table;
 }
 
 // The link of a dyad: the length of a crank, or what it is.
@@ -172,7 +171,7 @@ std::string distance_text(bool is_finite,
 }
 
 // Links in the order of the dyads, and the transmission angle with the drive above.
-std::string link_table(const SynthesisTask& task, const PlaneText& plane) {
+Table link_table(const SynthesisTask& task, const PlaneText& plane) {
   Table table({"linkage", "ground", "first", "coupler", "second", "on the way", "full range"});
   for (std::size_t i = 0; i < task.linkages.size(); ++i) {
     const Dyad& one = task.linkages[i].linkage.one;
@@ -189,10 +188,10 @@ std::string link_table(const SynthesisTask& task, const PlaneText& plane) {
          best.working_arc ? range_text(*best.working_arc, plane) : "",
          range_text(best.full, plane)});
   }
-  return table.text("");
+  return table;
 }
 
-std::string cognates_text(const SynthesisTask& task, const PlaneText& plane) {
+TextBlocks cognates_blocks(const SynthesisTask& task, const PlaneText& plane) {
   Table table({"cognates of", "centre of dyad", "third centre", "pivot on it", "other pivot"});
   for (std::size_t i = 0; i < task.linkages.size(); ++i) {
     const LinkageCandidate& candidate = task.linkages[i];
@@ -206,7 +205,11 @@ std::string cognates_text(const SynthesisTask& task, const PlaneText& plane) {
                  plane.point(one.moving[0])});
     }
   }
-  return table.is_empty() ? "" : "\n" + table.text("");
+  if (table.is_empty()) {
+    return {};
+  }
+  TextBlocks blocks("\n");
+  return blocks += TextBlocks(std::move(table), "");
 }
 
 std::string files_text(const SynthesisTask& task) {
@@ -254,13 +257,13 @@ std::string family_text(Degeneracy reason, std::span<const PositionJets> positio
               : fmt::format("{}\n", phrase_of(reason));
 }
 
-std::string dyads_text(const SynthesisTask& task, int digits, const PlaneText& plane) {
+TextBlocks dyads_blocks(const SynthesisTask& task, int digits, const PlaneText& plane) {
   const BurmesterSolution& solution = *task.dyads;
   if (solution.status == BurmesterStatus::no_digits) {
-    return fmt::format("no dyads: the positions are too close to each other for {} digits\n",
-                       digits);
+    return TextBlocks(
+        fmt::format("no dyads: the positions are too close to each other for {} digits\n", digits));
   }
-  std::string text;
+  TextBlocks text;
   const bool is_family = solution.status == BurmesterStatus::family;
   if (is_family) {
     text += family_text(solution.reason, task.positions);
@@ -270,21 +273,24 @@ std::string dyads_text(const SynthesisTask& task, int digits, const PlaneText& p
     add_dyad(solution.dyads[i], i, plane, table);
   }
   const std::string straight = straight_text(solution.dyads, plane);
-  text += !table.is_empty() ? table.text("") + straight
-          : is_family       ? "no dyad stands alone\n"
-                            : "no real dyad\n";
+  if (table.is_empty()) {
+    text += is_family ? "no dyad stands alone\n" : "no real dyad\n";
+  } else {
+    text += TextBlocks(std::move(table), "");
+    text += straight;
+  }
   if (solution.imaginary_count > 0) {
     text += fmt::format("{} dyads are not real\n", solution.imaginary_count);
   }
   const bool has_nearest = solution.dyads.empty() && solution.nearest;
-  return text + (has_nearest ? nearest_text(*solution.nearest, task, plane) : "");
+  return text += has_nearest ? nearest_text(*solution.nearest, task, plane) : "";
 }
 
-std::string linkages_text(const SynthesisTask& task,
-                          const LinkageLimits& limits,
-                          const PlaneText& plane) {
+TextBlocks linkages_blocks(const SynthesisTask& task,
+                           const LinkageLimits& limits,
+                           const PlaneText& plane) {
   if (task.dyads->status == BurmesterStatus::no_digits) {
-    return "";
+    return {};
   }
   if (task.linkages.empty()) {
     const bool is_family = task.dyads->status == BurmesterStatus::family;
@@ -292,15 +298,18 @@ std::string linkages_text(const SynthesisTask& task,
                                  ? "no linkage of the kind that 'linkage' asks for\n"
                              : is_family ? "no linkage: that takes two dyads that stand alone\n"
                                          : "no linkage: that takes two real dyads\n";
-    return text + left_out_text(task, limits);
+    return TextBlocks(text + left_out_text(task, limits));
   }
-  std::string text = "\n" + verdict_table(task, plane);
+  TextBlocks text("\n");
+  text += TextBlocks(verdict_table(task, plane), "");
   if (task.linkages.front().defect != Defect::none) {
     text += fmt::format("no linkage is usable; the first one is the nearest{}\n",
                         limits_text(task.linkages.front(), limits, plane));
   }
-  text += left_out_text(task, limits);
-  return text + "\n" + link_table(task, plane) + cognates_text(task, plane) + files_text(task);
+  text += left_out_text(task, limits) + "\n";
+  text += TextBlocks(link_table(task, plane), "");
+  text += cognates_blocks(task, plane);
+  return text += files_text(task);
 }
 
 }  // namespace kinestat

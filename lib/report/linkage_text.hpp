@@ -7,12 +7,13 @@
 
 #include "report/plane_text.hpp"
 #include "report/synthesis_report.hpp"
+#include "report/text_blocks.hpp"
 
 namespace kinestat {
 
 /// The dyads of five positions, found with so many digits, or why there are none and what comes
 /// nearest.
-std::string dyads_text(const SynthesisTask& task, int digits, const PlaneText& plane);
+TextBlocks dyads_blocks(const SynthesisTask& task, int digits, const PlaneText& plane);
 
 /// Why the dyads are a family, in words; the two positions by number that are the same.
 std::string family_text(Degeneracy reason, std::span<const PositionJets> positions);
@@ -23,8 +24,8 @@ std::string_view phrase_of(Defect defect);
 /// All linkages with their verdicts and links, the best first; the cognates of those that are
 /// usable, or of the one that comes nearest, with the limits that it takes; those that the file
 /// does not ask for; and where they were written to.
-std::string linkages_text(const SynthesisTask& task,
-                          const LinkageLimits& limits,
-                          const PlaneText& plane);
+TextBlocks linkages_blocks(const SynthesisTask& task,
+                           const LinkageLimits& limits,
+                           const PlaneText& plane);
 
 }  // namespace kinestat

@@ -7,7 +7,6 @@
 #include "report/mobility_words.hpp"
 #include "report/numbers.hpp"
 #include "report/redundancy_text.hpp"
-#include "report/table.hpp"
 
 namespace kinestat {
 
@@ -30,17 +29,18 @@ class MobilityText {
         topology_(analysis.mechanism.topology),
         in_(analysis.description.units, {}) {}
 
-  std::string run() const {
-    std::string text = head() + remarks() + counts();
-    text += mobility_.reshetov ? reshetov(*mobility_.reshetov) : "";
-    if (mobility_.exact) {
-      text += motions(mobility_.exact->motions);
-      text += redundancies_text(analysis_);
+  TextBlocks run() const {
+    TextBlocks blocks = counts();
+    if (mobility_.reshetov) {
+      blocks += reshetov(*mobility_.reshetov);
     }
-    return text;
+    if (mobility_.exact) {
+      blocks += motions(mobility_.exact->motions);
+      blocks += redundancies_text(analysis_);
+    }
+    return blocks;
   }
 
- private:
   std::string head() const {
     const int circuits = analysis_.mechanism.graph.circuit_count();
     return fmt::format("{}  {} bodies, {} couplings, {} circuit{}\n\n",
@@ -59,14 +59,16 @@ class MobilityText {
     return text + "\n";
   }
 
-  std::string counts() const {
+ private:
+  TextBlocks counts() const {
     std::string text = "Grübler: M = order (bodies - 1 - couplings) + freedoms\n";
     text += grubler("space", mobility_.spatial);
     if (mobility_.planar) {
       text += grubler("the plane", *mobility_.planar);
     }
-    text += "\n" + classes(mobility_.spatial);
-    return mobility_.exact ? text + davies(mobility_.exact->counts) : text;
+    TextBlocks blocks(text + "\n");
+    blocks += classes(mobility_.spatial);
+    return mobility_.exact ? blocks += davies(mobility_.exact->counts) : blocks;
   }
 
   static std::string grubler(const char* where, const GrublerCount& count) {
@@ -79,7 +81,7 @@ class MobilityText {
                        count.mobility);
   }
 
-  std::string classes(const GrublerCount& count) const {
+  TextBlocks classes(const GrublerCount& count) const {
     Table table({"Pairs", "number", "freedoms", "couplings"});
     for (std::size_t i = 0; i < count.classes.size(); ++i) {
       const PairClass& one = count.classes[i];
@@ -90,10 +92,10 @@ class MobilityText {
                    names_text(topology_, one.couplings)});
       }
     }
-    return table.text("  ") + "\n";
+    return TextBlocks(std::move(table));
   }
 
-  static std::string davies(const MobilityCounts& counts) {
+  static TextBlocks davies(const MobilityCounts& counts) {
     Table table({"Davies", "order", "freedoms F", "rank m", "net freedom F_N", "redundant C_N"});
     const auto add = [&](const char* name, const MotionCounts& c) {
       table.add({name,
@@ -108,12 +110,12 @@ class MobilityText {
       add("planar", counts.planar->motions);
     }
     add("minimal", counts.minimal.motions);
-    return table.text("  ") + "\n";
+    return TextBlocks(std::move(table));
   }
 
   // One line a circuit: what it is offered, then what covers each demand.
-  std::string reshetov(const ReshetovTable& table) const {
-    std::string text = "Reshetov: what closes each circuit without force\n";
+  TextBlocks reshetov(const ReshetovTable& table) const {
+    TextBlocks text("Reshetov: what closes each circuit without force\n");
     for (const ReshetovCircuit& circuit : table.circuits) {
       Table rows(
           {topology_.coupling(circuit.chord).name, "Rx", "Ry", "Rz", "Tx", "Ty", "Tz", "oblique"});
@@ -132,7 +134,7 @@ class MobilityText {
       text += fmt::format("  circuit of {}: {}\n",
                           topology_.coupling(circuit.chord).name,
                           names_text(topology_, circuit.couplings));
-      text += rows.text("    ");
+      text += TextBlocks(std::move(rows), "    ");
     }
     std::vector<std::string> unused;
     for (const int f : table.unused) {
@@ -151,19 +153,19 @@ class MobilityText {
                : QuantityKind::velocity;
   }
 
-  std::string motions(const MotionSpace& space) const {
+  TextBlocks motions(const MotionSpace& space) const {
     if (space.net_freedom == 0) {
-      return "Motions: none\n\n";
+      return TextBlocks("Motions: none\n\n");
     }
-    std::string text = fmt::format(
-        "Motions: {}{}\n", space.net_freedom, space.motions.empty() ? ", too many to list" : "");
+    TextBlocks text(fmt::format(
+        "Motions: {}{}\n", space.net_freedom, space.motions.empty() ? ", too many to list" : ""));
     for (std::size_t i = 0; i < space.motions.size(); ++i) {
       text += motion(i + 1, space.motions[i]);
     }
-    return text + (space.motions.empty() ? "\n" : "");
+    return text += space.motions.empty() ? "\n" : "";
   }
 
-  std::string motion(std::size_t number, const FreeMotion& motion) const {
+  TextBlocks motion(std::size_t number, const FreeMotion& motion) const {
     const FileUnits& units = in_.units();
     const double first = units.factor(rate_kind(motion.first));
     std::vector<std::string> rates;
@@ -176,7 +178,7 @@ class MobilityText {
                         units.text(rate_kind(f))));
       }
     }
-    std::string text = fmt::format("  {}. {}\n", number, fmt::join(rates, ", "));
+    TextBlocks text(fmt::format("  {}. {}\n", number, fmt::join(rates, ", ")));
     if (motion.is_passive()) {
       std::vector<std::string> bodies;
       for (const BodyId body : motion.passive) {
@@ -185,10 +187,11 @@ class MobilityText {
       text += fmt::format("     passive: only {} moves, nothing else feels it\n",
                           fmt::join(bodies, " and "));
     }
-    return text + screws(motion) + "\n";
+    text += screws(motion);
+    return text += "\n";
   }
 
-  std::string screws(const FreeMotion& motion) const {
+  TextBlocks screws(const FreeMotion& motion) const {
     const Geometry& geometry = analysis_.mechanism.geometry;
     const std::string length = in_.units().text(QuantityKind::length);
     Table table({"Body", "motion", "through [" + length + "]", "pitch [" + length + "]"});
@@ -214,7 +217,7 @@ class MobilityText {
                              format_short(point.z())),
                  format_short(in_.length(*axis.pitch))});
     }
-    return table.text("     ");
+    return {std::move(table), "     "};
   }
 
   const MobilityAnalysis& analysis_;
@@ -225,8 +228,13 @@ class MobilityText {
 
 }  // namespace
 
-std::string mobility_text(const MobilityAnalysis& analysis) {
+TextBlocks mobility_blocks(const MobilityAnalysis& analysis) {
   return MobilityText(analysis).run();
+}
+
+std::string mobility_text(const MobilityAnalysis& analysis) {
+  const MobilityText text(analysis);
+  return text.head() + text.remarks() + text.run().text();
 }
 
 }  // namespace kinestat

@@ -6,14 +6,13 @@
 
 #include "report/efficiency_text.hpp"
 #include "report/numbers.hpp"
-#include "report/table.hpp"
 
 namespace kinestat {
 
 namespace {
 
 // Power through a mesh as the ground sees it, and as its carrier does.
-std::string meshes_text(const Topology& topology, const CaseAnalysis& one, const InUnits& in) {
+TextBlocks meshes_blocks(const Topology& topology, const CaseAnalysis& one, const InUnits& in) {
   const std::vector<MeshPower>& meshes = one.power_graph->meshes;
   if (meshes.empty()) {
     return {};
@@ -28,7 +27,7 @@ std::string meshes_text(const Topology& topology, const CaseAnalysis& one, const
                format_short(in.power(*one.power->into_head[e])),
                format_short(in.power(mesh.rolling))});
   }
-  return table.text("  ") + "\n";
+  return TextBlocks(std::move(table));
 }
 
 // "carrier -(f)-> planet5 -(i)-> planet6 -(g)-> carrier", or the members where there are several
@@ -97,10 +96,11 @@ std::string balance_text(const CaseAnalysis& one, const InUnits& in) {
 
 }  // namespace
 
-std::string power_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
-  return meshes_text(mechanism.topology, one, in) +
-         loops_text(mechanism.topology, *one.power_graph, in) + losses_text(mechanism, one) +
-         balance_text(one, in);
+TextBlocks power_blocks(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
+  TextBlocks blocks = meshes_blocks(mechanism.topology, one, in);
+  blocks += loops_text(mechanism.topology, *one.power_graph, in) + losses_text(mechanism, one) +
+            balance_text(one, in);
+  return blocks;
 }
 
 }  // namespace kinestat

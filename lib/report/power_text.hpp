@@ -1,15 +1,14 @@
 // The power flow of one case as text for people.
 #pragma once
 
-#include <string>
-
 #include "report/analysis.hpp"
 #include "report/in_units.hpp"
+#include "report/text_blocks.hpp"
 
 namespace kinestat {
 
 /// What the teeth roll, which power goes in circles, the input, the efficiency and the balance; the
 /// case must have a power flow.
-std::string power_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in);
+TextBlocks power_blocks(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in);
 
 }  // namespace kinestat

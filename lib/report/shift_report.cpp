@@ -24,7 +24,8 @@ FileReport make_shift_report(const Analysis& analysis,
     }
   }
   if (forms.text) {
-    report.text = title_text(analysis.file, analysis.description) + "\n" + shift_text(analysis);
+    report.text =
+        title_text(analysis.file, analysis.description) + "\n" + shift_blocks(analysis).text();
   }
   return report;
 }

@@ -7,7 +7,6 @@
 
 #include "core/contract.hpp"
 #include "core/utf8.hpp"
-#include "report/column_table.hpp"
 #include "report/gear_values.hpp"
 #include "report/numbers.hpp"
 
@@ -38,9 +37,13 @@ class ShiftTables {
     }
   }
 
-  std::string run() const {
-    return head_text() + gears_text() + remarks_text() + others_text() + elements_text() +
-           changes_text();
+  TextBlocks run() const {
+    TextBlocks blocks(head_text());
+    blocks += gears_blocks();
+    blocks += remarks_text();
+    blocks += others_blocks();
+    blocks += elements_blocks();
+    return blocks += changes_text();
   }
 
  private:
@@ -127,7 +130,7 @@ class ShiftTables {
     }
   }
 
-  std::string gears_text() const {
+  TextBlocks gears_blocks() const {
     if (gears_.empty()) {
       return {};
     }
@@ -151,7 +154,7 @@ class ShiftTables {
           [](const GearValues& gear) { return shown(gear.recirculation); },
           columns);
     }
-    return table_text(columns);
+    return TextBlocks(columns);
   }
 
   std::string remarks_text() const {
@@ -179,7 +182,7 @@ class ShiftTables {
   }
 
   // Combinations that are no gear, each with its reason below the table.
-  std::string others_text() const {
+  TextBlocks others_blocks() const {
     const std::size_t first = gears_.size();
     const std::size_t all = solution_.states.size() - first;
     const std::size_t count = std::min(all, kMostShown);
@@ -199,28 +202,30 @@ class ShiftTables {
     if (count < all) {
       reasons += fmt::format("  and {} more, which --format csv lists\n", all - count);
     }
-    return table_text(columns) + reasons + "\n";
+    TextBlocks blocks(columns);
+    return blocks += reasons + "\n";
   }
 
   // What each element bears where it is engaged, and how fast it slips where it is open.
-  std::string elements_text() const {
+  TextBlocks elements_blocks() const {
     if (gears_.empty()) {
       return {};
     }
     const FileUnits& units = analysis_.description.units;
-    std::string text;
+    TextBlocks blocks;
     if (plan_.asks_actions) {
-      text += values_text(
+      blocks += values_blocks(
           fmt::format("Torque [{}]", units.text(QuantityKind::moment)), &GearValues::torques, true);
     }
-    text += loads_text();
-    return text + values_text(fmt::format("Slip [{}]", units.text(QuantityKind::angular_velocity)),
-                              &GearValues::slips,
-                              false);
+    blocks += loads_blocks();
+    return blocks +=
+           values_blocks(fmt::format("Slip [{}]", units.text(QuantityKind::angular_velocity)),
+                         &GearValues::slips,
+                         false);
   }
 
   // The most loaded bearing and mesh of each gear, where any force is known.
-  std::string loads_text() const {
+  TextBlocks loads_blocks() const {
     const std::string unit = analysis_.description.units.text(QuantityKind::force);
     std::vector<TextColumn> columns = {names("Most loaded", 0, gears_.size())};
     bool has_any = false;
@@ -238,12 +243,12 @@ class ShiftTables {
     };
     add("bearing", &GearValues::bearing);
     add("mesh", &GearValues::mesh);
-    return has_any ? table_text(columns) : "";
+    return has_any ? TextBlocks(columns) : TextBlocks();
   }
 
-  std::string values_text(const std::string& head,
-                          std::vector<std::optional<double>> GearValues::*values,
-                          bool of_engaged) const {
+  TextBlocks values_blocks(const std::string& head,
+                           std::vector<std::optional<double>> GearValues::*values,
+                           bool of_engaged) const {
     std::vector<TextColumn> columns = {names(head.c_str(), 0, gears_.size())};
     TextColumn largest{.head = "largest size", .cells = {}};
     std::vector<std::optional<double>> sizes(gears_.size(), 0.0);
@@ -265,7 +270,7 @@ class ShiftTables {
       largest.cells.push_back(shown(size));
     }
     columns.push_back(std::move(largest));
-    return table_text(columns);
+    return TextBlocks(columns);
   }
 
   std::string changes_text() const {
@@ -291,7 +296,7 @@ class ShiftTables {
 
 }  // namespace
 
-std::string shift_text(const Analysis& analysis) {
+TextBlocks shift_blocks(const Analysis& analysis) {
   KINESTAT_EXPECTS(analysis.shift.has_value());
   return ShiftTables(analysis).run();
 }

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "report/column_table.hpp"
 #include "report/numbers.hpp"
-#include "report/table.hpp"
 
 namespace kinestat {
 
@@ -18,7 +16,7 @@ std::string magnitude_cell(const StaticSolution& action, int a, bool turns, cons
   return is_completed(action, a) ? "*" + text : text;
 }
 
-std::string actuators_text(const Topology& topology, const CaseAnalysis& one, const InUnits& in) {
+TextBlocks actuators_blocks(const Topology& topology, const CaseAnalysis& one, const InUnits& in) {
   if (topology.actuators.empty()) {
     return {};
   }
@@ -40,12 +38,12 @@ std::string actuators_text(const Topology& topology, const CaseAnalysis& one, co
     }
     table.add(std::move(row));
   }
-  return table.text("  ") + "\n";
+  return TextBlocks(std::move(table));
 }
 
-std::string wrenches_text(const Mechanism& mechanism,
-                          const StaticSolution& action,
-                          const InUnits& in) {
+TextBlocks wrenches_blocks(const Mechanism& mechanism,
+                           const StaticSolution& action,
+                           const InUnits& in) {
   TextColumn names{.head = "Coupling", .cells = {}};
   VectorColumns force{.symbol = "F", .unit = in.units().text(QuantityKind::force), .rows = {}};
   VectorColumns moment{.symbol = "T", .unit = in.units().text(QuantityKind::moment), .rows = {}};
@@ -65,13 +63,13 @@ std::string wrenches_text(const Mechanism& mechanism,
   force.add_to(columns);
   moment.add_to(columns);
   const bool is_empty = columns.size() == 1;
-  return is_empty ? "" : table_text(columns);
+  return is_empty ? TextBlocks() : TextBlocks(columns);
 }
 
 // Every passive action by itself, "?" where equilibrium does not determine it.
-std::string constraints_text(const Topology& topology,
-                             const StaticSolution& action,
-                             const InUnits& in) {
+TextBlocks constraints_blocks(const Topology& topology,
+                              const StaticSolution& action,
+                              const InUnits& in) {
   Table table({"Action", "magnitude", "unit"});
   for (std::size_t a = 0; a < topology.actions.size(); ++a) {
     if (topology.actions[a].actuator >= 0) {
@@ -82,7 +80,7 @@ std::string constraints_text(const Topology& topology,
                magnitude_cell(action, static_cast<int>(a), turns, in),
                in.units().text(turns ? QuantityKind::moment : QuantityKind::force)});
   }
-  return table.text("  ") + "\n";
+  return TextBlocks(std::move(table));
 }
 
 // "self-stress 1 of a, b: a.Rx = 1 N, b.Rx = -1 N"
@@ -127,7 +125,7 @@ std::string status_text(const StaticSolution& action, const InUnits& in) {
 }
 
 // Moments are about the point where the force acts; those of a couple alone are the same anywhere.
-std::string loads_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
+TextBlocks loads_blocks(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
   const FileUnits& units = in.units();
   TextColumn names{.head = "Load", .cells = {}};
   TextColumn bodies{.head = "on", .cells = {}};
@@ -155,10 +153,10 @@ std::string loads_text(const Mechanism& mechanism, const CaseAnalysis& one, cons
     }
     columns.push_back(std::move(power));
   }
-  return one.which.loads.empty() ? "" : table_text(columns);
+  return one.which.loads.empty() ? TextBlocks() : TextBlocks(columns);
 }
 
-std::string friction_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
+TextBlocks friction_blocks(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
   if (one.action->friction.empty()) {
     return {};
   }
@@ -178,13 +176,13 @@ std::string friction_text(const Mechanism& mechanism, const CaseAnalysis& one, c
     }
     table.add(std::move(row));
   }
-  return table.text("  ") + "\n";
+  return TextBlocks(std::move(table));
 }
 
 // What one of several equal planets has, where the table above has all of them together.
-std::string planets_text(const Mechanism& mechanism,
-                         const StaticSolution& action,
-                         const InUnits& in) {
+TextBlocks planets_blocks(const Mechanism& mechanism,
+                          const StaticSolution& action,
+                          const InUnits& in) {
   const Topology& topology = mechanism.topology;
   Table table({"Planets", "number", "each", "unit"});
   for (std::size_t a = 0; has_planets(mechanism) && a < topology.actions.size(); ++a) {
@@ -198,11 +196,11 @@ std::string planets_text(const Mechanism& mechanism,
                  in.units().text(turns ? QuantityKind::moment : QuantityKind::force)});
     }
   }
-  return has_planets(mechanism) ? table.text("  ") + "\n" : "";
+  return has_planets(mechanism) ? TextBlocks(std::move(table)) : TextBlocks();
 }
 
 // Slip is shown where a rope slips.
-std::string contacts_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
+TextBlocks contacts_blocks(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
   if (one.contacts.empty()) {
     return {};
   }
@@ -233,25 +231,28 @@ std::string contacts_text(const Mechanism& mechanism, const CaseAnalysis& one, c
                state.slip_speed ? format_short(in.linear(*state.slip_speed)) : "",
                std::string(word_of(state.grip))});
   }
-  return table.text("  ") + "\n";
+  return TextBlocks(std::move(table));
 }
 
 }  // namespace
 
-std::string statics_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
-  if (one.action->wrenches.empty()) {
-    return fmt::format("  statics: {}\n\n", word_of(one.action->status));
+TextBlocks statics_blocks(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
+  const StaticSolution& action = *one.action;
+  if (action.wrenches.empty()) {
+    return TextBlocks(fmt::format("  statics: {}\n\n", word_of(action.status)));
   }
-  const bool is_solved =
-      one.action->status == SolveStatus::solved && one.action->completion.actions.empty();
-  std::string text = status_text(*one.action, in);
-  text += actuators_text(mechanism.topology, one, in);
-  text += is_solved ? wrenches_text(mechanism, *one.action, in)
-                    : constraints_text(mechanism.topology, *one.action, in) +
-                          self_stresses_text(mechanism.topology, *one.action, in);
-  text += loads_text(mechanism, one, in) + friction_text(mechanism, one, in) +
-          planets_text(mechanism, *one.action, in) + contacts_text(mechanism, one, in);
-  return text;
+  TextBlocks blocks(status_text(action, in));
+  blocks += actuators_blocks(mechanism.topology, one, in);
+  if (action.status == SolveStatus::solved && action.completion.actions.empty()) {
+    blocks += wrenches_blocks(mechanism, action, in);
+  } else {
+    blocks += constraints_blocks(mechanism.topology, action, in);
+    blocks += self_stresses_text(mechanism.topology, action, in);
+  }
+  blocks += loads_blocks(mechanism, one, in);
+  blocks += friction_blocks(mechanism, one, in);
+  blocks += planets_blocks(mechanism, action, in);
+  return blocks += contacts_blocks(mechanism, one, in);
 }
 
 }  // namespace kinestat

@@ -74,11 +74,11 @@ class TaskText {
   TaskText(const SynthesisAnalysis& analysis, const SynthesisTask& task)
       : analysis_(analysis), task_(task), plane_(analysis.description.units, zero_length(task)) {}
 
-  std::string run() const {
-    std::string text = "\n" + choice_text() + positions_text(task_, plane_);
+  TextBlocks run() const {
+    TextBlocks text("\n" + choice_text() + positions_text(task_, plane_));
     if (task_.dyads) {
-      text += dyads_text(task_, analysis_.digits.value_or(kDoubleDigits), plane_) +
-              linkages_text(task_, analysis_.limits, plane_);
+      text += dyads_blocks(task_, analysis_.digits.value_or(kDoubleDigits), plane_);
+      text += linkages_blocks(task_, analysis_.limits, plane_);
     }
     if (task_.curves) {
       text += curves_text(*task_.curves);
@@ -169,14 +169,16 @@ class TaskText {
 }  // namespace
 
 std::string synthesis_text(const SynthesisAnalysis& analysis) {
+  return title_text(analysis.file, analysis.description) + synthesis_blocks(analysis).text();
+}
+
+TextBlocks synthesis_blocks(const SynthesisAnalysis& analysis) {
   const FileUnits& units = analysis.description.units;
-  std::string text =
-      fmt::format("{}  task {}, lengths in {}, angles in {}{}\n",
-                  title_text(analysis.file, analysis.description),
-                  analysis.form,
-                  units.text(QuantityKind::length),
-                  units.text(QuantityKind::angle),
-                  analysis.digits ? fmt::format(", {} digits", *analysis.digits) : "");
+  TextBlocks text(fmt::format("  task {}, lengths in {}, angles in {}{}\n",
+                              analysis.form,
+                              units.text(QuantityKind::length),
+                              units.text(QuantityKind::angle),
+                              analysis.digits ? fmt::format(", {} digits", *analysis.digits) : ""));
   const PlaneText plane(units, 0.0);
   const auto add_tasks = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -4,9 +4,13 @@
 #include <string>
 
 #include "report/synthesis_report.hpp"
+#include "report/text_blocks.hpp"
 
 namespace kinestat {
 
 std::string synthesis_text(const SynthesisAnalysis& analysis);
+
+/// The same without its title.
+TextBlocks synthesis_blocks(const SynthesisAnalysis& analysis);
 
 }  // namespace kinestat

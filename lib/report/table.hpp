@@ -15,6 +15,10 @@ class Table {
 
   bool is_empty() const { return rows_.empty(); }
 
+  const std::vector<std::string>& head() const { return head_; }
+
+  const std::vector<std::vector<std::string>>& rows() const { return rows_; }
+
   /// Every line begins with `indent`; no line ends with spaces.
   std::string text(const std::string& indent) const;
 
