@@ -22,6 +22,7 @@ void add_sensitivity(CLI::App& parent, Job& job);
 void add_sweep(CLI::App& parent, Job& job);
 void add_merge(CLI::App& parent, Job& job);
 void add_synthesize(CLI::App& parent, Job& job);
+void add_report(CLI::App& parent, Job& job);
 void add_compare(CLI::App& parent, Job& job);
 void add_bench(CLI::App& parent, Job& job);
 void add_new(CLI::App& parent, Job& job);

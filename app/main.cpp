@@ -54,6 +54,7 @@ void add_commands(CLI::App& app, Job& job) {
   kinestat::app::add_sweep(app, job);
   kinestat::app::add_merge(app, job);
   kinestat::app::add_synthesize(app, job);
+  kinestat::app::add_report(app, job);
   kinestat::app::add_compare(app, job);
   kinestat::app::add_bench(app, job);
   kinestat::app::add_explain(app, job);

@@ -110,21 +110,32 @@ std::vector<Diagnostic> by_place(const Diagnostics& found) {
   return sorted;
 }
 
-std::string diagnostics_text(const SourceFile& source, const Diagnostics& found) {
-  std::string text;
+std::vector<DiagnosticText> diagnostic_texts(const SourceFile& source, const Diagnostics& found) {
+  std::vector<DiagnosticText> texts;
   int errors = 0;
   int warnings = 0;
   for (const Diagnostic& one : by_place(found)) {
     int& count = one.severity == Severity::error ? errors : warnings;
     if (++count <= kMostShown) {
-      text += text_of(source, one);
+      texts.push_back({.severity = one.severity, .text = text_of(source, one)});
     }
   }
-  if (errors > kMostShown) {
-    text += fmt::format("{}: {} more errors\n", place(source, {}), errors - kMostShown);
-  }
-  if (warnings > kMostShown) {
-    text += fmt::format("{}: {} more warnings\n", place(source, {}), warnings - kMostShown);
+  const auto add_rest = [&](Severity severity, int count, std::string_view what) {
+    if (count > kMostShown) {
+      texts.push_back(
+          {.severity = severity,
+           .text = fmt::format("{}: {} more {}\n", place(source, {}), count - kMostShown, what)});
+    }
+  };
+  add_rest(Severity::error, errors, "errors");
+  add_rest(Severity::warning, warnings, "warnings");
+  return texts;
+}
+
+std::string diagnostics_text(const SourceFile& source, const Diagnostics& found) {
+  std::string text;
+  for (const DiagnosticText& one : diagnostic_texts(source, found)) {
+    text += one.text;
   }
   return text;
 }

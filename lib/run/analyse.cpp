@@ -9,7 +9,6 @@
 #include "mechanism/bind.hpp"
 #include "report/certified_report.hpp"
 #include "run/certainty_findings.hpp"
-#include "run/certified_cases.hpp"
 #include "run/each_file.hpp"
 #include "run/findings.hpp"
 #include "run/gears.hpp"
@@ -43,19 +42,15 @@ std::optional<FileReport> analyse_description(const std::string& path,
                   "'kinestat synthesize' answers it");
   }
   if (mechanism) {
-    std::optional<ShiftAnalysis> shift = add_gears(description, *mechanism, {}, found);
-    if (found.has_errors()) {
-      return std::nullopt;
-    }
-    const CertifiedAnalysis certified =
-        solve_certified_cases(path,
-                              {.description = std::move(description),
-                               .mechanism = *std::move(mechanism),
-                               .shift = std::move(shift)},
-                              accuracy);
-    add_certainty_findings(certified.analysis, certified.certainty, found);
-    add_findings(certified.analysis, found);
-    return make_certified_report(certified.analysis, certified.certainty, forms, found);
+    const auto certified = analyse_mechanism(path,
+                                             {.description = std::move(description),
+                                              .mechanism = *std::move(mechanism),
+                                              .shift = std::nullopt},
+                                             accuracy,
+                                             found);
+    return certified ? std::optional(make_certified_report(
+                           certified->analysis, certified->certainty, forms, found))
+                     : std::nullopt;
   }
   const bool is_right = std::ranges::all_of(found.items(), [](const Diagnostic& one) {
     return one.severity == Severity::warning || one.code == "E0315";
@@ -85,6 +80,20 @@ void analyse_file(const std::string& path,
 }
 
 }  // namespace
+
+std::optional<CertifiedAnalysis> analyse_mechanism(const std::string& path,
+                                                   Loaded loaded,
+                                                   const AccuracyRequest& accuracy,
+                                                   Diagnostics& found) {
+  loaded.shift = add_gears(loaded.description, loaded.mechanism, {}, found);
+  if (found.has_errors()) {
+    return std::nullopt;
+  }
+  CertifiedAnalysis certified = solve_certified_cases(path, std::move(loaded), accuracy);
+  add_certainty_findings(certified.analysis, certified.certainty, found);
+  add_findings(certified.analysis, found);
+  return certified;
+}
 
 Outcome analyse_files(const std::vector<std::string>& paths, const AnalyseOptions& options) {
   const ReportForms forms = forms_of(options, paths.size());

@@ -1,10 +1,12 @@
 // The main job: files through the passes they ask for, to reports.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/accuracy.hpp"
+#include "run/certified_cases.hpp"
 #include "run/load.hpp"
 #include "run/outcome.hpp"
 #include "run/output.hpp"
@@ -28,6 +30,13 @@ struct AnalyseOptions {
 /// Analyses every file; one that fails does not stop the others. JSON of several files is one
 /// object a line.
 Outcome analyse_files(const std::vector<std::string>& paths, const AnalyseOptions& options);
+
+/// All that `analyze` finds of a mechanism that was bound, its gears included; adds the findings.
+/// Empty iff an error of the shift section was added.
+std::optional<CertifiedAnalysis> analyse_mechanism(const std::string& path,
+                                                   Loaded loaded,
+                                                   const AccuracyRequest& accuracy,
+                                                   Diagnostics& found);
 
 /// Reads and binds every file; says "ok" for each that is well-formed.
 Outcome check_files(const std::vector<std::string>& paths, const AnalyseOptions& options);

@@ -5,7 +5,6 @@
 
 #include "mechanism/bind.hpp"
 #include "mechanism/bind_counted.hpp"
-#include "report/mobility_report.hpp"
 #include "run/certainty_findings.hpp"
 #include "run/each_file.hpp"
 #include "run/internal/typed_numbers.hpp"
@@ -35,7 +34,8 @@ void add_certainty(const MobilityAnalysis& analysis,
   }
 }
 
-// Empty iff an error was added.
+}  // namespace
+
 std::optional<MobilityAnalysis> find_mobility(const std::string& path,
                                               MechanismDescription description,
                                               const AccuracyRequest& accuracy,
@@ -71,8 +71,6 @@ std::optional<MobilityAnalysis> find_mobility(const std::string& path,
   }
   return analysis;
 }
-
-}  // namespace
 
 Outcome mobility_of_files(const std::vector<std::string>& paths, const AnalyseOptions& options) {
   return report_on_each_file(

@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "mechanism/bind.hpp"
-#include "report/synthesis_report.hpp"
 #include "run/each_file.hpp"
 #include "run/internal/last_decimal.hpp"
 #include "run/internal/linkage_files.hpp"
@@ -163,7 +162,8 @@ void warn_of_few_digits(const SynthesisAnalysis& analysis, Diagnostics& found) {
                 std::string(hint));
 }
 
-// Empty iff an error was added.
+}  // namespace
+
 std::optional<SynthesisAnalysis> find_synthesis(const std::string& path,
                                                 MechanismDescription description,
                                                 const SynthesisOptions& options,
@@ -195,8 +195,6 @@ std::optional<SynthesisAnalysis> find_synthesis(const std::string& path,
   warn_of_few_digits(analysis, found);
   return analysis;
 }
-
-}  // namespace
 
 bool check_synthesis_task(const MechanismDescription& description, Diagnostics& found) {
   const SynthesisValues values(description);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "math/digit_limits.hpp"
+#include "report/synthesis_report.hpp"
 #include "run/analyse.hpp"
 
 namespace kinestat {
@@ -27,6 +28,13 @@ struct SynthesisOptions {
 /// position contradicts itself, and digits and ranges belong to its number of positions. False iff
 /// an error was added.
 bool check_synthesis_task(const MechanismDescription& description, Diagnostics& found);
+
+/// All linkages for the task of a description. Empty iff an error was added, as for a file without
+/// the section `synthesis`.
+std::optional<SynthesisAnalysis> find_synthesis(const std::string& path,
+                                                MechanismDescription description,
+                                                const SynthesisOptions& options,
+                                                Diagnostics& found);
 
 /// One report a file on standard output. A file without the section `synthesis` is an error. Where
 /// the options name a folder, linkages are written into it as mechanism files.

@@ -1,0 +1,259 @@
+#include "plot/page/file_section.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/utf8.hpp"
+#include "plot/page/tables.hpp"
+#include "plot/picture.hpp"
+#include "plot/summary.hpp"
+#include "report/case_text.hpp"
+#include "report/diagnostic_text.hpp"
+#include "report/gear_values.hpp"
+#include "report/mobility_text.hpp"
+#include "report/mobility_words.hpp"
+#include "report/shift_text.hpp"
+#include "report/synthesis_text.hpp"
+
+namespace kinestat {
+
+namespace {
+
+class FileSection {
+ public:
+  FileSection(const FilePage& page, std::string id, PageForm form, int& figures, Html& html)
+      : page_(page), id_(std::move(id)), form_(form), figures_(figures), html_(html) {}
+
+  std::vector<PageHeading> run() {
+    html_.open("section", {{"id", id_}, {"class", "file"}, {"aria-label", page_title(page_)}});
+    if (form_ == PageForm::many_files) {
+      html_.element("h2", page_title(page_), {{"class", "file-title"}});
+    }
+    add_source();
+    add_summary();
+    add_findings();
+    add_mobility();
+    add_shift();
+    add_cases();
+    add_synthesis();
+    add_data();
+    html_.close();
+    return std::move(headings_);
+  }
+
+ private:
+  // Opens a part of the section, which the caller closes.
+  void open_part(const std::string& name, const std::string& title) {
+    const std::string part = fmt::format("{}-{}", id_, name);
+    headings_.push_back({.id = part, .title = title});
+    html_.open("section", {{"id", part}, {"class", name}, {"aria-labelledby", part + "-title"}});
+    html_.element(level(0), title, {{"id", part + "-title"}, {"class", "part-title"}});
+  }
+
+  // "h2" for a part of a page of one file, "h3" for what is a level below it.
+  std::string level(int below) const {
+    return fmt::format("h{}", (form_ == PageForm::one_file ? 2 : 3) + below);
+  }
+
+  void add_source() {
+    if (page_.description && !page_.description->source.empty()) {
+      html_.element("p", printable(page_.description->source), {{"class", "source"}});
+    }
+    const std::string& path = page_.source.path;
+    html_.open("p", {{"class", "source"}});
+    html_.element("code", path == "-" ? "<stdin>" : printable(path));
+    html_.close();
+  }
+
+  void add_summary() {
+    const std::vector<std::string> sentences = summary_sentences(page_);
+    if (sentences.empty()) {
+      return;
+    }
+    open_part("summary", "Summary");
+    for (const std::string& one : sentences) {
+      html_.element("p", one);
+    }
+    html_.close();
+  }
+
+  void add_findings() {
+    if (page_.found.items().empty()) {
+      return;
+    }
+    open_part("found", "Findings");
+    html_.open("ul", {{"class", "findings"}});
+    for (const DiagnosticText& one : diagnostic_texts(page_.source, page_.found)) {
+      html_.open("li", {{"class", one.severity == Severity::error ? "error" : "warning"}});
+      html_.open("pre");
+      html_.lines(one.text);
+      html_.close();
+      html_.close();
+    }
+    html_.close();
+    html_.close();
+  }
+
+  void add_mobility() {
+    if (!page_.mobility) {
+      return;
+    }
+    open_part("mobility", "Mobility");
+    for (const std::string& remark : mobility_remarks(*page_.mobility)) {
+      html_.element("p", remark);
+    }
+    add_blocks(mobility_blocks(*page_.mobility), "Mobility", html_);
+    html_.close();
+  }
+
+  void add_shift() {
+    if (!page_.analysis || !page_.analysis->shift) {
+      return;
+    }
+    open_part("shift", "Shift table");
+    add_blocks(shift_blocks(*page_.analysis), "Shift table", html_);
+    html_.close();
+  }
+
+  // "1: C1 + B2", the elements that a gear engages.
+  std::string case_title(const CaseAnalysis& one) const {
+    const std::string label = printable(one.which.label);
+    if (!page_.analysis->shift) {
+      return label;
+    }
+    const ShiftAnalysis& shift = *page_.analysis->shift;
+    const auto state =
+        std::ranges::find(shift.solution.states, one.which.label, &NamedShiftState::name);
+    if (state == shift.solution.states.end()) {
+      return label;
+    }
+    std::vector<std::string> elements;
+    for (const int e : state->engaged) {
+      const auto actuator =
+          static_cast<std::size_t>(shift.plan.elements[static_cast<std::size_t>(e)].actuator);
+      elements.push_back(page_.analysis->mechanism.topology.actuators[actuator].name);
+    }
+    return fmt::format("{}: {} engaged", label, fmt::join(elements, " and "));
+  }
+
+  std::string case_id(std::size_t index) const { return fmt::format("{}-case-{}", id_, index); }
+
+  void add_cases() {
+    if (!page_.analysis || page_.analysis->cases.empty()) {
+      return;
+    }
+    const std::vector<CaseAnalysis>& cases = page_.analysis->cases;
+    const bool are_gears = page_.analysis->shift.has_value();
+    open_part("cases", are_gears ? "Gears" : "Cases");
+    html_.open("div", {{"class", "chooser"}});
+    if (cases.size() > 1) {
+      add_choices(are_gears ? "Gear" : "Case");
+    }
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      add_case(i);
+    }
+    html_.close();
+    html_.close();
+  }
+
+  void add_choices(const std::string& what) {
+    html_.open("fieldset", {{"class", "choices script"}, {"hidden", ""}});
+    html_.element("legend", what);
+    const std::vector<CaseAnalysis>& cases = page_.analysis->cases;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      html_.open("label");
+      if (i == 0) {
+        html_.single(
+            "input",
+            {{"type", "radio"}, {"name", id_ + "-case"}, {"value", case_id(i)}, {"checked", ""}});
+      } else {
+        html_.single("input", {{"type", "radio"}, {"name", id_ + "-case"}, {"value", case_id(i)}});
+      }
+      html_.element("span", printable(cases[i].which.label));
+      html_.close();
+      html_.markup("\n");
+    }
+    html_.close();
+  }
+
+  void add_case(std::size_t index) {
+    const CaseAnalysis& one = page_.analysis->cases[index];
+    const CaseBlocks blocks = case_blocks(*page_.analysis, one);
+    const std::string id = case_id(index);
+    html_.open("section", {{"class", "panel"}, {"id", id}, {"aria-labelledby", id + "-title"}});
+    html_.element(level(1), case_title(one), {{"id", id + "-title"}, {"class", "case-title"}});
+    add_blocks(TextBlocks(blocks.known + blocks.ratio), "Case", html_);
+    add_pass("Velocities", blocks.motion);
+    add_pass("Actions", blocks.action);
+    add_pass("Power", blocks.power);
+    add_pass("Free parameters", TextBlocks(blocks.affine));
+    html_.close();
+  }
+
+  void add_pass(const std::string& title, const TextBlocks& blocks) {
+    if (blocks.is_empty()) {
+      return;
+    }
+    html_.element(level(2), title, {{"class", "pass-title"}});
+    add_blocks(blocks, title, html_);
+  }
+
+  void add_synthesis() {
+    if (!page_.synthesis) {
+      return;
+    }
+    open_part("synthesis", "Synthesis");
+    add_blocks(synthesis_blocks(*page_.synthesis), "Synthesis", html_);
+    html_.close();
+  }
+
+  void add_data() {
+    if (page_.data.empty()) {
+      return;
+    }
+    open_part("data", "Data");
+    html_.element("p", "Everything above with all digits, as files:");
+    html_.open("ul", {{"class", "downloads script"}, {"hidden", ""}});
+    for (std::size_t i = 0; i < page_.data.size(); ++i) {
+      const PageData& one = page_.data[i];
+      html_.open("li");
+      html_.element("button",
+                    one.name,
+                    {{"type", "button"},
+                     {"data-save", data_id(i)},
+                     {"data-name", one.name},
+                     {"data-type", one.type}});
+      html_.close();
+    }
+    html_.close();
+    for (std::size_t i = 0; i < page_.data.size(); ++i) {
+      const bool is_json = page_.data[i].type == "application/json";
+      html_.open("script",
+                 {{"type", "application/json"},
+                  {"id", data_id(i)},
+                  {"data-kind", is_json ? "json" : "text"}});
+      html_.markup(is_json ? script_json(page_.data[i].text) : script_string(page_.data[i].text));
+      html_.close();
+    }
+    html_.close();
+  }
+
+  std::string data_id(std::size_t index) const { return fmt::format("{}-data-{}", id_, index); }
+
+  const FilePage& page_;
+  std::string id_;
+  PageForm form_;
+  int& figures_;
+  Html& html_;
+  std::vector<PageHeading> headings_;
+};
+
+}  // namespace
+
+std::vector<PageHeading> add_file_section(
+    const FilePage& page, const std::string& id, PageForm form, int& figures, Html& html) {
+  return FileSection(page, id, form, figures, html).run();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,164 @@
+#include "run/html_report.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/utf8.hpp"
+#include "description/mechanism_description.hpp"
+#include "mechanism/bind.hpp"
+#include "plot/html_report.hpp"
+#include "report/certified_report.hpp"
+#include "run/each_file.hpp"
+#include "run/mobility.hpp"
+#include "run/synthesis.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Every pass reads the description anew and says again what is wrong with it.
+void add_new(const Diagnostics& more, Diagnostics& found) {
+  for (const Diagnostic& one : more.items()) {
+    const bool is_known = std::ranges::any_of(found.items(), [&](const Diagnostic& other) {
+      return other.code == one.code && other.where == one.where && other.message == one.message;
+    });
+    if (is_known) {
+      continue;
+    }
+    Diagnostic& added = one.severity == Severity::error
+                            ? found.error(one.code, one.where, one.message, one.hint)
+                            : found.warning(one.code, one.where, one.message, one.hint);
+    added.notes = one.notes;
+  }
+}
+
+class PageBuilder {
+ public:
+  PageBuilder(const std::string& path, const AnalyseOptions& options)
+      : path_(path), options_(options) {}
+
+  FilePage run() && {
+    page_.source.path = path_;
+    page_.description = load_description(path_, options_.load, page_.source, page_.found);
+    if (page_.description) {
+      analyse();
+      synthesize();
+    }
+    return std::move(page_);
+  }
+
+ private:
+  void analyse() {
+    std::optional<Mechanism> mechanism = bind(*page_.description, page_.found);
+    if (page_.found.has_errors()) {
+      return;
+    }
+    if (mechanism) {
+      auto certified = analyse_mechanism(path_,
+                                         {.description = *page_.description,
+                                          .mechanism = *std::move(mechanism),
+                                          .shift = std::nullopt},
+                                         options_.accuracy,
+                                         page_.found);
+      if (certified) {
+        add_data(
+            "report",
+            make_certified_report(certified->analysis, certified->certainty, kForms, page_.found));
+        page_.analysis = std::move(certified->analysis);
+      }
+    }
+    if (mechanism || !page_.description->synthesis) {
+      Diagnostics found;
+      page_.mobility = find_mobility(path_, *page_.description, options_.accuracy, found);
+      add_new(found, page_.found);
+      if (page_.mobility) {
+        add_data("mobility", make_mobility_report(*page_.mobility, kForms, page_.found));
+      }
+    }
+  }
+
+  void synthesize() {
+    if (!page_.description->synthesis || page_.found.has_errors()) {
+      return;
+    }
+    Diagnostics found;
+    page_.synthesis = find_synthesis(path_, *page_.description, {}, found);
+    add_new(found, page_.found);
+    if (page_.synthesis) {
+      add_data("synthesis", make_synthesis_report(*page_.synthesis, kForms, page_.found));
+    }
+  }
+
+  void add_data(const std::string& pass, FileReport report) {
+    const std::string stem = printable(report_stem(path_));
+    page_.data.push_back({.name = fmt::format("{}.{}.json", stem, pass),
+                          .type = "application/json",
+                          .text = std::move(report.json)});
+    for (NamedTable& table : report.csv) {
+      const std::string name = fmt::format("{}.{}.csv", stem, table.pass);
+      const bool is_there =
+          std::ranges::find(page_.data, name, &PageData::name) != page_.data.end();
+      if (!is_there) {
+        page_.data.push_back({.name = name, .type = "text/csv", .text = std::move(table.text)});
+      }
+    }
+  }
+
+  static constexpr ReportForms kForms{.json = true, .csv = true};
+
+  const std::string& path_;
+  const AnalyseOptions& options_;
+  FilePage page_;
+};
+
+bool can_be_written(const HtmlReportOptions& page, Outcome& outcome) {
+  if (page.path.empty()) {
+    return true;
+  }
+  const OutputFile file{
+      .path = page.path, .content = {}, .signature = std::string(html_signature())};
+  Diagnostics found;
+  const bool is_free = check_places(std::span(&file, 1), page.overwrite, found);
+  if (!found.items().empty()) {
+    add_diagnostics({}, found, Strictness::normal, outcome);
+  }
+  return is_free;
+}
+
+void write_page(std::string html, const HtmlReportOptions& page, Outcome& outcome) {
+  if (page.path.empty()) {
+    outcome.out += html;
+    return;
+  }
+  const OutputFile file{
+      .path = page.path, .content = std::move(html), .signature = std::string(html_signature())};
+  Diagnostics found;
+  if (write_files(std::span(&file, 1), page.overwrite, found)) {
+    outcome.out += fmt::format("{}: written\n", printable(page.path));
+  } else {
+    add_diagnostics({}, found, Strictness::normal, outcome);
+  }
+}
+
+}  // namespace
+
+Outcome html_report_of_files(const std::vector<std::string>& paths,
+                             const HtmlReportOptions& page,
+                             const AnalyseOptions& options) {
+  Outcome outcome;
+  outcome.form = options.diagnostics;
+  if (!can_be_written(page, outcome)) {
+    return outcome;
+  }
+  std::vector<FilePage> pages;
+  Outcome read = for_each_file(paths, options, [&](const std::string& path, Outcome& of_file) {
+    pages.push_back(PageBuilder(path, options).run());
+    add_diagnostics(pages.back().source, pages.back().found, options.strictness, of_file);
+  });
+  write_page(html_report(pages), page, read);
+  return read;
+}
+
+}  // namespace kinestat

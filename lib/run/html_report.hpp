@@ -1,0 +1,23 @@
+// The page that shows everything of some files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/atomic_file.hpp"
+#include "run/analyse.hpp"
+
+namespace kinestat {
+
+struct HtmlReportOptions {
+  std::string path;  ///< of the page; empty: standard output
+  Overwrite overwrite = Overwrite::own_only;
+};
+
+/// One page for all files, each with every pass for which it gives a reason; a file that is wrong
+/// has its findings there. The page is written whole or not at all.
+Outcome html_report_of_files(const std::vector<std::string>& paths,
+                             const HtmlReportOptions& page,
+                             const AnalyseOptions& options);
+
+}  // namespace kinestat
