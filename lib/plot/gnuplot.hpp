@@ -1,0 +1,17 @@
+// Charts as text for gnuplot, with their data inside.
+#pragma once
+
+#include <string>
+
+#include "plot/bar_map.hpp"
+#include "plot/chart.hpp"
+
+namespace kinestat {
+
+/// A script that draws the charts below each other in whatever terminal the user has set.
+std::string gnuplot_text(const Figure& figure);
+
+/// A script with one histogram a block.
+std::string gnuplot_text(const BarMap& map);
+
+}  // namespace kinestat
