@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 
 #include "command.hpp"
 #include "run/benchmark.hpp"
+#include "seconds.hpp"
 #include "sweep_options.hpp"
 
 namespace kinestat::app {
@@ -16,11 +16,6 @@ struct BenchOptions {
   FileOptions files;
   BenchmarkChoice choice;
 };
-
-double seconds() {
-  const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
-  return now.count();
-}
 
 }  // namespace
 

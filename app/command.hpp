@@ -25,6 +25,7 @@ void add_synthesize(CLI::App& parent, Job& job);
 void add_report(CLI::App& parent, Job& job);
 void add_compare(CLI::App& parent, Job& job);
 void add_bench(CLI::App& parent, Job& job);
+void add_plot(CLI::App& parent, Job& job);
 void add_new(CLI::App& parent, Job& job);
 void add_schema(CLI::App& parent, Job& job);
 void add_explain(CLI::App& parent, Job& job);

@@ -57,6 +57,7 @@ void add_commands(CLI::App& app, Job& job) {
   kinestat::app::add_report(app, job);
   kinestat::app::add_compare(app, job);
   kinestat::app::add_bench(app, job);
+  kinestat::app::add_plot(app, job);
   kinestat::app::add_explain(app, job);
   kinestat::app::add_schema(app, job);
   kinestat::app::add_help(app, job);

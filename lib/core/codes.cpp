@@ -351,6 +351,13 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "interrupted. With --resume the sweep goes on with it, provided that the file, --set, the "
      "options and the version are still the same; with --force it is thrown away. Neither happens "
      "unasked, for it may be the work of hours."},
+    {"E0909",
+     wrong_input,
+     "file has nothing for this picture",
+     "A picture shows what an analysis found, and here that is missing: a shift matrix needs "
+     "clutches and brakes, bars of forces a case whose actions are solved, a lever diagram a "
+     "planetary set. The message says what is missing; 'kinestat plot list FILE' says of every "
+     "picture whether the file has it."},
 });
 
 std::vector<Code> joined() {

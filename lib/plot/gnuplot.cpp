@@ -31,7 +31,7 @@ std::string number(double value) {
 }
 
 std::string head_text(const std::string& title, const std::string& description) {
-  std::string text = "# " + quoted(title).substr(1);
+  std::string text = std::string(gnuplot_signature()) + "# " + quoted(title).substr(1);
   text.pop_back();
   return text + "\n# " + description + "\nset encoding utf8\n";
 }
@@ -128,6 +128,10 @@ std::string block_text(const BarMap& map, std::size_t index) {
 }
 
 }  // namespace
+
+std::string_view gnuplot_signature() {
+  return "# kinestat picture\n";
+}
 
 std::string gnuplot_text(const Figure& figure) {
   std::string text = head_text(figure.title, figure.description);

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "plot/bar_map.hpp"
 #include "plot/chart.hpp"
 
 namespace kinestat {
+
+/// How every such text begins.
+std::string_view gnuplot_signature();
 
 /// A script that draws the charts below each other in whatever terminal the user has set.
 std::string gnuplot_text(const Figure& figure);

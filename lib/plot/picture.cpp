@@ -87,13 +87,18 @@ Picture make_picture(
           .elements = svg.elements()};
 }
 
+std::string_view svg_signature() {
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- kinestat picture -->\n";
+}
+
 std::string svg_file(const Picture& picture) {
   const Picture whole = with_title(picture);
   Svg paper;
   paper.rectangle(whole.view, {.stroke = Ink::none, .fill = Ink::paper});
   return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}>\n{}<style>:root{{{}}}"
+      "{}{}>\n{}<style>:root{{{}}}"
       "@media (prefers-color-scheme:dark){{:root{{{}}}}}{}</style>\n{}{}</svg>\n",
+      svg_signature(),
       opening(whole),
       words(whole),
       light_variables(),

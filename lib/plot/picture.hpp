@@ -32,6 +32,9 @@ Picture make_picture(std::string name,
 /// prefers, with a background. In programs that know no style sheets it is light.
 std::string svg_file(const Picture& picture);
 
+/// How every such file begins.
+std::string_view svg_signature();
+
 /// The element `svg` for a page, without style: the page has ink_rules() and the variables. Ids
 /// begin with `prefix`, which must differ from those of other pictures on the page.
 std::string svg_element(const Picture& picture, std::string_view prefix);

@@ -30,48 +30,34 @@ std::optional<Loaded> load_built_in(const SourceFile& source, Diagnostics& found
                 .shift = std::nullopt};
 }
 
-class BenchmarkJob {
- public:
-  BenchmarkJob(const BenchmarkChoice& choice, const Clock& clock)
-      : choice_(choice), clock_(clock) {}
-
-  // Empty iff an error was added.
-  std::optional<FileReport> run(const std::string& path,
-                                const Loaded& loaded,
-                                const ReportForms& forms,
-                                Diagnostics& found) const {
-    const std::vector<Case>& all = loaded.mechanism.cases;
-    const Case* const chosen = choose_case(all, choice_.case_label, found);
-    if (chosen == nullptr && !choice_.case_label.empty()) {
-      return std::nullopt;
-    }
-    std::vector<BenchmarkedCase> results;
-    for (const Case& which : all) {
-      if (choice_.case_label.empty() || &which == chosen) {
-        results.push_back({.label = which.label,
-                           .motion = trade_off(loaded, which, ProblemSide::motion),
-                           .action = trade_off(loaded, which, ProblemSide::action)});
-      }
-    }
-    return make_benchmark_report(path, loaded.description, results, forms, found);
-  }
-
- private:
-  TradeOff trade_off(const Loaded& loaded, const Case& which, ProblemSide side) const {
-    return find_trade_off(loaded.mechanism, which, side, choice_.limits, clock_);
-  }
-
-  const BenchmarkChoice& choice_;
-  const Clock& clock_;
-};
-
 }  // namespace
+
+std::optional<std::vector<BenchmarkedCase>> benchmark_cases(const Mechanism& mechanism,
+                                                            const BenchmarkChoice& choice,
+                                                            const Clock& clock,
+                                                            Diagnostics& found) {
+  const Case* const chosen = choose_case(mechanism.cases, choice.case_label, found);
+  if (chosen == nullptr && !choice.case_label.empty()) {
+    return std::nullopt;
+  }
+  const auto trade_off = [&](const Case& which, ProblemSide side) {
+    return find_trade_off(mechanism, which, side, choice.limits, clock);
+  };
+  std::vector<BenchmarkedCase> results;
+  for (const Case& which : mechanism.cases) {
+    if (choice.case_label.empty() || &which == chosen) {
+      results.push_back({.label = which.label,
+                         .motion = trade_off(which, ProblemSide::motion),
+                         .action = trade_off(which, ProblemSide::action)});
+    }
+  }
+  return results;
+}
 
 Outcome benchmark_files(const std::vector<std::string>& paths,
                         const BenchmarkChoice& choice,
                         const AnalyseOptions& options,
                         const Clock& clock) {
-  const BenchmarkJob job(choice, clock);
   const std::vector<SourceFile> built_in =
       paths.empty() ? extreme_networks() : std::vector<SourceFile>();
   std::vector<std::string> names = paths;
@@ -90,7 +76,11 @@ Outcome benchmark_files(const std::vector<std::string>& paths,
         const std::optional<Loaded> loaded = at != built_in.end()
                                                  ? load_built_in(source, found)
                                                  : load(path, options.load, source, found);
-        return loaded ? job.run(path, *loaded, forms, found) : std::nullopt;
+        const auto results =
+            loaded ? benchmark_cases(loaded->mechanism, choice, clock, found) : std::nullopt;
+        return results ? std::optional(make_benchmark_report(
+                             path, loaded->description, *results, forms, found))
+                       : std::nullopt;
       });
 }
 

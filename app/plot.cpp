@@ -1,0 +1,70 @@
+#include "run/plot.hpp"
+
+#include "accuracy_options.hpp"
+#include "command.hpp"
+#include "seconds.hpp"
+
+namespace kinestat::app {
+
+namespace {
+
+struct PlotCommand {
+  FileOptions files;
+  PlotChoice choice;
+};
+
+void add_choices(CLI::App& command, PlotChoice& choice) {
+  with_value(command,
+             command.add_option("--case,--gear",
+                                choice.case_label,
+                                "the case or gear to show; default all, in\n"
+                                "pictures of one the first"),
+             "LABEL");
+  add_choice<PictureForm>(
+      command,
+      "--emit",
+      {{"svg", PictureForm::svg}, {"dot", PictureForm::dot}, {"gnuplot", PictureForm::gnuplot}},
+      choice.form,
+      "svg, or text for other programs: dot of\n"
+      "graphs, gnuplot of charts");
+  with_value(command,
+             command.add_option("-o,--out",
+                                choice.path,
+                                "file for the picture; without it the picture\n"
+                                "goes to standard output"),
+             "FILE");
+  add_flag(
+      command,
+      "--force",
+      [&choice] { choice.overwrite = Overwrite::force; },
+      "replace a file that this program did not write");
+}
+
+}  // namespace
+
+void add_plot(CLI::App& parent, Job& job) {
+  CLI::App* command =
+      parent.add_subcommand("plot", "Draw one picture of a file: charts, graphs, mechanisms.");
+  command->footer(
+      "  kinestat plot list mechanisms/transmissions/ravigneaux.yaml\n"
+      "  kinestat plot speeds -o speeds.svg mechanisms/transmissions/ravigneaux.yaml\n"
+      "  kinestat plot forces --case M2 --emit gnuplot train.yaml | gnuplot -p\n"
+      "\nPictures:\n" +
+      picture_help());
+  auto options = std::make_shared<PlotCommand>();
+  add_argument(*command, "PICTURE", options->choice.picture, "one of the pictures above, or list")
+      .required();
+  add_files(*command, options->files);
+  command->get_option("FILE")->expected(1)->description("a mechanism file; - is standard input");
+  add_choices(*command, options->choice);
+  add_accuracy(*command, options->files.analyse.accuracy);
+  add_strict(*command, options->files);
+  command->callback([options, &job] {
+    job = [options] {
+      return plot_file(
+          options->files.paths.front(), options->choice, options->files.analyse, seconds);
+    };
+  });
+}
+
+}  // namespace kinestat::app

@@ -1,0 +1,320 @@
+#include "run/plot.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "core/utf8.hpp"
+#include "io/atomic_file.hpp"
+#include "mechanism/bind.hpp"
+#include "plot/catalogue.hpp"
+#include "plot/gnuplot.hpp"
+#include "run/benchmark.hpp"
+#include "run/each_file.hpp"
+#include "run/synthesis.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// For each side of a case.
+constexpr double kTimingSeconds = 2.0;
+
+constexpr std::string_view kDotSignature = "// kinestat picture\n";
+
+std::string_view signature_of(PictureForm form) {
+  switch (form) {
+    case PictureForm::svg:
+      return svg_signature();
+    case PictureForm::dot:
+      return kDotSignature;
+    case PictureForm::gnuplot:
+      return gnuplot_signature();
+  }
+  return {};
+}
+
+// Everything of a file that pictures are made of, as far as somebody asked for it.
+struct PictureSolutions {
+  std::optional<Analysis> analysis;
+  std::optional<SynthesisAnalysis> synthesis;
+  std::optional<std::vector<BenchmarkedCase>> benchmark;
+
+  PictureSource source() const {
+    return {.analysis = analysis ? &*analysis : nullptr,
+            .synthesis = synthesis ? &*synthesis : nullptr,
+            .benchmark = benchmark ? &*benchmark : nullptr};
+  }
+};
+
+class PictureJob {
+ public:
+  PictureJob(const std::string& path,
+             const PlotChoice& choice,
+             const AnalyseOptions& options,
+             const Clock& clock)
+      : path_(path), choice_(choice), options_(options), clock_(clock) {}
+
+  void run(Outcome& outcome) {
+    source_.path = path_;
+    const std::optional<std::string> text = make_text();
+    if (text && may_write()) {
+      write(*text, outcome);
+    }
+    add_diagnostics(source_, found_, options_.strictness, outcome);
+  }
+
+ private:
+  // Empty iff an error was added.
+  std::optional<std::string> make_text() {
+    description_ = load_description(path_, options_.load, source_, found_);
+    if (!description_) {
+      return std::nullopt;
+    }
+    if (choice_.picture == kListPictures) {
+      return list_text();
+    }
+    const PictureKind* const kind = find_picture_kind(choice_.picture);
+    if (kind == nullptr || !find(kind->need)) {
+      return std::nullopt;
+    }
+    PictureSource source = solutions_.source();
+    if (!choose_case(source)) {
+      return std::nullopt;
+    }
+    if (const std::string lack = kind->lack(source); !lack.empty()) {
+      refuse(lack);
+      return std::nullopt;
+    }
+    return text_of(*kind, source);
+  }
+
+  void refuse(const std::string& lack) {
+    found_.error("E0909",
+                 {},
+                 fmt::format("there is no picture '{}' of this file: {}", choice_.picture, lack),
+                 fmt::format("'kinestat plot {} FILE' says which pictures it has", kListPictures));
+  }
+
+  bool find(PictureNeed need) {
+    switch (need) {
+      case PictureNeed::analysis:
+        return find_analysis();
+      case PictureNeed::synthesis:
+        solutions_.synthesis = find_synthesis(path_, *description_, {}, found_);
+        return solutions_.synthesis.has_value();
+      case PictureNeed::benchmark:
+        return find_benchmark();
+      case PictureNeed::motion:
+        return false;
+    }
+    return false;
+  }
+
+  std::optional<Mechanism> bind_mechanism() {
+    std::optional<Mechanism> mechanism = bind(*description_, found_);
+    if (!mechanism && !found_.has_errors()) {
+      refuse_without_mechanism(*description_, found_);
+    }
+    return mechanism;
+  }
+
+  bool find_analysis() {
+    std::optional<Mechanism> mechanism = bind_mechanism();
+    if (!mechanism) {
+      return false;
+    }
+    auto certified = analyse_mechanism(
+        path_,
+        {.description = *description_, .mechanism = *std::move(mechanism), .shift = std::nullopt},
+        options_.accuracy,
+        found_);
+    if (certified) {
+      solutions_.analysis = std::move(certified->analysis);
+    }
+    return certified.has_value();
+  }
+
+  bool find_benchmark() {
+    const std::optional<Mechanism> mechanism = bind_mechanism();
+    if (!mechanism) {
+      return false;
+    }
+    const BenchmarkChoice choice = {.case_label = choice_.case_label,
+                                    .limits = {.seconds = kTimingSeconds}};
+    solutions_.benchmark = benchmark_cases(*mechanism, choice, clock_, found_);
+    return solutions_.benchmark.has_value();
+  }
+
+  // False iff an error was added: there is no such case.
+  bool choose_case(PictureSource& source) {
+    if (choice_.case_label.empty() || source.analysis == nullptr) {
+      return true;
+    }
+    const std::vector<CaseAnalysis>& cases = source.analysis->cases;
+    std::vector<std::string> labels;
+    for (const CaseAnalysis& one : cases) {
+      labels.push_back(one.which.label);
+    }
+    const auto at = std::ranges::find(labels, choice_.case_label);
+    if (at == labels.end()) {
+      found_.error("E0101",
+                   {},
+                   fmt::format("--case: there is no case '{}'", choice_.case_label),
+                   labels.empty() ? "the file has no cases; leave --case out"
+                                  : fmt::format("its cases are {}", quoted_list(labels)));
+      return false;
+    }
+    source.which = static_cast<std::size_t>(at - labels.begin());
+    return true;
+  }
+
+  std::string text_of(const PictureKind& kind, const PictureSource& source) const {
+    switch (choice_.form) {
+      case PictureForm::svg:
+        return svg_file(kind.draw(source));
+      case PictureForm::dot:
+        return std::string(kDotSignature) + kind.dot(source);
+      case PictureForm::gnuplot:
+        return kind.gnuplot(source);
+    }
+    return {};
+  }
+
+  // What is wrong with the file shows where a picture is asked for; here it is only left out.
+  std::string list_text() {
+    std::string text;
+    for (const PictureKind& kind : picture_kinds()) {
+      const std::string lack = lack_of(kind);
+      text += fmt::format("{}  {:<15} {}\n",
+                          lack.empty() ? "yes" : "no ",
+                          kind.name,
+                          lack.empty() ? std::string(kind.sentence) : lack);
+    }
+    return text;
+  }
+
+  std::string lack_of(const PictureKind& kind) {
+    const bool is_of_synthesis = kind.need == PictureNeed::synthesis;
+    if (is_of_synthesis && !description_->synthesis) {
+      return "the file has no section 'synthesis'";
+    }
+    if (!is_of_synthesis && !description_->has_mechanism()) {
+      return "the file holds no mechanism";
+    }
+    if (kind.need == PictureNeed::benchmark) {
+      return description_->cases.empty() ? "the file has no cases" : "";
+    }
+    PictureSource source = solutions_.source();
+    const bool is_there =
+        is_of_synthesis ? source.synthesis != nullptr : source.analysis != nullptr;
+    if (!is_there && !find(kind.need)) {
+      return "it cannot be found for this file";
+    }
+    source = solutions_.source();
+    return kind.lack(source);
+  }
+
+  OutputFile output(std::string content) const {
+    return {.path = choice_.path,
+            .content = std::move(content),
+            .signature = std::string(signature_of(choice_.form))};
+  }
+
+  bool may_write() { return !choice_.path.empty() || !options_.is_quiet; }
+
+  void write(std::string text, Outcome& outcome) {
+    if (choice_.path.empty() || choice_.picture == kListPictures) {
+      outcome.out += text;
+      return;
+    }
+    const OutputFile file = output(std::move(text));
+    if (write_files(std::span(&file, 1), choice_.overwrite, found_)) {
+      outcome.out += fmt::format("{}: written\n", printable(choice_.path));
+    }
+  }
+
+  const std::string& path_;
+  const PlotChoice& choice_;
+  const AnalyseOptions& options_;
+  const Clock& clock_;
+  SourceFile source_;
+  Diagnostics found_;
+  std::optional<MechanismDescription> description_;
+  PictureSolutions solutions_;
+};
+
+// Forms that a picture has, beside svg.
+std::string other_forms(const PictureKind& kind) {
+  return kind.dot != nullptr       ? "its other form is dot"
+         : kind.gnuplot != nullptr ? "its other form is gnuplot"
+                                   : "it has no other form than svg";
+}
+
+// Complains about a picture or a form that there is not.
+bool check_choice(const PlotChoice& choice, Outcome& outcome) {
+  if (choice.picture == kListPictures) {
+    return true;
+  }
+  const PictureKind* const kind = find_picture_kind(choice.picture);
+  if (kind == nullptr) {
+    const std::vector<std::string> names = picture_names();
+    const std::string guess = did_you_mean(choice.picture, names);
+    add_message(
+        "E0101",
+        fmt::format("there is no picture '{}'", printable(choice.picture)),
+        guess.empty() ? fmt::format("pictures are {}", plain_list(names, names.size())) : guess,
+        outcome);
+    return false;
+  }
+  const bool has_form = choice.form == PictureForm::svg ||
+                        (choice.form == PictureForm::dot ? kind->dot : kind->gnuplot) != nullptr;
+  if (!has_form) {
+    const char* const form = choice.form == PictureForm::dot ? "dot" : "gnuplot";
+    add_message("E0101",
+                fmt::format("--emit {}: '{}' has no such form", form, choice.picture),
+                other_forms(*kind),
+                outcome);
+  }
+  return has_form;
+}
+
+}  // namespace
+
+std::vector<std::string> picture_names() {
+  std::vector<std::string> names;
+  for (const PictureKind& kind : picture_kinds()) {
+    names.emplace_back(kind.name);
+  }
+  return names;
+}
+
+std::string picture_help() {
+  std::string text;
+  for (const PictureKind& kind : picture_kinds()) {
+    text += fmt::format("  {:<15} {}\n", kind.name, kind.sentence);
+  }
+  return text + fmt::format("  {:<15} {}\n", kListPictures, "says which of these the file has");
+}
+
+Outcome plot_file(const std::string& path,
+                  const PlotChoice& choice,
+                  const AnalyseOptions& options,
+                  const Clock& clock) {
+  Outcome outcome;
+  outcome.form = options.diagnostics;
+  if (!check_choice(choice, outcome)) {
+    return outcome;
+  }
+  const Outcome done =
+      for_each_file({path}, options, [&](const std::string& one, Outcome& of_file) {
+        PictureJob(one, choice, options, clock).run(of_file);
+      });
+  return done;
+}
+
+}  // namespace kinestat

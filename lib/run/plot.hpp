@@ -1,0 +1,41 @@
+// Single pictures of a file.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "benchmark/interleaved_times.hpp"
+#include "run/analyse.hpp"
+
+namespace kinestat {
+
+/// What a picture is written as.
+enum class PictureForm { svg, dot, gnuplot };
+
+struct PlotChoice {
+  std::string picture;     ///< a name of the catalogue, or `kListPictures`
+  std::string case_label;  ///< empty: all cases or, for pictures of one, the first
+  PictureForm form = PictureForm::svg;
+  std::string path;  ///< of the file to write; empty: standard output
+  Overwrite overwrite = Overwrite::own_only;
+};
+
+/// Instead of a picture: a table of all pictures that says which ones the file has.
+inline constexpr std::string_view kListPictures = "list";
+
+/// The names of all pictures.
+std::vector<std::string> picture_names();
+
+/// A line for each picture: its name and what it shows.
+std::string picture_help();
+
+/// The picture of one file. An unknown picture, or a form that it does not have, is wrong use of
+/// the command line; a file that lacks what it shows is E0909. `clock` is asked only for the
+/// comparison of methods.
+Outcome plot_file(const std::string& path,
+                  const PlotChoice& choice,
+                  const AnalyseOptions& options,
+                  const Clock& clock);
+
+}  // namespace kinestat
