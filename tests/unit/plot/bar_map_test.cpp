@@ -1,0 +1,80 @@
+#include "plot/bar_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/contract.hpp"
+
+namespace kinestat {
+namespace {
+
+BarMap map_of(std::vector<BarRow> rows, std::vector<std::string> columns) {
+  return {.name = "demo",
+          .title = "t",
+          .description = "d",
+          .columns = std::move(columns),
+          .blocks = {{.title = "force [N]", .rows = std::move(rows)}},
+          .remarks = {}};
+}
+
+std::size_t count_of(const Picture& picture, const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = picture.elements.find(text); at != std::string::npos;
+       at = picture.elements.find(text, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+TEST(BarMap, HasABarForWhatIsNotZero) {
+  const Picture picture = draw_bar_map(map_of(
+      {{.name = "a", .values = {3.0, 0.0}}, {.name = "b", .values = {{}, 2.0}}}, {"M1", "M2"}));
+
+  EXPECT_EQ(count_of(picture, "<rect"), 2U);
+  EXPECT_EQ(count_of(picture, ">–<"), 1U);
+}
+
+// The larger value fills the scale; half of it is half as long.
+TEST(BarMap, HasOneScaleForAllCases) {
+  const Picture picture = draw_bar_map(map_of({{.name = "a", .values = {8.0, 4.0}}}, {"M1", "M2"}));
+
+  EXPECT_EQ(count_of(picture, "width=\"88\""), 1U);
+  EXPECT_EQ(count_of(picture, "width=\"44\""), 1U);
+}
+
+TEST(BarMap, HatchesNegativeValues) {
+  const Picture positive = draw_bar_map(map_of({{.name = "a", .values = {8.0}}}, {"M1"}));
+  const Picture negative = draw_bar_map(map_of({{.name = "a", .values = {-8.0}}}, {"M1"}));
+
+  EXPECT_EQ(count_of(positive, "<path"), 0U);
+  EXPECT_EQ(count_of(negative, "<path"), 1U);
+}
+
+TEST(BarMap, LeavesSmallValuesOfManyOut) {
+  std::vector<BarRow> rows;
+  for (int i = 0; i < 100; ++i) {
+    rows.push_back({.name = "row" + std::to_string(i), .values = {static_cast<double>(i)}});
+  }
+
+  const Picture picture = draw_bar_map(map_of(std::move(rows), {"M1"}));
+
+  EXPECT_EQ(count_of(picture, ">row99<"), 1U);
+  EXPECT_EQ(count_of(picture, ">row39<"), 0U);
+  EXPECT_EQ(count_of(picture, ">and 40 with smaller values<"), 1U);
+}
+
+TEST(BarMap, PutsManyCasesBelowEachOther) {
+  const std::vector<std::string> labels = {"1", "2", "3", "4", "5", "6", "7", "8", "R"};
+  const Picture picture = draw_bar_map(
+      map_of({{.name = "a", .values = std::vector<std::optional<double>>(9, 1.0)}}, labels));
+
+  EXPECT_LT(picture.view.width(), 1200.0);
+  EXPECT_EQ(count_of(picture, ">R<"), 1U);
+}
+
+TEST(BarMap, WantsAValueForEachCase) {
+  EXPECT_THROW(draw_bar_map(map_of({{.name = "a", .values = {1.0}}}, {"M1", "M2"})),
+               ContractViolation);
+}
+
+}  // namespace
+}  // namespace kinestat

@@ -1,0 +1,140 @@
+#include "plot/chart.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "core/contract.hpp"
+
+namespace kinestat {
+namespace {
+
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+
+Figure figure_of(Chart chart) {
+  return {.name = "demo", .title = "t", .description = "d", .charts = {std::move(chart)}};
+}
+
+Chart line_chart() {
+  return {.x = {.label = "angle", .unit = "deg"},
+          .y = {.label = "speed", .unit = "rad/s"},
+          .series = {{.name = "rocker", .x = {0.0, 90.0, 180.0}, .y = {1.0, 3.0, 2.0}}}};
+}
+
+bool has(const Picture& picture, const std::string& text) {
+  return picture.elements.find(text) != std::string::npos;
+}
+
+std::size_t count_of(const Picture& picture, const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = picture.elements.find(text); at != std::string::npos;
+       at = picture.elements.find(text, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+TEST(Chart, NamesItsAxesWithUnits) {
+  const Picture picture = draw_figure(figure_of(line_chart()));
+
+  EXPECT_TRUE(has(picture, ">angle [deg]<"));
+  EXPECT_TRUE(has(picture, ">speed [rad/s]<"));
+}
+
+TEST(Chart, PutsPowersOfTenIntoTheUnit) {
+  EXPECT_EQ(axis_title({.label = "force", .unit = "N"}, 3), "force [10³ N]");
+  EXPECT_EQ(axis_title({.label = "ratio", .unit = ""}, 0), "ratio");
+  EXPECT_EQ(axis_title({.label = "ratio", .unit = ""}, 6), "ratio [10⁶]");
+}
+
+TEST(Chart, HasALegendOnlyForSeveralSeries) {
+  Chart chart = line_chart();
+  EXPECT_EQ(count_of(draw_figure(figure_of(chart)), ">rocker<"), 1U);  // the title of its group
+
+  chart.series.push_back({.name = "coupler", .x = {0.0, 180.0}, .y = {1.0, 2.0}});
+  EXPECT_EQ(count_of(draw_figure(figure_of(chart)), ">rocker<"), 2U);
+}
+
+TEST(Chart, LeavesGapsWhereThereIsNoValue) {
+  Chart chart = line_chart();
+  chart.series.front() = {
+      .name = "s", .x = {0.0, 60.0, 90.0, 120.0, 180.0}, .y = {1.0, 2.0, kGap, 2.0, 1.0}};
+
+  const Picture picture = draw_figure(figure_of(chart));
+
+  const std::size_t begin = picture.elements.find(" d=\"M");
+  const std::string data =
+      picture.elements.substr(begin + 4, picture.elements.find('"', begin + 4) - begin - 4);
+  EXPECT_EQ(std::count(data.begin(), data.end(), 'M'), 2);
+  EXPECT_EQ(picture.elements.find("nan"), std::string::npos);
+}
+
+TEST(Chart, SaysWhereThereAreNoData) {
+  Chart chart = line_chart();
+  chart.series.front().y = {kGap, kGap, kGap};
+
+  EXPECT_TRUE(has(draw_figure(figure_of(chart)), ">no data<"));
+}
+
+TEST(Chart, StandsAConstantValueInTheMiddle) {
+  Chart chart = line_chart();
+  chart.series.front().y = {2.0, 2.0, 2.0};
+
+  EXPECT_FALSE(has(draw_figure(figure_of(chart)), ">no data<"));
+}
+
+TEST(Chart, WritesLabelsOfMarksAndGuides) {
+  Chart chart = line_chart();
+  chart.marks = {{.x = 90.0, .y = 3.0, .label = "max 3"}};
+  chart.guides = {{.x = 45.0, .label = "dead point"}};
+
+  const Picture picture = draw_figure(figure_of(chart));
+
+  EXPECT_TRUE(has(picture, ">max 3<"));
+  EXPECT_TRUE(has(picture, ">dead point<"));
+}
+
+TEST(Chart, LeavesOutGuidesBesideTheAxis) {
+  Chart chart = line_chart();
+  chart.guides = {{.x = 500.0, .label = "far off"}};
+
+  EXPECT_FALSE(has(draw_figure(figure_of(chart)), "far off"));
+}
+
+TEST(Chart, DrawsAThousandPointsOnAPixelAsFew) {
+  Chart chart = line_chart();
+  Series& series = chart.series.front();
+  series.x.clear();
+  series.y.clear();
+  for (int i = 0; i <= 100000; ++i) {
+    series.x.push_back(i / 1000.0);
+    series.y.push_back(1.0);
+  }
+
+  EXPECT_LT(draw_figure(figure_of(chart)).elements.size(), 60000U);
+}
+
+TEST(Chart, GivesAStraightPathAFrame) {
+  Chart chart = line_chart();
+  chart.has_equal_scales = true;
+  chart.series.front() = {.name = "p", .x = {0.0, 10.0}, .y = {1.0, 1.0}};
+
+  const Picture picture = draw_figure(figure_of(chart));
+
+  EXPECT_GT(picture.view.height(), 60.0);
+}
+
+TEST(Chart, WantsAsManyXAsY) {
+  Chart chart = line_chart();
+  chart.series.front().x.pop_back();
+
+  EXPECT_THROW(draw_figure(figure_of(chart)), ContractViolation);
+}
+
+TEST(Chart, IsTheSameEveryTime) {
+  EXPECT_EQ(svg_file(draw_figure(figure_of(line_chart()))),
+            svg_file(draw_figure(figure_of(line_chart()))));
+}
+
+}  // namespace
+}  // namespace kinestat

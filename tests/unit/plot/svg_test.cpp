@@ -1,0 +1,123 @@
+#include "plot/svg.hpp"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/contract.hpp"
+
+namespace kinestat {
+namespace {
+
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+
+bool has(const Svg& svg, const std::string& text) {
+  return svg.elements().find(text) != std::string::npos;
+}
+
+TEST(Svg, EscapesTextAndTitles) {
+  Svg svg;
+  svg.open_group("<b>");
+  svg.text({.x = 0.0, .y = 0.0}, "</text><script>", {});
+  svg.close_group();
+
+  EXPECT_FALSE(has(svg, "<script>"));
+  EXPECT_TRUE(has(svg, "&lt;/text&gt;&lt;script&gt;"));
+  EXPECT_TRUE(has(svg, "<title>&lt;b&gt;</title>"));
+}
+
+TEST(Svg, EscapesAttributes) {
+  Svg svg;
+  const std::vector<Attribute> attributes = {{"data-name", "\" onload=\"x"}};
+  svg.open_group("", attributes);
+  svg.close_group();
+
+  EXPECT_TRUE(has(svg, "data-name=\"&quot; onload=&quot;x\""));
+}
+
+TEST(Svg, BreaksLinesAtGaps) {
+  Svg svg;
+  const std::vector<PixelPoint> points = {
+      {.x = 0, .y = 0}, {.x = 1, .y = 1}, {.x = kGap, .y = 2}, {.x = 3, .y = 3}, {.x = 4, .y = 4}};
+  svg.polyline(points, {});
+
+  EXPECT_TRUE(has(svg, "d=\"M0,0L1,1M3,3L4,4\""));
+}
+
+TEST(Svg, DrawsAPointBetweenGapsAsADot) {
+  Svg svg;
+  const std::vector<PixelPoint> points = {
+      {.x = kGap, .y = 0}, {.x = 2, .y = 2}, {.x = 1, .y = kGap}};
+  svg.polyline(points, {});
+
+  EXPECT_TRUE(has(svg, "d=\"M2,2h0.01\""));
+}
+
+TEST(Svg, DrawsNothingOfGapsAlone) {
+  Svg svg;
+  const std::vector<PixelPoint> points = {{.x = kGap, .y = kGap}};
+  svg.polyline(points, {});
+
+  EXPECT_TRUE(svg.elements().empty());
+  EXPECT_TRUE(svg.bounds().is_empty());
+}
+
+TEST(Svg, RefusesShapesThatAreNotFinite) {
+  Svg svg;
+
+  EXPECT_THROW(svg.line({.x = kGap, .y = 0.0}, {.x = 1.0, .y = 0.0}, {}), ContractViolation);
+  EXPECT_THROW(svg.circle({.x = 0.0, .y = 0.0}, std::numeric_limits<double>::infinity(), {}),
+               ContractViolation);
+}
+
+TEST(Svg, KnowsWhereItsShapesLie) {
+  Svg svg;
+  svg.circle({.x = 10.0, .y = 20.0}, 5.0, {.stroke = Ink::ink, .width = 2.0});
+
+  EXPECT_DOUBLE_EQ(svg.bounds().left, 4.0);
+  EXPECT_DOUBLE_EQ(svg.bounds().bottom, 26.0);
+}
+
+TEST(Svg, KnowsWhereTurnedTextLies) {
+  const PixelBox box = text_box(
+      {.x = 0.0, .y = 0.0}, "length", {.size = 10.0, .anchor = Anchor::middle, .turn = -90.0});
+
+  EXPECT_NEAR(box.height(), text_width("length", 10.0), 1e-12);
+  EXPECT_NEAR(box.width(), 10.0, 1e-12);
+}
+
+TEST(Svg, HatchesWithinTheBox) {
+  Svg svg;
+  const PixelBox box = {.left = 10.0, .top = 20.0, .right = 40.0, .bottom = 31.0};
+  svg.hatch(box, Ink::ink);
+
+  EXPECT_GE(svg.bounds().left, box.left);
+  EXPECT_LE(svg.bounds().bottom, box.bottom);
+}
+
+TEST(Svg, DrawsOnlyTheHeadOfAShortArrow) {
+  Svg svg;
+  svg.arrow({.x = 0.0, .y = 0.0}, {.x = 3.0, .y = 0.0}, {}, 8.0);
+
+  EXPECT_FALSE(has(svg, "<line"));
+  EXPECT_TRUE(has(svg, "<polygon points=\"3,0 "));
+}
+
+TEST(Svg, WantsItsGroupsClosed) {
+  Svg svg;
+  svg.open_group();
+
+  EXPECT_THROW(static_cast<void>(svg.elements()), ContractViolation);
+}
+
+TEST(PixelBox, OverlapsOnlyWhereAreasDo) {
+  const PixelBox box = {.left = 0.0, .top = 0.0, .right = 2.0, .bottom = 2.0};
+
+  EXPECT_TRUE(box.overlaps({.left = 1.0, .top = 1.0, .right = 3.0, .bottom = 3.0}));
+  EXPECT_FALSE(box.overlaps({.left = 2.0, .top = 0.0, .right = 3.0, .bottom = 2.0}));
+}
+
+}  // namespace
+}  // namespace kinestat
