@@ -180,18 +180,27 @@ class LeverSearch {
     return given.dot(unit) / size;
   }
 
-  // Where at least two gears turn, and the carrier itself against others than its planets.
+  bool has_line(int body, const Line& line) const {
+    return std::ranges::any_of(lines_[static_cast<std::size_t>(body)],
+                               [&](const Line& one) { return is_one_line(one, line); });
+  }
+
+  // Where at least two gears and the carrier turn: of several lines that on which the ground has a
+  // bearing too, for planets may share a pin.
   std::optional<Line> main_line(const std::vector<SetGear>& gears, int carrier) const {
+    std::optional<Line> found;
     for (const SetGear& gear : gears) {
       const auto is_here = [&](const SetGear& other) { return is_one_line(gear.line, other.line); };
-      const bool turns_here =
-          std::ranges::any_of(lines_[static_cast<std::size_t>(carrier)],
-                              [&](const Line& line) { return is_one_line(line, gear.line); });
-      if (turns_here && std::ranges::count_if(gears, is_here) >= 2) {
+      const bool is_main =
+          has_line(carrier, gear.line) && std::ranges::count_if(gears, is_here) > 1;
+      if (is_main && has_line(0, gear.line)) {
         return gear.line;
       }
+      if (is_main && !found) {
+        found = gear.line;
+      }
     }
-    return std::nullopt;
+    return found;
   }
 
   Lever make_lever(BodyId carrier, const Line& main, const std::vector<SetGear>& gears) const {
