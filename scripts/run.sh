@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and analyses mechanisms; reports go to reports/.
+# Installs what is missing, builds, and analyses mechanisms; reports go to reports/, and for files
+# without options also a page to look at.
 # Usage: scripts/run.sh [OPTION | FILE]...   (default: the Ravigneaux train)
 # Options are those of `kinestat analyze`; the exit status is the program's.
 set -euo pipefail
@@ -30,6 +31,10 @@ quietly cmake --build "$build" --target kinestat
 mkdir -p "$reports"
 status=0
 "$build/app/kinestat" analyze --out "$reports" "$@" || status=$?
+# Options are those of `analyze`; the messages of the page are the same ones.
+if [[ " $*" != *" -"* ]]; then
+  "$build/app/kinestat" report --out "$reports/report.html" "$@" >/dev/null 2>&1 || true
+fi
 
 echo
 mapfile -t written < <(find "$reports" -type f -newermt "@$start" | sort)
@@ -38,5 +43,8 @@ if [[ ${#written[@]} -gt 0 ]]; then
   printf '  %s\n' "${written[@]}"
 else
   echo "No report was written."
+fi
+if [[ " ${written[*]} " == *" $reports/report.html "* ]]; then
+  echo "Open in a browser: $reports/report.html"
 fi
 exit "$status"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing; does nothing when all are there.
-# Usage: scripts/setup.sh [build|test|sanitize|bench|lint]...   (default: build test)
+# Usage: scripts/setup.sh [build|test|sanitize|bench|lint|browser]...   (default: build test)
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config libeigen3-dev libyaml-cpp-dev libcli11-dev
@@ -9,6 +9,7 @@ test=("${build[@]}" libgtest-dev python3 python3-jsonschema python3-yaml)
 sanitize=("${test[@]}" clang libclang-rt-14-dev)
 bench=("${build[@]}" liblapack-dev libblas-dev libsuitesparse-dev)
 lint=(clang-format clang-tidy)
+browser=(chromium chromium-driver)
 
 stop() {
   local status=$1
@@ -26,7 +27,8 @@ for part in "$@"; do
     sanitize) wanted+=("${sanitize[@]}") ;;
     bench) wanted+=("${bench[@]}") ;;
     lint) wanted+=("${lint[@]}") ;;
-    *) stop 2 "unknown part '$part'; parts are build, test, sanitize, bench, lint" ;;
+    browser) wanted+=("${browser[@]}") ;;
+    *) stop 2 "unknown part '$part'; parts are build, test, sanitize, bench, lint, browser" ;;
   esac
 done
 

@@ -17,6 +17,7 @@ touch "$BUILD/build.ninja"
 [[ -z ${BROKEN:-} ]] || { echo "an error in a source"; exit 1; }
 """
 PROGRAM = """#!/bin/bash
+[[ $1 == report ]] && { [[ -n ${NO_PAGE:-} ]] || touch "$3"; exit 0; }
 echo "table of ${*: -1} in $PWD"
 touch "$3/new.report.json"
 exit "${STATUS:-0}"
@@ -56,8 +57,18 @@ class RunScript(unittest.TestCase):
         done = self.run_script("x y.yaml")
         self.assertEqual(
             done.stdout,
-            f"table of x y.yaml in /\n\nWritten:\n  {self.root}/reports/new.report.json\n",
+            f"table of x y.yaml in /\n\nWritten:\n  {self.root}/reports/new.report.json\n"
+            f"  {self.root}/reports/report.html\n"
+            f"Open in a browser: {self.root}/reports/report.html\n",
         )
+
+    def test_names_no_page_that_was_not_written(self) -> None:
+        done = self.run_script("x.yaml", NO_PAGE="1")
+        self.assertNotIn("report.html", done.stdout)
+
+    def test_writes_no_page_for_options_of_the_analysis(self) -> None:
+        done = self.run_script("--format", "json", "x.yaml")
+        self.assertNotIn("report.html", done.stdout)
 
     def test_takes_the_ravigneaux_train_without_a_file(self) -> None:
         done = self.run_script()

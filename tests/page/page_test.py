@@ -1,0 +1,364 @@
+#!/usr/bin/env python3
+"""Pages of `kinestat report` in a browser: they load nothing, run nothing of others, and work.
+
+Skipped, with a word on it, where Chromium and its driver are not installed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from browser import Browser, find_browser  # noqa: E402
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = Path("kinestat")
+SKIPPED = 77  # SKIP_RETURN_CODE of the test
+
+# A mechanism of each kind, the headings of its page, and the pictures that it must have.
+PAGES = {
+    "transmissions/ravigneaux.yaml": (["Summary", "Mobility", "Cases", "Data"], []),
+    "planar/four_bar.yaml": (["Summary", "Mobility", "Cases", "Data"], []),
+    "spatial/rssr.yaml": (["Summary", "Mobility", "Data"], []),
+    "cables/block_and_tackle.yaml": (["Summary", "Mobility", "Cases", "Data"], []),
+    "synthesis/crank_rocker.yaml": (["Summary", "Synthesis", "Data"], []),
+}
+
+HOSTILE_TITLE = "<script>alert(1)</script></title><img src=x onerror=alert(2)>]]>\"'=1+1"
+
+
+def write_page(path: Path, *files: Path | str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [PROGRAM, "report", "--force", "--out", path, *files],
+        capture_output=True, encoding="utf-8", check=False, timeout=300,
+    )
+
+
+class PageTest(unittest.TestCase):
+    """Every test opens its page anew, 1280 pixels wide, light, without a wish for less motion."""
+
+    browser: Browser
+    folder: Path
+
+    @classmethod
+    def page(cls, name: str) -> Path:
+        path = cls.folder / (Path(name).stem + ".html")
+        if not path.exists():
+            answer = write_page(path, ROOT / "mechanisms" / name)
+            assert answer.returncode == 0, answer.stderr
+        return path
+
+    def open(self, path: Path, width: int = 1280, **features: str) -> None:
+        self.browser.set_width(width)
+        self.browser.set_media(**features)
+        self.browser.messages()
+        self.browser.requests()
+        self.browser.open(path)
+
+    def ask(self, script: str, *arguments: object):
+        return self.browser.ask(script, *arguments)
+
+    def is_shown(self, selector: str) -> list[bool]:
+        return self.ask(
+            "return [...document.querySelectorAll(arguments[0])]"
+            ".map((one) => one.getClientRects().length > 0);",
+            selector,
+        )
+
+    # What every page keeps to
+
+    def test_nothing_is_loaded_and_the_console_is_silent(self) -> None:
+        for name in PAGES:
+            with self.subTest(name):
+                path = self.page(name)
+                self.open(path)
+                self.ask("for (const one of document.querySelectorAll('input')) one.click();")
+
+                self.assertEqual(self.browser.messages(), [])
+                others = [one for one in self.browser.requests()
+                          if one != path.as_uri() and not one.startswith("data:")]
+                self.assertEqual(others, [])
+
+    def test_title_and_headings_are_there(self) -> None:
+        for name, (headings, _) in PAGES.items():
+            with self.subTest(name):
+                self.open(self.page(name))
+                report = json.loads(self.ask(
+                    "return document.querySelector('script[type=\"application/json\"]').textContent;"
+                ))
+
+                self.assertEqual(self.browser.title(), report["mechanism"]["name"])
+                self.assertEqual(self.ask("return document.querySelectorAll('h1').length;"), 1)
+                shown = self.ask(
+                    "return [...document.querySelectorAll('.part-title')].map((h) => h.textContent);"
+                )
+                self.assertEqual([one for one in headings if one not in shown], [])
+
+    def test_headings_leave_out_no_level(self) -> None:
+        for name in PAGES:
+            with self.subTest(name):
+                self.open(self.page(name))
+                levels = self.ask(
+                    "return [...document.querySelectorAll('h1,h2,h3,h4,h5,h6')]"
+                    ".map((h) => Number(h.tagName[1]));"
+                )
+                jumps = [pair for pair in zip(levels, levels[1:]) if pair[1] > pair[0] + 1]
+                self.assertEqual((levels[0], jumps), (1, []))
+
+    def test_every_picture_is_there_and_has_words(self) -> None:
+        for name, (_, pictures) in PAGES.items():
+            with self.subTest(name):
+                self.open(self.page(name))
+                found = self.ask(
+                    "return [...document.querySelectorAll('figure')].map((one) => {"
+                    "  const svg = one.querySelector('svg');"
+                    "  const hidden = one.closest('[hidden]');"
+                    "  if (hidden) hidden.hidden = false;"
+                    "  const box = svg.getBoundingClientRect();"
+                    "  if (hidden) hidden.hidden = true;"
+                    "  return [one.dataset.picture, box.width, box.height,"
+                    "    svg.getAttribute('aria-label'), one.querySelector('figcaption').textContent];"
+                    "});"
+                )
+                self.assertEqual([one for one in pictures if one not in {f[0] for f in found}], [])
+                for picture, width, height, label, caption in found:
+                    self.assertGreater(min(width, height), 20, picture)
+                    self.assertTrue(label and caption, picture)
+
+    def test_the_page_never_scrolls_sideways(self) -> None:
+        for name in PAGES:
+            for width in (400, 1280):
+                with self.subTest(name, width=width):
+                    self.open(self.page(name), width)
+                    self.ask("for (const one of document.querySelectorAll('[hidden]'))"
+                             " one.hidden = false;")
+                    self.assertLessEqual(
+                        self.ask("return document.documentElement.scrollWidth;"), width)
+
+    def test_ids_are_unique_and_references_meet_them(self) -> None:
+        for name in PAGES:
+            with self.subTest(name):
+                self.open(self.page(name))
+                repeated, dangling = self.ask(
+                    "const ids = [...document.querySelectorAll('[id]')].map((one) => one.id);"
+                    "const all = new Set(ids);"
+                    "const wanted = [...document.querySelectorAll('[aria-labelledby],[href^=\"#\"],"
+                    "[data-save],[for]')].map((one) => one.getAttribute('aria-labelledby') ||"
+                    " one.dataset.save || one.htmlFor || one.getAttribute('href').slice(1));"
+                    "return [ids.filter((one, i) => ids.indexOf(one) !== i),"
+                    " wanted.filter((one) => !all.has(one))];"
+                )
+                self.assertEqual((repeated, dangling), ([], []))
+
+    def test_text_stands_out_in_light_and_in_dark(self) -> None:
+        # WCAG 2.2, 1.4.3: at least 4.5.
+        for name in PAGES:
+            for scheme in ("light", "dark"):
+                with self.subTest(name, scheme=scheme):
+                    self.open(self.page(name), prefers_color_scheme=scheme)
+                    dull = self.ask(CONTRAST)
+                    self.assertEqual(dull, [])
+                    dark = self.ask("return luminance(getComputedStyle(document.body)"
+                                    ".backgroundColor); " + LUMINANCE) < 0.2
+                    self.assertEqual(dark, scheme == "dark")
+
+    def test_colours_can_be_chosen(self) -> None:
+        self.open(self.page("planar/four_bar.yaml"), prefers_color_scheme="light")
+        before, after = self.ask(
+            "const colour = () => getComputedStyle(document.body).backgroundColor;"
+            "const first = colour();"
+            "const theme = document.getElementById('theme');"
+            "theme.value = 'dark'; theme.dispatchEvent(new Event('change'));"
+            "return [first, colour()];"
+        )
+        self.assertNotEqual(before, after)
+
+    # One of several cases
+
+    def test_a_gear_is_chosen_by_the_keyboard_and_by_its_address(self) -> None:
+        path = self.page("transmissions/ravigneaux.yaml")
+        self.open(path)
+        panels = self.is_shown("section.panel")
+        self.assertEqual(panels, [True] + [False] * (len(panels) - 1))
+
+        self.ask("document.querySelector('.choices input').focus();")
+        for kind in ("keyDown", "keyUp"):
+            self.browser.tell("Input.dispatchKeyEvent", type=kind, key="ArrowRight",
+                              code="ArrowRight", windowsVirtualKeyCode=39)
+
+        self.assertEqual(self.is_shown("section.panel"), [False, True] + [False] * (len(panels) - 2))
+
+        self.ask("location.hash = document.querySelectorAll('section.panel')[2].id;")
+        time.sleep(0.2)
+        self.assertEqual(self.is_shown("section.panel"),
+                         [False, False, True] + [False] * (len(panels) - 3))
+
+    def test_without_a_script_everything_is_shown(self) -> None:
+        self.browser.tell("Emulation.setScriptExecutionDisabled", value=True)
+        try:
+            self.open(self.page("transmissions/ravigneaux.yaml"))
+        finally:
+            self.browser.tell("Emulation.setScriptExecutionDisabled", value=False)
+        self.assertEqual(set(self.is_shown("section.panel")), {True})
+        self.assertEqual(set(self.is_shown(".script")), {False})
+
+    def test_on_paper_everything_is_shown_and_nothing_that_is_pressed(self) -> None:
+        self.open(self.page("transmissions/ravigneaux.yaml"), prefers_color_scheme="dark")
+        self.ask("for (const one of document.querySelectorAll('details')) one.open = false;")
+        self.browser.set_media("print", prefers_color_scheme="dark")
+
+        self.assertEqual(set(self.is_shown("section.panel")), {True})
+        self.assertEqual(set(self.is_shown(".script, button, input")), {False})
+        self.assertEqual({one for one in self.is_shown("table")}, {True})
+        cut = self.ask("return [...document.querySelectorAll('.box')].filter((one) =>"
+                       " getComputedStyle(one).overflow !== 'visible').length;")
+        self.assertEqual(cut, 0)
+        self.assertGreater(self.ask(
+            "return luminance(getComputedStyle(document.body).backgroundColor) || 1;" + LUMINANCE
+        ), 0.9)
+
+    # What others write
+
+    def test_what_a_file_says_stays_text(self) -> None:
+        source = (ROOT / "mechanisms/planar/four_bar.yaml").read_text("utf-8")
+        hostile = self.folder / "hostile.yaml"
+        title = json.dumps(HOSTILE_TITLE)
+        hostile.write_text(re.sub(r"(?m)^name:.*$", lambda _: f"name: {title}", source), "utf-8")
+        path = self.folder / "hostile.html"
+        self.assertEqual(write_page(path, hostile).returncode, 0)
+
+        self.open(path)
+
+        self.assertIsNone(self.browser.alert_text())
+        self.assertEqual(self.browser.title(), HOSTILE_TITLE)
+        self.assertEqual(self.ask("return document.querySelector('h1').textContent;"), HOSTILE_TITLE)
+        self.assertEqual(self.ask("return document.querySelectorAll('img').length;"), 0)
+        self.assertEqual(self.browser.messages(), [])
+        stored = self.ask(
+            "return document.querySelector('script[type=\"application/json\"]').textContent;")
+        self.assertEqual(json.loads(stored)["mechanism"]["name"], HOSTILE_TITLE)
+
+    def test_no_other_script_or_style_can_run(self) -> None:
+        path = self.page("planar/four_bar.yaml")
+        broken = self.folder / "broken.html"
+        text = path.read_text("utf-8")
+        broken.write_text(
+            text.replace("<main", "<script>document.title = 'taken'</script>"
+                                  "<p id='painted' style='color:red' onclick='x()'>x</p><main"),
+            "utf-8")
+
+        self.open(broken)
+
+        self.assertNotEqual(self.browser.title(), "taken")
+        self.assertNotEqual(
+            self.ask("return getComputedStyle(document.getElementById('painted')).color;"),
+            "rgb(255, 0, 0)")
+
+    def test_a_file_that_is_wrong_has_its_findings(self) -> None:
+        wrong = self.folder / "wrong.yaml"
+        wrong.write_text("kinestat: 1\nname: Wrong\nbodies: [frame, frame]\n", "utf-8")
+        path = self.folder / "two.html"
+        right = ROOT / "mechanisms/planar/four_bar.yaml"
+
+        answer = write_page(path, wrong, right)
+
+        self.assertEqual(answer.returncode, 3)
+        self.open(path)
+        self.assertEqual(self.ask("return document.querySelectorAll('section.file').length;"), 2)
+        findings = self.ask("return document.querySelector('.findings').textContent;")
+        first = answer.stderr.splitlines()[0]
+        self.assertIn(first, findings)
+
+    def test_the_data_are_those_of_the_reports(self) -> None:
+        file = ROOT / "mechanisms/planar/four_bar.yaml"
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([PROGRAM, "analyze", "-q", "--out", folder, file], check=True)
+            written = {one.name: one.read_text("utf-8") for one in Path(folder).iterdir()}
+        self.open(self.page("planar/four_bar.yaml"))
+        saved = dict(self.ask(SAVE))
+
+        for name, text in written.items():
+            self.assertIn(name, saved)
+            if name.endswith(".csv"):
+                self.assertEqual(saved[name], text, name)
+            else:
+                self.assertEqual(json.loads(saved[name]), json.loads(text), name)
+
+    def test_the_same_files_give_the_same_bytes(self) -> None:
+        again = self.folder / "again.html"
+        for name in PAGES:
+            write_page(again, ROOT / "mechanisms" / name)
+            self.assertEqual(again.read_bytes(), self.page(name).read_bytes(), name)
+
+
+# Relative luminance by WCAG 2.2 of a computed colour.
+LUMINANCE = """
+function luminance(colour) {
+  const [r, g, b, a] = colour.match(/[\\d.]+/g).map(Number);
+  if (a === 0) return NaN;
+  const part = (x) => { x /= 255; return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4; };
+  return 0.2126 * part(r) + 0.7152 * part(g) + 0.0722 * part(b);
+}
+"""
+
+# Elements with text of their own whose colour does not stand out from what is behind.
+CONTRAST = LUMINANCE + """
+const dull = [];
+const paper = luminance(getComputedStyle(document.body).backgroundColor);
+for (const one of document.querySelectorAll('body *')) {
+  const has = [...one.childNodes].some((n) => n.nodeType === 3 && n.textContent.trim());
+  if (!has || !one.getClientRects().length || one.closest('script, desc, title')) continue;
+  const style = getComputedStyle(one);
+  const front = luminance(one.closest('svg') ? style.fill : style.color);
+  let back = NaN;
+  for (let b = one; b && Number.isNaN(back); b = b.parentElement)
+    back = b.closest('svg') ? paper : luminance(getComputedStyle(b).backgroundColor);
+  const [high, low] = [Math.max(front, back), Math.min(front, back)];
+  const contrast = (high + 0.05) / (low + 0.05);
+  if (!(contrast >= 4.5)) dull.push([one.tagName, one.textContent.slice(0, 30), contrast]);
+}
+return dull;
+"""
+
+# What the buttons would save: names and texts.
+SAVE = """
+const saved = [];
+const make = URL.createObjectURL;
+const click = HTMLAnchorElement.prototype.click;
+const wait = [];
+URL.createObjectURL = (blob) => { wait.push(blob.text()); return 'data:,'; };
+HTMLAnchorElement.prototype.click = function () { saved.push(this.download); };
+for (const one of document.querySelectorAll('button[data-save]')) one.click();
+URL.createObjectURL = make;
+HTMLAnchorElement.prototype.click = click;
+return Promise.all(wait).then((texts) => texts.map((text, i) => [saved[i], text]));
+"""
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", type=Path, required=True)
+    arguments, rest = parser.parse_known_args()
+    globals()["PROGRAM"] = arguments.program.resolve()
+    found = find_browser()
+    if not found:
+        print("skipped: chromium and chromium-driver are not installed; scripts/setup.sh test"
+              " installs them")
+        return SKIPPED
+    with tempfile.TemporaryDirectory() as folder, Browser(*found) as browser:
+        PageTest.browser = browser
+        PageTest.folder = Path(folder)
+        program = unittest.main(argv=[sys.argv[0], *rest], exit=False)
+    return 0 if program.result.wasSuccessful() else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
