@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "core/utf8.hpp"
+#include "plot/page/figures.hpp"
 #include "plot/page/tables.hpp"
-#include "plot/picture.hpp"
 #include "plot/summary.hpp"
 #include "report/case_text.hpp"
 #include "report/diagnostic_text.hpp"
@@ -33,6 +33,7 @@ class FileSection {
     add_source();
     add_summary();
     add_findings();
+    add_structure();
     add_mobility();
     add_shift();
     add_cases();
@@ -95,6 +96,47 @@ class FileSection {
     html_.close();
   }
 
+  PictureSource source(std::optional<std::size_t> which = {}) const {
+    return {.analysis = page_.analysis ? &*page_.analysis : nullptr,
+            .synthesis = page_.synthesis ? &*page_.synthesis : nullptr,
+            .which = which};
+  }
+
+  void add_pictures(const std::vector<Picture>& pictures) {
+    if (pictures.empty()) {
+      return;
+    }
+    html_.open("div", {{"class", pictures.size() == 1 ? "pictures" : "pictures two"}});
+    add_figures(pictures, id_, figures_, html_);
+    html_.close();
+  }
+
+  // Tables, and pictures of the same beside them where there is room.
+  void add_pair(const TextBlocks& blocks,
+                const std::string& name,
+                const std::vector<Picture>& pictures) {
+    html_.open("div", {{"class", pictures.empty() || blocks.is_empty() ? "pair" : "pair both"}});
+    html_.open("div");
+    add_blocks(blocks, name, html_);
+    html_.close();
+    if (!pictures.empty()) {
+      html_.open("div");
+      add_figures(pictures, id_, figures_, html_);
+      html_.close();
+    }
+    html_.close();
+  }
+
+  void add_structure() {
+    const std::vector<Picture> pictures = pictures_at(PicturePlace::structure, source());
+    if (pictures.empty()) {
+      return;
+    }
+    open_part("structure", "Structure");
+    add_pictures(pictures);
+    html_.close();
+  }
+
   void add_mobility() {
     if (!page_.mobility) {
       return;
@@ -112,6 +154,7 @@ class FileSection {
       return;
     }
     open_part("shift", "Shift table");
+    add_pictures(pictures_at(PicturePlace::shift, source()));
     add_blocks(shift_blocks(*page_.analysis), "Shift table", html_);
     html_.close();
   }
@@ -154,7 +197,18 @@ class FileSection {
       add_case(i);
     }
     html_.close();
+    if (cases.size() > 1) {
+      add_comparison(are_gears ? "All gears" : "All cases");
+    }
     html_.close();
+  }
+
+  void add_comparison(const std::string& title) {
+    const std::vector<Picture> pictures = pictures_at(PicturePlace::compared, source());
+    if (!pictures.empty()) {
+      html_.element(level(1), title, {{"class", "case-title"}});
+      add_pictures(pictures);
+    }
   }
 
   void add_choices(const std::string& what) {
@@ -184,19 +238,21 @@ class FileSection {
     html_.open("section", {{"class", "panel"}, {"id", id}, {"aria-labelledby", id + "-title"}});
     html_.element(level(1), case_title(one), {{"id", id + "-title"}, {"class", "case-title"}});
     add_blocks(TextBlocks(blocks.known + blocks.ratio), "Case", html_);
-    add_pass("Velocities", blocks.motion);
-    add_pass("Actions", blocks.action);
-    add_pass("Power", blocks.power);
-    add_pass("Free parameters", TextBlocks(blocks.affine));
-    html_.close();
-  }
-
-  void add_pass(const std::string& title, const TextBlocks& blocks) {
-    if (blocks.is_empty()) {
-      return;
+    add_pictures(pictures_at(PicturePlace::one_case, source(index)));
+    const auto add_pass = [&](const char* title, const TextBlocks& pass, PicturePlace place) {
+      if (!pass.is_empty()) {
+        html_.element(level(2), title, {{"class", "pass-title"}});
+        add_pair(pass, title, pictures_at(place, source(index)));
+      }
+    };
+    add_pass("Velocities", blocks.motion, PicturePlace::velocities);
+    add_pass("Actions", blocks.action, PicturePlace::actions);
+    add_pass("Power", blocks.power, PicturePlace::power);
+    if (!blocks.affine.empty()) {
+      html_.element(level(2), "Free parameters", {{"class", "pass-title"}});
+      add_blocks(TextBlocks(blocks.affine), "Free parameters", html_);
     }
-    html_.element(level(2), title, {{"class", "pass-title"}});
-    add_blocks(blocks, title, html_);
+    html_.close();
   }
 
   void add_synthesis() {
@@ -204,7 +260,9 @@ class FileSection {
       return;
     }
     open_part("synthesis", "Synthesis");
-    add_blocks(synthesis_blocks(*page_.synthesis), "Synthesis", html_);
+    add_pair(synthesis_blocks(*page_.synthesis),
+             "Synthesis",
+             pictures_at(PicturePlace::synthesis, source()));
     html_.close();
   }
 

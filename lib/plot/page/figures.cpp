@@ -1,0 +1,88 @@
+#include "plot/page/figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace kinestat {
+
+namespace {
+
+using PlacedName = std::pair<std::string_view, PicturePlace>;
+
+// Those whose place what they need does not tell.
+constexpr auto kPlaces = std::to_array<PlacedName>({
+    {"speeds", PicturePlace::velocities},
+    {"lever", PicturePlace::velocities},
+    {"torques", PicturePlace::actions},
+    {"forces", PicturePlace::actions},
+    {"power-flow", PicturePlace::power},
+    {"shift-matrix", PicturePlace::shift},
+    {"ratio-ladder", PicturePlace::shift},
+});
+
+// Pictures of all cases, which show one alone beside its tables.
+bool compares(PicturePlace place) {
+  return place == PicturePlace::velocities || place == PicturePlace::actions;
+}
+
+PicturePlace place_of(const PictureKind& kind) {
+  const auto at = std::ranges::find(kPlaces, kind.name, &PlacedName::first);
+  if (at != kPlaces.end()) {
+    return at->second;
+  }
+  switch (kind.need) {
+    case PictureNeed::motion:
+      return PicturePlace::motion;
+    case PictureNeed::synthesis:
+      return PicturePlace::synthesis;
+    case PictureNeed::analysis:
+    case PictureNeed::benchmark:
+      break;
+  }
+  return kind.scope == PictureScope::one_case ? PicturePlace::one_case : PicturePlace::structure;
+}
+
+// The title without the name of the mechanism, under which the picture stands.
+std::string caption_of(const Picture& picture) {
+  const std::size_t end = picture.title.find(": ");
+  return picture.title.substr(0, end);
+}
+
+}  // namespace
+
+std::vector<Picture> pictures_at(PicturePlace place, const PictureSource& source) {
+  std::vector<Picture> pictures;
+  for (const PictureKind& kind : picture_kinds()) {
+    const PicturePlace at = place_of(kind);
+    const bool is_here = place == PicturePlace::compared
+                             ? compares(at) && kind.scope == PictureScope::file
+                             : at == place;
+    if (is_here && has_picture(kind, source)) {
+      pictures.push_back(kind.draw(source));
+    }
+  }
+  return pictures;
+}
+
+void add_figures(const std::vector<Picture>& pictures,
+                 const std::string& id,
+                 int& figures,
+                 Html& html) {
+  for (const Picture& one : pictures) {
+    ++figures;
+    html.open("figure", {{"data-picture", one.name}});
+    html.open("div", {{"class", "picture"}, {"tabindex", "0"}});
+    html.markup(svg_element(one, fmt::format("{}-figure-{}", id, figures)));
+    html.close();
+    html.open("figcaption");
+    html.element("b", fmt::format("Figure {}. ", figures));
+    html.text(caption_of(one));
+    html.close();
+    html.close();
+  }
+}
+
+}  // namespace kinestat

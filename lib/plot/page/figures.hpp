@@ -1,0 +1,35 @@
+// The pictures of a page, each where it belongs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plot/catalogue.hpp"
+#include "plot/page/html.hpp"
+
+namespace kinestat {
+
+/// Beside what a picture stands.
+enum class PicturePlace {
+  structure,   ///< the mechanism as a whole
+  motion,      ///< finite motion
+  shift,       ///< the gears of a transmission
+  one_case,    ///< at the head of a case
+  velocities,  ///< the tables of a case
+  actions,
+  power,
+  compared,  ///< all cases side by side
+  synthesis
+};
+
+/// All pictures that the source has for a place, in the order of the catalogue. With
+/// PictureSource::which they are those of that case.
+std::vector<Picture> pictures_at(PicturePlace place, const PictureSource& source);
+
+/// Adds them with numbers and captions. Ids begin with `id`; `figures` counts on.
+void add_figures(const std::vector<Picture>& pictures,
+                 const std::string& id,
+                 int& figures,
+                 Html& html);
+
+}  // namespace kinestat
