@@ -1,0 +1,95 @@
+#include "plot/summary.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "run/load.hpp"
+#include "run/solve_cases.hpp"
+
+namespace kinestat {
+namespace {
+
+std::vector<std::string> sentences_of(const std::string& file) {
+  const std::string path = std::string(KINESTAT_MECHANISMS) + "/" + file;
+  FilePage page;
+  std::optional<Loaded> loaded = load(path, {}, page.source, page.found);
+  EXPECT_TRUE(loaded) << file;
+  if (loaded) {
+    page.analysis = solve_cases(path, *std::move(loaded));
+  }
+  return summary_sentences(page);
+}
+
+bool has(const std::vector<std::string>& sentences, const std::string& wanted) {
+  return std::ranges::find(sentences, wanted) != sentences.end();
+}
+
+// e - n + 1 = 6 - 5 + 1 circuits.
+TEST(Summary, CountsBodiesCouplingsAndCircuits) {
+  const auto sentences = sentences_of("gears/simple_planetary.yaml");
+
+  EXPECT_TRUE(
+      has(sentences, "5 bodies and 6 couplings (4 revolute, 2 gear) form 2 independent circuits."))
+      << testing::PrintToString(sentences);
+}
+
+// F_N = F - m = 6 - 4; redundant are λl - m, for λ = 6 and 3 and l = 2.
+TEST(Summary, ReadsTheMobilityOfAPlanetarySet) {
+  const auto sentences = sentences_of("gears/simple_planetary.yaml");
+
+  EXPECT_TRUE(has(sentences, "Mobility 2: 2 given rates determine all others."));
+  EXPECT_TRUE(has(sentences, "Redundant constraints: 8 in space, 2 in the plane."));
+}
+
+// Willis: 1 + 60/24, 1 + 24/60, -60/24.
+TEST(Summary, TellsTheRatiosOfAPlanetarySet) {
+  const auto sentences = sentences_of("gears/simple_planetary.yaml");
+
+  EXPECT_TRUE(has(sentences, "3 cases are solved."));
+  EXPECT_TRUE(
+      has(sentences, "Ratio, input to output: ring held 3.5, sun held 1.4, carrier held -2.5."));
+}
+
+// Sarrus 1853: six revolutes, one translation, one redundant constraint.
+TEST(Summary, ReadsTheMobilityOfASpatialLinkage) {
+  const auto sentences = sentences_of("spatial/sarrus.yaml");
+
+  EXPECT_TRUE(has(sentences, "Mobility 1: one given rate determines all others."));
+  EXPECT_TRUE(has(sentences, "Redundant constraints: 1 in space."));
+}
+
+// Cazangi 2008, table 5.5: six pairs of four elements, four of them gears; ratios 2.847 to 1.
+TEST(Summary, CountsTheGearsOfATransmission) {
+  const auto sentences = sentences_of("transmissions/ravigneaux_input_shaft.yaml");
+
+  EXPECT_TRUE(has(sentences,
+                  "A gear engages 2 of 4 shift elements; 4 of 6 combinations are a gear, and the "
+                  "forward ones span 2.84689."))
+      << testing::PrintToString(sentences);
+}
+
+TEST(Summary, TellsWhichCasesAreOpen) {
+  FilePage page;
+  std::optional<Loaded> loaded =
+      load(std::string(KINESTAT_MECHANISMS) + "/planar/four_bar.yaml", {}, page.source, page.found);
+  ASSERT_TRUE(loaded);
+  page.analysis = solve_cases("four_bar.yaml", *std::move(loaded));
+  ASSERT_FALSE(page.analysis->cases.empty());
+  page.analysis->cases.resize(1);
+  CaseAnalysis& one = page.analysis->cases.front();
+  one.which.label = "drawn";
+  one.motion = KinematicSolution();
+  one.motion->status = SolveStatus::underdetermined;
+  one.action.reset();
+
+  EXPECT_TRUE(has(summary_sentences(page),
+                  "Of 1 case, 0 are solved; not so: drawn (motions indeterminate)."));
+}
+
+TEST(Summary, IsEmptyForAFileThatCannotBeRead) {
+  EXPECT_TRUE(summary_sentences({}).empty());
+}
+
+}  // namespace
+}  // namespace kinestat
