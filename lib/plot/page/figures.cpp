@@ -14,6 +14,10 @@ using PlacedName = std::pair<std::string_view, PicturePlace>;
 
 // Those whose place what they need does not tell.
 constexpr auto kPlaces = std::to_array<PlacedName>({
+    {"motion-graph", PicturePlace::graphs},
+    {"action-graph", PicturePlace::graphs},
+    {"circuits", PicturePlace::graphs},
+    {"cut-sets", PicturePlace::graphs},
     {"speeds", PicturePlace::velocities},
     {"lever", PicturePlace::velocities},
     {"torques", PicturePlace::actions},

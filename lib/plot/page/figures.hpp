@@ -12,6 +12,7 @@ namespace kinestat {
 /// Beside what a picture stands.
 enum class PicturePlace {
   structure,   ///< the mechanism as a whole
+  graphs,      ///< more of that, for those who follow the method
   motion,      ///< finite motion
   shift,       ///< the gears of a transmission
   one_case,    ///< at the head of a case

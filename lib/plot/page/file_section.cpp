@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/utf8.hpp"
+#include "plot/linkage_drawing.hpp"
 #include "plot/page/figures.hpp"
 #include "plot/page/tables.hpp"
 #include "plot/summary.hpp"
@@ -128,12 +129,21 @@ class FileSection {
   }
 
   void add_structure() {
-    const std::vector<Picture> pictures = pictures_at(PicturePlace::structure, source());
-    if (pictures.empty()) {
+    if (!page_.analysis) {
       return;
     }
     open_part("structure", "Structure");
+    std::vector<Picture> pictures = {draw_linkage(*page_.analysis, {.shows_forces = false})};
+    for (Picture& one : pictures_at(PicturePlace::structure, source())) {
+      pictures.push_back(std::move(one));
+    }
     add_pictures(pictures);
+    html_.open("details");
+    html_.element("summary", "Graphs of motions and actions, circuits and cut-sets");
+    for (const Picture& one : pictures_at(PicturePlace::graphs, source())) {
+      add_pictures({one});
+    }
+    html_.close();
     html_.close();
   }
 
