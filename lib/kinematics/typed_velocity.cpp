@@ -66,7 +66,7 @@ std::optional<KinematicSolution> solve_velocity_as_typed(const Mechanism& mechan
                                         .error_bound = {},
                                         .bounds = {},
                                         .is_typed = true,
-                                        .is_exact = elimination.is_exact()},
+                                        .is_exact = solved->is_exact},
                              .check = {},
                              .rates = {},
                              .bodies = {},

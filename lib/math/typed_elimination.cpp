@@ -54,12 +54,19 @@ std::vector<DecimalEntry> scaled_entries(const TypedMatrix& matrix, const Scalin
   return entries;
 }
 
-Decimals eliminate_decimals(const TypedMatrix& matrix,
-                            const std::vector<DecimalEntry>& entries,
-                            std::span<const int> last) {
-  Decimals result{.field = {}};
-  result.load(matrix.rows, entries, [](const BigFloat& value) { return value; });
-  FieldEliminator(result, matrix.columns).run(last);
+// A matrix eliminated in a hundred digits.
+struct DecimalFactors {
+  Scaling scaling;
+  std::vector<DecimalEntry> entries;
+  Decimals decimals;
+};
+
+DecimalFactors eliminate_decimals(const TypedMatrix& matrix, std::span<const int> last) {
+  DecimalFactors result{
+      .scaling = scaling_of(matrix), .entries = {}, .decimals = Decimals{.field = {}}};
+  result.entries = scaled_entries(matrix, result.scaling);
+  result.decimals.load(matrix.rows, result.entries, [](const BigFloat& value) { return value; });
+  FieldEliminator(result.decimals, matrix.columns).run(last);
   return result;
 }
 
@@ -121,6 +128,53 @@ std::optional<std::vector<Rational>> rational_list(std::span<const Typed> number
   return result;
 }
 
+// b - A x of the scaled rows.
+std::vector<BigFloat> residual(const DecimalFactors& factors,
+                               const std::vector<BigFloat>& right,
+                               const std::vector<BigFloat>& x) {
+  std::vector<BigFloat> rest = right;
+  for (const DecimalEntry& entry : factors.entries) {
+    at(rest, entry.row) -= entry.value * at(x, entry.column);
+  }
+  return rest;
+}
+
+BigFloat largest_of(const std::vector<BigFloat>& numbers) {
+  BigFloat largest = 0;
+  for (const BigFloat& one : numbers) {
+    largest = std::max(largest, BigFloat(abs(one)));
+  }
+  return largest;
+}
+
+// `x` holds the known unknowns, scaled, and zero elsewhere; `b` the scaled right-hand side.
+TypedSolution solve_decimals(const DecimalFactors& factors,
+                             std::vector<BigFloat> x,
+                             const std::vector<BigFloat>& b) {
+  const std::vector<BigFloat> right = eliminated<DecimalField>(factors.decimals, b);
+  back_substitute<DecimalField>(factors.decimals, right, x);
+  std::vector<BigFloat> correction(x.size());
+  back_substitute<DecimalField>(factors.decimals,
+                                eliminated<DecimalField>(factors.decimals, residual(factors, b, x)),
+                                correction);
+  const auto columns = static_cast<Eigen::Index>(x.size());
+  TypedSolution result{.x = VecX(columns), .bound = VecX(columns)};
+  for (int c = 0; c < static_cast<int>(columns); ++c) {
+    const double unit = at(factors.scaling.columns, c);
+    result.x[c] = unit * static_cast<double>(at(x, c));
+    result.bound[c] = kUnitRoundoff * std::abs(result.x[c]) +
+                      2.0 * unit * std::abs(static_cast<double>(at(correction, c)));
+  }
+  const BigFloat worst = largest_of(left_by_surplus_rows<DecimalField>(factors.decimals, right, x));
+  const BigFloat scale = std::max(largest_of(x), largest_of(b));
+  result.consistent = scale.is_zero() || DecimalField::is_zero(BigFloat(worst / scale));
+  return result;
+}
+
+bool have_digits(std::span<const Typed> numbers) {
+  return std::ranges::all_of(numbers, [](const Typed& one) { return one.precise.has_value(); });
+}
+
 }  // namespace
 
 bool has_digits(const TypedMatrix& matrix) {
@@ -143,24 +197,20 @@ std::optional<TypedRank> find_typed_rank(const TypedMatrix& matrix, int upper_bo
   if (const std::optional<RootMatrix> roots = root_matrix(matrix)) {
     return typed(find_exact_rank(*roots, upper_bound));
   }
-  const Decimals found = eliminate_decimals(matrix, scaled_entries(matrix, scaling_of(matrix)), {});
-  return TypedRank{.rank = found.rank(), .proof = TypedProof::digits};
+  return TypedRank{.rank = eliminate_decimals(matrix, {}).decimals.rank(),
+                   .proof = TypedProof::digits};
 }
 
 struct TypedElimination::Factors {
   TypedMatrix matrix;
   std::vector<int> last;
   std::optional<ExactElimination> fractions;
-  Scaling scaling;
-  std::vector<DecimalEntry> entries;
-  Decimals decimals;
+  std::optional<DecimalFactors> decimals;  ///< where there are no fractions
 
-  std::optional<TypedSolution> solve_in_fractions(std::span<const Typed> known,
-                                                  std::span<const Typed> rhs) const;
+  TypedSolution solve_in_fractions(std::span<const Rational> known,
+                                   std::span<const Rational> rhs) const;
   std::optional<TypedSolution> solve_in_decimals(std::span<const Typed> known,
                                                  std::span<const Typed> rhs) const;
-  std::vector<BigFloat> residual(const std::vector<BigFloat>& right,
-                                 const std::vector<BigFloat>& x) const;
 };
 
 TypedElimination::TypedElimination(TypedMatrix matrix, std::span<const int> last)
@@ -170,51 +220,49 @@ TypedElimination::TypedElimination(TypedMatrix matrix, std::span<const int> last
   factors_->last.assign(last.begin(), last.end());
   if (is_rational(factors_->matrix)) {
     factors_->fractions.emplace(rational_matrix(factors_->matrix), last);
-    return;
+  } else {
+    factors_->decimals = eliminate_decimals(factors_->matrix, last);
   }
-  factors_->scaling = scaling_of(factors_->matrix);
-  factors_->entries = scaled_entries(factors_->matrix, factors_->scaling);
-  factors_->decimals = eliminate_decimals(factors_->matrix, factors_->entries, last);
 }
 
 TypedElimination::~TypedElimination() = default;
 TypedElimination::TypedElimination(TypedElimination&& other) noexcept = default;
 TypedElimination& TypedElimination::operator=(TypedElimination&& other) noexcept = default;
 
-bool TypedElimination::is_exact() const {
-  return factors_->fractions.has_value();
-}
-
 int TypedElimination::rank() const {
-  return is_exact() ? factors_->fractions->rank() : factors_->decimals.rank();
+  return factors_->fractions ? factors_->fractions->rank() : factors_->decimals->decimals.rank();
 }
 
 const std::vector<int>& TypedElimination::free_columns() const {
-  return is_exact() ? factors_->fractions->free_columns() : factors_->decimals.free_columns;
+  return factors_->fractions ? factors_->fractions->free_columns()
+                             : factors_->decimals->decimals.free_columns;
 }
 
 int TypedElimination::relation_count() const {
-  return is_exact() ? factors_->fractions->relation_count()
-                    : static_cast<int>(factors_->decimals.last_pivots.size());
+  return factors_->fractions ? factors_->fractions->relation_count()
+                             : static_cast<int>(factors_->decimals->decimals.last_pivots.size());
 }
 
 std::optional<TypedSolution> TypedElimination::solve(std::span<const Typed> known,
                                                      std::span<const Typed> rhs) const {
   KINESTAT_EXPECTS(known.size() == factors_->last.size());
   KINESTAT_EXPECTS(rhs.empty() || rhs.size() == static_cast<std::size_t>(factors_->matrix.rows));
-  return is_exact() ? factors_->solve_in_fractions(known, rhs)
-                    : factors_->solve_in_decimals(known, rhs);
+  if (factors_->fractions) {
+    const auto values = rational_list(known);
+    const auto right = rational_list(rhs);
+    if (values && right) {
+      return factors_->solve_in_fractions(*values, *right);
+    }
+  }
+  return have_digits(known) && have_digits(rhs) ? factors_->solve_in_decimals(known, rhs)
+                                                : std::nullopt;
 }
 
-std::optional<TypedSolution> TypedElimination::Factors::solve_in_fractions(
-    std::span<const Typed> known, std::span<const Typed> rhs) const {
-  const auto values = rational_list(known);
-  const auto right = rational_list(rhs);
-  if (!values || !right) {
-    return std::nullopt;
-  }
-  const ExactSolution found = fractions->solve(*values, *right);
-  TypedSolution result{.x = VecX(matrix.columns), .bound = {}, .consistent = found.consistent};
+TypedSolution TypedElimination::Factors::solve_in_fractions(std::span<const Rational> known,
+                                                            std::span<const Rational> rhs) const {
+  const ExactSolution found = fractions->solve(known, rhs);
+  TypedSolution result{
+      .x = VecX(matrix.columns), .bound = {}, .consistent = found.consistent, .is_exact = true};
   for (int c = 0; c < matrix.columns; ++c) {
     result.x[c] = to_double(at(found.x, c));
   }
@@ -222,58 +270,25 @@ std::optional<TypedSolution> TypedElimination::Factors::solve_in_fractions(
   return result;
 }
 
-// b - A x of the rows that hold a pivot, scaled.
-std::vector<BigFloat> TypedElimination::Factors::residual(const std::vector<BigFloat>& right,
-                                                          const std::vector<BigFloat>& x) const {
-  std::vector<BigFloat> rest = right;
-  for (const DecimalEntry& entry : entries) {
-    at(rest, entry.row) -= entry.value * at(x, entry.column);
-  }
-  return rest;
-}
-
+// Where the matrix has fractions, its digits must say the same of it.
 std::optional<TypedSolution> TypedElimination::Factors::solve_in_decimals(
     std::span<const Typed> known, std::span<const Typed> rhs) const {
-  const auto has_none = [](const Typed& number) { return !number.precise.has_value(); };
-  if (std::ranges::any_of(known, has_none) || std::ranges::any_of(rhs, has_none)) {
+  const std::optional<DecimalFactors> own =
+      decimals ? std::nullopt : std::optional(eliminate_decimals(matrix, last));
+  const DecimalFactors& factors = decimals ? *decimals : *own;
+  if (fractions && (factors.decimals.rank() != fractions->rank() ||
+                    factors.decimals.free_columns != fractions->free_columns())) {
     return std::nullopt;
   }
   std::vector<BigFloat> x(static_cast<std::size_t>(matrix.columns));
   for (std::size_t i = 0; i < known.size(); ++i) {
-    at(x, last[i]) = *known[i].precise / BigFloat(at(scaling.columns, last[i]));
+    at(x, last[i]) = *known[i].precise / BigFloat(at(factors.scaling.columns, last[i]));
   }
   std::vector<BigFloat> b(static_cast<std::size_t>(matrix.rows));
   for (std::size_t r = 0; r < rhs.size(); ++r) {
-    b[r] = *rhs[r].precise * BigFloat(scaling.rows[r]);
+    b[r] = *rhs[r].precise * BigFloat(factors.scaling.rows[r]);
   }
-  const std::vector<BigFloat> right = eliminated<DecimalField>(decimals, b);
-  back_substitute<DecimalField>(decimals, right, x);
-  std::vector<BigFloat> correction(x.size());
-  back_substitute<DecimalField>(
-      decimals, eliminated<DecimalField>(decimals, residual(b, x)), correction);
-  BigFloat largest = 0;
-  BigFloat size = 0;
-  for (const BigFloat& one : x) {
-    largest = std::max(largest, BigFloat(abs(one)));
-  }
-  for (const BigFloat& one : b) {
-    size = std::max(size, BigFloat(abs(one)));
-  }
-  TypedSolution result{.x = VecX(matrix.columns), .bound = VecX(matrix.columns)};
-  for (int c = 0; c < matrix.columns; ++c) {
-    const double unit = at(scaling.columns, c);
-    result.x[c] = unit * static_cast<double>(at(x, c));
-    result.bound[c] = kUnitRoundoff * std::abs(result.x[c]) +
-                      2.0 * unit * std::abs(static_cast<double>(at(correction, c)));
-  }
-  const std::vector<BigFloat> left = left_by_surplus_rows<DecimalField>(decimals, right, x);
-  BigFloat worst = 0;
-  for (const BigFloat& one : left) {
-    worst = std::max(worst, BigFloat(abs(one)));
-  }
-  const BigFloat scale = std::max(largest, size);
-  result.consistent = scale.is_zero() || DecimalField::is_zero(BigFloat(worst / scale));
-  return result;
+  return solve_decimals(factors, std::move(x), b);
 }
 
 }  // namespace kinestat

@@ -55,6 +55,7 @@ struct TypedSolution {
   VecX bound;  ///< how far each may be from the solution: the rounding to a double, and
                ///< twice the next correction where 100 digits were rounded
   bool consistent = false;  ///< the surplus equations hold, in all but 40 of the hundred digits
+  bool is_exact = false;    ///< fractions all the way; only x is rounded
 };
 
 /// Gaussian elimination in fractions where all numbers are, otherwise in a hundred digits, where
@@ -69,7 +70,6 @@ class TypedElimination {
   TypedElimination(const TypedElimination&) = delete;
   TypedElimination& operator=(const TypedElimination&) = delete;
 
-  bool is_exact() const;
   int rank() const;
 
   /// Columns outside `last` that no equation determines, ascending.
@@ -78,8 +78,8 @@ class TypedElimination {
   /// How many independent relations the equations ask of the columns of `last`.
   int relation_count() const;
 
-  /// Empty where a number has no digits, or no fraction where is_exact; then `known` and `rhs` (one
-  /// an equation, or empty: zero) must be fractions too.
+  /// In fractions where `known` and `rhs` (one an equation, or empty: zero) are fractions too.
+  /// Empty where a number has no digits.
   std::optional<TypedSolution> solve(std::span<const Typed> known,
                                      std::span<const Typed> rhs) const;
 

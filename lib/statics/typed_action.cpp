@@ -80,7 +80,7 @@ std::optional<StaticSolution> solve_action_as_typed(const Mechanism& mechanism,
                      .error_bound = {},
                      .bounds = {},
                      .is_typed = true,
-                     .is_exact = elimination.is_exact()};
+                     .is_exact = solved->is_exact};
   fill(mechanism, basis, *solved, solution);
   return solution;
 }

@@ -1,5 +1,7 @@
 #include "math/typed_elimination.hpp"
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 namespace kinestat {
@@ -72,8 +74,8 @@ TEST(TypedElimination, SolvesInFractions) {
 
   const auto found = elimination.solve({}, std::vector<Typed>{Typed(1.0), Typed(0.0)});
 
-  EXPECT_TRUE(elimination.is_exact());
   ASSERT_TRUE(found.has_value());
+  EXPECT_TRUE(found->is_exact);
   EXPECT_EQ(found->x[0], 2.0 / 5.0);
   EXPECT_EQ(found->x[1], -1.0 / 5.0);
   EXPECT_LE(found->bound[0], 0x1p-53);
@@ -88,10 +90,42 @@ TEST(TypedElimination, SolvesWhatRoundingMakesSingular) {
 
   const auto found = elimination.solve({}, std::vector<Typed>{Typed(0.0), sqrt(Typed(19.0))});
 
-  EXPECT_FALSE(elimination.is_exact());
   ASSERT_TRUE(found.has_value());
+  EXPECT_FALSE(found->is_exact);
   EXPECT_NEAR(found->x[0], -1e20, 1e5);
   EXPECT_LE(found->bound[0], 1e5);
+}
+
+// 3 x + y = 2 pi and x + 2 y = 0 have x = 4 pi / 5, y = -2 pi / 5.
+TEST(TypedElimination, TakesAHundredDigitsWhereOnlyTheRightIsNoFraction) {
+  const TypedElimination elimination(
+      matrix_of({{Typed(3.0), Typed(1.0)}, {Typed(1.0), Typed(2.0)}}), {});
+
+  const auto found = elimination.solve({}, std::vector<Typed>{Typed(2.0) * typed_pi(), Typed(0.0)});
+
+  ASSERT_TRUE(found.has_value());
+  EXPECT_FALSE(found->is_exact);
+  EXPECT_TRUE(found->consistent);
+  EXPECT_NEAR(found->x[0], 0.8 * std::numbers::pi, 0x1p-51);
+  EXPECT_LE(found->bound[0], 0x1p-51);
+}
+
+// 60 revolutions a minute: x = 2 pi is known, and y = x / 3.
+TEST(TypedElimination, TakesAHundredDigitsWhereWhatIsKnownIsNoFraction) {
+  const std::vector<int> last = {0};
+  const TypedElimination elimination(matrix_of({{Typed(1.0), Typed(-3.0)}}), last);
+
+  const auto found = elimination.solve(std::vector<Typed>{Typed(2.0) * typed_pi()}, {});
+
+  ASSERT_TRUE(found.has_value());
+  EXPECT_FALSE(found->is_exact);
+  EXPECT_NEAR(found->x[1], 2.0 * std::numbers::pi / 3.0, 0x1p-51);
+}
+
+TEST(TypedElimination, HasNoSolutionForANumberWithoutDigits) {
+  const TypedElimination elimination(matrix_of({{Typed(3.0)}}), {});
+
+  EXPECT_FALSE(elimination.solve({}, std::vector<Typed>{Typed(1.0) / Typed(0.0)}).has_value());
 }
 
 TEST(TypedElimination, SaysWhichColumnsAreFree) {
