@@ -59,7 +59,9 @@ class ProblemMaker {
                const Case& which,
                ProblemSide side,
                const Extreme& extreme)
-      : mechanism_(mechanism), which_(which), is_motion_(side == ProblemSide::motion) {
+      : mechanism_(mechanism),
+        is_motion_(side == ProblemSide::motion),
+        primaries_(is_motion_ ? which.motions : which.actions) {
     near_.geometry = mechanism.geometry;
     near_.loads = wrenches_of(which.loads);
     const double scale = extreme.scale;
@@ -74,17 +76,13 @@ class ProblemMaker {
   }
 
   ProblemAnswer make() {
-    if (primaries().empty() && (is_motion_ || near_.loads.empty())) {
+    if (primaries_.empty() && (is_motion_ || near_.loads.empty())) {
       return {.reason = NoProblem::not_asked, .problem = {}};
     }
     if (unknown_count() > kLargestProblem) {
       return {.reason = NoProblem::too_large, .problem = {}};
     }
-    fill_near();
-    if (problem_.secondary.empty()) {
-      return {.reason = NoProblem::no_unknowns, .problem = {}};
-    }
-    const NoProblem reason = fill_exact();
+    const NoProblem reason = fill_near();
     if (reason != NoProblem::none) {
       return {.reason = reason, .problem = {}};
     }
@@ -95,15 +93,11 @@ class ProblemMaker {
  private:
   const Topology& topology() const { return mechanism_.topology; }
 
-  const std::vector<Primary>& primaries() const {
-    return is_motion_ ? which_.motions : which_.actions;
-  }
-
   int magnitude_count() const {
     return is_motion_ ? topology().freedom_count() : topology().action_count();
   }
 
-  int unknown_count() const { return magnitude_count() - static_cast<int>(primaries().size()); }
+  int unknown_count() const { return magnitude_count() - static_cast<int>(primaries_.size()); }
 
   int column(int magnitude) const {
     return is_motion_ ? velocity_column(topology(), near_.basis, magnitude) : magnitude;
@@ -115,7 +109,7 @@ class ProblemMaker {
   }
 
   bool is_primary(int magnitude) const {
-    return std::ranges::any_of(primaries(),
+    return std::ranges::any_of(primaries_,
                                [&](const Primary& one) { return one.index == magnitude; });
   }
 
@@ -152,10 +146,44 @@ class ProblemMaker {
                             });
   }
 
-  void fill_near() {
+  NoProblem fill_near() {
     problem_.matrix = system(near_);
     problem_.right = right_of(near_);
-    for (const Primary& one : primaries()) {
+    fill_columns();
+    if (problem_.secondary.empty()) {
+      return NoProblem::no_unknowns;
+    }
+    const ExactElimination elimination(exact_matrix(problem_.matrix), problem_.last);
+    if (!elimination.free_columns().empty()) {
+      return NoProblem::open;
+    }
+    const ExactSolution solution = solve(elimination);
+    if (!solution.consistent) {
+      return NoProblem::dependent;
+    }
+    if (elimination.relation_count() > 0) {
+      leave_out(elimination.dependent_columns());
+      fill_columns();
+    }
+    for (const int c : problem_.secondary) {
+      problem_.exact.push_back(solution.x[static_cast<std::size_t>(c)]);
+    }
+    return NoProblem::none;
+  }
+
+  // What other primary magnitudes determine as well becomes an unknown: dense methods need as many
+  // equations as unknowns.
+  void leave_out(const std::vector<int>& columns) {
+    std::erase_if(primaries_, [&](const Primary& one) {
+      return std::ranges::binary_search(columns, column(one.index));
+    });
+  }
+
+  void fill_columns() {
+    problem_.last.clear();
+    problem_.known.clear();
+    problem_.secondary.clear();
+    for (const Primary& one : primaries_) {
       problem_.last.push_back(column(one.index));
       problem_.known.push_back(one.value / unit(one.index));
     }
@@ -169,21 +197,10 @@ class ProblemMaker {
     problem_.units = Eigen::Map<const VecX>(units.data(), static_cast<Eigen::Index>(units.size()));
   }
 
-  NoProblem fill_exact() {
-    const ExactElimination elimination(exact_matrix(problem_.matrix), problem_.last);
-    if (!elimination.free_columns().empty()) {
-      return NoProblem::open;
-    }
+  ExactSolution solve(const ExactElimination& elimination) const {
     const std::vector<Rational> known(problem_.known.begin(), problem_.known.end());
     const std::vector<Rational> right(problem_.right.begin(), problem_.right.end());
-    const ExactSolution solution = elimination.solve(known, right);
-    if (elimination.relation_count() > 0) {
-      return NoProblem::dependent;
-    }
-    for (const int c : problem_.secondary) {
-      problem_.exact.push_back(solution.x[static_cast<std::size_t>(c)]);
-    }
-    return NoProblem::none;
+    return elimination.solve(known, right);
   }
 
   void fill_far() {
@@ -202,7 +219,7 @@ class ProblemMaker {
     const std::vector<double> loads = right_of(far_);
     VecX right = loads.empty() ? VecX(VecX::Zero(all.rows()))
                                : VecX(Eigen::Map<const VecX>(loads.data(), all.rows()));
-    for (const Primary& one : primaries()) {
+    for (const Primary& one : primaries_) {
       right -= one.value * all.col(one.index);
     }
     problem_.dense = all(rows, problem_.secondary);
@@ -211,7 +228,7 @@ class ProblemMaker {
 
   void fill_circuits() {
     std::vector<std::string> names;
-    for (const Primary& one : primaries()) {
+    for (const Primary& one : primaries_) {
       names.push_back(topology().freedom_name(one.index));
     }
     const std::vector<int> rows = independent_rows(partition_of(M_N(near_), names).front().value);
@@ -220,7 +237,7 @@ class ProblemMaker {
     for (Eigen::Index i = 0; i < known.size(); ++i) {
       const auto place =
           std::ranges::find(names, parts[1].columns[static_cast<std::size_t>(i)]) - names.begin();
-      known[i] = primaries()[static_cast<std::size_t>(place)].value;
+      known[i] = primaries_[static_cast<std::size_t>(place)].value;
     }
     const VecX right = -(parts[1].value * known);
     problem_.dense = parts[0].value(rows, order_of(parts[0].columns));
@@ -244,8 +261,8 @@ class ProblemMaker {
   }
 
   const Mechanism& mechanism_;
-  const Case& which_;
   bool is_motion_ = true;
+  std::vector<Primary> primaries_;
   Form near_;
   Form far_;
   SolveProblem problem_;

@@ -37,7 +37,7 @@ enum class NoProblem {
   none,        ///< it has one
   not_asked,   ///< no magnitude of this side is known
   open,        ///< the known magnitudes leave others open
-  dependent,   ///< they depend on each other, or contradict the loads
+  dependent,   ///< they contradict each other, or the loads
   too_large,   ///< more than kLargestProblem unknowns
   no_unknowns  ///< everything is known
 };
@@ -50,7 +50,8 @@ struct ProblemAnswer {
   std::optional<SolveProblem> problem;  ///< if there is no reason against it
 };
 
-/// Friction and losses of meshes do not count.
+/// Friction and losses of meshes do not count. Of known magnitudes that depend on each other and
+/// agree some are left out, and are unknowns.
 ProblemAnswer make_problem(const Mechanism& mechanism,
                            const Case& which,
                            ProblemSide side,

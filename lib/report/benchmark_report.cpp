@@ -1,5 +1,6 @@
 #include "report/benchmark_report.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -44,7 +45,7 @@ ReasonWords words_of(NoProblem reason) {
     case NoProblem::open:
       return {.key = "open", .sentence = "what is known leaves some of them open"};
     case NoProblem::dependent:
-      return {.key = "dependent", .sentence = "what is known depends on each other"};
+      return {.key = "dependent", .sentence = "what is known contradicts itself"};
     case NoProblem::too_large:
       return {.key = "too_large", .sentence = "too many of them for dense methods"};
     case NoProblem::no_unknowns:
@@ -198,15 +199,37 @@ std::string side_text(const BenchmarkedCase& one, const Side& side) {
          table.text("  ") + "\n";
 }
 
-std::string text_of(const std::vector<BenchmarkedCase>& cases) {
-  std::string text;
-  for (const BenchmarkedCase& one : cases) {
-    for (const Side& side : kSides) {
-      text += side_text(one, side);
-    }
+bool is_not_asked(const BenchmarkedCase& one) {
+  return std::ranges::all_of(
+      kSides, [&](const Side& side) { return (one.*side.result).reason == NoProblem::not_asked; });
+}
+
+bool is_measured(const BenchmarkedCase& one) {
+  return std::ranges::any_of(
+      kSides, [&](const Side& side) { return (one.*side.result).reason == NoProblem::none; });
+}
+
+std::string case_text(const BenchmarkedCase& one) {
+  if (is_not_asked(one)) {
+    return fmt::format("Case {}: left out, neither motions nor actions are known\n\n", one.label);
   }
+  std::string text;
+  for (const Side& side : kSides) {
+    text += side_text(one, side);
+  }
+  return text;
+}
+
+std::string text_of(const std::vector<BenchmarkedCase>& cases) {
   if (cases.empty()) {
     return "The file has no cases, so there is nothing to solve.\n";
+  }
+  std::string text;
+  for (const BenchmarkedCase& one : cases) {
+    text += case_text(one);
+  }
+  if (std::ranges::none_of(cases, is_measured)) {
+    return text + "Nothing was measured.\n";
   }
   return text +
          "Errors are the largest against the exact solution of the same doubles, as a share of "

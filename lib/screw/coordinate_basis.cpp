@@ -39,6 +39,20 @@ std::vector<int> nonzero_rows(const Mat6X& screws) {
   return rows;
 }
 
+// Screws in these units. What has no length, a translation or a couple, counts as one of them,
+// however large or small the mechanism: beside it nothing else counts as zero.
+Mat6X in_units(const Mat6X& screws, ScrewKind kind, const Vec6& unit) {
+  Mat6X result = unit.cwiseInverse().asDiagonal() * screws;
+  const Eigen::Index direction = kind == ScrewKind::twist ? 0 : 3;
+  const Eigen::Index other = 3 - direction;
+  for (Eigen::Index c = 0; c < result.cols(); ++c) {
+    if (screws.col(c).segment<3>(direction).isZero(0.0)) {
+      result.col(c) *= unit[other];
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 bool CoordinateBasis::holds(const Vec6& screw) const {
@@ -53,8 +67,7 @@ CoordinateBasis find_minimal_basis(const Mat6X& screws, ScrewKind kind, double l
     return from_coordinates({}, unit);  // Eigen must not take a row of nothing
   }
   std::vector<int> rows = nonzero_rows(screws);
-  const Mat6X in_units = unit.cwiseInverse().asDiagonal() * screws;
-  const MatX span = orthonormal_range(in_units);
+  const MatX span = orthonormal_range(in_units(screws, kind, unit));
   if (span.cols() == static_cast<Eigen::Index>(rows.size())) {
     return from_coordinates(std::move(rows), unit);
   }

@@ -75,6 +75,45 @@ TEST(SolveProblem, HasTheSameSolutionInOtherUnits) {
   EXPECT_EQ(drawn.problem.value().exact, large.problem.value().exact);
 }
 
+class AtEveryExtreme : public testing::TestWithParam<std::string> {};
+
+// Slides, couples and forces among them.
+TEST_P(AtEveryExtreme, ThereIsAProblem) {
+  const Mechanism mechanism = library_mechanism(GetParam());
+
+  for (const Extreme& extreme : kExtremes) {
+    EXPECT_EQ(problem_of(mechanism, ProblemSide::motion, extreme).reason, NoProblem::none)
+        << extreme.name;
+    EXPECT_EQ(problem_of(mechanism, ProblemSide::action, extreme).reason, NoProblem::none)
+        << extreme.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Library,
+    AtEveryExtreme,
+    testing::Values("planar/slider_crank.yaml", "planar/quick_return.yaml", "spatial/rssr.yaml"),
+    [](const auto& one) { return one.param.substr(one.param.find('/') + 1, 5); });
+
+// Held elements that hold each other: one is an unknown that comes out as zero.
+TEST(SolveProblem, LeavesOutMagnitudesThatFollowFromOthers) {
+  const Mechanism mechanism = library_mechanism("planar/four_bar.yaml");
+  Case which = mechanism.cases.front();
+  which.motions.resize(2);
+  for (int f = 0; f < 2; ++f) {
+    which.motions[static_cast<std::size_t>(f)].index = f;
+    which.motions[static_cast<std::size_t>(f)].value = 0.0;
+  }
+
+  const ProblemAnswer answer = make_problem(mechanism, which, ProblemSide::motion, kExtremes[0]);
+
+  ASSERT_TRUE(answer.problem.has_value());
+  EXPECT_EQ(answer.problem->last.size(), 1U);
+  EXPECT_EQ(answer.problem->secondary.size(), 3U);
+  EXPECT_EQ(answer.problem->dense.rows(), 3);
+  EXPECT_LT(difference(*answer.problem), 1e-12);
+}
+
 TEST(SolveProblem, IsNoneWhereNothingIsKnown) {
   const Mechanism mechanism = library_mechanism("planar/four_bar.yaml");
   Case unknown;

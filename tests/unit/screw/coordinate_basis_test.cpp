@@ -84,6 +84,33 @@ TEST(CoordinateBasis, DoesNotDependOnTheSizeOfTheMechanism) {
             (std::vector<int>{2, 3, 4}));
 }
 
+// A slide beside rotations, in a mechanism of 20 pm and in one of 40 million km.
+TEST(CoordinateBasis, HoldsRotationsAndTranslationsOfMechanismsOfAnySize) {
+  for (const double size : {2e-11, 4e10}) {
+    const Mat6X screws = twists({unit_rotation(Vec3::UnitZ(), {0.0, 0.0, 0.0}),
+                                 unit_rotation(Vec3::UnitZ(), {size, 0.5 * size, 0.0}),
+                                 {.angular = Vec3::Zero(), .linear = Vec3::UnitX()}});
+
+    const CoordinateBasis basis = find_minimal_basis(screws, ScrewKind::twist, size);
+
+    EXPECT_EQ(basis.coordinates, (std::vector<int>{2, 3, 4})) << size;
+  }
+}
+
+TEST(CoordinateBasis, HoldsForcesAndCouplesOfMechanismsOfAnySize) {
+  for (const double size : {2e-11, 4e10}) {
+    Mat6X screws = Mat6X::Zero(6, 3);
+    screws.col(0)[2] = 1.0;
+    screws.col(1)[3] = 1.0;
+    screws.col(2)[4] = 1.0;
+    screws.col(2)[2] = size;
+
+    const CoordinateBasis basis = find_minimal_basis(screws, ScrewKind::wrench, size);
+
+    EXPECT_EQ(basis.coordinates, (std::vector<int>{2, 3, 4})) << size;
+  }
+}
+
 TEST(CoordinateBasis, OfThePlaneIsWzVxVyAndTzFxFy) {
   EXPECT_EQ(row_names(planar_basis(ScrewKind::twist, 1.0), ScrewKind::twist),
             (std::vector<std::string>{"wz", "vx", "vy"}));
