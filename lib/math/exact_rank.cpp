@@ -1,12 +1,16 @@
 #include "math/exact_rank.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <type_traits>
 
 #include "core/contract.hpp"
-#include "math/internal/field_eliminator.hpp"
+#include "math/internal/null_vector_proof.hpp"
 #include "math/internal/rational_field.hpp"
+#include "math/internal/row_eliminator.hpp"
 
 namespace kinestat {
 
@@ -43,6 +47,10 @@ struct RootField {
   RootSum reciprocal_;
 };
 
+std::optional<PrimeField::Value> image(double value, const PrimeField& field) {
+  return residue_of(value, field);
+}
+
 std::optional<PrimeField::Value> image(const Rational& value, const PrimeField& field) {
   return field.residue(value);
 }
@@ -51,34 +59,89 @@ std::optional<PrimeField::Value> image(const RootSum& value, const PrimeField& f
   return value.residue(field);
 }
 
-struct ModularRank {
-  int rank = 0;
-  std::int64_t products = 0;
+template <class Number>
+struct TurnedEntry {
+  int row = 0;
+  int column = 0;
+  const Number* value = nullptr;
 };
 
-// Empty if the prime divides a denominator.
+// A matrix, or its transpose, so that it has no more columns than rows; the rank is the same. It
+// points into the matrix.
+template <class Number>
+struct UprightMatrix {
+  int rows = 0;
+  int columns = 0;
+  std::vector<TurnedEntry<Number>> entries;
+};
+
 template <class Matrix>
-std::optional<ModularRank> modular_rank(const Matrix& matrix, const PrimeField& field) {
-  FieldElimination<PrimeField> elimination{.field = field};
+auto upright(const Matrix& matrix) {
+  using Number = std::remove_cvref_t<decltype(matrix.entries.front().value)>;
+  const bool is_wide = matrix.columns > matrix.rows;
+  UprightMatrix<Number> result{.rows = std::max(matrix.rows, matrix.columns),
+                               .columns = std::min(matrix.rows, matrix.columns),
+                               .entries = {}};
+  result.entries.reserve(matrix.entries.size());
+  for (const auto& entry : matrix.entries) {
+    result.entries.push_back({.row = is_wide ? entry.column : entry.row,
+                              .column = is_wide ? entry.row : entry.column,
+                              .value = &entry.value});
+  }
+  return result;
+}
+
+using ModularElimination = FieldElimination<ModularField>;
+
+// Empty if the prime divides a denominator.
+template <class Number>
+std::optional<ModularElimination> eliminate_modulo(const UprightMatrix<Number>& matrix,
+                                                   const PrimeField& field) {
+  ModularElimination elimination{.field = {.prime = field}};
   bool has_image = true;
-  elimination.load(matrix.rows, matrix.entries, [&](const auto& value) {
-    const std::optional<PrimeField::Value> residue = image(value, field);
+  elimination.load(matrix.rows, matrix.entries, [&](const Number* value) {
+    const std::optional<PrimeField::Value> residue = image(*value, field);
     has_image = has_image && residue.has_value();
     return residue.value_or(0);
   });
   if (!has_image) {
     return std::nullopt;
   }
-  FieldEliminator(elimination, matrix.columns).run({});
-  return ModularRank{.rank = elimination.rank(), .products = elimination.products};
+  RowEliminator(elimination, matrix.columns).run();
+  return elimination;
 }
 
-template <class Field, class Matrix>
-int eliminated_rank(const Matrix& matrix) {
+template <class Field, class Number>
+int eliminated_rank(const UprightMatrix<Number>& matrix) {
   FieldElimination<Field> elimination{.field = {}};
-  elimination.load(matrix.rows, matrix.entries, [](const auto& value) { return value; });
-  FieldEliminator(elimination, matrix.columns).run({});
+  elimination.load(matrix.rows, matrix.entries, [](const Number* value) { return *value; });
+  RowEliminator(elimination, matrix.columns).run();
   return elimination.rank();
+}
+
+// A double is a whole number of 53 bits times a power of two.
+EntrySize size_of(double value) {
+  int exponent = 0;
+  auto whole = static_cast<std::uint64_t>(
+      std::ldexp(std::frexp(std::abs(value), &exponent), std::numeric_limits<double>::digits));
+  exponent += std::countr_zero(whole) - std::numeric_limits<double>::digits;
+  constexpr int kMostBits = 60;
+  EntrySize result{.size = std::abs(value)};
+  if (exponent < 0) {
+    result.denominator = exponent < -kMostBits ? 0 : std::uint64_t{1} << -exponent;
+  }
+  return result;
+}
+
+std::vector<EntrySize> sizes_of(const UprightMatrix<double>& matrix) {
+  std::vector<EntrySize> sizes;
+  sizes.reserve(matrix.entries.size());
+  for (const TurnedEntry<double>& entry : matrix.entries) {
+    sizes.push_back(size_of(*entry.value));
+    sizes.back().row = entry.row;
+    sizes.back().column = entry.column;
+  }
+  return sizes;
 }
 
 double bits(const Integer& value) {
@@ -134,14 +197,15 @@ bool reaches(int rank, int upper_bound) {
 template <class Field, class Matrix>
 ExactRank rank_of(const Matrix& matrix, int root_count, int degree, int upper_bound) {
   ExactRank result{.rank = 0, .proof = RankProof::structural, .error_probability = 1.0};
+  const auto turned = upright(matrix);
   std::int64_t products = 0;
   for (int i = 0; i < kPrimes; ++i) {
     const PrimeField field(root_count, kFirstSeed + static_cast<std::uint64_t>(i));
-    const std::optional<ModularRank> found = modular_rank(matrix, field);
+    const std::optional<ModularElimination> found = eliminate_modulo(turned, field);
     if (!found) {
       continue;
     }
-    result.rank = std::max(result.rank, found->rank);
+    result.rank = std::max(result.rank, found->rank());
     products = std::max(products, found->products);
     if (reaches(result.rank, upper_bound)) {
       result.error_probability = 0.0;
@@ -154,7 +218,7 @@ ExactRank rank_of(const Matrix& matrix, int root_count, int degree, int upper_bo
     result.proof = RankProof::modular;
     return result;
   }
-  return {.rank = eliminated_rank<Field>(matrix),
+  return {.rank = eliminated_rank<Field>(turned),
           .proof = RankProof::elimination,
           .error_probability = 0.0};
 }
@@ -167,10 +231,25 @@ std::string_view text_of(RankProof proof) {
       return "structural bound";
     case RankProof::elimination:
       return "exact elimination";
+    case RankProof::null_vectors:
+      return "exact null vectors";
     case RankProof::modular:
       return "modulo two primes";
   }
   return "";
+}
+
+ExactRank find_exact_rank(const SparseMatrix& matrix, int upper_bound) {
+  const UprightMatrix<double> turned = upright(matrix);
+  const std::optional<ModularElimination> found =
+      eliminate_modulo(turned, PrimeField(1, kFirstSeed));
+  if (found && reaches(found->rank(), upper_bound)) {
+    return {.rank = found->rank(), .proof = RankProof::structural};
+  }
+  if (found && null_vectors_hold(*found, sizes_of(turned), turned.columns)) {
+    return {.rank = found->rank(), .proof = RankProof::null_vectors};
+  }
+  return find_exact_rank(exact_matrix(matrix), upper_bound);
 }
 
 ExactRank find_exact_rank(const ExactMatrix& matrix, int upper_bound) {

@@ -11,12 +11,13 @@ namespace kinestat {
 
 /// Why a rank is what it is said to be. That it is at least that is always proved.
 enum class RankProof {
-  structural,   ///< a minor is not zero modulo a prime, and the pattern of entries allows no more
-  elimination,  ///< eliminated without rounding
-  modular,      ///< the rank modulo primes drawn at random; that it is more is only unlikely
+  structural,    ///< a minor is not zero modulo a prime, and the pattern of entries allows no more
+  elimination,   ///< eliminated without rounding
+  null_vectors,  ///< so many fractions x with A x = 0 are at hand that there is no room for more
+  modular,       ///< the rank modulo primes drawn at random; that it is more is only unlikely
 };
 
-/// "structural bound", "exact elimination", "modulo two primes"
+/// "structural bound", "exact elimination", "exact null vectors", "modulo two primes"
 std::string_view text_of(RankProof proof);
 
 struct ExactRank {
@@ -44,6 +45,10 @@ struct RootMatrix {
 /// matrix. Only where an elimination without rounding would take long, as in redundant grids of
 /// thousands of bodies, a rank below `upper_bound` is `modular`.
 ExactRank find_exact_rank(const ExactMatrix& matrix, int upper_bound);
+
+/// The rank of a matrix of doubles, taken as the fractions that they are: likewise, but null
+/// vectors of small fractions come before an elimination without rounding. Entries must be finite.
+ExactRank find_exact_rank(const SparseMatrix& matrix, int upper_bound);
 
 /// The rank of a matrix of sines and cosines of parts of a turn: likewise, and `modular` too where
 /// φ(N) > kLargestDegree.

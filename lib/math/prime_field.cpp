@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <utility>
 
 #include "core/contract.hpp"
 #include "math/internal/prime_divisors.hpp"
@@ -77,10 +78,22 @@ PrimeField::Value PrimeField::power(Value base, std::uint64_t exponent) const {
   return result;
 }
 
-// The inverse is the power p - 2 (Fermat).
+// Euclid's algorithm for p and b: each remainder is b times a factor, modulo p. No factor is larger
+// than p.
 PrimeField::Value PrimeField::quotient(Value a, Value b) const {
   KINESTAT_EXPECTS(b != 0);
-  return b == 1 ? a : product(a, power(b, modulus_ - 2));
+  Value before = modulus_;
+  Value rest = b;
+  std::int64_t factor_before = 0;
+  std::int64_t factor = 1;
+  while (rest > 1) {
+    const Value times = before / rest;
+    before = std::exchange(rest, before - times * rest);
+    factor_before =
+        std::exchange(factor, factor_before - static_cast<std::int64_t>(times) * factor);
+  }
+  return product(
+      a, static_cast<Value>(factor < 0 ? factor + static_cast<std::int64_t>(modulus_) : factor));
 }
 
 std::optional<PrimeField::Value> PrimeField::residue(const Rational& value) const {

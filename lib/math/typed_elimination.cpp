@@ -107,6 +107,7 @@ TypedRank typed(const ExactRank& found) {
       result.proof = TypedProof::structural;
       break;
     case RankProof::elimination:
+    case RankProof::null_vectors:
       result.proof = TypedProof::elimination;
       break;
     case RankProof::modular:

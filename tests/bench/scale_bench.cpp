@@ -231,7 +231,7 @@ std::string exact_mobility(NetworkKind kind, const SparseMatrix& system, int bod
     for (const SparseEntry& entry : system.entries) {
       pattern[static_cast<std::size_t>(entry.row)].push_back(entry.column);
     }
-    rank = find_exact_rank(exact_matrix(system), structural_rank(pattern, system.columns));
+    rank = find_exact_rank(system, structural_rank(pattern, system.columns));
   });
   const double micros = 1e6 * seconds / bodies;
   return fmt::format("{} exact mobility: {:.1f} us a body ({:g}: {}), rank by {}\n",
@@ -266,9 +266,6 @@ std::string measure_network(NetworkKind kind, int rounds) {
     const Measured at_few = measure_side(small, fewer, !is_redundant, rounds);
     const Measured at_many = measure_side(large, bodies, !is_redundant, rounds);
     text += describe(kind, large, at_few, at_many);
-  }
-  if (kind == NetworkKind::pin_grid) {
-    return text;  // beyond what an elimination modulo a prime can do
   }
   return text + exact_mobility(kind, motions_of(many.mechanism).system, bodies);
 }

@@ -24,6 +24,8 @@ class CountQueue {
     }
   }
 
+  int count(int item) const { return at(count_, item); }
+
   /// From now on the item may be given away, once.
   void add(int item) { file(item); }
 

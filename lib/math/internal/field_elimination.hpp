@@ -50,6 +50,13 @@ struct FieldElimination {
   template <class Entry, class Image>
   void load(int row_count, const std::vector<Entry>& entries, const Image& image) {
     rows.assign(static_cast<std::size_t>(row_count), {});
+    std::vector<std::size_t> counts(rows.size(), 0);
+    for (const Entry& entry : entries) {
+      ++at(counts, entry.row);
+    }
+    for (std::size_t r = 0; r < counts.size(); ++r) {
+      rows[r].reserve(counts[r]);
+    }
     for (const Entry& entry : entries) {
       Row& row = at(rows, entry.row);
       const auto place = std::ranges::lower_bound(row, entry.column, {}, &Cell::column);

@@ -68,9 +68,106 @@ TEST(ExactRank, IsFoundWhereThePrimeDividesADenominator) {
       1);
 }
 
+// The third column is the sum of the others.
+TEST(ExactRank, OfSmallNumbersIsProvedByNullVectors) {
+  SparseMatrix matrix{.rows = 4, .columns = 3, .entries = {}};
+  matrix.entries = {{0, 0, 1.0},
+                    {0, 1, 0.5},
+                    {0, 2, 1.5},
+                    {1, 0, 3.0},
+                    {1, 2, 3.0},
+                    {2, 1, -7.0},
+                    {2, 2, -7.0},
+                    {3, 0, 0.125},
+                    {3, 1, 2.0},
+                    {3, 2, 2.125}};
+
+  const ExactRank rank = find_exact_rank(matrix, 3);
+
+  EXPECT_EQ(rank.rank, 2);
+  EXPECT_EQ(rank.proof, RankProof::null_vectors);
+  EXPECT_EQ(rank.error_probability, 0.0);
+}
+
+TEST(ExactRank, OfAWideMatrixIsThatOfATallOne) {
+  SparseMatrix matrix{.rows = 2, .columns = 5, .entries = {}};
+  for (int c = 0; c < 5; ++c) {
+    matrix.add(0, c, c + 1.0);
+    matrix.add(1, c, -3.0 * (c + 1.0));
+  }
+
+  const ExactRank rank = find_exact_rank(matrix, 2);
+
+  EXPECT_EQ(rank.rank, 1);
+  EXPECT_EQ(rank.proof, RankProof::null_vectors);
+}
+
+// 0.1, 0.3 and 0.9 as doubles: their null vector has no small fractions.
+TEST(ExactRank, OfRoundedDecimalsIsProvedByElimination) {
+  SparseMatrix matrix{.rows = 3, .columns = 2, .entries = {}};
+  for (int r = 0; r < 3; ++r) {
+    matrix.add(r, 0, 0.1 * (r + 1.0));
+    matrix.add(r, 1, 0.3);
+  }
+  matrix.entries[2].value = 2.0 * matrix.entries[0].value;
+  matrix.entries[4].value = 4.0 * matrix.entries[0].value;
+  matrix.entries[3].value = 2.0 * matrix.entries[1].value;
+  matrix.entries[5].value = 4.0 * matrix.entries[1].value;
+
+  const ExactRank rank = find_exact_rank(matrix, 2);
+
+  EXPECT_EQ(rank.rank, 1);
+  EXPECT_EQ(rank.proof, RankProof::elimination);
+}
+
+// The determinant is the prime, and so zero modulo it: 2^28 and 1 are a null vector there, of small
+// numbers.
+TEST(ExactRank, OfDoublesIsNotMisledByItsPrime) {
+  constexpr std::uint64_t kPower = std::uint64_t{1} << 28U;
+  const std::uint64_t prime = PrimeField(1, 20261121).modulus();
+  SparseMatrix matrix{.rows = 2, .columns = 2, .entries = {}};
+  matrix.add(0, 0, static_cast<double>(kPower));
+  matrix.add(0, 1, 1.0);
+  matrix.add(1, 0, -static_cast<double>(prime % kPower));
+  matrix.add(1, 1, static_cast<double>(prime / kPower));
+
+  EXPECT_EQ(find_exact_rank(matrix, 2).rank, 2);
+}
+
 class ExactRanks : public ::testing::TestWithParam<int> {};
 
 INSTANTIATE_TEST_SUITE_P(Seed, ExactRanks, ::testing::Range(0, 25));
+
+// Whole numbers from -9 to 9: of such a matrix null vectors are small while the rank is.
+TEST_P(ExactRanks, OfWholeNumbersAreThoseTheMatrixWasBuiltWith) {
+  Random random(static_cast<std::uint64_t>(GetParam()));
+  const int built = random.whole(0, 4);
+  const int rows = built + random.whole(0, 9);
+  const int columns = built + random.whole(0, 9);
+  MatX left(rows, built);
+  MatX right(built, columns);
+  for (MatX* part : {&left, &right}) {
+    for (double& value : part->reshaped()) {
+      value = random.whole(-9, 9);
+    }
+  }
+  // A triangle of ones makes sure of the rank.
+  for (int i = 0; i < built; ++i) {
+    left.row(i).setZero();
+    left(i, i) = 1.0;
+    right.col(i).setZero();
+    right(i, i) = 1.0;
+  }
+  const MatX product = left * right;
+  SparseMatrix matrix{.rows = rows, .columns = columns, .entries = {}};
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < columns; ++c) {
+      matrix.add(r, c, product(r, c));
+    }
+  }
+
+  EXPECT_EQ(find_exact_rank(matrix, std::min(rows, columns)).rank, built);
+}
 
 TEST_P(ExactRanks, AreThoseTheMatrixWasBuiltWith) {
   Random random(static_cast<std::uint64_t>(GetParam()));
@@ -156,6 +253,7 @@ TEST(ExactRank, OfALargeFullMatrixIsModular) {
 TEST(RankProof, HasAnotherTextForEachKind) {
   EXPECT_EQ(text_of(RankProof::structural), "structural bound");
   EXPECT_EQ(text_of(RankProof::elimination), "exact elimination");
+  EXPECT_EQ(text_of(RankProof::null_vectors), "exact null vectors");
   EXPECT_EQ(text_of(RankProof::modular), "modulo two primes");
 }
 

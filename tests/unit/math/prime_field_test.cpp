@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "math/internal/modular_field.hpp"
 #include "support/random_fractions.hpp"
 
 namespace kinestat {
@@ -59,6 +60,12 @@ TEST_P(PrimeFields, KeepSumsAndProductsOfFractions) {
   EXPECT_EQ(field_.residue(a - b), field_.difference(x, y));
   EXPECT_EQ(field_.residue(a * b), field_.product(x, y));
   EXPECT_EQ(field_.residue(a / b), field_.quotient(x, y));
+}
+
+TEST_P(PrimeFields, TakeADoubleForTheFractionThatItIs) {
+  for (const double value : {0.0, 1.0, -3.0, 0.1, -1.0 / 3.0, 1e300, 5e-324, 1e-9}) {
+    EXPECT_EQ(residue_of(value, field_), field_.residue(Rational(value))) << value;
+  }
 }
 
 TEST_P(PrimeFields, KeepTheRulesOfSinesAndCosines) {
