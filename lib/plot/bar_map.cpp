@@ -17,7 +17,8 @@ constexpr double kRowHeight = 19.0;
 constexpr double kBarHeight = 11.0;
 constexpr double kBarWidth = 88.0;    // of the whole scale in a cell
 constexpr double kValueWidth = 68.0;  // of the number beside it
-constexpr double kCellWidth = kBarWidth + kValueWidth + 12.0;
+constexpr double kCellGap = 26.0;
+constexpr double kCellWidth = kBarWidth + kValueWidth + kCellGap;
 constexpr double kMostNameWidth = 190.0;
 constexpr double kTextSize = 12.0;
 constexpr double kValueSize = 11.0;
@@ -139,7 +140,7 @@ class BarMapDrawing {
     }
     y_ += kRowHeight;
     svg_.line({.x = 0.0, .y = y_},
-              {.x = cell_left(end - first) - 12.0, .y = y_},
+              {.x = cell_left(end - first) - kCellGap, .y = y_},
               {.stroke = Ink::grid, .width = 1.0});
   }
 
@@ -152,7 +153,9 @@ class BarMapDrawing {
     }
     svg_.text({.x = left + kBarWidth + kValueWidth, .y = y_ + 13.0},
               text,
-              {.size = kValueSize, .anchor = Anchor::end});
+              {.ink = value.value_or(0.0) == 0.0 ? Ink::soft : Ink::ink,
+               .size = kValueSize,
+               .anchor = Anchor::end});
     svg_.close_group();
   }
 

@@ -46,18 +46,29 @@ bool any_case(const PictureSource& source, bool (*counts)(const CaseAnalysis&)) 
   return source.which ? counts(cases[*source.which]) : std::ranges::any_of(cases, counts);
 }
 
+// Why no case that is asked for counts; `what` is "velocities that are solved".
+std::string lack_in_cases(const PictureSource& source,
+                          bool (*counts)(const CaseAnalysis&),
+                          std::string_view what) {
+  if (any_case(source, counts)) {
+    return "";
+  }
+  return source.which
+             ? fmt::format(
+                   "case '{}' has no {}", source.analysis->cases[*source.which].which.label, what)
+             : fmt::format("no case has {}", what);
+}
+
 std::string lack_of_velocities(const PictureSource& source) {
-  return any_case(source, has_velocities) ? "" : "no case has its velocities solved";
+  return lack_in_cases(source, has_velocities, "velocities that are solved");
 }
 
 std::string lack_of_actions(const PictureSource& source) {
-  return any_case(source, has_actions) ? "" : "no case has its actions solved";
+  return lack_in_cases(source, has_actions, "actions that are solved");
 }
 
 std::string lack_of_power(const PictureSource& source) {
-  return any_case(source, has_power)
-             ? ""
-             : "no case has the power that velocities and actions together determine";
+  return lack_in_cases(source, has_power, "power, for which velocities and actions are needed");
 }
 
 std::string lack_of_nothing(const PictureSource&) {

@@ -308,7 +308,7 @@ bool is_inside(const Frame& frame, PixelPoint point) {
   return point.x >= box.left && point.x <= box.right && point.y >= box.top && point.y <= box.bottom;
 }
 
-void draw_marks(const Chart& chart, const Frame& frame, LabelPlacer& placer, Svg& svg) {
+void draw_marks(const Chart& chart, const Frame& frame, PointLabels& placer, Svg& svg) {
   std::vector<PixelPoint> places;
   for (const ChartMark& mark : chart.marks) {
     const PixelPoint place = frame.place(mark.x, mark.y);
@@ -329,7 +329,7 @@ void draw_marks(const Chart& chart, const Frame& frame, LabelPlacer& placer, Svg
 }
 
 void draw_data(const Chart& chart, const Frame& frame, Svg& svg) {
-  LabelPlacer placer(frame.box.grown(-2.0));
+  PointLabels placer(frame.box.grown(-2.0));
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const std::vector<PixelPoint> points = visible_points(frame, chart.series[i]);
     draw_series(chart.series[i], static_cast<int>(i), points, svg);

@@ -42,7 +42,7 @@ PixelPoint nearest(const PixelBox& box, PixelPoint point) {
 
 }  // namespace
 
-void LabelPlacer::avoid(const std::vector<PixelPoint>& points) {
+void PointLabels::avoid(const std::vector<PixelPoint>& points) {
   for (const PixelPoint& point : points) {
     if (std::isfinite(point.x) && std::isfinite(point.y)) {
       avoided_.push_back(point);
@@ -50,19 +50,22 @@ void LabelPlacer::avoid(const std::vector<PixelPoint>& points) {
   }
 }
 
-int LabelPlacer::cost(const PixelBox& box) const {
+int PointLabels::cost(const PixelBox& box) const {
   const bool is_inside = box.left >= area_.left && box.right <= area_.right &&
                          box.top >= area_.top && box.bottom <= area_.bottom;
   const auto overlaps = [&box](const PixelBox& other) { return box.overlaps(other); };
   if (!is_inside || std::ranges::any_of(taken_, overlaps)) {
     return -1;
   }
-  return static_cast<int>(std::ranges::count_if(avoided_, [&box](const PixelPoint& point) {
-    return point.x > box.left && point.x < box.right && point.y > box.top && point.y < box.bottom;
+  // Curves are as wide as that around their points.
+  const PixelBox near = box.grown(2.0);
+  return static_cast<int>(std::ranges::count_if(avoided_, [&near](const PixelPoint& point) {
+    return point.x > near.left && point.x < near.right && point.y > near.top &&
+           point.y < near.bottom;
   }));
 }
 
-bool LabelPlacer::write(PixelPoint point, std::string_view text, const TextStyle& style, Svg& svg) {
+bool PointLabels::write(PixelPoint point, std::string_view text, const TextStyle& style, Svg& svg) {
   TextStyle best_style = style;
   PixelPoint best_place;
   int best_cost = -1;

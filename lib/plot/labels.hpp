@@ -10,11 +10,11 @@
 namespace kinestat {
 
 /// Remembers what is taken on a picture and finds free places. Deterministic.
-class LabelPlacer {
+class PointLabels {
  public:
   /// Labels stay within the area; points of data may be covered if there is no other way, boxes
   /// that are taken never.
-  explicit LabelPlacer(const PixelBox& area) : area_(area) {}
+  explicit PointLabels(const PixelBox& area) : area_(area) {}
 
   void take(const PixelBox& box) { taken_.push_back(box); }
 

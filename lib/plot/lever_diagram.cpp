@@ -180,7 +180,7 @@ class LeverDrawing {
                   const DiagramLever& lever,
                   const std::vector<PixelPoint>& points,
                   double zero) {
-    LabelPlacer placer({.left = points.front().x - 55.0,
+    PointLabels placer({.left = points.front().x - 55.0,
                         .top = y_ - 18.0,
                         .right = points.back().x + 55.0,
                         .bottom = y_ + kPanelHeight + 24.0});
@@ -191,7 +191,7 @@ class LeverDrawing {
       svg_.circle(
           points[i], kNodeRadius, {.stroke = Ink::ink, .fill = is_held ? Ink::ink : Ink::paper});
       if (is_held) {
-        draw_ground({.x = points[i].x, .y = zero});
+        placer.take(draw_ground({.x = points[i].x, .y = zero}));
       }
       placer.take(PixelBox{
           .left = points[i].x, .top = points[i].y, .right = points[i].x, .bottom = points[i].y}
@@ -206,7 +206,7 @@ class LeverDrawing {
     }
   }
 
-  static void avoid_line(PixelPoint from, PixelPoint to, LabelPlacer& placer) {
+  static void avoid_line(PixelPoint from, PixelPoint to, PointLabels& placer) {
     constexpr int kSamples = 80;
     std::vector<PixelPoint> line;
     for (int i = 0; i <= kSamples; ++i) {
@@ -217,12 +217,13 @@ class LeverDrawing {
     placer.avoid(line);
   }
 
-  // The sign of a fixed support.
-  void draw_ground(PixelPoint at) {
+  // The sign of a fixed support; answers where it is.
+  PixelBox draw_ground(PixelPoint at) {
     const PixelBox box = {
         .left = at.x - 11.0, .top = at.y + 6.0, .right = at.x + 11.0, .bottom = at.y + 13.0};
     svg_.hatch(box, Ink::ink, 4.0);
     svg_.line({.x = box.left, .y = box.top}, {.x = box.right, .y = box.top}, {.width = 1.5});
+    return box;
   }
 
   // Inputs and outputs of the case, and what holds the body or couples it to another one.

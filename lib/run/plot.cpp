@@ -1,6 +1,7 @@
 #include "run/plot.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 #include <utility>
@@ -61,9 +62,10 @@ class PictureJob {
 
   void run(Outcome& outcome) {
     source_.path = path_;
-    const std::optional<std::string> text = make_text();
-    if (text && may_write()) {
-      write(*text, outcome);
+    if (has_place()) {
+      if (std::optional<std::string> text = make_text()) {
+        write(*std::move(text), outcome);
+      }
     }
     add_diagnostics(source_, found_, options_.strictness, outcome);
   }
@@ -100,7 +102,16 @@ class PictureJob {
                  fmt::format("'kinestat plot {} FILE' says which pictures it has", kListPictures));
   }
 
+  // Looks for it once. False if it was not found, with an error the first time.
   bool find(PictureNeed need) {
+    std::optional<bool>& is_found = is_found_[static_cast<std::size_t>(need)];
+    if (!is_found) {
+      is_found = solve(need);
+    }
+    return *is_found;
+  }
+
+  bool solve(PictureNeed need) {
     switch (need) {
       case PictureNeed::analysis:
         return find_analysis();
@@ -209,14 +220,7 @@ class PictureJob {
     if (kind.need == PictureNeed::benchmark) {
       return description_->cases.empty() ? "the file has no cases" : "";
     }
-    PictureSource source = solutions_.source();
-    const bool is_there =
-        is_of_synthesis ? source.synthesis != nullptr : source.analysis != nullptr;
-    if (!is_there && !find(kind.need)) {
-      return "it cannot be found for this file";
-    }
-    source = solutions_.source();
-    return kind.lack(source);
+    return find(kind.need) ? kind.lack(solutions_.source()) : "the file has errors";
   }
 
   OutputFile output(std::string content) const {
@@ -225,7 +229,11 @@ class PictureJob {
             .signature = std::string(signature_of(choice_.form))};
   }
 
-  bool may_write() { return !choice_.path.empty() || !options_.is_quiet; }
+  // Before anything is computed. False iff an error was added.
+  bool has_place() {
+    const OutputFile file = output({});
+    return choice_.path.empty() || check_places(std::span(&file, 1), choice_.overwrite, found_);
+  }
 
   void write(std::string text, Outcome& outcome) {
     if (choice_.path.empty() || choice_.picture == kListPictures) {
@@ -246,6 +254,7 @@ class PictureJob {
   Diagnostics found_;
   std::optional<MechanismDescription> description_;
   PictureSolutions solutions_;
+  std::array<std::optional<bool>, 4> is_found_;  ///< by PictureNeed
 };
 
 // Forms that a picture has, beside svg.

@@ -8,7 +8,7 @@ namespace {
 constexpr PixelBox kArea = {.left = 0.0, .top = 0.0, .right = 300.0, .bottom = 200.0};
 
 TEST(Labels, StandBesideTheirPoint) {
-  LabelPlacer placer(kArea);
+  PointLabels placer(kArea);
   Svg svg;
 
   ASSERT_TRUE(placer.write({.x = 150.0, .y = 100.0}, "max", {}, svg));
@@ -19,7 +19,7 @@ TEST(Labels, StandBesideTheirPoint) {
 }
 
 TEST(Labels, DoNotCoverEachOther) {
-  LabelPlacer placer(kArea);
+  PointLabels placer(kArea);
   std::vector<PixelBox> boxes;
   for (int i = 0; i < 8; ++i) {
     Svg svg;
@@ -34,7 +34,7 @@ TEST(Labels, DoNotCoverEachOther) {
 }
 
 TEST(Labels, StayWithinTheArea) {
-  LabelPlacer placer(kArea);
+  PointLabels placer(kArea);
   Svg svg;
 
   ASSERT_TRUE(placer.write({.x = 299.0, .y = 1.0}, "at the corner", {}, svg));
@@ -44,7 +44,7 @@ TEST(Labels, StayWithinTheArea) {
 }
 
 TEST(Labels, AreLeftOutWhereThereIsNoRoom) {
-  LabelPlacer placer({.left = 0.0, .top = 0.0, .right = 20.0, .bottom = 20.0});
+  PointLabels placer({.left = 0.0, .top = 0.0, .right = 20.0, .bottom = 20.0});
   Svg svg;
 
   EXPECT_FALSE(placer.write({.x = 10.0, .y = 10.0}, "far too long", {}, svg));
@@ -52,7 +52,7 @@ TEST(Labels, AreLeftOutWhereThereIsNoRoom) {
 }
 
 TEST(Labels, AvoidCurves) {
-  LabelPlacer placer(kArea);
+  PointLabels placer(kArea);
   std::vector<PixelPoint> curve;
   for (int x = 0; x < 300; ++x) {
     curve.push_back({.x = static_cast<double>(x), .y = 92.0});
