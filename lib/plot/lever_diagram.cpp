@@ -24,6 +24,8 @@ constexpr double kTextSize = 12.0;
 constexpr double kNameSize = 11.0;
 constexpr double kNodeRadius = 4.5;
 
+const TextStyle kZeroStyle = {.ink = Ink::soft, .size = kNameSize, .anchor = Anchor::end};
+
 // An actuator or shift element that acts on a body.
 struct NodeTag {
   std::string text;
@@ -160,9 +162,7 @@ class LeverDrawing {
     svg_.line({.x = left - 24.0, .y = zero},
               {.x = right + 24.0, .y = zero},
               {.stroke = Ink::soft, .width = 1.5});
-    svg_.text({.x = left - 28.0, .y = zero + 4.0},
-              "0",
-              {.ink = Ink::soft, .size = kNameSize, .anchor = Anchor::end});
+    svg_.text(zero_place(left, zero), "0", kZeroStyle);
     std::vector<PixelPoint> points;
     for (const DiagramNode& node : lever.nodes) {
       const double x = left + node.share * kPanelWidth;
@@ -176,6 +176,10 @@ class LeverDrawing {
     draw_nodes(one, lever, points, zero);
   }
 
+  static PixelPoint zero_place(double left, double zero) {
+    return {.x = left - 28.0, .y = zero + 4.0};
+  }
+
   void draw_nodes(const CaseAnalysis& one,
                   const DiagramLever& lever,
                   const std::vector<PixelPoint>& points,
@@ -185,6 +189,7 @@ class LeverDrawing {
                         .right = points.back().x + 55.0,
                         .bottom = y_ + kPanelHeight + 24.0});
     avoid_line(points.front(), points.back(), placer);
+    placer.take(text_box(zero_place(points.front().x, zero), "0", kZeroStyle));
     for (std::size_t i = 0; i < points.size(); ++i) {
       const std::vector<NodeTag> tags = tags_of(one, lever.nodes[i].body);
       const bool is_held = std::ranges::any_of(tags, &NodeTag::is_brake);

@@ -13,7 +13,7 @@ import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Iterator
+from typing import Callable, Iterator
 
 ROOT = Path(__file__).resolve().parents[2]
 MECHANISMS = ROOT / "mechanisms"
@@ -178,11 +178,11 @@ def view_of(root: ElementTree.Element) -> Box:
 
 
 class Pictures(unittest.TestCase):
-    def each(self) -> Iterator[tuple[str, ElementTree.Element, str]]:
+    def each(self, check: Callable[[ElementTree.Element, str], None]) -> None:
         for path, name in pictures():
             with self.subTest(file=str(path.relative_to(MECHANISMS)), picture=name):
                 text = drawn(path, name).stdout
-                yield name, ElementTree.fromstring(text), text
+                check(ElementTree.fromstring(text), text)
 
     def test_are_many(self) -> None:
         self.assertGreater(len(pictures()), 150)
@@ -200,15 +200,17 @@ class Pictures(unittest.TestCase):
                 self.assertNotIn("E0909", drawn(path, name).stderr)
 
     def test_are_named_and_described(self) -> None:
-        for _, root, _ in self.each():
+        def check(root: ElementTree.Element, _: str) -> None:
             self.assertEqual(root.attrib["role"], "img")
             title, description = root.find(f"{SVG}title"), root.find(f"{SVG}desc")
             assert title is not None and description is not None
             self.assertEqual(root.attrib["aria-label"], title.text)
             self.assertGreater(len(description.text or ""), 20)
 
+        self.each(check)
+
     def test_load_and_run_nothing(self) -> None:
-        for _, root, text in self.each():
+        def check(root: ElementTree.Element, text: str) -> None:
             for element in root.iter():
                 self.assertNotIn(element.tag.removeprefix(SVG),
                                  ("script", "image", "use", "foreignObject", "a", "animate"))
@@ -216,21 +218,26 @@ class Pictures(unittest.TestCase):
                     self.assertFalse(key.startswith("on") or "href" in key or key == "style", key)
             self.assertNotIn("url(", text)
 
-    def test_have_ids_once(self) -> None:
-        for _, root, _ in self.each():
-            ids = [element.attrib["id"] for element in root.iter() if "id" in element.attrib]
+        self.each(check)
 
+    def test_have_ids_once(self) -> None:
+        def check(root: ElementTree.Element, _: str) -> None:
+            ids = [element.attrib["id"] for element in root.iter() if "id" in element.attrib]
             self.assertEqual(len(ids), len(set(ids)))
 
+        self.each(check)
+
     def test_have_numbers_only(self) -> None:
-        for _, root, _ in self.each():
+        def check(root: ElementTree.Element, _: str) -> None:
             for element in root.iter():
                 for key, value in element.attrib.items():
                     if key in ("d", "points", "transform", "viewBox", "width", "height"):
                         self.assertNotRegex(value, r"(?i)nan|inf|e[+-]\d")
 
+        self.each(check)
+
     def test_lie_inside_their_views(self) -> None:
-        for _, root, _ in self.each():
+        def check(root: ElementTree.Element, _: str) -> None:
             view = view_of(root)
             for element in root.iter():
                 box = text_box(element) if element.tag == f"{SVG}text" else shape_box(element)
@@ -238,8 +245,10 @@ class Pictures(unittest.TestCase):
                     self.assertTrue(view.holds(box, 0.51),
                                     f"{ElementTree.tostring(element)!r} {box} {view}")
 
+        self.each(check)
+
     def test_have_no_text_upon_another(self) -> None:
-        for _, root, _ in self.each():
+        def check(root: ElementTree.Element, _: str) -> None:
             texts = [(text_box(element), element.text) for element in root.iter(f"{SVG}text")]
             texts.sort(key=lambda one: one[0].left)
             for i, (box, text) in enumerate(texts):
@@ -248,11 +257,15 @@ class Pictures(unittest.TestCase):
                         break
                     self.assertLess(box.shared(other), 2.0, f"{text!r} and {other_text!r}")
 
+        self.each(check)
+
     def test_are_small_enough_for_a_page(self) -> None:
-        for _, root, text in self.each():
+        def check(root: ElementTree.Element, text: str) -> None:
             view = view_of(root)
             self.assertLess(view.right - view.left, 1700)
             self.assertLess(len(text), 2_000_000)
+
+        self.each(check)
 
     def test_are_the_same_every_time(self) -> None:
         seen: dict[str, int] = {}
