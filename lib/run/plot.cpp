@@ -61,11 +61,13 @@ class PictureJob {
       : path_(path), choice_(choice), options_(options), clock_(clock) {}
 
   void run(Outcome& outcome) {
+    if (!has_place()) {
+      add_diagnostics({}, found_, options_.strictness, outcome);
+      return;
+    }
     source_.path = path_;
-    if (has_place()) {
-      if (std::optional<std::string> text = make_text()) {
-        write(*std::move(text), outcome);
-      }
+    if (std::optional<std::string> text = make_text()) {
+      write(*std::move(text), outcome);
     }
     add_diagnostics(source_, found_, options_.strictness, outcome);
   }
