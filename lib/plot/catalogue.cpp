@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "plot/burmester_drawing.hpp"
 #include "plot/case_maps.hpp"
 #include "plot/dot.hpp"
+#include "plot/gear_scheme.hpp"
 #include "plot/gnuplot.hpp"
 #include "plot/graph_drawing.hpp"
 #include "plot/lever_diagram.hpp"
@@ -101,6 +103,14 @@ std::string lack_of_levers(const PictureSource& source) {
   return lack_of_velocities(source);
 }
 
+std::string lack_of_gears(const PictureSource& source) {
+  return has_gear_scheme(*source.analysis) ? "" : "no gears with parallel axes mesh";
+}
+
+std::string lack_of_task(const PictureSource& source) {
+  return source.synthesis->tasks.empty() ? "no choice of the task is left" : "";
+}
+
 std::string lack_of_times(const PictureSource& source) {
   return pareto_figure("", *source.benchmark).charts.empty()
              ? "no case has as many magnitudes known as its equations need"
@@ -127,6 +137,14 @@ Picture draw_mechanism(const PictureSource& source) {
     options.which = source.which.value_or(0);
   }
   return named("linkage", draw_linkage(*source.analysis, options));
+}
+
+Picture draw_scheme(const PictureSource& source) {
+  return named("gear-scheme", *draw_gear_scheme(*source.analysis, {.which = source.which}));
+}
+
+Picture draw_plane(const PictureSource& source) {
+  return draw_burmester(*source.synthesis, 0);
 }
 
 Picture draw_coupling_graph(const PictureSource& source) {
@@ -231,6 +249,11 @@ constexpr auto kKinds = std::to_array<PictureKind>({
      .scope = PictureScope::one_case,
      .lack = lack_of_nothing,
      .draw = draw_mechanism},
+    {.name = "gear-scheme",
+     .sentence = "a gear train along its axis, with its clutches and brakes",
+     .scope = PictureScope::one_case,
+     .lack = lack_of_gears,
+     .draw = draw_scheme},
     {.name = "coupling-graph",
      .sentence = "bodies and couplings as a graph, with its tree",
      .lack = lack_of_nothing,
@@ -287,6 +310,11 @@ constexpr auto kKinds = std::to_array<PictureKind>({
      .sentence = "the ratios of the gears and the steps between them",
      .lack = lack_of_ratios,
      .draw = draw_ladder},
+    {.name = "burmester",
+     .sentence = "the positions of a synthesis with poles, curves and dyads",
+     .need = PictureNeed::synthesis,
+     .lack = lack_of_task,
+     .draw = draw_plane},
     {.name = "pareto",
      .sentence = "time against error of the methods of solution",
      .need = PictureNeed::benchmark,

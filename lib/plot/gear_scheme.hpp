@@ -22,4 +22,7 @@ struct GearSchemeOptions {
 std::optional<Picture> draw_gear_scheme(const Analysis& analysis,
                                         const GearSchemeOptions& options = {});
 
+/// Whether there is one.
+bool has_gear_scheme(const Analysis& analysis);
+
 }  // namespace kinestat

@@ -10,6 +10,7 @@
 #include "graph/circuit.hpp"
 #include "graph/cutsets.hpp"
 #include "plot/internal/symbols.hpp"
+#include "plot/picture_title.hpp"
 
 namespace kinestat {
 
@@ -18,7 +19,7 @@ namespace {
 GraphModel bare_model(const Analysis& analysis, std::string name, std::string_view what) {
   const Topology& topology = analysis.mechanism.topology;
   GraphModel model{.name = std::move(name),
-                   .title = fmt::format("{}: {}", what, analysis.mechanism.name),
+                   .title = picture_title(what, analysis),
                    .nodes = {},
                    .edges = {},
                    .power = {},
@@ -255,7 +256,7 @@ GraphModel power_model(const Analysis& analysis, std::size_t which) {
   KINESTAT_EXPECTS(which < analysis.cases.size() && analysis.cases[which].power.has_value());
   const CaseAnalysis& one = analysis.cases[which];
   GraphModel model = bare_model(analysis, "power_flow", "");
-  model.title = fmt::format("Power flow of {}: {}", one.which.label, analysis.mechanism.name);
+  model.title = picture_title(fmt::format("Power flow, case {}", one.which.label), analysis);
   PowerModeller(analysis, one, model).add();
   return model;
 }

@@ -266,7 +266,7 @@ class GraphWriter {
                8.0 + 1.3 * width);
     placer_.keep_off(near, far);
     const TextStyle style = {.ink = Ink::green, .size = kLabelText, .has_halo = true};
-    const PlacedLabel label = placer_.place(far, port.text, style, 5.0);
+    const PlacedName label = placer_.place(far, port.text, style, 5.0);
     write_label(svg_, label, far, port.text, style);
   }
 
@@ -294,7 +294,7 @@ class GraphWriter {
       middles.push_back(curve.at(share) + away * across);
       middles.push_back(curve.at(share) - away * across);
     }
-    const PlacedLabel label = placer_.place_at(middles, text, style);
+    const PlacedName label = placer_.place_at(middles, text, style);
     svg_.text(label.place, text, style);
   }
 
@@ -303,7 +303,7 @@ class GraphWriter {
   const std::vector<PixelPoint>& places_;
   std::vector<PixelBox> boxes_;
   std::vector<double> offsets_;
-  LabelPlacer placer_;
+  NamePlacer placer_;
   double largest_ = 0.0;
 };
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "plot/graph_model.hpp"
-#include "plot/internal/label_placer.hpp"
+#include "plot/internal/name_placer.hpp"
 
 namespace kinestat {
 

@@ -302,7 +302,7 @@ void LinkageCanvas::draw_arrows() {
 void LinkageCanvas::draw_names() {
   open_layer("names");
   for (const WaitingName& name : names_) {
-    const PlacedLabel label = placer_.place(name.anchor, name.text, name.style, name.distance);
+    const PlacedName label = placer_.place(name.anchor, name.text, name.style, name.distance);
     write_label(svg_, label, name.anchor, name.text, name.style);
   }
   svg_.close_group();

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "plot/internal/drawn_case.hpp"
-#include "plot/internal/label_placer.hpp"
 #include "plot/internal/linkage_parts.hpp"
+#include "plot/internal/name_placer.hpp"
 #include "plot/linkage_drawing.hpp"
 
 namespace kinestat {
@@ -47,7 +47,7 @@ class LinkageCanvas {
 
   Svg& svg() { return svg_; }
 
-  LabelPlacer& placer() { return placer_; }
+  NamePlacer& placer() { return placer_; }
 
   const LinkageView& view() const { return view_; }
 
@@ -99,7 +99,7 @@ class LinkageCanvas {
   std::vector<Vec3> places_;    // of each coupling [m]
   double largest_force_ = 0.0;  // [N]
   Svg svg_;
-  LabelPlacer placer_;
+  NamePlacer placer_;
   std::vector<WaitingName> names_;
   std::vector<PixelPoint> turnings_;  // where turning arrows stand
 };

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
 #include "plot/internal/symbols.hpp"
 
 namespace kinestat {
@@ -20,7 +18,6 @@ constexpr double kGuideHalf = 46.0;  // half the length of a guide [px]
 constexpr double kGuideDepth = 9.5;  // from the middle of a block to its guide [px]
 constexpr double kSlotHalf = 24.0;
 constexpr double kRingDepth = 9.0;
-constexpr double kRackDepth = 14.0;
 
 std::size_t index(BodyId body) {
   return static_cast<std::size_t>(body.value);
@@ -198,7 +195,7 @@ class PlanarDrawing {
     if (wheel.kind == WheelKind::ring) {
       svg_.circle(centre, radius + kRingDepth, {.stroke = ink, .width = 1.4});
       svg_.circle(centre, radius, {.stroke = ink, .width = 1.2, .dash = "8 2 2 2"});
-      draw_teeth(centre, radius, ink);
+      draw_teeth(svg_, centre, radius, ink);
       return;
     }
     const bool is_gear = wheel.kind == WheelKind::gear;
@@ -210,28 +207,12 @@ class PlanarDrawing {
                  .dash = is_gear ? "8 2 2 2" : "",
                  .opacity = 0.1});
     if (is_gear) {
-      draw_teeth(centre, radius, ink);
+      draw_teeth(svg_, centre, radius, ink);
     } else if (radius > 9.0) {
       svg_.circle(centre, radius - 4.0, {.stroke = ink, .width = 0.8});
     }
     // A mark, so that turning is seen.
     svg_.line(centre, centre + PixelPoint{.x = 0.0, .y = -radius}, {.stroke = ink, .width = 0.8});
-  }
-
-  // Strokes along the pitch circle; not as many as there are teeth.
-  void draw_teeth(PixelPoint centre, double radius, Ink ink) {
-    constexpr double kPitch = 9.0;
-    constexpr double kHalfTooth = 2.6;
-    const int count = std::max(8, static_cast<int>(2 * std::numbers::pi * radius / kPitch));
-    std::string data;
-    for (int i = 0; i < count; ++i) {
-      const double angle = 2 * std::numbers::pi * i / count;
-      const PixelPoint out = {.x = std::cos(angle), .y = std::sin(angle)};
-      const PixelPoint from = centre + (radius - kHalfTooth) * out;
-      const PixelPoint to = centre + (radius + kHalfTooth) * out;
-      data += fmt::format("M{:.1f},{:.1f}L{:.1f},{:.1f}", from.x, from.y, to.x, to.y);
-    }
-    svg_.path(data, box_of_circle(centre, radius + kHalfTooth), {.stroke = ink, .width = 1.0});
   }
 
   // The places of a body: its couplings, its loads, points that are traced; slots and guides reach
@@ -395,7 +376,7 @@ class PlanarDrawing {
         break;
       case cam:
       case point_contact:
-        draw_contact(p, normal(coupling));
+        draw_contact(svg_, p, normal(coupling));
         break;
       case rack:
         draw_rack(p, coupling);
@@ -419,13 +400,6 @@ class PlanarDrawing {
     draw_pin(svg_, p, 3.6);
   }
 
-  void draw_contact(PixelPoint p, PixelPoint out) {
-    const PixelPoint across = left_of(out);
-    svg_.circle(p + 7.0 * out, 7.0, {.stroke = Ink::ink, .fill = Ink::paper, .width = 1.5});
-    svg_.line(
-        p - 16.0 * across, p + 16.0 * across, {.stroke = Ink::soft, .width = 0.9, .dash = "4 2"});
-  }
-
   // A bar with strokes for its teeth, along the tangent of its pinion.
   void draw_rack(PixelPoint p, const CouplingTopology& coupling) {
     PixelPoint away = {.x = 0.0, .y = 1.0};
@@ -436,26 +410,11 @@ class PlanarDrawing {
         rack_body = wheel.body == coupling.tail ? coupling.head : coupling.tail;
       }
     }
-    constexpr double kHalf = 110.0;
-    const PixelPoint along = left_of(away);
-    const std::vector<PixelPoint> corners = {p - kHalf * along,
-                                             p + kHalf * along,
-                                             p + kHalf * along + kRackDepth * away,
-                                             p - kHalf * along + kRackDepth * away};
     svg_.close_group();
     canvas_.open_body(rack_body);
-    svg_.polygon(corners,
-                 {.stroke = body_ink(rack_body),
-                  .fill = body_ink(rack_body),
-                  .width = 1.4,
-                  .opacity = 0.16});
-    for (double s = -kHalf + 4.5; s < kHalf; s += 9.0) {
-      svg_.line(p + s * along - 2.6 * away,
-                p + s * along + 2.6 * away,
-                {.stroke = body_ink(rack_body), .width = 1.0});
+    for (const auto& [from, to] : draw_rack_bar(svg_, p, away, body_ink(rack_body))) {
+      canvas_.placer().keep_off(from, to);
     }
-    canvas_.placer().keep_off(corners[0], corners[1]);
-    canvas_.placer().keep_off(corners[2], corners[3]);
   }
 
   // Beside the middle of a link, or the rim of a wheel.

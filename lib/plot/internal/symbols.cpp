@@ -138,6 +138,48 @@ void draw_turning_arrow(
   svg.arrow_head(tip, tip - base, paint.stroke, kHead);
 }
 
+void draw_teeth(Svg& svg, PixelPoint centre, double radius, Ink ink) {
+  constexpr double kPitch = 9.0;
+  constexpr double kHalfTooth = 2.6;
+  const int count = std::max(8, static_cast<int>(2 * std::numbers::pi * radius / kPitch));
+  std::string data;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    const PixelPoint out = {.x = std::cos(angle), .y = std::sin(angle)};
+    const PixelPoint from = centre + (radius - kHalfTooth) * out;
+    const PixelPoint to = centre + (radius + kHalfTooth) * out;
+    data += fmt::format("M{:.1f},{:.1f}L{:.1f},{:.1f}", from.x, from.y, to.x, to.y);
+  }
+  svg.path(data, box_of_circle(centre, radius + kHalfTooth), {.stroke = ink, .width = 1.0});
+}
+
+void draw_contact(Svg& svg, PixelPoint at, PixelPoint out) {
+  constexpr double kRoller = 7.0;
+  const PixelPoint across = 16.0 * left_of(out);
+  svg.circle(at + kRoller * out, kRoller, {.stroke = Ink::ink, .fill = Ink::paper, .width = 1.5});
+  svg.line(at - across, at + across, {.stroke = Ink::soft, .width = 0.9, .dash = "4 2"});
+}
+
+std::vector<std::pair<PixelPoint, PixelPoint>> draw_rack_bar(Svg& svg,
+                                                             PixelPoint at,
+                                                             PixelPoint away,
+                                                             Ink ink) {
+  constexpr double kHalf = 110.0;
+  constexpr double kPitch = 9.0;
+  constexpr double kHalfTooth = 2.6;
+  const PixelPoint along = left_of(away);
+  const PixelPoint from = at - kHalf * along;
+  const PixelPoint to = at + kHalf * along;
+  const PixelPoint back = kRackDepth * away;
+  const std::vector<PixelPoint> corners = {from, to, to + back, from + back};
+  svg.polygon(corners, {.stroke = ink, .fill = ink, .width = 1.4, .opacity = 0.16});
+  for (double s = -kHalf + kPitch / 2; s < kHalf; s += kPitch) {
+    const PixelPoint tooth = at + s * along;
+    svg.line(tooth - kHalfTooth * away, tooth + kHalfTooth * away, {.stroke = ink, .width = 1.0});
+  }
+  return {{from, to}, {from + back, to + back}};
+}
+
 PixelBox box_of_circle(PixelPoint centre, double radius) {
   PixelBox box;
   box.add(centre);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "plot/svg.hpp"
@@ -62,7 +64,21 @@ void draw_block(Svg& svg, PixelPoint at, PixelPoint along, const Paint& paint);
 void draw_turning_arrow(
     Svg& svg, PixelPoint centre, double radius, bool is_anticlockwise, const Paint& paint);
 
-/// The box of a turning arrow.
+/// Strokes along a pitch circle; not as many as there are teeth.
+void draw_teeth(Svg& svg, PixelPoint centre, double radius, Ink ink);
+
+/// A rolling contact at a point: the head's roller, `out` from it, and the tangent.
+void draw_contact(Svg& svg, PixelPoint at, PixelPoint out);
+
+inline constexpr double kRackDepth = 14.0;  ///< [px]
+
+/// A bar with strokes for its teeth, whose back lies `away` from the pitch point. Its long edges.
+std::vector<std::pair<PixelPoint, PixelPoint>> draw_rack_bar(Svg& svg,
+                                                             PixelPoint at,
+                                                             PixelPoint away,
+                                                             Ink ink);
+
+/// The box around a circle.
 PixelBox box_of_circle(PixelPoint centre, double radius);
 
 /// 1, 2 or 5 times a power of ten, the largest that is at most `value`.

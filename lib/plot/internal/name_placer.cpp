@@ -1,4 +1,4 @@
-#include "plot/internal/label_placer.hpp"
+#include "plot/internal/name_placer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,11 +62,11 @@ PixelPoint middle_at(PixelPoint anchor, double angle, double distance, PixelPoin
 
 }  // namespace
 
-void LabelPlacer::keep_off(PixelPoint from, PixelPoint to) {
+void NamePlacer::keep_off(PixelPoint from, PixelPoint to) {
   segments_.push_back({.from = from, .to = to});
 }
 
-void LabelPlacer::keep_off_circle(PixelPoint centre, double radius) {
+void NamePlacer::keep_off_circle(PixelPoint centre, double radius) {
   constexpr int kSides = 24;
   PixelPoint last = {.x = centre.x + radius, .y = centre.y};
   for (int i = 1; i <= kSides; ++i) {
@@ -78,7 +78,7 @@ void LabelPlacer::keep_off_circle(PixelPoint centre, double radius) {
   }
 }
 
-double LabelPlacer::cost(const PixelBox& box) const {
+double NamePlacer::cost(const PixelBox& box) const {
   double sum = 0.0;
   for (const PixelBox& label : labels_) {
     sum += kLabelCost * overlap(box, label);
@@ -92,7 +92,7 @@ double LabelPlacer::cost(const PixelBox& box) const {
   return sum;
 }
 
-PlacedLabel LabelPlacer::take(const PixelBox& box, const TextStyle& style) {
+PlacedName NamePlacer::take(const PixelBox& box, const TextStyle& style) {
   labels_.push_back(box.grown(1.0));
   const double base = box.top + kAscentShare * box.height();
   const double x = style.anchor == Anchor::start    ? box.left
@@ -101,10 +101,10 @@ PlacedLabel LabelPlacer::take(const PixelBox& box, const TextStyle& style) {
   return {.place = {.x = x, .y = base}, .box = box, .needs_line = false, .line_end = {}};
 }
 
-PlacedLabel LabelPlacer::place(PixelPoint anchor,
-                               std::string_view text,
-                               const TextStyle& style,
-                               double distance) {
+PlacedName NamePlacer::place(PixelPoint anchor,
+                             std::string_view text,
+                             const TextStyle& style,
+                             double distance) {
   constexpr double kFarther[] = {0.0, 6.0, 14.0, 26.0, 42.0, 64.0};
   constexpr double kCostOfPixel = 4.0;
   const double width = text_width(text, style.size, style.weight);
@@ -126,16 +126,16 @@ PlacedLabel LabelPlacer::place(PixelPoint anchor,
       }
     }
   }
-  PlacedLabel result = take(best, style);
+  PlacedName result = take(best, style);
   result.needs_line = best_more > kFarther[2];
   result.line_end = {.x = std::clamp(anchor.x, best.left, best.right),
                      .y = std::clamp(anchor.y, best.top, best.bottom)};
   return result;
 }
 
-PlacedLabel LabelPlacer::place_at(const std::vector<PixelPoint>& middles,
-                                  std::string_view text,
-                                  const TextStyle& style) {
+PlacedName NamePlacer::place_at(const std::vector<PixelPoint>& middles,
+                                std::string_view text,
+                                const TextStyle& style) {
   const double width = text_width(text, style.size, style.weight);
   double least = std::numeric_limits<double>::infinity();
   PixelBox best;
@@ -151,7 +151,7 @@ PlacedLabel LabelPlacer::place_at(const std::vector<PixelPoint>& middles,
 }
 
 void write_label(
-    Svg& svg, const PlacedLabel& label, PixelPoint anchor, std::string_view text, TextStyle style) {
+    Svg& svg, const PlacedName& label, PixelPoint anchor, std::string_view text, TextStyle style) {
   if (label.needs_line) {
     svg.line(anchor, label.line_end, {.stroke = Ink::soft, .width = 0.7});
   }

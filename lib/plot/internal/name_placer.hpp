@@ -9,7 +9,7 @@
 namespace kinestat {
 
 /// Where a label has come to stand.
-struct PlacedLabel {
+struct PlacedName {
   PixelPoint place;         ///< on the base line, by the anchor of the style
   PixelBox box;             ///< of the text
   bool needs_line = false;  ///< so far from what it names that a thin line should join the two
@@ -18,7 +18,7 @@ struct PlacedLabel {
 
 /// Labels are placed one after the other, each at the best of some places around its anchor; the
 /// same in every run. What is drawn is announced before, so that labels keep off it.
-class LabelPlacer {
+class NamePlacer {
  public:
   void keep_off(const PixelBox& box) { boxes_.push_back(box); }
 
@@ -29,15 +29,15 @@ class LabelPlacer {
 
   /// The best place for a text of one line at `distance` from the anchor or somewhat further; its
   /// anchor of style is chosen. The label is then kept off by all later ones.
-  PlacedLabel place(PixelPoint anchor,
-                    std::string_view text,
-                    const TextStyle& style,
-                    double distance);
+  PlacedName place(PixelPoint anchor,
+                   std::string_view text,
+                   const TextStyle& style,
+                   double distance);
 
   /// The best of given places, each the middle of the text.
-  PlacedLabel place_at(const std::vector<PixelPoint>& middles,
-                       std::string_view text,
-                       const TextStyle& style);
+  PlacedName place_at(const std::vector<PixelPoint>& middles,
+                      std::string_view text,
+                      const TextStyle& style);
 
  private:
   struct Segment {
@@ -46,7 +46,7 @@ class LabelPlacer {
   };
 
   double cost(const PixelBox& box) const;
-  PlacedLabel take(const PixelBox& box, const TextStyle& style);
+  PlacedName take(const PixelBox& box, const TextStyle& style);
 
   std::vector<PixelBox> boxes_;
   std::vector<PixelBox> labels_;
@@ -55,6 +55,6 @@ class LabelPlacer {
 
 /// Writes the label, and the line to its anchor if it needs one.
 void write_label(
-    Svg& svg, const PlacedLabel& label, PixelPoint anchor, std::string_view text, TextStyle style);
+    Svg& svg, const PlacedName& label, PixelPoint anchor, std::string_view text, TextStyle style);
 
 }  // namespace kinestat
