@@ -256,10 +256,17 @@ class BurmesterWriter {
         draw_pin(svg_, at(drawn.centre_point), 3.2);
         name(fmt::format("{}0", drawn.letter), drawn.centre_point);
       }
-    } else if (is_seen) {
-      const PixelPoint half = 70.0 * along(drawn.direction);
-      svg_.line(circle - half, circle + half, {.stroke = ink, .width = 1.0, .dash = "9 3"});
-      draw_block(svg_, circle, along(drawn.direction), {.stroke = ink, .fill = Ink::paper});
+    } else if (drawn.dyad.kind == DyadKind::slider && is_seen) {
+      draw_guided_block(circle, along(drawn.direction), ink);
+    } else if (plane_.window.holds(drawn.centre_point)) {
+      // A line of the plane slides through a block that turns on the centre point.
+      const PixelPoint centre = at(drawn.centre_point);
+      draw_support(svg_, centre);
+      draw_guided_block(centre, along(drawn.direction), ink);
+      draw_pin(svg_, centre, 3.2);
+      name(fmt::format("{}0", drawn.letter), drawn.centre_point);
+      svg_.close_group();
+      return;
     }
     if (is_seen) {
       draw_pin(svg_, circle, drawn.is_chosen ? 4.0 : 3.0);
@@ -267,6 +274,13 @@ class BurmesterWriter {
       name(std::string(1, drawn.letter), drawn.circle_point);
     }
     svg_.close_group();
+  }
+
+  void draw_guided_block(PixelPoint p, PixelPoint direction, Ink ink) {
+    const PixelPoint half = 70.0 * direction;
+    svg_.line(p - half, p + half, {.stroke = ink, .width = 1.0, .dash = "9 3"});
+    draw_block(svg_, p, direction, {.stroke = ink, .fill = Ink::paper});
+    placer_.keep_off(box_of_circle(p, 10.0));
   }
 
   void bar(PixelPoint from, PixelPoint to, Ink ink, double width, bool is_wide) {
@@ -284,8 +298,10 @@ class BurmesterWriter {
   void draw_coupler() {
     std::vector<Round> rounds = {{.centre = at(origin(task_.positions.front())), .radius = 5.0}};
     for (const DrawnDyad& dyad : plane_.dyads) {
-      if (dyad.is_chosen && plane_.window.holds(dyad.circle_point)) {
-        rounds.push_back({.centre = at(dyad.circle_point), .radius = 5.0});
+      const Point& joined =
+          dyad.dyad.kind == DyadKind::inverted_slider ? dyad.centre_point : dyad.circle_point;
+      if (dyad.is_chosen && plane_.window.holds(joined)) {
+        rounds.push_back({.centre = at(joined), .radius = 5.0});
       }
     }
     if (rounds.size() > 2) {
@@ -342,11 +358,14 @@ class BurmesterWriter {
   void draw_legend() {
     double y = 42.0;
     if (!plane_.curves.empty()) {
-      const bool has_two = plane_.curves.size() > 1;
-      const std::string more =
-          has_two ? ", of " + plane_.curves[0].name + "; thin of " + plane_.curves[1].name : "";
-      legend_line(
-          {.stroke = Ink::blue, .width = 1.9}, "circle points in the first position" + more, y);
+      std::string words = "circle points in the first position";
+      if (!plane_.curves.front().without.empty()) {
+        words += ", of all but " + plane_.curves.front().without;
+      }
+      if (plane_.curves.size() > 1) {
+        words += "; thin: of all but " + plane_.curves[1].without;
+      }
+      legend_line({.stroke = Ink::blue, .width = 1.9}, words, y);
       legend_line({.stroke = Ink::green, .width = 1.9, .dash = "6 3"}, "centre points", y);
     }
     if (plane_.circle) {

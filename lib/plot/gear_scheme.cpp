@@ -64,6 +64,10 @@ class SchemeWriter {
 
   void stroke(PixelPoint from, PixelPoint to, Ink ink, double width) {
     svg_.line(from, to, {.stroke = ink, .width = width});
+    PixelBox box;
+    box.add(from);
+    box.add(to);
+    placer_.keep_off(box.grown(1.0 + width / 2));
     placer_.keep_off(from, to);
   }
 

@@ -105,7 +105,7 @@ class PlaneFinder {
 
   void add_curves() {
     if (task_.curves) {
-      add_curves(*task_.curves, task_.positions);
+      add_curves(*task_.curves, "");
       return;
     }
     const std::vector<PositionJets>& positions = task_.positions;
@@ -116,15 +116,17 @@ class PlaneFinder {
     // are those at the first position.
     for (std::size_t i = positions.size(); i-- > 0 && result_.curves.size() < 2;) {
       if (i > 0 || positions[i].order() > 1) {
-        const std::vector<PositionJets> four = reduced(positions, i);
-        add_curves(find_curves(four), four);
+        const int order = positions[i].order();
+        const std::string which = std::to_string(i + 1);
+        add_curves(find_curves(reduced(positions, i)),
+                   order == 1 ? which : fmt::format("the last condition of {}", which));
       }
     }
   }
 
-  void add_curves(FourPositionCurves curves, const std::vector<PositionJets>& positions) {
+  void add_curves(FourPositionCurves curves, std::string without) {
     if (curves.status == BurmesterStatus::solved) {
-      result_.curves.push_back({.curves = std::move(curves), .name = form_of(positions)});
+      result_.curves.push_back({.curves = std::move(curves), .without = std::move(without)});
     }
   }
 

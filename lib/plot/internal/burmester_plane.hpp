@@ -28,7 +28,7 @@ struct DrawnDyad {
 /// The curves of four conditions.
 struct DrawnCurves {
   FourPositionCurves curves;
-  std::string name;  ///< "1, 2, 3, 4"
+  std::string without;  ///< "5": what of five positions they leave out; empty if there are four
 };
 
 /// A part of the plane along its axes [m].

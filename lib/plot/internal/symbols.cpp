@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "plot/axes.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -197,7 +199,7 @@ double round_length(double value) {
 }
 
 std::string short_number(double value) {
-  return value == 0.0 ? "0" : fmt::format("{:.4g}", value);
+  return label_number(value, 4);
 }
 
 }  // namespace kinestat
