@@ -195,8 +195,13 @@ std::string power_text(const PictureSource& source) {
   return dot_text(power_of(source));
 }
 
+// Of solutions that do not know what they are of.
+std::string titled(std::string_view what, const PictureSource& source) {
+  return source.name.empty() ? std::string(what) : fmt::format("{}: {}", what, source.name);
+}
+
 Figure pareto_of(const PictureSource& source) {
-  return pareto_figure("Time against error of the methods of solution", *source.benchmark);
+  return pareto_figure(titled("Time against error of the methods", source), *source.benchmark);
 }
 
 Picture draw_speeds(const PictureSource& source) {

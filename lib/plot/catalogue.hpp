@@ -22,6 +22,7 @@ struct PictureSource {
   /// Index into Analysis::cases: the case that a picture of one case shows; empty: the first that
   /// has what it needs. Pictures of all cases show that one alone.
   std::optional<std::size_t> which = {};
+  std::string name = {};  ///< of the mechanism or, without one, of its file
 };
 
 /// What must be found for a picture.

@@ -189,6 +189,12 @@ class LeverDrawing {
                         .right = points.back().x + 55.0,
                         .bottom = y_ + kPanelHeight + 24.0});
     avoid_line(points.front(), points.back(), placer);
+    avoid_line({.x = points.front().x - 24.0, .y = zero},
+               {.x = points.back().x + 24.0, .y = zero},
+               placer);
+    for (const PixelPoint& point : points) {
+      avoid_line({.x = point.x, .y = zero}, point, placer);
+    }
     placer.take(text_box(zero_place(points.front().x, zero), "0", kZeroStyle));
     for (std::size_t i = 0; i < points.size(); ++i) {
       const std::vector<NodeTag> tags = tags_of(one, lever.nodes[i].body);

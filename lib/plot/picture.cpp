@@ -1,5 +1,6 @@
 #include "plot/picture.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -16,6 +17,9 @@ namespace {
 constexpr double kMargin = 12.0;
 constexpr double kTitleSize = 15.0;
 constexpr double kTitleLine = 20.0;
+
+// Narrower pictures get room for their title at the right.
+constexpr double kLeastWidth = 400.0;
 
 std::string with_ids(const std::string& elements, std::string_view prefix) {
   std::string result;
@@ -56,7 +60,7 @@ std::string words(const Picture& picture) {
 Picture with_title(const Picture& picture) {
   Picture whole = picture;
   const double left = picture.view.left + kMargin;
-  const double width = picture.view.width() - 2 * kMargin;
+  const double width = std::max(picture.view.width(), kLeastWidth) - 2 * kMargin;
   const std::vector<std::string> lines =
       wrapped_text(picture.title, kTitleSize, width, Weight::bold);
   Svg svg;
@@ -67,6 +71,7 @@ Picture with_title(const Picture& picture) {
     svg.text(
         {.x = left, .y = y - kTitleLine / 4}, line, {.size = kTitleSize, .weight = Weight::bold});
   }
+  whole.view.right = std::max(whole.view.right, std::ceil(svg.bounds().right + kMargin));
   whole.elements = svg.elements() + picture.elements;
   return whole;
 }

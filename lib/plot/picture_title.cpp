@@ -4,17 +4,15 @@
 
 namespace kinestat {
 
-std::string picture_title(std::string_view what,
-                          const std::string& file,
-                          const MechanismDescription& description) {
+std::string shown_name(const std::string& file, const MechanismDescription& description) {
   if (!description.name.empty()) {
-    return fmt::format("{}: {}", what, description.name);
+    return description.name;
   }
-  return fmt::format("{}: {}", what, file == "-" ? "<stdin>" : file);
+  return file == "-" ? "<stdin>" : file;
 }
 
 std::string picture_title(std::string_view what, const Analysis& analysis) {
-  return picture_title(what, analysis.file, analysis.description);
+  return fmt::format("{}: {}", what, shown_name(analysis.file, analysis.description));
 }
 
 }  // namespace kinestat

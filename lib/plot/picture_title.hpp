@@ -9,10 +9,10 @@
 
 namespace kinestat {
 
-/// "Shift matrix: Ravigneaux transmission"; the file stands for a mechanism without a name.
-std::string picture_title(std::string_view what,
-                          const std::string& file,
-                          const MechanismDescription& description);
+/// The name of the mechanism or, without one, of its file; "<stdin>" for standard input.
+std::string shown_name(const std::string& file, const MechanismDescription& description);
+
+/// "Shift matrix: Ravigneaux transmission".
 std::string picture_title(std::string_view what, const Analysis& analysis);
 
 }  // namespace kinestat

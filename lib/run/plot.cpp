@@ -14,6 +14,7 @@
 #include "mechanism/bind.hpp"
 #include "plot/catalogue.hpp"
 #include "plot/gnuplot.hpp"
+#include "plot/picture_title.hpp"
 #include "run/benchmark.hpp"
 #include "run/each_file.hpp"
 #include "run/synthesis.hpp"
@@ -87,6 +88,7 @@ class PictureJob {
       return std::nullopt;
     }
     PictureSource source = solutions_.source();
+    source.name = shown_name(path_, *description_);
     if (!choose_case(source)) {
       return std::nullopt;
     }
