@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "plot/internal/chart_frame.hpp"
 #include "plot/labels.hpp"
 #include "plot/marker.hpp"
 
@@ -15,166 +16,20 @@ namespace kinestat {
 
 namespace {
 
-constexpr double kWidth = 720.0;    // of the frame of a chart
-constexpr double kHeight = 210.0;   // likewise, if scales are free
-constexpr double kTallest = 560.0;  // likewise, if they are equal
-constexpr double kTextSize = 12.0;
-constexpr double kTickSize = 11.0;
 constexpr double kLineHeight = 17.0;
 constexpr double kSample = 26.0;  // length of a line in the legend
 constexpr double kSeen = 0.4;     // nearer points of a line are one
 constexpr int kMostLabelled = 40;
 
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  void add(double value, ScaleKind kind) {
-    if (std::isfinite(value) && (kind == ScaleKind::linear || value > 0.0)) {
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-  }
-
-  bool is_empty() const { return low > high; }
-};
-
-Range range_of(const Chart& chart, const ChartAxis& axis, std::vector<double> Series::*values) {
-  Range range;
-  for (const Series& series : chart.series) {
-    for (const double value : series.*values) {
-      range.add(value, axis.scale);
-    }
-  }
-  return range;
-}
-
-AxisRange axis_range(const ChartAxis& axis, Range range, double pixels, double tick_distance) {
-  if (range.is_empty()) {
-    range = {.low = 1.0, .high = 10.0};
-  }
-  const AxisDemand demand = {.low = axis.low.value_or(range.low),
-                             .high = axis.high.value_or(range.high),
-                             .tick_count = static_cast<int>(pixels / tick_distance),
-                             .in_degrees = axis.unit == "deg"};
-  if (axis.scale == ScaleKind::logarithmic) {
-    return logarithmic_axis(demand);
-  }
-  return axis.low || axis.high ? tight_axis(demand) : linear_axis(demand);
-}
-
-// The frame of a chart on the picture, with the axes along it.
-struct Frame {
-  PixelBox box;
-  AxisRange x;
-  AxisRange y;
-
-  PixelPoint place(double x_value, double y_value) const {
-    return {.x = box.left + x.share(x_value) * box.width(),
-            .y = box.bottom - y.share(y_value) * box.height()};
-  }
-};
-
-// Both axes with the same pixels a unit, and a frame that the data fill.
-Frame equal_frame(const Chart& chart, double top) {
-  const Range x = range_of(chart, chart.x, &Series::x);
-  const Range y = range_of(chart, chart.y, &Series::y);
-  const double largest =
-      std::max({x.high - x.low, y.high - y.low, std::numeric_limits<double>::min()});
-  const double step_count = 6.0;
-  const AxisDemand both = {.low = 0.0, .high = largest, .tick_count = static_cast<int>(step_count)};
-  const double step = linear_axis(both).ticks[1].value;
-  const auto along = [step](const Range& range) {
-    // At least a step wide, so that a straight path has a frame.
-    const double low = std::floor(range.low / step) * step;
-    const double high = std::max(std::ceil(range.high / step) * step, low + step);
-    const int count = static_cast<int>(std::lround((high - low) / step));
-    return tight_axis({.low = low, .high = high, .tick_count = count});
-  };
-  Frame frame = {.box = {}, .x = along(x), .y = along(y)};
-  const double width = frame.x.high - frame.x.low;
-  const double height = frame.y.high - frame.y.low;
-  const double scale = std::min(kWidth / width, kTallest / height);
-  frame.box = {.left = 0.0, .top = top, .right = width * scale, .bottom = top + height * scale};
-  return frame;
-}
-
-Frame free_frame(const Chart& chart, double top) {
-  return {.box = {.left = 0.0, .top = top, .right = kWidth, .bottom = top + kHeight},
-          .x = axis_range(chart.x, range_of(chart, chart.x, &Series::x), kWidth, 80.0),
-          .y = axis_range(chart.y, range_of(chart, chart.y, &Series::y), kHeight, 38.0)};
-}
-
-bool has_data(const Chart& chart) {
-  return !range_of(chart, chart.x, &Series::x).is_empty() &&
-         !range_of(chart, chart.y, &Series::y).is_empty();
-}
-
-void draw_grid(const Frame& frame, Svg& svg) {
-  const Paint grid = {.stroke = Ink::grid, .width = 1.0};
-  for (const Tick& tick : frame.x.ticks) {
-    const double x = frame.place(tick.value, frame.y.low).x;
-    svg.line({.x = x, .y = frame.box.top}, {.x = x, .y = frame.box.bottom}, grid);
-  }
-  for (const Tick& tick : frame.y.ticks) {
-    const double y = frame.place(frame.x.low, tick.value).y;
-    svg.line({.x = frame.box.left, .y = y}, {.x = frame.box.right, .y = y}, grid);
-  }
-  const Paint axis = {.stroke = Ink::soft, .width = 1.0};
-  const bool has_zero =
-      frame.y.kind == ScaleKind::linear && frame.y.low < 0.0 && frame.y.high > 0.0;
-  if (has_zero) {
-    const double y = frame.place(frame.x.low, 0.0).y;
-    svg.line({.x = frame.box.left, .y = y}, {.x = frame.box.right, .y = y}, axis);
-  }
-  svg.rectangle(frame.box, axis);
-}
-
-// Answers how far the labels reach to the left.
-double draw_tick_labels(const Frame& frame, Svg& svg) {
-  TextStyle style = {.ink = Ink::soft, .size = kTickSize, .anchor = Anchor::middle};
-  for (const Tick& tick : frame.x.ticks) {
-    const double x = frame.place(tick.value, frame.y.low).x;
-    svg.text({.x = x, .y = frame.box.bottom + 15.0}, tick.label, style);
-  }
-  style.anchor = Anchor::end;
-  double reach = 0.0;
-  for (const Tick& tick : frame.y.ticks) {
-    const double y = frame.place(frame.x.low, tick.value).y;
-    svg.text({.x = frame.box.left - 6.0, .y = y + 4.0}, tick.label, style);
-    reach = std::max(reach, text_width(tick.label, kTickSize));
-  }
-  return reach + 6.0;
-}
-
-void draw_axis_titles(const Chart& chart, const Frame& frame, double reach, Svg& svg) {
-  const TextStyle style = {.size = kTextSize, .anchor = Anchor::middle};
-  svg.text({.x = frame.box.centre().x, .y = frame.box.bottom + 33.0},
-           axis_title(chart.x, frame.x.exponent),
-           style);
-  const std::string title = axis_title(chart.y, frame.y.exponent);
-  // Along the axis; above it where the axis is too short.
-  if (text_width(title, kTextSize) <= frame.box.height() + 20.0) {
-    TextStyle turned = style;
-    turned.turn = -90.0;
-    svg.text({.x = frame.box.left - reach - 10.0, .y = frame.box.centre().y}, title, turned);
-  } else {
-    svg.text({.x = frame.box.left, .y = frame.box.top - 8.0}, title, {.size = kTextSize});
-  }
-}
-
 // Points of a line that can be told apart on the picture, with its gaps; what lies outside the
 // frame is a gap too.
-std::vector<PixelPoint> visible_points(const Frame& frame, const Series& series) {
+std::vector<PixelPoint> visible_points(const ChartFrame& frame, const Series& series) {
   constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-  const PixelBox within = frame.box.grown(0.5);
   std::vector<PixelPoint> points;
   const auto is_gap = [](const PixelPoint& point) { return !std::isfinite(point.x); };
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     const PixelPoint point = frame.place(series.x[i], series.y[i]);
-    const bool is_visible = point.x >= within.left && point.x <= within.right &&
-                            point.y >= within.top && point.y <= within.bottom;
-    if (!is_visible) {
+    if (!frame.holds(point)) {
       if (!points.empty() && !is_gap(points.back())) {
         points.push_back({.x = kGap, .y = kGap});
       }
@@ -225,14 +80,14 @@ double draw_legend(const Chart& chart, double top, double width, Svg& svg) {
   double x = 0.0;
   double y = top;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
-    const std::string name = fitting_text(chart.series[i].name, kTextSize, width - kSample - 8.0);
-    const double size = kSample + 6.0 + text_width(name, kTextSize) + 18.0;
+    const std::string name = fitting_text(chart.series[i].name, kChartText, width - kSample - 8.0);
+    const double size = kSample + 6.0 + text_width(name, kChartText) + 18.0;
     if (x > 0.0 && x + size > width + 18.0) {
       x = 0.0;
       y += kLineHeight;
     }
     draw_sample(chart.series[i], static_cast<int>(i), {.x = x, .y = y + 8.0}, svg);
-    svg.text({.x = x + kSample + 6.0, .y = y + 12.0}, name, {.size = kTextSize});
+    svg.text({.x = x + kSample + 6.0, .y = y + 12.0}, name, {.size = kChartText});
     x += size;
   }
   return y + kLineHeight;
@@ -266,13 +121,13 @@ struct GuideLayout {
 };
 
 // Labels stand over their guides, turned inwards at the ends.
-GuideLayout lay_out_guides(const Chart& chart, const Frame& frame) {
+GuideLayout lay_out_guides(const Chart& chart, const ChartFrame& frame) {
   GuideLayout layout;
   std::vector<PixelBox> boxes;
   for (const ChartGuide& guide : chart.guides) {
-    TextStyle style = {.size = kTickSize, .has_halo = true};
+    TextStyle style = {.size = kTickText, .has_halo = true};
     const double x = frame.place(guide.x, frame.y.low).x;
-    const double half = text_width(guide.label, kTickSize) / 2;
+    const double half = text_width(guide.label, kTickText) / 2;
     style.anchor = x - half < frame.box.left    ? Anchor::start
                    : x + half > frame.box.right ? Anchor::end
                                                 : Anchor::middle;
@@ -287,7 +142,7 @@ GuideLayout lay_out_guides(const Chart& chart, const Frame& frame) {
 }
 
 // Lines first, so that no label has one across it.
-void draw_guides(const Chart& chart, const Frame& frame, const GuideLayout& layout, Svg& svg) {
+void draw_guides(const Chart& chart, const ChartFrame& frame, const GuideLayout& layout, Svg& svg) {
   const auto place = [&](std::size_t i) {
     return PixelPoint{.x = frame.place(chart.guides[i].x, frame.y.low).x,
                       .y = frame.box.top - 6.0 - kLineHeight * layout.rows[i]};
@@ -303,16 +158,11 @@ void draw_guides(const Chart& chart, const Frame& frame, const GuideLayout& layo
   }
 }
 
-bool is_inside(const Frame& frame, PixelPoint point) {
-  const PixelBox box = frame.box.grown(0.5);
-  return point.x >= box.left && point.x <= box.right && point.y >= box.top && point.y <= box.bottom;
-}
-
-void draw_marks(const Chart& chart, const Frame& frame, PointLabels& placer, Svg& svg) {
+void draw_marks(const Chart& chart, const ChartFrame& frame, PointLabels& placer, Svg& svg) {
   std::vector<PixelPoint> places;
   for (const ChartMark& mark : chart.marks) {
     const PixelPoint place = frame.place(mark.x, mark.y);
-    if (is_inside(frame, place)) {
+    if (frame.holds(place)) {
       svg.circle(place, 4.0, {.stroke = Ink::ink, .fill = Ink::paper, .width = 1.5});
       placer.take(
           PixelBox{.left = place.x, .top = place.y, .right = place.x, .bottom = place.y}.grown(
@@ -322,13 +172,13 @@ void draw_marks(const Chart& chart, const Frame& frame, PointLabels& placer, Svg
   }
   const std::size_t count = std::min<std::size_t>(places.size(), kMostLabelled);
   for (std::size_t i = 0; i < count; ++i) {
-    if (is_inside(frame, places[i])) {
-      placer.write(places[i], chart.marks[i].label, {.size = kTickSize, .has_halo = true}, svg);
+    if (frame.holds(places[i])) {
+      placer.write(places[i], chart.marks[i].label, {.size = kTickText, .has_halo = true}, svg);
     }
   }
 }
 
-void draw_data(const Chart& chart, const Frame& frame, Svg& svg) {
+void draw_data(const Chart& chart, const ChartFrame& frame, Svg& svg) {
   PointLabels placer(frame.box.grown(-2.0));
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const std::vector<PixelPoint> points = visible_points(frame, chart.series[i]);
@@ -349,8 +199,8 @@ double draw_chart(const Chart& chart, double top, Svg& svg) {
     svg.text({.x = 0.0, .y = y + 12.0}, "no data", {.ink = Ink::soft});
     return y + kLineHeight;
   }
-  y = draw_legend(chart, y, kWidth, svg) + 8.0;
-  Frame frame = chart.has_equal_scales ? equal_frame(chart, y) : free_frame(chart, y);
+  y = draw_legend(chart, y, kFrameWidth, svg) + 8.0;
+  ChartFrame frame = make_frame(chart, y);
   const GuideLayout guides = lay_out_guides(chart, frame);
   const double shift = guides.row_count * kLineHeight;
   frame.box.top += shift;
@@ -358,7 +208,7 @@ double draw_chart(const Chart& chart, double top, Svg& svg) {
   draw_grid(frame, svg);
   draw_guides(chart, frame, guides, svg);
   draw_data(chart, frame, svg);
-  draw_axis_titles(chart, frame, draw_tick_labels(frame, svg), svg);
+  draw_axes(chart, frame, svg);
   return frame.box.bottom + 40.0;
 }
 
