@@ -11,8 +11,14 @@ std::string shown_name(const std::string& file, const MechanismDescription& desc
   return file == "-" ? "<stdin>" : file;
 }
 
+std::string picture_title(std::string_view what,
+                          const std::string& file,
+                          const MechanismDescription& description) {
+  return fmt::format("{}: {}", what, shown_name(file, description));
+}
+
 std::string picture_title(std::string_view what, const Analysis& analysis) {
-  return fmt::format("{}: {}", what, shown_name(analysis.file, analysis.description));
+  return picture_title(what, analysis.file, analysis.description);
 }
 
 }  // namespace kinestat

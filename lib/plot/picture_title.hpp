@@ -13,6 +13,9 @@ namespace kinestat {
 std::string shown_name(const std::string& file, const MechanismDescription& description);
 
 /// "Shift matrix: Ravigneaux transmission".
+std::string picture_title(std::string_view what,
+                          const std::string& file,
+                          const MechanismDescription& description);
 std::string picture_title(std::string_view what, const Analysis& analysis);
 
 }  // namespace kinestat
