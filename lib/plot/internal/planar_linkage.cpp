@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "plot/internal/symbols.hpp"
 
@@ -248,10 +247,6 @@ class PlanarDrawing {
     return result;
   }
 
-  bool is_cam_lobe(BodyId body, const CouplingTopology& coupling) const {
-    return (coupling.type == cam || coupling.type == point_contact) && coupling.tail == body;
-  }
-
   void draw_link(BodyId body) {
     draw_outline(body);
     if (parts_.outlines[index(body)].size() > 2) {
@@ -279,11 +274,16 @@ class PlanarDrawing {
   // tell.
   void add_lobe(BodyId body, std::vector<Round>& rounds) {
     for (const BodyPoint& point : parts_.points[index(body)]) {
-      if (!point.coupling || !is_cam_lobe(body, topology_.coupling(*point.coupling))) {
+      if (!point.coupling) {
+        continue;
+      }
+      const CouplingTopology& coupling = topology_.coupling(*point.coupling);
+      const bool is_contact = coupling.type == cam || coupling.type == point_contact;
+      if (!is_contact || coupling.tail != body) {
         continue;
       }
       const PixelPoint touch = canvas_.view().at(point.at);
-      const PixelPoint out = normal(topology_.coupling(*point.coupling));
+      const PixelPoint out = normal(coupling);
       double reach = 0.0;
       std::erase_if(rounds, [&](const Round& r) { return length_of(r.centre - touch) < 0.5; });
       for (const Round& round : rounds) {
@@ -316,19 +316,12 @@ class PlanarDrawing {
   }
 
   void draw_wrap(const RopeArc& arc) {
-    const bool is_anticlockwise = arc.is_positive == (arc.axis.z() > 0.0);
-    const Vec3 begin = arc.from - arc.centre;
-    const Vec3 end = arc.to - arc.centre;
-    const double from = std::atan2(begin.y(), begin.x());
-    double to = std::atan2(end.y(), end.x());
-    if (is_anticlockwise && to < from) {
-      to += 2 * std::numbers::pi;
-    } else if (!is_anticlockwise && to > from) {
-      to -= 2 * std::numbers::pi;
-    }
-    svg_.polyline(
-        arc_points(canvas_.view().at(arc.centre), arc.radius * canvas_.view().scale, from, to),
-        {.stroke = Ink::brown, .width = 2.2});
+    const LinkageView& view = canvas_.view();
+    svg_.polyline(arc_between(view.at(arc.centre),
+                              view.at(arc.from),
+                              view.at(arc.to),
+                              arc.is_positive == (arc.axis.z() > 0.0)),
+                  {.stroke = Ink::brown, .width = 2.2});
   }
 
   // Pins on top of blocks.
@@ -381,6 +374,9 @@ class PlanarDrawing {
       case rack:
         draw_rack(p, coupling);
         break;
+      case screws:
+        draw_bars(p, coupling);
+        break;
       case rigid:
         svg_.rectangle(box_of_circle(p, 4.0), {.stroke = Ink::ink, .fill = Ink::ink});
         break;
@@ -388,6 +384,23 @@ class PlanarDrawing {
         draw_pin(svg_, p);
         break;
     }
+  }
+
+  // Constraints given as lines are bars of which the file tells but the direction, towards the tail
+  // where they pull.
+  void draw_bars(PixelPoint p, const CouplingTopology& coupling) {
+    constexpr double kLength = 46.0;
+    for (int a = 0; a < coupling.action_count; ++a) {
+      const Vec3& force =
+          geometry_.actions[static_cast<std::size_t>(coupling.first_action + a)].force;
+      const PixelPoint along = canvas_.view().along(force);
+      if (length_of(along) > 0.0) {
+        const PixelPoint end = p + kLength * unit_of(along);
+        svg_.line(p, end, {.stroke = Ink::brown, .width = 2.0, .dash = "5 2"});
+        canvas_.placer().keep_off(p, end);
+      }
+    }
+    draw_pin(svg_, p);
   }
 
   // The slot moves with the body of the group, its pin with the other.

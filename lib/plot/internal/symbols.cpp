@@ -80,6 +80,22 @@ std::vector<PixelPoint> arc_points(PixelPoint centre, double radius, double from
   return points;
 }
 
+std::vector<PixelPoint> arc_between(PixelPoint centre,
+                                    PixelPoint from,
+                                    PixelPoint to,
+                                    bool is_anticlockwise) {
+  const PixelPoint begin = from - centre;
+  const PixelPoint end = to - centre;
+  const double begin_angle = std::atan2(-begin.y, begin.x);
+  double end_angle = std::atan2(-end.y, end.x);
+  if (is_anticlockwise && end_angle < begin_angle) {
+    end_angle += 2 * std::numbers::pi;
+  } else if (!is_anticlockwise && end_angle > begin_angle) {
+    end_angle -= 2 * std::numbers::pi;
+  }
+  return arc_points(centre, length_of(begin), begin_angle, end_angle);
+}
+
 void draw_fixed_line(Svg& svg, PixelPoint from, PixelPoint to) {
   constexpr double kDistance = 6.0;
   constexpr double kLength = 7.0;

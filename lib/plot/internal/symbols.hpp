@@ -48,6 +48,12 @@ std::vector<PixelPoint> rounded_hull(std::span<const Round> rounds);
 /// Part of a circle as points, by angles in radians anticlockwise from x on the picture.
 std::vector<PixelPoint> arc_points(PixelPoint centre, double radius, double from, double to);
 
+/// Part of the circle around `centre` from a point to another, in a sense on the picture.
+std::vector<PixelPoint> arc_between(PixelPoint centre,
+                                    PixelPoint from,
+                                    PixelPoint to,
+                                    bool is_anticlockwise);
+
 /// A line with strokes on its right as one walks from `from` to `to`: what is fixed.
 void draw_fixed_line(Svg& svg, PixelPoint from, PixelPoint to);
 

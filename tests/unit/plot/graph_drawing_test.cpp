@@ -1,0 +1,114 @@
+#include "plot/graph_drawing.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "library_analysis.hpp"
+#include "plot/internal/graph_writer.hpp"
+
+namespace kinestat {
+namespace {
+
+TEST(PowerWidth, GrowsWithThePower) {
+  double last = 0.0;
+  for (const double power : {20.0, 40.0, 60.0, 100.0}) {
+    const double width = power_width(power, 100.0);
+    EXPECT_GT(width, last);
+    last = width;
+  }
+}
+
+TEST(PowerWidth, IsProportionalToThePower) {
+  EXPECT_DOUBLE_EQ(power_width(100.0, 100.0), 2.0 * power_width(50.0, 100.0));
+}
+
+TEST(PowerWidth, IsAHairWithoutAny) {
+  EXPECT_GT(power_width(0.0, 0.0), 0.0);
+  EXPECT_LT(power_width(0.0, 100.0), 2.0);
+}
+
+// Cazangi 2008, Fig. 5.18: from sun 1 by planet 5 to the carrier 150.8 W, on to planet 6, of which
+// 50.8 W return to planet 5: a circle of f, g and i.
+TEST(PowerModel, MarksPowerThatGoesInACircle) {
+  const Analysis analysis = library_analysis("transmissions/ravigneaux.yaml");
+
+  const GraphModel model = power_model(analysis, 1);
+
+  std::string circle;
+  for (std::size_t e = 0; e < model.edges.size(); ++e) {
+    circle += model.power[e].recirculates ? model.edges[e].label : "";
+  }
+  EXPECT_EQ(circle, "fgi");
+}
+
+// The same figure: input at a, output at d, and no power in b, c, e and j.
+TEST(PowerModel, FollowsThePowerFromInputToOutput) {
+  const Analysis analysis = library_analysis("transmissions/ravigneaux.yaml");
+
+  const GraphModel model = power_model(analysis, 1);
+
+  const auto power = [&](const std::string& label) {
+    const auto at = std::ranges::find(model.edges, label, &ModelEdge::label);
+    return model.power[static_cast<std::size_t>(at - model.edges.begin())];
+  };
+  EXPECT_NEAR(power("a").size, 100.0, 1e-9);
+  EXPECT_TRUE(power("a").is_forward);
+  EXPECT_NEAR(power("f").size, 4675.0 / 31.0, 1e-9);
+  EXPECT_FALSE(power("f").is_forward);
+  EXPECT_NEAR(power("d").size, 100.0, 1e-9);
+  EXPECT_FALSE(power("d").is_forward);
+  EXPECT_EQ(power("b").size, 0.0);
+  EXPECT_EQ(power("j").size, 0.0);
+}
+
+// Cazangi 2008, eq. 5.10: circuit h is a - e - f + h.
+TEST(CircuitModels, NameTheirEdgesWithSigns) {
+  const Analysis analysis = library_analysis("transmissions/ravigneaux.yaml");
+
+  const std::vector<GraphModel> circuits = circuit_models(analysis);
+
+  ASSERT_EQ(circuits.size(), 5U);
+  EXPECT_EQ(circuits[1].title, "Circuit h: h − f − e + a");
+}
+
+// Eq. 5.8: cut-set c is c - d + k.
+TEST(CutsetModels, NameTheirEdgesWithSigns) {
+  const Analysis analysis = library_analysis("transmissions/ravigneaux.yaml");
+
+  const std::vector<GraphModel> cutsets = cutset_models(analysis);
+
+  ASSERT_EQ(cutsets.size(), 6U);
+  EXPECT_EQ(cutsets[2].title, "Cut-set c: c − d + k");
+}
+
+// Cazangi 2008, Fig. 5.11 and eq. 5.16: 39 constraint units, of which b has seven.
+TEST(ActionGraph, HasALineForEachConstraint) {
+  const Analysis analysis = library_analysis("transmissions/ravigneaux.yaml");
+
+  const GraphModel model = action_graph_model(analysis);
+
+  int lines = 0;
+  for (const ModelEdge& edge : model.edges) {
+    lines += edge.lines;
+  }
+  EXPECT_EQ(lines, 39);
+  EXPECT_EQ(model.edges[1].label, "b: Rx Ry Rz Tx Ty C2 B1");
+}
+
+TEST(GraphDrawing, EscapesNames) {
+  GraphModel model{.name = "graph",
+                   .title = "<b>",
+                   .nodes = {{.name = "a<b>&"}, {.name = "c"}},
+                   .edges = {{.tail = 0, .head = 1, .label = "<script>"}},
+                   .power = {},
+                   .ports = {}};
+
+  const std::string elements = draw_graph(model).elements;
+
+  EXPECT_EQ(elements.find("<script>"), std::string::npos);
+  EXPECT_NE(elements.find("a&lt;b&gt;&amp;"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kinestat
