@@ -77,6 +77,10 @@ class BurmesterWriter {
   void draw_frame() {
     const FileUnits& units = analysis_.description.units;
     const PixelPoint corner = at(plane_.window.high);
+    placer_.keep_free({.left = -60.0, .top = corner.y - 30, .right = 0.0, .bottom = 30.0});
+    placer_.keep_free({.left = -60.0, .top = 0.0, .right = corner.x + 90, .bottom = 30.0});
+    placer_.keep_free(
+        {.left = -60.0, .top = corner.y - 30, .right = corner.x + 90, .bottom = corner.y});
     svg_.rectangle({.left = 0.0, .top = corner.y, .right = corner.x, .bottom = 0.0},
                    {.stroke = Ink::soft, .width = 1.0});
     const auto unit = [&units](double length) {
@@ -349,14 +353,14 @@ class BurmesterWriter {
   }
 
   void legend_line(const Paint& paint, const std::string& words, double& y) {
-    const double x = svg_.bounds().left + 20.0;
+    const double x = 0.0;
     svg_.line({.x = x, .y = y}, {.x = x + 28, .y = y}, paint);
     svg_.text({.x = x + 36, .y = y + 4}, words, kSmall);
     y += 17.0;
   }
 
   void draw_legend() {
-    double y = 42.0;
+    double y = std::max(42.0, svg_.bounds().bottom + 20.0);
     if (!plane_.curves.empty()) {
       std::string words = "circle points in the first position";
       if (!plane_.curves.front().without.empty()) {
@@ -391,7 +395,7 @@ class BurmesterWriter {
     const std::string verdict = best.defect == Defect::none
                                     ? std::string("usable")
                                     : fmt::format("rejected: {}", word_of(best.defect));
-    svg_.text({.x = svg_.bounds().left + 20.0, .y = y + 4},
+    svg_.text({.x = 0.0, .y = y + 4},
               fmt::format("linkage A, B: {}, {}", word_of(best.linkage.type()), verdict),
               kSmall);
   }

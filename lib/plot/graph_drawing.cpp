@@ -107,9 +107,12 @@ std::optional<Picture> draw_graphs(const std::vector<GraphModel>& models, std::s
   }
   const GraphModel& first = models.front();
   const std::vector<PixelPoint> places = lay_out(digraph_of(first), 0.8 * distance_of(first));
-  Svg one;
-  write_graph(one, first, places);
-  const PixelBox cell = one.bounds().grown(10.0);
+  PixelBox cell;
+  for (const GraphModel& model : models) {
+    Svg one;
+    write_graph(one, model, places);
+    cell.add(one.bounds().grown(10.0));
+  }
   const TextStyle style = {.ink = Ink::ink, .size = 12.0, .weight = Weight::bold};
   double width = cell.width();
   for (const GraphModel& model : models) {

@@ -49,7 +49,7 @@ class GraphWriter {
                         .top = places[v].y - half.y,
                         .right = places[v].x + half.x,
                         .bottom = places[v].y + half.y});
-      placer_.keep_off(boxes_.back());
+      placer_.keep_free(boxes_.back());
     }
     for (const ModelPower& power : model.power) {
       largest_ = std::max(largest_, power.size);

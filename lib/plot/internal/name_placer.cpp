@@ -9,8 +9,9 @@ namespace kinestat {
 
 namespace {
 
-// What it costs to cover a pixel of a label, of something else, or of a line.
-constexpr double kLabelCost = 40.0;
+// What it costs to cover a pixel of a label, of something else, or of a line. Labels are never
+// covered as long as there is any other place.
+constexpr double kLabelCost = 1e6;
 constexpr double kBoxCost = 3.0;
 constexpr double kLineCost = 14.0;
 
@@ -105,7 +106,7 @@ PlacedName NamePlacer::place(PixelPoint anchor,
                              std::string_view text,
                              const TextStyle& style,
                              double distance) {
-  constexpr double kFarther[] = {0.0, 6.0, 14.0, 26.0, 42.0, 64.0};
+  constexpr double kFarther[] = {0.0, 6.0, 14.0, 26.0, 42.0, 64.0, 92.0, 126.0, 168.0};
   constexpr double kCostOfPixel = 4.0;
   const double width = text_width(text, style.size, style.weight);
   const PixelPoint half = {.x = width / 2, .y = style.size / 2};
@@ -146,6 +147,9 @@ PlacedName NamePlacer::place_at(const std::vector<PixelPoint>& middles,
       least = total;
       best = box;
     }
+  }
+  if (least >= kLabelCost) {
+    return place(middles.front(), text, style, 4.0);
   }
   return take(best, style);
 }

@@ -22,6 +22,9 @@ class NamePlacer {
  public:
   void keep_off(const PixelBox& box) { boxes_.push_back(box); }
 
+  /// As a label: nothing else may stand there.
+  void keep_free(const PixelBox& box) { labels_.push_back(box); }
+
   void keep_off(PixelPoint from, PixelPoint to);
 
   /// The rim, not what is within.
@@ -34,7 +37,8 @@ class NamePlacer {
                    const TextStyle& style,
                    double distance);
 
-  /// The best of given places, each the middle of the text.
+  /// The best of given places, each the middle of the text; where each covers another label, one
+  /// around the first.
   PlacedName place_at(const std::vector<PixelPoint>& middles,
                       std::string_view text,
                       const TextStyle& style);
