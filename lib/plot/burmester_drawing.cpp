@@ -416,12 +416,12 @@ class BurmesterWriter {
 Picture draw_burmester(const SynthesisAnalysis& analysis, std::size_t task) {
   KINESTAT_EXPECTS(task < analysis.tasks.size() && !analysis.tasks[task].positions.empty());
   const SynthesisTask& of = analysis.tasks[task];
-  return make_picture(
-      "burmester",
-      picture_title("Circle points and centre points", analysis.file, analysis.description),
-      fmt::format("Positions {}, poles, curves and dyads in the fixed frame.",
-                  form_of(of.positions)),
-      BurmesterWriter(analysis, of).write());
+  return make_picture("burmester",
+                      fmt::format("Circle points and centre points: {}",
+                                  shown_name(analysis.file, analysis.description)),
+                      fmt::format("Positions {}, poles, curves and dyads in the fixed frame.",
+                                  form_of(of.positions)),
+                      BurmesterWriter(analysis, of).write());
 }
 
 }  // namespace kinestat
