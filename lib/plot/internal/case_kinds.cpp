@@ -1,0 +1,133 @@
+#include <array>
+
+#include "plot/case_maps.hpp"
+#include "plot/gnuplot.hpp"
+#include "plot/internal/catalogue_parts.hpp"
+#include "plot/lever_diagram.hpp"
+#include "plot/ratio_ladder.hpp"
+#include "plot/shift_matrix.hpp"
+
+namespace kinestat {
+
+namespace {
+
+bool has_velocities(const CaseAnalysis& one) {
+  return one.motion && one.motion->status == SolveStatus::solved;
+}
+
+bool has_actions(const CaseAnalysis& one) {
+  return one.action && !one.action->wrenches.empty();
+}
+
+std::string lack_of_velocities(const PictureSource& source) {
+  return lack_in_cases(source, has_velocities, "velocities that are solved");
+}
+
+std::string lack_of_actions(const PictureSource& source) {
+  return lack_in_cases(source, has_actions, "actions that are solved");
+}
+
+std::string lack_of_shift(const PictureSource& source) {
+  return source.analysis->shift ? "" : "the file has no section 'shift'";
+}
+
+std::string lack_of_ratios(const PictureSource& source) {
+  const std::string lack = lack_of_shift(source);
+  return lack.empty() && !has_ratios(*source.analysis) ? "no gear has a ratio" : lack;
+}
+
+std::vector<Lever> levers_of(const PictureSource& source) {
+  const Mechanism& mechanism = source.analysis->mechanism;
+  return find_levers(mechanism.topology, mechanism.geometry);
+}
+
+std::string lack_of_levers(const PictureSource& source) {
+  if (levers_of(source).empty()) {
+    return "no two gears turn about the axis on which their carrier turns, so that no speeds lie "
+           "on a lever";
+  }
+  return lack_of_velocities(source);
+}
+
+// The analysis with the one case that is asked for, or all.
+Analysis chosen(const PictureSource& source) {
+  Analysis analysis = *source.analysis;
+  if (source.which) {
+    analysis.cases = {source.analysis->cases[*source.which]};
+  }
+  return analysis;
+}
+
+Picture draw_speeds(const PictureSource& source) {
+  return draw_bar_map(speed_map(chosen(source)));
+}
+
+Picture draw_torques(const PictureSource& source) {
+  return draw_bar_map(torque_map(chosen(source)));
+}
+
+Picture draw_forces(const PictureSource& source) {
+  return draw_bar_map(force_map(chosen(source)));
+}
+
+Picture draw_levers(const PictureSource& source) {
+  return draw_lever_diagram(chosen(source), levers_of(source));
+}
+
+Picture draw_matrix(const PictureSource& source) {
+  return draw_shift_matrix(*source.analysis);
+}
+
+Picture draw_ladder(const PictureSource& source) {
+  return draw_ratio_ladder(*source.analysis);
+}
+
+std::string speeds_text(const PictureSource& source) {
+  return gnuplot_text(speed_map(chosen(source)));
+}
+
+std::string torques_text(const PictureSource& source) {
+  return gnuplot_text(torque_map(chosen(source)));
+}
+
+std::string forces_text(const PictureSource& source) {
+  return gnuplot_text(force_map(chosen(source)));
+}
+
+constexpr auto kKinds = std::to_array<PictureKind>({
+    {.name = "speeds",
+     .sentence = "bars of the velocities of all bodies, case by case",
+     .lack = lack_of_velocities,
+     .draw = draw_speeds,
+     .gnuplot = speeds_text},
+    {.name = "torques",
+     .sentence = "bars of the moments in all couplings, case by case",
+     .lack = lack_of_actions,
+     .draw = draw_torques,
+     .gnuplot = torques_text},
+    {.name = "forces",
+     .sentence = "bars of the forces in all couplings, case by case",
+     .lack = lack_of_actions,
+     .draw = draw_forces,
+     .gnuplot = forces_text},
+    {.name = "lever",
+     .sentence = "planetary sets as levers, with the speeds of each case",
+     .lack = lack_of_levers,
+     .draw = draw_levers},
+    {.name = "shift-matrix",
+     .sentence = "which clutches and brakes each gear engages",
+     .lack = lack_of_shift,
+     .draw = draw_matrix},
+    {.name = "ratio-ladder",
+     .sentence = "the ratios of the gears and the steps between them",
+     .lack = lack_of_ratios,
+     .draw = draw_ladder},
+});
+
+}  // namespace
+
+std::span<const PictureKind> case_kinds() {
+  return kKinds;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,65 @@
+#include <array>
+
+#include <fmt/format.h>
+
+#include "plot/burmester_drawing.hpp"
+#include "plot/gnuplot.hpp"
+#include "plot/internal/catalogue_parts.hpp"
+#include "plot/pareto.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Of solutions that do not know what they are of.
+std::string titled(std::string_view what, const PictureSource& source) {
+  return source.name.empty() ? std::string(what) : fmt::format("{}: {}", what, source.name);
+}
+
+std::string lack_of_task(const PictureSource& source) {
+  return source.synthesis->tasks.empty() ? "no choice of the task is left" : "";
+}
+
+std::string lack_of_times(const PictureSource& source) {
+  return pareto_figure("", *source.benchmark).charts.empty()
+             ? "no case has as many magnitudes known as its equations need"
+             : "";
+}
+
+Picture draw_plane(const PictureSource& source) {
+  return draw_burmester(*source.synthesis, 0);
+}
+
+Figure pareto_of(const PictureSource& source) {
+  return pareto_figure(titled("Time against error of the methods", source), *source.benchmark);
+}
+
+Picture draw_pareto(const PictureSource& source) {
+  return draw_figure(pareto_of(source));
+}
+
+std::string pareto_text(const PictureSource& source) {
+  return gnuplot_text(pareto_of(source));
+}
+
+constexpr auto kKinds = std::to_array<PictureKind>({
+    {.name = "burmester",
+     .sentence = "the positions of a synthesis with poles, curves and dyads",
+     .need = PictureNeed::synthesis,
+     .lack = lack_of_task,
+     .draw = draw_plane},
+    {.name = "pareto",
+     .sentence = "time against error of the methods of solution",
+     .need = PictureNeed::benchmark,
+     .lack = lack_of_times,
+     .draw = draw_pareto,
+     .gnuplot = pareto_text},
+});
+
+}  // namespace
+
+std::span<const PictureKind> study_kinds() {
+  return kKinds;
+}
+
+}  // namespace kinestat
