@@ -133,7 +133,9 @@ class FileSection {
       return;
     }
     open_part("structure", "Structure");
-    std::vector<Picture> pictures = {draw_linkage(*page_.analysis, {.shows_forces = false})};
+    LinkageOptions plain;
+    plain.shows_forces = false;
+    std::vector<Picture> pictures = {draw_linkage(*page_.analysis, plain)};
     for (Picture& one : pictures_at(PicturePlace::structure, source())) {
       pictures.push_back(std::move(one));
     }
