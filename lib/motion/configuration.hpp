@@ -1,0 +1,32 @@
+// Poses of bodies and positions of freedoms in a configuration.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "motion/motion_solution.hpp"
+
+namespace kinestat {
+
+/// The drawn position: all coordinates zero.
+Configuration drawn_configuration(const MotionNetwork& network);
+
+/// Of each body, relative to where it was drawn, in the world frame [m].
+std::vector<Pose> body_poses(const MotionNetwork& network, const Configuration& configuration);
+
+/// How far each freedom has moved from the drawn position [rad or m], turns counted; empty where a
+/// freedom has no position: of balls, contacts, ropes.
+std::vector<std::optional<double>> freedom_positions(const MotionNetwork& network,
+                                                     const Mechanism& mechanism,
+                                                     const Configuration& configuration);
+
+/// How far each coupling outside the tree misses closure; those above `least` as share of the
+/// mechanism's size.
+std::vector<CouplingMiss> find_misses(const MotionNetwork& network,
+                                      const Configuration& configuration,
+                                      double least);
+
+/// The largest of them as share of the mechanism's size.
+double misclosure(const MotionNetwork& network, const Configuration& configuration);
+
+}  // namespace kinestat

@@ -1,0 +1,15 @@
+// Finite motion: the closure of a network followed along its drives.
+#pragma once
+
+#include "motion/motion_solution.hpp"
+
+namespace kinestat {
+
+/// Closes the drawn position, goes to where the drives begin, and follows them to their end on the
+/// branch that was drawn: predictor and corrector by Newton on screws, with steps as small as the
+/// branch asks for. Every position is closed to kMotionClosure of the size, or to the least squares
+/// of an overconstrained mechanism that is not drawn exactly. The drives of the task must be those
+/// of the network, in that order.
+[[nodiscard]] MotionSolution solve_motion(const MotionNetwork& network, const MotionTask& task);
+
+}  // namespace kinestat

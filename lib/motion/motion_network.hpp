@@ -1,0 +1,106 @@
+// A mechanism prepared for finite motion: coordinates along a spanning tree, and what closes it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "mechanism/drawn_coupling.hpp"
+#include "mechanism/finite_law.hpp"
+#include "mechanism/mechanism.hpp"
+
+namespace kinestat {
+
+/// Why a coupling, and so the mechanism, cannot be moved finitely.
+enum class MotionObstacle {
+  unknown_profile,    ///< a contact of which only the point and the normal are known
+  no_carrier,         ///< teeth whose axes no body holds apart
+  several_screws,     ///< type screws with several freedoms, whose order is not known
+  spatial_rope,       ///< a rope whose pulleys leave its plane, or whose sense is not known
+  no_place,           ///< the file does not say where it is
+  undriven_position,  ///< a driven freedom that has no position: of a ball, of a contact
+  drives_in_circuit   ///< the driven couplings form a circuit of their own
+};
+
+/// A sentence's end: "its profiles are not known".
+std::string_view reason_of(MotionObstacle why);
+
+struct UnmovableCoupling {
+  CouplingId coupling;
+  MotionObstacle why = MotionObstacle::unknown_profile;
+};
+
+/// One step from a frame to the next: about or along a line fixed in the frame before, or about a
+/// point. Its coordinate is that of the freedom, of the head relative to the tail, in radians or
+/// lengths of the network; of a ball the quaternion w, x, y, z of the head relative to the tail.
+struct MotionJoint {
+  int parent = 0;             ///< frame before
+  ElementaryMotion motion;    ///< in the drawn position, from the origin of the network [m]
+  double sense = 1.0;         ///< -1: from the head to the tail
+  int coordinate = -1;        ///< its first; -1: it stands still and only shifts
+  int rate = -1;              ///< its first; a ball has three, about axes fixed in the tail
+  int freedom = -1;           ///< index into Topology::freedoms, of a ball its first; -1: none
+  Vec3 shift = Vec3::Zero();  ///< of one that stands still: misclosure of the drawing [m]
+};
+
+/// Teeth that roll: Σ factor · coordinate = 0. All turns and slides of a gear relative to the
+/// carrier are on one line, so that they add up.
+struct RollingRow {
+  CouplingId coupling;
+  BodyId carrier;          ///< in which the teeth touch at a fixed point
+  std::vector<int> rates;  ///< of turns and slides, whose coordinates are meant
+  std::vector<double> factors;
+  std::vector<double> freedom_factors;  ///< Σ factor · coordinate is the position of its freedom
+};
+
+/// A condition between two frames.
+struct ClosureRow {
+  CouplingId coupling;
+  ClosureCondition condition;  ///< points from the origin of the network [m]
+  int tail_frame = 0;
+  int head_frame = 0;
+  int angle = -1;  ///< its first angle that is followed over full turns; -1: none
+};
+
+/// The position of a freedom of a coupling outside the tree.
+struct MeasuredFreedom {
+  int freedom = 0;  ///< index into Topology::freedoms
+  FreedomMeasure measure;
+  int tail_frame = 0;
+  int head_frame = 0;
+  int angle = -1;  ///< of a turn: that is followed over full turns
+};
+
+/// Frame 0 is the ground. Lengths in m, points from `origin`.
+struct MotionNetwork {
+  Space space = Space::spatial;
+  Vec3 origin = Vec3::Zero();
+  double length = 1.0;  ///< [m]
+  int frame_count = 1;
+  int coordinate_count = 0;
+  int rate_count = 0;
+  std::vector<int> frame_of_body;   ///< of each body
+  std::vector<MotionJoint> joints;  ///< joint j makes frame j + 1; parents come first
+  std::vector<ClosureRow> closures;
+  std::vector<RollingRow> rollings;
+  std::vector<MeasuredFreedom> measures;
+  int angle_count = 0;                ///< angles that are followed over full turns
+  std::vector<int> driven_freedoms;   ///< as they were given
+  std::vector<int> driven_rates;      ///< parallel: the rate that each drives
+  std::vector<VecX> passive_motions;  ///< rates of the joints: of freedoms that no other body feels
+  std::vector<int> passive_freedoms;  ///< of each, the freedom that moves most
+  std::vector<UnmovableCoupling> obstacles;  ///< empty: it can be moved
+
+  bool is_movable() const { return obstacles.empty(); }
+};
+
+/// The spanning tree holds the driven couplings, then those with few freedoms; bodies that only
+/// contacts, teeth and ropes hold hang on the ground by a free motion. `drawn` is parallel to the
+/// couplings of the topology.
+MotionNetwork make_motion_network(const Mechanism& mechanism,
+                                  std::span<const DrawnCoupling> drawn,
+                                  std::span<const int> driven_freedoms);
+
+}  // namespace kinestat

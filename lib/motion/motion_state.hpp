@@ -1,0 +1,51 @@
+// Velocities and accelerations in a configuration.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "motion/configuration.hpp"
+
+namespace kinestat {
+
+/// How fast a drive runs.
+struct DriveSpeed {
+  double speed = 0.0;         ///< [rad/s or m/s]
+  double acceleration = 0.0;  ///< [rad/s² or m/s²]
+};
+
+enum class StateDetail { velocity, acceleration };
+
+/// Twists are written about the origin of the geometry. Lists of bodies and freedoms are parallel
+/// to the topology.
+struct MotionState {
+  bool is_singular = false;  ///< the drives do not determine the velocities; nothing but poses
+  Vec3 origin = Vec3::Zero();
+  std::vector<Pose> poses;
+  std::vector<Twist> twists;
+  std::vector<Twist> twist_rates;  ///< time derivatives; empty unless asked for
+  std::vector<double> rates;       ///< of the freedoms [rad/s or m/s]
+  std::vector<double> rate_rates;  ///< [rad/s² or m/s²] of rotations and slides of lower pairs
+};
+
+/// The least motion in the coordinates where passive freedoms stay open. `speeds` is parallel to
+/// the driven freedoms of the network.
+[[nodiscard]] MotionState solve_state(const MotionNetwork& network,
+                                      const Mechanism& mechanism,
+                                      const Configuration& configuration,
+                                      std::span<const DriveSpeed> speeds,
+                                      StateDetail detail);
+
+/// World frame, SI.
+struct PointMotion {
+  Vec3 position = Vec3::Zero();
+  Vec3 velocity = Vec3::Zero();
+  Vec3 acceleration = Vec3::Zero();
+};
+
+/// Of the point of a body that was drawn at `drawn`. Accelerations are zero where the state has
+/// none.
+PointMotion point_motion(const MotionState& state, BodyId body, const Vec3& drawn);
+
+}  // namespace kinestat
