@@ -88,25 +88,25 @@ class LawWriter {
         {.kind = kind, .direction = direction, .point = at_, .pitch = pitch, .freedom = freedom});
   }
 
-  ClosureCondition& require(ConditionKind kind) {
+  ClosureCondition& require(ClosureKind kind) {
     law_.conditions.push_back({.kind = kind, .tail_point = at_, .head_point = at_head_});
     return law_.conditions.back();
   }
 
-  void meet() { require(ConditionKind::meet); }
+  void meet() { require(ClosureKind::meet); }
 
-  void keep_along(const Vec3& normal) { require(ConditionKind::along).tail = normal; }
+  void keep_along(const Vec3& normal) { require(ClosureKind::along).tail = normal; }
 
   // The same with the plane fixed in the head.
   void keep_along_in_head(const Vec3& normal) {
-    ClosureCondition& condition = require(ConditionKind::along);
+    ClosureCondition& condition = require(ClosureKind::along);
     condition.is_reversed = true;
     condition.tail = normal;
     std::swap(condition.tail_point, condition.head_point);
   }
 
   void keep_angle(const Vec3& tail, const Vec3& head) {
-    ClosureCondition& condition = require(ConditionKind::across);
+    ClosureCondition& condition = require(ClosureKind::across);
     condition.tail = tail;
     condition.head = head;
     condition.value = tail.dot(head);
@@ -165,7 +165,7 @@ class LawWriter {
     keep_along(first_);
     keep_along(second_);
     keep_axis();
-    ClosureCondition& condition = require(ConditionKind::screw);
+    ClosureCondition& condition = require(ClosureKind::screw);
     condition.tail = axis_;
     condition.head = first_;
     condition.value = pitch;
@@ -282,12 +282,12 @@ class LawWriter {
     if (tail == 0.0 && head == 0.0) {
       law_.kind = LawKind::unknown;
     } else if (tail != 0.0 && head != 0.0) {
-      ClosureCondition& condition = require(ConditionKind::reach);
+      ClosureCondition& condition = require(ClosureKind::reach);
       condition.tail_point = at_ - axis_ / tail;
       condition.head_point = at_ + axis_ / head;
       condition.value = (condition.head_point - condition.tail_point).norm();
     } else {
-      ClosureCondition& condition = require(ConditionKind::along);
+      ClosureCondition& condition = require(ClosureKind::along);
       condition.is_reversed = tail != 0.0;
       condition.tail_point = at_;
       condition.tail = axis_;
@@ -324,7 +324,7 @@ class LawWriter {
       law_.kind = LawKind::unknown;
       return;
     }
-    ClosureCondition& condition = require(is_wrapped ? ConditionKind::rope : ConditionKind::reach);
+    ClosureCondition& condition = require(is_wrapped ? ClosureKind::rope : ClosureKind::reach);
     condition.tail_point = tail.centre;
     condition.head_point = head.centre;
     condition.tail_radius = tail.radius;

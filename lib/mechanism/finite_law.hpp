@@ -21,7 +21,7 @@ struct ElementaryMotion {
 
 /// One equation or, of points that meet, one for each direction of the space. What is named tail
 /// and head is fixed in the two bodies, in the drawn position.
-enum class ConditionKind {
+enum class ClosureKind {
   meet,    ///< the two points coincide
   along,   ///< the head's point keeps the height `value` over the plane through the tail's point
            ///< across `tail`
@@ -32,7 +32,7 @@ enum class ConditionKind {
 };
 
 struct ClosureCondition {
-  ConditionKind kind = ConditionKind::meet;
+  ClosureKind kind = ClosureKind::meet;
   bool is_reversed = false;  ///< tail and head change their parts
   Vec3 tail_point = Vec3::Zero();
   Vec3 head_point = Vec3::Zero();

@@ -37,7 +37,8 @@ struct FiniteMobility {
   bool is_singular() const { return is_known && nearby_freedom < drawn_freedom; }
 };
 
-/// `motions` are those of mobility (MotionSpace), at the drawn position.
+/// `motions` are those of mobility (MotionSpace), at the drawn position; the network must be made
+/// without drives, otherwise nothing is known.
 [[nodiscard]] FiniteMobility find_finite_mobility(const MotionNetwork& network,
                                                   const Mechanism& mechanism,
                                                   std::span<const FreeMotion> motions);

@@ -19,7 +19,6 @@ enum class MotionObstacle {
   no_carrier,         ///< teeth whose axes no body holds apart
   several_screws,     ///< type screws with several freedoms, whose order is not known
   spatial_rope,       ///< a rope whose pulleys leave its plane, or whose sense is not known
-  no_place,           ///< the file does not say where it is
   undriven_position,  ///< a driven freedom that has no position: of a ball, of a contact
   drives_in_circuit   ///< the driven couplings form a circuit of their own
 };
@@ -73,6 +72,13 @@ struct MeasuredFreedom {
   int angle = -1;  ///< of a turn: that is followed over full turns
 };
 
+/// Turns freely about a point; its three freedoms are turns about the world axes.
+struct BallFreedoms {
+  int first_freedom = 0;  ///< index into Topology::freedoms
+  int tail_frame = 0;
+  int head_frame = 0;
+};
+
 /// Frame 0 is the ground. Lengths in m, points from `origin`.
 struct MotionNetwork {
   Space space = Space::spatial;
@@ -86,6 +92,7 @@ struct MotionNetwork {
   std::vector<ClosureRow> closures;
   std::vector<RollingRow> rollings;
   std::vector<MeasuredFreedom> measures;
+  std::vector<BallFreedoms> balls;
   int angle_count = 0;                ///< angles that are followed over full turns
   std::vector<int> driven_freedoms;   ///< as they were given
   std::vector<int> driven_rates;      ///< parallel: the rate that each drives

@@ -24,9 +24,11 @@ struct MotionState {
   Vec3 origin = Vec3::Zero();
   std::vector<Pose> poses;
   std::vector<Twist> twists;
-  std::vector<Twist> twist_rates;  ///< time derivatives; empty unless asked for
-  std::vector<double> rates;       ///< of the freedoms [rad/s or m/s]
-  std::vector<double> rate_rates;  ///< [rad/s² or m/s²] of rotations and slides of lower pairs
+  std::vector<Twist> twist_rates;                 ///< time derivatives; empty unless asked for
+  std::vector<std::optional<double>> rates;       ///< of the freedoms [rad/s or m/s]; empty of
+                                                  ///< contacts and ropes
+  std::vector<std::optional<double>> rate_rates;  ///< their derivatives [rad/s² or m/s²]; empty
+                                                  ///< unless asked for
 };
 
 /// The least motion in the coordinates where passive freedoms stay open. `speeds` is parallel to

@@ -1,0 +1,175 @@
+// The equations that close a network: what they miss, and how that changes with the joints.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "motion/internal/frame.hpp"
+#include "motion/motion_network.hpp"
+
+namespace kinestat {
+
+/// Lengths in sizes of the mechanism, so that turns and slides are of one order. The rates of all
+/// joints are the unknowns; `Frames` is PlanarFrames or SpatialFrames. One a thread: it evaluates
+/// into buffers of its own.
+template <class Frames>
+class ClosureSystem {
+ public:
+  explicit ClosureSystem(const MotionNetwork& network);
+
+  int row_count() const { return row_count_; }
+
+  int rate_count() const { return rate_count_; }
+
+  int coordinate_count() const { return coordinate_count_; }
+
+  int angle_count() const { return static_cast<int>(first_angles_.size()); }
+
+  /// All joints at zero.
+  std::vector<double> drawn_coordinates() const;
+
+  const std::vector<double>& drawn_angles() const { return first_angles_; }
+
+  /// Frames, residuals and their derivatives towards the rates; angles are those of a position near
+  /// by, from which full turns are counted.
+  void evaluate(std::span<const double> coordinates, std::span<const double> angles);
+
+  /// Of the last evaluation: one a row, and rows x rates, one column after the other.
+  const std::vector<double>& residuals() const { return residuals_; }
+
+  const std::vector<double>& jacobian() const { return jacobian_; }
+
+  double largest_residual() const;
+
+  /// The coupling of each row.
+  const std::vector<int>& row_couplings() const { return row_couplings_; }
+
+  /// Which rows miss a length, the others an angle.
+  const std::vector<bool>& is_length() const { return is_length_; }
+
+  /// Moves the joints by a step of their rates.
+  void move(std::span<const double> step, std::span<double> coordinates) const;
+
+  /// Counts the turns of the followed angles on to the last evaluation.
+  void follow_angles(std::span<double> angles) const;
+
+  /// Σ |step| of turns: no followed angle changes by more.
+  double total_turn(std::span<const double> step) const;
+
+  /// Of frames of the last evaluation.
+  typename Frames::Screw screw(int rate) const { return screws_[static_cast<std::size_t>(rate)]; }
+
+  const typename Frames::template Frame<double>& frame(int i) const {
+    return frames_[static_cast<std::size_t>(i)];
+  }
+
+  /// Frames that move with these rates and their derivatives.
+  std::vector<typename Frames::template Frame<Jet>> moving_frames(
+      std::span<const double> coordinates,
+      std::span<const double> rates,
+      std::span<const double> rate_rates) const;
+
+  /// Second derivatives of the residuals.
+  std::vector<double> residual_bends(
+      const std::vector<typename Frames::template Frame<Jet>>& frames,
+      std::span<const double> rate_rates,
+      std::span<const double> angles) const;
+
+  /// The same with its points in sizes of the mechanism.
+  MeasuredFreedom in_sizes(MeasuredFreedom measured) const {
+    measured.measure.tail_point /= length_;
+    measured.measure.head_point /= length_;
+    return measured;
+  }
+
+  /// The position of a measured freedom, in sizes, with its derivatives where frames move.
+  template <class S>
+  S position(const MeasuredFreedom& measured,
+             const std::vector<typename Frames::template Frame<S>>& frames) const;
+
+  const std::vector<typename Frames::template Frame<double>>& frames() const { return frames_; }
+
+ private:
+  template <class S>
+  using Frame = typename Frames::template Frame<S>;
+  template <class S>
+  using Vector = typename Frames::template Vector<S>;
+  using Plain = Vector<double>;
+
+  struct Joint {
+    ElementaryKind kind = ElementaryKind::turn;
+    int parent = 0;
+    Vec3 direction = Vec3::UnitZ();
+    Vec3 point = Vec3::Zero();
+    double pitch = 0.0;
+    double sense = 1.0;
+    int coordinate = -1;
+    int rate = -1;
+  };
+
+  struct Row {
+    ClosureKind kind = ClosureKind::meet;
+    int tail_frame = 0;
+    int head_frame = 0;
+    Plain tail_point = Plain::Zero();
+    Plain head_point = Plain::Zero();
+    Plain tail = Plain::Zero();
+    Plain head = Plain::Zero();
+    double value = 0.0;
+    double tail_radius = 0.0;
+    double head_radius = 0.0;
+    int angle = -1;
+    int first = 0;              ///< row of the system
+    std::vector<int> rates;     ///< of the joints between the two frames
+    std::vector<double> signs;  ///< +1: the joint moves the head
+  };
+
+  template <class S>
+  struct Span {
+    Vector<S> along;
+    Vector<S> from;
+    S length = 0.0;
+    S tail_angle = 0.0;
+    S head_angle = 0.0;
+  };
+
+  void add_row(const ClosureRow& closure);
+  void add_path(int from, int to, Row& row) const;
+  void place_rolling(const MotionNetwork& network);
+  template <class S>
+  Span<S> span_of(const Row& row, const std::vector<Frame<S>>& frames) const;
+  template <class S>
+  S scalar_residual(const Row& row,
+                    const std::vector<Frame<S>>& frames,
+                    std::span<const double> angles) const;
+  typename Frames::Screw gradient(const Row& row, int direction) const;
+  void write_gradient(const Row& row, int r, const typename Frames::Screw& wrench);
+  void find_frames(std::span<const double> coordinates);
+
+  double length_ = 1.0;
+  int row_count_ = 0;
+  int rate_count_ = 0;
+  int coordinate_count_ = 0;
+  std::vector<Joint> joints_;
+  std::vector<Row> rows_;
+  std::vector<RollingRow> rollings_;
+  std::vector<int> coordinate_of_rate_;
+  std::vector<MeasuredFreedom> measures_;
+  std::vector<int> row_couplings_;
+  std::vector<bool> is_length_;
+  std::vector<double> first_angles_;
+  std::vector<Frame<double>> frames_;
+  std::vector<typename Frames::Screw> screws_;
+  std::vector<double> residuals_;
+  std::vector<double> jacobian_;
+};
+
+/// The full turns added that bring `angle` next to `near`.
+double counted_turn(double angle, double near);
+
+inline Jet counted_turn(Jet angle, double near) {
+  angle.value = counted_turn(angle.value, near);
+  return angle;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,123 @@
+// Follows the closure of a network along its drives.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "motion/internal/closure_system.hpp"
+#include "motion/internal/pivoted_qr.hpp"
+#include "motion/motion_solution.hpp"
+
+namespace kinestat {
+
+/// A closed position on the way. Buffers are used again and again.
+struct PathPoint {
+  double share = 0.0;
+  std::vector<double> coordinates;
+  std::vector<double> angles;
+  std::vector<double> rates;    ///< of all joints, by the share
+  std::vector<double> arrival;  ///< the step of all joints that led here
+  double arrival_share = 0.0;   ///< by how much the share grew with it; 0: none
+  double sign = 0.0;            ///< of the determinant of the closure, where it is square
+  double misclosure = 0.0;
+  double flatness = 0.0;
+  bool is_singular = false;  ///< the drives do not determine the rates
+};
+
+/// How a way to the next position ended.
+enum class Arrival { reached, limit, lost };
+
+/// From 0 to `high` along an arc, with the values of a function at both ends, of two signs.
+struct ArcBracket {
+  double high = 0.0;
+  double low_value = 0.0;
+  double high_value = 0.0;
+};
+
+template <class Frames>
+class PathTracker {
+ public:
+  explicit PathTracker(const MotionNetwork& network);
+
+  /// Where all drives run together from these values to those [rad, or sizes of the mechanism].
+  void set_range(std::span<const double> from, std::span<const double> to);
+
+  PathPoint make_point() const;
+
+  /// Closes a point with the drives where its share puts them; `moved` becomes the largest
+  /// correction of a joint. The factors of the closure are then those of the point.
+  bool close(PathPoint& point, double& moved);
+
+  /// Rates of a point that was closed last.
+  void find_rates(PathPoint& point);
+
+  /// From `now`, which `before` led to, to the share; `now` becomes the point there or, at a limit,
+  /// the limit. `before` may be without rates.
+  Arrival advance(PathPoint& now, PathPoint& before, double share);
+
+  /// The least-squares minimum of what is missed; moves the drives too if they are let go.
+  void find_nearest(PathPoint& point, bool moves_drives);
+
+  /// Directions in which the joints may move with the drives held, of the point closed last.
+  std::vector<VecX> open_directions();
+
+  int open_count() const { return static_cast<int>(unknown_.size()) - qr_.rank(); }
+
+  /// Passed since the last call.
+  std::vector<SpecialPosition> take_special() { return std::exchange(special_, {}); }
+
+  bool has_special() const { return !special_.empty(); }
+
+  ClosureSystem<Frames>& system() { return system_; }
+
+ private:
+  // A point of the curve by the length of its arc, in the unknowns and the drives.
+  struct ArcPoint {
+    double share = 0.0;
+    std::vector<double> coordinates;
+    std::vector<double> angles;
+    std::vector<double> tangent;
+    std::vector<double> matrix;  ///< rows x (unknowns + 1)
+  };
+
+  void set_drives(double share, std::span<double> coordinates) const;
+  void gather(std::span<const int> columns, std::vector<double>& matrix) const;
+  bool try_step(const PathPoint& now, const PathPoint& before, double share, PathPoint& next);
+  void predict(const PathPoint& now, const PathPoint& before, double step);
+  bool keeps_branch(const PathPoint& now, const PathPoint& next, double moved) const;
+  Arrival walk_arc(PathPoint& now, double share);
+  bool try_arc(const ArcPoint& from, double length, ArcPoint& to);
+  bool correct_arc(const ArcPoint& from, double length, ArcPoint& to);
+  bool find_tangent(const std::vector<double>& before, ArcPoint& point);
+  void augmented_matrix(std::vector<double>& matrix) const;
+  double orientation(const std::vector<double>& a, const std::vector<double>& b, int columns);
+  double arc_orientation(const ArcPoint& a, const ArcPoint& b);
+  ArcPoint arc_point(const PathPoint& now);
+  void land(const ArcPoint& arc, PathPoint& now);
+  bool arrive(const ArcPoint& from, const ArcBracket& bracket, double share, PathPoint& now);
+  void find_limit(const ArcPoint& from, const ArcBracket& bracket, PathPoint& now);
+  void note_change_point(const ArcPoint& from, double length);
+
+  ClosureSystem<Frames> system_;
+  PivotedQr qr_;
+  std::vector<int> driven_;  ///< rates
+  std::vector<int> drive_coordinates_;
+  std::vector<int> unknown_;  ///< the other rates
+  int passive_count_ = 0;
+  std::vector<double> from_;
+  std::vector<double> reach_;  ///< to - from
+  double scale_ = 1.0;         ///< the largest of them
+  bool follows_turns_ = false;
+  std::vector<SpecialPosition> special_;
+  std::vector<double> matrix_;
+  std::vector<double> augmented_;
+  std::vector<double> right_;
+  std::vector<double> solved_;
+  std::vector<double> step_;
+  std::vector<double> correction_;
+  PathPoint trial_;
+};
+
+}  // namespace kinestat

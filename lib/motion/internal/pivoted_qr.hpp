@@ -1,0 +1,60 @@
+// Least squares of small dense systems again and again, without allocation.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace kinestat {
+
+/// A P = Q R by Householder reflections, the longest remaining column first. What is shorter than
+/// kRankZero of the longest column counts as zero. Buffers grow to the largest system and stay.
+class PivotedQr {
+ public:
+  /// `A` holds rows x columns, one column after the other.
+  void factor(std::span<const double> A, int rows, int columns);
+
+  int rank() const { return rank_; }
+
+  int columns() const { return columns_; }
+
+  /// The shortest column that counted, as share of the longest: how near the rank is to fall.
+  double flatness() const { return flatness_; }
+
+  /// The sign of the determinant; of a square system of full rank, otherwise 0.
+  double sign() const;
+
+  /// The shortest x among those with the least |A x - b|.
+  void solve(std::span<const double> b, std::span<double> x);
+
+  /// Orthonormal x with A x = 0, columns() - rank() of them, one after the other.
+  const std::vector<double>& null_vectors();
+
+ private:
+  double& entry(int row, int column) { return qr_[static_cast<std::size_t>(column * rows_ + row)]; }
+
+  double entry(int row, int column) const {
+    return qr_[static_cast<std::size_t>(column * rows_ + row)];
+  }
+
+  void reflect(int step);
+  void back_substitute(double* x) const;
+
+  int rows_ = 0;
+  int columns_ = 0;
+  int rank_ = 0;
+  int swaps_ = 0;
+  int reflections_ = 0;
+  double flatness_ = 0.0;
+  bool has_null_ = false;
+  std::vector<double> qr_;
+  std::vector<double> scale_;     // of each reflection: 2 / |v|²
+  std::vector<double> diagonal_;  // of R
+  std::vector<double> lengths_;   // squared, of what remains of each column
+  std::vector<int> order_;
+  std::vector<double> work_;
+  std::vector<double> null_;
+};
+
+}  // namespace kinestat

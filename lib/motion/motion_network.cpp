@@ -1,0 +1,539 @@
+#include "motion/motion_network.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numeric>
+#include <set>
+
+#include "core/contract.hpp"
+#include "core/tolerance.hpp"
+#include "math/span.hpp"
+#include "mechanism/mesh.hpp"
+#include "mobility/passive_freedom.hpp"
+#include "motion/internal/motion_limits.hpp"
+#include "network/bases.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+DrawnCoupling measured_from_origin(const DrawnCoupling& drawn, const Vec3& origin) {
+  DrawnCoupling result = drawn;
+  result.geometry = measured_from<double>(origin, drawn.geometry);
+  if (result.at_head) {
+    *result.at_head -= origin;
+  }
+  for (auto* station : {&result.from, &result.to}) {
+    if (*station) {
+      (*station)->centre -= origin;
+    }
+  }
+  return result;
+}
+
+// A set of bodies that grow together.
+class Components {
+ public:
+  explicit Components(int count) : parent_(at(count)) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  int root(int i) {
+    while (parent_[at(i)] != i) {
+      i = parent_[at(i)] = parent_[at(parent_[at(i)])];
+    }
+    return i;
+  }
+
+  bool join(int a, int b) {
+    const int ra = root(a);
+    const int rb = root(b);
+    parent_[at(ra)] = rb;
+    return ra != rb;
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+// The sum of coordinates by which a body turns or slides relative to another on one line.
+struct LineMotion {
+  std::vector<int> rates;
+  std::vector<double> signs;
+  Vec6 screw = Vec6::Zero();
+};
+
+class NetworkMaker {
+ public:
+  NetworkMaker(const Mechanism& mechanism,
+               std::span<const DrawnCoupling> drawn,
+               std::span<const int> driven)
+      : mechanism_(mechanism), topology_(mechanism.topology) {
+    network_.space = mechanism.space;
+    network_.origin = mechanism.geometry.origin;
+    network_.length = mechanism.geometry.length;
+    network_.driven_freedoms.assign(driven.begin(), driven.end());
+    for (std::size_t e = 0; e < drawn.size(); ++e) {
+      const DrawnCoupling local = measured_from_origin(drawn[e], network_.origin);
+      laws_.push_back(finite_law(topology_.couplings[e].type, mechanism.space, local));
+    }
+  }
+
+  MotionNetwork make() {
+    find_tree();
+    build_frames();
+    for (int e = 0; e < topology_.coupling_count(); ++e) {
+      add_closure(e);
+    }
+    find_drives();
+    find_passive();
+    return std::move(network_);
+  }
+
+ private:
+  const CouplingTopology& coupling(int e) const { return topology_.couplings[at(e)]; }
+
+  const FiniteLaw& law(int e) const { return laws_[at(e)]; }
+
+  bool is_driven(int e) const {
+    return std::ranges::any_of(network_.driven_freedoms, [&](int f) {
+      return topology_.freedoms[at(f)].coupling.value == e;
+    });
+  }
+
+  // Driven couplings first, then screws, whose turns must be counted, then those of few freedoms.
+  int rank_in_tree(int e) const {
+    const bool has_pitch = std::ranges::any_of(
+        law(e).chain, [](const ElementaryMotion& one) { return one.pitch != 0.0; });
+    return is_driven(e) ? -2 : has_pitch ? -1 : coupling(e).freedom_count;
+  }
+
+  void find_tree() {
+    std::vector<int> edges;
+    for (int e = 0; e < topology_.coupling_count(); ++e) {
+      if (law(e).kind == LawKind::chain) {
+        edges.push_back(e);
+      }
+    }
+    std::ranges::stable_sort(edges, {}, [&](int e) { return rank_in_tree(e); });
+    Components joined(topology_.body_count());
+    in_tree_.assign(at(topology_.coupling_count()), false);
+    for (const int e : edges) {
+      in_tree_[at(e)] = joined.join(coupling(e).tail.value, coupling(e).head.value);
+    }
+    for (int body = 1; body < topology_.body_count(); ++body) {
+      if (joined.join(body, 0)) {
+        floating_.insert(body);
+      }
+    }
+  }
+
+  void build_frames() {
+    network_.frame_of_body.assign(at(topology_.body_count()), -1);
+    network_.frame_of_body[0] = 0;
+    std::vector<std::vector<int>> edges_of(at(topology_.body_count()));
+    for (int e = 0; e < topology_.coupling_count(); ++e) {
+      if (in_tree_[at(e)]) {
+        edges_of[at(coupling(e).tail.value)].push_back(e);
+        edges_of[at(coupling(e).head.value)].push_back(e);
+      }
+    }
+    std::deque<int> waiting = {0};
+    for (const int body : floating_) {
+      float_freely(body);
+      waiting.push_back(body);
+    }
+    while (!waiting.empty()) {
+      const int body = waiting.front();
+      waiting.pop_front();
+      for (const int e : edges_of[at(body)]) {
+        const bool is_tail = coupling(e).tail.value == body;
+        const int other = is_tail ? coupling(e).head.value : coupling(e).tail.value;
+        if (network_.frame_of_body[at(other)] < 0) {
+          network_.frame_of_body[at(other)] =
+              add_chain(e, network_.frame_of_body[at(body)], is_tail ? 1.0 : -1.0);
+          waiting.push_back(other);
+        }
+      }
+    }
+  }
+
+  int add_joint(MotionJoint joint, int coordinates, int rates) {
+    if (coordinates > 0) {
+      joint.coordinate = network_.coordinate_count;
+      joint.rate = network_.rate_count;
+      network_.coordinate_count += coordinates;
+      network_.rate_count += rates;
+    }
+    network_.joints.push_back(joint);
+    return network_.frame_count++;
+  }
+
+  int add_motion(const ElementaryMotion& motion, int parent, double sense, int first_freedom) {
+    const bool is_ball = motion.kind == ElementaryKind::ball;
+    const int freedom = first_freedom < 0 ? -1 : first_freedom + motion.freedom;
+    return add_joint({.parent = parent, .motion = motion, .sense = sense, .freedom = freedom},
+                     is_ball ? 4 : 1,
+                     is_ball ? 3 : 1);
+  }
+
+  int add_shift(const Vec3& shift, int parent) {
+    return shift.isZero() ? parent
+                          : add_joint({.parent = parent, .motion = {}, .shift = shift}, 0, 0);
+  }
+
+  // From the tail the head is shifted last, so that its point comes to that of the tail.
+  int add_chain(int e, int parent, double sense) {
+    std::vector<ElementaryMotion> chain = law(e).chain;
+    const Vec3 shift = misclosure_of(e);
+    int frame = parent;
+    if (sense < 0.0) {
+      std::ranges::reverse(chain);
+      frame = add_shift(-shift, frame);
+    }
+    for (const ElementaryMotion& motion : chain) {
+      frame = add_motion(motion, frame, sense, coupling(e).first_freedom);
+    }
+    return sense > 0.0 ? add_shift(shift, frame) : frame;
+  }
+
+  Vec3 misclosure_of(int e) const {
+    for (const ClosureCondition& one : law(e).conditions) {
+      if (!one.is_reversed && one.kind != ClosureKind::across) {
+        return one.tail_point - one.head_point;
+      }
+      if (one.is_reversed) {
+        return one.head_point - one.tail_point;
+      }
+    }
+    return Vec3::Zero();
+  }
+
+  // Slides along all directions, then a turn or a ball.
+  void float_freely(int body) {
+    const bool is_planar = network_.space == Space::planar;
+    int frame = 0;
+    for (int i = 0; i < (is_planar ? 2 : 3); ++i) {
+      frame =
+          add_motion({.kind = ElementaryKind::slide, .direction = Vec3::Unit(i)}, frame, 1.0, -1);
+    }
+    frame = add_motion({.kind = is_planar ? ElementaryKind::turn : ElementaryKind::ball,
+                        .point = mechanism_.geometry.references[at(body)] - network_.origin},
+                       frame,
+                       1.0,
+                       -1);
+    network_.frame_of_body[at(body)] = frame;
+  }
+
+  void refuse(int e, MotionObstacle why) {
+    network_.obstacles.push_back({.coupling = CouplingId{e}, .why = why});
+  }
+
+  void add_balls(int e) {
+    for (const ElementaryMotion& motion : law(e).chain) {
+      if (motion.kind == ElementaryKind::ball) {
+        network_.balls.push_back({.first_freedom = coupling(e).first_freedom + motion.freedom,
+                                  .tail_frame = tail_frame(e),
+                                  .head_frame = head_frame(e)});
+      }
+    }
+  }
+
+  void add_closure(int e) {
+    add_balls(e);
+    switch (law(e).kind) {
+      case LawKind::chain:
+        if (!in_tree_[at(e)]) {
+          add_conditions(e);
+          add_measures(e);
+        }
+        return;
+      case LawKind::contact:
+        return add_conditions(e);
+      case LawKind::rolling:
+        return add_rolling(e);
+      case LawKind::unknown:
+        return refuse(e, reason_without_law(coupling(e).type));
+    }
+  }
+
+  static MotionObstacle reason_without_law(CouplingType type) {
+    return type == CouplingType::screws  ? MotionObstacle::several_screws
+           : type == CouplingType::cable ? MotionObstacle::spatial_rope
+                                         : MotionObstacle::unknown_profile;
+  }
+
+  int tail_frame(int e) const { return network_.frame_of_body[at(coupling(e).tail.value)]; }
+
+  int head_frame(int e) const { return network_.frame_of_body[at(coupling(e).head.value)]; }
+
+  void add_conditions(int e) {
+    for (const ClosureCondition& condition : law(e).conditions) {
+      ClosureRow row{.coupling = CouplingId{e},
+                     .condition = condition,
+                     .tail_frame = tail_frame(e),
+                     .head_frame = head_frame(e)};
+      if (condition.is_reversed) {
+        std::swap(row.tail_frame, row.head_frame);
+      }
+      const int angles = condition.kind == ClosureKind::rope    ? 2
+                         : condition.kind == ClosureKind::screw ? 1
+                                                                : 0;
+      if (angles > 0) {
+        row.angle = network_.angle_count;
+        network_.angle_count += angles;
+      }
+      network_.closures.push_back(row);
+    }
+  }
+
+  void add_measures(int e) {
+    for (const FreedomMeasure& measure : law(e).measures) {
+      MeasuredFreedom one{.freedom = coupling(e).first_freedom + measure.freedom,
+                          .measure = measure,
+                          .tail_frame = tail_frame(e),
+                          .head_frame = head_frame(e)};
+      if (measure.is_turn) {
+        one.angle = network_.angle_count++;
+      }
+      network_.measures.push_back(one);
+    }
+  }
+
+  // Joints from the ground to a frame.
+  std::vector<int> path_to(int frame) const {
+    std::vector<int> path;
+    for (; frame != 0; frame = network_.joints[at(frame - 1)].parent) {
+      path.push_back(frame - 1);
+    }
+    std::ranges::reverse(path);
+    return path;
+  }
+
+  // Of the drawn position, about the origin of the network.
+  static Vec6 screw_of(const ElementaryMotion& motion) {
+    const Twist twist = motion.kind == ElementaryKind::slide
+                            ? unit_translation<double>(motion.direction)
+                            : unit_rotation<double>(motion.direction, motion.point) +
+                                  motion.pitch * unit_translation<double>(motion.direction);
+    return twist.coordinates();
+  }
+
+  Vec6 in_sizes(Vec6 screw) const {
+    screw.tail<3>() /= network_.length;
+    return screw;
+  }
+
+  // By the coordinate, which is in sizes for a slide.
+  Vec6 unit_screw(const ElementaryMotion& motion) const {
+    const Vec6 screw = screw_of(motion);
+    return motion.kind == ElementaryKind::slide ? screw : in_sizes(screw);
+  }
+
+  // How a body moves in another, if it does so on one line.
+  std::optional<LineMotion> line_motion(int carrier, int body) const {
+    std::vector<int> back = path_to(network_.frame_of_body[at(carrier)]);
+    std::vector<int> forth = path_to(network_.frame_of_body[at(body)]);
+    std::size_t shared = 0;
+    while (shared < back.size() && shared < forth.size() && back[shared] == forth[shared]) {
+      ++shared;
+    }
+    LineMotion result;
+    for (std::size_t i = shared; i < back.size(); ++i) {
+      if (!add_to_line(back[i], -1.0, result)) {
+        return std::nullopt;
+      }
+    }
+    for (std::size_t i = shared; i < forth.size(); ++i) {
+      if (!add_to_line(forth[i], 1.0, result)) {
+        return std::nullopt;
+      }
+    }
+    return result.rates.empty() ? std::nullopt : std::optional(result);
+  }
+
+  bool add_to_line(int j, double sign, LineMotion& line) const {
+    const MotionJoint& joint = network_.joints[at(j)];
+    if (joint.coordinate < 0) {
+      return true;
+    }
+    if (joint.motion.kind == ElementaryKind::ball) {
+      return false;
+    }
+    const Vec6 screw = unit_screw(joint.motion);
+    if (line.rates.empty()) {
+      line.screw = screw;
+    }
+    const double along = line.screw.dot(screw) > 0.0 ? 1.0 : -1.0;
+    if ((screw - along * line.screw).norm() > kParallelAxes) {
+      return false;
+    }
+    line.rates.push_back(joint.rate);
+    line.signs.push_back(sign * along * joint.sense);
+    return true;
+  }
+
+  void add_rolling(int e) {
+    std::vector<int> carriers;
+    for (const Mesh& mesh : meshes()) {
+      if (mesh.coupling.value == e && mesh.carrier) {
+        carriers.push_back(mesh.carrier->value);
+      }
+    }
+    for (int body = 0; body < topology_.body_count(); ++body) {
+      carriers.push_back(body);
+    }
+    for (const int carrier : carriers) {
+      if (carrier != coupling(e).tail.value && carrier != coupling(e).head.value &&
+          roll_in(e, carrier)) {
+        return;
+      }
+    }
+    refuse(e, MotionObstacle::no_carrier);
+  }
+
+  const std::vector<Mesh>& meshes() {
+    if (!meshes_) {
+      meshes_ = find_meshes(topology_, mechanism_.geometry);
+    }
+    return *meshes_;
+  }
+
+  // In the carrier the teeth allow h · $_head - t · $_tail, h and t in one ratio.
+  bool roll_in(int e, int carrier) {
+    const auto tail = line_motion(carrier, coupling(e).tail.value);
+    const auto head = line_motion(carrier, coupling(e).head.value);
+    const auto f = at(coupling(e).first_freedom);
+    if (!tail || !head || coupling(e).freedom_count == 0) {
+      return false;
+    }
+    double by_head = 0.0;
+    double by_tail = 0.0;
+    if (coupling(e).freedom_count == 1) {
+      const Vec6 rolls = in_sizes(mechanism_.geometry.motions[f].coordinates());
+      Eigen::Matrix<double, 6, 2> both;
+      both << head->screw, -tail->screw;
+      const Eigen::Matrix2d normal = both.transpose() * both;
+      if (std::abs(normal.determinant()) <= kParallelAxes * kParallelAxes) {
+        return false;
+      }
+      const Eigen::Vector2d share = normal.inverse() * (both.transpose() * rolls);
+      if ((both * share - rolls).norm() > kSlackInCarrier * rolls.norm()) {
+        return false;
+      }
+      by_head = share[0];
+      by_tail = share[1];
+    } else if (coupling(e).action_count > 0) {
+      Vec6 acts = mechanism_.geometry.actions[at(coupling(e).first_action)].coordinates();
+      acts.head<3>() /= network_.length;
+      by_head = acts.dot(tail->screw);
+      by_tail = acts.dot(head->screw);
+    }
+    if (by_head == 0.0 && by_tail == 0.0) {
+      return false;
+    }
+    add_rolling_row(e, carrier, {*tail, by_tail}, {*head, by_head});
+    return true;
+  }
+
+  // Turns of the head and of the tail are in the ratio h : t, so that t · head - h · tail = 0.
+  void add_rolling_row(int e,
+                       int carrier,
+                       const std::pair<LineMotion, double>& tail,
+                       const std::pair<LineMotion, double>& head) {
+    RollingRow row;
+    row.coupling = CouplingId{e};
+    row.carrier = BodyId{carrier};
+    const double size = std::max(std::abs(tail.second), std::abs(head.second));
+    const bool by_head = std::abs(head.second) == size;
+    for (std::size_t i = 0; i < head.first.rates.size(); ++i) {
+      row.rates.push_back(head.first.rates[i]);
+      row.factors.push_back(tail.second / size * head.first.signs[i]);
+      row.freedom_factors.push_back(by_head ? head.first.signs[i] / head.second : 0.0);
+    }
+    for (std::size_t i = 0; i < tail.first.rates.size(); ++i) {
+      row.rates.push_back(tail.first.rates[i]);
+      row.factors.push_back(-head.second / size * tail.first.signs[i]);
+      row.freedom_factors.push_back(by_head ? 0.0 : tail.first.signs[i] / tail.second);
+    }
+    network_.rollings.push_back(std::move(row));
+  }
+
+  void find_drives() {
+    for (const int f : network_.driven_freedoms) {
+      const auto joint = std::ranges::find_if(network_.joints, [&](const MotionJoint& one) {
+        return one.freedom == f && one.coordinate >= 0 && one.motion.kind != ElementaryKind::ball;
+      });
+      if (joint != network_.joints.end()) {
+        network_.driven_rates.push_back(joint->rate);
+        continue;
+      }
+      const int e = topology_.freedoms[at(f)].coupling.value;
+      const bool has_position =
+          std::ranges::any_of(network_.measures, [&](const auto& one) { return one.freedom == f; });
+      refuse(e,
+             has_position ? MotionObstacle::drives_in_circuit : MotionObstacle::undriven_position);
+    }
+  }
+
+  void find_passive() {
+    const auto passive =
+        find_passive_freedoms(mechanism_, spatial_basis(ScrewKind::twist, network_.length));
+    for (const PassiveFreedom& one : passive) {
+      VecX rates = VecX::Zero(network_.rate_count);
+      for (const MotionJoint& joint : network_.joints) {
+        const bool is_ball = joint.motion.kind == ElementaryKind::ball;
+        for (int i = 0; joint.coordinate >= 0 && joint.freedom >= 0 && i < (is_ball ? 3 : 1); ++i) {
+          const double unit = joint.motion.kind == ElementaryKind::slide ? network_.length : 1.0;
+          rates[joint.rate + i] = one.rates[joint.freedom + i] / unit;
+        }
+      }
+      Eigen::Index most = 0;
+      one.rates.cwiseAbs().maxCoeff(&most);
+      network_.passive_motions.push_back(rates);
+      network_.passive_freedoms.push_back(static_cast<int>(most));
+    }
+  }
+
+  const Mechanism& mechanism_;
+  const Topology& topology_;
+  MotionNetwork network_;
+  std::vector<FiniteLaw> laws_;
+  std::vector<bool> in_tree_;
+  std::set<int> floating_;
+  std::optional<std::vector<Mesh>> meshes_;
+};
+
+}  // namespace
+
+std::string_view reason_of(MotionObstacle why) {
+  switch (why) {
+    case MotionObstacle::unknown_profile:
+      return "the profiles that touch there are not known";
+    case MotionObstacle::no_carrier:
+      return "no body holds the axes of its teeth apart";
+    case MotionObstacle::several_screws:
+      return "the order of its freedoms is not known";
+    case MotionObstacle::spatial_rope:
+      return "it leaves a pulley in space, or at points that are given";
+    case MotionObstacle::undriven_position:
+      return "the driven freedom has no position";
+    case MotionObstacle::drives_in_circuit:
+      return "the driven couplings form a circuit of their own";
+  }
+  return "";
+}
+
+MotionNetwork make_motion_network(const Mechanism& mechanism,
+                                  std::span<const DrawnCoupling> drawn,
+                                  std::span<const int> driven_freedoms) {
+  KINESTAT_EXPECTS(static_cast<int>(drawn.size()) == mechanism.topology.coupling_count());
+  return NetworkMaker(mechanism, drawn, driven_freedoms).make();
+}
+
+}  // namespace kinestat

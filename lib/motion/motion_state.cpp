@@ -1,0 +1,252 @@
+#include "motion/motion_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contract.hpp"
+#include "motion/internal/closure_system.hpp"
+#include "motion/internal/pivoted_qr.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+struct MovingTwist {
+  Twist twist;
+  Twist rate;
+};
+
+// From a frame that moves: ω from dR/dt Rᵀ, and the velocity of its point at the origin.
+MovingTwist twist_of(const PlanarFrames::Frame<Jet>& f, double length) {
+  const double turn = f.c.value * f.s.first - f.s.value * f.c.first;
+  const double turn_rate = f.c.value * f.s.second - f.s.value * f.c.second;
+  const Vec3 angular(0.0, 0.0, turn);
+  const Vec3 angular_rate(0.0, 0.0, turn_rate);
+  const Vec3 shift(f.shift[0].value, f.shift[1].value, 0.0);
+  const Vec3 speed(f.shift[0].first, f.shift[1].first, 0.0);
+  const Vec3 bend(f.shift[0].second, f.shift[1].second, 0.0);
+  return {.twist = {.angular = angular, .linear = length * (speed - angular.cross(shift))},
+          .rate = {.angular = angular_rate,
+                   .linear = length * (bend - angular_rate.cross(shift) - angular.cross(speed))}};
+}
+
+Vec3 vector_of(const Mat3& skew) {
+  return 0.5 * Vec3(skew(2, 1) - skew(1, 2), skew(0, 2) - skew(2, 0), skew(1, 0) - skew(0, 1));
+}
+
+MovingTwist twist_of(const SpatialFrames::Frame<Jet>& f, double length) {
+  Mat3 R;
+  Mat3 first;
+  Mat3 second;
+  Vec3 shift;
+  Vec3 speed;
+  Vec3 bend;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      R(i, j) = f.rotation(i, j).value;
+      first(i, j) = f.rotation(i, j).first;
+      second(i, j) = f.rotation(i, j).second;
+    }
+    shift[i] = f.shift[i].value;
+    speed[i] = f.shift[i].first;
+    bend[i] = f.shift[i].second;
+  }
+  const Vec3 angular = vector_of(first * R.transpose());
+  // d/dt (dR/dt Rᵀ) = d²R/dt² Rᵀ + dR/dt dRᵀ/dt, whose last term is symmetric.
+  const Vec3 angular_rate = vector_of(second * R.transpose());
+  return {.twist = {.angular = angular, .linear = length * (speed - angular.cross(shift))},
+          .rate = {.angular = angular_rate,
+                   .linear = length * (bend - angular_rate.cross(shift) - angular.cross(speed))}};
+}
+
+template <class Frames>
+class StateSolver {
+ public:
+  StateSolver(const MotionNetwork& network,
+              const Mechanism& mechanism,
+              const Configuration& configuration)
+      : network_(network), mechanism_(mechanism), configuration_(configuration), system_(network) {
+    system_.evaluate(configuration.coordinates, configuration.angles);
+    for (int rate = 0; rate < network.rate_count; ++rate) {
+      if (std::ranges::find(network.driven_rates, rate) == network.driven_rates.end()) {
+        unknown_.push_back(rate);
+      }
+    }
+    factor();
+  }
+
+  MotionState solve(std::span<const DriveSpeed> speeds, StateDetail detail) {
+    MotionState state;
+    state.origin = network_.origin;
+    for (const int frame : network_.frame_of_body) {
+      Pose pose = Frames::pose(system_.frame(frame));
+      pose.shift = network_.length * pose.shift + network_.origin - pose.rotation * network_.origin;
+      state.poses.push_back(pose);
+    }
+    const int open = static_cast<int>(unknown_.size()) - qr_.rank();
+    state.is_singular = open > static_cast<int>(network_.passive_motions.size());
+    if (state.is_singular) {
+      return state;
+    }
+    std::vector<double> rates(at(network_.rate_count), 0.0);
+    std::vector<double> bends = rates;
+    for (std::size_t d = 0; d < speeds.size(); ++d) {
+      const double unit = unit_of_rate(network_.driven_rates[d]);
+      rates[at(network_.driven_rates[d])] = speeds[d].speed / unit;
+      bends[at(network_.driven_rates[d])] = speeds[d].acceleration / unit;
+    }
+    complete(rates, std::vector<double>(at(system_.row_count()), 0.0));
+    if (detail == StateDetail::acceleration) {
+      // What is left of the second derivative while the unknown rates do not change.
+      const auto frames = system_.moving_frames(configuration_.coordinates, rates, bends);
+      const std::vector<double> left = system_.residual_bends(frames, bends, configuration_.angles);
+      solve_unknown(left, bends);
+    }
+    fill(rates, bends, detail, state);
+    return state;
+  }
+
+ private:
+  void factor() {
+    const int rows = system_.row_count();
+    std::vector<double> matrix;
+    for (const int column : unknown_) {
+      const auto first = system_.jacobian().begin() + column * rows;
+      matrix.insert(matrix.end(), first, first + rows);
+    }
+    qr_.factor(matrix, rows, static_cast<int>(unknown_.size()));
+  }
+
+  double unit_of_rate(int rate) const {
+    for (const MotionJoint& joint : network_.joints) {
+      if (joint.rate == rate && joint.motion.kind == ElementaryKind::slide) {
+        return network_.length;
+      }
+    }
+    return 1.0;
+  }
+
+  // The unknown rates that answer the known ones.
+  void complete(std::vector<double>& rates, std::vector<double> left) {
+    const int rows = system_.row_count();
+    for (const int driven : network_.driven_rates) {
+      for (int r = 0; r < rows; ++r) {
+        left[at(r)] += system_.jacobian()[at(driven * rows + r)] * rates[at(driven)];
+      }
+    }
+    solve_unknown(left, rates);
+  }
+
+  void solve_unknown(std::vector<double> left, std::vector<double>& rates) {
+    for (double& one : left) {
+      one = -one;
+    }
+    left.resize(std::max(left.size(), unknown_.size()));
+    std::vector<double> x(unknown_.size());
+    qr_.solve(left, x);
+    for (std::size_t i = 0; i < unknown_.size(); ++i) {
+      rates[at(unknown_[i])] = x[i];
+    }
+  }
+
+  void fill(const std::vector<double>& rates,
+            const std::vector<double>& bends,
+            StateDetail detail,
+            MotionState& state) const {
+    const auto frames = system_.moving_frames(configuration_.coordinates, rates, bends);
+    for (const int frame : network_.frame_of_body) {
+      const MovingTwist moving = twist_of(frames[at(frame)], network_.length);
+      state.twists.push_back(moving.twist);
+      state.twist_rates.push_back(moving.rate);
+    }
+    state.rates.resize(mechanism_.topology.freedoms.size());
+    state.rate_rates.resize(mechanism_.topology.freedoms.size());
+    fill_joints(rates, bends, state);
+    for (const MeasuredFreedom& one : network_.measures) {
+      const Jet position = system_.template position<Jet>(system_.in_sizes(one), frames);
+      const double unit = one.measure.is_turn ? 1.0 : network_.length;
+      state.rates[at(one.freedom)] = unit * position.first;
+      state.rate_rates[at(one.freedom)] = unit * position.second;
+    }
+    for (const BallFreedoms& ball : network_.balls) {
+      const MovingTwist tail = twist_of(frames[at(ball.tail_frame)], network_.length);
+      const MovingTwist head = twist_of(frames[at(ball.head_frame)], network_.length);
+      for (int i = 0; i < 3; ++i) {
+        state.rates[at(ball.first_freedom + i)] = head.twist.angular[i] - tail.twist.angular[i];
+        state.rate_rates[at(ball.first_freedom + i)] = head.rate.angular[i] - tail.rate.angular[i];
+      }
+    }
+    if (detail == StateDetail::velocity) {
+      state.twist_rates.clear();
+      state.rate_rates.clear();
+    }
+  }
+
+  void fill_joints(const std::vector<double>& rates,
+                   const std::vector<double>& bends,
+                   MotionState& state) const {
+    for (const MotionJoint& joint : network_.joints) {
+      if (joint.freedom >= 0 && joint.coordinate >= 0) {
+        const double unit = joint.motion.kind == ElementaryKind::slide ? network_.length : 1.0;
+        state.rates[at(joint.freedom)] = unit * rates[at(joint.rate)];
+        state.rate_rates[at(joint.freedom)] = unit * bends[at(joint.rate)];
+      }
+    }
+    for (const RollingRow& rolling : network_.rollings) {
+      const CouplingTopology& coupling = mechanism_.topology.coupling(rolling.coupling);
+      if (coupling.freedom_count != 1) {
+        continue;
+      }
+      double rate = 0.0;
+      double bend = 0.0;
+      for (std::size_t i = 0; i < rolling.rates.size(); ++i) {
+        rate += rolling.freedom_factors[i] * rates[at(rolling.rates[i])];
+        bend += rolling.freedom_factors[i] * bends[at(rolling.rates[i])];
+      }
+      state.rates[at(coupling.first_freedom)] = rate;
+      state.rate_rates[at(coupling.first_freedom)] = bend;
+    }
+  }
+
+  const MotionNetwork& network_;
+  const Mechanism& mechanism_;
+  const Configuration& configuration_;
+  ClosureSystem<Frames> system_;
+  PivotedQr qr_;
+  std::vector<int> unknown_;
+};
+
+}  // namespace
+
+MotionState solve_state(const MotionNetwork& network,
+                        const Mechanism& mechanism,
+                        const Configuration& configuration,
+                        std::span<const DriveSpeed> speeds,
+                        StateDetail detail) {
+  KINESTAT_EXPECTS(speeds.size() == network.driven_rates.size());
+  return network.space == Space::planar
+             ? StateSolver<PlanarFrames>(network, mechanism, configuration).solve(speeds, detail)
+             : StateSolver<SpatialFrames>(network, mechanism, configuration).solve(speeds, detail);
+}
+
+PointMotion point_motion(const MotionState& state, BodyId body, const Vec3& drawn) {
+  const std::size_t b = at(body.value);
+  PointMotion motion;
+  motion.position = state.poses[b].point(drawn);
+  if (state.twists.empty()) {
+    return motion;
+  }
+  const Vec3 arm = motion.position - state.origin;
+  motion.velocity = velocity_at(state.twists[b], arm);
+  if (!state.twist_rates.empty()) {
+    motion.acceleration =
+        velocity_at(state.twist_rates[b], arm) + state.twists[b].angular.cross(motion.velocity);
+  }
+  return motion;
+}
+
+}  // namespace kinestat
