@@ -89,9 +89,15 @@ class MotionSolver {
     solution_.passive_freedoms = network_.passive_freedoms;
     tracker_.set_range(from_, to_);
     tracker_.find_rates(now);
+    const bool can_move = tracker_.missed_rate(now) <= kSilentCorrection;
     const int surplus = tracker_.open_count() - static_cast<int>(network_.passive_motions.size());
     if (surplus <= 0) {
-      return true;
+      solution_.status = can_move ? MotionStatus::completed : MotionStatus::locked;
+      return can_move;
+    }
+    if (!can_move) {
+      note_dead_start(now);
+      return false;
     }
     // A rank that only drops where it was drawn is a singular position.
     PathPoint near = now;
@@ -110,6 +116,15 @@ class MotionSolver {
       solution_.status = MotionStatus::singular;
     }
     return false;
+  }
+
+  // The drawn position is a limit itself.
+  void note_dead_start(const PathPoint& now) {
+    solution_.status = MotionStatus::limit;
+    solution_.special.push_back({.kind = SpecialKind::limit,
+                                 .step = -1,
+                                 .drive_values = std::vector<double>(task_.drives.size(), 0.0),
+                                 .configuration = configuration_of(now)});
   }
 
   // The freedoms that move most in what is open and not passive.

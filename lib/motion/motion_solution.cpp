@@ -10,6 +10,8 @@ std::string_view word_of(MotionStatus status) {
       return "completed";
     case MotionStatus::limit:
       return "limit";
+    case MotionStatus::locked:
+      return "locked";
     case MotionStatus::singular:
       return "singular";
     case MotionStatus::not_assembled:

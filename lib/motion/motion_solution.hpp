@@ -26,6 +26,7 @@ struct MotionTask {
 enum class MotionStatus {
   completed,
   limit,          ///< a drive can go no further: MotionSolution::special ends with the limit
+  locked,         ///< the drives cannot move at all: nothing is free that they could turn
   singular,       ///< the tangent of the motion is not unique, and nothing tells how to go on
   not_assembled,  ///< the drawn position does not close with the drives where they are drawn
   undetermined,   ///< the drives leave a freedom open that other bodies feel

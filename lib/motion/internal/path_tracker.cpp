@@ -83,6 +83,7 @@ PathTracker<Frames>::PathTracker(const MotionNetwork& network)
       unknown_.push_back(rate);
     }
   }
+  is_square_ = system_.row_count() == static_cast<int>(unknown_.size());
   from_.assign(driven_.size(), 0.0);
   reach_.assign(driven_.size(), 0.0);
   const std::size_t rates = at(network.rate_count);
@@ -141,12 +142,13 @@ bool PathTracker<Frames>::close(PathPoint& point, double& moved) {
   const int rows = system_.row_count();
   moved = 0.0;
   double last = kFarCorrection;
+  bool is_last = false;
   for (int round = 0; round < kMostRounds; ++round) {
     system_.evaluate(point.coordinates, point.angles);
     point.misclosure = system_.largest_residual();
     gather(unknown_, matrix_);
     qr_.factor(matrix_, rows, columns);
-    if (point.misclosure <= kMotionClosure) {
+    if (point.misclosure <= kMotionClosure || is_last) {
       break;
     }
     if (!std::isfinite(point.misclosure)) {
@@ -156,12 +158,10 @@ bool PathTracker<Frames>::close(PathPoint& point, double& moved) {
         system_.residuals(), right_.begin(), [](double residual) { return -residual; });
     qr_.solve(right_, solved_);
     const double size = largest(std::span(solved_).first(unknown_.size()));
-    if (size <= kLeastCorrection) {
-      break;
-    }
     if (size > last) {
       return false;
     }
+    is_last = size <= kLeastCorrection;
     last = size;
     std::ranges::fill(correction_, 0.0);
     for (std::size_t i = 0; i < unknown_.size(); ++i) {
@@ -198,6 +198,24 @@ void PathTracker<Frames>::find_rates(PathPoint& point) {
     point.rates[at(unknown_[i])] = solved_[i];
   }
   point.is_singular = open_count() > passive_count_;
+  if (!is_square_) {
+    point.matrix = matrix_;
+  }
+}
+
+// How far the drives cannot be followed at all: what the rates miss of the closure.
+template <class Frames>
+double PathTracker<Frames>::missed_rate(const PathPoint& point) const {
+  const int rows = system_.row_count();
+  double worst = 0.0;
+  for (int r = 0; r < rows; ++r) {
+    double sum = 0.0;
+    for (int c = 0; c < system_.rate_count(); ++c) {
+      sum += system_.jacobian()[at(c * rows + r)] * point.rates[at(c)];
+    }
+    worst = std::max(worst, std::abs(sum));
+  }
+  return worst / scale_;
 }
 
 // Cubic through the last two points and their rates.
@@ -220,9 +238,7 @@ void PathTracker<Frames>::predict(const PathPoint& now, const PathPoint& before,
 }
 
 template <class Frames>
-bool PathTracker<Frames>::keeps_branch(const PathPoint& now,
-                                       const PathPoint& next,
-                                       double moved) const {
+bool PathTracker<Frames>::keeps_branch(const PathPoint& now, const PathPoint& next, double moved) {
   if (next.is_singular || next.flatness < kFlatClosure || next.sign != now.sign ||
       moved > kMostCorrection * largest(next.arrival)) {
     return false;
@@ -230,6 +246,10 @@ bool PathTracker<Frames>::keeps_branch(const PathPoint& now,
   double change = 0.0;
   for (std::size_t i = 0; i < now.rates.size(); ++i) {
     change = std::max(change, std::abs(next.rates[i] - now.rates[i]));
+  }
+  if (!is_square_ &&
+      orientation(now.matrix, next.matrix, static_cast<int>(unknown_.size())) < 0.0) {
+    return false;
   }
   return change <= kMostTangentChange * std::max(largest(now.rates), largest(next.rates));
 }
@@ -393,10 +413,11 @@ bool PathTracker<Frames>::correct_arc(const ArcPoint& from, double length, ArcPo
     if (largest(corrected) > kMostArcCorrection * std::abs(length)) {
       return false;
     }
+    apply(by);
     if (largest(by) <= kLeastCorrection) {
+      system_.evaluate(to.coordinates, to.angles);
       break;
     }
-    apply(by);
   }
   if (!is_closed) {
     return false;
@@ -508,6 +529,7 @@ void PathTracker<Frames>::land(const ArcPoint& arc, PathPoint& now) {
   now.sign = qr_.sign();
   now.flatness = qr_.flatness();
   now.is_singular = open_count() > passive_count_;
+  now.matrix = matrix_;
   const double by_share = scale_ / arc.tangent.back();
   for (std::size_t i = 0; i < unknown_.size(); ++i) {
     now.rates[at(unknown_[i])] = by_share * arc.tangent[i];
@@ -537,6 +559,13 @@ bool PathTracker<Frames>::arrive(const ArcPoint& from,
   land(there, now);
   now.share = share;
   set_drives(share, now.coordinates);
+  if (now.is_singular) {
+    special_.push_back({.kind = SpecialKind::change_point,
+                        .share = share,
+                        .uncertainty = kEpsilon,
+                        .drive_values = {},
+                        .configuration = {.coordinates = now.coordinates, .angles = now.angles}});
+  }
   if (now.flatness > kFlatClosure && !now.is_singular) {
     double moved = 0.0;
     if (!close(now, moved) || moved > kArrivedShare * scale_) {

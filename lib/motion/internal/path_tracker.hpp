@@ -18,6 +18,7 @@ struct PathPoint {
   std::vector<double> coordinates;
   std::vector<double> angles;
   std::vector<double> rates;    ///< of all joints, by the share
+  std::vector<double> matrix;   ///< of the closure towards the unknowns, where it is not square
   std::vector<double> arrival;  ///< the step of all joints that led here
   double arrival_share = 0.0;   ///< by how much the share grew with it; 0: none
   double sign = 0.0;            ///< of the determinant of the closure, where it is square
@@ -53,6 +54,10 @@ class PathTracker {
   /// Rates of a point that was closed last.
   void find_rates(PathPoint& point);
 
+  /// What the rates of the point that was closed last leave of the closure, by the fastest drive:
+  /// above rounding, the drives cannot move.
+  double missed_rate(const PathPoint& point) const;
+
   /// From `now`, which `before` led to, to the share; `now` becomes the point there or, at a limit,
   /// the limit. `before` may be without rates.
   Arrival advance(PathPoint& now, PathPoint& before, double share);
@@ -86,7 +91,7 @@ class PathTracker {
   void gather(std::span<const int> columns, std::vector<double>& matrix) const;
   bool try_step(const PathPoint& now, const PathPoint& before, double share, PathPoint& next);
   void predict(const PathPoint& now, const PathPoint& before, double step);
-  bool keeps_branch(const PathPoint& now, const PathPoint& next, double moved) const;
+  bool keeps_branch(const PathPoint& now, const PathPoint& next, double moved);
   Arrival walk_arc(PathPoint& now, double share);
   bool try_arc(const ArcPoint& from, double length, ArcPoint& to);
   bool correct_arc(const ArcPoint& from, double length, ArcPoint& to);
@@ -110,6 +115,7 @@ class PathTracker {
   std::vector<double> reach_;  ///< to - from
   double scale_ = 1.0;         ///< the largest of them
   bool follows_turns_ = false;
+  bool is_square_ = false;  ///< as many conditions as unknowns
   std::vector<SpecialPosition> special_;
   std::vector<double> matrix_;
   std::vector<double> augmented_;
