@@ -1,6 +1,8 @@
 // Mechanisms from the text of a file, set in motion.
 #pragma once
 
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -65,12 +67,46 @@ inline Moving moving(const std::string& text, const std::vector<std::string>& dr
   return result;
 }
 
+/// A file of the library, driven by these freedoms.
+inline Moving moving_file(const std::string& path, const std::vector<std::string>& drives) {
+  std::ifstream file(KINESTAT_MECHANISMS "/" + path);
+  std::stringstream text;
+  text << file.rdbuf();
+  const std::string head = "kinestat: 1\n";
+  const std::string all = text.str();
+  const std::size_t first = all.find(head);
+  EXPECT_NE(first, std::string::npos) << path;
+  return moving(first == std::string::npos ? all : all.substr(first + head.size()), drives);
+}
+
 /// One drive of the network from `from` to `to`.
 inline MotionSolution move(const Moving& subject, double from, double to, int steps) {
   return solve_motion(
       subject.network,
       {.drives = {{.freedom = subject.network.driven_freedoms.at(0), .from = from, .to = to}},
        .steps = steps});
+}
+
+/// Where `point`, as drawn on the body, is at a position of the motion.
+inline Vec3 point_at(const Moving& subject,
+                     const MotionSolution& solution,
+                     int position,
+                     BodyId body,
+                     const Vec3& point) {
+  const auto poses = body_poses(subject.network, solution.configuration_at(position));
+  return poses.at(static_cast<std::size_t>(body.value)).point(point);
+}
+
+inline MotionState state_at(const Moving& subject,
+                            const Configuration& configuration,
+                            double speed,
+                            double acceleration = 0.0) {
+  const DriveSpeed drive{.speed = speed, .acceleration = acceleration};
+  return solve_state(subject.network,
+                     subject.mechanism,
+                     configuration,
+                     std::vector<DriveSpeed>(subject.network.driven_freedoms.size(), drive),
+                     StateDetail::acceleration);
 }
 
 inline double worst_misclosure(const MotionSolution& solution) {

@@ -1,0 +1,150 @@
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "unit/motion/moving.hpp"
+
+namespace kinestat {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// Crank 1 and ground 3; the rocker pin is drawn to the left of the diagonal.
+std::string four_bar(double coupler, double rocker, double angle) {
+  const Vec3 b(std::cos(angle), std::sin(angle), 0.0);
+  const Vec3 diagonal = Vec3(3.0, 0.0, 0.0) - b;
+  const double length = diagonal.norm();
+  const double along = (length * length + coupler * coupler - rocker * rocker) / (2.0 * length);
+  const double height = std::sqrt(coupler * coupler - along * along);
+  const Vec3 u = diagonal / length;
+  const Vec3 c = b + along * u + height * Vec3(-u.y(), u.x(), 0.0);
+  return fmt::format(
+      "space: planar\nground: frame\nbodies: [crank, coupler, rocker]\ncouplings:\n"
+      "  a: {{type: revolute, bodies: [frame, crank], at: [0, 0]}}\n"
+      "  b: {{type: revolute, bodies: [crank, coupler], at: [{}, {}]}}\n"
+      "  c: {{type: revolute, bodies: [coupler, rocker], at: [{}, {}]}}\n"
+      "  d: {{type: revolute, bodies: [frame, rocker], at: [3, 0]}}\n",
+      b.x(), b.y(), c.x(), c.y());
+}
+
+// Which side of the diagonal the rocker pin is on.
+double side(const Moving& subject, const MotionSolution& solution, int k) {
+  const auto poses = body_poses(subject.network, solution.configuration_at(k));
+  const auto& points = subject.mechanism.geometry.points;
+  const Vec3 b = poses[1].point(points[1]);
+  const Vec3 c = poses[2].point(points[2]);
+  const Vec3 d = points[3];
+  return (d - b).cross(c - b).z();
+}
+
+class Parallelogram : public testing::TestWithParam<int> {};
+
+// All links come in line at 0 and 180 deg; the rocker goes on turning with the crank, whether or
+// not a step ends exactly there.
+TEST_P(Parallelogram, PassesItsChangePoints) {
+  const double start = kPi / 3.0;
+  const Moving subject = moving(four_bar(3.0, 1.0, start), {"a.wz"});
+
+  const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, GetParam());
+
+  ASSERT_EQ(solution.status, MotionStatus::completed);
+  for (int k = 0; k < solution.position_count(); ++k) {
+    EXPECT_NEAR(subject.position(solution.configuration_at(k), "d.wz"),
+                solution.drive_value(0, k),
+                1e-9);
+  }
+  std::vector<double> places;
+  for (const SpecialPosition& one : solution.special) {
+    EXPECT_EQ(one.kind, SpecialKind::change_point);
+    places.push_back(one.drive_values.at(0));
+  }
+  ASSERT_EQ(places.size(), 2U);
+  EXPECT_NEAR(places[0], kPi - start, 1e-8);
+  EXPECT_NEAR(places[1], 2.0 * kPi - start, 1e-8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Steps, Parallelogram, testing::Values(12, 100, 360));
+
+// The other branch of the same links: the rocker turns against the crank.
+TEST(Branch, OfTheAntiparallelogramIsKeptToo) {
+  const double start = kPi / 3.0;
+  // The crossed pin is that of the parallelogram reflected in the diagonal.
+  const Vec3 b(std::cos(start), std::sin(start), 0.0);
+  const Vec3 u = (Vec3(3.0, 0.0, 0.0) - b).normalized();
+  const Vec3 open = b + Vec3(3.0, 0.0, 0.0);
+  const Vec3 crossed = b + 2.0 * u.dot(open - b) * u - (open - b);
+  const Moving subject = moving(
+      fmt::format("space: planar\nground: frame\nbodies: [crank, coupler, rocker]\ncouplings:\n"
+                  "  a: {{type: revolute, bodies: [frame, crank], at: [0, 0]}}\n"
+                  "  b: {{type: revolute, bodies: [crank, coupler], at: [{}, {}]}}\n"
+                  "  c: {{type: revolute, bodies: [coupler, rocker], at: [{}, {}]}}\n"
+                  "  d: {{type: revolute, bodies: [frame, rocker], at: [3, 0]}}\n",
+                  b.x(), b.y(), crossed.x(), crossed.y()),
+      {"a.wz"});
+
+  const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 90);
+
+  ASSERT_EQ(solution.status, MotionStatus::completed);
+  EXPECT_LE(worst_misclosure(solution), 1e-12);
+  EXPECT_NEAR(subject.position(solution.configuration_at(90), "d.wz"), -2.0 * kPi, 1e-9);
+}
+
+class Neck : public testing::TestWithParam<double> {};
+
+// Longer or shorter than the parallelogram by little, the two branches come near each other without
+// meeting: the pin stays on its side of the diagonal (fault 76).
+TEST_P(Neck, IsNotJumped) {
+  const Moving subject = moving(four_bar(3.0 + GetParam(), 1.0 + 2.0 * GetParam(), 1.0), {"a.wz"});
+
+  const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 60);
+
+  ASSERT_EQ(solution.status, MotionStatus::completed);
+  EXPECT_LE(worst_misclosure(solution), 1e-12);
+  for (int k = 0; k < solution.position_count(); ++k) {
+    EXPECT_GT(side(subject, solution, k), 0.0) << k;
+  }
+  for (const SpecialPosition& one : solution.special) {
+    EXPECT_NE(one.kind, SpecialKind::change_point);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Widths, Neck, testing::Values(1e-2, 1e-3, 1e-4, 1e-6));
+
+// Forward and backward ends where it began, whichever way the drive goes first.
+TEST(Branch, LeadsBack) {
+  const Moving subject = moving(four_bar(3.2, 1.9, 0.4), {"a.wz"});
+
+  const MotionSolution forth = move(subject, 0.0, 2.5, 50);
+  const MotionSolution back = move(subject, 2.5, 0.0, 50);
+
+  ASSERT_EQ(forth.status, MotionStatus::completed);
+  ASSERT_EQ(back.status, MotionStatus::completed);
+  for (int k = 0; k <= 50; ++k) {
+    const auto a = forth.configuration_at(k).coordinates;
+    const auto b = back.configuration_at(50 - k).coordinates;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      EXPECT_NEAR(a[i], b[i], 1e-12);
+    }
+  }
+}
+
+// Drawn at another position of the same motion, the linkage takes the same path.
+TEST(Branch, DoesNotDependOnWhereItIsDrawn) {
+  const Moving here = moving(four_bar(3.2, 1.9, 0.4), {"a.wz"});
+  const Moving there = moving(four_bar(3.2, 1.9, 1.4), {"a.wz"});
+
+  const MotionSolution first = move(here, 1.0, 3.0, 40);
+  const MotionSolution second = move(there, 0.0, 2.0, 40);
+
+  for (int k = 0; k <= 40; ++k) {
+    const Vec3 a = point_at(here, first, k, here.body("rocker"), here.mechanism.geometry.points[2]);
+    const Vec3 b =
+        point_at(there, second, k, there.body("rocker"), there.mechanism.geometry.points[2]);
+    EXPECT_LE((a - b).norm(), 1e-12) << k;
+  }
+}
+
+}  // namespace
+}  // namespace kinestat
