@@ -70,6 +70,10 @@ inline constexpr double kStraightEnough = 1e-6;
 /// A trial that comes back to less than this share of its step has not moved.
 inline constexpr double kLeastWay = 0.1;
 
+/// How far apart the regular points are from which a change point between them follows: a cubic
+/// leaves some roundings.
+inline constexpr double kSurroundings = 0.001;
+
 inline constexpr int kMostRounds = 8;
 inline constexpr int kMostBisections = 100;
 inline constexpr int kMostArcs = 100'000;

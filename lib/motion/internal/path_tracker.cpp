@@ -23,6 +23,15 @@ double largest(std::span<const double> values) {
   return result;
 }
 
+// How much the value at place `i` of four counts in the cubic through all of them.
+double cubic_weight(std::span<const double> places, std::size_t i, double place) {
+  double weight = 1.0;
+  for (std::size_t j = 0; j < places.size(); ++j) {
+    weight *= j == i ? 1.0 : (place - places[j]) / (places[i] - places[j]);
+  }
+  return weight;
+}
+
 // The root between 0 and the end of a bracket, by the rule of Illinois; the best found where the
 // function has no value.
 template <class Function>
@@ -539,7 +548,8 @@ void PathTracker<Frames>::land(const ArcPoint& arc, PathPoint& now) {
   }
 }
 
-// Between the two ends of a step of the arc, the point at which the drives have this share.
+// Between the two ends of a step of the arc, the point at which the drives have this share. Where
+// the corrector fails, as at a change point, it follows from regular points on both sides.
 template <class Frames>
 bool PathTracker<Frames>::arrive(const ArcPoint& from,
                                  const ArcBracket& bracket,
@@ -550,22 +560,34 @@ bool PathTracker<Frames>::arrive(const ArcPoint& from,
     return correct_arc(from, length, there) ? std::optional(there.share - share) : std::nullopt;
   };
   const double reached = find_root(bracket, miss);
-  if (!correct_arc(from, reached, there) || std::abs(there.share - share) > kArrivedShare) {
-    return false;
-  }
-  if (arc_orientation(from, there) < 0.0) {
-    note_change_point(from, reached);
+  const bool is_regular = correct_arc(from, reached, there) &&
+                          std::abs(there.share - share) <= kArrivedShare &&
+                          arc_orientation(from, there) > 0.0;
+  if (!is_regular) {
+    const std::optional<Surroundings> around = surround(from, reached);
+    if (!around) {
+      return false;
+    }
+    double low = around->places.front();
+    double high = around->places.back();
+    for (int round = 0; round < kMostBisections; ++round) {
+      const double middle = 0.5 * (low + high);
+      (around->share_at(middle) < share ? low : high) = middle;
+    }
+    there = between(*around, low);
+    if (std::abs(there.share - share) > kArrivedShare) {
+      return false;
+    }
   }
   land(there, now);
+  if (now.is_singular) {
+    note_special(SpecialKind::change_point, there, kEpsilon);
+  } else if (arc_orientation(from, there) < 0.0) {
+    note_change_point(from, reached);
+    land(there, now);
+  }
   now.share = share;
   set_drives(share, now.coordinates);
-  if (now.is_singular) {
-    special_.push_back({.kind = SpecialKind::change_point,
-                        .share = share,
-                        .uncertainty = kEpsilon,
-                        .drive_values = {},
-                        .configuration = {.coordinates = now.coordinates, .angles = now.angles}});
-  }
   if (now.flatness > kFlatClosure && !now.is_singular) {
     double moved = 0.0;
     if (!close(now, moved) || moved > kArrivedShare * scale_) {
@@ -595,43 +617,104 @@ void PathTracker<Frames>::find_limit(const ArcPoint& from,
   now.is_singular = true;
   // The drives turn back with the square of the arc.
   const double left = there.tangent.back();
-  special_.push_back({.kind = SpecialKind::limit,
-                      .share = now.share,
-                      .uncertainty = (left * left + now.misclosure + kEpsilon) / scale_,
-                      .drive_values = {},
-                      .configuration = {.coordinates = now.coordinates, .angles = now.angles}});
+  note_special(SpecialKind::limit, there, left * left + now.misclosure + kEpsilon);
 }
 
+// Between 0 and `length`, where the determinant changes its sign.
 template <class Frames>
 void PathTracker<Frames>::note_change_point(const ArcPoint& from, double length) {
   ArcPoint point = from;
-  ArcPoint last = from;
   double low = 0.0;
   double high = length;
-  double low_share = from.share;
-  double high_share = from.share;
-  bool has_high = false;
-  for (int round = 0; round < kMostBisections && high - low > kChangePointBracket; ++round) {
+  while (high - low > kSurroundings) {
     const double middle = 0.5 * (low + high);
     if (!correct_arc(from, middle, point)) {
+      low = high = middle;
       break;
     }
-    if (arc_orientation(from, point) > 0.0) {
-      low = middle;
-      low_share = point.share;
-    } else {
-      high = middle;
-      high_share = point.share;
-      has_high = true;
-    }
-    last = point;
+    (arc_orientation(from, point) > 0.0 ? low : high) = middle;
   }
-  const double end = has_high ? high_share : last.share;
-  special_.push_back({.kind = SpecialKind::change_point,
-                      .share = 0.5 * (low_share + end),
-                      .uncertainty = 0.5 * std::abs(end - low_share),
+  const std::optional<Surroundings> around = surround(from, 0.5 * (low + high));
+  if (!around) {
+    note_special(SpecialKind::change_point, from, high - low + kSurroundings);
+    return;
+  }
+  low = around->places.front();
+  high = around->places.back();
+  const double before = around->determinants.front();
+  for (int round = 0; round < kMostBisections; ++round) {
+    const double middle = 0.5 * (low + high);
+    (around->determinant_at(middle) * before > 0.0 ? low : high) = middle;
+  }
+  note_special(SpecialKind::change_point, between(*around, low), kChangePointBracket);
+}
+
+template <class Frames>
+void PathTracker<Frames>::note_special(SpecialKind kind,
+                                       const ArcPoint& point,
+                                       double uncertainty) {
+  special_.push_back({.kind = kind,
+                      .share = point.share,
+                      .uncertainty = uncertainty / scale_,
                       .drive_values = {},
-                      .configuration = {.coordinates = last.coordinates, .angles = last.angles}});
+                      .configuration = {.coordinates = point.coordinates, .angles = point.angles}});
+}
+
+template <class Frames>
+std::optional<typename PathTracker<Frames>::Surroundings> PathTracker<Frames>::surround(
+    const ArcPoint& from, double place) {
+  Surroundings around;
+  for (const double offset : {-1.5, -0.5, 0.5, 1.5}) {
+    ArcPoint point = from;
+    if (!correct_arc(from, place + offset * kSurroundings, point)) {
+      return std::nullopt;
+    }
+    around.places.push_back(place + offset * kSurroundings);
+    (void)arc_orientation(from, point);
+    around.determinants.push_back(qr_.relative_determinant());
+    around.points.push_back(std::move(point));
+  }
+  return around;
+}
+
+template <class Frames>
+double PathTracker<Frames>::Surroundings::share_at(double place) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    sum += cubic_weight(places, i, place) * points[i].share;
+  }
+  return sum;
+}
+
+template <class Frames>
+double PathTracker<Frames>::Surroundings::determinant_at(double place) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < determinants.size(); ++i) {
+    sum += cubic_weight(places, i, place) * determinants[i];
+  }
+  return sum;
+}
+
+template <class Frames>
+typename PathTracker<Frames>::ArcPoint PathTracker<Frames>::between(const Surroundings& around,
+                                                                    double place) const {
+  ArcPoint result = around.points.front();
+  result.share = around.share_at(place);
+  const auto mix = [&](std::vector<double> ArcPoint::*member) {
+    std::vector<double>& values = result.*member;
+    std::ranges::fill(values, 0.0);
+    for (std::size_t i = 0; i < around.points.size(); ++i) {
+      const double weight = cubic_weight(around.places, i, place);
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        values[k] += weight * (around.points[i].*member)[k];
+      }
+    }
+  };
+  mix(&ArcPoint::coordinates);
+  mix(&ArcPoint::angles);
+  mix(&ArcPoint::tangent);
+  mix(&ArcPoint::matrix);
+  return result;
 }
 
 template <class Frames>

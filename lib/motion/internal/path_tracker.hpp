@@ -87,6 +87,16 @@ class PathTracker {
     std::vector<double> matrix;  ///< rows x (unknowns + 1)
   };
 
+  /// Four regular points of an arc around a place that is none.
+  struct Surroundings {
+    std::vector<double> places;  ///< along the arc
+    std::vector<ArcPoint> points;
+    std::vector<double> determinants;  ///< relative to where the arc begins
+
+    double share_at(double place) const;
+    double determinant_at(double place) const;
+  };
+
   void set_drives(double share, std::span<double> coordinates) const;
   void gather(std::span<const int> columns, std::vector<double>& matrix) const;
   bool try_step(const PathPoint& now, const PathPoint& before, double share, PathPoint& next);
@@ -104,6 +114,9 @@ class PathTracker {
   bool arrive(const ArcPoint& from, const ArcBracket& bracket, double share, PathPoint& now);
   void find_limit(const ArcPoint& from, const ArcBracket& bracket, PathPoint& now);
   void note_change_point(const ArcPoint& from, double length);
+  std::optional<Surroundings> surround(const ArcPoint& from, double place);
+  ArcPoint between(const Surroundings& around, double place) const;
+  void note_special(SpecialKind kind, const ArcPoint& point, double uncertainty);
 
   ClosureSystem<Frames> system_;
   PivotedQr qr_;

@@ -31,7 +31,7 @@ void PivotedQr::factor(std::span<const double> A, int rows, int columns) {
   diagonal_.resize(at(columns));
   work_.resize(at(std::max(rows, columns)));
   const int steps = std::min(rows, columns);
-  double longest = 0.0;
+  longest_ = 0.0;
   flatness_ = steps == columns ? 1.0 : 0.0;
   for (int step = 0; step < steps; ++step) {
     // Lengths anew at each step: systems are small, and nothing is lost to cancellation.
@@ -48,12 +48,12 @@ void PivotedQr::factor(std::span<const double> A, int rows, int columns) {
       }
     }
     const double length = std::sqrt(lengths_[at(best)]);
-    longest = step == 0 ? length : longest;
-    if (!(length > kRankZero * longest)) {
+    longest_ = step == 0 ? length : longest_;
+    if (!(length > kRankZero * longest_)) {
       flatness_ = 0.0;
       return;
     }
-    flatness_ = length / longest;
+    flatness_ = length / longest_;
     if (best != step) {
       std::swap_ranges(
           qr_.begin() + step * rows, qr_.begin() + (step + 1) * rows, qr_.begin() + best * rows);
@@ -105,6 +105,14 @@ double PivotedQr::sign() const {
     is_negative = is_negative != (diagonal_[at(i)] < 0.0);
   }
   return is_negative ? -1.0 : 1.0;
+}
+
+double PivotedQr::relative_determinant() const {
+  double product = sign();
+  for (int i = 0; i < rank_ && product != 0.0; ++i) {
+    product *= std::abs(diagonal_[at(i)]) / longest_;
+  }
+  return product;
 }
 
 void PivotedQr::back_substitute(double* x) const {

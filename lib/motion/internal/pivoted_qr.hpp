@@ -25,6 +25,9 @@ class PivotedQr {
   /// The sign of the determinant; of a square system of full rank, otherwise 0.
   double sign() const;
 
+  /// The determinant, by the power of the longest column; of a square system, otherwise 0.
+  double relative_determinant() const;
+
   /// The shortest x among those with the least |A x - b|.
   void solve(std::span<const double> b, std::span<double> x);
 
@@ -47,6 +50,7 @@ class PivotedQr {
   int swaps_ = 0;
   int reflections_ = 0;
   double flatness_ = 0.0;
+  double longest_ = 0.0;
   bool has_null_ = false;
   std::vector<double> qr_;
   std::vector<double> scale_;     // of each reflection: 2 / |v|²
