@@ -84,6 +84,8 @@ struct CouplingDescription {
   std::vector<AxisDescription> axes;              ///< of a universal: fixed in tail, in head
   std::optional<AxisDescription> normal;          ///< of a planar coupling or a contact
   std::optional<AxisDescription> line;            ///< of a line contact
+  std::vector<std::optional<Value>> radii;        ///< of a contact: of the tail, of the head where
+                                                  ///< they touch; empty: flat
   std::optional<AxisDescription> slot;            ///< of a pin in a slot
   std::optional<Value> pitch;                     ///< of a helical: length per radian
   std::optional<Value> lead;                      ///< of a helical: length per turn

@@ -74,6 +74,24 @@ void read_quantity(const YamlNode& node, const Place& place, CouplingDescription
   coupling.*member = read_value(node, place.what, place.found);
 }
 
+// radii: [31, flat]
+void read_radii(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
+  if (node.kind != YamlKind::sequence || node.items.size() != 2) {
+    place.found.error("E0304",
+                      node.where,
+                      fmt::format("{} must be two, of the tail and of the head", place.of("radii")),
+                      "write for example radii: [31, 10], or radii: [31, flat]");
+    return;
+  }
+  for (const YamlNode& item : node.items) {
+    if (item.kind == YamlKind::scalar && item.text == "flat") {
+      coupling.radii.emplace_back(std::nullopt);
+    } else if (auto radius = read_value(item, place.of("radius"), place.found)) {
+      coupling.radii.emplace_back(*std::move(radius));
+    }
+  }
+}
+
 template <bool CouplingDescription::*member>
 void read_flag(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
   coupling.*member = read_bool(node, fmt::format("'{}'", place.key), place.found).value_or(false);
@@ -186,6 +204,7 @@ const std::initializer_list<KeyRow> kKeys = {
      {planar, point_contact, cam, line_contact},
      read_direction<&CouplingDescription::normal>},
     {"line", {line_contact}, read_direction<&CouplingDescription::line>},
+    {"radii", {point_contact, cam, line_contact}, read_radii},
     {"slot", {pin_in_slot}, read_direction<&CouplingDescription::slot>},
     {"pitch", {helical}, read_quantity<&CouplingDescription::pitch>},
     {"lead", {helical}, read_quantity<&CouplingDescription::lead>},

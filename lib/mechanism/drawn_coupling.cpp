@@ -33,10 +33,19 @@ class DrawnBinder {
       result.from = bind_station<double>(coupling.part->from, evaluator_);
       result.to = bind_station<double>(coupling.part->to, evaluator_);
     }
+    if (coupling.radii.size() == 2) {
+      result.tail_shape = shape_of(coupling.radii[0]);
+      result.head_shape = shape_of(coupling.radii[1]);
+    }
     return result;
   }
 
  private:
+  ContactShape shape_of(const std::optional<Value>& radius) {
+    const auto number = radius ? evaluator_.number(*radius, QuantityKind::length) : std::nullopt;
+    return {.curvature = number ? 1.0 / *number : 0.0};
+  }
+
   std::optional<Vec3> point_on_head(const CouplingDescription& coupling) {
     if (!coupling.at) {
       return std::nullopt;

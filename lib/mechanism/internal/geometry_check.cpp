@@ -61,6 +61,7 @@ class GeometryCheck {
     check_helix();
     check_ends();
     check_listed();
+    check_radii();
     for (const StiffnessDescription& one : coupling_.stiffness) {
       check_stiffness(one);
     }
@@ -119,6 +120,25 @@ class GeometryCheck {
       refuse(fmt::format("{} lists neither freedoms nor constraints", title(coupling_)),
              "write for example freedoms: [{rotation: z, at: [0, 0, 0]}]; what you leave out "
              "follows as the reciprocal complement");
+    }
+  }
+
+  // Where two bodies touch, one of them is round; a negative radius is that of a hollow.
+  void check_radii() {
+    const auto is_flat = [](const std::optional<Value>& radius) { return !radius; };
+    if (coupling_.radii.size() == 2 && std::ranges::all_of(coupling_.radii, is_flat)) {
+      refuse(fmt::format("both bodies of {} are flat", title(coupling_)),
+             "give the radius of the round one, as in radii: [31, flat]");
+    }
+    for (const std::optional<Value>& radius : coupling_.radii) {
+      const auto number =
+          radius ? evaluator_.number(*radius, QuantityKind::length) : std::optional(1.0);
+      if (number && *number == 0.0) {
+        found_.error("E0305",
+                     radius->where,
+                     fmt::format("a radius of {} is zero", title(coupling_)),
+                     "write flat for a plane; an edge is round by a small radius");
+      }
     }
   }
 
