@@ -105,8 +105,8 @@ class Mover {
   }
 
  private:
-  const Pose& pose_of(Follows who) const {
-    static const Pose kStill;
+  const BodyPose& pose_of(Follows who) const {
+    static const BodyPose kStill;
     switch (who) {
       case Follows::tail:
         return poses_.tail;
@@ -142,7 +142,7 @@ class Mover {
   // Both parts of a screw about `origin`, the one along its line first.
   std::pair<Vec3, Vec3> carried(const Vec3& line, const Vec3& moment, Rule rule) const {
     const Vec3 arm = drawn_.geometry.at - origin_;
-    const Pose& turns = pose_of(rule.direction);
+    const BodyPose& turns = pose_of(rule.direction);
     const Vec3 at = rule.point == Follows::head ? drawn_.at_head.value_or(drawn_.geometry.at)
                                                 : drawn_.geometry.at;
     const Vec3 moved_arm = pose_of(rule.point).point(at) - origin_;
@@ -273,7 +273,7 @@ MovedCoupling moved_coupling(const Mechanism& mechanism,
   return Mover(mechanism, coupling, drawn, poses).move();
 }
 
-CableStationGeometry moved_station(CableStationGeometry station, const Pose& pose) {
+CableStationGeometry moved_station(CableStationGeometry station, const BodyPose& pose) {
   station.centre = pose.point(station.centre);
   station.axis = pose.direction(station.axis);
   for (auto* point : {&station.meets, &station.leaves}) {

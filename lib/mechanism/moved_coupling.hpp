@@ -8,9 +8,9 @@ namespace kinestat {
 
 /// Where the two bodies of a coupling stand, and the body in which teeth roll.
 struct CouplingPoses {
-  Pose tail;
-  Pose head;
-  Pose carrier;
+  BodyPose tail;
+  BodyPose head;
+  BodyPose carrier;
 };
 
 /// The screws of the drawn position as they follow the bodies, in the same order. What a coupling
@@ -30,6 +30,6 @@ MovedCoupling moved_coupling(const Mechanism& mechanism,
                              const CouplingPoses& poses);
 
 /// The stations of a segment of a rope where their bodies have taken them.
-CableStationGeometry moved_station(CableStationGeometry station, const Pose& pose);
+CableStationGeometry moved_station(CableStationGeometry station, const BodyPose& pose);
 
 }  // namespace kinestat

@@ -38,12 +38,12 @@ Configuration drawn_configuration(const MotionNetwork& network) {
   });
 }
 
-std::vector<Pose> body_poses(const MotionNetwork& network, const Configuration& configuration) {
+std::vector<BodyPose> body_poses(const MotionNetwork& network, const Configuration& configuration) {
   return with_system(network, [&]<class Frames>(ClosureSystem<Frames>& system) {
     system.evaluate(configuration.coordinates, configuration.angles);
-    std::vector<Pose> poses;
+    std::vector<BodyPose> poses;
     for (const int frame : network.frame_of_body) {
-      Pose pose = Frames::pose(system.frame(frame));
+      BodyPose pose = Frames::pose(system.frame(frame));
       pose.shift = network.length * pose.shift + network.origin - pose.rotation * network.origin;
       poses.push_back(pose);
     }

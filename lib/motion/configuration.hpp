@@ -12,7 +12,7 @@ namespace kinestat {
 Configuration drawn_configuration(const MotionNetwork& network);
 
 /// Of each body, relative to where it was drawn, in the world frame [m].
-std::vector<Pose> body_poses(const MotionNetwork& network, const Configuration& configuration);
+std::vector<BodyPose> body_poses(const MotionNetwork& network, const Configuration& configuration);
 
 /// How far each freedom has moved from the drawn position [rad or m], turns counted; empty where a
 /// freedom has no position: of balls, contacts, ropes.

@@ -41,6 +41,17 @@ class MotionSolver {
     return std::move(solution_);
   }
 
+  std::optional<Configuration> close_between(const Configuration& start, double share) {
+    tracker_.set_range(from_, to_);
+    PathPoint point = tracker_.make_point();
+    point.coordinates = start.coordinates;
+    point.angles = start.angles;
+    point.share = share;
+    tracker_.set_drives(share, point.coordinates);
+    double moved = 0.0;
+    return tracker_.close(point, moved) ? std::optional(configuration_of(point)) : std::nullopt;
+  }
+
  private:
   double unit_of(int freedom) const {
     for (const MotionJoint& joint : network_.joints) {
@@ -254,6 +265,16 @@ MotionSolution solve_motion(const MotionNetwork& network, const MotionTask& task
   }
   return network.space == Space::planar ? MotionSolver<PlanarFrames>(network, task).solve()
                                         : MotionSolver<SpatialFrames>(network, task).solve();
+}
+
+std::optional<Configuration> configuration_between(const MotionNetwork& network,
+                                                   const MotionSolution& solution,
+                                                   const Configuration& start,
+                                                   double share) {
+  const MotionTask task{.drives = solution.drives, .steps = 1};
+  return network.space == Space::planar
+             ? MotionSolver<PlanarFrames>(network, task).close_between(start, share)
+             : MotionSolver<SpatialFrames>(network, task).close_between(start, share);
 }
 
 }  // namespace kinestat

@@ -1,6 +1,8 @@
 // Finite motion: the closure of a network followed along its drives.
 #pragma once
 
+#include <optional>
+
 #include "motion/motion_solution.hpp"
 
 namespace kinestat {
@@ -11,5 +13,12 @@ namespace kinestat {
 /// of an overconstrained mechanism that is not drawn exactly. The drives of the task must be those
 /// of the network, in that order.
 [[nodiscard]] MotionSolution solve_motion(const MotionNetwork& network, const MotionTask& task);
+
+/// The closed position at another share of the ranges of the solution, close to `start`, on its
+/// branch; empty where it cannot be closed from there.
+[[nodiscard]] std::optional<Configuration> configuration_between(const MotionNetwork& network,
+                                                                 const MotionSolution& solution,
+                                                                 const Configuration& start,
+                                                                 double share);
 
 }  // namespace kinestat

@@ -70,7 +70,7 @@ struct CouplingMiss {
 struct Assembly {
   bool closes = true;
   std::vector<CouplingMiss> drawn_misses;    ///< as drawn; those above rounding
-  std::vector<Pose> corrections;             ///< of each body; empty where nothing was wrong
+  std::vector<BodyPose> corrections;         ///< of each body; empty where nothing was wrong
   std::vector<CouplingMiss> nearest_misses;  ///< where it does not close: at the nearest position
   Configuration nearest;                     ///< closed, or nearest to it
   bool closes_elsewhere = false;  ///< with the drives where they are drawn it does not close, but

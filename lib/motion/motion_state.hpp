@@ -22,7 +22,7 @@ enum class StateDetail { velocity, acceleration };
 struct MotionState {
   bool is_singular = false;  ///< the drives do not determine the velocities; nothing but poses
   Vec3 origin = Vec3::Zero();
-  std::vector<Pose> poses;
+  std::vector<BodyPose> poses;
   std::vector<Twist> twists;
   std::vector<Twist> twist_rates;                 ///< time derivatives; empty unless asked for
   std::vector<std::optional<double>> rates;       ///< of the freedoms [rad/s or m/s]; empty of

@@ -18,7 +18,7 @@ class MechanismMover {
  public:
   MechanismMover(const MotionNetwork& network,
                  std::span<const DrawnCoupling> drawn,
-                 std::span<const Pose> poses,
+                 std::span<const BodyPose> poses,
                  const Mechanism& mechanism)
       : network_(network), drawn_(drawn), poses_(poses), mechanism_(mechanism) {}
 
@@ -43,7 +43,7 @@ class MechanismMover {
   }
 
  private:
-  const Pose& pose(BodyId body) const { return poses_[at(body.value)]; }
+  const BodyPose& pose(BodyId body) const { return poses_[at(body.value)]; }
 
   CouplingPoses poses_of(int e) const {
     const CouplingTopology& coupling = mechanism_.topology.coupling({e});
@@ -72,7 +72,7 @@ class MechanismMover {
   void move_flank(std::size_t i, Geometry& geometry) const {
     const OtherFlankOf<double>& drawn = mechanism_.geometry.other_flanks[i];
     const int e = mechanism_.topology.actions[at(drawn.action)].coupling.value;
-    Pose carrier = poses_of(e).carrier;
+    BodyPose carrier = poses_of(e).carrier;
     // About the origin of the geometry instead of that of the world.
     carrier.shift = carrier.point(mechanism_.geometry.origin) - mechanism_.geometry.origin;
     geometry.other_flanks[i].screw = carrier.moved(drawn.screw);
@@ -128,7 +128,7 @@ class MechanismMover {
 
   const MotionNetwork& network_;
   std::span<const DrawnCoupling> drawn_;
-  std::span<const Pose> poses_;
+  std::span<const BodyPose> poses_;
   const Mechanism& mechanism_;
 };
 
@@ -136,7 +136,7 @@ class MechanismMover {
 
 void move_mechanism(const MotionNetwork& network,
                     std::span<const DrawnCoupling> drawn,
-                    std::span<const Pose> poses,
+                    std::span<const BodyPose> poses,
                     const Mechanism& mechanism,
                     Mechanism& moved) {
   KINESTAT_EXPECTS(poses.size() == mechanism.topology.bodies.size());

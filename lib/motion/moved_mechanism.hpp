@@ -14,7 +14,7 @@ namespace kinestat {
 /// keep their world directions. Loads keep theirs and act at the moved point of their body.
 void move_mechanism(const MotionNetwork& network,
                     std::span<const DrawnCoupling> drawn,
-                    std::span<const Pose> poses,
+                    std::span<const BodyPose> poses,
                     const Mechanism& mechanism,
                     Mechanism& moved);
 

@@ -1,4 +1,4 @@
-// Pose: where a body stands, as the displacement from where it was drawn.
+// BodyPose: where a body stands, as the displacement from where it was drawn.
 #pragma once
 
 #include "screw/wrench.hpp"
@@ -9,7 +9,7 @@ using Mat3 = Eigen::Matrix3d;
 
 /// Takes a point of the body from its drawn place to `rotation * point + shift`, in the world
 /// frame [m]. The shift is that of the body's point at the world origin.
-struct Pose {
+struct BodyPose {
   Mat3 rotation = Mat3::Identity();
   Vec3 shift = Vec3::Zero();  ///< [m]
 
@@ -19,12 +19,12 @@ struct Pose {
   /// Where a direction fixed in the body points.
   Vec3 direction(const Vec3& drawn) const { return rotation * drawn; }
 
-  Pose inverse() const {
+  BodyPose inverse() const {
     return {.rotation = rotation.transpose(), .shift = -(rotation.transpose() * shift)};
   }
 
   /// First b, then a.
-  friend Pose operator*(const Pose& a, const Pose& b) {
+  friend BodyPose operator*(const BodyPose& a, const BodyPose& b) {
     return {.rotation = a.rotation * b.rotation, .shift = a.point(b.shift)};
   }
 

@@ -84,8 +84,8 @@ struct PlanarFrames {
 
   static Screw couple(const Vector<double>&) { return Screw::Zero(); }
 
-  static Pose pose(const Frame<double>& f) {
-    Pose result;
+  static BodyPose pose(const Frame<double>& f) {
+    BodyPose result;
     result.rotation.topLeftCorner<2, 2>() << f.c, -f.s, f.s, f.c;
     result.shift = {f.shift[0], f.shift[1], 0.0};
     return result;
@@ -208,7 +208,9 @@ struct SpatialFrames {
     return result;
   }
 
-  static Pose pose(const Frame<double>& f) { return {.rotation = f.rotation, .shift = f.shift}; }
+  static BodyPose pose(const Frame<double>& f) {
+    return {.rotation = f.rotation, .shift = f.shift};
+  }
 
   /// About the unit vector `axis`, from u to v.
   template <class S>

@@ -45,6 +45,9 @@ class PathTracker {
   /// Where all drives run together from these values to those [rad, or sizes of the mechanism].
   void set_range(std::span<const double> from, std::span<const double> to);
 
+  /// Puts the drives where the share has them.
+  void set_drives(double share, std::span<double> coordinates) const;
+
   PathPoint make_point() const;
 
   /// Closes a point with the drives where its share puts them; `moved` becomes the largest
@@ -97,7 +100,6 @@ class PathTracker {
     double determinant_at(double place) const;
   };
 
-  void set_drives(double share, std::span<double> coordinates) const;
   void gather(std::span<const int> columns, std::vector<double>& matrix) const;
   bool try_step(const PathPoint& now, const PathPoint& before, double share, PathPoint& next);
   void predict(const PathPoint& now, const PathPoint& before, double step);

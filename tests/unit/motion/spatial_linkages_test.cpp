@@ -149,7 +149,7 @@ TEST(Cardan, TurnsUnevenlyBetweenItsJoints) {
 TEST(Platform, ComesToThePoseOfItsLegs) {
   const Moving subject = moving_file("spatial/ups_platform.yaml",
                                      {"P1.v", "P2.v", "P3.v", "P4.v", "P5.v", "P6.v"});
-  Pose target;
+  BodyPose target;
   target.rotation = (Eigen::AngleAxisd(0.2, Vec3::UnitZ()) * Eigen::AngleAxisd(-0.15, Vec3::UnitX()))
                         .toRotationMatrix();
   target.shift = {0.1, -0.05, 0.2};
@@ -169,7 +169,7 @@ TEST(Platform, ComesToThePoseOfItsLegs) {
   ASSERT_EQ(solution.status, MotionStatus::completed);
   EXPECT_LE(worst_misclosure(solution), 1e-12);
   const auto poses = body_poses(subject.network, solution.configuration_at(25));
-  const Pose& found = poses[static_cast<std::size_t>(subject.body("platform").value)];
+  const BodyPose& found = poses[static_cast<std::size_t>(subject.body("platform").value)];
   EXPECT_LE((found.rotation - target.rotation).norm(), 1e-12);
   EXPECT_LE((found.shift - target.shift).norm(), 1e-12);
 }
@@ -184,7 +184,7 @@ TEST(Sarrus, RisesStraight) {
   ASSERT_EQ(solution.status, MotionStatus::completed);
   for (int k = 0; k <= 60; ++k) {
     const auto poses = body_poses(subject.network, solution.configuration_at(k));
-    const Pose& table = poses[static_cast<std::size_t>(subject.body("table").value)];
+    const BodyPose& table = poses[static_cast<std::size_t>(subject.body("table").value)];
     const double rise = 2.0 * panel *
                         (std::sin(kPi / 4.0 + solution.drive_value(0, k)) - std::sin(kPi / 4.0));
     EXPECT_LE((table.shift - Vec3(0.0, 0.0, rise)).norm(), 1e-12);
