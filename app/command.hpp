@@ -18,6 +18,7 @@ void add_graph(CLI::App& parent, Job& job);
 void add_mobility(CLI::App& parent, Job& job);
 void add_inputs(CLI::App& parent, Job& job);
 void add_shift(CLI::App& parent, Job& job);
+void add_motion(CLI::App& parent, Job& job);
 void add_sensitivity(CLI::App& parent, Job& job);
 void add_sweep(CLI::App& parent, Job& job);
 void add_merge(CLI::App& parent, Job& job);

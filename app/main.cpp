@@ -50,6 +50,7 @@ void add_commands(CLI::App& app, Job& job) {
   kinestat::app::add_mobility(app, job);
   kinestat::app::add_inputs(app, job);
   kinestat::app::add_shift(app, job);
+  kinestat::app::add_motion(app, job);
   kinestat::app::add_sensitivity(app, job);
   kinestat::app::add_sweep(app, job);
   kinestat::app::add_merge(app, job);

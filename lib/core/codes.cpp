@@ -208,8 +208,8 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "mechanism is not analysed yet",
      "The file is right, but something in it that decides the answer belongs to the format and "
      "not yet to the analysis of this version: a freewheel that 'shift' does not name, a point "
-     "that "
-     "differs from body to body, friction of some types, or a coupling without its place. "
+     "that differs from body to body (only 'kinestat motion' closes it), friction of some types, "
+     "or a coupling without its place. "
      "Without it an answer would be wrong, so there is none, and the exit status is 5. The hint "
      "says what to write instead; 'kinestat help format' lists what is not analysed."},
     {"E0316",
@@ -256,6 +256,44 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "velocities are too large",
      "A velocity is beyond what a double holds (about 1e308). The answer is proportional to the "
      "known motions, so smaller ones show it."},
+    {"E0504",
+     no_answer,
+     "mechanism cannot be assembled",
+     "The bodies as they are drawn do not meet in every coupling, and no position of them does. "
+     "The "
+     "message and the report have the position in which they miss least, with the distance and "
+     "the angle that each coupling still misses by. In a four-bar the longest link must be shorter "
+     "than the other three together; the gaps say by how much lengths would have to change."},
+    {"E0505",
+     no_answer,
+     "motion comes to a limit",
+     "A drive of 'motion' cannot reach the end of its range: links are stretched or folded in "
+     "line, "
+     "where the motion would have to turn back. The report goes up to the limit, which the message "
+     "has and the report brackets. End the motion before, drive another coupling, or change "
+     "lengths; in a four-bar a crank turns fully if it is the shortest link, and shortest and "
+     "longest together are less than the other two."},
+    {"E0506",
+     no_answer,
+     "motion cannot be followed",
+     "At a position several motions begin, as where all links of a parallelogram are in line, and "
+     "none before it says which goes on; or the steps became so small that the branch could not "
+     "be told from another. The program refuses to jump. Begin at another position, drive what "
+     "decides between the motions, or take more steps."},
+    {"E0507",
+     no_answer,
+     "coupling cannot be moved",
+     "Instantaneous motion needs the screws of a coupling in the drawn position, finite motion its "
+     "shape: the profiles of a contact, the body that holds the axes of two gears, the order of "
+     "several freedoms that are listed as screws. The file does not say it for this coupling. All "
+     "other passes are unaffected; 'kinestat help motion' lists what each type needs."},
+    {"E0508",
+     wrong_input,
+     "drives leave a motion open",
+     "With the drives of 'motion' held, the mechanism could still move, and it is not known how. "
+     "The message lists the freedoms that stay open; as many must be driven as the net degree of "
+     "freedom says. What nobody else feels, such as the spin of a rod between two balls, need "
+     "not be driven."},
     {"E0601",
      wrong_input,
      "primary actions depend on each other",

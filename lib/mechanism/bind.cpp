@@ -15,6 +15,7 @@
 #include "mechanism/internal/gear_check.hpp"
 #include "mechanism/internal/geometry_check.hpp"
 #include "mechanism/internal/graph_binder.hpp"
+#include "mechanism/internal/link_length_check.hpp"
 #include "mechanism/internal/load_binder.hpp"
 #include "mechanism/internal/loss_binder.hpp"
 #include "mechanism/internal/planet_set.hpp"
@@ -117,12 +118,19 @@ void check_cases(const MechanismDescription& description, Evaluator& evaluator) 
 }
 
 // Whether errors of the analysis or only warnings come of what is not analysed.
-enum class Purpose { analyse, check };
+enum class Purpose {
+  analyse,
+  close,  ///< what is drawn apart will be closed
+  check
+};
 
 void report_unanalysed(const std::vector<Unanalysed>& list, Purpose purpose, Diagnostics& found) {
   for (const Unanalysed& one : list) {
     std::string message = fmt::format("{} is not analysed yet", one.what);
-    if (one.decides && purpose == Purpose::analyse) {
+    if (purpose == Purpose::close && one.is_misclosure) {
+      continue;
+    }
+    if (one.decides && purpose != Purpose::check) {
       found.error(
           "E0315",
           one.where,
@@ -167,7 +175,9 @@ std::optional<Mechanism> bind_for(Purpose purpose,
                                   Diagnostics& found) {
   const int errors_before = found.error_count();
   const std::vector<Unanalysed> unanalysed = find_unanalysed(description);
-  const bool is_undecided = std::ranges::any_of(unanalysed, &Unanalysed::decides);
+  const bool is_undecided = std::ranges::any_of(unanalysed, [purpose](const Unanalysed& one) {
+    return one.decides && !(purpose == Purpose::close && one.is_misclosure);
+  });
   Evaluator evaluator = make_evaluator(description, found);
   const DeclaredNames names = declare_names(description, found);
   const SectionContext context = {
@@ -200,6 +210,7 @@ std::optional<Mechanism> bind_for(Purpose purpose,
   if (found.error_count() == errors_before) {
     evaluator.warn_of_unused();
     warn_of_idle_stiffness(description, found);
+    warn_of_links_without_length(result, found);
     report_unanalysed(unanalysed, purpose, found);
   }
   const bool is_right = found.error_count() == errors_before;
@@ -213,6 +224,11 @@ std::optional<Mechanism> bind_for(Purpose purpose,
 
 std::optional<Mechanism> bind(const MechanismDescription& description, Diagnostics& found) {
   return bind_for(Purpose::analyse, description, found);
+}
+
+std::optional<Mechanism> bind_drawn_apart(const MechanismDescription& description,
+                                          Diagnostics& found) {
+  return bind_for(Purpose::close, description, found);
 }
 
 bool check(const MechanismDescription& description, Diagnostics& found) {

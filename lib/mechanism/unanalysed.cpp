@@ -65,8 +65,10 @@ void add_coupling(const CouplingDescription& coupling,
   if (coupling.at && !coupling.at->of_bodies.empty()) {
     add(coupling.at->where,
         fmt::format("misclosure of {}", word(coupling)),
-        "write one point after 'at:', where both bodies are drawn to meet",
+        "'kinestat motion' closes it and says how far each body moves; or write one point after "
+        "'at:', where both bodies are drawn to meet",
         true);
+    list.back().is_misclosure = true;
   }
   if (coupling.one_way && !is_shift_element) {
     add(coupling.name.where,
@@ -85,12 +87,6 @@ void add_coupling(const CouplingDescription& coupling,
   }
 }
 
-void add_passes(const MechanismDescription& description, std::vector<Unanalysed>& list) {
-  if (description.motion) {
-    list.push_back({description.motion->where, "section 'motion'", "", false});
-  }
-}
-
 }  // namespace
 
 std::vector<Unanalysed> find_unanalysed(const MechanismDescription& description) {
@@ -100,7 +96,6 @@ std::vector<Unanalysed> find_unanalysed(const MechanismDescription& description)
   for (const CouplingDescription& coupling : description.couplings) {
     add_coupling(coupling, is_shifted(description, coupling), has_statics, list);
   }
-  add_passes(description, list);
   return list;
 }
 

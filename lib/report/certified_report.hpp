@@ -3,12 +3,15 @@
 
 #include "report/certainty.hpp"
 #include "report/file_report.hpp"
+#include "report/motion_table.hpp"
 
 namespace kinestat {
 
-/// make_report, with the certainty of the ranks in its evidence where anybody asked for it.
+/// make_report, with the certainty of the ranks in its evidence where anybody asked for it, and
+/// with the finite motion; `motion` is null where the file asks for none.
 FileReport make_certified_report(const Analysis& analysis,
                                  const Certainty& certainty,
+                                 const MotionTable* motion,
                                  const ReportForms& forms,
                                  Diagnostics& found);
 

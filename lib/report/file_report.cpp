@@ -6,6 +6,10 @@
 #include "report/certainty_json.hpp"
 #include "report/certified_report.hpp"
 #include "report/mechanism_json.hpp"
+#include "report/motion_csv.hpp"
+#include "report/motion_json.hpp"
+#include "report/motion_report.hpp"
+#include "report/motion_text.hpp"
 #include "report/published.hpp"
 
 namespace kinestat {
@@ -15,15 +19,17 @@ std::string_view json_signature() {
 }
 
 std::string_view csv_signature() {
-  return kCsvHeader;
+  // Tables may have more columns.
+  return kCsvHeader.substr(0, kCsvHeader.size() - 1);
 }
 
 FileReport make_report(const Analysis& analysis, const ReportForms& forms, Diagnostics& found) {
-  return make_certified_report(analysis, {}, forms, found);
+  return make_certified_report(analysis, {}, nullptr, forms, found);
 }
 
 FileReport make_certified_report(const Analysis& analysis,
                                  const Certainty& certainty,
+                                 const MotionTable* motion,
                                  const ReportForms& forms,
                                  Diagnostics& found) {
   FileReport report;
@@ -33,6 +39,9 @@ FileReport make_certified_report(const Analysis& analysis,
     Json json = analysis_json(analysis);
     if (certainty.motion_rank) {
       json["mobility"]["evidence"]["certainty"] = certainty_json(certainty);
+    }
+    if (motion != nullptr) {
+      json["motion"] = motion_json(*motion);
     }
     check_published(json, analysis.description.published, found);
     json["diagnostics"] = diagnostics_json(found);
@@ -46,10 +55,15 @@ FileReport make_certified_report(const Analysis& analysis,
       for (CsvTable& table : analysis_csv(analysis, json)) {
         report.csv.push_back({.pass = std::move(table.pass), .text = std::move(table.text)});
       }
+      if (motion != nullptr) {
+        const std::string name = name_in_tables(analysis.file, analysis.description);
+        report.csv.push_back({.pass = "motion", .text = motion_csv(name, *motion)});
+      }
     }
   }
   if (forms.text) {
     report.text = analysis_text(analysis);
+    report.text += motion == nullptr ? "" : motion_summary(*motion).text();
   }
   return report;
 }

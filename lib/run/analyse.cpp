@@ -12,6 +12,7 @@
 #include "run/each_file.hpp"
 #include "run/findings.hpp"
 #include "run/gears.hpp"
+#include "run/motion.hpp"
 #include "run/synthesis.hpp"
 
 namespace kinestat {
@@ -48,9 +49,15 @@ std::optional<FileReport> analyse_description(const std::string& path,
                                               .shift = std::nullopt},
                                              accuracy,
                                              found);
-    return certified ? std::optional(make_certified_report(
-                           certified->analysis, certified->certainty, forms, found))
-                     : std::nullopt;
+    if (!certified) {
+      return std::nullopt;
+    }
+    const Analysis& analysis = certified->analysis;
+    const std::optional<FoundMotion> motion =
+        analysis.description.motion ? find_motion(analysis.description, analysis.mechanism, found)
+                                    : std::nullopt;
+    return make_certified_report(
+        analysis, certified->certainty, motion ? &motion->table : nullptr, forms, found);
   }
   const bool is_right = std::ranges::all_of(found.items(), [](const Diagnostic& one) {
     return one.severity == Severity::warning || one.code == "E0315";

@@ -26,8 +26,12 @@ void add_to_stream(const FileReport& report, const AnalyseOptions& options, Outc
       break;
     case StreamFormat::csv:
       for (const NamedTable& table : report.csv) {
-        const bool has_header = !outcome.out.empty();
-        outcome.out += has_header ? table.text.substr(csv_signature().size()) : table.text;
+        const std::size_t header = table.text.find('\n') + 1;
+        if (outcome.out.empty()) {
+          outcome.out = table.text;
+        } else if (outcome.out.starts_with(std::string_view(table.text).substr(0, header))) {
+          outcome.out += table.text.substr(header);
+        }
       }
       break;
   }

@@ -33,7 +33,8 @@ Outcome report_on_each_file(const std::vector<std::string>& paths,
 /// The forms that go to standard output for that many files.
 ReportForms stream_forms(StreamFormat format, std::size_t file_count);
 
-/// Appends the form that standard output wants; of several CSV tables only the first has a header.
+/// Appends the form that standard output wants; of several CSV tables only the first has a header,
+/// and those with other columns than the first, such as the steps of a motion, are left out.
 void add_to_stream(const FileReport& report, const AnalyseOptions& options, Outcome& outcome);
 
 }  // namespace kinestat

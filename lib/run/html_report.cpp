@@ -12,6 +12,7 @@
 #include "report/certified_report.hpp"
 #include "run/each_file.hpp"
 #include "run/mobility.hpp"
+#include "run/motion.hpp"
 #include "run/synthesis.hpp"
 
 namespace kinestat {
@@ -63,9 +64,17 @@ class PageBuilder {
                                          options_.accuracy,
                                          page_.found);
       if (certified) {
-        add_data(
-            "report",
-            make_certified_report(certified->analysis, certified->certainty, kForms, page_.found));
+        const Analysis& analysis = certified->analysis;
+        const std::optional<FoundMotion> motion =
+            analysis.description.motion
+                ? find_motion(analysis.description, analysis.mechanism, page_.found)
+                : std::nullopt;
+        add_data("report",
+                 make_certified_report(analysis,
+                                       certified->certainty,
+                                       motion ? &motion->table : nullptr,
+                                       kForms,
+                                       page_.found));
         page_.analysis = std::move(certified->analysis);
       }
     }

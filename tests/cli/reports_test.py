@@ -27,7 +27,7 @@ HEADER = ["mechanism", "case", "pass", "element", "quantity", "value", "unit", "
 STATES = ["c66_parameter_never_used", "e0501_motions_missing", "e0602_no_equilibrium",
           "w0601_actions_indeterminate", "loads_on_a_linkage", "w0601_self_stresses",
           "stiffness_shares_a_load", "minimum_norm_is_labelled",
-          "losses_and_friction_of_bearings", "c82_drive_in_reverse"]
+          "losses_and_friction_of_bearings", "c82_drive_in_reverse", "motion_as_json_and_csv"]
 # A topology without dimensions, which only `kinestat mobility` answers.
 COUNTED = ROOT / "mechanisms" / "cables" / "surgical_instrument.yaml"
 # Tasks, which hold no mechanism and have reports of their own.
@@ -254,6 +254,30 @@ class Reports(unittest.TestCase):
                 self.assertEqual(answer["shift"], report["shift"])
                 rows = [row for row in rows_of("analyze", path) if row[2] == "shift"]
                 self.assertEqual(rows_of("shift", path)[1:], rows)
+
+    def test_have_the_same_motion_alone_and_in_csv(self) -> None:
+        for path in self.for_each():
+            report = json_of("analyze", path)
+            if "motion" not in report:
+                continue
+            answer = json_of("motion", path)
+            self.assertEqual(check_schemas.report_faults(answer, schema()), [])
+            motion = answer["motion"]
+            self.assertEqual(motion, report["motion"])
+            header, *rows = rows_of("motion", path)
+            self.assertEqual(header, [*HEADER, "step", "drive"])
+            columns = motion["columns"][1:-1]
+            cells = [(column, row) for row in motion["rows"] for column in columns]
+            for text, (column, row) in zip(rows, cells):
+                value = row[1 + columns.index(column)]
+                self.assertEqual(text, [
+                    report["mechanism"]["name"], motion["case"] or "", "motion", column["element"],
+                    column["quantity"], "" if value is None else json.dumps(value),
+                    column["unit"], row[-1], str(row[0]), json.dumps(row[1])])
+            rest = sum(len(event["drive"]) + 1 for event in motion["events"])
+            gaps = motion["assembly"]["drawn_gaps"], motion["assembly"]["nearest_gaps"]
+            rest += sum(2 * len(one) for one in gaps) + 4 * len(motion["assembly"]["corrections"])
+            self.assertEqual(len(rows), len(cells) + rest)
 
     def test_have_trade_offs_by_their_schema(self) -> None:
         for path in self.for_each():

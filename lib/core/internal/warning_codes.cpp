@@ -71,6 +71,14 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "for someone who follows the rope in listed order, names the other sense: then torques and "
      "speeds have the wrong sign. The second is a rope on an arm rather than on a round pulley: "
      "the tensions of its two sides differ as the levers do."},
+    {"W0309",
+     done,
+     "link has no length",
+     "A body is joined to two others by revolute couplings on one axis and to nothing else, so "
+     "that "
+     "it is a sleeve that may turn by itself, and the two others turn about that axis together. "
+     "More often two points are the same by mistake. Give the couplings different points, or join "
+     "the two other bodies directly."},
     {"W0501",
      done,
      "rounding decides on a rank",
@@ -85,6 +93,20 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "fewer digits than asked for",
      "The bound of the error of a value exceeds what '--digits' asks for, also after refinement. "
      "It is a bound: the value may be better. '--accuracy exact' solves the numbers as typed."},
+    {"W0503",
+     done,
+     "motion passes a singular position",
+     "On the way there is a position at which another motion crosses, as where the links of a "
+     "parallelogram are in line: there the drive does not determine the motion. The report goes "
+     "straight on, as inertia would carry the links, and lists the position. A machine needs a "
+     "flywheel, or a second linkage that leads it across."},
+    {"W0504",
+     done,
+     "drawn position does not close",
+     "Points that are drawn apart on two bodies, or lengths that do not fit, were closed before "
+     "the motion began: the drives stay where they are drawn, and everything else moves by as "
+     "little as it must. The report has the gaps as drawn and how far each body moved; motions "
+     "are measured from the drawn position all the same."},
     {"W0601",
      done,
      "actions are statically indeterminate",
@@ -161,6 +183,14 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "are lost, and numbers have 16. Fewer than three are left. Write the positions with more "
      "digits, which count as typed, and ask for them with --digits or 'digits:'; or give "
      "derivatives at one position instead of several close to it."},
+    {"W0802",
+     done,
+     "linkage does not move as its verdict says",
+     "Synthesis judges circuits, branches and order of a linkage by closed forms; moved as a "
+     "mechanism, step by step, the linkage did not meet the positions that the verdict promises, "
+     "or "
+     "met those that it denies. Either the linkage is so close to a dead point that rounding "
+     "decides, or this program is wrong: please report it with the file."},
     {"W0901",
      done,
      "tolerance meets no value",

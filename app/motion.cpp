@@ -1,0 +1,83 @@
+#include "run/motion.hpp"
+
+#include "command.hpp"
+
+namespace kinestat::app {
+
+namespace {
+
+struct MotionFlags {
+  FileOptions files;
+  MotionChoice choice;
+};
+
+void add_choice(CLI::App& command, MotionChoice& choice) {
+  with_value(command,
+             command.add_option("--drive",
+                                choice.drive,
+                                "the actuator that drives, before what the\n"
+                                "file says; its motion needs --to then"),
+             "NAME");
+  with_value(command,
+             command.add_option(
+                 "--from", choice.from, "where its motion begins, from the drawn\nposition"),
+             "VALUE");
+  with_value(command,
+             command.add_option("--to", choice.to, "where it ends: '90 deg', '20 mm', 1.5"),
+             "VALUE");
+  with_value(command, command.add_option("--steps", choice.steps, "number of steps"), "N");
+  with_value(command,
+             command.add_option("--case", choice.label, "the case whose speeds and loads apply"),
+             "LABEL");
+  add_repeated(command,
+               "--report",
+               choice.report,
+               "what is reported, before what the file says;\n"
+               "may be repeated",
+               "NAME");
+}
+
+void add_output(CLI::App& command, AnalyseOptions& analyse) {
+  with_value(command,
+             command.add_option("-o,--out",
+                                analyse.output.folder,
+                                "folder for <name>.motion.json and\n"
+                                "<name>.motion.csv; it must exist"),
+             "FOLDER");
+  add_flag(
+      command,
+      "--force",
+      [&analyse] { analyse.output.overwrite = Overwrite::force; },
+      "replace files that this program did not write");
+}
+
+}  // namespace
+
+void add_motion(CLI::App& parent, Job& job) {
+  CLI::App* command =
+      parent.add_subcommand("motion", "Move the mechanism through the ranges of its drives.");
+  command->footer(
+      "  kinestat motion mechanisms/planar/four_bar.yaml\n"
+      "  kinestat motion --format csv mechanisms/planar/slider_crank.yaml\n"
+      "  kinestat motion --drive Tin --to '90 deg' --steps 45 crank.yaml\n");
+  auto flags = std::make_shared<MotionFlags>();
+  AnalyseOptions& analyse = flags->files.analyse;
+  add_files(*command, flags->files);
+  add_format(*command, flags->files);
+  add_choice(*command, flags->choice);
+  add_output(*command, analyse);
+  add_strict(*command, flags->files);
+  add_flag(
+      *command,
+      "-q,--quiet",
+      [&analyse] { analyse.is_quiet = true; },
+      "print no report on standard output");
+  add_fail_fast(*command, flags->files);
+  command->callback([flags, &job] {
+    job = [flags] {
+      return motion_of_files(flags->files.paths, flags->choice, flags->files.analyse);
+    };
+  });
+}
+
+}  // namespace kinestat::app

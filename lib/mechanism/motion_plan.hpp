@@ -1,0 +1,60 @@
+// The section `motion` bound to numbers: which drives run how far, and what is followed.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/diagnostic.hpp"
+#include "mechanism/mechanism.hpp"
+
+namespace kinestat {
+
+/// A drive and its range, measured from the drawn position [rad or m].
+struct PlannedDrive {
+  int actuator = 0;  ///< index into Topology::actuators
+  int freedom = 0;   ///< index into Topology::freedoms
+  double from = 0.0;
+  double to = 0.0;
+  SourceRange where;
+};
+
+/// A point whose path is reported.
+struct TracedPoint {
+  BodyId body;
+  Vec3 at = Vec3::Zero();  ///< in the drawn position, world frame [m]
+};
+
+/// Which quantities are reported beside the positions of the drives and the traced points.
+struct MotionReport {
+  bool position = false;
+  bool velocity = false;
+  bool acceleration = false;
+  bool action = false;
+  bool power = false;
+  bool ratio = false;
+  bool transmission_angle = false;
+  bool mechanical_advantage = false;
+  std::vector<int> freedoms;   ///< named one by one: their position, velocity and acceleration
+  std::vector<int> actions;    ///< likewise
+  std::vector<int> actuators;  ///< with all that is known of them
+  bool is_default = false;     ///< the file does not say what to report
+};
+
+struct MotionPlan {
+  std::vector<PlannedDrive> drives;
+  int steps = 0;
+  int which = -1;  ///< the case whose speeds and loads apply, index into Mechanism::cases; -1: none
+  std::vector<TracedPoint> trace;
+  MotionReport report;
+  SourceRange where;
+};
+
+/// Steps where the file does not say how many.
+inline constexpr int kUsualSteps = 100;
+
+/// Of a description that has been bound to this mechanism without an error; empty if it has no
+/// section `motion`.
+std::optional<MotionPlan> bind_motion(const MechanismDescription& description,
+                                      const Mechanism& mechanism);
+
+}  // namespace kinestat

@@ -1,0 +1,27 @@
+// The finite motion of one file in the forms of a report.
+#pragma once
+
+#include <string>
+
+#include "report/analysis.hpp"
+#include "report/file_report.hpp"
+#include "report/motion_table.hpp"
+
+namespace kinestat {
+
+/// What the report of a motion is made of.
+struct MotionAnalysis {
+  std::string file;  ///< as the user gave it
+  MechanismDescription description;
+  MotionTable motion;
+};
+
+/// Head, key `motion` and diagnostics alone.
+FileReport make_motion_report(const MotionAnalysis& analysis,
+                              const ReportForms& forms,
+                              const Diagnostics& found);
+
+/// The name by which tables call the mechanism: its title or, without one, its file.
+std::string name_in_tables(const std::string& file, const MechanismDescription& description);
+
+}  // namespace kinestat

@@ -1,0 +1,90 @@
+// A finite motion as a table: what is reported of every position, and what happens between them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace kinestat {
+
+/// How a motion ended.
+enum class MotionEnd {
+  complete,      ///< at the positions that the file asks for
+  limited,       ///< a drive came to its limit before
+  lost,          ///< the branch could not be followed
+  not_assembled  ///< the drawn position does not close
+};
+
+/// The word in reports.
+std::string_view word_of(MotionEnd end);
+
+/// One value of every position. The name is "a.wz/position": element, then quantity.
+struct MotionColumn {
+  std::string element;   ///< coupling.freedom, coupling.action, actuator, body or traced point;
+                         ///< empty of a value of the whole
+  std::string quantity;  ///< "position", "velocity", "linear/x"
+  std::string unit;      ///< that of the file; empty for a bare number
+
+  std::string name() const { return element.empty() ? quantity : element + "/" + quantity; }
+};
+
+/// One position. `values` is parallel to the columns, in their units; empty where there is none.
+struct MotionRow {
+  int step = 0;
+  std::vector<std::optional<double>> values;
+  std::string status;  ///< "solved", "singular", …
+};
+
+/// What happens at a position of the drives that is none of the steps.
+struct MotionEvent {
+  std::string kind;           ///< "dead_point", "singular", "limit"
+  std::string element;        ///< which freedom comes to rest, which drive goes no further, …
+  int step = 0;               ///< the last step before; -1: on the way from the drawn position
+  std::vector<double> drive;  ///< position of each drive, in its unit
+  double uncertainty = 0.0;   ///< of that of the first drive
+};
+
+/// The range of one drive, from the drawn position.
+struct DriveTravel {
+  std::string name;     ///< of the actuator
+  std::string freedom;  ///< coupling.freedom
+  std::string unit;
+  double from = 0.0;
+  double to = 0.0;
+  std::optional<double> reached;  ///< the last position; empty if there is none
+};
+
+/// How far a body was moved to close the drawn position.
+struct BodyCorrection {
+  std::string body;
+  Vec3 shift = Vec3::Zero();  ///< of its reference point, in the file's unit of length
+  double angle = 0.0;         ///< in the file's unit of angle
+};
+
+/// How far the ends of a coupling are apart.
+struct CouplingGap {
+  std::string coupling;
+  double distance = 0.0;  ///< in the file's unit of length
+  double angle = 0.0;     ///< in the file's unit of angle
+};
+
+struct MotionTable {
+  MotionEnd end = MotionEnd::complete;
+  std::string label;  ///< of the case that gives speeds and loads; may be empty
+  int steps = 0;      ///< that the file asks for
+  std::vector<DriveTravel> drives;
+  std::vector<MotionColumn> columns;  ///< first the position of each drive
+  std::vector<MotionRow> rows;
+  std::vector<MotionEvent> events;
+  double worst_closure = 0.0;  ///< largest misclosure of any row, relative to the mechanism's size
+  int worst_step = 0;          ///< where it is
+  std::vector<CouplingGap> drawn_gaps;      ///< of the drawn position, if it does not close
+  std::vector<BodyCorrection> corrections;  ///< that closed it
+  std::vector<CouplingGap> nearest_gaps;    ///< where nothing closes it: of the nearest position
+  std::string length_unit;
+  std::string angle_unit;
+};
+
+}  // namespace kinestat

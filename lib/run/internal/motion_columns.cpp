@@ -1,0 +1,432 @@
+#include "run/internal/motion_columns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "report/ratio_in_units.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
+
+using Reader = std::function<std::optional<double>(const MotionPosition&)>;
+
+std::optional<double> entry(const std::vector<std::optional<double>>& list, std::size_t i) {
+  return i < list.size() ? list[i] : std::nullopt;
+}
+
+// Empty where the velocities are not known.
+bool has_motion(const MotionPosition& position) {
+  return position.has_speeds && !position.state.is_singular;
+}
+
+// The axis of the turn times its angle [rad].
+Vec3 rotation_vector(const Mat3& rotation) {
+  const Eigen::AngleAxisd turn(rotation);
+  return turn.angle() * turn.axis();
+}
+
+// Action of the output over that of the input, without statics the reverse of their rates.
+RatioInUnits mechanical_advantage(const CaseAnalysis& one,
+                                  const Mechanism& mechanism,
+                                  const FileUnits& units) {
+  const std::optional<double> inverse = torque_ratio_in_units(one, mechanism, units).value;
+  if (inverse) {
+    return {.value = *inverse == 0.0 ? std::nullopt : std::optional(1.0 / std::abs(*inverse)),
+            .unit = ""};
+  }
+  const std::optional<double> ratio = ratio_in_units(one, mechanism, units).value;
+  return {.value = ratio ? std::optional(std::abs(*ratio)) : std::nullopt, .unit = ""};
+}
+
+class ReadingList {
+ public:
+  ReadingList(const MechanismDescription& description,
+              const Mechanism& mechanism,
+              const MotionPlan& plan,
+              const MotionPosition& first)
+      : units_(description.units),
+        mechanism_(mechanism),
+        topology_(mechanism.topology),
+        plan_(plan),
+        first_(first),
+        detail_(detail_of(plan, mechanism)) {}
+
+  std::vector<MotionReading> run() {
+    add_positions();
+    add_traces();
+    add_velocities();
+    add_accelerations();
+    add_actions();
+    add_powers();
+    add_transmission();
+    return std::move(readings_);
+  }
+
+ private:
+  const MotionReport& report() const { return plan_.report; }
+
+  void add(std::string element, std::string quantity, MotionKind kind, Reader value) {
+    readings_.push_back({.column = {.element = std::move(element),
+                                    .quantity = std::move(quantity),
+                                    .unit = unit_text(units_, kind)},
+                         .kind = kind,
+                         .value = std::move(value)});
+  }
+
+  bool is_named(int freedom) const {
+    const auto of_actuator = [&](int actuator) {
+      return topology_.actuators[static_cast<std::size_t>(actuator)].freedom == freedom;
+    };
+    return std::ranges::find(report().freedoms, freedom) != report().freedoms.end() ||
+           std::ranges::any_of(report().actuators, of_actuator);
+  }
+
+  bool turns(int freedom) const {
+    return topology_.freedoms[static_cast<std::size_t>(freedom)].is_rotation;
+  }
+
+  // The components that exist: x and y in the plane.
+  int axis_count() const { return mechanism_.space == Space::planar ? 2 : 3; }
+
+  void add_positions() {
+    for (int f = 0; f < topology_.freedom_count(); ++f) {
+      const auto i = static_cast<std::size_t>(f);
+      const bool is_asked = report().position || report().is_default || is_named(f);
+      if (is_asked && first_.freedoms[i]) {
+        add(topology_.freedom_name(f),
+            "position",
+            turns(f) ? MotionKind::angle : MotionKind::length,
+            [i](const MotionPosition& at) { return at.freedoms[i]; });
+      }
+    }
+    for (int b = 1; report().position && b < topology_.body_count(); ++b) {
+      add_pose(b);
+    }
+  }
+
+  void add_pose(int body) {
+    const auto b = static_cast<std::size_t>(body);
+    const std::string& name = topology_.bodies[b].name;
+    const Vec3 reference = mechanism_.geometry.references[b];
+    add_vector(name, "at", MotionKind::length, [b, reference](const MotionPosition& at) {
+      return std::optional(point_motion(at.state, {static_cast<int>(b)}, reference).position);
+    });
+    if (mechanism_.space == Space::planar) {
+      // Since the drawn position; positions are read in their order, so that turns are counted.
+      const auto counted = [b, turn = 0.0](const MotionPosition& at) mutable {
+        const Mat3& rotation = at.state.poses[b].rotation;
+        const double now = std::atan2(rotation(1, 0), rotation(0, 0));
+        turn += std::remainder(now - turn, 2.0 * std::numbers::pi);
+        return std::optional(turn);
+      };
+      add(name, "rotation/z", MotionKind::angle, counted);
+      return;
+    }
+    for (int i = 0; i < 3; ++i) {
+      add(name,
+          std::string("rotation/") + kAxes[static_cast<std::size_t>(i)],
+          MotionKind::angle,
+          [b, i](const MotionPosition& at) {
+            return std::optional(rotation_vector(at.state.poses[b].rotation)[i]);
+          });
+    }
+  }
+
+  void add_vector(const std::string& element,
+                  const std::string& quantity,
+                  MotionKind kind,
+                  const std::function<std::optional<Vec3>(const MotionPosition&)>& value) {
+    for (int i = 0; i < axis_count(); ++i) {
+      add(element,
+          quantity + "/" + kAxes[static_cast<std::size_t>(i)],
+          kind,
+          [value, i](const MotionPosition& at) -> std::optional<double> {
+            const std::optional<Vec3> vector = value(at);
+            return vector ? std::optional((*vector)[i]) : std::nullopt;
+          });
+    }
+  }
+
+  void add_traces() {
+    for (std::size_t t = 0; t < plan_.trace.size(); ++t) {
+      const TracedPoint point = plan_.trace[t];
+      const std::string name = topology_.body(point.body).name + "." + std::to_string(t + 1);
+      add_vector(name, "at", MotionKind::length, [point](const MotionPosition& at) {
+        return point_motion(at.state, point.body, point.at).position;
+      });
+      if (detail_.velocity) {
+        add_vector(
+            name,
+            "velocity",
+            MotionKind::velocity,
+            [point](const MotionPosition& at) -> std::optional<Vec3> {
+              return has_motion(at)
+                         ? std::optional(point_motion(at.state, point.body, point.at).velocity)
+                         : std::nullopt;
+            });
+      }
+      if (detail_.acceleration) {
+        add_vector(
+            name,
+            "acceleration",
+            MotionKind::acceleration,
+            [point](const MotionPosition& at) -> std::optional<Vec3> {
+              return has_motion(at)
+                         ? std::optional(point_motion(at.state, point.body, point.at).acceleration)
+                         : std::nullopt;
+            });
+      }
+    }
+  }
+
+  void add_velocities() {
+    for (int f = 0; detail_.velocity && f < topology_.freedom_count(); ++f) {
+      if (report().velocity || report().is_default || is_named(f)) {
+        const auto i = static_cast<std::size_t>(f);
+        add(topology_.freedom_name(f),
+            "velocity",
+            turns(f) ? MotionKind::angular_velocity : MotionKind::velocity,
+            [i](const MotionPosition& at) {
+              return has_motion(at) ? entry(at.state.rates, i) : std::nullopt;
+            });
+      }
+    }
+    for (int b = 1; report().velocity && b < topology_.body_count(); ++b) {
+      const BodyId body{b};
+      const Vec3 reference = mechanism_.geometry.references[static_cast<std::size_t>(b)];
+      add_angular(b, "angular", MotionKind::angular_velocity, &MotionState::twists);
+      add_vector(topology_.bodies[static_cast<std::size_t>(b)].name,
+                 "linear",
+                 MotionKind::velocity,
+                 [body, reference](const MotionPosition& at) -> std::optional<Vec3> {
+                   return has_motion(at)
+                              ? std::optional(point_motion(at.state, body, reference).velocity)
+                              : std::nullopt;
+                 });
+    }
+  }
+
+  void add_angular(int body,
+                   const std::string& quantity,
+                   MotionKind kind,
+                   std::vector<Twist> MotionState::*twists) {
+    const auto b = static_cast<std::size_t>(body);
+    for (int i = mechanism_.space == Space::planar ? 2 : 0; i < 3; ++i) {
+      add(topology_.bodies[b].name,
+          quantity + "/" + kAxes[static_cast<std::size_t>(i)],
+          kind,
+          [b, i, twists](const MotionPosition& at) -> std::optional<double> {
+            const std::vector<Twist>& list = at.state.*twists;
+            return has_motion(at) && b < list.size() ? std::optional(list[b].angular[i])
+                                                     : std::nullopt;
+          });
+    }
+  }
+
+  void add_accelerations() {
+    for (int f = 0; detail_.acceleration && f < topology_.freedom_count(); ++f) {
+      const auto i = static_cast<std::size_t>(f);
+      if ((report().acceleration || is_named(f)) && first_.freedoms[i]) {
+        add(topology_.freedom_name(f),
+            "acceleration",
+            turns(f) ? MotionKind::angular_acceleration : MotionKind::acceleration,
+            [i](const MotionPosition& at) {
+              return has_motion(at) ? entry(at.state.rate_rates, i) : std::nullopt;
+            });
+      }
+    }
+    for (int b = 1; report().acceleration && b < topology_.body_count(); ++b) {
+      const BodyId body{b};
+      const Vec3 reference = mechanism_.geometry.references[static_cast<std::size_t>(b)];
+      add_angular(
+          b, "angular_acceleration", MotionKind::angular_acceleration, &MotionState::twist_rates);
+      add_vector(topology_.bodies[static_cast<std::size_t>(b)].name,
+                 "linear_acceleration",
+                 MotionKind::acceleration,
+                 [body, reference](const MotionPosition& at) -> std::optional<Vec3> {
+                   return has_motion(at)
+                              ? std::optional(point_motion(at.state, body, reference).acceleration)
+                              : std::nullopt;
+                 });
+    }
+  }
+
+  bool names_action(int action) const {
+    const auto of_actuator = [&](int actuator) {
+      return topology_.actuators[static_cast<std::size_t>(actuator)].action == action;
+    };
+    return std::ranges::find(report().actions, action) != report().actions.end() ||
+           std::ranges::any_of(report().actuators, of_actuator);
+  }
+
+  void add_actions() {
+    for (int a = 0; detail_.statics && a < topology_.action_count(); ++a) {
+      if (report().action || names_action(a)) {
+        const auto i = static_cast<std::size_t>(a);
+        add(topology_.action_name(a),
+            "action",
+            topology_.actions[i].is_couple ? MotionKind::moment : MotionKind::force,
+            [i](const MotionPosition& at) -> std::optional<double> {
+              const auto& action = at.solved->action;
+              return action && i < action->magnitudes.size() ? action->magnitudes[i] : std::nullopt;
+            });
+      }
+    }
+  }
+
+  void add_powers() {
+    for (std::size_t i = 0; detail_.statics && i < topology_.actuators.size(); ++i) {
+      const bool is_named =
+          std::ranges::find(report().actuators, static_cast<int>(i)) != report().actuators.end();
+      if (report().power || is_named) {
+        add(topology_.actuators[i].name,
+            "power",
+            MotionKind::power,
+            [i](const MotionPosition& at) -> std::optional<double> {
+              return at.solved->power ? std::optional(at.solved->power->actuators[i])
+                                      : std::nullopt;
+            });
+      }
+    }
+    if (!report().power || plan_.which < 0) {
+      return;
+    }
+    const std::vector<Load>& loads = mechanism_.cases[static_cast<std::size_t>(plan_.which)].loads;
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+      add(loads[i].name,
+          "power",
+          MotionKind::power,
+          [i](const MotionPosition& at) -> std::optional<double> {
+            return at.solved->power ? std::optional(at.solved->power->loads[i]) : std::nullopt;
+          });
+    }
+  }
+
+  const std::string& output_name() const {
+    const Case& which = mechanism_.cases[static_cast<std::size_t>(plan_.which)];
+    return topology_.actuators[static_cast<std::size_t>(which.outputs.front())].name;
+  }
+
+  void add_transmission() {
+    if (report().transmission_angle) {
+      add(output_name(), "transmission_angle", MotionKind::angle, [](const MotionPosition& at) {
+        return at.transmission_angle;
+      });
+    }
+    if (report().ratio) {
+      add_ratio("ratio", [&mechanism = mechanism_, &units = units_](const CaseAnalysis& one) {
+        return ratio_in_units(one, mechanism, units);
+      });
+    }
+    if (report().mechanical_advantage) {
+      add_ratio("mechanical_advantage",
+                [&mechanism = mechanism_, &units = units_](const CaseAnalysis& one) {
+                  return mechanical_advantage(one, mechanism, units);
+                });
+    }
+  }
+
+  void add_ratio(const std::string& quantity,
+                 const std::function<RatioInUnits(const CaseAnalysis&)>& ratio) {
+    readings_.push_back({.column = {.element = output_name(), .quantity = quantity, .unit = ""},
+                         .kind = MotionKind::number,
+                         .value = [ratio](const MotionPosition& at) -> std::optional<double> {
+                           return at.solved->ratios ? ratio(*at.solved).value : std::nullopt;
+                         }});
+  }
+
+  const FileUnits& units_;
+  const Mechanism& mechanism_;
+  const Topology& topology_;
+  const MotionPlan& plan_;
+  const MotionPosition& first_;
+  MotionDetail detail_;
+  std::vector<MotionReading> readings_;
+};
+
+bool knows_speed(const MotionPlan& plan, const Mechanism& mechanism) {
+  return plan.which >= 0 && !mechanism.cases[static_cast<std::size_t>(plan.which)].motions.empty();
+}
+
+}  // namespace
+
+MotionDetail detail_of(const MotionPlan& plan, const Mechanism& mechanism) {
+  const MotionReport& report = plan.report;
+  const bool has_speed = knows_speed(plan, mechanism);
+  const bool has_case = plan.which >= 0;
+  const bool has_names = !report.freedoms.empty() || !report.actuators.empty();
+  return {.velocity = has_speed &&
+                      (report.velocity || report.acceleration || report.is_default || has_names),
+          .acceleration = has_speed && (report.acceleration || has_names),
+          .statics = has_case && (report.action || report.power || report.ratio ||
+                                  report.mechanical_advantage || !report.actions.empty() ||
+                                  !report.actuators.empty()),
+          .transmission_angle = has_case && report.transmission_angle};
+}
+
+std::vector<MotionReading> motion_readings(const MechanismDescription& description,
+                                           const Mechanism& mechanism,
+                                           const MotionPlan& plan,
+                                           const MotionPosition& first) {
+  return ReadingList(description, mechanism, plan, first).run();
+}
+
+std::string unit_text(const FileUnits& units, MotionKind kind) {
+  switch (kind) {
+    case MotionKind::angle:
+      return units.text(QuantityKind::angle);
+    case MotionKind::length:
+      return units.text(QuantityKind::length);
+    case MotionKind::angular_velocity:
+      return units.text(QuantityKind::angular_velocity);
+    case MotionKind::velocity:
+      return units.text(QuantityKind::velocity);
+    case MotionKind::angular_acceleration:
+      return "rad/s^2";
+    case MotionKind::acceleration:
+      return units.text(QuantityKind::acceleration);
+    case MotionKind::moment:
+      return units.text(QuantityKind::moment);
+    case MotionKind::force:
+      return units.text(QuantityKind::force);
+    case MotionKind::power:
+      return units.text(QuantityKind::power);
+    case MotionKind::number:
+      return "";
+  }
+  return "";
+}
+
+double in_file_unit(const FileUnits& units, MotionKind kind, double value) {
+  switch (kind) {
+    case MotionKind::angle:
+      return units.from_si(QuantityKind::angle, value);
+    case MotionKind::length:
+      return units.from_si(QuantityKind::length, value);
+    case MotionKind::angular_velocity:
+      return units.from_si(QuantityKind::angular_velocity, value);
+    case MotionKind::velocity:
+      return units.from_si(QuantityKind::velocity, value);
+    case MotionKind::acceleration:
+      return units.from_si(QuantityKind::acceleration, value);
+    case MotionKind::moment:
+      return units.from_si(QuantityKind::moment, value);
+    case MotionKind::force:
+      return units.from_si(QuantityKind::force, value);
+    case MotionKind::power:
+      return units.from_si(QuantityKind::power, value);
+    case MotionKind::angular_acceleration:
+    case MotionKind::number:
+      return value;
+  }
+  return value;
+}
+
+}  // namespace kinestat

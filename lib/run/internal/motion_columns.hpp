@@ -1,0 +1,48 @@
+// The columns of a finite motion: what each is, and its value in a position.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "report/motion_table.hpp"
+#include "run/internal/motion_position.hpp"
+
+namespace kinestat {
+
+/// Values of one kind, in SI; those that are rounding beside the largest of their kind are zero.
+enum class MotionKind {
+  angle,
+  length,
+  angular_velocity,
+  velocity,
+  angular_acceleration,
+  acceleration,
+  moment,
+  force,
+  power,
+  number
+};
+
+/// A column and how its value is read [SI].
+struct MotionReading {
+  MotionColumn column;
+  MotionKind kind = MotionKind::number;
+  std::function<std::optional<double>(const MotionPosition&)> value;
+};
+
+/// What must be worked out for the report of a plan.
+MotionDetail detail_of(const MotionPlan& plan, const Mechanism& mechanism);
+
+/// All columns but those of the drives. `first` is the first position: freedoms without a position
+/// there have no column for it.
+std::vector<MotionReading> motion_readings(const MechanismDescription& description,
+                                           const Mechanism& mechanism,
+                                           const MotionPlan& plan,
+                                           const MotionPosition& first);
+
+/// A value of that kind in the unit of the file, and the unit.
+double in_file_unit(const FileUnits& units, MotionKind kind, double value);
+std::string unit_text(const FileUnits& units, MotionKind kind);
+
+}  // namespace kinestat

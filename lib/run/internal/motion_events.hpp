@@ -1,0 +1,23 @@
+// What happens between the positions of a finite motion.
+#pragma once
+
+#include <vector>
+
+#include "report/motion_table.hpp"
+#include "run/motion.hpp"
+
+namespace kinestat {
+
+/// A place on the way at which a freedom comes to rest and turns back.
+struct DeadPoint {
+  int freedom = 0;           ///< index into Topology::freedoms
+  int step = 0;              ///< the last position before
+  double share = 0.0;        ///< of the ranges of the drives
+  double uncertainty = 0.0;  ///< of the share: half of the bracket
+};
+
+/// Of the freedoms between a body and the ground, and of those of actuators, in the order of the
+/// motion; drives have none. Bracketed to kSameValue of the ranges.
+std::vector<DeadPoint> find_dead_points(const Mechanism& mechanism, const FoundMotion& motion);
+
+}  // namespace kinestat

@@ -1,0 +1,278 @@
+#include "run/internal/motion_findings.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "core/utf8.hpp"
+#include "report/numbers.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Messages name so many couplings or bodies; the report has them all.
+constexpr std::size_t kMostNamed = 4;
+
+std::string with_unit(double value, const std::string& unit) {
+  return unit.empty() ? format_short(value) : fmt::format("{} {}", format_short(value), unit);
+}
+
+class Findings {
+ public:
+  Findings(const FoundMotion& motion,
+           const MechanismDescription& description,
+           const Mechanism& mechanism,
+           Diagnostics& found)
+      : motion_(motion),
+        table_(motion.table),
+        units_(description.units),
+        topology_(mechanism.topology),
+        found_(found) {}
+
+  void add_all() {
+    add_correction();
+    add_singularities();
+    switch (motion_.solution.status) {
+      case MotionStatus::completed:
+      case MotionStatus::not_movable:
+        return;
+      case MotionStatus::not_assembled:
+        return add_not_assembled();
+      case MotionStatus::limit:
+        return add_limit();
+      case MotionStatus::locked:
+        return add_locked();
+      case MotionStatus::undetermined:
+        return add_open_freedoms();
+      case MotionStatus::singular:
+      case MotionStatus::lost_branch:
+        return add_lost();
+    }
+  }
+
+ private:
+  SourceRange place_of_drive() const { return motion_.plan.drives.front().where; }
+
+  SourceRange place_of(const std::string& coupling) const {
+    const auto at = std::ranges::find(topology_.couplings, coupling, &CouplingTopology::name);
+    return at == topology_.couplings.end() ? motion_.plan.where : at->where;
+  }
+
+  // "'c' by 0.02 mm, 'd' by 0.1 deg"
+  std::string gaps_text(std::vector<CouplingGap> gaps) const {
+    std::ranges::stable_sort(gaps, std::ranges::greater{}, &CouplingGap::distance);
+    std::string text;
+    const std::size_t count = std::min(gaps.size(), kMostNamed);
+    for (std::size_t i = 0; i < count; ++i) {
+      const CouplingGap& gap = gaps[i];
+      text += fmt::format("{}'{}' by ", i == 0 ? "" : ", ", gap.coupling);
+      text += gap.distance > 0.0 ? with_unit(gap.distance, table_.length_unit) : "";
+      text += gap.distance > 0.0 && gap.angle > 0.0 ? " and " : "";
+      text += gap.angle > 0.0 ? with_unit(gap.angle, table_.angle_unit) : "";
+    }
+    return text + (count < gaps.size() ? fmt::format(" and {} more", gaps.size() - count) : "");
+  }
+
+  std::string drives_text(const std::vector<double>& positions) const {
+    std::string text;
+    for (std::size_t d = 0; d < positions.size(); ++d) {
+      text += fmt::format("{}{} = {}",
+                          d == 0 ? "" : ", ",
+                          table_.drives[d].name,
+                          with_unit(positions[d], table_.drives[d].unit));
+    }
+    return text;
+  }
+
+  std::string reached_text() const {
+    std::vector<double> positions;
+    for (const DriveTravel& drive : table_.drives) {
+      if (drive.reached) {
+        positions.push_back(*drive.reached);
+      }
+    }
+    return positions.empty() ? "before its first step" : "at " + drives_text(positions);
+  }
+
+  // "0.01 mm and 0.1 deg"; what is zero is left out.
+  std::string correction_text(const BodyCorrection& one) const {
+    const double shift = one.shift.norm();
+    return fmt::format("{}{}{}",
+                       shift > 0.0 ? with_unit(shift, table_.length_unit) : "",
+                       shift > 0.0 && one.angle > 0.0 ? " and " : "",
+                       one.angle > 0.0 ? with_unit(one.angle, table_.angle_unit) : "");
+  }
+
+  void add_correction() const {
+    if (table_.drawn_gaps.empty() || !motion_.solution.assembly.closes) {
+      return;
+    }
+    std::vector<std::string> moved;
+    for (const BodyCorrection& one : table_.corrections) {
+      if (one.shift.norm() > 0.0 || one.angle > 0.0) {
+        moved.push_back(fmt::format("'{}' by {}", one.body, correction_text(one)));
+      }
+    }
+    const std::size_t count = moved.size();
+    moved.resize(std::min(count, kMostNamed));
+    found_.warning("W0504",
+                   place_of(table_.drawn_gaps.front().coupling),
+                   fmt::format("the drawn position does not close: it misses {}; closing it moves "
+                               "{}{}",
+                               gaps_text(table_.drawn_gaps),
+                               fmt::join(moved, ", "),
+                               count > kMostNamed ? fmt::format(" and {} more", count - kMostNamed)
+                                                  : std::string()),
+                   "the motion begins at the closed position; draw the points where both bodies "
+                   "meet if that is not what was meant");
+  }
+
+  void add_singularities() const {
+    std::vector<const MotionEvent*> passed;
+    for (const MotionEvent& event : table_.events) {
+      if (event.kind == "singular") {
+        passed.push_back(&event);
+      }
+    }
+    if (passed.empty()) {
+      return;
+    }
+    found_.warning(
+        "W0503",
+        place_of_drive(),
+        fmt::format("the motion passes a singular position at {}{}",
+                    drives_text(passed.front()->drive),
+                    passed.size() == 1 ? "" : fmt::format(" and {} more", passed.size() - 1)),
+        "there another motion crosses; this one goes straight on, as a flywheel would carry it");
+  }
+
+  void add_not_assembled() const {
+    const std::vector<CouplingGap>& gaps = table_.nearest_gaps;
+    found_.error("E0504",
+                 gaps.empty() ? motion_.plan.where : place_of(gaps.front().coupling),
+                 fmt::format("the mechanism cannot be assembled: the nearest position misses {}",
+                             gaps_text(gaps)),
+                 "change the lengths of the links by about that much; a four-bar needs its longest "
+                 "link shorter than the other three together");
+  }
+
+  void add_limit() const {
+    const DriveTravel& drive = table_.drives.front();
+    found_.error("E0505",
+                 place_of_drive(),
+                 fmt::format("the motion comes to its limit {}, before {} = {}",
+                             reached_text(),
+                             drive.name,
+                             with_unit(drive.to, drive.unit)),
+                 "the report goes up to there; end the motion before, or drive another coupling");
+  }
+
+  void add_locked() const {
+    found_.error(
+        "E0505",
+        place_of_drive(),
+        fmt::format("drive '{}' cannot move the mechanism at all", table_.drives.front().name),
+        "'kinestat mobility' says what is free; a limit may lie in the drawn position");
+  }
+
+  void add_open_freedoms() const {
+    std::vector<std::string> names;
+    for (const int freedom : motion_.solution.open_freedoms) {
+      names.push_back(topology_.freedom_name(freedom));
+    }
+    found_.error("E0508",
+                 motion_.plan.where,
+                 fmt::format("the drives of 'motion' do not determine the motion: {} {} open",
+                             plain_list(names),
+                             names.size() == 1 ? "stays" : "stay"),
+                 "drive one of them too: drives: [{drive: …, to: …}, …]");
+  }
+
+  void add_lost() const {
+    const bool has_moved = table_.rows.size() > 0;
+    found_.error(
+        "E0506",
+        place_of_drive(),
+        has_moved ? fmt::format("the motion cannot be followed beyond {}", reached_text().substr(3))
+                  : std::string("the motion cannot leave the drawn position"),
+        motion_.solution.status == MotionStatus::singular
+            ? "several motions begin there; start from another position, or take more "
+              "drives"
+            : "take more steps, or end the motion before");
+  }
+
+  const FoundMotion& motion_;
+  const MotionTable& table_;
+  const FileUnits& units_;
+  const Topology& topology_;
+  Diagnostics& found_;
+};
+
+}  // namespace
+
+bool check_report(const MotionPlan& plan, const Mechanism& mechanism, Diagnostics& found) {
+  const MotionReport& report = plan.report;
+  const bool needs_ends = report.ratio || report.transmission_angle || report.mechanical_advantage;
+  const bool needs_motion = report.velocity || report.acceleration || report.power || needs_ends;
+  const bool needs_action = report.action || report.power || !report.actions.empty();
+  if (plan.which < 0) {
+    if (!needs_motion && !needs_action) {
+      return true;
+    }
+    found.error("E0303",
+                plan.where,
+                "'motion' asks for more than positions and lacks the key 'case'",
+                mechanism.cases.empty()
+                    ? "add a case that gives the speed of the drive, and name it: case: LABEL"
+                    : fmt::format("name the case whose speeds and loads apply: case: {}",
+                                  printable(mechanism.cases.front().label)));
+    return false;
+  }
+  const Case& which = mechanism.cases[static_cast<std::size_t>(plan.which)];
+  const auto refuse = [&](std::string_view what, std::string_view key, std::string hint) {
+    found.error(
+        "E0303",
+        which.where,
+        fmt::format(
+            "'motion' asks for {}, and case '{}' lacks {}", what, printable(which.label), key),
+        std::move(hint));
+    return false;
+  };
+  if (needs_ends && (which.inputs.empty() || which.outputs.size() != 1)) {
+    return refuse("what passes from input to output",
+                  "'input' or 'output'",
+                  "add input: NAME and output: NAME, actuators of the case");
+  }
+  if ((report.velocity || report.acceleration) && which.motions.empty()) {
+    return refuse("velocities", "'motion'", "add motion: {DRIVE: SPEED}, the speed of the drive");
+  }
+  if (needs_action && !which.asks_actions) {
+    return refuse("actions", "'action'", "add action: {NAME: VALUE}, what is known of the actions");
+  }
+  return true;
+}
+
+bool check_movable(const FoundMotion& motion, const Mechanism& mechanism, Diagnostics& found) {
+  for (const UnmovableCoupling& one : motion.network.obstacles) {
+    const CouplingTopology& coupling = mechanism.topology.coupling(one.coupling);
+    found.error("E0507",
+                coupling.where,
+                fmt::format("coupling '{}' cannot be moved: {}", coupling.name, reason_of(one.why)),
+                "its instantaneous motion is analysed all the same; 'kinestat help motion' says "
+                "what each type needs to be moved");
+  }
+  return motion.network.is_movable();
+}
+
+void add_motion_findings(const FoundMotion& motion,
+                         const MechanismDescription& description,
+                         const Mechanism& mechanism,
+                         Diagnostics& found) {
+  Findings(motion, description, mechanism, found).add_all();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,123 @@
+#include "run/internal/motion_position.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/tolerance.hpp"
+#include "motion/moved_mechanism.hpp"
+#include "power/transmission_angle.hpp"
+#include "run/solve_cases.hpp"
+
+namespace kinestat {
+
+namespace {
+
+const Primary* find_primary(const Case& which, int freedom) {
+  const auto at = std::ranges::find(which.motions, freedom, &Primary::index);
+  return at == which.motions.end() ? nullptr : &*at;
+}
+
+// The only known motion that is not zero.
+const Primary* find_moving(const Case& which) {
+  const Primary* result = nullptr;
+  for (const Primary& one : which.motions) {
+    if (one.value != 0.0) {
+      if (result != nullptr) {
+        return nullptr;
+      }
+      result = &one;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+MotionPositions::MotionPositions(const Mechanism& mechanism,
+                                 const MotionPlan& plan,
+                                 const MotionNetwork& network,
+                                 std::span<const DrawnCoupling> drawn,
+                                 const MotionDetail& detail)
+    : mechanism_(mechanism),
+      plan_(plan),
+      network_(network),
+      drawn_(drawn),
+      detail_(detail),
+      which_(plan.which < 0 ? nullptr : &mechanism.cases[static_cast<std::size_t>(plan.which)]),
+      moved_(mechanism) {}
+
+MotionPosition MotionPositions::at(const Configuration& configuration) {
+  MotionPosition position;
+  position.freedoms = freedom_positions(network_, mechanism_, configuration);
+  const bool needs_speeds = detail_.velocity || detail_.acceleration;
+  const auto speeds = needs_speeds ? speeds_of_case(configuration) : std::nullopt;
+  const StateDetail detail =
+      detail_.acceleration ? StateDetail::acceleration : StateDetail::velocity;
+  position.has_speeds = speeds.has_value();
+  const std::vector<DriveSpeed> rest(plan_.drives.size());
+  position.state =
+      solve_state(network_, mechanism_, configuration, speeds ? *speeds : rest, detail);
+  if (detail_.statics || detail_.transmission_angle) {
+    move_mechanism(network_, drawn_, position.state.poses, mechanism_, moved_);
+    solve_passes(position);
+  }
+  return position;
+}
+
+// Those that the case gives or, of one drive, that follow from the motion which it gives.
+std::optional<std::vector<DriveSpeed>> MotionPositions::speeds_of_case(
+    const Configuration& configuration) {
+  if (which_ == nullptr) {
+    return std::nullopt;
+  }
+  std::vector<DriveSpeed> speeds;
+  for (const PlannedDrive& drive : plan_.drives) {
+    if (const Primary* known = find_primary(*which_, drive.freedom)) {
+      speeds.push_back({.speed = known->value, .acceleration = 0.0});
+    }
+  }
+  if (speeds.size() == plan_.drives.size()) {
+    return speeds;
+  }
+  const Primary* moving = plan_.drives.size() == 1 ? find_moving(*which_) : nullptr;
+  if (moving == nullptr) {
+    return std::nullopt;
+  }
+  // With f the given freedom as a function of the drive s: f' s. = given, f' s.. = -f'' s.^2.
+  const auto freedom = static_cast<std::size_t>(moving->index);
+  const std::vector<DriveSpeed> unit = {{.speed = 1.0, .acceleration = 0.0}};
+  const MotionState state =
+      solve_state(network_,
+                  mechanism_,
+                  configuration,
+                  unit,
+                  detail_.acceleration ? StateDetail::acceleration : StateDetail::velocity);
+  if (state.is_singular) {
+    return std::nullopt;
+  }
+  double fastest = 0.0;
+  for (const std::optional<double>& rate : state.rates) {
+    fastest = std::max(fastest, std::abs(rate.value_or(0.0)));
+  }
+  const double slope = state.rates[freedom].value_or(0.0);
+  if (std::abs(slope) <= kNoReaction * fastest) {
+    return std::nullopt;
+  }
+  const double speed = moving->value / slope;
+  const double bend = detail_.acceleration ? state.rate_rates[freedom].value_or(0.0) : 0.0;
+  return std::vector<DriveSpeed>{{.speed = speed, .acceleration = -bend * speed * speed / slope}};
+}
+
+void MotionPositions::solve_passes(MotionPosition& position) {
+  const Case& which = moved_.cases[static_cast<std::size_t>(plan_.which)];
+  if (detail_.statics) {
+    position.solved = std::move(solve_some_cases(moved_, {&which, 1}).front());
+  }
+  if (detail_.transmission_angle) {
+    position.transmission_angle =
+        find_transmission_angle(moved_, which.inputs.front(), which.outputs.front());
+  }
+}
+
+}  // namespace kinestat

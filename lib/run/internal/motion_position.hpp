@@ -1,0 +1,57 @@
+// Everything that is known of one position of a finite motion.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "motion/motion_state.hpp"
+#include "report/analysis.hpp"
+#include "run/motion.hpp"
+
+namespace kinestat {
+
+/// What is worked out at a position beside its poses.
+struct MotionDetail {
+  bool velocity = false;
+  bool acceleration = false;
+  bool statics = false;  ///< all passes of the case
+  bool transmission_angle = false;
+};
+
+/// World frame, SI. Lists are parallel to those of the topology.
+struct MotionPosition {
+  std::vector<std::optional<double>> freedoms;  ///< positions [rad or m]
+  MotionState state;                            ///< with the speeds of the case, or per share
+  bool has_speeds = false;                      ///< the state has those of the case
+  std::optional<CaseAnalysis> solved;           ///< the passes of the case
+  std::optional<double> transmission_angle;     ///< [rad]
+};
+
+/// Works them out one after the other.
+class MotionPositions {
+ public:
+  MotionPositions(const Mechanism& mechanism,
+                  const MotionPlan& plan,
+                  const MotionNetwork& network,
+                  std::span<const DrawnCoupling> drawn,
+                  const MotionDetail& detail);
+
+  MotionPosition at(const Configuration& configuration);
+
+  /// The mechanism in the position that was asked for last.
+  const Mechanism& moved() const { return moved_; }
+
+ private:
+  std::optional<std::vector<DriveSpeed>> speeds_of_case(const Configuration& configuration);
+  void solve_passes(MotionPosition& position);
+
+  const Mechanism& mechanism_;
+  const MotionPlan& plan_;
+  const MotionNetwork& network_;
+  std::span<const DrawnCoupling> drawn_;
+  MotionDetail detail_;
+  const Case* which_ = nullptr;
+  Mechanism moved_;
+};
+
+}  // namespace kinestat

@@ -1,0 +1,107 @@
+#include "run/motion.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mechanism/bind.hpp"
+#include "motion/motion.hpp"
+#include "report/motion_report.hpp"
+#include "run/each_file.hpp"
+#include "run/internal/motion_choice.hpp"
+#include "run/internal/motion_findings.hpp"
+#include "run/internal/motion_table_maker.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Empty iff an error was added and there is nothing to report.
+std::optional<MotionAnalysis> analyse_motion(const std::string& path,
+                                             const MotionChoice& choice,
+                                             const AnalyseOptions& options,
+                                             SourceFile& source,
+                                             Diagnostics& found) {
+  std::optional<MechanismDescription> description =
+      load_description(path, options.load, source, found);
+  if (!description || !apply(choice, *description, found)) {
+    return std::nullopt;
+  }
+  const std::optional<Mechanism> mechanism = bind_drawn_apart(*description, found);
+  if (!mechanism) {
+    if (!found.has_errors()) {
+      refuse_without_mechanism(*description, found);
+    }
+    return std::nullopt;
+  }
+  std::optional<FoundMotion> motion = find_motion(*description, *mechanism, found);
+  if (!motion) {
+    return std::nullopt;
+  }
+  return MotionAnalysis{
+      .file = path, .description = *std::move(description), .motion = std::move(motion->table)};
+}
+
+bool write_motion(const FileReport& report,
+                  const std::string& path,
+                  const OutputOptions& options,
+                  Diagnostics& found) {
+  const std::string stem = fmt::format("{}/{}.motion", options.folder, report_stem(path));
+  const std::vector<OutputFile> files = {
+      {.path = stem + ".json", .content = report.json, .signature = std::string(json_signature())},
+      {.path = stem + ".csv",
+       .content = report.csv.front().text,
+       .signature = std::string(csv_signature())}};
+  return write_files(files, options.overwrite, found);
+}
+
+}  // namespace
+
+std::optional<FoundMotion> find_motion(const MechanismDescription& description,
+                                       const Mechanism& mechanism,
+                                       Diagnostics& found) {
+  FoundMotion motion;
+  motion.plan = *bind_motion(description, mechanism);
+  if (!check_report(motion.plan, mechanism, found)) {
+    return std::nullopt;
+  }
+  MotionTask task{.drives = {}, .steps = motion.plan.steps};
+  std::vector<int> driven;
+  for (const PlannedDrive& drive : motion.plan.drives) {
+    task.drives.push_back({.freedom = drive.freedom, .from = drive.from, .to = drive.to});
+    driven.push_back(drive.freedom);
+  }
+  motion.drawn = bind_drawn_couplings(description, mechanism);
+  motion.network = make_motion_network(mechanism, motion.drawn, driven);
+  if (!check_movable(motion, mechanism, found)) {
+    return std::nullopt;
+  }
+  motion.solution = solve_motion(motion.network, task);
+  motion.table = make_motion_table(description, mechanism, motion);
+  add_motion_findings(motion, description, mechanism, found);
+  return motion;
+}
+
+Outcome motion_of_files(const std::vector<std::string>& paths,
+                        const MotionChoice& choice,
+                        const AnalyseOptions& options) {
+  ReportForms forms = options.is_quiet ? ReportForms{} : stream_forms(options.format, paths.size());
+  if (!options.output.folder.empty()) {
+    forms.json = true;
+    forms.csv = true;
+  }
+  return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
+    SourceFile source;
+    Diagnostics found;
+    if (const auto analysis = analyse_motion(path, choice, options, source, found)) {
+      const FileReport report = make_motion_report(*analysis, forms, found);
+      add_to_stream(report, options, outcome);
+      if (!options.output.folder.empty()) {
+        write_motion(report, path, options.output, found);
+      }
+    }
+    add_diagnostics(source, found, options.strictness, outcome);
+  });
+}
+
+}  // namespace kinestat
