@@ -32,7 +32,7 @@ class MobilityCsv {
   }
 
   // Paths: the first key is the element, the rest the quantity. The words of a repair, what becomes
-  // of which coupling, end the path of a 1; yes and no are 1 and 0.
+  // of which coupling, and of finite motions end the path of a 1; yes and no are 1 and 0.
   std::string run(const Json& mobility) {
     for (const auto& [key, value] : mobility.items()) {
       element_ = key;
@@ -56,12 +56,14 @@ class MobilityCsv {
       const std::string number = value.is_number_integer() ? std::to_string(value.get<long>())
                                                            : format_exact(value.get<double>());
       row(path, number, unit == units_.end() ? "" : unit->second);
-    } else if (element_ == "repairs" && value.is_string()) {
+    } else if (has_words() && value.is_string()) {
       row(path + "/" + value.get<std::string>(), "1", "");
-    } else if (element_ == "repairs" && value.is_boolean()) {
+    } else if (has_words() && value.is_boolean()) {
       row(path, value.get<bool>() ? "1" : "0", "");
     }
   }
+
+  bool has_words() const { return element_ == "repairs" || element_ == "finite"; }
 
   void row(const std::string& path, const std::string& number, const std::string& unit) {
     text_ += csv_line(

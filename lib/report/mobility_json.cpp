@@ -27,6 +27,7 @@ class MobilityJson {
     }
     result["reshetov"] = mobility.reshetov ? reshetov_json(*mobility.reshetov) : Json(nullptr);
     result["motions"] = mobility.exact ? motions_json(mobility.exact->motions) : Json(nullptr);
+    result["finite"] = analysis_.finite ? finite_json(*analysis_.finite) : Json(nullptr);
     result["redundancies"] = mobility.exact ? redundancies_json(*mobility.exact) : Json(nullptr);
     result["repairs"] = mobility.exact ? repairs_json(mobility.exact->repairs) : Json(nullptr);
     result["remarks"] = mobility_remarks(analysis_);
@@ -134,6 +135,24 @@ class MobilityJson {
       }
       result.push_back(std::move(entry));
     }
+    return result;
+  }
+
+  // One trial a motion, in their order.
+  Json finite_json(const FiniteMobility& finite) const {
+    Json result = object_of(5);
+    result["motions"] = Json::array();
+    for (const FreedomTrial& trial : finite.trials) {
+      Json entry = object_of(3);
+      entry["persistence"] = word_of(trial.persistence);
+      entry["step"] = number(trial.step);
+      entry["misclosure"] = number(trial.misclosure);
+      result["motions"].push_back(std::move(entry));
+    }
+    result["drawn_freedom"] = finite.drawn_freedom;
+    result["nearby_freedom"] = finite.nearby_freedom;
+    result["singular"] = finite.is_singular();
+    result["gained"] = names_of(finite.gained);
     return result;
   }
 

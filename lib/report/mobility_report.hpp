@@ -1,9 +1,11 @@
 // The mobility of one file in the forms of a report.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "mobility/mobility.hpp"
+#include "motion/finite_mobility.hpp"
 #include "report/file_report.hpp"
 
 namespace kinestat {
@@ -15,6 +17,7 @@ struct MobilityAnalysis {
   Mechanism mechanism;
   Mechanism in_space;
   Mobility mobility;
+  std::optional<FiniteMobility> finite;  ///< of its motions; empty where it cannot be moved
 };
 
 FileReport make_mobility_report(const MobilityAnalysis& analysis,

@@ -160,12 +160,40 @@ class MobilityText {
     TextBlocks text(fmt::format(
         "Motions: {}{}\n", space.net_freedom, space.motions.empty() ? ", too many to list" : ""));
     for (std::size_t i = 0; i < space.motions.size(); ++i) {
-      text += motion(i + 1, space.motions[i]);
+      text += motion(i, space.motions[i]);
     }
+    text += singularity();
     return text += space.motions.empty() ? "\n" : "";
   }
 
-  TextBlocks motion(std::size_t number, const FreeMotion& motion) const {
+  // Whether the motion goes on beyond the instant.
+  std::string persistence(std::size_t i) const {
+    if (!analysis_.finite || i >= analysis_.finite->trials.size()) {
+      return "";
+    }
+    switch (analysis_.finite->trials[i].persistence) {
+      case Persistence::finite:
+        return "     finite: the mechanism goes along it\n";
+      case Persistence::deflected:
+        return "     deflected: the mechanism moves, but leaves this direction at once\n";
+      case Persistence::instantaneous:
+        return "     instantaneous: the mechanism shakes, but goes nowhere along it\n";
+    }
+    return "";
+  }
+
+  std::string singularity() const {
+    if (!analysis_.finite || !analysis_.finite->is_singular()) {
+      return "";
+    }
+    const std::string gained = names_text(topology_, analysis_.finite->gained);
+    return fmt::format("  The drawn position is singular: {} freedoms here, {} close by{}\n\n",
+                       analysis_.finite->drawn_freedom,
+                       analysis_.finite->nearby_freedom,
+                       gained.empty() ? "" : "; only here move " + gained);
+  }
+
+  TextBlocks motion(std::size_t index, const FreeMotion& motion) const {
     const FileUnits& units = in_.units();
     const double first = units.factor(rate_kind(motion.first));
     std::vector<std::string> rates;
@@ -178,7 +206,8 @@ class MobilityText {
                         units.text(rate_kind(f))));
       }
     }
-    TextBlocks text(fmt::format("  {}. {}\n", number, fmt::join(rates, ", ")));
+    TextBlocks text(fmt::format("  {}. {}\n", index + 1, fmt::join(rates, ", ")));
+    text += persistence(index);
     if (motion.is_passive()) {
       std::vector<std::string> bodies;
       for (const BodyId body : motion.passive) {

@@ -5,6 +5,7 @@
 
 #include "mechanism/bind.hpp"
 #include "mechanism/bind_counted.hpp"
+#include "motion/finite_mobility.hpp"
 #include "run/certainty_findings.hpp"
 #include "run/each_file.hpp"
 #include "run/internal/typed_numbers.hpp"
@@ -32,6 +33,19 @@ void add_certainty(const MobilityAnalysis& analysis,
     TypedNumbers(analysis.description, analysis.mechanism, accuracy).find_ranks(true, certainty);
     add_rank_findings(certainty, found);
   }
+}
+
+// Empty where a coupling has no finite law.
+std::optional<FiniteMobility> try_motions(const MobilityAnalysis& analysis) {
+  const std::vector<DrawnCoupling> drawn =
+      bind_drawn_couplings(analysis.description, analysis.mechanism);
+  const MotionNetwork network = make_motion_network(analysis.mechanism, drawn, {});
+  if (!network.is_movable()) {
+    return std::nullopt;
+  }
+  FiniteMobility finite =
+      find_finite_mobility(network, analysis.mechanism, analysis.mobility.exact->motions.motions);
+  return finite.is_known ? std::optional(std::move(finite)) : std::nullopt;
 }
 
 }  // namespace
@@ -67,6 +81,7 @@ std::optional<MobilityAnalysis> find_mobility(const std::string& path,
   count_without_geometry(analysis);
   if (has_places) {
     analysis.mobility.exact = find_exact_mobility(analysis.mechanism, analysis.in_space);
+    analysis.finite = try_motions(analysis);
     add_certainty(analysis, accuracy, found);
   }
   return analysis;
