@@ -79,6 +79,12 @@ void add_synthesize(CLI::App& parent, Job& job) {
   add_files(*command, options->files);
   add_format(*command, options->files);
   add_output(*command, *options);
+  add_flag(
+      *command,
+      "--verify",
+      [options] { options->options.verifies = true; },
+      "move every linkage as a mechanism and report\nwhether it does what its verdict says; "
+      "those\nthat are written are always moved");
   add_digits(*command, options->options);
   add_count(
       *command,

@@ -108,6 +108,34 @@ std::string case_text(const CaseDescription& one) {
          names_text("input", one.inputs) + names_text("output", one.outputs);
 }
 
+std::string range_text(const DriveRange& range) {
+  KINESTAT_EXPECTS(range.to.has_value());
+  return fmt::format("drive: {}{}, to: {}",
+                     range.actuator.text,
+                     range.from ? ", from: " + range.from->expression.text() : "",
+                     range.to->expression.text());
+}
+
+std::string trace_text(const std::vector<TracePoint>& trace) {
+  std::string text;
+  for (const TracePoint& point : trace) {
+    text += fmt::format("{}{{body: {}, at: {}}}",
+                        text.empty() ? "" : ", ",
+                        point.body.text,
+                        list_text(point.at.coordinates));
+  }
+  return text.empty() ? "" : ", trace: [" + text + "]";
+}
+
+std::string motion_text(const MotionDescription& motion) {
+  KINESTAT_EXPECTS(motion.drives.size() == 1 && motion.report.empty());
+  return fmt::format("\nmotion: {{{}{}{}{}}}\n",
+                     range_text(motion.drives.front()),
+                     motion.steps ? ", steps: " + motion.steps->expression.text() : "",
+                     motion.label ? ", case: " + quoted(motion.label->text) : "",
+                     trace_text(motion.trace));
+}
+
 template <class Items, class Write>
 std::string section_text(std::string_view key, const Items& items, Write write) {
   std::string text;
@@ -121,8 +149,8 @@ bool has_more(const MechanismDescription& d) {
   return !d.parameters.empty() || d.tree || d.kinematic_order != OrderChoice::minimal ||
          d.static_order != OrderChoice::minimal || d.gears || !d.cables.empty() ||
          !d.loads.empty() || d.gravity || d.losses ||
-         d.indeterminate != IndeterminateChoice::report || d.shift || d.motion || d.sweep ||
-         d.synthesis || !d.published.empty();
+         d.indeterminate != IndeterminateChoice::report || d.shift || d.sweep || d.synthesis ||
+         !d.published.empty();
 }
 
 }  // namespace
@@ -144,6 +172,7 @@ std::string mechanism_text(const MechanismDescription& description,
   text += section_text("couplings", description.couplings, coupling_text);
   text += section_text("actuators", description.actuators, actuator_text);
   text += section_text("cases", description.cases, case_text);
+  text += description.motion ? motion_text(*description.motion) : "";
   return text;
 }
 

@@ -157,7 +157,19 @@ class TaskJson {
                                                  {.reach = window_.radius, .count = window_.count},
                                                  plane_)
                             : Json(nullptr);
+    result["verification"] = number < task_.checks.size() && task_.checks[number]
+                                 ? check_json(*task_.checks[number])
+                                 : Json(nullptr);
     result["file"] = is_written ? Json(printable(task_.files[number])) : Json(nullptr);
+    return result;
+  }
+
+  static Json check_json(const LinkageCheck& check) {
+    Json result = object_of(4);
+    result["reached"] = check.reached;
+    result["in_order"] = check.passes_in_order;
+    result["worst"] = number(check.worst);
+    result["agrees"] = check.agrees;
     return result;
   }
 

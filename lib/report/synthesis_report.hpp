@@ -31,6 +31,15 @@ struct LeftOutLinkages {
   int usable = 0;
 };
 
+/// What a linkage does when it is moved as a mechanism, with the drive of its verdict.
+struct LinkageCheck {
+  std::vector<bool> reached;     ///< of each position: met before the drive comes to a limit
+  bool passes_in_order = false;  ///< met one after the other in the sense of the verdict
+  double worst = 0.0;            ///< how far a position is missed that the verdict promises: the
+                                 ///< larger of distance by size and turn [rad]
+  bool agrees = false;           ///< with the verdict
+};
+
 /// One choice of the angles that a file lists, and of its ranges, and what was found for it.
 /// Lengths in SI.
 struct SynthesisTask {
@@ -43,6 +52,7 @@ struct SynthesisTask {
   std::vector<LinkageCandidate> linkages;    ///< the best first
   std::vector<LeftOutLinkages> left_out;     ///< usable ones of other kinds than were asked for
   std::vector<std::string> files;            ///< written, one a linkage; empty ones are not
+  std::vector<std::optional<LinkageCheck>> checks;  ///< one a linkage, or none asked for
 };
 
 /// What a selection looked at.

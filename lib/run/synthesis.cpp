@@ -14,6 +14,7 @@
 #include "mechanism/bind.hpp"
 #include "run/each_file.hpp"
 #include "run/internal/last_decimal.hpp"
+#include "run/internal/linkage_check.hpp"
 #include "run/internal/linkage_files.hpp"
 #include "run/internal/synthesis_selection.hpp"
 #include "run/internal/synthesis_task.hpp"
@@ -221,6 +222,9 @@ Outcome synthesize_files(const std::vector<std::string>& paths,
                             : std::nullopt;
         if (!analysis) {
           return std::nullopt;
+        }
+        if (synthesis.verifies || !options.output.folder.empty()) {
+          check_linkages(*analysis, synthesis, found);
         }
         if (!options.output.folder.empty()) {
           write_linkages(*analysis, synthesis.written, options.output, found);

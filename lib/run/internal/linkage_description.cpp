@@ -125,6 +125,31 @@ ActuatorDescription actuator_of(std::string_view name, std::string_view coupling
   return {.name = name_of(name), .coupling = name_of(coupling), .freedom = std::nullopt};
 }
 
+// Through all positions, with the path of the origin of the moving frame; only where they are
+// passed one after the other.
+std::optional<MotionDescription> motion_of(const LinkageCandidate& candidate,
+                                           const PointDescription& traced,
+                                           const FileUnits& units) {
+  if (candidate.best().passage == Passage::none) {
+    return std::nullopt;
+  }
+  constexpr const char* kSteps = "60";
+  const bool is_length = is_linear(input_of(candidate.linkage, candidate.best_drive));
+  const InUnits in(units, {});
+  const double arc = drive_travel(candidate).back();
+  const double to = is_length ? in.length(arc) : in.angle(arc);
+  if (to == 0.0) {
+    return std::nullopt;
+  }
+  MotionDescription motion;
+  motion.drives.push_back(
+      {.actuator = name_of("drive"), .from = {}, .to = value_of(format_exact(to))});
+  motion.steps = value_of(kSteps);
+  motion.label = name_of("first position");
+  motion.trace.push_back({.body = name_of("coupler"), .at = traced});
+  return motion;
+}
+
 std::string title_of(const SynthesisAnalysis& analysis) {
   return analysis.description.name.empty() ? analysis.file : analysis.description.name;
 }
@@ -139,22 +164,6 @@ std::string_view link_of(const Dyad& dyad) {
       return "guide, in which the coupler slides";
   }
   return "";
-}
-
-// How far the drive has moved in each position, along the sense in which it passes them.
-std::vector<double> travel(const LinkageCandidate& candidate) {
-  const DriveVerdict& verdict = candidate.best();
-  const double sign = verdict.passage == Passage::decreasing ? -1.0 : 1.0;
-  const bool is_cyclic = !is_linear(input_of(candidate.linkage, candidate.best_drive));
-  std::vector<double> moved(1, 0.0);
-  for (std::size_t i = 1; i < verdict.coordinates.size(); ++i) {
-    double step = verdict.coordinates[i] - verdict.coordinates[i - 1];
-    if (is_cyclic && sign * step < 0.0) {
-      step += sign * 2.0 * std::numbers::pi;
-    }
-    moved.push_back(moved.back() + step);
-  }
-  return moved;
 }
 
 // What the comment says in numbers.
@@ -196,7 +205,7 @@ void add_passage(const SynthesisTask& task,
   }
   lines.push_back("From the drawn position the drive moves to the positions of the task by");
   const bool is_length = is_linear(input_of(candidate.linkage, candidate.best_drive));
-  const std::vector<double> moved = travel(candidate);
+  const std::vector<double> moved = drive_travel(candidate);
   for (std::size_t i = 0; i < moved.size(); ++i) {
     lines.push_back(fmt::format("  {:<12} E at {}",
                                 is_length ? in.length(moved[i]) : in.angle(moved[i]),
@@ -233,7 +242,23 @@ MechanismDescription describe_linkage(const SynthesisAnalysis& analysis,
                       follower.outer("B0", "follower")};
   result.actuators = {actuator_of("drive", "A0"), actuator_of("output", "B0")};
   result.cases = {case_of(candidate, units)};
+  result.motion = motion_of(candidate, *result.bodies[1].reference, units);
   return result;
+}
+
+std::vector<double> drive_travel(const LinkageCandidate& candidate) {
+  const DriveVerdict& verdict = candidate.best();
+  const double sign = verdict.passage == Passage::decreasing ? -1.0 : 1.0;
+  const bool is_cyclic = !is_linear(input_of(candidate.linkage, candidate.best_drive));
+  std::vector<double> moved(1, 0.0);
+  for (std::size_t i = 1; i < verdict.coordinates.size(); ++i) {
+    double step = verdict.coordinates[i] - verdict.coordinates[i - 1];
+    if (is_cyclic && sign * step < 0.0) {
+      step += sign * 2.0 * std::numbers::pi;
+    }
+    moved.push_back(moved.back() + step);
+  }
+  return moved;
 }
 
 std::vector<std::string> linkage_comment(const SynthesisAnalysis& analysis,

@@ -18,6 +18,10 @@ MechanismDescription describe_linkage(const SynthesisAnalysis& analysis,
                                       const SynthesisTask& task,
                                       const LinkageCandidate& candidate);
 
+/// How far the drive has moved from the drawn position in each position, along the sense in which
+/// the verdict passes them: the shorter way forwards where it passes them in none [rad or m].
+std::vector<double> drive_travel(const LinkageCandidate& candidate);
+
 /// Lines of comment for its file: which linkage of which task it is, where it is drawn, and how far
 /// the drive moves from there to the other positions. `number` counts the linkages of the task.
 std::vector<std::string> linkage_comment(const SynthesisAnalysis& analysis,
