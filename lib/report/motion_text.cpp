@@ -1,9 +1,11 @@
 #include "report/motion_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
+#include "core/tolerance.hpp"
 #include "core/utf8.hpp"
 #include "report/column_table.hpp"
 #include "report/numbers.hpp"
@@ -27,6 +29,10 @@ std::string amount(double value, const std::string& unit) {
 
 std::string shown(const std::optional<double>& value) {
   return value ? format_short(*value) : "-";
+}
+
+bool is_same(double least, double greatest) {
+  return greatest - least <= kSameValue * std::max(std::abs(least), std::abs(greatest));
 }
 
 class MotionWriter {
@@ -165,7 +171,7 @@ class MotionWriter {
         greatest =
             value && (greatest == nullptr || *value > *greatest->values[c]) ? &row : greatest;
       }
-      if (least == nullptr || least->values[c] == greatest->values[c]) {
+      if (least == nullptr || is_same(*least->values[c], *greatest->values[c])) {
         continue;
       }
       table[0].cells.push_back(with_unit(motion_.columns[c].name(), motion_.columns[c].unit));

@@ -389,7 +389,9 @@ class SixBars(MotionTest):
 
 class Cams(MotionTest):
     def test_lift_as_the_disc_turns(self) -> None:
-        motion = run(Path("planar/cam_and_follower.yaml"))
+        motion = run(Path("planar/cam_and_follower.yaml"), "--drive", "motor", "--to", "360 deg",
+                     "--steps", "36", "--case", "opening", "--report", "g.vy", "--report", "c.R",
+                     "--report", "transmission_angle")
         self.check_complete(motion, motion.report["steps"])
 
         def lift(angle: float) -> float:

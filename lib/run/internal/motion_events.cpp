@@ -125,6 +125,26 @@ class DeadPointFinder {
     return std::clamp(is_near_low ? zero + edge : zero - edge, low.share + edge, high.share - edge);
   }
 
+  // From a place to a share of the ranges, in steps so small that the branch is kept.
+  std::optional<Configuration> walk(const Place& from, double share) const {
+    constexpr double kStep = 0.05;  // [rad, or sizes of the mechanism]
+    double reach = 0.0;
+    for (const MotionDrive& drive : motion_.solution.drives) {
+      const bool turns =
+          mechanism_.topology.freedoms[static_cast<std::size_t>(drive.freedom)].is_rotation;
+      const double unit = turns ? 1.0 : mechanism_.geometry.length;
+      reach = std::max(reach, std::abs(drive.to - drive.from) / unit);
+    }
+    const double way = share - from.share;
+    const int steps = 1 + static_cast<int>(std::abs(way) * reach / kStep);
+    std::optional<Configuration> now = from.configuration;
+    for (int k = 1; now && k <= steps; ++k) {
+      now = configuration_between(
+          motion_.network, motion_.solution, *now, from.share + way * k / steps);
+    }
+    return now;
+  }
+
   void add(int freedom, int step, std::vector<DeadPoint>& found) const {
     const auto f = static_cast<std::size_t>(freedom);
     Place low = place_of(step, f);
@@ -135,10 +155,9 @@ class DeadPointFinder {
         break;
       }
       const double share = next_share(low, high, round);
-      std::optional<Configuration> between =
-          configuration_between(motion_.network, motion_.solution, low.configuration, share);
+      std::optional<Configuration> between = walk(low, share);
       if (!between) {
-        return;
+        break;  // The bracket that was reached is what is known.
       }
       Place middle{.share = share, .configuration = *std::move(between)};
       middle.rate = rate(middle.configuration, f);

@@ -155,7 +155,7 @@ class TableMaker {
           continue;
         }
         const MotionKind kind = readings[c].kind;
-        const double least = kReportZero * largest_[static_cast<std::size_t>(kind)];
+        const double least = kReportsAgreeInZero * largest_[static_cast<std::size_t>(kind)];
         value = std::abs(*value) <= least ? 0.0 : in_unit(kind, *value);
       }
     }
