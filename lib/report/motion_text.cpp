@@ -89,8 +89,12 @@ class MotionWriter {
   }
 
   std::string closure_text() const {
-    return motion_.rows.empty()
-               ? ""
+    if (motion_.rows.empty()) {
+      return "";
+    }
+    return motion_.worst_closure <= kSameValue
+               ? fmt::format("  every circuit closes to {:.0e} of the mechanism's size or better\n",
+                             kSameValue)
                : fmt::format("  circuits close to {:.1e} of the mechanism's size (step {})\n",
                              motion_.worst_closure,
                              motion_.worst_step);
