@@ -129,6 +129,7 @@ void add_table(const Table& table, std::string_view name, Html& html) {
 }
 
 void add_blocks(const TextBlocks& blocks, std::string_view name, Html& html) {
+  html.open("div", {{"class", "blocks"}});
   for (const TextBlock& one : blocks.blocks()) {
     if (one.table) {
       add_table(*one.table, name, html);
@@ -136,6 +137,7 @@ void add_blocks(const TextBlocks& blocks, std::string_view name, Html& html) {
       add_lines(one.lines, html);
     }
   }
+  html.close();
 }
 
 }  // namespace kinestat
