@@ -120,11 +120,22 @@ struct GuideLayout {
   int row_count = 0;
 };
 
+// Those beside the axis are left out.
+std::vector<ChartGuide> guides_within(const Chart& chart, const ChartFrame& frame) {
+  std::vector<ChartGuide> guides;
+  for (const ChartGuide& guide : chart.guides) {
+    if (frame.holds({.x = frame.place(guide.x, frame.y.low).x, .y = frame.box.top})) {
+      guides.push_back(guide);
+    }
+  }
+  return guides;
+}
+
 // Labels stand over their guides, turned inwards at the ends.
-GuideLayout lay_out_guides(const Chart& chart, const ChartFrame& frame) {
+GuideLayout lay_out_guides(const std::vector<ChartGuide>& guides, const ChartFrame& frame) {
   GuideLayout layout;
   std::vector<PixelBox> boxes;
-  for (const ChartGuide& guide : chart.guides) {
+  for (const ChartGuide& guide : guides) {
     TextStyle style = {.size = kTickText, .has_halo = true};
     const double x = frame.place(guide.x, frame.y.low).x;
     const double half = text_width(guide.label, kTickText) / 2;
@@ -142,19 +153,22 @@ GuideLayout lay_out_guides(const Chart& chart, const ChartFrame& frame) {
 }
 
 // Lines first, so that no label has one across it.
-void draw_guides(const Chart& chart, const ChartFrame& frame, const GuideLayout& layout, Svg& svg) {
+void draw_guides(const std::vector<ChartGuide>& guides,
+                 const ChartFrame& frame,
+                 const GuideLayout& layout,
+                 Svg& svg) {
   const auto place = [&](std::size_t i) {
-    return PixelPoint{.x = frame.place(chart.guides[i].x, frame.y.low).x,
+    return PixelPoint{.x = frame.place(guides[i].x, frame.y.low).x,
                       .y = frame.box.top - 6.0 - kLineHeight * layout.rows[i]};
   };
-  for (std::size_t i = 0; i < chart.guides.size(); ++i) {
+  for (std::size_t i = 0; i < guides.size(); ++i) {
     const PixelPoint top = place(i);
     svg.line({.x = top.x, .y = top.y + 2.0},
              {.x = top.x, .y = frame.box.bottom},
              {.stroke = Ink::ink, .width = 1.0, .dash = "4 3"});
   }
-  for (std::size_t i = 0; i < chart.guides.size(); ++i) {
-    svg.text(place(i), chart.guides[i].label, layout.styles[i]);
+  for (std::size_t i = 0; i < guides.size(); ++i) {
+    svg.text(place(i), guides[i].label, layout.styles[i]);
   }
 }
 
@@ -201,12 +215,13 @@ double draw_chart(const Chart& chart, double top, Svg& svg) {
   }
   y = draw_legend(chart, y, kFrameWidth, svg) + 8.0;
   ChartFrame frame = make_frame(chart, y);
-  const GuideLayout guides = lay_out_guides(chart, frame);
-  const double shift = guides.row_count * kLineHeight;
+  const std::vector<ChartGuide> guides = guides_within(chart, frame);
+  const GuideLayout layout = lay_out_guides(guides, frame);
+  const double shift = layout.row_count * kLineHeight;
   frame.box.top += shift;
   frame.box.bottom += shift;
   draw_grid(frame, svg);
-  draw_guides(chart, frame, guides, svg);
+  draw_guides(guides, frame, layout, svg);
   draw_data(chart, frame, svg);
   draw_axes(chart, frame, svg);
   return frame.box.bottom + 40.0;
