@@ -16,6 +16,9 @@ namespace {
 // Beyond this, the order on the circle stays that of the tree: nobody reads such a picture closely.
 constexpr int kLargestOrdered = 40;
 
+// Beyond this, nodes stand on a circle: what else could be done takes too long.
+constexpr int kLargestLaidOut = 300;
+
 using Pair = std::pair<int, int>;
 
 double cross(PixelPoint a, PixelPoint b) {
@@ -56,7 +59,7 @@ class LayoutFinder {
 
   std::vector<PixelPoint> find() {
     const int n = graph_.vertex_count;
-    if (n < 3) {
+    if (n < 3 || n > kLargestLaidOut) {
       return on_circle(all_vertices(), std::nullopt);
     }
     consider(best_circle(all_vertices(), std::nullopt));

@@ -300,6 +300,10 @@ void LinkageCanvas::draw_arrows() {
 }
 
 void LinkageCanvas::draw_names() {
+  constexpr std::size_t kMostNames = 500;  // nobody reads more, and they take long
+  if (names_.size() > kMostNames) {
+    names_.clear();
+  }
   open_layer("names");
   for (const WaitingName& name : names_) {
     const PlacedName label = placer_.place(name.anchor, name.text, name.style, name.distance);
