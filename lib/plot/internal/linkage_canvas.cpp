@@ -135,7 +135,11 @@ Ink body_ink(BodyId body) {
 LinkageCanvas::LinkageCanvas(const Analysis& analysis,
                              const LinkageOptions& options,
                              const LinkageView& view)
-    : analysis_(analysis), options_(options), view_(view), arrows_(find_arrows(analysis, options)) {
+    : analysis_(analysis),
+      options_(options),
+      view_(view),
+      arrows_(find_arrows(analysis, options)),
+      places_(analysis.mechanism.geometry.points) {
   for (const DrawnArrow& arrow : arrows_) {
     if (is_force(arrow)) {
       largest_force_ = std::max(largest_force_, arrow.vector.norm());
