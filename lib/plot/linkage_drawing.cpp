@@ -1,6 +1,7 @@
 #include "plot/linkage_drawing.hpp"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -44,8 +45,14 @@ Picture draw_linkage(const Analysis& analysis, const LinkageOptions& options) {
     draw_spatial(analysis, options, parts, canvas);
   }
   canvas.svg().close_group();
-  return make_picture(
-      "linkage", analysis.mechanism.name, describe(analysis, options), canvas.svg());
+  Picture picture =
+      make_picture("linkage", analysis.mechanism.name, describe(analysis, options), canvas.svg());
+  const PixelBox bounds = canvas.bounds();
+  picture.view.add(PixelBox{.left = std::floor(bounds.left),
+                            .top = std::floor(bounds.top),
+                            .right = std::ceil(bounds.right),
+                            .bottom = std::ceil(bounds.bottom)});
+  return picture;
 }
 
 }  // namespace kinestat

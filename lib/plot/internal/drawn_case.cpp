@@ -15,7 +15,10 @@ namespace {
 class ArrowFinder {
  public:
   ArrowFinder(const Analysis& analysis, const CaseAnalysis& one)
-      : mechanism_(analysis.mechanism), units_(analysis.description.units), one_(one) {}
+      : mechanism_(analysis.mechanism),
+        description_(analysis.description),
+        units_(analysis.description.units),
+        one_(one) {}
 
   void add_actions() {
     if (!one_.action || one_.action->magnitudes.empty()) {
@@ -115,7 +118,9 @@ class ArrowFinder {
   void add_reaction(CouplingId id) {
     const auto e = static_cast<std::size_t>(id.value);
     const auto& wrench = one_.action->wrenches[e];
-    const bool is_rope = mechanism_.topology.coupling(id).type == CouplingType::cable;
+    // Of ropes and their virtual links the pulleys say enough.
+    const bool is_rope = mechanism_.topology.coupling(id).type == CouplingType::cable ||
+                         description_.couplings[e].part != nullptr;
     if (wrench && !is_rope) {
       const Vec3 force = wrench->force - force_of_actuators(id);
       add({.kind = ArrowKind::reaction,
@@ -176,6 +181,7 @@ class ArrowFinder {
   }
 
   const Mechanism& mechanism_;
+  const MechanismDescription& description_;
   const FileUnits& units_;
   const CaseAnalysis& one_;
   std::vector<DrawnArrow> arrows_;

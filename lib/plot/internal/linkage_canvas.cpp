@@ -316,9 +316,20 @@ void LinkageCanvas::draw_names() {
   svg_.close_group();
 }
 
+PixelBox LinkageCanvas::bounds() const {
+  constexpr double kSymbol = 24.0;  // what stands around a place
+  PixelBox box = svg_.bounds();
+  for (const Vec3& p : options_.reach) {
+    PixelBox place;
+    place.add(view_.at(p));
+    box.add(place.grown(kSymbol));
+  }
+  return box;
+}
+
 void LinkageCanvas::draw_legend() {
   const FileUnits& units = analysis_.description.units;
-  const PixelBox drawn = svg_.bounds();
+  const PixelBox drawn = bounds();
   const double y = drawn.bottom + 26.0;
   double x = drawn.left;
   const double per_unit = view_.scale * units.factor(QuantityKind::length);

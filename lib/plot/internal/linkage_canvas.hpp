@@ -55,6 +55,9 @@ class LinkageCanvas {
 
   void open_layer(const std::string& name);
 
+  /// Of what is drawn, and of what the options say that a motion reaches.
+  PixelBox bounds() const;
+
   /// The name of a body or of couplings, written with all others when everything is drawn.
   void name(std::string text, PixelPoint anchor, double distance, Ink ink);
 

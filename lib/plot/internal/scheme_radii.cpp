@@ -36,10 +36,13 @@ class RadiusFinder {
   // The nearest values that meet all conditions, by projection on one after the other (Kaczmarz):
   // each variable gives way by its square, the pins much more easily.
   SchemeRadii find() {
-    constexpr int kRounds = 4000;
-    for (int round = 0; round < kRounds; ++round) {
+    constexpr int kMostRounds = 200'000;
+    const double near = kSameValue * *std::ranges::max_element(values_);
+    double worst = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < kMostRounds && worst > near; ++round) {
+      worst = 0.0;
       for (const Touch& touch : touches_) {
-        project(touch);
+        worst = std::max(worst, std::abs(project(touch)));
       }
     }
     const auto wheels = static_cast<std::ptrdiff_t>(train_.wheels.size());
@@ -109,7 +112,8 @@ class RadiusFinder {
     touches_.push_back(std::move(touch));
   }
 
-  void project(const Touch& touch) {
+  // By how much it missed.
+  double project(const Touch& touch) {
     double miss = 0.0;
     double ease = 0.0;
     for (const auto& [variable, factor] : touch.terms) {
@@ -119,6 +123,7 @@ class RadiusFinder {
     for (const auto& [variable, factor] : touch.terms) {
       values_[variable] -= miss / ease * ease_[variable] * factor;
     }
+    return miss;
   }
 
   const SchemeTrain& train_;
