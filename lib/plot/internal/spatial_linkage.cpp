@@ -181,6 +181,11 @@ class SpatialDrawing {
       const bool is_rope = point.coupling && topology_.coupling(*point.coupling).type == cable;
       add(canvas_.view().at(point.coupling && !is_rope ? place(*point.coupling) : point.at));
     }
+    for (const Wheel& wheel : parts_.wheels) {
+      if (wheel.body == body) {
+        add(canvas_.view().at(wheel.centre));
+      }
+    }
     for (const TracedPath& path : options_.paths) {
       if (path.body == body && !path.points.empty()) {
         add(canvas_.view().at(path.points.front()));
