@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <array>
+
+#include <fmt/format.h>
 
 #include "plot/dot.hpp"
 #include "plot/gear_scheme.hpp"
@@ -41,8 +44,22 @@ std::string lack_of_nothing(const PictureSource&) {
   return "";
 }
 
+// How many graphs one picture may show.
+constexpr int kMostGraphs = 60;
+
 std::string lack_of_circuits(const PictureSource& source) {
-  return circuit_models(*source.analysis).empty() ? "its graph has no circuit" : "";
+  const int count = source.analysis->mechanism.graph.circuit_count();
+  if (count > kMostGraphs) {
+    return fmt::format("its graph has {} circuits, more than a picture shows", count);
+  }
+  return count == 0 ? "its graph has no circuit" : "";
+}
+
+std::string lack_of_cutsets(const PictureSource& source) {
+  const int count = source.analysis->mechanism.graph.cutset_count();
+  return count > kMostGraphs
+             ? fmt::format("its graph has {} cut-sets, more than a picture shows", count)
+             : "";
 }
 
 Picture draw_mechanism(const PictureSource& source) {
@@ -137,7 +154,7 @@ constexpr auto kKinds = std::to_array<PictureKind>({
      .draw = draw_circuits},
     {.name = "cut-sets",
      .sentence = "the fundamental cut-sets in the graph",
-     .lack = lack_of_nothing,
+     .lack = lack_of_cutsets,
      .draw = draw_cutsets},
     {.name = "power-flow",
      .sentence = "where the power of a case goes, by its size",
