@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "plot/internal/file_numbers.hpp"
 #include "plot/internal/symbols.hpp"
 
 namespace kinestat {
@@ -28,7 +29,8 @@ class PlanarDrawing {
                 const LinkageOptions& options,
                 const LinkageParts& parts,
                 LinkageCanvas& canvas)
-      : topology_(analysis.mechanism.topology),
+      : description_(analysis.description),
+        topology_(analysis.mechanism.topology),
         geometry_(analysis.mechanism.geometry),
         options_(options),
         parts_(parts),
@@ -126,8 +128,7 @@ class PlanarDrawing {
       if (point.coupling && !has_guide && is_new) {
         supports.push_back(pin);
         draw_support(svg_, pin);
-        canvas_.placer().keep_off(
-            {.left = pin.x - 16, .top = pin.y, .right = pin.x + 16, .bottom = pin.y + 24});
+        canvas_.placer().keep_off(box_of_circle(pin + PixelPoint{.x = 0.0, .y = 12.0}, 13.0));
       }
     }
     draw_wheels(BodyId{0});
@@ -210,7 +211,6 @@ class PlanarDrawing {
     } else if (radius > 9.0) {
       svg_.circle(centre, radius - 4.0, {.stroke = ink, .width = 0.8});
     }
-    // A mark, so that turning is seen.
     svg_.line(centre, centre + PixelPoint{.x = 0.0, .y = -radius}, {.stroke = ink, .width = 0.8});
   }
 
@@ -270,29 +270,35 @@ class PlanarDrawing {
     }
   }
 
-  // A cam touches with a round flank that swells from its axis; its true form the file does not
-  // tell.
+  // Of the tail (0) or the head (1) where they touch [px]; empty if it is flat or not known.
+  std::optional<double> contact_radius(CouplingId id, std::size_t side) const {
+    const auto& radii = description_.couplings[static_cast<std::size_t>(id.value)].radii;
+    if (radii.size() != 2 || !radii[side]) {
+      return std::nullopt;
+    }
+    const auto radius = FileNumbers(description_).number(*radii[side], QuantityKind::length);
+    return radius && *radius > 0.0 ? std::optional(*radius * canvas_.view().scale) : std::nullopt;
+  }
+
+  // A cam is round where it touches; without its radius it swells from its axis.
   void add_lobe(BodyId body, std::vector<Round>& rounds) {
     for (const BodyPoint& point : parts_.points[index(body)]) {
-      if (!point.coupling) {
-        continue;
-      }
-      const CouplingTopology& coupling = topology_.coupling(*point.coupling);
-      const bool is_contact = coupling.type == cam || coupling.type == point_contact;
-      if (!is_contact || coupling.tail != body) {
+      const CouplingTopology* coupling =
+          point.coupling ? &topology_.coupling(*point.coupling) : nullptr;
+      if (coupling == nullptr || coupling->tail != body ||
+          (coupling->type != cam && coupling->type != point_contact)) {
         continue;
       }
       const PixelPoint touch = canvas_.view().at(point.at);
-      const PixelPoint out = normal(coupling);
-      double reach = 0.0;
       std::erase_if(rounds, [&](const Round& r) { return length_of(r.centre - touch) < 0.5; });
-      for (const Round& round : rounds) {
-        reach = std::max(reach, length_of(round.centre - touch));
+      std::optional<double> radius = contact_radius(*point.coupling, 0);
+      if (!radius) {
+        radius = rounds.empty() ? kHalfBar : 0.45 * length_of(rounds.front().centre - touch);
+        for (Round& round : rounds) {
+          round.radius = std::max(round.radius, *radius);
+        }
       }
-      for (Round& round : rounds) {
-        round.radius = std::max(round.radius, 0.45 * reach);
-      }
-      rounds.push_back({.centre = touch - 0.45 * reach * out, .radius = 0.45 * reach});
+      rounds.push_back({.centre = touch - *radius * normal(*coupling), .radius = *radius});
     }
   }
 
@@ -462,18 +468,18 @@ class PlanarDrawing {
     }
   }
 
-  // Below the first support.
+  // Below the first place where anything stands on it.
   void name_ground() {
-    for (const BodyPoint& point : parts_.points[0]) {
-      if (point.coupling) {
-        const PixelPoint below = {.x = 0.0, .y = 26.0};
-        canvas_.name(
-            topology_.body(BodyId{0}).name, canvas_.view().at(point.at) + below, 3.0, Ink::soft);
-        return;
-      }
+    const auto& points = parts_.points[0];
+    const auto at = std::ranges::find_if(
+        points, [](const BodyPoint& point) { return point.coupling.has_value(); });
+    if (at != points.end()) {
+      const PixelPoint below = canvas_.view().at(at->at) + PixelPoint{.x = 0.0, .y = 26.0};
+      canvas_.name(topology_.body(BodyId{0}).name, below, 3.0, Ink::soft);
     }
   }
 
+  const MechanismDescription& description_;
   const Topology& topology_;
   const Geometry& geometry_;
   const LinkageOptions& options_;
