@@ -1,6 +1,11 @@
 #include "mobility/rank_certainty.hpp"
 
+#include <algorithm>
+
+#include "core/tolerance.hpp"
+#include "math/equilibrate.hpp"
 #include "math/refined_solve.hpp"
+#include "math/smallest_singular_value.hpp"
 #include "network/bases.hpp"
 #include "network/node_system.hpp"
 #include "network/typed_system.hpp"
@@ -44,6 +49,27 @@ std::string_view word_of(TypedProof proof) {
   return "";
 }
 
+// Jacobi's method takes some ten n³ operations.
+constexpr int kLargestSpectrum = 200;
+
+// The k-th singular value of the scaled doubles.
+std::optional<double> deciding_value(const TypedMatrix& system, int k) {
+  if (std::max(system.rows, system.columns) > kLargestSpectrum) {
+    return std::nullopt;
+  }
+  SparseMatrix doubles{.rows = system.rows, .columns = system.columns, .entries = {}};
+  for (const TypedEntry& entry : system.entries) {
+    doubles.add(entry.row, entry.column, entry.value.value);
+  }
+  const Scaling scaling = find_scaling(doubles);
+  for (SparseEntry& entry : doubles.entries) {
+    entry.value *= scaling.rows[static_cast<std::size_t>(entry.row)] *
+                   scaling.columns[static_cast<std::size_t>(entry.column)];
+  }
+  const double share = singular_value_share(doubles.dense(), k);
+  return share <= kEpsilon * std::max(system.rows, system.columns) ? 0.0 : share;
+}
+
 void add_typed(const TypedMatrix& system, int shift, RankCertainty& certainty) {
   std::optional<TypedRank> found = find_typed_rank(system, largest_rank(system));
   if (!found) {
@@ -51,6 +77,9 @@ void add_typed(const TypedMatrix& system, int shift, RankCertainty& certainty) {
   }
   found->rank -= shift;
   certainty.typed = found;
+  if (certainty.differs()) {
+    certainty.deciding = deciding_value(system, std::max(found->rank, certainty.rank) + shift);
+  }
   if (certainty.how != "structural") {
     certainty.how = certainty.differs() ? "numeric" : word_of(found->proof);
   }

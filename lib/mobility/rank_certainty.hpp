@@ -16,6 +16,9 @@ struct RankCertainty {
   int lower = 0;                     ///< proved of these: the bound of a solution proves its pivots
   int upper = 0;                     ///< proved by the pattern of their entries
   double dropped = 0.0;              ///< the largest entry that counted as zero
+  std::optional<double> deciding;    ///< where rounding decides and the network is small: the last
+                                     ///< singular value that one of both ranks counts, as a share
+                                     ///< of the first; 0: mere rounding
   std::optional<TypedRank> typed;    ///< of the numbers as typed, where anybody asked
   std::string_view how = "numeric";  ///< why the rank is believed: structural, elimination,
                                      ///< modular, digits (60 of them), numeric

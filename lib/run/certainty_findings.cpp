@@ -13,6 +13,16 @@ std::string dropped_text(double dropped) {
   return dropped > 0.0 ? fmt::format("{:.2g} of the largest number", dropped) : "lost in rounding";
 }
 
+// Of the scaled equations, where their singular values are known.
+std::string deciding_text(const RankCertainty& certainty) {
+  if (!certainty.deciding) {
+    return dropped_text(certainty.dropped);
+  }
+  return *certainty.deciding > 0.0
+             ? fmt::format("a singular value of {:.2g} of the largest", *certainty.deciding)
+             : "lost in rounding";
+}
+
 // Both answers, where rounding to double decides.
 void add_rank_finding(const std::optional<RankCertainty>& certainty,
                       std::string_view what,
@@ -32,7 +42,7 @@ void add_rank_finding(const std::optional<RankCertainty>& certainty,
                   rank,
                   typed > rank ? "regular" : "redundant",
                   typed > rank ? "redundant" : "regular",
-                  dropped_text(certainty->dropped)),
+                  deciding_text(*certainty)),
       typed > rank ? "the position is close to a singular one, or coordinates were rounded before "
                      "they were typed: write expressions; '--accuracy exact' solves what is typed"
                    : "'--accuracy exact' counts and solves what is typed");
