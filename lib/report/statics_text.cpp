@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "math/readable_basis.hpp"
 #include "report/numbers.hpp"
 
 namespace kinestat {
@@ -87,6 +88,10 @@ TextBlocks constraints_blocks(const Topology& topology,
 std::string self_stresses_text(const Topology& topology,
                                const StaticSolution& action,
                                const InUnits& in) {
+  const auto count = static_cast<std::size_t>(action.check.missing);
+  if (action.self_stresses.empty() && count * topology.actions.size() > kLongestList) {
+    return fmt::format("  {} self-stresses, too many to be listed\n\n", count);
+  }
   const FileUnits& units = in.units();
   const auto kind = [&](int a) {
     return topology.actions[static_cast<std::size_t>(a)].is_couple ? QuantityKind::moment

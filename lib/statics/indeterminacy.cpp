@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/readable_basis.hpp"
 #include "statics/completed_actions.hpp"
 #include "statics/coupling_wrenches.hpp"
 #include "statics/equilibrium.hpp"
@@ -76,11 +77,17 @@ StaticSolution resolve_indeterminacy(const Mechanism& mechanism,
     indices.push_back(primary.index);
     known.push_back(primary.value);
   }
+  const bool is_report_alone =
+      mechanism.indeterminate == IndeterminateChoice::report || !is_friction_known(solution);
+  const auto missing = static_cast<std::size_t>(solution.check.missing);
+  if (is_report_alone && missing * mechanism.topology.actions.size() > kLongestList) {
+    return solution;
+  }
   const Equilibrium equilibrium(mechanism, basis, std::move(indices));
   const std::vector<BodyWrench> all = with_friction(mechanism, loads, solution);
   const std::vector<VecX> stresses = equilibrium.self_stresses();
   solution.self_stresses = list_self_stresses(stresses, action_scales(mechanism));
-  if (mechanism.indeterminate == IndeterminateChoice::report || !is_friction_known(solution)) {
+  if (is_report_alone) {
     return solution;
   }
   return completed(
