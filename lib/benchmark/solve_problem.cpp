@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "math/dense_methods.hpp"
+#include "math/elimination.hpp"
 #include "math/exact_elimination.hpp"
 #include "network/bases.hpp"
 #include "network/network_matrices.hpp"
@@ -153,36 +154,47 @@ class ProblemMaker {
     if (problem_.secondary.empty()) {
       return NoProblem::no_unknowns;
     }
-    const ExactElimination elimination(exact_matrix(problem_.matrix), problem_.last);
-    if (!elimination.free_columns().empty()) {
+    const Elimination factors(problem_.matrix, problem_.last);
+    if (!factors.free_columns().empty()) {
       return NoProblem::open;
     }
-    const ExactSolution solution = solve(elimination);
-    if (!solution.consistent) {
+    if (!factors.is_consistent(problem_.known, problem_.right)) {
       return NoProblem::dependent;
     }
-    if (elimination.relation_count() > 0) {
-      leave_out(elimination.dependent_columns());
-      fill_columns();
-    }
-    for (const int c : problem_.secondary) {
-      problem_.exact.push_back(solution.x[static_cast<std::size_t>(c)]);
-    }
+    keep(factors.pivot_rows());
+    fill_exact();
     return NoProblem::none;
   }
 
-  // What other primary magnitudes determine as well becomes an unknown: dense methods need as many
-  // equations as unknowns.
-  void leave_out(const std::vector<int>& columns) {
-    std::erase_if(primaries_, [&](const Primary& one) {
-      return std::ranges::binary_search(columns, column(one.index));
-    });
+  // Of redundant equations, which the rounding of their numbers makes contradict each other. Dense
+  // methods, which may take others, come no nearer to the solution than that rounding.
+  void keep(const std::vector<int>& rows) {
+    SparseMatrix& matrix = problem_.matrix;
+    std::vector<int> place(static_cast<std::size_t>(matrix.rows), -1);
+    std::vector<double> right;
+    for (const int row : rows) {
+      place[static_cast<std::size_t>(row)] = static_cast<int>(right.size());
+      right.push_back(problem_.right.empty() ? 0.0 : problem_.right[static_cast<std::size_t>(row)]);
+    }
+    for (SparseEntry& entry : matrix.entries) {
+      entry.row = place[static_cast<std::size_t>(entry.row)];
+    }
+    std::erase_if(matrix.entries, [](const SparseEntry& entry) { return entry.row < 0; });
+    matrix.rows = static_cast<int>(rows.size());
+    problem_.right = problem_.right.empty() ? std::vector<double>() : right;
+  }
+
+  void fill_exact() {
+    const ExactElimination elimination(exact_matrix(problem_.matrix), problem_.last);
+    const std::vector<Rational> known(problem_.known.begin(), problem_.known.end());
+    const std::vector<Rational> right(problem_.right.begin(), problem_.right.end());
+    const ExactSolution solution = elimination.solve(known, right);
+    for (const int c : problem_.secondary) {
+      problem_.exact.push_back(solution.x[static_cast<std::size_t>(c)]);
+    }
   }
 
   void fill_columns() {
-    problem_.last.clear();
-    problem_.known.clear();
-    problem_.secondary.clear();
     for (const Primary& one : primaries_) {
       problem_.last.push_back(column(one.index));
       problem_.known.push_back(one.value / unit(one.index));
@@ -197,12 +209,6 @@ class ProblemMaker {
     problem_.units = Eigen::Map<const VecX>(units.data(), static_cast<Eigen::Index>(units.size()));
   }
 
-  ExactSolution solve(const ExactElimination& elimination) const {
-    const std::vector<Rational> known(problem_.known.begin(), problem_.known.end());
-    const std::vector<Rational> right(problem_.right.begin(), problem_.right.end());
-    return elimination.solve(known, right);
-  }
-
   void fill_far() {
     if (is_motion_) {
       fill_circuits();
@@ -214,7 +220,7 @@ class ProblemMaker {
   // Rows are chosen where the equations are written well.
   void fill_bodies() {
     const std::vector<int> rows =
-        independent_rows(problem_.matrix.dense()(Eigen::all, problem_.secondary));
+        independent_rows(system(near_).dense()(Eigen::all, problem_.secondary));
     const MatX all = system(far_).dense();
     const std::vector<double> loads = right_of(far_);
     VecX right = loads.empty() ? VecX(VecX::Zero(all.rows()))

@@ -15,7 +15,8 @@ enum class ProblemSide { motion, action };
 
 /// A x = b with some of x known, and what of x is asked for.
 struct SolveProblem {
-  // The node system: sparse, about an origin near the mechanism, in units of its size.
+  // The node system: sparse, about an origin near the mechanism, in units of its size. Equations
+  // that follow from others are left out.
   SparseMatrix matrix;
   std::vector<int> last;       ///< columns of the primary magnitudes
   std::vector<double> known;   ///< their values

@@ -53,15 +53,6 @@ int ExactElimination::relation_count() const {
   return static_cast<int>(factors_->elimination.last_pivots.size());
 }
 
-std::vector<int> ExactElimination::dependent_columns() const {
-  std::vector<int> result;
-  for (const auto& pivot : factors_->elimination.last_pivots) {
-    result.push_back(pivot.column);
-  }
-  std::ranges::sort(result);
-  return result;
-}
-
 ExactSolution ExactElimination::solve(std::span<const Rational> known,
                                       std::span<const Rational> rhs) const {
   KINESTAT_EXPECTS(known.size() == factors_->last.size());

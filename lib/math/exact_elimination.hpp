@@ -55,9 +55,6 @@ class ExactElimination {
   /// How many independent relations the equations ask of the columns of `last`.
   int relation_count() const;
 
-  /// One column of `last` a relation, which the others determine; ascending.
-  std::vector<int> dependent_columns() const;
-
   /// Solves for the columns outside `last`, given x at the columns of `last` (in that order) and
   /// the right-hand side (empty: zero).
   ExactSolution solve(std::span<const Rational> known, std::span<const Rational> rhs) const;
