@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <utility>
 
 #include "core/contract.hpp"
@@ -229,6 +230,19 @@ std::vector<VecX> Elimination::null_vectors() const {
     result.push_back(std::move(x));
   }
   return result;
+}
+
+VecX Elimination::mixed_null_vector() const {
+  std::mt19937_64 random(free_columns_.size());
+  VecX x = VecX::Zero(matrix_.columns);
+  for (const int column : free_columns_) {
+    // From 1 to 2, in steps of 2^-52.
+    const double weight = 1.0 + std::ldexp(static_cast<double>(random() >> 12U), -52);
+    x[column] = weight / at(scaling_.columns, column);
+  }
+  back_substitute({}, x);
+  unscale(x);
+  return x;
 }
 
 }  // namespace kinestat

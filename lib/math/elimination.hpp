@@ -74,6 +74,10 @@ class Elimination {
   /// A basis of the solutions of A x = 0 with x = 0 at `last`: one vector a free column, 1 there.
   std::vector<VecX> null_vectors() const;
 
+  /// Their sum with weights drawn at random, so that it is zero only where all of them are: for
+  /// networks in which all of them would fill the memory. Always the same.
+  VecX mixed_null_vector() const;
+
  private:
   friend class Eliminator;
   friend class RefinedSolve;

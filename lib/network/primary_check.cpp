@@ -15,9 +15,17 @@ constexpr std::size_t kMostProposals = 5;
 // Beyond this many missing times candidates, a hint is not worth the search.
 constexpr std::size_t kLongestSearch = 40000;
 
-// One row a magnitude, one column a motion (or self-stress) that is still possible.
+// Beyond this many numbers the motions are mixed: names of what is open are all that is asked of
+// them then.
+constexpr std::size_t kMostNumbers = 1000000;
+
+// One row a magnitude, one column a motion (or self-stress) that is still possible; where these are
+// very many, one column alone.
 MatX possible(const Elimination& elimination, int first_column, int count) {
-  const std::vector<VecX> vectors = elimination.null_vectors();
+  const std::size_t size = elimination.free_columns().size() * static_cast<std::size_t>(count);
+  const std::vector<VecX> vectors = size > kMostNumbers
+                                        ? std::vector<VecX>{elimination.mixed_null_vector()}
+                                        : elimination.null_vectors();
   MatX result(count, static_cast<Eigen::Index>(vectors.size()));
   for (std::size_t j = 0; j < vectors.size(); ++j) {
     result.col(static_cast<Eigen::Index>(j)) = vectors[j].segment(first_column, count);
@@ -170,7 +178,8 @@ PrimaryCheck check_primaries(const Elimination& elimination,
   const MatX clear = clear_part(motions);
   check.undetermined = rows_in_use(motions);
   check.candidates = rows_in_use(clear);
-  if (static_cast<std::size_t>(check.missing) * check.candidates.size() <= kLongestSearch) {
+  const std::size_t search = static_cast<std::size_t>(check.missing) * check.candidates.size();
+  if (clear.cols() == check.missing && search <= kLongestSearch) {
     check.completions = BasisSearch(clear, driven_first(check.candidates, driven)).run();
   }
   return check;

@@ -336,6 +336,21 @@ TEST_P(RandomSystems, OfEntriesOneHaveTheRankOfFullPivoting) {
   EXPECT_EQ(elimination.rank(), static_cast<int>(lu.rank()));
 }
 
+TEST_P(RandomSystems, HaveAMixedNullVectorInTheSpanOfAll) {
+  Random random(static_cast<std::uint64_t>(GetParam()));
+  const MatX A = random_sparse(20, 30, random);
+  const Elimination elimination(sparse(A), {});
+  VecX rest = elimination.mixed_null_vector();
+
+  // Each vector is 1 at a free column, where the others are 0.
+  const std::vector<VecX> vectors = elimination.null_vectors();
+  for (std::size_t j = 0; j < vectors.size(); ++j) {
+    rest -= rest[elimination.free_columns()[j]] * vectors[j];
+  }
+
+  EXPECT_NEAR(rest.norm(), 0.0, kTwoWays);
+}
+
 TEST_P(RandomSystems, HaveNullVectorsThatTheMatrixAnnuls) {
   Random random(static_cast<std::uint64_t>(GetParam()));
   const MatX A = random_sparse(20, 30, random);

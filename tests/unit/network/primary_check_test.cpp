@@ -1,5 +1,7 @@
 #include "network/primary_check.hpp"
 
+#include <numeric>
+
 #include <gtest/gtest.h>
 
 namespace kinestat {
@@ -54,6 +56,26 @@ TEST(PrimaryCheck, LeavesDependentPairsOutOfTheCompletions) {
 
   EXPECT_EQ(check.missing, 2);
   EXPECT_EQ(check.completions, (std::vector<std::vector<int>>{{0, 3}, {1, 3}, {2, 3}}));
+}
+
+// 1200 free pairs, whose motions would be 3.6 million numbers, and as many magnitudes that are
+// zero.
+TEST(PrimaryCheck, NamesWhatIsOpenWhereVeryMuchIs) {
+  constexpr int kPairs = 1200;
+  SparseMatrix matrix = equal_pairs(kPairs);
+  for (int i = 0; i < kPairs; ++i) {
+    matrix.add(matrix.rows++, matrix.columns++, 2.0);
+  }
+  const Elimination elimination(matrix, {});
+
+  const PrimaryCheck check = check_primaries(elimination, 0, std::vector<double>(3 * kPairs, 1.0));
+
+  std::vector<int> open(2 * kPairs);
+  std::iota(open.begin(), open.end(), 0);
+  EXPECT_EQ(check.missing, kPairs);
+  EXPECT_EQ(check.undetermined, open);
+  EXPECT_EQ(check.candidates, open);
+  EXPECT_TRUE(check.completions.empty());
 }
 
 TEST(PrimaryCheck, NamesTheRelationBetweenDependentPrimaries) {
