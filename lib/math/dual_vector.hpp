@@ -2,28 +2,15 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 
 #include "core/types.hpp"
 #include "math/dual.hpp"
+#include "math/eigen_number.hpp"
 
 namespace kinestat {
 
-inline Dual& operator+=(Dual& a, const Dual& b) {
-  return a = a + b;
-}
-
-inline Dual& operator-=(Dual& a, const Dual& b) {
-  return a = a - b;
-}
-
-inline Dual& operator*=(Dual& a, const Dual& b) {
-  return a = a * b;
-}
-
-inline Dual& operator/=(Dual& a, const Dual& b) {
-  return a = a / b;
-}
+template <>
+inline constexpr bool kHasPlainArithmetic<Dual> = true;
 
 /// The numbers of a vector without their derivatives.
 template <class Scalar>
@@ -43,19 +30,4 @@ Vec3Of<Scalar> unit_along(const Vec3Of<Scalar>& vector) {
 }  // namespace kinestat
 
 template <>
-struct Eigen::NumTraits<kinestat::Dual> : Eigen::GenericNumTraits<kinestat::Dual> {
-  using Real = kinestat::Dual;
-  using NonInteger = kinestat::Dual;
-  using Nested = kinestat::Dual;
-  using Literal = double;
-
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 8,
-    AddCost = 64,
-    MulCost = 64
-  };
-};
+struct Eigen::NumTraits<kinestat::Dual> : kinestat::EigenNumber<kinestat::Dual, 8, 64> {};

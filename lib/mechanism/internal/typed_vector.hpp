@@ -4,46 +4,19 @@
 #include <cmath>
 
 #include "core/tolerance.hpp"
+#include "math/eigen_number.hpp"
 #include "math/typed.hpp"
 #include "screw/twist.hpp"
 
 namespace kinestat {
 
-inline Typed& operator+=(Typed& a, const Typed& b) {
-  return a = a + b;
-}
-
-inline Typed& operator-=(Typed& a, const Typed& b) {
-  return a = a - b;
-}
-
-inline Typed& operator*=(Typed& a, const Typed& b) {
-  return a = a * b;
-}
-
-inline Typed& operator/=(Typed& a, const Typed& b) {
-  return a = a / b;
-}
+template <>
+inline constexpr bool kHasPlainArithmetic<Typed> = true;
 
 }  // namespace kinestat
 
 template <>
-struct Eigen::NumTraits<kinestat::Typed> : Eigen::GenericNumTraits<kinestat::Typed> {
-  using Real = kinestat::Typed;
-  using NonInteger = kinestat::Typed;
-  using Nested = kinestat::Typed;
-  using Literal = double;
-
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 64,
-    AddCost = 512,
-    MulCost = 512
-  };
-};
+struct Eigen::NumTraits<kinestat::Typed> : kinestat::EigenNumber<kinestat::Typed, 64, 512> {};
 
 namespace kinestat {
 
