@@ -112,9 +112,9 @@ inline constexpr double kDoublePoint = 1e-6;
 /// sought along another line.
 inline constexpr double kRoughPoint = 1e-6;
 
-/// A circle point or centre point further away than this many sizes of the task lies at infinity:
-/// positions rounded to double put the centre of a straight path at about 1e15.
-inline constexpr double kInfinitePoint = 1e8;
+/// A crank longer than this many sizes of the task may be a slider whose positions are rounded:
+/// over the task its arc leaves a straight line by an eighth of the reciprocal.
+inline constexpr double kLongCrank = 1e3;
 
 /// A circle of a task may be at most this many times as large as the spread of its positions for
 /// the scale of the equations.

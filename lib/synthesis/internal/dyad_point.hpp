@@ -13,10 +13,6 @@
 
 namespace kinestat {
 
-/// A crank longer than this many sizes of the task may be a slider whose positions are rounded:
-/// over the task its arc leaves a straight line by an eighth of the reciprocal.
-inline constexpr double kLongCrank = 1e3;
-
 /// (u, v, a, b, p, q, h), of any length. Finite points are divided by whichever of their two
 /// denominators is larger, which stays accurate far away. `error` is what the positions leave
 /// uncertain of the seven numbers, the largest of which counts as 1: a point whose reciprocal
