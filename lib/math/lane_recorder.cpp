@@ -8,7 +8,6 @@
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "math/internal/lane_tape_maker.hpp"
-#include "math/internal/tape_range.hpp"
 
 namespace kinestat {
 
@@ -39,7 +38,15 @@ TapeNumber LaneRecorder::constant(double value) {
 }
 
 TapeNumber LaneRecorder::input(double value, const TapeRange& range) {
-  return push({.what = What::input, .value = value, .range = range, .input = input_count_++});
+  Node node{.what = What::input, .value = value, .range = range, .input = input_count_++};
+  if (std::isfinite(range.most())) {
+    node.form = form_of_input(node.input, range);
+  }
+  return push(node);
+}
+
+std::optional<TapeForm> LaneRecorder::form(TapeNumber a) const {
+  return is_constant(a) ? std::optional(form_of_constant(value(a))) : node(a).form;
 }
 
 TapeNumber LaneRecorder::operation(Kind kind,
@@ -64,20 +71,38 @@ TapeNumber LaneRecorder::operation(Kind kind,
   return {.node = at->second};
 }
 
+// Of operands one of which hangs on inputs.
+TapeNumber LaneRecorder::affine(Kind kind,
+                                double value,
+                                const TapeRange& range,
+                                const Operands& operands,
+                                std::optional<TapeForm> form) {
+  const TapeNumber result = operation(kind, value, form ? narrowed(range, *form) : range, operands);
+  if (!is_constant(result)) {
+    nodes_[static_cast<std::size_t>(result.node)].form = std::move(form);
+  }
+  return result;
+}
+
 TapeNumber LaneRecorder::add(TapeNumber a, TapeNumber b) {
   if (is_zero(a)) {
     return b;
   }
-  return is_zero(b)
-             ? a
-             : operation(Kind::add, value(a) + value(b), range(a) + range(b), {a.node, b.node, -1});
+  return is_zero(b) ? a
+                    : affine(Kind::add,
+                             value(a) + value(b),
+                             range(a) + range(b),
+                             {a.node, b.node, -1},
+                             sum_of(form(a), 1.0, form(b)));
 }
 
 TapeNumber LaneRecorder::subtract(TapeNumber a, TapeNumber b) {
-  return is_zero(b)
-             ? a
-             : operation(
-                   Kind::subtract, value(a) - value(b), range(a) - range(b), {a.node, b.node, -1});
+  return is_zero(b) ? a
+                    : affine(Kind::subtract,
+                             value(a) - value(b),
+                             range(a) - range(b),
+                             {a.node, b.node, -1},
+                             sum_of(form(a), -1.0, form(b)));
 }
 
 // Two factors round as one where one of them is a power of two.
@@ -94,10 +119,11 @@ TapeNumber LaneRecorder::scaled(TapeNumber a, double factor) {
     }
   }
   return factor == 1.0 ? a
-                       : operation(Kind::multiply,
-                                   value(a) * factor,
-                                   range(a) * TapeRange{factor, factor},
-                                   {a.node, constant(factor).node, -1});
+                       : affine(Kind::multiply,
+                                value(a) * factor,
+                                range(a) * TapeRange{factor, factor},
+                                {a.node, constant(factor).node, -1},
+                                sum_of(form_of_constant(0.0), factor, form(a)));
 }
 
 TapeNumber LaneRecorder::multiply(TapeNumber a, TapeNumber b) {
@@ -158,10 +184,21 @@ TapeNumber LaneRecorder::subtract_product(TapeNumber a, TapeNumber b, TapeNumber
   }
   const double product = value(b) * value(c);
   const TapeRange products = range(b) * range(c);
-  return operation(Kind::subtract_product,
-                   without_rounding(value(a) - product, std::abs(value(a)) + std::abs(product)),
-                   without_rounding(range(a) - products, range(a).most() + products.most()),
-                   {a.node, b.node, c.node});
+  std::optional<TapeForm> sum;
+  if (is_constant(b) || is_constant(c)) {
+    sum =
+        is_constant(b) ? sum_of(form(a), -value(b), form(c)) : sum_of(form(a), -value(c), form(b));
+  }
+  const TapeRange difference = sum ? narrowed(range(a) - products, *sum) : range(a) - products;
+  const double most = range(a).most() + products.most();
+  if (may_be_rounding(difference, most)) {
+    sum.reset();
+  }
+  return affine(Kind::subtract_product,
+                without_rounding(value(a) - product, std::abs(value(a)) + std::abs(product)),
+                without_rounding(difference, most),
+                {a.node, b.node, c.node},
+                std::move(sum));
 }
 
 TapeNumber LaneRecorder::substitute(std::span<const Product> products, TapeNumber pivot) {

@@ -1,17 +1,17 @@
 // Arithmetic with numbers of which the values come later: it is noted down for a LaneTape.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <compare>
 #include <cstdint>
-#include <limits>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "math/internal/tape_form.hpp"
+#include "math/internal/tape_range.hpp"
 #include "math/lane_tape.hpp"
 
 namespace kinestat {
@@ -21,18 +21,6 @@ struct TapeNumber {
   int node = -1;
 
   friend auto operator<=>(const TapeNumber&, const TapeNumber&) = default;
-};
-
-/// What a number of a tape lies between in every lane, as it is rounded. Rounding keeps the order
-/// of numbers, so that the ends of an operation are those that its ends give.
-struct TapeRange {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-
-  /// Of the magnitude.
-  double most() const { return std::max(std::abs(low), std::abs(high)); }
-
-  double least() const { return std::max({low, -high, 0.0}); }
 };
 
 /// Every number also has a value, for one state by which decisions are taken. What follows from
@@ -97,6 +85,7 @@ class LaneRecorder {
     What what = What::constant;
     double value = 0.0;
     TapeRange range;
+    std::optional<TapeForm> form = std::nullopt;  ///< where it is affine in inputs that have bounds
     int input = -1;
     Kind kind = Kind::add;
     Operands operands = {-1, -1, -1};
@@ -111,7 +100,13 @@ class LaneRecorder {
   }
 
   TapeNumber push(const Node& node);
+  std::optional<TapeForm> form(TapeNumber a) const;
   TapeNumber operation(Kind kind, double value, const TapeRange& range, const Operands& operands);
+  TapeNumber affine(Kind kind,
+                    double value,
+                    const TapeRange& range,
+                    const Operands& operands,
+                    std::optional<TapeForm> form);
   TapeNumber scaled(TapeNumber a, double factor);
   void demand(Kind kind, const Operands& operands);
 

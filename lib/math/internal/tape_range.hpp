@@ -1,14 +1,26 @@
-// Arithmetic of the ranges of numbers on a tape.
+// The range of a number on a tape, with its arithmetic.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 
 #include "core/tolerance.hpp"
-#include "math/lane_recorder.hpp"
 
 namespace kinestat {
+
+/// What a number of a tape lies between in every lane, as it is rounded. Rounding keeps the order
+/// of numbers, so that the ends of an operation are those that its ends give.
+struct TapeRange {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+
+  /// Of the magnitude.
+  double most() const { return std::max(std::abs(low), std::abs(high)); }
+
+  double least() const { return std::max({low, -high, 0.0}); }
+};
 
 /// From the least to the greatest; anything where one of them is no number.
 inline TapeRange range_around(std::initializer_list<double> ends) {
@@ -41,10 +53,14 @@ inline TapeRange range_of_choice(const TapeRange& a, const TapeRange& b, const T
   return std::isfinite(a.most()) && std::isfinite(b.most()) ? chosen : TapeRange{};
 }
 
-/// Of a number that is set to zero where it is mere rounding of terms of at most that size.
+/// Whether some number of the range is mere rounding of terms of at most that size.
+inline bool may_be_rounding(const TapeRange& a, double size) {
+  return !(a.least() > kCancellation * size);
+}
+
+/// Of a number that is set to zero where it is that.
 inline TapeRange without_rounding(const TapeRange& a, double size) {
-  const bool may_vanish = !(a.least() > kCancellation * size);
-  return may_vanish ? TapeRange{std::min(a.low, 0.0), std::max(a.high, 0.0)} : a;
+  return may_be_rounding(a, size) ? TapeRange{std::min(a.low, 0.0), std::max(a.high, 0.0)} : a;
 }
 
 }  // namespace kinestat

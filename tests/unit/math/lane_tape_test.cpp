@@ -1,5 +1,6 @@
 #include "math/lane_tape.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -145,6 +146,65 @@ TEST(LaneTape, NotesNoDemandThatTheRangesAnswer) {
 
   recorder.demand_at_least(difference, recorder.constant(1.5));
   EXPECT_EQ(recorder.make_tape({}).operation_count(), 2U);
+}
+
+// A pin on a gear that rides on another: (x + y) - x is y, whatever x is.
+TEST(LaneTape, NotesNoDemandThatIsAnsweredOnceTermsCancel) {
+  LaneRecorder recorder;
+  const TapeNumber x = recorder.input(3.0, {.low = 1.0, .high = 100.0});
+  const TapeNumber y = recorder.input(7.0, {.low = 5.0, .high = 9.0});
+  const TapeNumber share = recorder.constant(0.3);
+  const TapeNumber both = recorder.multiply(recorder.add(x, y), share);
+  const TapeNumber rest = recorder.subtract_product(
+      both, recorder.constant(2.0), recorder.multiply(x, recorder.constant(0.15)));
+  recorder.demand_at_least(rest, recorder.constant(1.49));
+  recorder.demand_at_most(recorder.subtract(both, recorder.multiply(x, share)),
+                          recorder.constant(2.71));
+  EXPECT_EQ(recorder.make_tape({}).operation_count(), 0U);
+
+  recorder.demand_at_least(rest, recorder.constant(1.51));
+  EXPECT_GT(recorder.make_tape({}).operation_count(), 0U);
+}
+
+// Sums of multiples of the inputs, of which most terms cancel.
+TEST(LaneTape, StaysWithinTheRangesOfSumsThatCancel) {
+  constexpr unsigned kSeed = 20261124;
+  constexpr std::size_t kInputs = 3;
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> number(-3.0, 3.0);
+  int narrow = 0;
+  for (int round = 0; round < 300; ++round) {
+    SCOPED_TRACE(round);
+    LaneRecorder recorder;
+    std::vector<TapeNumber> sums;
+    for (std::size_t i = 0; i < kInputs; ++i) {
+      sums.push_back(recorder.input(1.0, {.low = -2.0, .high = 2.0}));
+    }
+    for (int i = 0; i < 40; ++i) {
+      const TapeNumber a = sums[random() % sums.size()];
+      const TapeNumber b = sums[random() % sums.size()];
+      const TapeNumber factor = recorder.constant(random() % 4 == 0 ? 1.0 : number(random));
+      sums.push_back(random() % 2 == 0 ? recorder.subtract(recorder.multiply(a, factor), b)
+                                       : recorder.subtract_product(a, factor, b));
+    }
+    const LaneTape tape = recorder.make_tape(sums);
+    LaneTape::Workspace workspace = tape.make_workspace(kLanes);
+    for (std::size_t i = 0; i < kInputs * kLanes; ++i) {
+      const double ends[] = {-2.0, 2.0, std::clamp(number(random), -2.0, 2.0)};
+      tape.set_input(workspace, i / kLanes, i % kLanes, ends[random() % 3]);
+    }
+    tape.play(workspace);
+    for (std::size_t o = 0; o < sums.size(); ++o) {
+      const TapeRange& range = recorder.range(sums[o]);
+      narrow += range.most() < 1e-12 ? 1 : 0;
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const double value = tape.output(workspace, o, lane);
+        EXPECT_TRUE(range.low <= value && value <= range.high)
+            << value << " " << range.low << " " << range.high;
+      }
+    }
+  }
+  EXPECT_GT(narrow, 100);
 }
 
 TEST(LaneTape, DoesWhatIsRecorded) {
