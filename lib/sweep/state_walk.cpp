@@ -10,7 +10,15 @@ StateWalk::StateWalk(const SweepPlan& plan, std::uint64_t begin, std::uint64_t e
       end_(end),
       places_(plan.axes().size(), 0),
       slots_(plan.slots()),
-      excluded_(plan.requirements().size(), 0) {}
+      excluded_(plan.requirements().size(), 0) {
+  const auto last = static_cast<int>(plan.axes().size()) - 1;
+  const auto depends = [&](const auto& one) { return one.depth == last; };
+  is_last_alone_ = std::ranges::none_of(plan.dependents(), depends) &&
+                   std::ranges::none_of(plan.requirements(), depends);
+  for (const SweepAxis& axis : plan.axes()) {
+    slots_.has_value[static_cast<std::size_t>(axis.parameter())] = true;
+  }
+}
 
 bool StateWalk::next() {
   while (following_ < end_) {
@@ -25,12 +33,25 @@ bool StateWalk::next() {
   return false;
 }
 
+std::uint64_t StateWalk::alike() const {
+  return is_last_alone_ && !is_undefined_
+             ? std::min(plan_.axes().back().size() - places_.back(), end_ - state_) - 1
+             : 0;
+}
+
+void StateWalk::pass(std::uint64_t count) {
+  if (count > 0) {
+    state_ += count;
+    following_ = state_ + 1;
+    set_place(places_.size() - 1, places_.back() + count);
+  }
+}
+
 void StateWalk::set_place(std::size_t i, std::uint64_t place) {
   const SweepAxis& axis = plan_.axes()[i];
   const auto slot = static_cast<std::size_t>(axis.parameter());
   places_[i] = place;
   slots_.values[slot] = axis.value_at(place);
-  slots_.has_value[slot] = true;
 }
 
 // The first axis that moves on the way to the next state.

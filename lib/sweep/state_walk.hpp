@@ -20,6 +20,13 @@ class StateWalk {
   /// Goes to the first or the next state to be analysed; false at the end.
   bool next();
 
+  /// How many states follow that differ by their place on the last axis alone, where nothing else
+  /// hangs on that place: no parameter and no requirement.
+  std::uint64_t alike() const;
+
+  /// Goes on by so many of these, as next does one by one.
+  void pass(std::uint64_t count);
+
   /// Its number.
   std::uint64_t state() const { return state_; }
 
@@ -47,6 +54,7 @@ class StateWalk {
   std::uint64_t following_ = 0;  ///< the state to look at next
   std::uint64_t end_ = 0;
   bool is_first_ = true;
+  bool is_last_alone_ = false;  ///< nothing depends on the last axis
   bool is_undefined_ = false;
   std::vector<std::uint64_t> places_;
   Slots slots_;

@@ -78,6 +78,8 @@ SweepAxis::SweepAxis(const MechanismDescription& description,
   dimension_ =
       evaluated(varied.values.empty() ? *varied.from : varied.values.front(), exact).dimension;
   unit_ = description.units.unit_of(dimension_);
+  above_ = UnitScale{unit_.scale.numerator, 1.0, unit_.scale.pi_power}.factor();
+  below_ = unit_.scale.denominator;
   if (varied.values.empty()) {
     read_range(varied, exact);
   } else {
@@ -106,25 +108,23 @@ void SweepAxis::read_range(const VariedParameter& varied, const BasicParameterTa
     step_ = whole->step;
     denominator_ = whole->denominator;
     size_ = static_cast<std::uint64_t>(whole->last) + 1;
-    return;
+  } else {
+    from_ = unit_.scale.from_si(from.value);
+    step_ = unit_.scale.from_si(step.value);
+    const double ways = (to.value - from.value) / step.value;
+    size_ = static_cast<std::uint64_t>(std::floor(ways + kSameValue * std::max(1.0, ways))) + 1;
   }
-  from_ = unit_.scale.from_si(from.value);
-  step_ = unit_.scale.from_si(step.value);
-  const double ways = (to.value - from.value) / step.value;
-  size_ = static_cast<std::uint64_t>(std::floor(ways + kSameValue * std::max(1.0, ways))) + 1;
+  keep_values();
 }
 
-double SweepAxis::count_at(std::uint64_t index) const {
-  return counts_.empty() ? (from_ + static_cast<double>(index) * step_) / denominator_
-                         : counts_[static_cast<std::size_t>(index)];
-}
-
-Quantity SweepAxis::value_at(std::uint64_t index) const {
-  if (!counts_.empty()) {
-    return {values_[static_cast<std::size_t>(index)], dimension_};
+// So that a state need not divide.
+void SweepAxis::keep_values() {
+  constexpr std::uint64_t kMostKept = 4096;
+  std::vector<double> values;
+  for (std::uint64_t i = 0; i < size_ && size_ <= kMostKept; ++i) {
+    values.push_back(number_at(i));
   }
-  const double count = count_at(index);
-  return {unit_.scale == UnitScale{} ? count : unit_.scale.to_si(count), dimension_};
+  values_ = std::move(values);
 }
 
 std::pair<double, double> SweepAxis::bounds() const {

@@ -12,9 +12,9 @@
 
 namespace kinestat {
 
-/// The values are made when they are asked for, so that an axis of a million takes no memory. A
-/// range counts exactly where its ends and its step are fractions in the unit of the file: 0.1 to
-/// 0.3 by 0.1 has three values, and the third is the double that is typed 0.3.
+/// The values of a long range are made when they are asked for, so that an axis of a million takes
+/// no memory. A range counts exactly where its ends and its step are fractions in the unit of the
+/// file: 0.1 to 0.3 by 0.1 has three values, and the third is the double that is typed 0.3.
 class SweepAxis {
  public:
   /// `description` must have passed bind, `varied` belong to its sweep and `exact` hold its
@@ -36,10 +36,19 @@ class SweepAxis {
   std::uint64_t size() const { return size_; }
 
   /// The value of that index, counted in the unit.
-  double count_at(std::uint64_t index) const;
+  double count_at(std::uint64_t index) const {
+    return counts_.empty() ? (from_ + static_cast<double>(index) * step_) / denominator_
+                           : counts_[static_cast<std::size_t>(index)];
+  }
 
   /// In SI: what the file would give if the value were typed there.
-  Quantity value_at(std::uint64_t index) const;
+  Quantity value_at(std::uint64_t index) const { return {number_at(index), dimension_}; }
+
+  /// The number of value_at.
+  double number_at(std::uint64_t index) const {
+    return values_.empty() ? count_at(index) * above_ / below_
+                           : values_[static_cast<std::size_t>(index)];
+  }
 
   /// The smallest and the largest value [SI].
   std::pair<double, double> bounds() const;
@@ -48,13 +57,17 @@ class SweepAxis {
   void read_list(const std::vector<Value>& values, const BasicParameterTable<Exact>& exact);
   void read_range(const VariedParameter& varied, const BasicParameterTable<Exact>& exact);
 
+  void keep_values();
+
   std::string name_;
   int parameter_ = -1;
   NamedUnit unit_;
+  double above_ = 1.0;  ///< the unit in SI is above / below, as UnitScale::to_si has it
+  double below_ = 1.0;
   Dimension dimension_;
   std::uint64_t size_ = 0;
   std::vector<double> counts_;  ///< of a list
-  std::vector<double> values_;  ///< of a list, SI
+  std::vector<double> values_;  ///< of a list or a short range, SI
   double from_ = 0.0;           ///< of a range: value i is (from + i · step) / denominator
   double step_ = 0.0;
   double denominator_ = 1.0;

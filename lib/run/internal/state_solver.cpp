@@ -135,14 +135,21 @@ StateSolver::StateSolver(const SweepTask& task, std::size_t lanes)
   if (task.tapes) {
     taped_.emplace(task, *task.tapes, together);
   }
-  pending_.resize(together);
+  is_undefined_.resize(together);
   places_.resize(together * task.plan.axes().size());
   rows_.resize(together * task.cases.size());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     rows_[i].which = i % task.cases.size();
     rows_[i].values.assign(task.quantities.size(), kNoValue);
   }
-  solved_.reserve(together);
+  for (std::size_t lane = 0; lane < together; ++lane) {
+    solved_.push_back({.number = 0, .places = places_of(lane), .rows = rows_of(lane)});
+  }
+}
+
+std::span<std::uint64_t> StateSolver::places_of(std::size_t lane) {
+  const std::size_t axes = task_.plan.axes().size();
+  return std::span(places_).subspan(lane * axes, axes);
 }
 
 std::span<SweepRow> StateSolver::rows_of(std::size_t lane) {
@@ -151,45 +158,52 @@ std::span<SweepRow> StateSolver::rows_of(std::size_t lane) {
 
 std::span<const SolvedState> StateSolver::solve_next(StateWalk& walk) {
   std::size_t count = 0;
-  while (count < pending_.size() && walk.next()) {
-    take(walk, count++);
+  while (count < is_undefined_.size() && walk.next()) {
+    const std::uint64_t together = taped_ ? taped_->takes(walk) : 1;
+    const std::size_t some = std::min<std::uint64_t>(together, is_undefined_.size() - count);
+    take(walk, count, some);
+    walk.pass(some - 1);
+    count += some;
   }
   if (taped_ && count > 0) {
     taped_->play();
+    taped_->fill(count, rows_);
   }
-  solved_.clear();
-  const std::size_t axes = task_.plan.axes().size();
   for (std::size_t lane = 0; lane < count; ++lane) {
-    solve(pending_[lane], lane);
-    solved_.push_back({.number = pending_[lane].state,
-                       .places = std::span(places_).subspan(lane * axes, axes),
-                       .rows = rows_of(lane)});
+    if (is_undefined_[lane] != 0 || !taped_ || !taped_->has_answer(lane)) {
+      analyse(lane);
+    }
   }
-  return solved_;
+  if (taped_ && count > 0) {
+    check_some(count);
+  }
+  return std::span(solved_).first(count);
 }
 
-void StateSolver::take(const StateWalk& walk, std::size_t lane) {
-  pending_[lane] = {.state = walk.state(), .is_undefined = walk.is_undefined()};
-  std::ranges::copy(walk.places(),
-                    places_.begin() + static_cast<std::ptrdiff_t>(lane * walk.places().size()));
+// The state of the walk, and as many that are alike as make up the count.
+void StateSolver::take(const StateWalk& walk, std::size_t lane, std::size_t count) {
   if (taped_ && !walk.is_undefined()) {
-    taped_->load(walk, lane);
+    taped_->load(walk, lane, count);
+  }
+  const std::span<const std::uint64_t> from = walk.places();
+  std::uint64_t* place = places_of(lane).data();
+  for (std::size_t i = 0; i < count; ++i) {
+    solved_[lane + i].number = walk.state() + i;
+    is_undefined_[lane + i] = walk.is_undefined() ? 1 : 0;
+    for (std::size_t a = 0; a < from.size(); ++a) {
+      *place++ = from[a] + (a + 1 == from.size() ? i : 0);
+    }
   }
 }
 
-void StateSolver::solve(const Pending& pending, std::size_t lane) {
-  constexpr std::uint64_t kCheckEvery = 10007;  // takes a tenth of the time that tapes take
-  if (!taped_ || pending.is_undefined || !taped_->fill(lane, rows_of(lane))) {
-    analyse(pending, rows_of(lane));
-  } else if (pending.state % kCheckEvery == 0) {
-    check_tape(pending, rows_of(lane));
-  }
+void StateSolver::analyse(std::size_t lane) {
+  analyse(solved_[lane].number, is_undefined_[lane] != 0, rows_of(lane));
 }
 
-void StateSolver::analyse(const Pending& pending, std::span<SweepRow> rows) {
-  const std::optional<Mechanism> mechanism = binder_.bind(pending.state);
+void StateSolver::analyse(std::uint64_t state, bool is_undefined, std::span<SweepRow> rows) {
+  const std::optional<Mechanism> mechanism = binder_.bind(state);
   // A requirement alone may have no answer; then none of the numbers counts.
-  if (!mechanism || pending.is_undefined) {
+  if (!mechanism || is_undefined) {
     fail(binder_.code(), rows);
     return;
   }
@@ -229,9 +243,23 @@ void StateSolver::decide_gears(const Mechanism& mechanism, std::vector<Case>& ca
 }
 
 // Now and then a state is analysed both ways, so that no mistake of a tape stays unseen.
-void StateSolver::check_tape(const Pending& pending, std::span<const SweepRow> taped) {
+void StateSolver::check_some(std::size_t count) {
+  constexpr std::uint64_t kCheckEvery = 100003;  // takes a tenth of the time that tapes take
+  const std::uint64_t first = solved_.front().number;
+  const std::uint64_t next = (first + kCheckEvery - 1) / kCheckEvery * kCheckEvery;
+  if (next > solved_[count - 1].number) {
+    return;
+  }
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    if (solved_[lane].number == next && is_undefined_[lane] == 0 && taped_->has_answer(lane)) {
+      check_tape(next, rows_of(lane));
+    }
+  }
+}
+
+void StateSolver::check_tape(std::uint64_t state, std::span<const SweepRow> taped) {
   std::vector<SweepRow> rows(taped.begin(), taped.end());
-  analyse(pending, rows);
+  analyse(state, false, rows);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     double largest = 0.0;
     for (const double value : rows[i].values) {

@@ -55,26 +55,23 @@ class StateSolver {
   std::span<const SolvedState> solve_next(StateWalk& walk);
 
  private:
-  struct Pending {
-    std::uint64_t state = 0;
-    bool is_undefined = false;
-  };
-
+  std::span<std::uint64_t> places_of(std::size_t lane);
   std::span<SweepRow> rows_of(std::size_t lane);
-  void take(const StateWalk& walk, std::size_t lane);
-  void solve(const Pending& pending, std::size_t lane);
-  void analyse(const Pending& pending, std::span<SweepRow> rows);
+  void take(const StateWalk& walk, std::size_t lane, std::size_t count);
+  void analyse(std::size_t lane);
+  void analyse(std::uint64_t state, bool is_undefined, std::span<SweepRow> rows);
   void decide_gears(const Mechanism& mechanism, std::vector<Case>& cases);
-  void check_tape(const Pending& pending, std::span<const SweepRow> taped);
+  void check_some(std::size_t count);
+  void check_tape(std::uint64_t state, std::span<const SweepRow> taped);
   void fail(std::string_view status, std::span<SweepRow> rows);
 
   const SweepTask& task_;
   StateBinder binder_;
   std::optional<TapedSolver> taped_;
-  std::vector<Pending> pending_;       ///< of each lane
-  std::vector<std::uint64_t> places_;  ///< of each lane, axis by axis
-  std::vector<SweepRow> rows_;         ///< of each lane, case by case
-  std::vector<SolvedState> solved_;
+  std::vector<char> is_undefined_;                 ///< of each lane
+  std::vector<std::uint64_t> places_;              ///< of each lane, axis by axis
+  std::vector<SweepRow> rows_;                     ///< of each lane, case by case
+  std::vector<SolvedState> solved_;                ///< of each lane
   std::vector<std::optional<ShiftState>> states_;  ///< of each row that is of a combination
 };
 

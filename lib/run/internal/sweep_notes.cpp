@@ -1,19 +1,24 @@
 #include "run/internal/sweep_notes.hpp"
 
+#include <optional>
+
 #include "sweep/sweep_plan.hpp"
 
 namespace kinestat {
 
 namespace {
 
-void take_parameter(const Slots& slots, int parameter, const TapeRange& range, SweepNotes& notes) {
-  const auto i = static_cast<std::size_t>(parameter);
-  notes.slots[i].reset();
-  if (slots.has_value[i]) {
-    const Quantity& value = slots.values[i];
-    const SweepInput input{
-        .from = SweepInput::From::parameter, .index = i, .part = 0, .dimension = value.dimension};
-    notes.slots[i] = {notes.take(input, value.value, range), value.dimension};
+void take_parameter(const Slots& slots,
+                    const SweepInput& input,
+                    const TapeRange& range,
+                    SweepNotes& notes) {
+  std::optional<TapeQuantity>& slot = notes.slots[input.index];
+  slot.reset();
+  if (slots.has_value[input.index]) {
+    const Quantity& value = slots.values[input.index];
+    SweepInput fitting = input;
+    fitting.dimension = value.dimension;
+    slot = {notes.take(fitting, value.value, range), value.dimension};
   }
 }
 
@@ -39,15 +44,21 @@ SweepNotes note_parameters(const SweepPlan& plan) {
                             slots.values[i].dimension};
     }
   }
-  for (const SweepAxis& axis : plan.axes()) {
+  for (std::size_t a = 0; a < plan.axes().size(); ++a) {
+    const SweepAxis& axis = plan.axes()[a];
     const auto [least, most] = axis.bounds();
-    take_parameter(slots, axis.parameter(), {least, most}, notes);
+    const SweepInput input{.from = SweepInput::From::axis,
+                           .index = static_cast<std::size_t>(axis.parameter()),
+                           .part = a,
+                           .dimension = {}};
+    take_parameter(slots, input, {least, most}, notes);
   }
   for (const DependentParameter& one : plan.dependents()) {
+    const auto slot = static_cast<std::size_t>(one.parameter);
     if (const auto quantity = record_quantity(one.value, notes.slots, notes.recorder)) {
-      notes.slots[static_cast<std::size_t>(one.parameter)] = quantity;
+      notes.slots[slot] = quantity;
     } else {
-      take_parameter(slots, one.parameter, {}, notes);
+      take_parameter(slots, {.from = SweepInput::From::parameter, .index = slot}, {}, notes);
     }
   }
   return notes;

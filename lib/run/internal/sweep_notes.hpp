@@ -15,7 +15,8 @@ class SweepPlan;
 /// A number that a state gives to the tape.
 struct SweepInput {
   enum class From {
-    parameter,       ///< `index` is its slot
+    axis,            ///< a parameter that is varied: `index` is its slot, `part` the axis
+    parameter,       ///< one that follows from these; `index` is its slot
     motion,          ///< coordinate `part` of the unit screw of a freedom
     action,          ///< likewise of an action
     primary_motion,  ///< `part` of the motions of the case of that index in the file
@@ -25,7 +26,7 @@ struct SweepInput {
   From from = From::parameter;
   std::size_t index = 0;
   std::size_t part = 0;
-  Dimension dimension;  ///< of a parameter
+  Dimension dimension = {};  ///< of a parameter
 };
 
 /// What the parts of a tape are recorded into, one after the other.

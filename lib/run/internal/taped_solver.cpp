@@ -43,7 +43,8 @@ TapedSolver::TapedSolver(const SweepTask& task, const SweepTapes& tapes, std::si
       rebinder_(tapes.rebinder),
       mechanism_(task.mechanism),
       all_cases_(task.mechanism.cases),
-      is_loaded_(lanes, false),
+      is_loaded_(lanes, 0),
+      has_answer_(lanes, 0),
       has_combinations_(std::ranges::any_of(task.gears, is_no_gear)),
       ratio_columns_(find_columns(task.quantities, SweepQuantityKind::ratio)),
       torque_ratio_columns_(find_columns(task.quantities, SweepQuantityKind::torque_ratio)),
@@ -56,15 +57,23 @@ TapedSolver::TapedSolver(const SweepTask& task, const SweepTapes& tapes, std::si
   }
   rates_.reserve(most);
   for (std::size_t i = 0; i < tapes.inputs.size(); ++i) {
-    const bool is_axis =
-        tapes.inputs[i].from == SweepInput::From::parameter &&
-        std::ranges::any_of(task.plan.axes(), [&](const SweepAxis& axis) {
-          return static_cast<std::size_t>(axis.parameter()) == tapes.inputs[i].index;
-        });
-    if (tapes.tape.reads_input(i)) {
-      (is_axis ? axes_ : others_).push_back({.input = i, .cell = tapes.tape.input_cell(i)});
+    if (!tapes.tape.reads_input(i)) {
+      continue;
+    }
+    const SweepInput& input = tapes.inputs[i];
+    const std::size_t cell = tapes.tape.input_cell(i);
+    if (input.from == SweepInput::From::axis) {
+      axes_.push_back({.axis = input.part, .cell = cell});
+    } else {
+      others_.push_back({.input = i, .cell = cell});
     }
   }
+  binds_states_ =
+      tapes.needs_geometry || tapes.needs_primaries || has_combinations_ || !others_.empty();
+  asks_nothing_else_ = std::ranges::none_of(task.gears, &std::optional<SweptGear>::has_value) &&
+                       std::ranges::all_of(tapes.cases, [&](const TapedCase& taped) {
+                         return taped.columns.size() == task.quantities.size();
+                       });
 }
 
 bool TapedSolver::rebind(const StateWalk& walk) {
@@ -73,16 +82,27 @@ bool TapedSolver::rebind(const StateWalk& walk) {
          (!tapes_.needs_primaries || rebinder_.rebind_cases(walk.slots(), all_cases_));
 }
 
-void TapedSolver::load(const StateWalk& walk, std::size_t lane) {
-  for (const Load& one : axes_) {
-    const Quantity& value = walk.slots().values[tapes_.inputs[one.input].index];
-    workspace_.set(one.cell, lane, value.value);
+// Alike states differ on the last axis.
+void TapedSolver::load_axes(const StateWalk& walk, std::size_t lane, std::size_t count) {
+  const std::span<const SweepAxis> axes = task_.plan.axes();
+  for (const AxisLoad& one : axes_) {
+    const std::uint64_t place = walk.places()[one.axis];
+    const double first = axes[one.axis].number_at(place);
+    const bool is_last = one.axis + 1 == axes.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      workspace_.set(one.cell, lane + i, is_last ? axes[one.axis].number_at(place + i) : first);
+    }
   }
-  bool is_loaded = rebind(walk) && (!has_combinations_ || decide_gears(lane));
+}
+
+void TapedSolver::load(const StateWalk& walk, std::size_t lane, std::size_t count) {
+  load_axes(walk, lane, count);
+  bool is_loaded = !binds_states_ || rebind(walk);
+  is_loaded = is_loaded && (!has_combinations_ || decide_gears(lane));
   for (std::size_t i = 0; is_loaded && i < others_.size(); ++i) {
     is_loaded = load_other(tapes_.inputs[others_[i].input], others_[i].cell, walk, lane);
   }
-  is_loaded_[lane] = is_loaded ? 1 : 0;
+  std::fill_n(is_loaded_.begin() + static_cast<std::ptrdiff_t>(lane), count, is_loaded ? 1 : 0);
 }
 
 bool TapedSolver::load_other(const SweepInput& input,
@@ -92,6 +112,7 @@ bool TapedSolver::load_other(const SweepInput& input,
   const auto part = static_cast<Eigen::Index>(input.part);
   double value = 0.0;
   switch (input.from) {
+    case SweepInput::From::axis:
     case SweepInput::From::parameter: {
       const Quantity& quantity = walk.slots().values[input.index];
       if (!walk.slots().has_value[input.index] || quantity.dimension != input.dimension) {
@@ -131,10 +152,44 @@ bool TapedSolver::decide_gears(std::size_t lane) {
   return true;
 }
 
-bool TapedSolver::fill(std::size_t lane, std::span<SweepRow> rows) {
-  if (is_loaded_[lane] == 0 || !tapes_.tape.is_met(workspace_, lane)) {
-    return false;
+void TapedSolver::fill(std::size_t count, std::span<SweepRow> rows) {
+  const std::size_t cases = task_.cases.size();
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    has_answer_[lane] = is_loaded_[lane] != 0 && tapes_.tape.is_met(workspace_, lane) ? 1 : 0;
   }
+  if (asks_nothing_else_) {
+    fill_columns(count, rows);
+    return;
+  }
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const bool is_filled =
+        has_answer_[lane] != 0 && fill_cases(lane, rows.subspan(lane * cases, cases));
+    has_answer_[lane] = is_filled ? 1 : 0;
+  }
+}
+
+// Column by column, of which nothing but the tape decides.
+void TapedSolver::fill_columns(std::size_t count, std::span<SweepRow> rows) {
+  const std::size_t cases = task_.cases.size();
+  double doubts[kLanes] = {};  // no number where a value is not finite
+  for (SweepRow& row : rows.first(count * cases)) {
+    row.status = "solved";
+  }
+  for (std::size_t i = 0; i < cases; ++i) {
+    for (const TapedColumn& one : tapes_.cases[i].columns) {
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        const double value = workspace_.number(one.cell, lane);
+        doubts[lane] += 0.0 * value;
+        rows[lane * cases + i].values[one.column] = value;
+      }
+    }
+  }
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    has_answer_[lane] = has_answer_[lane] != 0 && doubts[lane] == 0.0 ? 1 : 0;
+  }
+}
+
+bool TapedSolver::fill_cases(std::size_t lane, std::span<SweepRow> rows) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     ratios_[i].reset();
     if (is_no_gear(task_.gears[i])) {

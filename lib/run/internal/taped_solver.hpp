@@ -25,15 +25,22 @@ class TapedSolver {
   /// Both must outlive it. `lanes` is 1 or kLanes.
   TapedSolver(const SweepTask& task, const SweepTapes& tapes, std::size_t lanes);
 
-  /// Takes the state at which the walk stands into a lane.
-  void load(const StateWalk& walk, std::size_t lane);
+  /// How many states it may take at once: those that are alike, or one where screws or primaries
+  /// are bound for each.
+  std::uint64_t takes(const StateWalk& walk) const { return binds_states_ ? 1 : walk.alike() + 1; }
+
+  /// Takes the state at which the walk stands, and as many that are alike as `count` says with it,
+  /// into lanes from this one on.
+  void load(const StateWalk& walk, std::size_t lane, std::size_t count = 1);
 
   /// Works out all lanes.
   void play() { tapes_.tape.play(workspace_); }
 
-  /// Fills the rows of the state in the lane, one a case. False where the tape has no answer for
-  /// it: it must be analysed as a whole.
-  bool fill(std::size_t lane, std::span<SweepRow> rows);
+  /// Fills the rows of the states in so many lanes, from the first, lane by lane and case by case.
+  void fill(std::size_t count, std::span<SweepRow> rows);
+
+  /// After fill: false where the tape has no answer for the state; it must be analysed as a whole.
+  bool has_answer(std::size_t lane) const { return has_answer_[lane] != 0; }
 
  private:
   // In SI; empty where there is none.
@@ -43,11 +50,14 @@ class TapedSolver {
   };
 
   bool rebind(const StateWalk& walk);
+  void load_axes(const StateWalk& walk, std::size_t lane, std::size_t count);
   bool load_other(const SweepInput& input,
                   std::size_t cell,
                   const StateWalk& walk,
                   std::size_t lane);
   bool decide_gears(std::size_t lane);
+  void fill_columns(std::size_t count, std::span<SweepRow> rows);
+  bool fill_cases(std::size_t lane, std::span<SweepRow> rows);
   bool fill_case(std::size_t i, std::size_t lane, SweepRow& row);
   bool drives_output(const TapedCase& taped, std::size_t lane);
   TapedRatios find_ratios(const TapedCase& taped, std::size_t lane);
@@ -65,6 +75,7 @@ class TapedSolver {
   Mechanism mechanism_;          ///< with the geometry of a state, where that is rebound
   std::vector<Case> all_cases_;  ///< likewise
   std::vector<char> is_loaded_;  ///< of each lane
+  std::vector<char> has_answer_;
 
   // An input that the tape reads.
   struct Load {
@@ -72,9 +83,17 @@ class TapedSolver {
     std::size_t cell = 0;
   };
 
-  std::vector<Load> axes_;         ///< parameters that are varied
-  std::vector<Load> others_;       ///< what may have no value
-  bool has_combinations_ = false;  ///< that are no gears with the parameters of the file
+  // One that is varied.
+  struct AxisLoad {
+    std::size_t axis = 0;
+    std::size_t cell = 0;
+  };
+
+  std::vector<AxisLoad> axes_;
+  std::vector<Load> others_;        ///< what may have no value
+  bool binds_states_ = false;       ///< more of a state is needed than its place on the axes
+  bool asks_nothing_else_ = false;  ///< than columns of the tape, in all cases
+  bool has_combinations_ = false;   ///< that are no gears with the parameters of the file
   std::vector<std::size_t> ratio_columns_;
   std::vector<std::size_t> torque_ratio_columns_;
   bool asks_steps_ = false;

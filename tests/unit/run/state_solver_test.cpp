@@ -146,14 +146,15 @@ TEST(StateSolver, AnalysesTheStatesNearADeadPointAsAWhole) {
 
   // The tape itself answers for those that are well off it, and for no others.
   TapedSolver taped(task, *task.tapes, kLanes);
-  std::vector<SweepRow> filled(1, {.values = std::vector<double>(3)});
+  std::vector<SweepRow> filled(kLanes, {.values = std::vector<double>(3)});
   StateWalk walk(task.plan, 0, task.plan.state_count());
   for (const double height : heights) {
     SCOPED_TRACE(height);
     ASSERT_TRUE(walk.next());
     taped.load(walk, walk.state() % kLanes);
     taped.play();
-    EXPECT_EQ(taped.fill(walk.state() % kLanes, filled), std::abs(height - 1.0) > 1e-3);
+    taped.fill(kLanes, filled);
+    EXPECT_EQ(taped.has_answer(walk.state() % kLanes), std::abs(height - 1.0) > 1e-3);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "sweep/state_walk.hpp"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -20,6 +21,53 @@ std::vector<std::array<double, 3>> states_of(const SweepPlan& plan,
     states.push_back({values[0].value, values[1].value, values[2].value});
   }
   return states;
+}
+
+// Likewise, five states at a time where they are alike: these differ in the value of r alone.
+std::vector<std::array<double, 3>> states_in_groups(const SweepPlan& plan,
+                                                    std::uint64_t begin,
+                                                    std::uint64_t end) {
+  constexpr std::uint64_t kMost = 4;
+  std::vector<std::array<double, 3>> states;
+  StateWalk walk(plan, begin, end);
+  while (walk.next()) {
+    const std::uint64_t count = std::min(walk.alike(), kMost);
+    const std::vector<Quantity> values = walk.slots().values;
+    const std::uint64_t place = walk.places().back();
+    for (std::uint64_t i = 0; i <= count; ++i) {
+      states.push_back({values[0].value, values[1].value, plan.axes().back().number_at(place + i)});
+    }
+    walk.pass(count);
+    EXPECT_EQ(walk.slots().values[2].value, states.back()[2]);
+  }
+  return states;
+}
+
+TEST(StateWalk, PassesOverAlikeStatesAsOneByOne) {
+  const SweepPlan plan = plan_of(
+      "{vary: {p: {from: 1, to: 5, step: 1}, r: {from: 1, to: 12, step: 1}}, require: [q != 4]}");
+
+  for (std::uint64_t begin = 0; begin <= plan.state_count(); ++begin) {
+    SCOPED_TRACE(begin);
+    const std::uint64_t end = plan.state_count() - begin % 7;
+    ASSERT_EQ(states_in_groups(plan, begin, std::max(begin, end)),
+              states_of(plan, begin, std::max(begin, end)));
+  }
+  StateWalk walk(plan, 3, plan.state_count());
+  ASSERT_TRUE(walk.next());
+  EXPECT_EQ(walk.alike(), 8U);
+}
+
+TEST(StateWalk, FindsNoAlikeStatesWhereMoreHangsOnTheLastParameter) {
+  for (const char* const sweep : {"{vary: {r: [1, 2, 3], p: [1, 2, 3]}}",
+                                  "{vary: {p: [1, 2, 3], r: [1, 2, 3]}, require: [r != 2]}"}) {
+    SCOPED_TRACE(sweep);
+    const SweepPlan plan = plan_of(sweep);
+    StateWalk walk(plan, 0, plan.state_count());
+
+    ASSERT_TRUE(walk.next());
+    EXPECT_EQ(walk.alike(), 0U);
+  }
 }
 
 TEST(StateWalk, TurnsTheLastParameterFastest) {
