@@ -68,7 +68,11 @@ THIRD_PARTY: dict[str, set[str]] = {
 EIGEN_CORE = {"Eigen/Core", "Eigen/Dense", "Eigen/Eigen"}
 EIGEN_HOME = "lib/core/types.hpp"
 
-TOLERANCE_HOMES = {"lib/core/tolerance.hpp", "lib/expression/units.cpp"}
+TOLERANCE_HOMES = {
+    "lib/core/tolerance.hpp",
+    "lib/core/motion_tolerance.hpp",
+    "lib/expression/units.cpp",
+}
 TOLERANCE = re.compile(r"(?<![\w.])(?:\d[\d']*\.?\d*|\.\d+)[eE]-\d+")
 
 # What the library never does, and how it would look (comments and strings are not looked at).

@@ -147,45 +147,4 @@ inline constexpr double kNoisyRow = 1e-12;
 /// positions that close in leave them on all decades.
 inline constexpr double kClearGap = 1e-7;
 
-/// A moved position is closed if nothing misses by more than this share of the size: some hundred
-/// roundings.
-inline constexpr double kMotionClosure = 1e-13;
-
-/// An overconstrained mechanism that is not drawn exactly closes by least squares; this share of
-/// its size may be left.
-inline constexpr double kAcceptedMisclosure = 1e-6;
-
-/// A drawn position that misses by less than this share of the size is closed without a word:
-/// decimals that were rounded.
-inline constexpr double kSilentCorrection = 1e-9;
-
-/// A correction of a joint below this, in radians or shares of the size, is rounding.
-inline constexpr double kLeastCorrection = 1e-12;
-
-/// Teeth roll in a carrier if their relative motion is that of two lines in it to this share:
-/// pitch points that were typed with seven figures pass.
-inline constexpr double kSlackInCarrier = 1e-6;
-
-/// Where the shortest column of a closure is this share of the longest, a singular position is
-/// near: from here on the arc is followed instead of the drives.
-inline constexpr double kFlatClosure = 1e-4;
-
-/// The finest part of a step of a motion by its drives; then the arc is followed.
-inline constexpr double kFinestShare = 1e-3;
-
-/// The finest step of the arc, in radians or shares of the size; then the branch is lost.
-inline constexpr double kFinestArc = 1e-11;
-
-/// A position is reached if the drives are this near, as share of their range.
-inline constexpr double kArrivedShare = 1e-7;
-
-/// How narrow a change point is bracketed, along the arc.
-inline constexpr double kChangePointBracket = 1e-9;
-
-/// What may be missed where a freedom was tried: ten times that of a motion.
-inline constexpr double kTrialClosure = 1e-12;
-
-/// A trial that is off its direction by less than this share of its step goes straight.
-inline constexpr double kStraightEnough = 1e-6;
-
 }  // namespace kinestat

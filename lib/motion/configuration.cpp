@@ -43,7 +43,7 @@ std::vector<BodyPose> body_poses(const MotionNetwork& network, const Configurati
     system.evaluate(configuration.coordinates, configuration.angles);
     std::vector<BodyPose> poses;
     for (const int frame : network.frame_of_body) {
-      BodyPose pose = Frames::pose(system.frame(frame));
+      BodyPose pose = Frames::pose(system.frames()[at(frame)]);
       pose.shift = network.length * pose.shift + network.origin - pose.rotation * network.origin;
       poses.push_back(pose);
     }

@@ -1,17 +1,13 @@
 #include "motion/motion_network.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
 #include <numeric>
 #include <set>
 
 #include "core/contract.hpp"
-#include "core/tolerance.hpp"
-#include "math/span.hpp"
-#include "mechanism/mesh.hpp"
 #include "mobility/passive_freedom.hpp"
-#include "motion/internal/motion_limits.hpp"
+#include "motion/internal/rolling.hpp"
 #include "network/bases.hpp"
 
 namespace kinestat {
@@ -59,13 +55,6 @@ class Components {
 
  private:
   std::vector<int> parent_;
-};
-
-// The sum of coordinates by which a body turns or slides relative to another on one line.
-struct LineMotion {
-  std::vector<int> rates;
-  std::vector<double> signs;
-  Vec6 screw = Vec6::Zero();
 };
 
 class NetworkMaker {
@@ -305,163 +294,15 @@ class NetworkMaker {
     }
   }
 
-  // Joints from the ground to a frame.
-  std::vector<int> path_to(int frame) const {
-    std::vector<int> path;
-    for (; frame != 0; frame = network_.joints[at(frame - 1)].parent) {
-      path.push_back(frame - 1);
-    }
-    std::ranges::reverse(path);
-    return path;
-  }
-
-  // Of the drawn position, about the origin of the network.
-  static Vec6 screw_of(const ElementaryMotion& motion) {
-    const Twist twist = motion.kind == ElementaryKind::slide
-                            ? unit_translation<double>(motion.direction)
-                            : unit_rotation<double>(motion.direction, motion.point) +
-                                  motion.pitch * unit_translation<double>(motion.direction);
-    return twist.coordinates();
-  }
-
-  Vec6 in_sizes(Vec6 screw) const {
-    screw.tail<3>() /= network_.length;
-    return screw;
-  }
-
-  // By the coordinate, which is in sizes for a slide.
-  Vec6 unit_screw(const ElementaryMotion& motion) const {
-    const Vec6 screw = screw_of(motion);
-    return motion.kind == ElementaryKind::slide ? screw : in_sizes(screw);
-  }
-
-  // How a body moves in another, if it does so on one line.
-  std::optional<LineMotion> line_motion(int carrier, int body) const {
-    std::vector<int> back = path_to(network_.frame_of_body[at(carrier)]);
-    std::vector<int> forth = path_to(network_.frame_of_body[at(body)]);
-    std::size_t shared = 0;
-    while (shared < back.size() && shared < forth.size() && back[shared] == forth[shared]) {
-      ++shared;
-    }
-    LineMotion result;
-    for (std::size_t i = shared; i < back.size(); ++i) {
-      if (!add_to_line(back[i], -1.0, result)) {
-        return std::nullopt;
-      }
-    }
-    for (std::size_t i = shared; i < forth.size(); ++i) {
-      if (!add_to_line(forth[i], 1.0, result)) {
-        return std::nullopt;
-      }
-    }
-    return result.rates.empty() ? std::nullopt : std::optional(result);
-  }
-
-  bool add_to_line(int j, double sign, LineMotion& line) const {
-    const MotionJoint& joint = network_.joints[at(j)];
-    if (joint.coordinate < 0) {
-      return true;
-    }
-    if (joint.motion.kind == ElementaryKind::ball) {
-      return false;
-    }
-    const Vec6 screw = unit_screw(joint.motion);
-    if (line.rates.empty()) {
-      line.screw = screw;
-    }
-    const double along = line.screw.dot(screw) > 0.0 ? 1.0 : -1.0;
-    if ((screw - along * line.screw).norm() > kParallelAxes) {
-      return false;
-    }
-    line.rates.push_back(joint.rate);
-    line.signs.push_back(sign * along * joint.sense);
-    return true;
-  }
-
   void add_rolling(int e) {
-    std::vector<int> carriers;
-    for (const Mesh& mesh : meshes()) {
-      if (mesh.coupling.value == e && mesh.carrier) {
-        carriers.push_back(mesh.carrier->value);
-      }
-    }
-    for (int body = 0; body < topology_.body_count(); ++body) {
-      carriers.push_back(body);
-    }
-    for (const int carrier : carriers) {
-      if (carrier != coupling(e).tail.value && carrier != coupling(e).head.value &&
-          roll_in(e, carrier)) {
-        return;
-      }
-    }
-    refuse(e, MotionObstacle::no_carrier);
-  }
-
-  const std::vector<Mesh>& meshes() {
     if (!meshes_) {
       meshes_ = find_meshes(topology_, mechanism_.geometry);
     }
-    return *meshes_;
-  }
-
-  // In the carrier the teeth allow h · $_head - t · $_tail, h and t in one ratio.
-  bool roll_in(int e, int carrier) {
-    const auto tail = line_motion(carrier, coupling(e).tail.value);
-    const auto head = line_motion(carrier, coupling(e).head.value);
-    const auto f = at(coupling(e).first_freedom);
-    if (!tail || !head || coupling(e).freedom_count == 0) {
-      return false;
+    if (auto row = find_rolling(mechanism_, network_, *meshes_, CouplingId{e})) {
+      network_.rollings.push_back(*std::move(row));
+    } else {
+      refuse(e, MotionObstacle::no_carrier);
     }
-    double by_head = 0.0;
-    double by_tail = 0.0;
-    if (coupling(e).freedom_count == 1) {
-      const Vec6 rolls = in_sizes(mechanism_.geometry.motions[f].coordinates());
-      Eigen::Matrix<double, 6, 2> both;
-      both << head->screw, -tail->screw;
-      const Eigen::Matrix2d normal = both.transpose() * both;
-      if (std::abs(normal.determinant()) <= kParallelAxes * kParallelAxes) {
-        return false;
-      }
-      const Eigen::Vector2d share = normal.inverse() * (both.transpose() * rolls);
-      if ((both * share - rolls).norm() > kSlackInCarrier * rolls.norm()) {
-        return false;
-      }
-      by_head = share[0];
-      by_tail = share[1];
-    } else if (coupling(e).action_count > 0) {
-      Vec6 acts = mechanism_.geometry.actions[at(coupling(e).first_action)].coordinates();
-      acts.head<3>() /= network_.length;
-      by_head = acts.dot(tail->screw);
-      by_tail = acts.dot(head->screw);
-    }
-    if (by_head == 0.0 && by_tail == 0.0) {
-      return false;
-    }
-    add_rolling_row(e, carrier, {*tail, by_tail}, {*head, by_head});
-    return true;
-  }
-
-  // Turns of the head and of the tail are in the ratio h : t, so that t · head - h · tail = 0.
-  void add_rolling_row(int e,
-                       int carrier,
-                       const std::pair<LineMotion, double>& tail,
-                       const std::pair<LineMotion, double>& head) {
-    RollingRow row;
-    row.coupling = CouplingId{e};
-    row.carrier = BodyId{carrier};
-    const double size = std::max(std::abs(tail.second), std::abs(head.second));
-    const bool by_head = std::abs(head.second) == size;
-    for (std::size_t i = 0; i < head.first.rates.size(); ++i) {
-      row.rates.push_back(head.first.rates[i]);
-      row.factors.push_back(tail.second / size * head.first.signs[i]);
-      row.freedom_factors.push_back(by_head ? head.first.signs[i] / head.second : 0.0);
-    }
-    for (std::size_t i = 0; i < tail.first.rates.size(); ++i) {
-      row.rates.push_back(tail.first.rates[i]);
-      row.factors.push_back(-head.second / size * tail.first.signs[i]);
-      row.freedom_factors.push_back(by_head ? 0.0 : tail.first.signs[i] / tail.second);
-    }
-    network_.rollings.push_back(std::move(row));
   }
 
   void find_drives() {

@@ -83,7 +83,7 @@ class StateSolver {
     MotionState state;
     state.origin = network_.origin;
     for (const int frame : network_.frame_of_body) {
-      BodyPose pose = Frames::pose(system_.frame(frame));
+      BodyPose pose = Frames::pose(system_.frames()[at(frame)]);
       pose.shift = network_.length * pose.shift + network_.origin - pose.rotation * network_.origin;
       state.poses.push_back(pose);
     }

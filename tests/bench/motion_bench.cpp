@@ -18,8 +18,8 @@ namespace kinestat::bench {
 
 namespace {
 
-// 10^6 steps a second of a four-bar and 2·10^5 of a six-bar, on a core on which the unit takes 20 ns
-// or more.
+// 10^6 steps a second of a four-bar and 2·10^5 of a six-bar, on a core on which the unit takes 20
+// ns or more.
 constexpr double kFourBarTarget = 50.0;
 constexpr double kSixBarTarget = 250.0;
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace kinestat {
 
@@ -21,48 +20,7 @@ auto dot(const V& a, const V& b) {
   return sum;
 }
 
-// The turn of a ball.
-Mat3 rotation_of(const double* q) {
-  return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
-}
-
-Mat3 cross_matrix(const Vec3& w) {
-  Mat3 result;
-  result << 0.0, -w[2], w[1], w[2], 0.0, -w[0], -w[1], w[0], 0.0;
-  return result;
-}
-
-// A turn that begins as R and has the angular velocity w and its derivative a.
-Eigen::Matrix<Jet, 3, 3> moving_rotation(const Mat3& R, const Vec3& w, const Vec3& a) {
-  const Mat3 W = cross_matrix(w);
-  const Mat3 first = W * R;
-  const Mat3 second = cross_matrix(a) * R + W * first;
-  Eigen::Matrix<Jet, 3, 3> result;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      result(i, j) = Jet(R(i, j), first(i, j), second(i, j));
-    }
-  }
-  return result;
-}
-
-template <class Matrix>
-Matrix transposed(const Matrix& m) {
-  Matrix result;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      result(i, j) = m(j, i);
-    }
-  }
-  return result;
-}
-
 }  // namespace
-
-double counted_turn(double angle, double near) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  return angle + kTurn * std::round((near - angle) / kTurn);
-}
 
 template <class Frames>
 ClosureSystem<Frames>::ClosureSystem(const MotionNetwork& network)
@@ -143,7 +101,7 @@ void ClosureSystem<Frames>::add_row(const ClosureRow& closure) {
 template <class Frames>
 void ClosureSystem<Frames>::add_path(int from, int to, Row& row) const {
   const auto note = [&](int frame, double sign) {
-    const Joint& joint = joints_[at(frame - 1)];
+    const ClosureJoint& joint = joints_[at(frame - 1)];
     const int count = joint.coordinate < 0 ? 0 : joint.kind == ElementaryKind::ball ? 3 : 1;
     for (int i = 0; i < count; ++i) {
       row.rates.push_back(joint.rate + i);
@@ -176,7 +134,7 @@ void ClosureSystem<Frames>::place_rolling(const MotionNetwork& network) {
 template <class Frames>
 std::vector<double> ClosureSystem<Frames>::drawn_coordinates() const {
   std::vector<double> result(at(coordinate_count_), 0.0);
-  for (const Joint& joint : joints_) {
+  for (const ClosureJoint& joint : joints_) {
     if (joint.coordinate >= 0 && joint.kind == ElementaryKind::ball) {
       result[at(joint.coordinate)] = 1.0;
     }
@@ -187,7 +145,7 @@ std::vector<double> ClosureSystem<Frames>::drawn_coordinates() const {
 template <class Frames>
 void ClosureSystem<Frames>::find_frames(std::span<const double> coordinates) {
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    const Joint& joint = joints_[j];
+    const ClosureJoint& joint = joints_[j];
     const Frame<double>& parent = frames_[at(joint.parent)];
     if (joint.kind == ElementaryKind::ball) {
       const Mat3 turn = rotation_of(coordinates.data() + joint.coordinate);
@@ -354,7 +312,7 @@ double ClosureSystem<Frames>::largest_residual() const {
 template <class Frames>
 void ClosureSystem<Frames>::move(std::span<const double> step,
                                  std::span<double> coordinates) const {
-  for (const Joint& joint : joints_) {
+  for (const ClosureJoint& joint : joints_) {
     if (joint.coordinate < 0) {
       continue;
     }
@@ -408,7 +366,7 @@ void ClosureSystem<Frames>::follow_angles(std::span<double> angles) const {
 template <class Frames>
 double ClosureSystem<Frames>::total_turn(std::span<const double> step) const {
   double sum = 0.0;
-  for (const Joint& joint : joints_) {
+  for (const ClosureJoint& joint : joints_) {
     if (joint.rate >= 0 && joint.kind != ElementaryKind::slide) {
       const int count = joint.kind == ElementaryKind::ball ? 3 : 1;
       for (int i = 0; i < count; ++i) {
@@ -426,7 +384,7 @@ std::vector<typename Frames::template Frame<Jet>> ClosureSystem<Frames>::moving_
     std::span<const double> rate_rates) const {
   std::vector<Frame<Jet>> frames(joints_.size() + 1);
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    const Joint& joint = joints_[j];
+    const ClosureJoint& joint = joints_[j];
     const Frame<Jet>& parent = frames[at(joint.parent)];
     if (joint.kind == ElementaryKind::ball) {
       const auto r = at(joint.rate);

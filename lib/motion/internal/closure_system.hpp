@@ -4,7 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "motion/internal/frame.hpp"
+#include "motion/internal/closure_joint.hpp"
+#include "motion/internal/planar_frames.hpp"
+#include "motion/internal/spatial_frames.hpp"
+#include "motion/internal/turns.hpp"
 #include "motion/motion_network.hpp"
 
 namespace kinestat {
@@ -20,10 +23,6 @@ class ClosureSystem {
   int row_count() const { return row_count_; }
 
   int rate_count() const { return rate_count_; }
-
-  int coordinate_count() const { return coordinate_count_; }
-
-  int angle_count() const { return static_cast<int>(first_angles_.size()); }
 
   /// All joints at zero.
   std::vector<double> drawn_coordinates() const;
@@ -56,13 +55,6 @@ class ClosureSystem {
   /// Σ |step| of turns: no followed angle changes by more.
   double total_turn(std::span<const double> step) const;
 
-  /// Of frames of the last evaluation.
-  typename Frames::Screw screw(int rate) const { return screws_[static_cast<std::size_t>(rate)]; }
-
-  const typename Frames::template Frame<double>& frame(int i) const {
-    return frames_[static_cast<std::size_t>(i)];
-  }
-
   /// Frames that move with these rates and their derivatives.
   std::vector<typename Frames::template Frame<Jet>> moving_frames(
       std::span<const double> coordinates,
@@ -87,6 +79,7 @@ class ClosureSystem {
   S position(const MeasuredFreedom& measured,
              const std::vector<typename Frames::template Frame<S>>& frames) const;
 
+  /// Of the last evaluation.
   const std::vector<typename Frames::template Frame<double>>& frames() const { return frames_; }
 
  private:
@@ -95,17 +88,6 @@ class ClosureSystem {
   template <class S>
   using Vector = typename Frames::template Vector<S>;
   using Plain = Vector<double>;
-
-  struct Joint {
-    ElementaryKind kind = ElementaryKind::turn;
-    int parent = 0;
-    Vec3 direction = Vec3::UnitZ();
-    Vec3 point = Vec3::Zero();
-    double pitch = 0.0;
-    double sense = 1.0;
-    int coordinate = -1;
-    int rate = -1;
-  };
 
   struct Row {
     ClosureKind kind = ClosureKind::meet;
@@ -150,7 +132,7 @@ class ClosureSystem {
   int row_count_ = 0;
   int rate_count_ = 0;
   int coordinate_count_ = 0;
-  std::vector<Joint> joints_;
+  std::vector<ClosureJoint> joints_;
   std::vector<Row> rows_;
   std::vector<RollingRow> rollings_;
   std::vector<int> coordinate_of_rate_;
@@ -163,13 +145,5 @@ class ClosureSystem {
   std::vector<double> residuals_;
   std::vector<double> jacobian_;
 };
-
-/// The full turns added that bring `angle` next to `near`.
-double counted_turn(double angle, double near);
-
-inline Jet counted_turn(Jet angle, double near) {
-  angle.value = counted_turn(angle.value, near);
-  return angle;
-}
 
 }  // namespace kinestat

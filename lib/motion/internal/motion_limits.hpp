@@ -1,6 +1,7 @@
-// How far a step of a motion may go. What counts as closed is in core/tolerance.hpp.
+// How far a step of a motion may go. What counts as closed is in core/motion_tolerance.hpp.
 #pragma once
 
+#include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
 
 namespace kinestat {

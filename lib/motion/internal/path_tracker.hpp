@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "motion/internal/arc_point.hpp"
 #include "motion/internal/closure_system.hpp"
 #include "motion/internal/pivoted_qr.hpp"
 #include "motion/motion_solution.hpp"
@@ -29,13 +30,6 @@ struct PathPoint {
 
 /// How a way to the next position ended.
 enum class Arrival { reached, limit, lost };
-
-/// From 0 to `high` along an arc, with the values of a function at both ends, of two signs.
-struct ArcBracket {
-  double high = 0.0;
-  double low_value = 0.0;
-  double high_value = 0.0;
-};
 
 template <class Frames>
 class PathTracker {
@@ -81,31 +75,15 @@ class PathTracker {
   ClosureSystem<Frames>& system() { return system_; }
 
  private:
-  // A point of the curve by the length of its arc, in the unknowns and the drives.
-  struct ArcPoint {
-    double share = 0.0;
-    std::vector<double> coordinates;
-    std::vector<double> angles;
-    std::vector<double> tangent;
-    std::vector<double> matrix;  ///< rows x (unknowns + 1)
-  };
-
-  /// Four regular points of an arc around a place that is none.
-  struct Surroundings {
-    std::vector<double> places;  ///< along the arc
-    std::vector<ArcPoint> points;
-    std::vector<double> determinants;  ///< relative to where the arc begins
-
-    double share_at(double place) const;
-    double determinant_at(double place) const;
-  };
-
+  void set_drives(double share, std::span<double> coordinates) const;
   void gather(std::span<const int> columns, std::vector<double>& matrix) const;
   bool try_step(const PathPoint& now, const PathPoint& before, double share, PathPoint& next);
   void predict(const PathPoint& now, const PathPoint& before, double step);
   bool keeps_branch(const PathPoint& now, const PathPoint& next, double moved);
   Arrival walk_arc(PathPoint& now, double share);
   bool try_arc(const ArcPoint& from, double length, ArcPoint& to);
+  void move_arc(std::span<const double> by, ArcPoint& point);
+  void solve_arc(const std::vector<double>& tangent, double left, ArcPoint& point);
   bool correct_arc(const ArcPoint& from, double length, ArcPoint& to);
   bool find_tangent(const std::vector<double>& before, ArcPoint& point);
   void augmented_matrix(std::vector<double>& matrix) const;
@@ -117,7 +95,6 @@ class PathTracker {
   void find_limit(const ArcPoint& from, const ArcBracket& bracket, PathPoint& now);
   void note_change_point(const ArcPoint& from, double length);
   std::optional<Surroundings> surround(const ArcPoint& from, double place);
-  ArcPoint between(const Surroundings& around, double place) const;
   void note_special(SpecialKind kind, const ArcPoint& point, double uncertainty);
 
   ClosureSystem<Frames> system_;

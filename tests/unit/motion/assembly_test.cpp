@@ -18,13 +18,13 @@ const std::string kFourBar =
 Moving drawn_apart(const Vec3& on_rocker) {
   Moving subject = moving(kFourBar, {"a.wz"});
   subject.drawn[2].at_head = on_rocker;
-  subject.network = make_motion_network(
-      subject.mechanism, subject.drawn, subject.network.driven_freedoms);
+  subject.network =
+      make_motion_network(subject.mechanism, subject.drawn, subject.network.driven_freedoms);
   return subject;
 }
 
-// Coupler √10 from (0, 1), rocker 2.1 from (3, 0): the pin comes to where both circles meet, and the
-// crank, which is driven, stays.
+// Coupler √10 from (0, 1), rocker 2.1 from (3, 0): the pin comes to where both circles meet, and
+// the crank, which is driven, stays.
 TEST(Assembly, ClosesWhatIsDrawnApart) {
   const Moving subject = drawn_apart({3.0, 2.1, 0.0});
 

@@ -26,7 +26,10 @@ std::string four_bar(double coupler, double rocker, double angle) {
       "  b: {{type: revolute, bodies: [crank, coupler], at: [{}, {}]}}\n"
       "  c: {{type: revolute, bodies: [coupler, rocker], at: [{}, {}]}}\n"
       "  d: {{type: revolute, bodies: [frame, rocker], at: [3, 0]}}\n",
-      b.x(), b.y(), c.x(), c.y());
+      b.x(),
+      b.y(),
+      c.x(),
+      c.y());
 }
 
 // Which side of the diagonal the rocker pin is on.
@@ -51,9 +54,8 @@ TEST_P(Parallelogram, PassesItsChangePoints) {
 
   ASSERT_EQ(solution.status, MotionStatus::completed);
   for (int k = 0; k < solution.position_count(); ++k) {
-    EXPECT_NEAR(subject.position(solution.configuration_at(k), "d.wz"),
-                solution.drive_value(0, k),
-                1e-9);
+    EXPECT_NEAR(
+        subject.position(solution.configuration_at(k), "d.wz"), solution.drive_value(0, k), 1e-9);
   }
   std::vector<double> places;
   for (const SpecialPosition& one : solution.special) {
@@ -81,7 +83,10 @@ TEST(Branch, OfTheAntiparallelogramIsKeptToo) {
                   "  b: {{type: revolute, bodies: [crank, coupler], at: [{}, {}]}}\n"
                   "  c: {{type: revolute, bodies: [coupler, rocker], at: [{}, {}]}}\n"
                   "  d: {{type: revolute, bodies: [frame, rocker], at: [3, 0]}}\n",
-                  b.x(), b.y(), crossed.x(), crossed.y()),
+                  b.x(),
+                  b.y(),
+                  crossed.x(),
+                  crossed.y()),
       {"a.wz"});
 
   const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 90);

@@ -36,12 +36,12 @@ TEST(FiniteMobility, OfBennettAndSarrusIsOne) {
 
 // Two links in line between two hinges shake across it, and go nowhere.
 TEST(FiniteMobility, OfLinksInLineIsInstantaneous) {
-  const FiniteMobility mobility = tried(moving(
-      "space: planar\nground: frame\nbodies: [one, two]\ncouplings:\n"
-      "  a: {type: revolute, bodies: [frame, one], at: [0, 0]}\n"
-      "  b: {type: revolute, bodies: [one, two], at: [1, 0]}\n"
-      "  c: {type: revolute, bodies: [frame, two], at: [3, 0]}\n",
-      {}));
+  const FiniteMobility mobility =
+      tried(moving("space: planar\nground: frame\nbodies: [one, two]\ncouplings:\n"
+                   "  a: {type: revolute, bodies: [frame, one], at: [0, 0]}\n"
+                   "  b: {type: revolute, bodies: [one, two], at: [1, 0]}\n"
+                   "  c: {type: revolute, bodies: [frame, two], at: [3, 0]}\n",
+                   {}));
 
   ASSERT_EQ(mobility.trials.size(), 1U);
   EXPECT_EQ(mobility.trials[0].persistence, Persistence::instantaneous);
@@ -54,7 +54,9 @@ std::string three_cranks(const std::string& third) {
   return "space: planar\nground: frame\nbodies: [one, two, three, platform]\ncouplings:\n"
          "  a: {type: revolute, bodies: [frame, one], at: [0, 0]}\n"
          "  b: {type: revolute, bodies: [frame, two], at: [2, 0]}\n"
-         "  c: {type: revolute, bodies: [frame, three], at: [5, " + third + "]}\n"
+         "  c: {type: revolute, bodies: [frame, three], at: [5, " +
+         third +
+         "]}\n"
          "  d: {type: revolute, bodies: [one, platform], at: [0, 1]}\n"
          "  e: {type: revolute, bodies: [two, platform], at: [2, 1]}\n"
          "  f: {type: revolute, bodies: [three, platform], at: [5, 1]}\n";
@@ -76,13 +78,13 @@ TEST(FiniteMobility, OfUnequalParallelCranksDoesNot) {
 
 // All links of a parallelogram in line: two freedoms, one as soon as it has moved.
 TEST(FiniteMobility, OfAParallelogramInLineIsSingular) {
-  const FiniteMobility mobility = tried(moving(
-      "space: planar\nground: frame\nbodies: [crank, coupler, rocker]\ncouplings:\n"
-      "  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}\n"
-      "  b: {type: revolute, bodies: [crank, coupler], at: [1, 0]}\n"
-      "  c: {type: revolute, bodies: [coupler, rocker], at: [4, 0]}\n"
-      "  d: {type: revolute, bodies: [frame, rocker], at: [3, 0]}\n",
-      {}));
+  const FiniteMobility mobility =
+      tried(moving("space: planar\nground: frame\nbodies: [crank, coupler, rocker]\ncouplings:\n"
+                   "  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}\n"
+                   "  b: {type: revolute, bodies: [crank, coupler], at: [1, 0]}\n"
+                   "  c: {type: revolute, bodies: [coupler, rocker], at: [4, 0]}\n"
+                   "  d: {type: revolute, bodies: [frame, rocker], at: [3, 0]}\n",
+                   {}));
 
   EXPECT_EQ(mobility.drawn_freedom, 2);
   EXPECT_EQ(mobility.nearby_freedom, 1);

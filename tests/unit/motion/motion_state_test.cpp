@@ -106,35 +106,35 @@ TEST_P(Library, KeepsItsCouplingsReciprocal) {
            ++f) {
         const double work = power(moved.geometry.actions[static_cast<std::size_t>(a)],
                                   moved.geometry.motions[static_cast<std::size_t>(f)]);
-        EXPECT_NEAR(work / size(), 0.0, 1e-10) << moved.topology.action_name(a) << " on "
-                                               << moved.topology.freedom_name(f);
+        EXPECT_NEAR(work / size(), 0.0, 1e-10)
+            << moved.topology.action_name(a) << " on " << moved.topology.freedom_name(f);
       }
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Files,
-    Library,
-    testing::Values(Subject{"planar/four_bar.yaml", "a.wz", 6.0},
-                    Subject{"planar/quick_return.yaml", "a.wz", 6.0},
-                    Subject{"planar/oldham_coupling.yaml", "a.wz", 6.0},
-                    Subject{"planar/toggle_press.yaml", "guide.vy", 0.001},
-                    Subject{"planar/rack_and_pinion.yaml", "a.wz", 6.0},
-                    Subject{"planar/watt_six_bar.yaml", "a.wz", 6.0},
-                    Subject{"planar/stephenson_six_bar.yaml", "a.wz", 6.0},
-                    Subject{"spatial/bennett.yaml", "a.w", 6.0},
-                    Subject{"spatial/schatz_linkage.yaml", "a.wz", 6.0},
-                    Subject{"spatial/cardan_shaft.yaml", "A.wz", 6.0},
-                    Subject{"spatial/sarrus.yaml", "a1.wx", 0.5},
-                    Subject{"spatial/self_aligning_four_bar.yaml", "a.wz", 6.0},
-                    Subject{"spatial/differential_screw.yaml", "h1.w", 6.0},
-                    Subject{"spatial/spherical_four_bar.yaml", "a.wz", 4.0},
-                    Subject{"cables/block_and_tackle.yaml", "H.vy", 0.2},
-                    Subject{"cables/weston_hoist.yaml", "H.vy", 0.2},
-                    Subject{"cables/open_belt.yaml", "A.wz", 6.0},
-                    Subject{"gears/worm_drive.yaml", "A.wx", 6.0},
-                    Subject{"transmissions/wolfrom.yaml", "I.wz", 6.0}));
+INSTANTIATE_TEST_SUITE_P(Files,
+                         Library,
+                         testing::Values(Subject{"planar/four_bar.yaml", "a.wz", 6.0},
+                                         Subject{"planar/quick_return.yaml", "a.wz", 6.0},
+                                         Subject{"planar/oldham_coupling.yaml", "a.wz", 6.0},
+                                         Subject{"planar/toggle_press.yaml", "guide.vy", 0.001},
+                                         Subject{"planar/rack_and_pinion.yaml", "a.wz", 6.0},
+                                         Subject{"planar/watt_six_bar.yaml", "a.wz", 6.0},
+                                         Subject{"planar/stephenson_six_bar.yaml", "a.wz", 6.0},
+                                         Subject{"spatial/bennett.yaml", "a.w", 6.0},
+                                         Subject{"spatial/schatz_linkage.yaml", "a.wz", 6.0},
+                                         Subject{"spatial/cardan_shaft.yaml", "A.wz", 6.0},
+                                         Subject{"spatial/sarrus.yaml", "a1.wx", 0.5},
+                                         Subject{
+                                             "spatial/self_aligning_four_bar.yaml", "a.wz", 6.0},
+                                         Subject{"spatial/differential_screw.yaml", "h1.w", 6.0},
+                                         Subject{"spatial/spherical_four_bar.yaml", "a.wz", 4.0},
+                                         Subject{"cables/block_and_tackle.yaml", "H.vy", 0.2},
+                                         Subject{"cables/weston_hoist.yaml", "H.vy", 0.2},
+                                         Subject{"cables/open_belt.yaml", "A.wz", 6.0},
+                                         Subject{"gears/worm_drive.yaml", "A.wx", 6.0},
+                                         Subject{"transmissions/wolfrom.yaml", "I.wz", 6.0}));
 
 }  // namespace
 }  // namespace kinestat

@@ -22,7 +22,10 @@ TEST(SliderCrank, HasTheStrokeOfTheClosedForm) {
                   "  b: {{type: revolute, bodies: [crank, rod], at: [{}, {}]}}\n"
                   "  c: {{type: revolute, bodies: [rod, slider], at: [{}, 0]}}\n"
                   "  d: {{type: prismatic, bodies: [frame, slider], at: [{}, 0], axis: x}}\n",
-                  std::cos(start), std::sin(start), x0, x0),
+                  std::cos(start),
+                  std::sin(start),
+                  x0,
+                  x0),
       {"a.wz"});
 
   const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 360);
@@ -75,8 +78,8 @@ Vec3 turned(const Vec3& p, double angle) {
 
 // The point of a body that was drawn at p, from two of its points.
 Vec3 carried(const Vec3& p, const Vec3& a0, const Vec3& b0, const Vec3& a, const Vec3& b) {
-  const double angle = std::atan2((b - a).y(), (b - a).x()) -
-                       std::atan2((b0 - a0).y(), (b0 - a0).x());
+  const double angle =
+      std::atan2((b - a).y(), (b - a).x()) - std::atan2((b0 - a0).y(), (b0 - a0).x());
   return a + turned(p - a0, angle);
 }
 

@@ -139,19 +139,19 @@ TEST(Cardan, TurnsUnevenlyBetweenItsJoints) {
                     (below * below),
                 1e-12);
     EXPECT_NEAR(state.twists[o].angular.z(), 1.0, 1e-12);
-    EXPECT_NEAR(subject.position(solution.configuration_at(k), "B.wz"),
-                solution.drive_value(0, k),
-                1e-11);
+    EXPECT_NEAR(
+        subject.position(solution.configuration_at(k), "B.wz"), solution.drive_value(0, k), 1e-11);
   }
 }
 
 // From a pose to the lengths of the legs, and back.
 TEST(Platform, ComesToThePoseOfItsLegs) {
-  const Moving subject = moving_file("spatial/ups_platform.yaml",
-                                     {"P1.v", "P2.v", "P3.v", "P4.v", "P5.v", "P6.v"});
+  const Moving subject =
+      moving_file("spatial/ups_platform.yaml", {"P1.v", "P2.v", "P3.v", "P4.v", "P5.v", "P6.v"});
   BodyPose target;
-  target.rotation = (Eigen::AngleAxisd(0.2, Vec3::UnitZ()) * Eigen::AngleAxisd(-0.15, Vec3::UnitX()))
-                        .toRotationMatrix();
+  target.rotation =
+      (Eigen::AngleAxisd(0.2, Vec3::UnitZ()) * Eigen::AngleAxisd(-0.15, Vec3::UnitX()))
+          .toRotationMatrix();
   target.shift = {0.1, -0.05, 0.2};
   MotionTask task{.drives = {}, .steps = 25};
   for (int leg = 1; leg <= 6; ++leg) {
@@ -185,8 +185,8 @@ TEST(Sarrus, RisesStraight) {
   for (int k = 0; k <= 60; ++k) {
     const auto poses = body_poses(subject.network, solution.configuration_at(k));
     const BodyPose& table = poses[static_cast<std::size_t>(subject.body("table").value)];
-    const double rise = 2.0 * panel *
-                        (std::sin(kPi / 4.0 + solution.drive_value(0, k)) - std::sin(kPi / 4.0));
+    const double rise =
+        2.0 * panel * (std::sin(kPi / 4.0 + solution.drive_value(0, k)) - std::sin(kPi / 4.0));
     EXPECT_LE((table.shift - Vec3(0.0, 0.0, rise)).norm(), 1e-12);
     EXPECT_LE((table.rotation - Mat3::Identity()).norm(), 1e-12);
   }

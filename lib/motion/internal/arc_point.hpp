@@ -1,0 +1,36 @@
+// Points of the curve of closed positions by the length of its arc.
+#pragma once
+
+#include <vector>
+
+namespace kinestat {
+
+/// In the unknown joints and, last, the drives in units of their largest reach.
+struct ArcPoint {
+  double share = 0.0;
+  std::vector<double> coordinates;
+  std::vector<double> angles;
+  std::vector<double> tangent;
+  std::vector<double> matrix;  ///< of the closure: rows x (unknowns + 1)
+};
+
+/// From 0 to `high` along an arc, with the values of a function at both ends, of two signs.
+struct ArcBracket {
+  double high = 0.0;
+  double low_value = 0.0;
+  double high_value = 0.0;
+};
+
+/// Four regular points of an arc around a place that is none; between them everything follows
+/// cubics.
+struct Surroundings {
+  std::vector<double> places;  ///< along the arc
+  std::vector<ArcPoint> points;
+  std::vector<double> determinants;  ///< of the closure, relative to where the arc begins
+
+  double share_at(double place) const;
+  double determinant_at(double place) const;
+  ArcPoint point_at(double place) const;
+};
+
+}  // namespace kinestat
