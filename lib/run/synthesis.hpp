@@ -21,7 +21,7 @@ enum class WrittenLinkages {
 struct SynthesisOptions {
   std::optional<int> digits;  ///< of the positions as typed, before what the files say
   WrittenLinkages written = WrittenLinkages::usable;
-  bool verifies = false;  ///< moves every linkage as a mechanism, not only those that are written
+  bool verifies = false;   ///< moves every linkage as a mechanism, not only those that are written
   std::uint64_t jobs = 0;  ///< threads of a selection; 0: as many as the machine has cores
 };
 

@@ -27,15 +27,14 @@ std::string coupling_of(const Name& name) {
 }  // namespace
 
 std::span<const std::string> motion_report_words() {
-  static const std::vector<std::string> kWords = {
-      "position",
-      "velocity",
-      "acceleration",
-      "action",
-      "power",
-      "ratio",
-      "transmission_angle",
-      "mechanical_advantage"};
+  static const std::vector<std::string> kWords = {"position",
+                                                  "velocity",
+                                                  "acceleration",
+                                                  "action",
+                                                  "power",
+                                                  "ratio",
+                                                  "transmission_angle",
+                                                  "mechanical_advantage"};
   return kWords;
 }
 
