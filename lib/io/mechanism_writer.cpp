@@ -14,7 +14,7 @@ namespace kinestat {
 namespace {
 
 // A text between double quotes, so that nothing in it has a meaning of its own.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : printable(text)) {
     result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
@@ -104,7 +104,7 @@ std::string case_text(const CaseDescription& one) {
                            motion.target.text,
                            motion.value.expression.text());
   }
-  return fmt::format("  {}:\n    motion: {{{}}}\n", quoted(one.label.text), motions) +
+  return fmt::format("  {}:\n    motion: {{{}}}\n", in_quotes(one.label.text), motions) +
          names_text("input", one.inputs) + names_text("output", one.outputs);
 }
 
@@ -132,7 +132,7 @@ std::string motion_text(const MotionDescription& motion) {
   return fmt::format("\nmotion: {{{}{}{}{}}}\n",
                      range_text(motion.drives.front()),
                      motion.steps ? ", steps: " + motion.steps->expression.text() : "",
-                     motion.label ? ", case: " + quoted(motion.label->text) : "",
+                     motion.label ? ", case: " + in_quotes(motion.label->text) : "",
                      trace_text(motion.trace));
 }
 
@@ -163,8 +163,9 @@ std::string mechanism_text(const MechanismDescription& description,
     text += line.empty() ? "#\n" : fmt::format("# {}\n", printable(line));
   }
   text += "kinestat: 1\n";
-  text += description.name.empty() ? "" : fmt::format("name: {}\n", quoted(description.name));
-  text += description.source.empty() ? "" : fmt::format("source: {}\n", quoted(description.source));
+  text += description.name.empty() ? "" : fmt::format("name: {}\n", in_quotes(description.name));
+  text +=
+      description.source.empty() ? "" : fmt::format("source: {}\n", in_quotes(description.source));
   text += description.space == Space::planar ? "space: planar\n" : "";
   text += units_text(description.units);
   text += fmt::format("\nground: {}\n", description.ground.text);
