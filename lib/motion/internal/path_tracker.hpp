@@ -75,7 +75,6 @@ class PathTracker {
   ClosureSystem<Frames>& system() { return system_; }
 
  private:
-  void set_drives(double share, std::span<double> coordinates) const;
   void gather(std::span<const int> columns, std::vector<double>& matrix) const;
   bool try_step(const PathPoint& now, const PathPoint& before, double share, PathPoint& next);
   void predict(const PathPoint& now, const PathPoint& before, double step);
