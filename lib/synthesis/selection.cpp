@@ -47,7 +47,8 @@ Sample sample_of(const LinkageCandidate& candidate) {
 }
 
 Sample sample_of(const Shortfall& shortfall) {
-  Sample sample{.lack = shortfall.lack};
+  Sample sample;
+  sample.lack = shortfall.lack;
   sample.standing.rank = static_cast<int>(shortfall.lack) - static_cast<int>(kLackCount);
   sample.standing.margin = -shortfall.residual;
   return sample;
