@@ -24,7 +24,7 @@ bool has_need(PictureNeed need, const PictureSource& source) {
     case PictureNeed::benchmark:
       return source.benchmark != nullptr;
     case PictureNeed::motion:
-      return false;
+      return source.motion != nullptr;
   }
   return false;
 }

@@ -10,6 +10,7 @@
 #include "plot/picture.hpp"
 #include "report/analysis.hpp"
 #include "report/benchmark_report.hpp"
+#include "report/motion_table.hpp"
 #include "report/synthesis_report.hpp"
 
 namespace kinestat {
@@ -17,6 +18,7 @@ namespace kinestat {
 /// What pictures of one file are made of; null what the file does not have, or what nobody found.
 struct PictureSource {
   const Analysis* analysis = nullptr;
+  const MotionTable* motion = nullptr;
   const SynthesisAnalysis* synthesis = nullptr;
   const std::vector<BenchmarkedCase>* benchmark = nullptr;
   /// Index into Analysis::cases: the case that a picture of one case shows; empty: the first that

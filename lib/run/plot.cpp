@@ -17,6 +17,7 @@
 #include "plot/picture_title.hpp"
 #include "run/benchmark.hpp"
 #include "run/each_file.hpp"
+#include "run/motion.hpp"
 #include "run/synthesis.hpp"
 
 namespace kinestat {
@@ -43,11 +44,13 @@ std::string_view signature_of(PictureForm form) {
 // Everything of a file that pictures are made of, as far as somebody asked for it.
 struct PictureSolutions {
   std::optional<Analysis> analysis;
+  std::optional<MotionTable> motion;
   std::optional<SynthesisAnalysis> synthesis;
   std::optional<std::vector<BenchmarkedCase>> benchmark;
 
   PictureSource source() const {
     return {.analysis = analysis ? &*analysis : nullptr,
+            .motion = motion ? &*motion : nullptr,
             .synthesis = synthesis ? &*synthesis : nullptr,
             .benchmark = benchmark ? &*benchmark : nullptr};
   }
@@ -125,7 +128,7 @@ class PictureJob {
       case PictureNeed::benchmark:
         return find_benchmark();
       case PictureNeed::motion:
-        return false;
+        return find_motion_table();
     }
     return false;
   }
@@ -152,6 +155,26 @@ class PictureJob {
       solutions_.analysis = std::move(certified->analysis);
     }
     return certified.has_value();
+  }
+
+  bool find_motion_table() {
+    if (!description_->motion) {
+      found_.error("E0303",
+                   {},
+                   "the file has no section 'motion'",
+                   "add motion: {drive: …, from: …, to: …}; 'kinestat help motion' says more");
+      return false;
+    }
+    // Also of a drawing that does not close: the motion closes it first.
+    const std::optional<Mechanism> mechanism = bind_drawn_apart(*description_, found_);
+    if (!mechanism) {
+      return false;
+    }
+    std::optional<FoundMotion> found = find_motion(*description_, *mechanism, found_);
+    if (found) {
+      solutions_.motion = std::move(found->table);
+    }
+    return found.has_value();
   }
 
   bool find_benchmark() {
@@ -220,6 +243,9 @@ class PictureJob {
     }
     if (!is_of_synthesis && !description_->has_mechanism()) {
       return "the file holds no mechanism";
+    }
+    if (kind.need == PictureNeed::motion && !description_->motion) {
+      return "the file has no section 'motion'";
     }
     if (kind.need == PictureNeed::benchmark) {
       return description_->cases.empty() ? "the file has no cases" : "";

@@ -5,6 +5,7 @@
 #include "plot/burmester_drawing.hpp"
 #include "plot/gnuplot.hpp"
 #include "plot/internal/catalogue_parts.hpp"
+#include "plot/motion_curves.hpp"
 #include "plot/pareto.hpp"
 
 namespace kinestat {
@@ -30,6 +31,40 @@ Picture draw_plane(const PictureSource& source) {
   return draw_burmester(*source.synthesis, 0);
 }
 
+Figure motion_of(const PictureSource& source) {
+  return motion_figure(*source.motion, titled("Motion", source));
+}
+
+Figure paths_of(const PictureSource& source) {
+  return path_figure(*source.motion, titled("Paths of points", source));
+}
+
+std::string lack_of_curves(const PictureSource& source) {
+  return motion_of(source).charts.empty() ? "its motion has no positions, or nothing but paths"
+                                          : "";
+}
+
+std::string lack_of_paths(const PictureSource& source) {
+  return paths_of(source).charts.empty() ? "in its motion no point moves whose place is reported"
+                                         : "";
+}
+
+Picture draw_motion(const PictureSource& source) {
+  return draw_figure(motion_of(source));
+}
+
+Picture draw_paths(const PictureSource& source) {
+  return draw_figure(paths_of(source));
+}
+
+std::string motion_text(const PictureSource& source) {
+  return gnuplot_text(motion_of(source));
+}
+
+std::string paths_text(const PictureSource& source) {
+  return gnuplot_text(paths_of(source));
+}
+
 Figure pareto_of(const PictureSource& source) {
   return pareto_figure(titled("Time against error of the methods", source), *source.benchmark);
 }
@@ -43,6 +78,18 @@ std::string pareto_text(const PictureSource& source) {
 }
 
 constexpr auto kKinds = std::to_array<PictureKind>({
+    {.name = "motion-curves",
+     .sentence = "positions, velocities and more of a motion against its drive",
+     .need = PictureNeed::motion,
+     .lack = lack_of_curves,
+     .draw = draw_motion,
+     .gnuplot = motion_text},
+    {.name = "paths",
+     .sentence = "the paths of points in a motion, to scale",
+     .need = PictureNeed::motion,
+     .lack = lack_of_paths,
+     .draw = draw_paths,
+     .gnuplot = paths_text},
     {.name = "burmester",
      .sentence = "the positions of a synthesis with poles, curves and dyads",
      .need = PictureNeed::synthesis,
