@@ -7,9 +7,12 @@
 
 #include "core/diagnostic.hpp"
 #include "core/source.hpp"
+#include "plot/linkage_drawing.hpp"
 #include "report/analysis.hpp"
 #include "report/mobility_report.hpp"
+#include "report/motion_table.hpp"
 #include "report/synthesis_report.hpp"
+#include "screw/pose.hpp"
 
 namespace kinestat {
 
@@ -20,6 +23,13 @@ struct PageData {
   std::string text;
 };
 
+/// A finite motion, and where the bodies are in it.
+struct PageMotion {
+  MotionTable table;
+  std::vector<std::vector<BodyPose>> poses;  ///< at each row of the table, of each body
+  std::vector<TracedPath> paths;
+};
+
 /// Passes that failed, or for which the file gives no reason, are empty; what was wrong is among
 /// the findings.
 struct FilePage {
@@ -28,6 +38,7 @@ struct FilePage {
   std::optional<MechanismDescription> description;  ///< empty for a file that cannot be read
   std::optional<Analysis> analysis;
   std::optional<MobilityAnalysis> mobility;
+  std::optional<PageMotion> motion;  ///< of the mechanism of the analysis
   std::optional<SynthesisAnalysis> synthesis;
   std::vector<PageData> data;
 };

@@ -224,6 +224,34 @@ void add_shift(const ShiftAnalysis& shift, Sentences& sentences) {
   sentences.push_back(text + ".");
 }
 
+// "30 to 390 deg", or as far as the drive goes.
+void add_motion(const MotionTable& motion, Sentences& sentences) {
+  for (const DriveTravel& drive : motion.drives) {
+    std::string text = fmt::format("Drive {} goes from {} to {} {}",
+                                   drive.name,
+                                   format_short(drive.from),
+                                   format_short(drive.to),
+                                   drive.unit);
+    if (motion.end == MotionEnd::not_assembled) {
+      text += ", but the drawn position cannot be assembled";
+    } else if (motion.end != MotionEnd::complete && drive.reached) {
+      text += fmt::format(
+          ", but comes no further than {} {}", format_short(*drive.reached), drive.unit);
+    }
+    sentences.push_back(text + ".");
+  }
+  const auto count = [&](std::string_view kind) {
+    return static_cast<int>(std::ranges::count(motion.events, kind, &MotionEvent::kind));
+  };
+  const int dead = count("dead_point");
+  const int singular = count("singular");
+  if (dead + singular > 0) {
+    sentences.push_back(fmt::format("On the way it passes {} and {}.",
+                                    counted(dead, "dead point"),
+                                    counted(singular, "singular position")));
+  }
+}
+
 std::string linkage_word(const LinkageCandidate& candidate) {
   std::string word(word_of(candidate.linkage.type()));
   std::ranges::replace(word, '_', ' ');
@@ -283,6 +311,9 @@ std::vector<std::string> summary_sentences(const FilePage& page) {
     if (page.analysis->shift) {
       add_shift(*page.analysis->shift, sentences);
     }
+  }
+  if (page.motion) {
+    add_motion(page.motion->table, sentences);
   }
   if (page.synthesis) {
     add_synthesis(*page.synthesis, sentences);

@@ -8,6 +8,7 @@
 #include "core/utf8.hpp"
 #include "description/mechanism_description.hpp"
 #include "mechanism/bind.hpp"
+#include "motion/configuration.hpp"
 #include "plot/html_report.hpp"
 #include "report/certified_report.hpp"
 #include "run/each_file.hpp"
@@ -33,6 +34,24 @@ void add_new(const Diagnostics& more, Diagnostics& found) {
                             : found.warning(one.code, one.where, one.message, one.hint);
     added.notes = one.notes;
   }
+}
+
+// Where the bodies and the traced points are in every position.
+PageMotion page_motion(const FoundMotion& motion, const Topology& topology) {
+  PageMotion page{.table = motion.table, .poses = {}, .paths = {}};
+  for (const TracedPoint& point : motion.plan.trace) {
+    page.paths.push_back(
+        {.name = topology.body(point.body).name, .points = {}, .body = point.body});
+  }
+  for (int i = 0; i < motion.solution.position_count(); ++i) {
+    page.poses.push_back(body_poses(motion.network, motion.solution.configuration_at(i)));
+    for (std::size_t p = 0; p < page.paths.size(); ++p) {
+      const TracedPoint& point = motion.plan.trace[p];
+      const auto body = static_cast<std::size_t>(point.body.value);
+      page.paths[p].points.push_back(page.poses.back()[body].point(point.at));
+    }
+  }
+  return page;
 }
 
 class PageBuilder {
@@ -65,14 +84,11 @@ class PageBuilder {
                                          page_.found);
       if (certified) {
         const Analysis& analysis = certified->analysis;
-        const std::optional<FoundMotion> motion =
-            analysis.description.motion
-                ? find_motion(analysis.description, analysis.mechanism, page_.found)
-                : std::nullopt;
+        move(analysis);
         add_data("report",
                  make_certified_report(analysis,
                                        certified->certainty,
-                                       motion ? &motion->table : nullptr,
+                                       page_.motion ? &page_.motion->table : nullptr,
                                        kForms,
                                        page_.found));
         page_.analysis = std::move(certified->analysis);
@@ -85,6 +101,17 @@ class PageBuilder {
       if (page_.mobility) {
         add_data("mobility", make_mobility_report(*page_.mobility, kForms, page_.found));
       }
+    }
+  }
+
+  // The section `motion`, if there is one.
+  void move(const Analysis& analysis) {
+    const std::optional<FoundMotion> motion =
+        analysis.description.motion
+            ? find_motion(analysis.description, analysis.mechanism, page_.found)
+            : std::nullopt;
+    if (motion) {
+      page_.motion = page_motion(*motion, analysis.mechanism.topology);
     }
   }
 

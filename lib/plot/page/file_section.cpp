@@ -7,6 +7,7 @@
 #include "core/utf8.hpp"
 #include "plot/linkage_drawing.hpp"
 #include "plot/page/figures.hpp"
+#include "plot/page/motion_figure.hpp"
 #include "plot/page/tables.hpp"
 #include "plot/summary.hpp"
 #include "report/case_text.hpp"
@@ -14,6 +15,7 @@
 #include "report/gear_values.hpp"
 #include "report/mobility_text.hpp"
 #include "report/mobility_words.hpp"
+#include "report/motion_text.hpp"
 #include "report/shift_text.hpp"
 #include "report/synthesis_text.hpp"
 
@@ -36,6 +38,7 @@ class FileSection {
     add_findings();
     add_structure();
     add_mobility();
+    add_motion();
     add_shift();
     add_cases();
     add_synthesis();
@@ -100,7 +103,8 @@ class FileSection {
   PictureSource source(std::optional<std::size_t> which = {}) const {
     return {.analysis = page_.analysis ? &*page_.analysis : nullptr,
             .synthesis = page_.synthesis ? &*page_.synthesis : nullptr,
-            .which = which};
+            .which = which,
+            .name = page_title(page_)};
   }
 
   void add_pictures(const std::vector<Picture>& pictures) {
@@ -158,6 +162,28 @@ class FileSection {
       html_.element("p", remark);
     }
     add_blocks(mobility_blocks(*page_.mobility), "Mobility", html_);
+    html_.close();
+  }
+
+  void add_motion() {
+    if (!page_.motion || !page_.analysis) {
+      return;
+    }
+    open_part("motion", "Motion");
+    html_.open("div", {{"class", "pair both"}});
+    html_.open("div");
+    if (!page_.motion->poses.empty()) {
+      add_motion_figure(*page_.analysis, *page_.motion, id_, figures_, html_);
+    }
+    html_.close();
+    html_.open("div");
+    add_blocks(motion_summary(page_.motion->table), "Motion", html_);
+    html_.close();
+    html_.close();
+    add_pictures(pictures_at(PicturePlace::motion, source()));
+    if (!page_.motion->table.rows.empty()) {
+      add_table(position_table(page_.motion->table), "Positions", html_);
+    }
     html_.close();
   }
 
