@@ -152,9 +152,10 @@ bool select_tasks(const SynthesisValues& values,
   const ForEach for_each = for_each_on_threads(jobs);
   analysis.selection = SelectionCounts{};
   for (std::size_t task = 0; task < possible->size(); ++task) {
-    analysis.selections.push_back({.first_task = analysis.tasks.size()});
+    AngleSelection& selection = analysis.selections.emplace_back();
+    selection.first_task = analysis.tasks.size();
     for (const PositionJets& position : (*possible)[task]) {
-      analysis.selections.back().angles.push_back(position.angle[0]);
+      selection.angles.push_back(position.angle[0]);
     }
     if (chooses_points) {
       select_circle_points(values, (*possible)[task], for_each, analysis);
