@@ -210,7 +210,9 @@ std::optional<Mechanism> bind_for(Purpose purpose,
   if (found.error_count() == errors_before) {
     evaluator.warn_of_unused();
     warn_of_idle_stiffness(description, found);
-    warn_of_links_without_length(result, found);
+    if (description.motion) {  // at rest, coaxial bearings are as good as any
+      warn_of_links_without_length(result, found);
+    }
     report_unanalysed(unanalysed, purpose, found);
   }
   const bool is_right = found.error_count() == errors_before;

@@ -74,9 +74,9 @@ constexpr auto kWarningCodes = std::to_array<Code>({
     {"W0309",
      done,
      "link has no length",
-     "A body is joined to two others by revolute couplings on one axis and to nothing else, so "
-     "that "
-     "it is a sleeve that may turn by itself, and the two others turn about that axis together. "
+     "In a file with a motion, a body is joined to two others by revolute couplings on one axis "
+     "and to nothing else, so that it is a sleeve that may turn by itself, and the two others turn "
+     "about that axis together. "
      "More often two points are the same by mistake. Give the couplings different points, or join "
      "the two other bodies directly."},
     {"W0501",
