@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(Palette,
                                          Ink::pink,
                                          Ink::brown,
                                          Ink::sky),
-                         [](const auto& info) { return std::string(ink_name(info.param)); });
+                         [](const auto& given) { return std::string(ink_name(given.param)); });
 
 // WCAG 2.1, 1.4.3: text needs 4.5.
 TEST(Palette, LetsTextBeRead) {
