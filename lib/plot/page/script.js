@@ -28,6 +28,9 @@
       }
     };
     const radios = all("input[type=radio]", chooser);
+    if (radios.length === 0) {
+      continue;  // a single case needs no choice
+    }
     for (const radio of radios) {
       radio.addEventListener("change", () => show(radio.value));
     }
