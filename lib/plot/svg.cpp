@@ -46,6 +46,11 @@ std::string ink_attributes(std::string_view property, Ink ink) {
   return fmt::format(" {}=\"{}\"", property, light_value(ink));
 }
 
+// Text needs more contrast than lines: three inks of the series have too little on paper.
+Ink text_ink(Ink ink) {
+  return ink == Ink::vermilion || ink == Ink::pink || ink == Ink::sky ? Ink::ink : ink;
+}
+
 // "ks-s-blue ks-f-paper"; empty if nothing is painted.
 std::string ink_classes(Ink stroke, Ink fill) {
   std::string text;
@@ -264,8 +269,8 @@ void Svg::text(PixelPoint place, std::string_view text, const TextStyle& style) 
                           format_coordinate(place.x),
                           format_coordinate(place.y)));
   }
-  elements_ += ink_classes(style.has_halo ? Ink::paper : Ink::none, style.ink);
-  elements_ += ink_attributes("fill", style.ink);
+  elements_ += ink_classes(style.has_halo ? Ink::paper : Ink::none, text_ink(style.ink));
+  elements_ += ink_attributes("fill", text_ink(style.ink));
   if (style.has_halo) {
     elements_ += ink_attributes("stroke", Ink::paper) +
                  " stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
