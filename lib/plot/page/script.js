@@ -61,7 +61,7 @@
     return "matrix(" + [c, -s, s, c, e, f].map((x) => +x.toFixed(6)).join(" ") + ")";
   };
 
-  for (const motion of all(".motion")) {
+  for (const motion of all(".motion[data-poses]")) {
     const data = JSON.parse(document.getElementById(motion.dataset.poses).textContent);
     const slider = motion.querySelector("input[type=range]");
     const button = motion.querySelector("button");

@@ -23,15 +23,8 @@ std::string with_unit(double value, const std::string& unit) {
 
 class Findings {
  public:
-  Findings(const FoundMotion& motion,
-           const MechanismDescription& description,
-           const Mechanism& mechanism,
-           Diagnostics& found)
-      : motion_(motion),
-        table_(motion.table),
-        units_(description.units),
-        topology_(mechanism.topology),
-        found_(found) {}
+  Findings(const FoundMotion& motion, const Mechanism& mechanism, Diagnostics& found)
+      : motion_(motion), table_(motion.table), topology_(mechanism.topology), found_(found) {}
 
   void add_all() {
     add_correction();
@@ -207,7 +200,6 @@ class Findings {
 
   const FoundMotion& motion_;
   const MotionTable& table_;
-  const FileUnits& units_;
   const Topology& topology_;
   Diagnostics& found_;
 };
@@ -269,10 +261,10 @@ bool check_movable(const FoundMotion& motion, const Mechanism& mechanism, Diagno
 }
 
 void add_motion_findings(const FoundMotion& motion,
-                         const MechanismDescription& description,
+                         const MechanismDescription& /*description*/,
                          const Mechanism& mechanism,
                          Diagnostics& found) {
-  Findings(motion, description, mechanism, found).add_all();
+  Findings(motion, mechanism, found).add_all();
 }
 
 }  // namespace kinestat
