@@ -27,7 +27,8 @@ FileReport make_motion_report(const MotionAnalysis& analysis,
   }
   if (forms.csv) {
     report.csv.push_back(
-        {.pass = "motion", .text = motion_csv(analysis.description.name, analysis.motion)});
+        {.pass = "motion",
+         .text = motion_csv(name_in_tables(analysis.file, analysis.description), analysis.motion)});
   }
   if (forms.text) {
     report.text = title_text(analysis.file, analysis.description) + "\n" +
