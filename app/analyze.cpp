@@ -5,7 +5,7 @@ namespace kinestat::app {
 
 namespace {
 
-void add_output(CLI::App& command, AnalyseOptions& analyse) {
+void add_report_output(CLI::App& command, AnalyseOptions& analyse) {
   with_value(command,
              command.add_option("-o,--out",
                                 analyse.output.folder,
@@ -34,7 +34,7 @@ void add_analyze(CLI::App& parent, Job& job) {
   add_files(*command, *options);
   add_format(*command, *options);
   add_accuracy(*command, analyse.accuracy);
-  add_output(*command, analyse);
+  add_report_output(*command, analyse);
   add_strict(*command, *options);
   add_flag(
       *command,

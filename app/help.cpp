@@ -7,7 +7,7 @@ namespace kinestat::app {
 
 namespace {
 
-std::vector<std::string> command_names(const CLI::App& app) {
+std::vector<std::string> words_of_help(const CLI::App& app) {
   std::vector<std::string> names = {"commands"};
   for (const CLI::App* command : app.get_subcommands({})) {
     names.push_back(command->get_name());
@@ -30,7 +30,7 @@ Outcome help(const CLI::App& app, const std::string& word) {
   if (word == "commands") {
     return {.out = app.get_formatter()->make_help(&app, app.get_name(), {}), .err = {}};
   }
-  return help_topic(word, command_names(app));
+  return help_topic(word, words_of_help(app));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ struct MotionFlags {
   MotionChoice choice;
 };
 
-void add_choice(CLI::App& command, MotionChoice& choice) {
+void add_motion_choice(CLI::App& command, MotionChoice& choice) {
   with_value(command,
              command.add_option("--drive",
                                 choice.drive,
@@ -37,7 +37,7 @@ void add_choice(CLI::App& command, MotionChoice& choice) {
                "NAME");
 }
 
-void add_output(CLI::App& command, AnalyseOptions& analyse) {
+void add_motion_output(CLI::App& command, AnalyseOptions& analyse) {
   with_value(command,
              command.add_option("-o,--out",
                                 analyse.output.folder,
@@ -64,8 +64,8 @@ void add_motion(CLI::App& parent, Job& job) {
   AnalyseOptions& analyse = flags->files.analyse;
   add_files(*command, flags->files);
   add_format(*command, flags->files);
-  add_choice(*command, flags->choice);
-  add_output(*command, analyse);
+  add_motion_choice(*command, flags->choice);
+  add_motion_output(*command, analyse);
   add_strict(*command, flags->files);
   add_flag(
       *command,

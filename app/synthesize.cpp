@@ -12,7 +12,7 @@ struct SynthesizeCommand {
   SynthesisOptions options;
 };
 
-void add_output(CLI::App& command, SynthesizeCommand& options) {
+void add_linkage_output(CLI::App& command, SynthesizeCommand& options) {
   with_value(command,
              command.add_option("--write-mechanism",
                                 options.files.analyse.output.folder,
@@ -78,7 +78,7 @@ void add_synthesize(CLI::App& parent, Job& job) {
   auto options = std::make_shared<SynthesizeCommand>();
   add_files(*command, options->files);
   add_format(*command, options->files);
-  add_output(*command, *options);
+  add_linkage_output(*command, *options);
   add_flag(
       *command,
       "--verify",

@@ -34,7 +34,7 @@ constexpr auto kFunctions = std::to_array<FunctionName>({
     {"hypot", Function::hypot, Arity::two_or_more},
 });
 
-std::vector<std::string> list_names() {
+std::vector<std::string> list_function_names() {
   std::vector<std::string> names;
   for (const FunctionName& row : kFunctions) {
     names.emplace_back(row.name);
@@ -54,7 +54,7 @@ std::string_view name_of(Function function) {
 }
 
 std::span<const std::string> function_names() {
-  static const std::vector<std::string> names = list_names();
+  static const std::vector<std::string> names = list_function_names();
   return names;
 }
 

@@ -17,41 +17,54 @@ struct KindRow {
   std::string_view example;
 };
 
-using enum QuantityKind;
-
 // In the order of the enumeration: row_of indexes.
-constexpr std::array<KindRow, kQuantityKindCount> kKinds = {{
-    {dimensionless, {0, 0, 0, 0}, "bare number", "a bare number", "", "the number without a unit"},
-    {length, {1, 0, 0, 0}, "length", "a length", "length", "5 mm or 0.005 m"},
-    {angle, {0, 0, 0, 1}, "angle", "an angle", "angle", "30 deg or 0.52 rad"},
-    {QuantityKind::time, {0, 0, 1, 0}, "time", "a time", "time", "2 s or 0.5 min"},
-    {mass, {0, 1, 0, 0}, "mass", "a mass", "mass", "2 kg or 500 g"},
-    {force, {1, 1, -2, 0}, "force", "a force", "force", "100 N or 0.1 kN"},
-    {moment, {2, 1, -2, 0}, "moment", "a moment", "moment", "5 N*m or 5000 N*mm"},
-    {velocity, {1, 0, -1, 0}, "velocity", "a velocity", "velocity", "1 m/s or 20 mm/s"},
-    {angular_velocity,
-     {0, 0, -1, 1},
-     "angular velocity",
-     "an angular velocity",
-     "angular_velocity",
-     "1 rad/s or 1500 rpm"},
-    {acceleration, {1, 0, -2, 0}, "acceleration", "an acceleration", "", "9.81 m/s^2"},
-    {QuantityKind::power, {2, 1, -3, 0}, "power", "a power", "power", "500 W or 0.5 kW"},
-    {stiffness, {0, 1, -2, 0}, "stiffness", "a stiffness", "stiffness", "2e6 N/m"},
-    {angular_stiffness,
-     {2, 1, -2, -1},
-     "angular stiffness",
-     "an angular stiffness",
-     "",
-     "300 N*m/rad"},
-    {pitch, {1, 0, 0, -1}, "length per radian", "a length per radian", "", "2 mm/rad or 5 mm/rev"},
-    {lead, {1, 0, 0, 0}, "length per turn", "a length per turn", "", "5 mm or 5 mm/rev"},
-}};
+constexpr std::array<KindRow, kQuantityKindCount> list_rows() {
+  using enum QuantityKind;
+  return {{
+      {dimensionless,
+       {0, 0, 0, 0},
+       "bare number",
+       "a bare number",
+       "",
+       "the number without a unit"},
+      {length, {1, 0, 0, 0}, "length", "a length", "length", "5 mm or 0.005 m"},
+      {angle, {0, 0, 0, 1}, "angle", "an angle", "angle", "30 deg or 0.52 rad"},
+      {time, {0, 0, 1, 0}, "time", "a time", "time", "2 s or 0.5 min"},
+      {mass, {0, 1, 0, 0}, "mass", "a mass", "mass", "2 kg or 500 g"},
+      {force, {1, 1, -2, 0}, "force", "a force", "force", "100 N or 0.1 kN"},
+      {moment, {2, 1, -2, 0}, "moment", "a moment", "moment", "5 N*m or 5000 N*mm"},
+      {velocity, {1, 0, -1, 0}, "velocity", "a velocity", "velocity", "1 m/s or 20 mm/s"},
+      {angular_velocity,
+       {0, 0, -1, 1},
+       "angular velocity",
+       "an angular velocity",
+       "angular_velocity",
+       "1 rad/s or 1500 rpm"},
+      {acceleration, {1, 0, -2, 0}, "acceleration", "an acceleration", "", "9.81 m/s^2"},
+      {power, {2, 1, -3, 0}, "power", "a power", "power", "500 W or 0.5 kW"},
+      {stiffness, {0, 1, -2, 0}, "stiffness", "a stiffness", "stiffness", "2e6 N/m"},
+      {angular_stiffness,
+       {2, 1, -2, -1},
+       "angular stiffness",
+       "an angular stiffness",
+       "",
+       "300 N*m/rad"},
+      {pitch,
+       {1, 0, 0, -1},
+       "length per radian",
+       "a length per radian",
+       "",
+       "2 mm/rad or 5 mm/rev"},
+      {lead, {1, 0, 0, 0}, "length per turn", "a length per turn", "", "5 mm or 5 mm/rev"},
+  }};
+}
+
+constexpr auto kKindRows = list_rows();
 
 constexpr std::array<QuantityKind, kQuantityKindCount> list_kinds() {
   std::array<QuantityKind, kQuantityKindCount> kinds{};
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    kinds[i] = kKinds[i].kind;
+    kinds[i] = kKindRows[i].kind;
   }
   return kinds;
 }
@@ -59,7 +72,7 @@ constexpr std::array<QuantityKind, kQuantityKindCount> list_kinds() {
 constexpr auto kAllKinds = list_kinds();
 
 const KindRow& row_of(QuantityKind kind) {
-  return kKinds[static_cast<std::size_t>(kind)];
+  return kKindRows[static_cast<std::size_t>(kind)];
 }
 
 // "*m^2" for exponent 2, with the sign in front of the unit as asked.
@@ -129,7 +142,7 @@ std::string si_unit_of(const Dimension& d) {
 }
 
 std::string phrase_of(const Dimension& dimension) {
-  for (const KindRow& row : kKinds) {
+  for (const KindRow& row : kKindRows) {
     if (row.dimension == dimension) {
       return std::string(row.phrase);
     }
@@ -139,7 +152,7 @@ std::string phrase_of(const Dimension& dimension) {
 
 bool fits(const Dimension& dimension, QuantityKind kind) {
   const Dimension expected = dimension_of(kind);
-  const bool is_exact = kind == angular_velocity || is_bare(without_angle(expected));
+  const bool is_exact = kind == QuantityKind::angular_velocity || is_bare(without_angle(expected));
   return is_exact ? dimension == expected : without_angle(dimension) == without_angle(expected);
 }
 

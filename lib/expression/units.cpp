@@ -48,7 +48,7 @@ constexpr auto kUnits = std::to_array<Unit>({
     {"kW", {1000}, kPower},
 });
 
-std::vector<std::string> list_names() {
+std::vector<std::string> list_unit_names() {
   std::vector<std::string> names;
   for (const Unit& unit : kUnits) {
     names.emplace_back(unit.name);
@@ -189,7 +189,7 @@ const Unit* find_unit(std::string_view name) {
 }
 
 std::span<const std::string> unit_names() {
-  static const std::vector<std::string> names = list_names();
+  static const std::vector<std::string> names = list_unit_names();
   return names;
 }
 

@@ -13,19 +13,12 @@
 #include <fmt/format.h>
 
 #include "io/internal/descriptor.hpp"
+#include "io/internal/refuse_writing.hpp"
 #include "io/internal/temporary_file.hpp"
 
 namespace kinestat {
 
 namespace {
-
-void refuse(const std::string& path, std::string_view why, Diagnostics& found) {
-  found.error("E0152", {}, fmt::format("cannot write '{}': {}", path, why));
-}
-
-void refuse(const std::string& path, int error, Diagnostics& found) {
-  refuse(path, std::generic_category().message(error), found);
-}
 
 bool begins_with(const std::string& path, std::string_view signature) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
@@ -55,13 +48,14 @@ std::optional<Present> find_present(const OutputFile& file,
   struct stat status = {};
   if (::lstat(file.path.c_str(), &status) != 0) {
     if (errno != ENOENT) {
-      refuse(file.path, errno, found);
+      refuse_writing(file.path, errno, found);
       return {};
     }
     return Present::nothing;
   }
   if (!S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode)) {
-    refuse(file.path, S_ISDIR(status.st_mode) ? "it is a folder" : "it is no ordinary file", found);
+    refuse_writing(
+        file.path, S_ISDIR(status.st_mode) ? "it is a folder" : "it is no ordinary file", found);
     return {};
   }
   if (overwrite == Overwrite::own_only && !is_own(file)) {
@@ -92,13 +86,13 @@ std::vector<TemporaryFile> plan_files(std::span<const OutputFile> files,
 bool take_places(std::vector<TemporaryFile>& plan, Diagnostics& found) {
   for (TemporaryFile& file : plan) {
     if (const int error = file.take_place(); error != 0) {
-      refuse(file.target(), error, found);
+      refuse_writing(file.target(), error, found);
       return false;
     }
   }
   for (const TemporaryFile& file : plan) {
     if (const int error = sync_folder(folder_of(file.target())); error != 0) {
-      refuse(file.target(), error, found);
+      refuse_writing(file.target(), error, found);
       return false;
     }
   }
@@ -114,7 +108,7 @@ bool write_files(std::span<const OutputFile> files, Overwrite overwrite, Diagnos
   }
   for (std::size_t i = 0; i < plan.size(); ++i) {
     if (const int error = plan[i].write(files[i].content, files[i].next_piece); error != 0) {
-      refuse(plan[i].target(), error, found);
+      refuse_writing(plan[i].target(), error, found);
       return false;
     }
   }

@@ -19,7 +19,7 @@ struct FormKey {
   LossForm form = LossForm::fraction;
 };
 
-constexpr auto kForms = std::to_array<FormKey>(
+constexpr auto kLossForms = std::to_array<FormKey>(
     {{"loss", LossForm::fraction}, {"eta", LossForm::efficiency}, {"k", LossForm::teeth}});
 
 // 0.02, {loss: 0.02}, {eta: 0.98} or {k: 0.23}.
@@ -34,7 +34,7 @@ std::optional<LossValue> read_loss(const YamlNode& node,
   }
   Fields fields(node, node.where, what, found);
   int count = 0;
-  for (const FormKey& row : kForms) {
+  for (const FormKey& row : kLossForms) {
     if (const auto value = find_value(fields, row.key, found)) {
       loss = {.form = row.form, .value = *value};
     }

@@ -24,7 +24,7 @@ std::string shown(const std::string& path) {
   return path == kStandardInput ? "standard input" : fmt::format("'{}'", path);
 }
 
-void refuse(const std::string& path, int error, Diagnostics& found) {
+void refuse_reading(const std::string& path, int error, Diagnostics& found) {
   found.error(
       "E0151",
       {},
@@ -90,7 +90,7 @@ std::optional<SourceFile> read_open(int descriptor,
   int error = 0;
   std::optional<std::string> text = read_bytes(descriptor, limits.bytes, error);
   if (!text) {
-    refuse(path, error, found);
+    refuse_reading(path, error, found);
     return {};
   }
   if (text->size() > limits.bytes) {
@@ -120,7 +120,7 @@ std::optional<SourceFile> read_file(const std::string& path,
   }
   struct stat status = {};
   if (::stat(path.c_str(), &status) != 0) {
-    refuse(path, errno, found);
+    refuse_reading(path, errno, found);
     return {};
   }
   // The first look keeps devices from being opened at all; the second is on what was opened.
@@ -129,7 +129,7 @@ std::optional<SourceFile> read_file(const std::string& path,
   }
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
   if (!file.is_open() || ::fstat(file.value(), &status) != 0) {
-    refuse(path, errno, found);
+    refuse_reading(path, errno, found);
     return {};
   }
   if (!is_regular(path, status, found)) {

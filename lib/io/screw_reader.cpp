@@ -14,7 +14,7 @@ namespace {
 constexpr auto kKinds =
     std::to_array<std::string_view>({"rotation", "translation", "force", "couple"});
 
-constexpr const char* kForms =
+constexpr const char* kScrewForms =
     "write {rotation: z, at: [x, y, z]}, {translation: x}, {force: y, at: [x, y, z]} or "
     "{couple: z}; rotation and force may have a pitch";
 
@@ -49,7 +49,7 @@ bool read_direction(Fields& fields, Space space, Diagnostics& found, ScrewDescri
         "E0303",
         fields.where(),
         fmt::format("{} needs one of rotation, translation, force and couple", fields.what()),
-        kForms);
+        kScrewForms);
   }
   return is_good && count == 1;
 }
@@ -85,7 +85,7 @@ std::vector<ScrewDescription> read_screws(const YamlNode& node,
                                           Diagnostics& found) {
   std::vector<ScrewDescription> screws;
   if (node.kind != YamlKind::sequence) {
-    found.error("E0304", node.where, fmt::format("{} needs a list of screws", what), kForms);
+    found.error("E0304", node.where, fmt::format("{} needs a list of screws", what), kScrewForms);
     return screws;
   }
   for (const YamlNode& item : node.items) {

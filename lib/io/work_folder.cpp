@@ -14,6 +14,8 @@
 
 #include <fmt/format.h>
 
+#include "io/internal/refuse_writing.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -22,12 +24,6 @@ constexpr std::string_view kLockName = "lock";
 
 std::string lock_path(const std::string& folder) {
   return fmt::format("{}/{}", folder, kLockName);
-}
-
-void refuse(const std::string& path, int error, Diagnostics& found) {
-  found.error("E0152",
-              {},
-              fmt::format("cannot write '{}': {}", path, std::generic_category().message(error)));
 }
 
 // Whether the descriptor is still the file of that path: who finishes a run removes the folder.
@@ -48,7 +44,7 @@ std::optional<WorkFolder> WorkFolder::open(const std::string& path, Diagnostics&
   constexpr int kAttempts = 16;
   for (int i = 0; i < kAttempts; ++i) {
     if (::mkdir(path.c_str(), 0777) != 0 && errno != EEXIST) {
-      refuse(path, errno, found);
+      refuse_writing(path, errno, found);
       return std::nullopt;
     }
     const std::string lock = lock_path(path);
@@ -57,14 +53,14 @@ std::optional<WorkFolder> WorkFolder::open(const std::string& path, Diagnostics&
       if (errno == ENOENT) {
         continue;  // removed in between by the process that finished
       }
-      refuse(lock, errno, found);
+      refuse_writing(lock, errno, found);
       return std::nullopt;
     }
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
       const int error = errno;
       ::close(descriptor);
       if (error != EWOULDBLOCK) {
-        refuse(lock, error, found);
+        refuse_writing(lock, error, found);
         return std::nullopt;
       }
       found.error("E0152",
@@ -85,7 +81,7 @@ std::optional<WorkFolder> WorkFolder::open(const std::string& path, Diagnostics&
     }
     return folder;
   }
-  refuse(path, EAGAIN, found);
+  refuse_writing(path, EAGAIN, found);
   return std::nullopt;
 }
 

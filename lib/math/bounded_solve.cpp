@@ -11,7 +11,7 @@ namespace kinestat {
 namespace {
 
 // A step gains sixteen digits but for the condition: more do not help where three have not.
-constexpr int kMostSteps = 3;
+constexpr int kMostRefinements = 3;
 
 bool at_index(const std::vector<bool>& list, Eigen::Index i) {
   return list[static_cast<std::size_t>(i)];
@@ -69,7 +69,7 @@ BoundedSolution solve_to_digits(const Elimination& elimination,
       return result;
     }
   }
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMostRefinements; ++step) {
     refined.refine();
     result.bound = refined.error_bound();
     result.solution.x = rounded(refined.x(), result.bound);

@@ -11,7 +11,7 @@ namespace kinestat {
 
 namespace {
 
-constexpr Eigen::Index kMostSteps = 100;  // for each unknown
+constexpr Eigen::Index kMostPivots = 100;  // for each unknown
 
 // A x = b solved for the basic unknowns, one a row; the last row has the reduced costs. Columns:
 // the unknowns, one artificial unknown a row, the right-hand side.
@@ -82,7 +82,7 @@ class Tableau {
   // column that no row holds back would have no lower bound, so that its gain is mere rounding. The
   // number of steps is bounded in case rounding leads in a circle after all.
   void improve(double least_gain) {
-    Eigen::Index steps = kMostSteps * table_.cols();
+    Eigen::Index steps = kMostPivots * table_.cols();
     for (Eigen::Index c = 0; c < unknowns_ && steps > 0;) {
       const Eigen::Index row = table_(rows_, c) < -least_gain ? leaving_row(c) : rows_;
       if (row == rows_) {

@@ -5,12 +5,11 @@
 
 #include "core/tolerance.hpp"
 #include "math/internal/at.hpp"
+#include "math/internal/unit_roundoff.hpp"
 
 namespace kinestat {
 
 namespace {
-
-constexpr double kUnitRoundoff = kEpsilon / 2.0;
 
 // Sums of what is not negative are themselves rounded: by far less than this for a million terms.
 constexpr double kOutwards = 1.0 + 0x1p-20;

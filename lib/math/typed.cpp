@@ -17,7 +17,7 @@ constexpr int kMostRoots = 1440;
 constexpr int kMostDegree = 96;
 
 // An inverse solves as many equations.
-constexpr int kLargestInverse = 24;
+constexpr int kLargestInvertedDegree = 24;
 
 // Of the hundred that a BigFloat has.
 constexpr int kPreciseDigits = 90;
@@ -174,7 +174,7 @@ MaybeRoots exact_root(const Rational& square) {
 
 MaybeRoots exact_quotient(const Typed& a, const Typed& b) {
   if (!a.exact || !b.exact || b.exact->is_zero() ||
-      totient(b.exact->root_count()) > kLargestInverse) {
+      totient(b.exact->root_count()) > kLargestInvertedDegree) {
     return std::nullopt;
   }
   return product_of(*a.exact, b.exact->inverse());

@@ -11,6 +11,7 @@
 #include "math/internal/decimal_field.hpp"
 #include "math/internal/field_eliminator.hpp"
 #include "math/internal/field_solve.hpp"
+#include "math/internal/unit_roundoff.hpp"
 
 namespace kinestat {
 
@@ -20,9 +21,6 @@ using Decimals = FieldElimination<DecimalField>;
 
 // The common field of a matrix of exact numbers; beyond this its primes are hard to find.
 constexpr int kMostCommonRoots = 1 << 16;
-
-// Rounding to the nearest double.
-constexpr double kUnitRoundoff = kEpsilon / 2.0;
 
 // The rows and columns that doubles would have; where all doubles of a line are zero or beyond
 // their range, 1.

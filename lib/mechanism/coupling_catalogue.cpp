@@ -12,13 +12,7 @@ namespace kinestat {
 namespace {
 
 template <class Scalar>
-using Geometry = CouplingGeometryOf<Scalar>;
-
-template <class Scalar>
-using Row = CatalogueRow<Scalar>;
-
-template <class Scalar>
-void revolute(const Geometry<Scalar>& g, Row<Scalar>& row) {
+void fill_revolute(const CouplingGeometryOf<Scalar>& g, CatalogueRow<Scalar>& row) {
   row.turn_along(g.axis, g.at);
   row.bear_all_forces(g.at);
   if (!row.is_planar()) {
@@ -27,7 +21,7 @@ void revolute(const Geometry<Scalar>& g, Row<Scalar>& row) {
 }
 
 template <class Scalar>
-void prismatic(const Geometry<Scalar>& g, Row<Scalar>& row) {
+void fill_prismatic(const CouplingGeometryOf<Scalar>& g, CatalogueRow<Scalar>& row) {
   row.slide_along(g.axis);
   row.bear_forces_across(g.axis, g.at);
   row.bear_all_couples();
@@ -49,7 +43,7 @@ WrenchOf<Scalar> force_with_pitch(const Vec3Of<Scalar>& axis,
 }
 
 template <class Scalar>
-void helical(const Geometry<Scalar>& g, Row<Scalar>& row) {
+void fill_helical(const CouplingGeometryOf<Scalar>& g, CatalogueRow<Scalar>& row) {
   const Vec3Of<Scalar>& axis = g.axis.direction;
   row.add(
       {.name = "w", .is_rotation = true, .screw = turn_with_pitch<Scalar>(axis, g.at, g.pitch)});
@@ -60,7 +54,7 @@ void helical(const Geometry<Scalar>& g, Row<Scalar>& row) {
 }
 
 template <class Scalar>
-void cylindrical(const Geometry<Scalar>& g, Row<Scalar>& row) {
+void fill_cylindrical(const CouplingGeometryOf<Scalar>& g, CatalogueRow<Scalar>& row) {
   row.turn_along(g.axis, g.at);
   row.slide_along(g.axis);
   row.bear_forces_across(g.axis, g.at);
@@ -78,7 +72,7 @@ AxisOf<Scalar> third_of(const AxisOf<Scalar>& a, const AxisOf<Scalar>& b) {
 }
 
 template <class Scalar>
-void universal(const Geometry<Scalar>& g, Row<Scalar>& row) {
+void fill_universal(const CouplingGeometryOf<Scalar>& g, CatalogueRow<Scalar>& row) {
   row.turn_along(g.axis, g.at);
   row.turn_along(g.second, g.at);
   row.bear_all_forces(g.at);
@@ -87,13 +81,13 @@ void universal(const Geometry<Scalar>& g, Row<Scalar>& row) {
 }
 
 template <class Scalar>
-void spherical(const Geometry<Scalar>& g, Row<Scalar>& row) {
+void fill_spherical(const CouplingGeometryOf<Scalar>& g, CatalogueRow<Scalar>& row) {
   row.turn_freely(g.at);
   row.bear_all_forces(g.at);
 }
 
 template <class Scalar>
-void planar(const Geometry<Scalar>& g, Row<Scalar>& row) {
+void fill_planar(const CouplingGeometryOf<Scalar>& g, CatalogueRow<Scalar>& row) {
   row.turn_along(g.axis, g.at);
   row.slide_across(g.axis);
   row.bear_force_along(g.axis, g.at);
@@ -101,7 +95,7 @@ void planar(const Geometry<Scalar>& g, Row<Scalar>& row) {
 }
 
 template <class Scalar>
-void point_contact(const Geometry<Scalar>& g, Row<Scalar>& row) {
+void fill_point_contact(const CouplingGeometryOf<Scalar>& g, CatalogueRow<Scalar>& row) {
   row.turn_freely(g.at);
   row.slide_across(g.axis);
   row.bear_force_along(g.axis, g.at);
@@ -109,7 +103,7 @@ void point_contact(const Geometry<Scalar>& g, Row<Scalar>& row) {
 
 // Named along world axes only if both directions are, as numbers and letters would not mix.
 template <class Scalar>
-void line_contact(const Geometry<Scalar>& g, Row<Scalar>& row) {
+void fill_line_contact(const CouplingGeometryOf<Scalar>& g, CatalogueRow<Scalar>& row) {
   const bool is_along_world = g.axis.keyword != 0 && g.second.keyword != 0;
   const auto named = [&](AxisOf<Scalar> axis) {
     axis.keyword = is_along_world ? axis.keyword : '\0';
@@ -127,7 +121,7 @@ void line_contact(const Geometry<Scalar>& g, Row<Scalar>& row) {
 }
 
 template <class Scalar>
-void sphere_in_tube(const Geometry<Scalar>& g, Row<Scalar>& row) {
+void fill_sphere_in_tube(const CouplingGeometryOf<Scalar>& g, CatalogueRow<Scalar>& row) {
   row.turn_freely(g.at);
   row.slide_along(g.axis);
   row.bear_forces_across(g.axis, g.at);
@@ -135,7 +129,7 @@ void sphere_in_tube(const Geometry<Scalar>& g, Row<Scalar>& row) {
 
 // In space the pin stays perpendicular to the plane and in it.
 template <class Scalar>
-void pin_in_slot(const Geometry<Scalar>& g, Row<Scalar>& row) {
+void fill_pin_in_slot(const CouplingGeometryOf<Scalar>& g, CatalogueRow<Scalar>& row) {
   CatalogueRow<Scalar> in_plane(Space::planar);
   in_plane.turn_freely(g.at);
   in_plane.slide_along(g.axis);
@@ -153,13 +147,13 @@ void pin_in_slot(const Geometry<Scalar>& g, Row<Scalar>& row) {
 }
 
 template <class Scalar>
-void rigid(const Geometry<Scalar>& g, Row<Scalar>& row) {
+void fill_rigid(const CouplingGeometryOf<Scalar>& g, CatalogueRow<Scalar>& row) {
   row.bear_all_forces(g.at);
   row.bear_all_couples();
 }
 
 template <class Scalar>
-void add_freedom(const ScrewGeometryOf<Scalar>& screw, Row<Scalar>& row) {
+void add_freedom(const ScrewGeometryOf<Scalar>& screw, CatalogueRow<Scalar>& row) {
   const Vec3Of<Scalar>& direction = screw.direction.direction;
   if (screw.kind == ScrewWord::translation) {
     row.slide_along(screw.direction);
@@ -171,7 +165,7 @@ void add_freedom(const ScrewGeometryOf<Scalar>& screw, Row<Scalar>& row) {
 }
 
 template <class Scalar>
-void add_constraint(const ScrewGeometryOf<Scalar>& screw, Row<Scalar>& row) {
+void add_constraint(const ScrewGeometryOf<Scalar>& screw, CatalogueRow<Scalar>& row) {
   const Vec3Of<Scalar>& direction = screw.direction.direction;
   if (screw.kind == ScrewWord::couple) {
     row.bear_couple(name_along('T', screw.direction), direction);
@@ -184,7 +178,7 @@ void add_constraint(const ScrewGeometryOf<Scalar>& screw, Row<Scalar>& row) {
 
 // Teeth: rolling, or the relative screw that is given; their contact is a point contact.
 template <class Scalar>
-void teeth(const Geometry<Scalar>& g, Row<Scalar>& row) {
+void fill_teeth(const CouplingGeometryOf<Scalar>& g, CatalogueRow<Scalar>& row) {
   if (g.is_contact) {
     row.turn_freely(g.at);
     row.slide_across({.direction = g.line_of_action, .keyword = 0});
@@ -198,7 +192,7 @@ void teeth(const Geometry<Scalar>& g, Row<Scalar>& row) {
 
 // The tail pulls the head from the end on the head towards the end on the tail.
 template <class Scalar>
-void cable(const Geometry<Scalar>& g, Row<Scalar>& row) {
+void fill_cable(const CouplingGeometryOf<Scalar>& g, CatalogueRow<Scalar>& row) {
   const Vec3Of<Scalar> along = unit_along<Scalar>(g.to - g.from);
   if (row.is_planar()) {
     row.turn("w", Vec3Of<Scalar>::UnitZ(), g.from);
@@ -215,7 +209,7 @@ void cable(const Geometry<Scalar>& g, Row<Scalar>& row) {
 }
 
 template <class Scalar>
-void listed(const Geometry<Scalar>& g, Row<Scalar>& row) {
+void fill_listed(const CouplingGeometryOf<Scalar>& g, CatalogueRow<Scalar>& row) {
   for (const ScrewGeometryOf<Scalar>& screw : g.freedoms) {
     add_freedom<Scalar>(screw, row);
   }
@@ -235,45 +229,45 @@ void listed(const Geometry<Scalar>& g, Row<Scalar>& row) {
 }
 
 template <class Scalar>
-void write_row(CouplingType type, const Geometry<Scalar>& g, Row<Scalar>& row) {
+void write_row(CouplingType type, const CouplingGeometryOf<Scalar>& g, CatalogueRow<Scalar>& row) {
   switch (type) {
     case CouplingType::revolute:
-      return revolute<Scalar>(g, row);
+      return fill_revolute<Scalar>(g, row);
     case CouplingType::prismatic:
-      return prismatic<Scalar>(g, row);
+      return fill_prismatic<Scalar>(g, row);
     case CouplingType::helical:
-      return helical<Scalar>(g, row);
+      return fill_helical<Scalar>(g, row);
     case CouplingType::cylindrical:
-      return cylindrical<Scalar>(g, row);
+      return fill_cylindrical<Scalar>(g, row);
     case CouplingType::universal:
-      return universal<Scalar>(g, row);
+      return fill_universal<Scalar>(g, row);
     case CouplingType::spherical:
-      return spherical<Scalar>(g, row);
+      return fill_spherical<Scalar>(g, row);
     case CouplingType::planar:
-      return planar<Scalar>(g, row);
+      return fill_planar<Scalar>(g, row);
     case CouplingType::point_contact:
     case CouplingType::cam:
-      return point_contact<Scalar>(g, row);
+      return fill_point_contact<Scalar>(g, row);
     case CouplingType::line_contact:
-      return line_contact<Scalar>(g, row);
+      return fill_line_contact<Scalar>(g, row);
     case CouplingType::sphere_in_tube:
-      return sphere_in_tube<Scalar>(g, row);
+      return fill_sphere_in_tube<Scalar>(g, row);
     case CouplingType::pin_in_slot:
-      return pin_in_slot<Scalar>(g, row);
+      return fill_pin_in_slot<Scalar>(g, row);
     case CouplingType::rigid:
-      return rigid<Scalar>(g, row);
+      return fill_rigid<Scalar>(g, row);
     case CouplingType::gear:
     case CouplingType::bevel_gear:
     case CouplingType::worm:
     case CouplingType::rack:
-      return teeth<Scalar>(g, row);
+      return fill_teeth<Scalar>(g, row);
     case CouplingType::clutch:
     case CouplingType::brake:
       return row.turn_along(g.axis, g.at);
     case CouplingType::cable:
-      return cable<Scalar>(g, row);
+      return fill_cable<Scalar>(g, row);
     case CouplingType::screws:
-      return listed<Scalar>(g, row);
+      return fill_listed<Scalar>(g, row);
   }
 }
 

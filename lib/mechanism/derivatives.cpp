@@ -6,6 +6,7 @@
 #include "core/contract.hpp"
 #include "mechanism/internal/compliance_binder.hpp"
 #include "mechanism/internal/coupling_binder.hpp"
+#include "mechanism/internal/expect.hpp"
 #include "mechanism/internal/extent.hpp"
 #include "mechanism/internal/friction_binder.hpp"
 #include "mechanism/internal/number_rebinder.hpp"
@@ -18,13 +19,6 @@ namespace kinestat {
 namespace {
 
 using DualEvaluator = EvaluatorOf<Dual>;
-
-// The answer of a description that was right when it was bound to plain numbers.
-template <class Item>
-Item expect(const std::optional<Item>& answer) {
-  KINESTAT_EXPECTS(answer.has_value());
-  return *answer;
-}
 
 class DerivativeBinder {
  public:

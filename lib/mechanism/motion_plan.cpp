@@ -27,9 +27,9 @@ bool* find_word(const std::string& word, MotionReport& report) {
   return at == std::end(words) ? nullptr : at->second;
 }
 
-class PlanBinder {
+class MotionBinder {
  public:
-  PlanBinder(const MechanismDescription& description, const Mechanism& mechanism)
+  MotionBinder(const MechanismDescription& description, const Mechanism& mechanism)
       : motion_(*description.motion),
         mechanism_(mechanism),
         evaluator_(make_evaluator(description, ignored_)) {}
@@ -120,7 +120,7 @@ class PlanBinder {
 
 std::optional<MotionPlan> bind_motion(const MechanismDescription& description,
                                       const Mechanism& mechanism) {
-  return description.motion ? std::optional(PlanBinder(description, mechanism).run())
+  return description.motion ? std::optional(MotionBinder(description, mechanism).run())
                             : std::nullopt;
 }
 

@@ -45,9 +45,9 @@ bool is_left_to_equilibrium(const std::vector<InputValue>& actions, std::size_t 
   return input > 0 && actions.size() == 1 && !actions.front().target;
 }
 
-class PlanBinder {
+class ShiftBinder {
  public:
-  PlanBinder(const MechanismDescription& description, const Topology& topology)
+  ShiftBinder(const MechanismDescription& description, const Topology& topology)
       : description_(description),
         shift_(*description.shift),
         topology_(topology),
@@ -201,7 +201,7 @@ class GearDescriber {
 
 std::optional<ShiftPlan> bind_shift(const MechanismDescription& description,
                                     const Topology& topology) {
-  return description.shift ? std::optional(PlanBinder(description, topology).run()) : std::nullopt;
+  return description.shift ? std::optional(ShiftBinder(description, topology).run()) : std::nullopt;
 }
 
 std::vector<CaseDescription> describe_gears(const MechanismDescription& description,

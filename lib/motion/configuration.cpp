@@ -4,15 +4,12 @@
 #include <cmath>
 #include <map>
 
+#include "core/index.hpp"
 #include "motion/internal/closure_system.hpp"
 
 namespace kinestat {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Calls `task` with the equations of the network's own space.
 template <class Task>

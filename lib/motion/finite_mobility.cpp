@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/index.hpp"
 #include "motion/internal/motion_limits.hpp"
 #include "motion/internal/path_tracker.hpp"
 
 namespace kinestat {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Without drives: every joint is unknown.
 template <class Frames>

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/contract.hpp"
+#include "core/index.hpp"
 #include "motion/configuration.hpp"
 #include "motion/internal/motion_limits.hpp"
 #include "motion/internal/path_tracker.hpp"
@@ -11,10 +12,6 @@
 namespace kinestat {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 template <class Frames>
 class MotionSolver {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/contract.hpp"
+#include "core/index.hpp"
 #include "mobility/passive_freedom.hpp"
 #include "motion/internal/rolling.hpp"
 #include "network/bases.hpp"
@@ -13,10 +14,6 @@
 namespace kinestat {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 DrawnCoupling measured_from_origin(const DrawnCoupling& drawn, const Vec3& origin) {
   DrawnCoupling result = drawn;

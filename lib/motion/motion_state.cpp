@@ -4,16 +4,13 @@
 #include <cmath>
 
 #include "core/contract.hpp"
+#include "core/index.hpp"
 #include "motion/internal/closure_system.hpp"
 #include "motion/internal/pivoted_qr.hpp"
 
 namespace kinestat {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct MovingTwist {
   Twist twist;

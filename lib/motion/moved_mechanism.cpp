@@ -4,15 +4,12 @@
 #include <numbers>
 
 #include "core/contract.hpp"
+#include "core/index.hpp"
 #include "mechanism/moved_coupling.hpp"
 
 namespace kinestat {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 class MechanismMover {
  public:

@@ -8,6 +8,7 @@
 
 #include "core/contract.hpp"
 #include "plot/axes.hpp"
+#include "plot/internal/text_styles.hpp"
 
 namespace kinestat {
 
@@ -20,7 +21,6 @@ constexpr double kValueWidth = 68.0;  // of the number beside it
 constexpr double kCellGap = 26.0;
 constexpr double kCellWidth = kBarWidth + kValueWidth + kCellGap;
 constexpr double kMostNameWidth = 190.0;
-constexpr double kTextSize = 12.0;
 constexpr double kValueSize = 11.0;
 constexpr std::size_t kColumnsAside = 5;  // more stand below
 

@@ -14,6 +14,7 @@
 #include "plot/internal/burmester_plane.hpp"
 #include "plot/internal/name_placer.hpp"
 #include "plot/internal/symbols.hpp"
+#include "plot/internal/text_styles.hpp"
 #include "plot/picture_title.hpp"
 #include "synthesis/cubic_branches.hpp"
 
@@ -23,7 +24,6 @@ namespace {
 
 constexpr double kSize = 560.0;  // of the longer side of the window [px]
 constexpr int kCurvePoints = 700;
-constexpr TextStyle kSmall = {.ink = Ink::soft, .size = 11.0};
 constexpr TextStyle kName = {
     .ink = Ink::ink, .size = 12.5, .weight = Weight::bold, .has_halo = true};
 

@@ -100,7 +100,7 @@ class MapBuilder {
   std::vector<std::string> zeros_;
 };
 
-std::string unit_of(const Analysis& analysis, QuantityKind kind) {
+std::string unit_text(const Analysis& analysis, QuantityKind kind) {
   return analysis.description.units.text(kind);
 }
 
@@ -128,7 +128,7 @@ BarMap speed_map(const Analysis& analysis) {
   MapBuilder builder(analysis, has_motion);
   builder.add({.words = "angular velocity",
                .symbol = "ω",
-               .unit = unit_of(analysis, QuantityKind::angular_velocity),
+               .unit = unit_text(analysis, QuantityKind::angular_velocity),
                .value =
                    [](const CaseAnalysis& one, std::size_t i, const InUnits& in) {
                      return std::optional<Vec3>(in.angular(one.motion->bodies[i + 1].angular));
@@ -137,7 +137,7 @@ BarMap speed_map(const Analysis& analysis) {
   builder.add(
       {.words = "velocity",
        .symbol = "v",
-       .unit = unit_of(analysis, QuantityKind::velocity),
+       .unit = unit_text(analysis, QuantityKind::velocity),
        .value =
            [&geometry](const CaseAnalysis& one, std::size_t i, const InUnits& in) {
              const Vec3 at = geometry.references[i + 1] - geometry.origin;
@@ -156,7 +156,7 @@ BarMap torque_map(const Analysis& analysis) {
   MapBuilder builder(analysis, has_action);
   builder.add({.words = "moment",
                .symbol = "T",
-               .unit = unit_of(analysis, QuantityKind::moment),
+               .unit = unit_text(analysis, QuantityKind::moment),
                .value =
                    [&geometry](const CaseAnalysis& one, std::size_t e, const InUnits& in) {
                      const std::optional<Wrench>& wrench = one.action->wrenches[e];
@@ -175,7 +175,7 @@ BarMap force_map(const Analysis& analysis) {
   MapBuilder builder(analysis, has_action);
   builder.add({.words = "force",
                .symbol = "R",
-               .unit = unit_of(analysis, QuantityKind::force),
+               .unit = unit_text(analysis, QuantityKind::force),
                .value =
                    [](const CaseAnalysis& one, std::size_t e, const InUnits& in) {
                      const std::optional<Wrench>& wrench = one.action->wrenches[e];

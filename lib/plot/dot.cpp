@@ -12,7 +12,7 @@ namespace {
 
 // In double quotes a backslash and a quote have a meaning; what is no printable character is left
 // out, for a line end would.
-std::string in_quotes(std::string_view text) {
+std::string in_dot_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char character : text) {
     const auto byte = static_cast<unsigned char>(character);
@@ -56,7 +56,7 @@ std::string edge_text(const ModelEdge& edge) {
   return fmt::format("  b{} -> b{} [label={}, {}];\n",
                      edge.tail,
                      edge.head,
-                     in_quotes(edge.label + times),
+                     in_dot_quotes(edge.label + times),
                      style_of(edge.stroke));
 }
 
@@ -67,7 +67,7 @@ std::string power_text(const ModelEdge& edge, const ModelPower& power, double la
   return fmt::format("  b{} -> b{} [label={}, penwidth={:.2f}{}{}];\n",
                      from,
                      to,
-                     in_quotes(power.text.empty() ? edge.label : edge.label + " " + power.text),
+                     in_dot_quotes(power.text.empty() ? edge.label : edge.label + " " + power.text),
                      pen_width(power.size, largest),
                      flows ? "" : ", style=dotted, dir=none",
                      power.recirculates ? ", color=\"black:black\"" : "");
@@ -78,7 +78,7 @@ std::string port_text(const ModelPort& port, std::size_t index, double largest) 
   const std::string body = fmt::format("b{}", port.node);
   return fmt::format("  {} [label={}, shape=plaintext];\n  {} -> {} [penwidth={:.2f}];\n",
                      name,
-                     in_quotes(port.text),
+                     in_dot_quotes(port.text),
                      port.enters ? name : body,
                      port.enters ? body : name,
                      pen_width(port.size, largest));
@@ -88,12 +88,12 @@ std::string port_text(const ModelPort& port, std::size_t index, double largest) 
 
 std::string dot_text(const GraphModel& model) {
   std::string text =
-      fmt::format("digraph {{\n  label={};\n  node [shape=circle];\n", in_quotes(model.title));
+      fmt::format("digraph {{\n  label={};\n  node [shape=circle];\n", in_dot_quotes(model.title));
   for (std::size_t n = 0; n < model.nodes.size(); ++n) {
     const ModelNode& node = model.nodes[n];
     text += fmt::format("  b{} [label={}{}{}];\n",
                         n,
-                        in_quotes(node.name),
+                        in_dot_quotes(node.name),
                         node.is_ground ? ", shape=box" : "",
                         node.is_virtual ? ", style=dashed" : "");
   }

@@ -8,6 +8,7 @@
 #include "plot/internal/name_placer.hpp"
 #include "plot/internal/scheme_layout.hpp"
 #include "plot/internal/symbols.hpp"
+#include "plot/internal/text_styles.hpp"
 #include "plot/picture_title.hpp"
 
 namespace kinestat {
@@ -18,7 +19,6 @@ constexpr double kMeshGap = 2.2;  // half the gap between wheels in mesh [px]
 constexpr double kThick = 3.0;    // strokes of wheels
 constexpr double kShaft = 2.2;
 constexpr double kPlate = 9.0;  // half the length of the plate of an element
-constexpr TextStyle kSmall = {.ink = Ink::soft, .size = 11.0};
 
 class SchemeWriter {
  public:

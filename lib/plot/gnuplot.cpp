@@ -13,7 +13,7 @@ namespace {
 
 // In single quotes nothing has a meaning but the quote itself, which is doubled. What is no
 // printable character becomes a space: a script is one line a command.
-std::string in_quotes(std::string_view text) {
+std::string in_gnuplot_quotes(std::string_view text) {
   std::string result = "'";
   for (const char character : text) {
     const auto byte = static_cast<unsigned char>(character);
@@ -31,7 +31,7 @@ std::string number(double value) {
 }
 
 std::string head_text(const std::string& title, const std::string& description) {
-  std::string text = std::string(gnuplot_signature()) + "# " + in_quotes(title).substr(1);
+  std::string text = std::string(gnuplot_signature()) + "# " + in_gnuplot_quotes(title).substr(1);
   text.pop_back();
   return text + "\n# " + description + "\nset encoding utf8\n";
 }
@@ -54,7 +54,7 @@ std::string axis_text(char letter, const ChartAxis& axis) {
   };
   return fmt::format("set {0}label {1} noenhanced\n{2} logscale {0}\nset {0}range [{3}:{4}]\n",
                      letter,
-                     in_quotes(axis_title(axis, 0)),
+                     in_gnuplot_quotes(axis_title(axis, 0)),
                      axis.scale == ScaleKind::logarithmic ? "set" : "unset",
                      end(axis.low),
                      end(axis.high));
@@ -67,11 +67,11 @@ std::string guides_text(const Chart& chart) {
         "set arrow from {0}, graph 0 to {0}, graph 1 nohead dashtype 2\n"
         "set label {1} noenhanced at {0}, graph 1.03\n",
         number(guide.x),
-        in_quotes(guide.label));
+        in_gnuplot_quotes(guide.label));
   }
   for (const ChartMark& mark : chart.marks) {
     text += fmt::format("set label {} noenhanced at {}, {} point pointtype 6 offset 1, 0.5\n",
-                        in_quotes(mark.label),
+                        in_gnuplot_quotes(mark.label),
                         number(mark.x),
                         number(mark.y));
   }
@@ -80,7 +80,7 @@ std::string guides_text(const Chart& chart) {
 
 std::string chart_text(const Chart& chart, std::size_t index) {
   std::string text = fmt::format("unset label\nunset arrow\nset title {} noenhanced\nset size {}\n",
-                                 in_quotes(chart.title),
+                                 in_gnuplot_quotes(chart.title),
                                  chart.has_equal_scales ? "ratio -1" : "noratio");
   text += axis_text('x', chart.x) + axis_text('y', chart.y) + guides_text(chart) + "plot";
   for (std::size_t s = 0; s < chart.series.size(); ++s) {
@@ -90,7 +90,7 @@ std::string chart_text(const Chart& chart, std::size_t index) {
                         block_name(index, s),
                         is_line ? fmt::format("lines dashtype {}", s % 5 + 1)
                                 : fmt::format("points pointtype {}", s % 15 + 1),
-                        in_quotes(chart.series[s].name));
+                        in_gnuplot_quotes(chart.series[s].name));
   }
   return text + "\n";
 }
@@ -160,7 +160,7 @@ std::string gnuplot_text(const BarMap& map) {
     text += fmt::format(
         "set title {} noenhanced\nplot for [i=2:{}] {} using i:xtic(1) title "
         "columnheader(i) noenhanced\n",
-        in_quotes(map.blocks[b].title),
+        in_gnuplot_quotes(map.blocks[b].title),
         map.columns.size() + 1,
         block_name(b, 0));
   }

@@ -11,12 +11,11 @@
 #include "plot/internal/graph_layout.hpp"
 #include "plot/internal/graph_writer.hpp"
 #include "plot/internal/symbols.hpp"
+#include "plot/internal/text_styles.hpp"
 
 namespace kinestat {
 
 namespace {
-
-constexpr TextStyle kSmall = {.ink = Ink::soft, .size = 11.0};
 
 // Nodes keep that far apart: their names, and labels between them.
 double distance_of(const GraphModel& model) {

@@ -8,6 +8,7 @@
 
 #include "core/contract.hpp"
 #include "plot/axes.hpp"
+#include "plot/internal/text_styles.hpp"
 #include "plot/labels.hpp"
 #include "plot/picture_title.hpp"
 #include "report/in_units.hpp"
@@ -20,7 +21,6 @@ constexpr double kPanelWidth = 240.0;   // from the first node of a lever to the
 constexpr double kPanelHeight = 130.0;  // of the scale of speeds
 constexpr double kPanelGap = 90.0;
 constexpr double kRowGap = 46.0;
-constexpr double kTextSize = 12.0;
 constexpr double kNameSize = 11.0;
 constexpr double kNodeRadius = 4.5;
 

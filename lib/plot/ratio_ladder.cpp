@@ -9,6 +9,7 @@
 
 #include "core/contract.hpp"
 #include "plot/axes.hpp"
+#include "plot/internal/text_styles.hpp"
 #include "plot/picture_title.hpp"
 #include "report/gear_values.hpp"
 
@@ -16,10 +17,9 @@ namespace kinestat {
 
 namespace {
 
-constexpr double kHeight = 360.0;
+constexpr double kLadderHeight = 360.0;
 constexpr double kRung = 70.0;
 constexpr double kColumnGap = 210.0;
-constexpr double kTextSize = 12.0;
 constexpr double kTickSize = 11.0;
 constexpr double kLabelDistance = 17.0;
 
@@ -100,7 +100,7 @@ class LadderDrawing {
 
  private:
   double place(double ratio) const {
-    return kHeight * std::log(high_ / std::abs(ratio)) / std::log(high_ / low_);
+    return kLadderHeight * std::log(high_ / std::abs(ratio)) / std::log(high_ / low_);
   }
 
   void draw_axis() {
@@ -114,7 +114,7 @@ class LadderDrawing {
                 label_number(tick),
                 {.ink = Ink::soft, .size = kTickSize, .anchor = Anchor::end});
     }
-    svg_.text({.x = -52.0, .y = kHeight / 2},
+    svg_.text({.x = -52.0, .y = kLadderHeight / 2},
               "size of the ratio",
               {.size = kTextSize, .anchor = Anchor::middle, .turn = -90.0});
   }

@@ -7,6 +7,7 @@
 
 #include "core/contract.hpp"
 #include "plot/axes.hpp"
+#include "plot/internal/text_styles.hpp"
 #include "plot/picture_title.hpp"
 #include "report/gear_values.hpp"
 
@@ -14,10 +15,9 @@ namespace kinestat {
 
 namespace {
 
-constexpr double kRowHeight = 26.0;
-constexpr double kTextSize = 12.0;
+constexpr double kStateHeight = 26.0;
 constexpr double kPadding = 14.0;
-constexpr double kMostNameWidth = 180.0;
+constexpr double kMostStateWidth = 180.0;
 constexpr double kDot = 7.0;
 
 // States that are no gear: more of them nobody reads here.
@@ -42,7 +42,7 @@ class MatrixDrawing {
       name_width_ =
           std::max(name_width_, text_width(solution_.states[s].name, kTextSize, Weight::bold));
     }
-    name_width_ = std::min(name_width_, kMostNameWidth);
+    name_width_ = std::min(name_width_, kMostStateWidth);
   }
 
   Picture run() {
@@ -133,7 +133,7 @@ class MatrixDrawing {
     const NamedShiftState& state = solution_.states[s];
     const bool is_gear = s < gear_count_;
     const Ink ink = is_gear ? Ink::ink : Ink::soft;
-    const double base = y_ + kRowHeight / 2 + 4.0;
+    const double base = y_ + kStateHeight / 2 + 4.0;
     if (s == gear_count_ && s > 0) {
       draw_rule(Ink::soft);
     }
@@ -149,7 +149,7 @@ class MatrixDrawing {
                 {.ink = ink, .size = kTextSize, .anchor = Anchor::end});
     }
     svg_.close_group();
-    y_ += kRowHeight;
+    y_ += kStateHeight;
     draw_rule(Ink::grid);
   }
 
@@ -157,7 +157,7 @@ class MatrixDrawing {
   double draw_dots(const NamedShiftState& state, Ink ink) {
     double x = name_width_ + kPadding;
     for (std::size_t e = 0; e < plan_.elements.size(); ++e) {
-      const PixelPoint centre = {.x = x + element_width(e) / 2, .y = y_ + kRowHeight / 2};
+      const PixelPoint centre = {.x = x + element_width(e) / 2, .y = y_ + kStateHeight / 2};
       if (std::ranges::binary_search(state.engaged, static_cast<int>(e))) {
         const Ink fill = ink == Ink::ink ? Ink::blue : Ink::soft;
         svg_.circle(centre, kDot, {.stroke = fill, .fill = fill});

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
+#include "power/internal/no_efficiency.hpp"
 
 namespace kinestat {
 
@@ -42,10 +43,6 @@ bool has_power(const std::vector<int>& chosen, double sign, const CasePowers& po
   });
 }
 
-Efficiency none(std::string reason) {
-  return {.value = std::nullopt, .reason = std::move(reason)};
-}
-
 }  // namespace
 
 Efficiency find_efficiency(const Case& which, const CasePowers& powers) {
@@ -53,20 +50,20 @@ Efficiency find_efficiency(const Case& which, const CasePowers& powers) {
     return {};
   }
   if (!is_between_inputs_and_outputs(which, powers)) {
-    return none("loads or other actuators exchange power too");
+    return no_efficiency("loads or other actuators exchange power too");
   }
   const double in = sum_of(which.inputs, powers.actuators);
   const double out = sum_of(which.outputs, powers.actuators);
   const double nothing = kReportZero * powers.largest;
   if (std::abs(in) <= nothing) {
-    return none("the inputs give no power");
+    return no_efficiency("the inputs give no power");
   }
   if (in < 0.0) {
-    return none(out > nothing ? "the inputs take power, the outputs drive"
-                              : "the inputs take power");
+    return no_efficiency(out > nothing ? "the inputs take power, the outputs drive"
+                                       : "the inputs take power");
   }
   if (has_power(which.inputs, -1.0, powers)) {
-    return none("one of the inputs takes power");
+    return no_efficiency("one of the inputs takes power");
   }
   if (out > kPowerBalance * in) {
     return {.value = std::nullopt,
@@ -74,13 +71,13 @@ Efficiency find_efficiency(const Case& which, const CasePowers& powers) {
             .is_self_locking = true};
   }
   if (has_power(which.outputs, 1.0, powers)) {
-    return none("one of the outputs gives power");
+    return no_efficiency("one of the outputs gives power");
   }
   if (out >= -kPowerBalance * in) {
     return {.value = 0.0, .reason = "friction takes all that the inputs give"};
   }
   if (-out > (1.0 + kPowerBalance) * in) {
-    return none("the powers do not balance");
+    return no_efficiency("the powers do not balance");
   }
   return {.value = std::min(-out / in, 1.0), .reason = ""};
 }

@@ -9,15 +9,12 @@
 #include "core/tolerance.hpp"
 #include "network/bases.hpp"
 #include "power/absolute_efficiency.hpp"
+#include "power/internal/no_efficiency.hpp"
 #include "statics/lossy_actions.hpp"
 
 namespace kinestat {
 
 namespace {
-
-Efficiency none(std::string reason) {
-  return {.value = std::nullopt, .reason = std::move(reason)};
-}
 
 Efficiency self_locking(std::string reason) {
   return {.value = std::nullopt, .reason = std::move(reason), .is_self_locking = true};
@@ -87,21 +84,21 @@ class LossyCase {
 
   Efficiency efficiency_of(const Case& which, const Direction& direction) const {
     if (!names_both(which)) {
-      return none("the case does not name input and output");
+      return no_efficiency("the case does not name input and output");
     }
     if (direction.search == LossSearch::undecided) {
-      return none(fmt::format("which gears drive could not be found, with more than {} meshes",
-                              kMostSearchedMeshes));
+      return no_efficiency(fmt::format(
+          "which gears drive could not be found, with more than {} meshes", kMostSearchedMeshes));
     }
     if (direction.action.magnitudes.empty()) {
       return self_locking("losses take more than the inputs give");
     }
     if (!direction.flow) {
-      return none("equilibrium leaves open what presses where power is lost");
+      return no_efficiency("equilibrium leaves open what presses where power is lost");
     }
     const PowerFlow& flow = *direction.flow;
     if (!flow.is_balanced) {
-      return none("the powers do not balance");
+      return no_efficiency("the powers do not balance");
     }
     Efficiency result = find_efficiency(
         which, {.actuators = flow.actuators, .loads = flow.loads, .largest = flow.largest});
@@ -198,7 +195,7 @@ LossyState state_of(const Mechanism& mechanism,
 
 Efficiency absolute_of(const Mechanism& mechanism, const SolvedCase& solved) {
   if (!names_both(solved.which)) {
-    return none("the case does not name input and output");
+    return no_efficiency("the case does not name input and output");
   }
   const PowerFlow& power = solved.power;
   Efficiency result = find_efficiency(
@@ -209,7 +206,7 @@ Efficiency absolute_of(const Mechanism& mechanism, const SolvedCase& solved) {
   const std::optional<double> value =
       find_absolute_efficiency(mechanism, solved.which, power, solved.graph);
   return value ? Efficiency{.value = value, .reason = ""}
-               : none("the powers of some bodies are open");
+               : no_efficiency("the powers of some bodies are open");
 }
 
 std::string plain_names(const Mechanism& mechanism, const std::vector<CouplingId>& couplings) {
@@ -231,7 +228,7 @@ TransmissionEfficiency find_transmission_efficiency(const Mechanism& mechanism,
   result.without_carrier = losses.without_carrier;
   if (!losses.without_carrier.empty()) {
     result.carrier =
-        none("no carrier is known of " + plain_names(mechanism, losses.without_carrier));
+        no_efficiency("no carrier is known of " + plain_names(mechanism, losses.without_carrier));
     result.carrier_backward = result.carrier;
     return result;
   }

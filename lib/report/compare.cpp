@@ -13,7 +13,7 @@ namespace kinestat {
 
 namespace {
 
-constexpr double kMost = std::numeric_limits<double>::max();
+constexpr double kLargestFinite = std::numeric_limits<double>::max();
 
 // Whether it says something by itself.
 bool is_word(const ReportValue& value) {
@@ -49,14 +49,15 @@ class Largest {
       if (value.type == ValueType::number) {
         const ValueUnit& unit = report.unit_of(value);
         double& largest = by_kind_[key_of(value.place, unit)];
-        largest = std::min(std::max(largest, std::abs(unit.scale.to_si(value.number))), kMost);
+        largest =
+            std::min(std::max(largest, std::abs(unit.scale.to_si(value.number))), kLargestFinite);
       }
     }
   }
 
   // In the unit of the value.
   double of(std::string_view place, const ValueUnit& unit) const {
-    return std::min(unit.scale.from_si(by_kind_.at(key_of(place, unit))), kMost);
+    return std::min(unit.scale.from_si(by_kind_.at(key_of(place, unit))), kLargestFinite);
   }
 
  private:
@@ -127,7 +128,8 @@ class Comparer {
     }
     ReportValue converted = b;
     if (unit.scale != other.scale) {
-      converted.number = std::clamp(unit.scale.from_si(other.scale.to_si(b.number)), -kMost, kMost);
+      converted.number = std::clamp(
+          unit.scale.from_si(other.scale.to_si(b.number)), -kLargestFinite, kLargestFinite);
     }
     const NumberPair pair{.place = a.place,
                           .a = a.number,
@@ -137,8 +139,8 @@ class Comparer {
     const double allowed = allowed_difference(pair, tolerances_);
     if (!are_equal(pair, allowed)) {
       Difference& difference = add(DifferenceType::number, a.place, &a, &converted);
-      difference.amount = std::min(std::abs(pair.a - pair.b), kMost);
-      difference.allowed = std::min(allowed, kMost);
+      difference.amount = std::min(std::abs(pair.a - pair.b), kLargestFinite);
+      difference.allowed = std::min(allowed, kLargestFinite);
     }
   }
 

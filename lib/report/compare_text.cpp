@@ -16,7 +16,7 @@ namespace kinestat {
 
 namespace {
 
-constexpr std::size_t kMostRows = 50;
+constexpr std::size_t kMostPlaces = 50;
 constexpr std::size_t kLongestText = 40;
 
 // So many that three of them show the difference.
@@ -156,12 +156,12 @@ std::string comparison_text(const ReportComparison& comparison) {
     return fmt::format("equal: {} values\n", comparison.value_count);
   }
   Table table({"Place", "A", "B", "Difference", "Tolerance", "Unit"});
-  for (std::size_t i = 0; i < std::min(all.size(), kMostRows); ++i) {
+  for (std::size_t i = 0; i < std::min(all.size(), kMostPlaces); ++i) {
     table.add(row_of(all[i]));
   }
   std::string text = table.text("");
-  if (all.size() > kMostRows) {
-    text += fmt::format("and {} more places; --format json lists all\n", all.size() - kMostRows);
+  if (all.size() > kMostPlaces) {
+    text += fmt::format("and {} more places; --format json lists all\n", all.size() - kMostPlaces);
   }
   return text + "\n" + summary(comparison);
 }

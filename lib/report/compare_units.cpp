@@ -117,7 +117,7 @@ const Json& member(const Json& value, const char* key) {
 }
 
 // The first letter of all freedoms, 'w' or 'v', or '?' if they are of both kinds.
-char kind_of(const Json& freedoms) {
+char kind_of_freedoms(const Json& freedoms) {
   char kind = 0;
   for (const Json& one : freedoms) {
     const std::string name = one.is_string() ? one.get<std::string>() : "";
@@ -185,7 +185,7 @@ std::optional<std::string> ReportUnits::read_parameters(const Json& report) {
 
 void ReportUnits::read_couplings(const Json& report) {
   for (const Json& coupling : member(member(report, "graph"), "couplings")) {
-    const char kind = kind_of(member(coupling, "freedoms"));
+    const char kind = kind_of_freedoms(member(coupling, "freedoms"));
     for (const Json& actuator : member(coupling, "actuators")) {
       if (actuator.is_string()) {
         actuators_[actuator.get<std::string>()] = kind;

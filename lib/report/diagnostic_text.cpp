@@ -14,7 +14,7 @@ namespace kinestat {
 
 namespace {
 
-constexpr int kMostShown = 20;
+constexpr int kMostDiagnostics = 20;
 constexpr std::size_t kLongestLine = 160;
 
 // The line of the file without its end; empty for a line that does not exist.
@@ -116,15 +116,15 @@ std::vector<DiagnosticText> diagnostic_texts(const SourceFile& source, const Dia
   int warnings = 0;
   for (const Diagnostic& one : by_place(found)) {
     int& count = one.severity == Severity::error ? errors : warnings;
-    if (++count <= kMostShown) {
+    if (++count <= kMostDiagnostics) {
       texts.push_back({.severity = one.severity, .text = text_of(source, one)});
     }
   }
   const auto add_rest = [&](Severity severity, int count, std::string_view what) {
-    if (count > kMostShown) {
-      texts.push_back(
-          {.severity = severity,
-           .text = fmt::format("{}: {} more {}\n", place(source, {}), count - kMostShown, what)});
+    if (count > kMostDiagnostics) {
+      texts.push_back({.severity = severity,
+                       .text = fmt::format(
+                           "{}: {} more {}\n", place(source, {}), count - kMostDiagnostics, what)});
     }
   };
   add_rest(Severity::error, errors, "errors");

@@ -69,7 +69,7 @@ Target follow(const Json& report, std::string_view pointer) {
   return {.value = at, .problem = {}, .hint = {}};
 }
 
-std::string_view kind_of(const Json& value) {
+std::string_view kind_of_json(const Json& value) {
   return value.is_null()     ? "empty"
          : value.is_string() ? "a text"
          : value.is_array()  ? "a list"
@@ -100,12 +100,12 @@ void check_published(const Json& report,
     if (target.value == nullptr) {
       found.error("E0902", one.pointer.where, target.problem, target.hint);
     } else if (!target.value->is_number()) {
-      found.error("E0902",
-                  one.pointer.where,
-                  fmt::format("'{}' is {}, not a number", one.pointer.text, kind_of(*target.value)),
-                  target.value->is_null()
-                      ? "the case has no answer there; see its status"
-                      : "let the pointer lead to a single number of the report");
+      found.error(
+          "E0902",
+          one.pointer.where,
+          fmt::format("'{}' is {}, not a number", one.pointer.text, kind_of_json(*target.value)),
+          target.value->is_null() ? "the case has no answer there; see its status"
+                                  : "let the pointer lead to a single number of the report");
     } else if (const double value = target.value->get<double>();
                !(std::abs(value - one.is) <= one.tolerance)) {
       miss(one, value, found);

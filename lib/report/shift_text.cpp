@@ -18,10 +18,10 @@ constexpr const char* kEngaged = "●";
 constexpr const char* kOpen = "·";
 
 // Combinations that are no gear: beyond so many nobody reads their reasons.
-constexpr std::size_t kMostShown = 40;
+constexpr std::size_t kMostStates = 40;
 
 // A cell of the table; empty where there is no value.
-std::string shown(const std::optional<double>& value) {
+std::string number_or_dash(const std::optional<double>& value) {
   return value ? format_short(*value) : "-";
 }
 
@@ -115,9 +115,9 @@ class ShiftTables {
     for (std::size_t s = 0; s < gears_.size(); ++s) {
       const CaseAnalysis& one = *find_gear_case(analysis_, solution_.states[s]);
       const auto& lossy = one.efficiency;
-      carrier.cells.push_back(shown(lossy ? lossy->carrier.value : std::nullopt));
-      absolute.cells.push_back(shown(lossy ? lossy->absolute.value : std::nullopt));
-      friction.cells.push_back(shown(one.power ? one.power->efficiency : std::nullopt));
+      carrier.cells.push_back(number_or_dash(lossy ? lossy->carrier.value : std::nullopt));
+      absolute.cells.push_back(number_or_dash(lossy ? lossy->absolute.value : std::nullopt));
+      friction.cells.push_back(number_or_dash(one.power ? one.power->efficiency : std::nullopt));
       is_lossy = is_lossy || lossy.has_value();
       rubs = rubs || (one.power && one.power->efficiency);
     }
@@ -139,19 +139,23 @@ class ShiftTables {
     for (std::size_t o = 0; o < plan_.outputs.size(); ++o) {
       const std::string to = plan_.outputs.size() == 1 ? "" : " " + actuator_name(plan_.outputs[o]);
       add_column(
-          "ratio" + to, [o](const GearValues& gear) { return shown(gear.ratios[o]); }, columns);
+          "ratio" + to,
+          [o](const GearValues& gear) { return number_or_dash(gear.ratios[o]); },
+          columns);
     }
     add_column(
-        "step", [](const GearValues& gear) { return gear.step ? shown(gear.step) : ""; }, columns);
+        "step",
+        [](const GearValues& gear) { return gear.step ? number_or_dash(gear.step) : ""; },
+        columns);
     add_efficiencies(columns);
     if (plan_.outputs.size() == 1 && plan_.asks_actions) {
       add_column(
           "torque ratio",
-          [](const GearValues& gear) { return shown(gear.torque_ratios.front()); },
+          [](const GearValues& gear) { return number_or_dash(gear.torque_ratios.front()); },
           columns);
       add_column(
           "recirculation",
-          [](const GearValues& gear) { return shown(gear.recirculation); },
+          [](const GearValues& gear) { return number_or_dash(gear.recirculation); },
           columns);
     }
     return TextBlocks(columns);
@@ -185,7 +189,7 @@ class ShiftTables {
   TextBlocks others_blocks() const {
     const std::size_t first = gears_.size();
     const std::size_t all = solution_.states.size() - first;
-    const std::size_t count = std::min(all, kMostShown);
+    const std::size_t count = std::min(all, kMostStates);
     if (count == 0) {
       return {};
     }
@@ -258,7 +262,7 @@ class ShiftTables {
         const bool is_engaged =
             std::ranges::binary_search(solution_.states[s].engaged, static_cast<int>(e));
         const std::optional<double>& value = (gears_[s].*values)[e];
-        column.cells.push_back(is_engaged == of_engaged ? shown(value) : kOpen);
+        column.cells.push_back(is_engaged == of_engaged ? number_or_dash(value) : kOpen);
         if (is_engaged == of_engaged) {
           sizes[s] = value && sizes[s] ? std::optional(std::max(*sizes[s], std::abs(*value)))
                                        : std::nullopt;
@@ -267,7 +271,7 @@ class ShiftTables {
       columns.push_back(std::move(column));
     }
     for (const std::optional<double>& size : sizes) {
-      largest.cells.push_back(shown(size));
+      largest.cells.push_back(number_or_dash(size));
     }
     columns.push_back(std::move(largest));
     return TextBlocks(columns);

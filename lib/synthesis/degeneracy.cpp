@@ -23,25 +23,25 @@ bool is_translation(std::span<const PositionJets> positions) {
   });
 }
 
-using Row = std::array<double, 7>;
+using ConditionRow = std::array<double, 7>;
 
-Point shift_of(const Row& row) {
+Point shift_of(const ConditionRow& row) {
   return {row[0], row[1]};
 }
 
 // Without a turn a row says d . (w - z) = d²/2, in homogeneous form with d in the first two columns
 // and d²/2 in the last: all points have the same arm w - z, if there is one.
-Degeneracy kind_of_translation(const std::vector<Row>& rows) {
-  const Row& first =
-      *std::ranges::max_element(rows, {}, [](const Row& row) { return std::abs(shift_of(row)); });
+Degeneracy kind_of_translation(const std::vector<ConditionRow>& rows) {
+  const ConditionRow& first = *std::ranges::max_element(
+      rows, {}, [](const ConditionRow& row) { return std::abs(shift_of(row)); });
   const Point one = shift_of(first);
-  const Row& second = *std::ranges::max_element(
-      rows, {}, [&](const Row& row) { return std::abs(cross(one, shift_of(row))); });
+  const ConditionRow& second = *std::ranges::max_element(
+      rows, {}, [&](const ConditionRow& row) { return std::abs(cross(one, shift_of(row))); });
   const Point other = shift_of(second);
   const double area = cross(one, other);
   if (!(std::abs(area) > kRankZero)) {
     // On one line: the same distance asks for the same place, which would be there twice.
-    const bool is_one_place = std::ranges::all_of(rows, [&](const Row& row) {
+    const bool is_one_place = std::ranges::all_of(rows, [&](const ConditionRow& row) {
       return std::abs(first[6] * dot(one, shift_of(row)) - row[6] * std::norm(one)) < kRankZero;
     });
     return is_one_place ? Degeneracy::none : Degeneracy::straight_translation;
@@ -49,7 +49,7 @@ Degeneracy kind_of_translation(const std::vector<Row>& rows) {
   // The arm by Cramer's rule, times the area.
   const Point arm(first[6] * other.imag() - second[6] * one.imag(),
                   second[6] * one.real() - first[6] * other.real());
-  const bool is_circle = std::ranges::all_of(rows, [&](const Row& row) {
+  const bool is_circle = std::ranges::all_of(rows, [&](const ConditionRow& row) {
     const double miss = dot(shift_of(row), arm) - row[6] * area;
     return std::abs(miss) < kRankZero * (std::abs(arm) + std::abs(area));
   });

@@ -16,7 +16,7 @@ namespace kinestat {
 
 namespace {
 
-using Row = std::array<double, 7>;
+using ConditionRow = std::array<double, 7>;
 
 // A polynomial in u and v up to the third degree: coefficient [i][j] of u^i v^j.
 struct Polynomial {
@@ -59,11 +59,11 @@ struct Polynomial {
 // linear in the coordinates of what is given.
 using LinearRow = std::array<std::array<double, 3>, 3>;
 
-LinearRow row_for_circle_point(const Row& r) {
+LinearRow row_for_circle_point(const ConditionRow& r) {
   return {{{r[2], r[4], -r[5]}, {r[3], r[5], r[4]}, {r[6], r[0], r[1]}}};
 }
 
-LinearRow row_for_centre(const Row& r) {
+LinearRow row_for_centre(const ConditionRow& r) {
   return {{{r[0], r[4], r[5]}, {r[1], -r[5], r[4]}, {r[6], r[2], r[3]}}};
 }
 
@@ -111,7 +111,9 @@ struct Conditions {
   std::vector<Vec3> rows;
   std::vector<double> errors;
 
-  Conditions(const ConditionRows& system, LinearRow (*row_for)(const Row&), const Point& given) {
+  Conditions(const ConditionRows& system,
+             LinearRow (*row_for)(const ConditionRow&),
+             const Point& given) {
     for (std::size_t i = 0; i < system.rows.size(); ++i) {
       rows.push_back(values_at(row_for(system.rows[i]), given));
       errors.push_back(system.noise[i] * (1.0 + std::abs(given)));
@@ -142,14 +144,14 @@ CommonSolution common_solution(const Conditions& all) {
   return best;
 }
 
-using Homogeneous = Eigen::Matrix<double, 7, 1>;
+using DyadCoordinates = Eigen::Matrix<double, 7, 1>;
 
 // A dyad whose circle point and centre are given as (x, y, h), one of them with h = 1.
-Homogeneous seven_of(const Vec3& circle, const Vec3& centre) {
+DyadCoordinates seven_of(const Vec3& circle, const Vec3& centre) {
   const Point z(circle[0], circle[1]);
   const Point w(centre[0], centre[1]);
   const Point product = z * std::conj(w);
-  Homogeneous x;
+  DyadCoordinates x;
   x << z.real() * centre[2], z.imag() * centre[2], w.real() * circle[2], w.imag() * circle[2],
       product.real(), -product.imag(), circle[2] * centre[2];
   return x;
@@ -160,7 +162,7 @@ Point in_system(const ConditionRows& system, const Point& point) {
 }
 
 // The dyad of seven numbers with an error, as a share of the largest of them.
-std::optional<Dyad> dyad_with_digits(const Homogeneous& x,
+std::optional<Dyad> dyad_with_digits(const DyadCoordinates& x,
                                      const ConditionRows& system,
                                      std::span<const PositionJets> positions,
                                      double error) {
@@ -188,7 +190,7 @@ std::optional<Dyad> find_infinite(const ConditionRows& system,
   if (space.flatness() < kRankZero) {
     return std::nullopt;
   }
-  Homogeneous x = Homogeneous::Zero();
+  DyadCoordinates x = DyadCoordinates::Zero();
   for (std::size_t j = 0; j < 4; ++j) {
     x[static_cast<Eigen::Index>(columns[j])] = space.basis(static_cast<Eigen::Index>(j), 0);
   }

@@ -13,8 +13,6 @@ namespace kinestat {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // The interval of the coordinate that a circuit fills, and whether its ends are dead points.
 struct Interval {
   double low = 0.0;
@@ -28,15 +26,15 @@ Interval interval_of_angle(const DriveCurve::Range& range, double x) {
   const bool upper_free = range.high >= 1.0;
   const bool lower_free = range.low <= -1.0;
   if (upper_free && lower_free) {
-    return {.low = x, .high = x + 2.0 * kPi, .is_turn = true};
+    return {.low = x, .high = x + 2.0 * std::numbers::pi, .is_turn = true};
   }
   const double near = upper_free ? 0.0 : std::acos(std::clamp(range.high, -1.0, 1.0));
-  const double far = lower_free ? kPi : std::acos(std::clamp(range.low, -1.0, 1.0));
+  const double far = lower_free ? std::numbers::pi : std::acos(std::clamp(range.low, -1.0, 1.0));
   if (upper_free) {
     return {.low = -far, .high = far};
   }
   if (lower_free) {
-    return {.low = near, .high = 2.0 * kPi - near};
+    return {.low = near, .high = 2.0 * std::numbers::pi - near};
   }
   return x < 0.0 ? Interval{.low = -far, .high = -near} : Interval{.low = near, .high = far};
 }
@@ -58,8 +56,14 @@ Interval interval_of(const DriveCurve& curve, double x, double reach) {
   switch (curve.argument()) {
     case cosine:
       if (curve.is_open_ended()) {
-        return x < 0.0 ? Interval{.low = -kPi, .high = 0.0, .low_dead = false, .high_dead = false}
-                       : Interval{.low = 0.0, .high = kPi, .low_dead = false, .high_dead = false};
+        return x < 0.0 ? Interval{.low = -std::numbers::pi,
+                                  .high = 0.0,
+                                  .low_dead = false,
+                                  .high_dead = false}
+                       : Interval{.low = 0.0,
+                                  .high = std::numbers::pi,
+                                  .low_dead = false,
+                                  .high_dead = false};
       }
       return interval_of_angle(range, x);
     case square:
@@ -70,7 +74,7 @@ Interval interval_of(const DriveCurve& curve, double x, double reach) {
               .low_dead = std::isfinite(range.low),
               .high_dead = std::isfinite(range.high)};
     case none:
-      return {.low = x, .high = x + 2.0 * kPi, .is_turn = true};
+      return {.low = x, .high = x + 2.0 * std::numbers::pi, .is_turn = true};
   }
   return {};
 }
@@ -103,7 +107,7 @@ Place place_on(const Interval& interval, Course course, double share) {
     case Course::along:
       return {.x = middle + half * way};
     case Course::round:
-      return {.x = middle + half * std::cos(kPi * way), .is_other_side = way > 0.0};
+      return {.x = middle + half * std::cos(std::numbers::pi * way), .is_other_side = way > 0.0};
     case Course::back_from_low:
       return {.x = interval.low + 2.0 * half * way * way, .is_other_side = way > 0.0};
     case Course::back_from_high:

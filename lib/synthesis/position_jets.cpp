@@ -1,15 +1,12 @@
 #include "synthesis/position_jets.hpp"
 
 #include "core/contract.hpp"
+#include "core/index.hpp"
 #include "synthesis/internal/jets.hpp"
 
 namespace kinestat {
 
 namespace {
-
-std::size_t index(int k) {
-  return static_cast<std::size_t>(k);
-}
 
 // The derivatives of (df/dt) / γ' by t from those of df/dt, order by order (Leibniz). `speed` is γ'
 // with its derivatives by t.
@@ -43,7 +40,7 @@ PositionJets finite_position(const Point& at, double angle) {
 }
 
 Point origin(const PositionJets& position, int k) {
-  return {position.x[index(k)], position.y[index(k)]};
+  return {position.x[at(k)], position.y[at(k)]};
 }
 
 std::vector<Point> rotation_jets(const PositionJets& position) {
@@ -58,7 +55,7 @@ std::vector<Point> rotation_jets(const PositionJets& position) {
 std::vector<Point> point_jets(const PositionJets& position, const Point& moving) {
   std::vector<Point> result = rotation_jets(position);
   for (int k = 0; k < position.order(); ++k) {
-    result[index(k)] = result[index(k)] * moving + origin(position, k);
+    result[at(k)] = result[at(k)] * moving + origin(position, k);
   }
   return result;
 }

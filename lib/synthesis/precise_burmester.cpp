@@ -13,14 +13,13 @@
 #include "synthesis/internal/condition_space.hpp"
 #include "synthesis/internal/dyad_point.hpp"
 #include "synthesis/internal/precise_null_space.hpp"
+#include "synthesis/internal/precise_vector.hpp"
 
 namespace kinestat {
 
 namespace {
 
-using Row = PreciseRow;
-using Vector = std::array<BigFloat, 3>;
-using Matrix = std::array<Vector, 3>;
+using Matrix = std::array<PreciseVector, 3>;
 
 double to_double(const BigFloat& x) {
   return static_cast<double>(x);
@@ -38,7 +37,7 @@ void add_product(Matrix& form, const PreciseBasis& basis, std::size_t a, std::si
 
 Matrix zero_form() {
   Matrix form;
-  for (Vector& row : form) {
+  for (PreciseVector& row : form) {
     row.fill(BigFloat(0));
   }
   return form;
@@ -54,38 +53,30 @@ Mat3 rounded_form(const Matrix& form) {
   return result;
 }
 
-Vector times(const Matrix& form, const Vector& y) {
-  Vector result;
+PreciseVector times(const Matrix& form, const PreciseVector& y) {
+  PreciseVector result;
   for (std::size_t i = 0; i < 3; ++i) {
     result[i] = form[i][0] * y[0] + form[i][1] * y[1] + form[i][2] * y[2];
   }
   return result;
 }
 
-BigFloat dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 // Newton on both forms, the step orthogonal to y: it lies in the span of the two gradients' duals.
-Vector improved(const Matrix& first, const Matrix& second, Vector y) {
+PreciseVector improved(const Matrix& first, const Matrix& second, PreciseVector y) {
   constexpr int kSteps = 8;
   for (int step = 0; step < kSteps; ++step) {
-    const Vector one = times(first, y);
-    const Vector other = times(second, y);
+    const PreciseVector one = times(first, y);
+    const PreciseVector other = times(second, y);
     // dy with 2 one.dy = -f, 2 other.dy = -g, y.dy = 0 by Cramer's rule.
-    const Vector product = cross(one, other);
+    const PreciseVector product = cross(one, other);
     const BigFloat determinant = dot(product, y);
     if (determinant == 0) {
       return y;
     }
     const BigFloat f = -dot(y, one) / 2;
     const BigFloat g = -dot(y, other) / 2;
-    const Vector to_one = cross(other, y);
-    const Vector to_other = cross(y, one);
+    const PreciseVector to_one = cross(other, y);
+    const PreciseVector to_other = cross(y, one);
     for (std::size_t i = 0; i < 3; ++i) {
       y[i] += (f * to_one[i] + g * to_other[i]) / determinant;
     }
@@ -95,13 +86,13 @@ Vector improved(const Matrix& first, const Matrix& second, Vector y) {
 
 // How far seven numbers are from meeting the conditions, whose largest entry is 1, and from being
 // those of a dyad; their own largest one counts as 1.
-double residual_of(const Row& x, const std::vector<Row>& conditions) {
+double residual_of(const PreciseRow& x, const std::vector<PreciseRow>& conditions) {
   BigFloat size(0);
   for (const BigFloat& one : x) {
     size = std::max(size, BigFloat(abs(one)));
   }
   BigFloat worst(0);
-  for (const Row& condition : conditions) {
+  for (const PreciseRow& condition : conditions) {
     BigFloat sum(0);
     for (std::size_t i = 0; i < x.size(); ++i) {
       sum += condition[i] * x[i];
@@ -169,10 +160,10 @@ class PreciseSolver {
       solution_.imaginary_count += point.multiplicity;
       return;
     }
-    Vector y = {
+    PreciseVector y = {
         BigFloat(point.y[0].real()), BigFloat(point.y[1].real()), BigFloat(point.y[2].real())};
     y = point.multiplicity == 1 ? improved(first, second, y) : y;
-    Row x;
+    PreciseRow x;
     for (std::size_t i = 0; i < 7; ++i) {
       x[i] = basis.vectors[0][i] * y[0] + basis.vectors[1][i] * y[1] + basis.vectors[2][i] * y[2];
     }
@@ -180,7 +171,7 @@ class PreciseSolver {
   }
 
   // The differences from the origin of the system were taken with all digits.
-  void add_dyad(const Row& x, const ConicPoint& point) {
+  void add_dyad(const PreciseRow& x, const ConicPoint& point) {
     ConditionRows frame;
     frame.length = to_double(system_.length);
     Eigen::Matrix<double, 7, 1> values;

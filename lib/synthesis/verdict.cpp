@@ -14,8 +14,6 @@ namespace kinestat {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // What the input meets at an end of its argument: nothing, so that it goes on; a change point,
 // where everything meets; a dead point, where it turns back; infinity.
 enum class End { free, change_point, dead_point, infinity };
@@ -103,7 +101,7 @@ class Judge {
     switch (curve_.argument()) {
       case cosine:
         zero_end_ = curve_.is_open_ended() ? End::infinity : end_at(0.0);
-        far_end_ = curve_.is_open_ended() ? End::infinity : end_at(kPi);
+        far_end_ = curve_.is_open_ended() ? End::infinity : end_at(std::numbers::pi);
         break;
       case square:
         zero_end_ = end_at(0.0);
@@ -141,7 +139,7 @@ class Judge {
 
   // The coordinate without the jump: on a branch that does not contain x = 0 angles run from 0.
   double unrolled(double x) const {
-    return curve_.is_cyclic() && bounds(zero_end_) && x < 0.0 ? x + 2.0 * kPi : x;
+    return curve_.is_cyclic() && bounds(zero_end_) && x < 0.0 ? x + 2.0 * std::numbers::pi : x;
   }
 
   // Whether the derivatives that have a sense ask for no other one.
@@ -160,8 +158,8 @@ class Judge {
     }
     const double forward = turn(x, 1.0);
     const double backward = turn(x, -1.0);
-    const bool goes_forward = forward < 2.0 * kPi && allows(1);
-    const bool goes_backward = backward < 2.0 * kPi && allows(-1);
+    const bool goes_forward = forward < 2.0 * std::numbers::pi && allows(1);
+    const bool goes_backward = backward < 2.0 * std::numbers::pi && allows(-1);
     if (goes_forward) {
       set_passage(Passage::increasing, forward);
     }
@@ -183,7 +181,7 @@ class Judge {
     double sum = 0.0;
     for (std::size_t i = 1; i < x.size(); ++i) {
       const double step = sense * (x[i] - x[i - 1]);
-      sum += step - 2.0 * kPi * std::floor(step / (2.0 * kPi));
+      sum += step - 2.0 * std::numbers::pi * std::floor(step / (2.0 * std::numbers::pi));
     }
     return sum;
   }
@@ -216,7 +214,8 @@ class Judge {
     TransmissionRange range{.least = transmission_at(from), .most = transmission_at(from)};
     include(range, transmission_at(to));
     if (curve_.argument() == DriveCurve::Argument::cosine) {
-      for (double x = kPi * std::ceil(low / kPi); x <= high; x += kPi) {
+      for (double x = std::numbers::pi * std::ceil(low / std::numbers::pi); x <= high;
+           x += std::numbers::pi) {
         include(range, transmission_at(x));
       }
     } else if (low < 0.0 && high > 0.0) {
@@ -226,7 +225,7 @@ class Judge {
   }
 
   TransmissionRange full_range() const {
-    TransmissionRange range{.least = kPi, .most = 0.0};
+    TransmissionRange range{.least = std::numbers::pi, .most = 0.0};
     for (const double angle :
          {argument_transmission(range_.low), argument_transmission(range_.high)}) {
       include(range, angle);
@@ -261,7 +260,8 @@ class Judge {
 }  // namespace
 
 double TransmissionRange::margin() const {
-  return kPi / 2 - std::max(std::abs(least - kPi / 2), std::abs(most - kPi / 2));
+  return std::numbers::pi / 2 -
+         std::max(std::abs(least - std::numbers::pi / 2), std::abs(most - std::numbers::pi / 2));
 }
 
 DriveVerdict find_verdict(const Linkage& linkage,

@@ -191,7 +191,7 @@ Maybe parameter_of(const std::string& name) {
   return fraction(Fraction(row.thousandths) / 1000);
 }
 
-Maybe leaf(const Tree& tree) {
+Maybe value_of_leaf(const Tree& tree) {
   switch (tree.kind) {
     case Kind::unit:
       return unit_of(tree.word);
@@ -208,7 +208,7 @@ Maybe leaf(const Tree& tree) {
 
 std::optional<ExactValue> exact_value(const Tree& tree, std::span<const Meaning> parts) {
   if (parts.empty()) {
-    return leaf(tree);
+    return value_of_leaf(tree);
   }
   if (!parts.front().exact || !parts.back().exact) {
     return std::nullopt;

@@ -77,7 +77,7 @@ Meaning not_smooth_if(bool is_kink, Meaning a) {
 
 namespace {
 
-constexpr long double kPi = std::numbers::pi_v<long double>;
+constexpr long double kHalfTurn = std::numbers::pi_v<long double>;
 constexpr long double kClear = 1e-9L;  // relative errors above this leave slopes uncompared
 constexpr long double kLargest = 1e60L;
 
@@ -131,7 +131,7 @@ Meaning raised(const Meaning& a, const Meaning& b) {
 
 Meaning of_unit(const std::string& name) {
   const UnitRow& row = *std::ranges::find(units(), name, [](const UnitRow& u) { return u.name; });
-  return constant(row.numerator * std::pow(kPi, row.pi_power) / row.denominator, row.powers);
+  return constant(row.numerator * std::pow(kHalfTurn, row.pi_power) / row.denominator, row.powers);
 }
 
 Meaning of_name(const std::string& name) {
@@ -168,14 +168,14 @@ Meaning operation(const Tree& tree, const Meaning& a, const Meaning& b) {
   }
 }
 
-Meaning leaf(const Tree& tree) {
+Meaning meaning_of_leaf(const Tree& tree) {
   switch (tree.kind) {
     case Kind::unit:
       return of_unit(tree.word);
     case Kind::name:
       return of_name(tree.word);
     case Kind::pi:
-      return constant(kPi, {});
+      return constant(kHalfTurn, {});
     default:
       return constant(tree.digits / std::pow(10.0L, tree.decimals), {});
   }
@@ -191,7 +191,8 @@ Meaning meaning_of(const Tree& tree) {
       return parts.back();
     }
   }
-  Meaning result = parts.empty() ? leaf(tree) : operation(tree, parts.front(), parts.back());
+  Meaning result =
+      parts.empty() ? meaning_of_leaf(tree) : operation(tree, parts.front(), parts.back());
   const bool is_extreme = std::abs(result.value) > kLargest ||
                           (result.value != 0 && std::abs(result.value) < 1 / kLargest);
   if (result.verdict == Verdict::value && is_extreme) {

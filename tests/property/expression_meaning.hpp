@@ -9,7 +9,6 @@ namespace kinestat::sample {
 
 inline constexpr long double kRounding = 4 * 2.22e-16L;  ///< of one operation with doubles
 inline constexpr long double kLoose = 1e-6L;  ///< relative errors above this bend formulas
-inline constexpr Powers kAngle = {0, 0, 0, 1};
 
 bool is_bare(const Powers& powers);
 

@@ -9,7 +9,6 @@ namespace {
 
 constexpr Powers kBare = {0, 0, 0, 0};
 constexpr Powers kLength = {1, 0, 0, 0};
-constexpr Powers kAngle = {0, 0, 0, 1};
 
 class Generator {
  public:
@@ -51,7 +50,7 @@ Tree whole(int value) {
   return {.kind = Kind::literal, .digits = value, .word = {}, .parts = {}};
 }
 
-Powers sum(const Powers& a, const Powers& b, int sign) {
+Powers joined_powers(const Powers& a, const Powers& b, int sign) {
   Powers result = a;
   for (std::size_t i = 0; i < a.size(); ++i) {
     result[i] += sign * b[i];
@@ -202,12 +201,14 @@ Tree Generator::any(const Powers& powers, int depth) {
 
 Tree Generator::product(const Powers& powers, int depth) {
   const Powers left = any_powers();
-  return node(Kind::multiply, {operand(left, depth), operand(sum(powers, left, -1), depth)});
+  return node(Kind::multiply,
+              {operand(left, depth), operand(joined_powers(powers, left, -1), depth)});
 }
 
 Tree Generator::quotient(const Powers& powers, int depth) {
   const Powers right = any_powers();
-  return node(Kind::divide, {operand(sum(powers, right, 1), depth), operand(right, depth)});
+  return node(Kind::divide,
+              {operand(joined_powers(powers, right, 1), depth), operand(right, depth)});
 }
 
 Tree Generator::raised(const Powers& powers, int depth) {

@@ -15,6 +15,8 @@ namespace kinestat::sample {
 /// Exponents of length, mass, time and angle.
 using Powers = std::array<int, 4>;
 
+inline constexpr Powers kAngle = {0, 0, 0, 1};
+
 enum class Kind { literal, unit, name, pi, negate, add, subtract, multiply, divide, power, call };
 
 /// A tree of its own, which knows nothing of the library's nodes. A literal is

@@ -11,11 +11,11 @@ namespace kinestat::sample {
 namespace {
 
 // How closely a text holds together: what stands in it without parentheses.
-enum Level { sum, product, with_sign, measure, power, atom };
+enum class Level { sum, product, with_sign, measure, power, atom };
 
 struct Text {
   std::string text;
-  Level level = atom;
+  Level level = Level::atom;
 };
 
 class Speller {
@@ -95,21 +95,21 @@ Text Speller::multiplied(const Tree& tree) {
     return {pick(6) == 0
                 ? fmt::format("({}){}{}", number, blank(), right.word)
                 : fmt::format("{}{}{}", number, is_point || pick(4) != 0 ? " " : "", right.word),
-            measure};
+            Level::measure};
   }
   if (right.kind == Kind::unit && pick(10) == 0) {
-    return {fmt::format("({}){}{}", spell(left).text, blank(), right.word), measure};
+    return {fmt::format("({}){}{}", spell(left).text, blank(), right.word), Level::measure};
   }
-  return joined(tree, "*", product, with_sign);
+  return joined(tree, "*", Level::product, Level::with_sign);
 }
 
 Text Speller::raised(const Tree& tree) {
   const Tree& exponent = tree.parts[1];
-  std::string text = within(tree.parts[0], atom) + blank() + "^" + blank();
+  std::string text = within(tree.parts[0], Level::atom) + blank() + "^" + blank();
   if (exponent.kind == Kind::negate && pick(2) == 0) {
-    return {text + "-" + within(exponent.parts[0], power), power};
+    return {text + "-" + within(exponent.parts[0], Level::power), Level::power};
   }
-  return {text + within(exponent, power), power};
+  return {text + within(exponent, Level::power), Level::power};
 }
 
 // max(max(a, b), c) may be written max(a, b, c).
@@ -130,27 +130,27 @@ Text Speller::called(const Tree& tree) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     text += (i == 0 ? "" : "," + blank()) + spell(*values[i]).text;
   }
-  return {text + blank() + ")", atom};
+  return {text + blank() + ")", Level::atom};
 }
 
 Text Speller::spell(const Tree& tree) {
   switch (tree.kind) {
     case Kind::literal:
-      return {literal(tree), atom};
+      return {literal(tree), Level::atom};
     case Kind::unit:
     case Kind::name:
     case Kind::pi:
-      return {tree.word, atom};
+      return {tree.word, Level::atom};
     case Kind::negate:
-      return {"-" + blank() + within(tree.parts[0], with_sign), with_sign};
+      return {"-" + blank() + within(tree.parts[0], Level::with_sign), Level::with_sign};
     case Kind::add:
-      return joined(tree, "+", sum, product);
+      return joined(tree, "+", Level::sum, Level::product);
     case Kind::subtract:
-      return joined(tree, "-", sum, product);
+      return joined(tree, "-", Level::sum, Level::product);
     case Kind::multiply:
       return multiplied(tree);
     case Kind::divide:
-      return joined(tree, "/", product, with_sign);
+      return joined(tree, "/", Level::product, Level::with_sign);
     case Kind::power:
       return raised(tree);
     case Kind::call:

@@ -13,12 +13,10 @@ namespace kinestat {
 
 namespace {
 
-using enum Function;
-
-constexpr Dimension kAngle{0, 0, 0, 1};
+constexpr Dimension kAngleDimension{0, 0, 0, 1};
 constexpr double kLargestWhole = 9007199254740992.0;  // 2^53: up to here doubles count by one
 
-Fault dimension_fault(std::string message, std::string hint) {
+Fault argument_fault(std::string message, std::string hint) {
   return {.code = "E0309",
           .message = std::move(message),
           .hint = std::move(hint),
@@ -38,8 +36,9 @@ bool is_pole(double angle) {
 }
 
 Outcome apply_to_angle(Function function, const Quantity& a) {
-  if (a.dimension != kAngle) {
-    return dimension_fault(
+  using enum Function;
+  if (a.dimension != kAngleDimension) {
+    return argument_fault(
         fmt::format("'{}' takes an angle, not {}", name_of(function), phrase_of(a.dimension)),
         "write 30 deg or 0.52 rad");
   }
@@ -54,6 +53,7 @@ Outcome apply_to_angle(Function function, const Quantity& a) {
 }
 
 Outcome to_angle(Function function, const Quantity& a) {
+  using enum Function;
   if (function != atan && std::abs(a.value) > 1.0) {
     return value_fault(fmt::format("'{}' of {} does not exist", name_of(function), a.value),
                        "its value lies from -1 to 1");
@@ -61,10 +61,11 @@ Outcome to_angle(Function function, const Quantity& a) {
   const double value = function == asin   ? std::asin(a.value)
                        : function == acos ? std::acos(a.value)
                                           : std::atan(a.value);
-  return checked({value, kAngle});
+  return checked({value, kAngleDimension});
 }
 
 Outcome logarithm(Function function, const Quantity& a) {
+  using enum Function;
   if (a.value <= 0.0) {
     return value_fault(fmt::format("'{}' of {} does not exist", name_of(function), a.value),
                        "its value is greater than zero");
@@ -75,8 +76,8 @@ Outcome logarithm(Function function, const Quantity& a) {
 Outcome square_root(const Quantity& a) {
   const Dimension& d = a.dimension;
   if (d.length % 2 != 0 || d.mass % 2 != 0 || d.time % 2 != 0 || d.angle % 2 != 0) {
-    return dimension_fault(fmt::format("{} has no square root", phrase_of(d)),
-                           "a length, for example, is the root of a length squared");
+    return argument_fault(fmt::format("{} has no square root", phrase_of(d)),
+                          "a length, for example, is the root of a length squared");
   }
   if (a.value < 0.0) {
     return value_fault(fmt::format("'sqrt' of {} does not exist", a.value),
@@ -86,8 +87,9 @@ Outcome square_root(const Quantity& a) {
 }
 
 Outcome apply_to_bare(Function function, const Quantity& a) {
+  using enum Function;
   if (!is_bare(a.dimension)) {
-    return dimension_fault(
+    return argument_fault(
         fmt::format("'{}' takes a bare number, not {}", name_of(function), phrase_of(a.dimension)),
         "divide by a unit first, such as x/(1 mm)");
   }
@@ -139,6 +141,7 @@ Outcome common_divisor(const Quantity& a, const Quantity& b) {
 }
 
 Outcome apply_to_pair(Function function, const Quantity& a, const Quantity& b) {
+  using enum Function;
   if (a.dimension != b.dimension) {
     return Fault{.code = "E0309",
                  .message = fmt::format("'{}' takes values that measure the same, not {} and {}",
@@ -149,7 +152,7 @@ Outcome apply_to_pair(Function function, const Quantity& a, const Quantity& b) {
   }
   switch (function) {
     case atan2:  // + 0.0: minus zero is zero, so that (0, -1) is at 180 deg, never at -180 deg
-      return checked({std::atan2(a.value + 0.0, b.value + 0.0), kAngle});
+      return checked({std::atan2(a.value + 0.0, b.value + 0.0), kAngleDimension});
     case min:
       return Quantity{std::min(a.value, b.value), a.dimension};
     case max:
@@ -167,6 +170,7 @@ Outcome apply_to_pair(Function function, const Quantity& a, const Quantity& b) {
 }  // namespace
 
 Outcome apply(Function function, const Quantity& a, const Quantity& b) {
+  using enum Function;
   switch (function) {
     case sin:
     case cos:

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/index.hpp"
 #include "expression/internal/parameter_order.hpp"
 
 namespace kinestat {
@@ -10,10 +11,6 @@ namespace kinestat {
 namespace {
 
 constexpr int kNone = -1;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 // Follows the parameters in the order in which they need each other.
 class DependenceSearch {

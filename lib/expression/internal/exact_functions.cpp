@@ -8,8 +8,6 @@ namespace kinestat {
 
 namespace {
 
-using enum Function;
-
 Rational half() {
   return Rational(1, 2);
 }
@@ -57,6 +55,7 @@ std::optional<Rational> tangent(const Rational& half_turns) {
 
 // An angle in radians that is no multiple of pi has no rational sine, unless it is zero.
 MaybeExact apply_to_angle(Function function, const PiRational& a) {
+  using enum Function;
   if (a.pi_power != 1 && !a.factor.is_zero()) {
     return std::nullopt;
   }
@@ -122,6 +121,7 @@ Rational rounded(const Rational& a) {
 }
 
 MaybeExact apply_to_bare(Function function, const Rational& a) {
+  using enum Function;
   switch (function) {
     case asin:
       return angle(arcsine(a));
@@ -153,6 +153,7 @@ MaybeExact square_root(const PiRational& a) {
 }
 
 MaybeExact chosen(Function function, const PiRational& a, const PiRational& b) {
+  using enum Function;
   const std::optional<int> order = compare(a, b);
   if (!order) {
     return std::nullopt;
@@ -162,6 +163,7 @@ MaybeExact chosen(Function function, const PiRational& a, const PiRational& b) {
 
 // Both counted in the same power of pi.
 MaybeExact apply_to_factors(Function function, const Rational& a, const Rational& b, int pi_power) {
+  using enum Function;
   switch (function) {
     case atan2:
       return angle(angle_of(a, b));
@@ -180,6 +182,7 @@ MaybeExact apply_to_factors(Function function, const Rational& a, const Rational
 }  // namespace
 
 MaybeExact apply(Function function, const PiRational& a, const PiRational& b) {
+  using enum Function;
   switch (function) {
     case sin:
     case cos:

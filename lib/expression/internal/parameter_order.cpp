@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/index.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -33,10 +35,6 @@ class OrderSearch {
   std::vector<int> missing_;             // how many of those it uses are not yet done
   std::vector<int> walked_by_;           // the start of the walk that visited it, or -1
 };
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 OrderSearch::OrderSearch(std::span<const Parameter> parameters,
                          const std::function<int(std::string_view)>& index_of)

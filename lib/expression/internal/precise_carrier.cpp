@@ -16,7 +16,7 @@ const BigFloat& pi() {
   return value;
 }
 
-BigFloat size_of(const UnitScale& unit) {
+BigFloat precise_size_of(const UnitScale& unit) {
   BigFloat size = BigFloat(unit.numerator) / BigFloat(unit.denominator);
   for (int i = 0; i < unit.pi_power; ++i) {
     size *= pi();
@@ -158,11 +158,13 @@ Precise Carrier<Precise>::pi() {
 }
 
 Precise Carrier<Precise>::to_si(const Precise& count, const UnitScale& unit) {
-  return carrying(count.precise ? MaybePrecise(*count.precise * size_of(unit)) : std::nullopt);
+  return carrying(count.precise ? MaybePrecise(*count.precise * precise_size_of(unit))
+                                : std::nullopt);
 }
 
 Precise Carrier<Precise>::from_si(const Precise& value, const UnitScale& unit) {
-  return carrying(value.precise ? MaybePrecise(*value.precise / size_of(unit)) : std::nullopt);
+  return carrying(value.precise ? MaybePrecise(*value.precise / precise_size_of(unit))
+                                : std::nullopt);
 }
 
 Precise Carrier<Precise>::apply(const Node& operation, const Precise& a, const Precise& b) {

@@ -4,15 +4,13 @@
 #include <limits>
 #include <utility>
 
+#include "core/index.hpp"
+
 namespace kinestat {
 
 namespace {
 
 constexpr int kNever = std::numeric_limits<int>::max();
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 }  // namespace
 
@@ -24,8 +22,8 @@ void LaneTapeMaker::visit_operands(const Node& node, const Visit& visit) const {
     }
   }
   for (int i = node.first_product; i < node.end_product; ++i) {
-    visit(recorder_.products_[index(i)].a.node);
-    visit(recorder_.products_[index(i)].b.node);
+    visit(recorder_.products_[at(i)].a.node);
+    visit(recorder_.products_[at(i)].b.node);
   }
 }
 
@@ -35,17 +33,17 @@ void LaneTapeMaker::find_needed(std::span<const TapeNumber> outputs) {
   is_needed_.assign(nodes.size(), false);
   last_use_.assign(nodes.size(), -1);
   for (const TapeNumber& output : outputs) {
-    is_needed_[index(output.node)] = true;
-    last_use_[index(output.node)] = kNever;
+    is_needed_[at(output.node)] = true;
+    last_use_[at(output.node)] = kNever;
   }
   for (const int demand : recorder_.demands_) {
-    is_needed_[index(demand)] = true;
+    is_needed_[at(demand)] = true;
   }
   for (std::size_t n = nodes.size(); n > 0; --n) {
     if (is_needed_[n - 1]) {
       visit_operands(nodes[n - 1], [&](int operand) {
-        is_needed_[index(operand)] = true;
-        last_use_[index(operand)] = std::max(last_use_[index(operand)], static_cast<int>(n) - 1);
+        is_needed_[at(operand)] = true;
+        last_use_[at(operand)] = std::max(last_use_[at(operand)], static_cast<int>(n) - 1);
       });
     }
   }
@@ -59,11 +57,11 @@ void LaneTapeMaker::place_constants() {
       tape_.constants_.push_back(nodes[n].value);
     }
   }
-  tape_.reads_input_.resize(index(recorder_.input_count_));
+  tape_.reads_input_.resize(at(recorder_.input_count_));
   tape_.cell_count_ = tape_.constants_.size() + tape_.reads_input_.size();
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     if (nodes[n].what == LaneRecorder::What::input) {
-      tape_.reads_input_[index(nodes[n].input)] = is_needed_[n];
+      tape_.reads_input_[at(nodes[n].input)] = is_needed_[n];
       cells_[n] = static_cast<int>(tape_.constants_.size()) + nodes[n].input;
     }
   }
@@ -81,17 +79,17 @@ int LaneTapeMaker::take_cell() {
 // Once, where a node is an operand twice.
 void LaneTapeMaker::release_operands(const Node& node, int after) {
   visit_operands(node, [&](int operand) {
-    const bool is_result = recorder_.nodes_[index(operand)].what == LaneRecorder::What::operation;
-    if (is_result && last_use_[index(operand)] == after) {
-      free_.push_back(cells_[index(operand)]);
-      last_use_[index(operand)] = kNever;
+    const bool is_result = recorder_.nodes_[at(operand)].what == LaneRecorder::What::operation;
+    if (is_result && last_use_[at(operand)] == after) {
+      free_.push_back(cells_[at(operand)]);
+      last_use_[at(operand)] = kNever;
     }
   });
 }
 
 void LaneTapeMaker::place_operation(int n) {
-  const Node& node = recorder_.nodes_[index(n)];
-  const auto cell_of = [&](int operand) { return operand < 0 ? 0 : cells_[index(operand)]; };
+  const Node& node = recorder_.nodes_[at(n)];
+  const auto cell_of = [&](int operand) { return operand < 0 ? 0 : cells_[at(operand)]; };
   LaneOperation one{.kind = node.kind,
                     .target = 0,
                     .a = cell_of(node.operands[0]),
@@ -100,15 +98,15 @@ void LaneTapeMaker::place_operation(int n) {
   if (node.kind == LaneOperationKind::substitute_sum) {
     one.a = static_cast<int>(tape_.products_.size());
     for (int i = node.first_product; i < node.end_product; ++i) {
-      const LaneRecorder::Product& product = recorder_.products_[index(i)];
+      const LaneRecorder::Product& product = recorder_.products_[at(i)];
       tape_.products_.push_back({.a = cell_of(product.a.node), .b = cell_of(product.b.node)});
     }
     one.b = static_cast<int>(tape_.products_.size());
   }
   release_operands(node, n);
-  const bool has_result = last_use_[index(n)] >= 0;
+  const bool has_result = last_use_[at(n)] >= 0;
   if (has_result) {
-    one.target = cells_[index(n)] = take_cell();
+    one.target = cells_[at(n)] = take_cell();
   }
   tape_.operations_.push_back(one);
 }
@@ -123,7 +121,7 @@ LaneTape LaneTapeMaker::make(std::span<const TapeNumber> outputs) {
     }
   }
   for (const TapeNumber& output : outputs) {
-    tape_.outputs_.push_back(cells_[index(output.node)]);
+    tape_.outputs_.push_back(cells_[at(output.node)]);
   }
   return std::move(tape_);
 }

@@ -9,7 +9,7 @@ namespace kinestat {
 namespace {
 
 using Value = ModularField::Value;
-using Elimination = FieldElimination<ModularField>;
+using ModularElimination = FieldElimination<ModularField>;
 
 constexpr std::size_t kMostVectors = 16;
 
@@ -52,7 +52,7 @@ std::optional<Fraction> fraction_of(Value residue, Value p) {
 }
 
 // All with one division (Montgomery).
-std::vector<Value> reciprocals_of_pivots(const Elimination& elimination) {
+std::vector<Value> reciprocals_of_pivots(const ModularElimination& elimination) {
   const ModularField& field = elimination.field;
   std::vector<Value> result(elimination.pivots.size());
   Value product = 1;
@@ -69,7 +69,7 @@ std::vector<Value> reciprocals_of_pivots(const Elimination& elimination) {
 }
 
 // 1 at the free column, 0 at the others.
-std::vector<Value> null_vector(const Elimination& elimination,
+std::vector<Value> null_vector(const ModularElimination& elimination,
                                const std::vector<Value>& reciprocals,
                                int free_column,
                                int columns) {
@@ -77,9 +77,9 @@ std::vector<Value> null_vector(const Elimination& elimination,
   std::vector<Value> x(static_cast<std::size_t>(columns), 0);
   at(x, free_column) = 1;
   for (std::size_t i = reciprocals.size(); i-- > 0;) {
-    const Elimination::Pivot& pivot = elimination.pivots[i];
+    const ModularElimination::Pivot& pivot = elimination.pivots[i];
     Value sum = 0;
-    for (const Elimination::Cell& cell : at(elimination.rows, pivot.row)) {
+    for (const ModularElimination::Cell& cell : at(elimination.rows, pivot.row)) {
       const Value factor = at(x, cell.column);
       if (factor != 0) {
         field.subtract_product(sum, cell.value, factor);
@@ -145,7 +145,7 @@ bool vector_holds(const std::vector<Value>& x,
 
 }  // namespace
 
-bool null_vectors_hold(const Elimination& elimination,
+bool null_vectors_hold(const ModularElimination& elimination,
                        const std::vector<EntrySize>& entries,
                        int columns) {
   if (elimination.free_columns.size() > kMostVectors) {

@@ -16,9 +16,10 @@ constexpr NumberRule kFriction = {.kind = QuantityKind::dimensionless,
                                   .accepts = [](double x) { return x >= 0.0; },
                                   .allowed = "a coefficient that is not negative"};
 
-constexpr NumberRule kEfficiency = {.kind = QuantityKind::dimensionless,
-                                    .accepts = [](double x) { return x > 0.0 && x <= 1.0; },
-                                    .allowed = "an efficiency above 0 and at most 1: 95 % is 0.95"};
+constexpr NumberRule kPulleyEfficiency = {
+    .kind = QuantityKind::dimensionless,
+    .accepts = [](double x) { return x > 0.0 && x <= 1.0; },
+    .allowed = "an efficiency above 0 and at most 1: 95 % is 0.95"};
 
 constexpr NumberRule kTurns = {.kind = QuantityKind::dimensionless,
                                .accepts = [](double x) { return x >= 0.0 && is_whole(x); },
@@ -80,7 +81,7 @@ void check_pulley(const CableStation& pulley,
   context.number(pulley.radius, kAboveZeroLength, "'radius' of " + what);
   context.number(pulley.turns, kTurns, "'turns' of " + what);
   context.number(pulley.friction, kFriction, "'friction' of " + what);
-  context.number(pulley.eta, kEfficiency, "'eta' of " + what);
+  context.number(pulley.eta, kPulleyEfficiency, "'eta' of " + what);
   for (const PointDescription& point : pulley.points) {
     context.point(point);
   }

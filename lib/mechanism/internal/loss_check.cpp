@@ -13,7 +13,7 @@ constexpr NumberRule kLoss = {
     .accepts = [](double x) { return x >= 0.0 && x < 1.0; },
     .allowed = "the share of the power that is lost, from 0 to below 1: 2 % is 0.02"};
 
-constexpr NumberRule kEfficiency = {
+constexpr NumberRule kLossEfficiency = {
     .kind = QuantityKind::dimensionless,
     .accepts = [](double x) { return x > 0.0 && x <= 1.0; },
     .allowed = "the share of the power that is left, above 0 and at most 1: 98 % is 0.98"};
@@ -28,7 +28,7 @@ void check_value(const LossValue& loss, const std::string& what, const SectionCo
       context.number(loss.value, kLoss, what);
       return;
     case LossForm::efficiency:
-      context.number(loss.value, kEfficiency, "'eta' of " + what);
+      context.number(loss.value, kLossEfficiency, "'eta' of " + what);
       return;
     case LossForm::teeth:
       context.number(loss.value, kToothFactor, "'k' of " + what);

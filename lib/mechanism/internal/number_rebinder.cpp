@@ -5,20 +5,10 @@
 
 #include "core/contract.hpp"
 #include "mechanism/coupling_catalogue.hpp"
+#include "mechanism/internal/expect.hpp"
 #include "mechanism/internal/number_rebinder.hpp"
 
 namespace kinestat {
-
-namespace {
-
-// The answer of a description that was right when it was bound to plain numbers.
-template <class Item>
-Item expect(const std::optional<Item>& answer) {
-  KINESTAT_EXPECTS(answer.has_value());
-  return *answer;
-}
-
-}  // namespace
 
 template <class Scalar>
 CouplingGeometryOf<Scalar> NumberRebinder<Scalar>::drawn(const CouplingDescription& coupling) {

@@ -10,13 +10,14 @@ namespace kinestat {
 namespace {
 
 // One condition: Σ teeth x - constant/n is whole.
-struct Condition {
+struct AssemblyCondition {
   std::vector<long long> teeth;  ///< of each planet
   long long constant = 0;        ///< what the gear on the main axis adds
 };
 
-Condition condition_of(const AssemblyMesh& mesh, int planet_count) {
-  Condition result{.teeth = std::vector<long long>(static_cast<std::size_t>(planet_count), 0)};
+AssemblyCondition condition_of(const AssemblyMesh& mesh, int planet_count) {
+  AssemblyCondition result{.teeth =
+                               std::vector<long long>(static_cast<std::size_t>(planet_count), 0)};
   result.teeth[static_cast<std::size_t>(mesh.planet)] += mesh.teeth;
   if (mesh.mate < 0) {
     result.constant = mesh.mate_teeth;
@@ -26,7 +27,7 @@ Condition condition_of(const AssemblyMesh& mesh, int planet_count) {
   return result;
 }
 
-void subtract(Condition& from, long long times, const Condition& what) {
+void subtract(AssemblyCondition& from, long long times, const AssemblyCondition& what) {
   for (std::size_t i = 0; i < from.teeth.size(); ++i) {
     from.teeth[i] -= times * what.teeth[i];
   }
@@ -35,8 +36,8 @@ void subtract(Condition& from, long long times, const Condition& what) {
 
 // Euclid's algorithm on one column: of the conditions from `begin` on, only the first keeps it.
 // Answers whether any has it.
-bool eliminate(std::vector<Condition>& conditions, std::size_t begin, std::size_t column) {
-  const auto size = [&](const Condition& one) { return std::abs(one.teeth[column]); };
+bool eliminate(std::vector<AssemblyCondition>& conditions, std::size_t begin, std::size_t column) {
+  const auto size = [&](const AssemblyCondition& one) { return std::abs(one.teeth[column]); };
   while (true) {
     std::size_t pivot = conditions.size();
     for (std::size_t i = begin; i < conditions.size(); ++i) {
@@ -64,7 +65,7 @@ bool eliminate(std::vector<Condition>& conditions, std::size_t begin, std::size_
 }  // namespace
 
 std::vector<long long> assembly_teeth(std::span<const AssemblyMesh> meshes, int planet_count) {
-  std::vector<Condition> conditions;
+  std::vector<AssemblyCondition> conditions;
   for (const AssemblyMesh& mesh : meshes) {
     conditions.push_back(condition_of(mesh, planet_count));
   }

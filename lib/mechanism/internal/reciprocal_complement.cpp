@@ -12,9 +12,6 @@ namespace kinestat {
 
 namespace {
 
-template <class Scalar>
-using Row = Vec6Of<Scalar>;
-
 // Coordinates of a screw with the three that carry names of their own first: F before T, ω before
 // v. In the plane only those of the plane.
 constexpr std::array kSpatial = {0, 1, 2, 3, 4, 5};
@@ -22,7 +19,7 @@ constexpr std::array kPlanarWrench = {0, 1, 5};  // Fx, Fy, Tz
 constexpr std::array kPlanarTwist = {2, 3, 4};   // wz, vx, vy
 
 template <class Scalar>
-double largest_of(const Row<Scalar>& row) {
+double largest_of(const Vec6Of<Scalar>& row) {
   double size = 0.0;
   for (int i = 0; i < 6; ++i) {
     size = std::max(size, std::abs(value_of(row[i])));
@@ -35,9 +32,9 @@ double largest_of(const Row<Scalar>& row) {
 template <class Scalar>
 class NullSpace {
  public:
-  NullSpace(std::vector<Row<Scalar>> rows, std::vector<int> coordinates)
+  NullSpace(std::vector<Vec6Of<Scalar>> rows, std::vector<int> coordinates)
       : rows_(std::move(rows)), coordinates_(std::move(coordinates)) {
-    for (Row<Scalar>& row : rows_) {
+    for (Vec6Of<Scalar>& row : rows_) {
       const double size = largest_of<Scalar>(row);
       for (int i = 0; size > 0.0 && i < 6; ++i) {
         row[i] = row[i] / size;
@@ -49,13 +46,13 @@ class NullSpace {
   }
 
   // Each with its free coordinate, which is 1.
-  std::vector<std::pair<int, Row<Scalar>>> vectors() const {
-    std::vector<std::pair<int, Row<Scalar>>> result;
+  std::vector<std::pair<int, Vec6Of<Scalar>>> vectors() const {
+    std::vector<std::pair<int, Vec6Of<Scalar>>> result;
     for (const int free : coordinates_) {
       if (std::ranges::find(pivots_, free) != pivots_.end()) {
         continue;
       }
-      Row<Scalar> x = Row<Scalar>::Zero();
+      Vec6Of<Scalar> x = Vec6Of<Scalar>::Zero();
       x[free] = 1.0;
       for (std::size_t r = 0; r < pivots_.size(); ++r) {
         x[pivots_[r]] = -rows_[r][free];
@@ -68,7 +65,7 @@ class NullSpace {
  private:
   void eliminate(int column) {
     const std::size_t done = pivots_.size();
-    const auto size = [&](const Row<Scalar>& row) { return std::abs(value_of(row[column])); };
+    const auto size = [&](const Vec6Of<Scalar>& row) { return std::abs(value_of(row[column])); };
     const auto best = std::ranges::max_element(
         rows_.begin() + static_cast<std::ptrdiff_t>(done), rows_.end(), {}, size);
     if (best == rows_.end() || size(*best) <= kRankZero) {
@@ -76,7 +73,7 @@ class NullSpace {
     }
     std::swap(rows_[done], *best);
     pivots_.push_back(column);
-    Row<Scalar>& pivot = rows_[done];
+    Vec6Of<Scalar>& pivot = rows_[done];
     const Scalar divisor = pivot[column];
     for (int i = 0; i < 6; ++i) {
       pivot[i] = pivot[i] / divisor;
@@ -89,7 +86,7 @@ class NullSpace {
     }
   }
 
-  std::vector<Row<Scalar>> rows_;
+  std::vector<Vec6Of<Scalar>> rows_;
   std::vector<int> coordinates_;
   std::vector<int> pivots_;  ///< the column of each of the first rows
 };
@@ -109,9 +106,9 @@ std::vector<Solution<Scalar>> solve(
     const std::vector<std::pair<Vec3Of<Scalar>, Vec3Of<Scalar>>>& pairs,
     double length,
     std::vector<int> coordinates) {
-  std::vector<Row<Scalar>> rows;
+  std::vector<Vec6Of<Scalar>> rows;
   for (const auto& [a, b] : pairs) {
-    Row<Scalar> row;
+    Vec6Of<Scalar> row;
     row << a, Scalar(length) * b;
     rows.push_back(row);
   }

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/index.hpp"
+
 namespace kinestat {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 template <class V>
 auto dot(const V& a, const V& b) {

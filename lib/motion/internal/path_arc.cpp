@@ -2,24 +2,14 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/index.hpp"
+#include "motion/internal/largest.hpp"
 #include "motion/internal/motion_limits.hpp"
 #include "motion/internal/path_tracker.hpp"
 
 namespace kinestat {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-double largest(std::span<const double> values) {
-  double result = 0.0;
-  for (const double value : values) {
-    result = std::max(result, std::abs(value));
-  }
-  return result;
-}
 
 // The root between 0 and the end of a bracket, by the rule of Illinois; the best found where the
 // function has no value.

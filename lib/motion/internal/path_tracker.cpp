@@ -4,25 +4,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/index.hpp"
+#include "motion/internal/largest.hpp"
 #include "motion/internal/motion_limits.hpp"
 
 namespace kinestat {
-
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-double largest(std::span<const double> values) {
-  double result = 0.0;
-  for (const double value : values) {
-    result = std::max(result, std::abs(value));
-  }
-  return result;
-}
-
-}  // namespace
 
 template <class Frames>
 PathTracker<Frames>::PathTracker(const MotionNetwork& network)

@@ -4,17 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/index.hpp"
 #include "core/tolerance.hpp"
 
 namespace kinestat {
-
-namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 void PivotedQr::factor(std::span<const double> A, int rows, int columns) {
   rows_ = rows;

@@ -4,15 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "core/index.hpp"
 #include "motion/internal/motion_limits.hpp"
 
 namespace kinestat {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // The sum of coordinates by which a body turns or slides relative to another on one line.
 struct LineMotion {

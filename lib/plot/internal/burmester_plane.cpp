@@ -150,7 +150,7 @@ class PlaneFinder {
   // Positions always; of what else there is, what is not much further away than they are spread.
   void find_window() {
     constexpr double kFar = 3.5;
-    constexpr double kMargin = 0.18;
+    constexpr double kMarginShare = 0.18;
     std::vector<Point> points;
     for (const PositionJets& position : task_.positions) {
       points.push_back(origin(position));
@@ -187,10 +187,10 @@ class PlaneFinder {
     }
     double size = std::max((high - low).real(), (high - low).imag());
     size = size > 0.0 ? size : 1.0;
-    const double most = (1.0 + 2 * kMargin) * size;
+    const double most = (1.0 + 2 * kMarginShare) * size;
     // No flatter than 3 : 5.
-    const Point half = Point(std::max((high - low).real() + 2 * kMargin * size, 0.6 * most),
-                             std::max((high - low).imag() + 2 * kMargin * size, 0.6 * most)) /
+    const Point half = Point(std::max((high - low).real() + 2 * kMarginShare * size, 0.6 * most),
+                             std::max((high - low).imag() + 2 * kMarginShare * size, 0.6 * most)) /
                        2.0;
     const Point centre = (low + high) / 2.0;
     result_.window = {.low = centre - half, .high = centre + half};

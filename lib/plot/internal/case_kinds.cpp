@@ -94,7 +94,7 @@ std::string forces_text(const PictureSource& source) {
   return gnuplot_text(force_map(chosen(source)));
 }
 
-constexpr auto kKinds = std::to_array<PictureKind>({
+constexpr auto kCaseKinds = std::to_array<PictureKind>({
     {.name = "speeds",
      .sentence = "bars of the velocities of all bodies, case by case",
      .lack = lack_of_velocities,
@@ -127,7 +127,7 @@ constexpr auto kKinds = std::to_array<PictureKind>({
 }  // namespace
 
 std::span<const PictureKind> case_kinds() {
-  return kKinds;
+  return kCaseKinds;
 }
 
 }  // namespace kinestat

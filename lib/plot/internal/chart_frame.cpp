@@ -8,8 +8,8 @@ namespace kinestat {
 
 namespace {
 
-constexpr double kHeight = 210.0;   // of the frame, if scales are free
-constexpr double kTallest = 560.0;  // likewise, if they are equal
+constexpr double kFreeHeight = 210.0;  // of the frame, if scales are free
+constexpr double kTallest = 560.0;     // likewise, if they are equal
 
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -74,9 +74,9 @@ ChartFrame equal_frame(const Chart& chart, double top) {
 }
 
 ChartFrame free_frame(const Chart& chart, double top) {
-  return {.box = {.left = 0.0, .top = top, .right = kFrameWidth, .bottom = top + kHeight},
+  return {.box = {.left = 0.0, .top = top, .right = kFrameWidth, .bottom = top + kFreeHeight},
           .x = axis_range(chart.x, range_of(chart, chart.x, &Series::x), kFrameWidth, 80.0),
-          .y = axis_range(chart.y, range_of(chart, chart.y, &Series::y), kHeight, 38.0)};
+          .y = axis_range(chart.y, range_of(chart, chart.y, &Series::y), kFreeHeight, 38.0)};
 }
 
 // Answers how far the labels reach to the left.

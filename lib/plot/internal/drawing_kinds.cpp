@@ -122,7 +122,7 @@ std::string power_text(const PictureSource& source) {
   return dot_text(power_of(source));
 }
 
-constexpr auto kKinds = std::to_array<PictureKind>({
+constexpr auto kDrawingKinds = std::to_array<PictureKind>({
     {.name = "linkage",
      .sentence = "the mechanism to scale, with the forces of a case",
      .scope = PictureScope::one_case,
@@ -167,7 +167,7 @@ constexpr auto kKinds = std::to_array<PictureKind>({
 }  // namespace
 
 std::span<const PictureKind> drawing_kinds() {
-  return kKinds;
+  return kDrawingKinds;
 }
 
 }  // namespace kinestat

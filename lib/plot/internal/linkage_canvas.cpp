@@ -9,17 +9,17 @@
 #include <fmt/format.h>
 
 #include "plot/internal/symbols.hpp"
+#include "plot/internal/text_styles.hpp"
 
 namespace kinestat {
 
 namespace {
 
-constexpr double kWidth = 620.0;   // [px]
-constexpr double kHeight = 460.0;  // [px]
+constexpr double kWidth = 620.0;         // [px]
+constexpr double kCanvasHeight = 460.0;  // [px]
 constexpr double kLongestArrow = 64.0;
 constexpr double kShortestArrow = 15.0;
 constexpr double kTurningRadius = 19.0;
-constexpr TextStyle kSmall = {.ink = Ink::soft, .size = 11.0};
 
 struct Extent {
   Vec3 low = Vec3::Zero();
@@ -84,9 +84,9 @@ LinkageView fit_view(LinkageView directions, const std::vector<Vec3>& points) {
     scale = std::min(scale, kWidth / size.x());
   }
   if (size.y() > 0.0) {
-    scale = std::min(scale, kHeight / size.y());
+    scale = std::min(scale, kCanvasHeight / size.y());
   }
-  view.scale = std::isfinite(scale) ? scale : kHeight;
+  view.scale = std::isfinite(scale) ? scale : kCanvasHeight;
   const Vec3 middle = (extent.low + extent.high) / 2;
   view.x0 = -view.scale * middle.x();
   view.y0 = view.scale * middle.y();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/index.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -22,10 +24,6 @@ constexpr double kUsualHeight = 200.0;
 constexpr double kLeastSun = 42.0;
 constexpr double kMostHeight = 300.0;
 
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 }  // namespace
 
 SchemeGrid::SchemeGrid(const SchemeTrain& train,
@@ -40,7 +38,7 @@ void SchemeGrid::make_tracks() {
   int track = kEndTracks;
   for (int c = 0; c < columns_.count; ++c) {
     if (c > 0) {
-      const bool is_same = columns_.set_of[index(c)] == columns_.set_of[index(c - 1)];
+      const bool is_same = columns_.set_of[at(c)] == columns_.set_of[at(c - 1)];
       track += is_same ? kColumnTracks : kSetTracks;
     }
     centres_.push_back(track + 1);
@@ -50,18 +48,18 @@ void SchemeGrid::make_tracks() {
 }
 
 double SchemeGrid::low(int wheel) const {
-  const SchemeWheel& of = train_.wheels[index(wheel)];
-  return scale_ * (radii_.planets[index(of.planet)] - radii_.wheels[index(wheel)]);
+  const SchemeWheel& of = train_.wheels[at(wheel)];
+  return scale_ * (radii_.planets[at(of.planet)] - radii_.wheels[at(wheel)]);
 }
 
 double SchemeGrid::high(int wheel) const {
-  const SchemeWheel& of = train_.wheels[index(wheel)];
-  const double radius = radii_.wheels[index(wheel)];
-  return scale_ * (of.planet < 0 ? radius : radii_.planets[index(of.planet)] + radius);
+  const SchemeWheel& of = train_.wheels[at(wheel)];
+  const double radius = radii_.wheels[at(wheel)];
+  return scale_ * (of.planet < 0 ? radius : radii_.planets[at(of.planet)] + radius);
 }
 
 double SchemeGrid::pin(int planet) const {
-  return scale_ * radii_.planets[index(planet)];
+  return scale_ * radii_.planets[at(planet)];
 }
 
 void SchemeGrid::find_scale() {
@@ -69,8 +67,8 @@ void SchemeGrid::find_scale() {
   double least = std::numeric_limits<double>::infinity();
   for (int w = 0; w < static_cast<int>(train_.wheels.size()); ++w) {
     highest = std::max(highest, high(w));
-    if (train_.wheels[index(w)].planet < 0 && !train_.wheels[index(w)].is_ring) {
-      least = std::min(least, radii_.wheels[index(w)]);
+    if (train_.wheels[at(w)].planet < 0 && !train_.wheels[at(w)].is_ring) {
+      least = std::min(least, radii_.wheels[at(w)]);
     }
   }
   scale_ = std::min(std::max(kUsualHeight / highest, kLeastSun / least), kMostHeight / highest);
@@ -82,9 +80,9 @@ void SchemeGrid::make_rows() {
   std::vector<double> fixed;
   for (int w = 0; w < static_cast<int>(train_.wheels.size()); ++w) {
     fixed.push_back(high(w));
-    if (train_.wheels[index(w)].planet >= 0) {
+    if (train_.wheels[at(w)].planet >= 0) {
       fixed.push_back(low(w));
-      fixed.push_back(pin(train_.wheels[index(w)].planet));
+      fixed.push_back(pin(train_.wheels[at(w)].planet));
     }
   }
   std::ranges::sort(fixed);
@@ -112,7 +110,7 @@ void SchemeGrid::add_rows_up_to(double height) {
 int SchemeGrid::row_at(double height) const {
   int best = 0;
   for (int row = 0; row < inner_rows_; ++row) {
-    if (std::abs(heights_[index(row)] - height) < std::abs(heights_[index(best)] - height)) {
+    if (std::abs(heights_[at(row)] - height) < std::abs(heights_[at(best)] - height)) {
       best = row;
     }
   }
@@ -120,15 +118,15 @@ int SchemeGrid::row_at(double height) const {
 }
 
 bool SchemeGrid::is_placed(int wheel) const {
-  return columns_.last[index(wheel)] >= 0;
+  return columns_.last[at(wheel)] >= 0;
 }
 
 int SchemeGrid::left_face(int wheel) const {
-  return centre(columns_.first[index(wheel)]) - 1;
+  return centre(columns_.first[at(wheel)]) - 1;
 }
 
 int SchemeGrid::right_face(int wheel) const {
-  return centre(columns_.last[index(wheel)]) + 1;
+  return centre(columns_.last[at(wheel)]) + 1;
 }
 
 void SchemeGrid::close_up(const std::vector<bool>& is_used_track,
@@ -138,14 +136,14 @@ void SchemeGrid::close_up(const std::vector<bool>& is_used_track,
     const bool is_centre = std::ranges::find(centres_, track) != centres_.end();
     const bool is_after = std::ranges::find(centres_, track - 1) != centres_.end();
     const bool is_before = std::ranges::find(centres_, track + 1) != centres_.end();
-    x += is_centre || is_after         ? kFace
-         : is_before                   ? 5.0
-         : is_used_track[index(track)] ? kTrack
-                                       : kUnusedTrack;
+    x += is_centre || is_after      ? kFace
+         : is_before                ? 5.0
+         : is_used_track[at(track)] ? kTrack
+                                    : kUnusedTrack;
     x_.push_back(x);
   }
   for (int row = inner_rows_; row < row_count(); ++row) {
-    heights_[index(row)] = heights_[index(row - 1)] + (is_used_row[index(row)] ? kTrack : 1.0);
+    heights_[at(row)] = heights_[at(row - 1)] + (is_used_row[at(row)] ? kTrack : 1.0);
   }
   heights_.back() += 6.0;
 }
@@ -153,7 +151,7 @@ void SchemeGrid::close_up(const std::vector<bool>& is_used_track,
 PixelPoint SchemeGrid::place(GridCell cell) const {
   const int column = std::clamp(cell.column, 0, track_count_ - 1);
   const int row = std::min(cell.row, row_count() - 1);
-  PixelPoint p = {.x = x_[index(column)], .y = -heights_[index(row)]};
+  PixelPoint p = {.x = x_[at(column)], .y = -heights_[at(row)]};
   p.x += kTrack * (cell.column - column);
   p.y -= kTrack * (cell.row - row);
   return p;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "core/index.hpp"
 #include "plot/internal/scheme_grid.hpp"
 
 namespace kinestat {
@@ -18,10 +19,6 @@ constexpr int kHousing = 1'000'000;
 
 int body_of(int net) {
   return net < kHousing ? net : 0;
-}
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
 }
 
 // In which order bodies get their shafts.
@@ -89,7 +86,7 @@ class SchemeBuilder {
     GridCell beyond;
   };
 
-  const SchemeWheel& wheel(int i) const { return train_.wheels[index(i)]; }
+  const SchemeWheel& wheel(int i) const { return train_.wheels[at(i)]; }
 
   // The net of a body; each part of the housing is one by itself.
   int net_of(int body) { return body > 0 ? body : kHousing + housing_parts_++; }
@@ -131,7 +128,7 @@ class SchemeBuilder {
       return;
     }
     const int row = grid_.row_at(grid_.pin(planet));
-    const int net = net_of(train_.planets[index(planet)].carrier);
+    const int net = net_of(train_.planets[at(planet)].carrier);
     for (int column = left + 1; column < right; ++column) {
       router_.keep_along({column, row}, net);
     }
@@ -231,7 +228,7 @@ class SchemeBuilder {
   void add_port(int element) {
     constexpr double kRowPrice = 0.5;
     constexpr double kWrongEnd = 30.0;
-    const SchemeElement& port = train_.elements[index(element)];
+    const SchemeElement& port = train_.elements[at(element)];
     const bool is_left = port.kind == SchemeElementKind::input;
     if (!groups_.contains(port.body)) {
       begin_at_end(port.body, is_left);
@@ -261,7 +258,7 @@ class SchemeBuilder {
   bool is_free(int column, int row) const { return router_.is_free_within({column, row}); }
 
   void add_clutch(int element) {
-    const SchemeElement& clutch = train_.elements[index(element)];
+    const SchemeElement& clutch = train_.elements[at(element)];
     for (const int body : {clutch.body, clutch.other}) {
       if (!groups_.contains(body)) {
         begin_at_end(body, body == clutch.body);
@@ -275,7 +272,7 @@ class SchemeBuilder {
   }
 
   void join_clutch(int element, GridCell left, bool is_turned) {
-    const SchemeElement& clutch = train_.elements[index(element)];
+    const SchemeElement& clutch = train_.elements[at(element)];
     const GridCell right = {left.column + 3, left.row};
     const GridCell at = is_turned ? right : left;
     const GridCell beyond = is_turned ? left : right;
@@ -334,29 +331,29 @@ class SchemeBuilder {
   // From here on places in pixels: tracks and outer rows in which nothing turns come together.
 
   void find_places() {
-    std::vector<bool> is_used(index(grid_.track_count()), false);
-    std::vector<bool> is_used_row(index(grid_.row_count()), false);
+    std::vector<bool> is_used(at(grid_.track_count()), false);
+    std::vector<bool> is_used_row(at(grid_.row_count()), false);
     for (const SchemeRouter::Step& step : router_.steps()) {
       if (step.from.column == step.to.column) {
-        is_used[index(step.from.column)] = true;
+        is_used[at(step.from.column)] = true;
       } else {
-        is_used_row[index(step.from.row)] = true;
+        is_used_row[at(step.from.row)] = true;
       }
     }
     for (const Symbol& symbol : symbols_) {
       for (const GridCell& cell : {symbol.at, symbol.beyond}) {
         const int column = std::clamp(cell.column, 0, grid_.track_count() - 1);
-        is_used[index(column)] = true;
-        is_used_row[index(std::min(cell.row, top_row()))] = true;
+        is_used[at(column)] = true;
+        is_used_row[at(std::min(cell.row, top_row()))] = true;
       }
       const bool is_clutch = std::abs(symbol.at.column - symbol.beyond.column) == 3;
       for (int i = 1; is_clutch && i < 3; ++i) {
-        is_used[index(std::min(symbol.at.column, symbol.beyond.column) + i)] = true;
+        is_used[at(std::min(symbol.at.column, symbol.beyond.column) + i)] = true;
       }
     }
     for (const Pin& pin : pins_) {
-      is_used[index(pin.left)] = true;
-      is_used[index(pin.right)] = true;
+      is_used[at(pin.left)] = true;
+      is_used[at(pin.right)] = true;
     }
     grid_.close_up(is_used, is_used_row);
   }
@@ -395,7 +392,7 @@ class SchemeBuilder {
                       .low = wheel(w).planet < 0 ? 0.0 : grid_.low(w),
                       .high = grid_.high(w)};
     const SchemeColumns& columns = grid_.columns();
-    for (int column = columns.first[index(w)]; column <= columns.last[index(w)]; ++column) {
+    for (int column = columns.first[at(w)]; column <= columns.last[at(w)]; ++column) {
       result.discs.push_back(grid_.x(grid_.centre(column)));
       if (wheel(w).planet < 0) {
         break;

@@ -5,15 +5,12 @@
 #include <limits>
 #include <set>
 
+#include "core/index.hpp"
 #include "core/tolerance.hpp"
 
 namespace kinestat {
 
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // A sum of radii and distances of pins that must vanish.
 struct Touch {
@@ -51,9 +48,9 @@ class RadiusFinder {
   }
 
  private:
-  std::size_t pin(int planet) const { return train_.wheels.size() + index(planet); }
+  std::size_t pin(int planet) const { return train_.wheels.size() + at(planet); }
 
-  const SchemeWheel& wheel(int i) const { return train_.wheels[index(i)]; }
+  const SchemeWheel& wheel(int i) const { return train_.wheels[at(i)]; }
 
   // A planet on another begins beyond it.
   void add_planets() {
@@ -102,12 +99,12 @@ class RadiusFinder {
       // y_outer - y_inner = r_inner + r_outer
       touch.terms = {{pin(wheel(outer).planet), 1.0},
                      {pin(wheel(inner).planet), -1.0},
-                     {index(inner), -1.0},
-                     {index(outer), -1.0}};
+                     {at(inner), -1.0},
+                     {at(outer), -1.0}};
     } else {
       // r = y ± r_planet
       const double side = wheel(inner).is_ring ? -1.0 : 1.0;
-      touch.terms = {{pin(wheel(outer).planet), -1.0}, {index(inner), 1.0}, {index(outer), side}};
+      touch.terms = {{pin(wheel(outer).planet), -1.0}, {at(inner), 1.0}, {at(outer), side}};
     }
     touches_.push_back(std::move(touch));
   }
@@ -150,9 +147,9 @@ class ColumnFinder {
       const int column = column_for(m);
       result_.mesh[m] = column;
       for (const int w : {train_.meshes[m].first, train_.meshes[m].second}) {
-        wheels_in_[index(column)].insert(w);
-        result_.first[index(w)] = std::min(result_.first[index(w)], column);
-        result_.last[index(w)] = std::max(result_.last[index(w)], column);
+        wheels_in_[at(column)].insert(w);
+        result_.first[at(w)] = std::min(result_.first[at(w)], column);
+        result_.last[at(w)] = std::max(result_.last[at(w)], column);
       }
     }
     result_.count = static_cast<int>(wheels_in_.size());
@@ -198,8 +195,8 @@ class ColumnFinder {
   bool are_joined(const SchemeMesh& a, const SchemeMesh& b) const {
     for (const int i : {a.first, a.second}) {
       for (const int j : {b.first, b.second}) {
-        const int planet = train_.wheels[index(i)].planet;
-        if (i == j || (planet >= 0 && planet == train_.wheels[index(j)].planet)) {
+        const int planet = train_.wheels[at(i)].planet;
+        if (i == j || (planet >= 0 && planet == train_.wheels[at(j)].planet)) {
           return true;
         }
       }
@@ -212,7 +209,7 @@ class ColumnFinder {
     const SchemeMesh& mesh = train_.meshes[m];
     const int set = sets_of_meshes()[m];
     for (int column = static_cast<int>(wheels_in_.size()) - 1; column >= 0; --column) {
-      const std::set<int>& wheels = wheels_in_[index(column)];
+      const std::set<int>& wheels = wheels_in_[at(column)];
       const bool shares = wheels.contains(mesh.first) || wheels.contains(mesh.second);
       if (shares && has_room(column, mesh.first) && has_room(column, mesh.second)) {
         return column;
@@ -224,17 +221,17 @@ class ColumnFinder {
   }
 
   bool has_room(int column, int wheel) const {
-    return std::ranges::all_of(wheels_in_[index(column)], [&](int other) {
+    return std::ranges::all_of(wheels_in_[at(column)], [&](int other) {
       return other == wheel || !overlap(span_of(wheel), span_of(other));
     });
   }
 
   // A sun keeps what is within it, a ring what is just beyond it.
   Span span_of(int i) const {
-    const SchemeWheel& wheel = train_.wheels[index(i)];
-    const double radius = radii_.wheels[index(i)];
+    const SchemeWheel& wheel = train_.wheels[at(i)];
+    const double radius = radii_.wheels[at(i)];
     if (wheel.planet >= 0) {
-      const double y = radii_.planets[index(wheel.planet)];
+      const double y = radii_.planets[at(wheel.planet)];
       return {.low = y - radius, .high = y + radius};
     }
     return wheel.is_ring ? Span{.low = radius, .high = 1.1 * radius}

@@ -15,7 +15,7 @@ namespace {
 
 using enum CouplingType;
 
-constexpr double kHalfBar = 4.0;  // [px]
+constexpr double kHalfRod = 4.0;  // [px]
 constexpr double kDegree = std::numbers::pi / 180;
 
 // Azimuth and elevation of the eye [degrees], the usual one first.
@@ -209,7 +209,7 @@ class SpatialDrawing {
     }
     std::vector<Round> rounds;
     for (const PixelPoint& p : places(body)) {
-      rounds.push_back({.centre = p, .radius = kHalfBar});
+      rounds.push_back({.centre = p, .radius = kHalfRod});
     }
     if (rounds.size() < 2) {
       return;
@@ -218,7 +218,7 @@ class SpatialDrawing {
     for (std::size_t i = 1; i < rounds.size(); ++i) {
       const PixelPoint from = rounds[i - 1].centre;
       const PixelPoint to = rounds[i].centre;
-      const PixelPoint side = kHalfBar * left_of(unit_of(to - from));
+      const PixelPoint side = kHalfRod * left_of(unit_of(to - from));
       canvas_.placer().keep_off(from + side, to + side);
       canvas_.placer().keep_off(from - side, to - side);
     }

@@ -77,7 +77,7 @@ std::string pareto_text(const PictureSource& source) {
   return gnuplot_text(pareto_of(source));
 }
 
-constexpr auto kKinds = std::to_array<PictureKind>({
+constexpr auto kStudyKinds = std::to_array<PictureKind>({
     {.name = "motion-curves",
      .sentence = "positions, velocities and more of a motion against its drive",
      .need = PictureNeed::motion,
@@ -106,7 +106,7 @@ constexpr auto kKinds = std::to_array<PictureKind>({
 }  // namespace
 
 std::span<const PictureKind> study_kinds() {
-  return kKinds;
+  return kStudyKinds;
 }
 
 }  // namespace kinestat

@@ -19,7 +19,7 @@ namespace kinestat {
 
 namespace {
 
-constexpr int kSteps = 24;
+constexpr int kCheckedSteps = 24;
 constexpr int kCoupler = 2;  // body, after the frame and the driver
 
 // One linkage and the drive of its best verdict.
@@ -117,7 +117,8 @@ class LinkageMover {
     BodyPose pose;
     if (*way != 0.0) {
       const MotionSolution solution = solve_motion(
-          network_, {.drives = {{.freedom = drive_, .from = 0.0, .to = *way}}, .steps = kSteps});
+          network_,
+          {.drives = {{.freedom = drive_, .from = 0.0, .to = *way}}, .steps = kCheckedSteps});
       if (solution.status != MotionStatus::completed) {
         return std::nullopt;
       }

@@ -16,8 +16,6 @@ namespace kinestat {
 
 namespace {
 
-constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-
 // The text that gives this number and no other.
 Expression expression_of(const Quantity& value) {
   const std::string unit = is_bare(value.dimension) ? "" : " " + si_unit_of(value.dimension);

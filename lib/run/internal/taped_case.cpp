@@ -12,7 +12,7 @@ namespace kinestat {
 namespace {
 
 // The magnitudes of one case that quantities, or the status of a row, need [SI].
-struct Side {
+struct TapedSide {
   NetworkSide side = NetworkSide::motion;
   std::vector<int> wanted;  ///< freedoms or actions, ascending
   std::vector<TapeNumber> numbers;
@@ -40,8 +40,8 @@ class CaseRecorder {
     const Case& which = one.which;
     const TapedPrimaries primaries = geometry_.rebinder->record_primaries(
         task_.chosen[place_], which, notes_.slots, notes_.recorder);
-    std::optional<Side> motion;
-    std::optional<Side> action;
+    std::optional<TapedSide> motion;
+    std::optional<TapedSide> action;
     if (one.motion) {
       motion = record_side(NetworkSide::motion, which.motions, primaries.motions);
     }
@@ -122,9 +122,9 @@ class CaseRecorder {
     return known;
   }
 
-  std::optional<Side> record_side(NetworkSide side,
-                                  const std::vector<Primary>& primaries,
-                                  const std::vector<std::optional<TapeNumber>>& values) {
+  std::optional<TapedSide> record_side(NetworkSide side,
+                                       const std::vector<Primary>& primaries,
+                                       const std::vector<std::optional<TapeNumber>>& values) {
     const Mechanism& mechanism = task_.mechanism;
     const bool is_motion = side == NetworkSide::motion;
     const std::vector<TapeNumber> known = known_of(side, primaries, values);
@@ -132,7 +132,7 @@ class CaseRecorder {
                                       ? motion_basis(mechanism.geometry, mechanism.kinematic_order)
                                       : action_basis(mechanism.geometry, mechanism.static_order);
     const TapedScrews& screws = *geometry_.screws;
-    Side result{.side = side, .wanted = wanted_of(side), .numbers = {}};
+    TapedSide result{.side = side, .wanted = wanted_of(side), .numbers = {}};
     auto numbers = record_network({.side = side,
                                    .topology = &topology_,
                                    .basis = &basis,
@@ -169,7 +169,7 @@ class CaseRecorder {
     return scaled(number, scale.denominator, above.factor());
   }
 
-  void add_columns(const Side& side, SweepQuantityKind kind) {
+  void add_columns(const TapedSide& side, SweepQuantityKind kind) {
     for (std::size_t q = 0; q < task_.quantities.size(); ++q) {
       const SweepQuantity& quantity = task_.quantities[q];
       if (quantity.kind == kind) {
@@ -180,7 +180,7 @@ class CaseRecorder {
     }
   }
 
-  std::vector<std::size_t> add_ends(const Side& side, const std::vector<int>& actuators) {
+  std::vector<std::size_t> add_ends(const TapedSide& side, const std::vector<int>& actuators) {
     std::vector<std::size_t> outputs;
     for (const int actuator : actuators) {
       outputs.push_back(notes_.add_output(side.number(index_of(side.side, actuator))));

@@ -13,8 +13,6 @@ namespace kinestat {
 
 namespace {
 
-constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-
 double finite(double value) {
   return std::isfinite(value) ? value : kNoValue;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -17,6 +18,9 @@
 namespace kinestat {
 
 struct SweepTask;
+
+/// What stands in a row where a quantity has no value.
+inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// Each worker has its own. After it was made it allocates nothing, but for combinations of
 /// `shift` that are no gears with the parameters of the file.

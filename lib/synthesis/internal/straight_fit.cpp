@@ -6,25 +6,11 @@
 #include <cstddef>
 
 #include "core/contract.hpp"
+#include "synthesis/internal/precise_vector.hpp"
 
 namespace kinestat {
 
 namespace {
-
-using Vector = std::array<BigFloat, 3>;
-
-template <std::size_t n>
-BigFloat dot(const std::array<BigFloat, n>& a, const std::array<BigFloat, n>& b) {
-  BigFloat sum(0);
-  for (std::size_t i = 0; i < n; ++i) {
-    sum += a[i] * b[i];
-  }
-  return sum;
-}
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 class StraightFitter {
  public:
@@ -92,8 +78,8 @@ class StraightFitter {
 
   // The normal equations, weighted: square * step = right.
   struct Equations {
-    std::array<Vector, 3> square{};
-    Vector right{};
+    std::array<PreciseVector, 3> square{};
+    PreciseVector right{};
   };
 
   Equations equations() const {
@@ -102,7 +88,7 @@ class StraightFitter {
     const std::array<PreciseRow, 3> changes = derivatives();
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       const BigFloat weight = 1 / (BigFloat(allowances_[r]) * allowances_[r]);
-      Vector slope;
+      PreciseVector slope;
       for (std::size_t i = 0; i < 3; ++i) {
         slope[i] = dot(rows_[r], changes[i]);
       }
@@ -121,9 +107,9 @@ class StraightFitter {
   // rows are its columns.
   bool step() {
     const auto [square, right] = equations();
-    const Vector one = cross(square[1], square[2]);
-    const Vector two = cross(square[2], square[0]);
-    const Vector three = cross(square[0], square[1]);
+    const PreciseVector one = cross(square[1], square[2]);
+    const PreciseVector two = cross(square[2], square[0]);
+    const PreciseVector three = cross(square[0], square[1]);
     const BigFloat divisor = dot(square[0], one);
     if (divisor == 0) {
       return false;

@@ -11,7 +11,7 @@ namespace kinestat {
 namespace {
 
 // Teeth of a planetary train, an angle and a length.
-std::vector<Parameter> parameters() {
+std::vector<Parameter> parameters_of_train() {
   const std::vector<std::pair<std::string, std::string>> lines = {
       {"N1", "24"}, {"N2", "18"}, {"N3", "60"}, {"zero", "0"}, {"alpha", "20 deg"}, {"r", "5 mm"}};
   std::vector<Parameter> result;
@@ -23,7 +23,8 @@ std::vector<Parameter> parameters() {
 
 template <class Number>
 std::variant<bool, ExpressionError> answer(std::string_view text) {
-  static const BasicParameterValues<Number> values = evaluate_parameters<Number>(parameters());
+  static const BasicParameterValues<Number> values =
+      evaluate_parameters<Number>(parameters_of_train());
   const auto parsed = parse_condition(text);
   if (const auto* error = std::get_if<ExpressionError>(&parsed)) {
     return *error;
@@ -159,7 +160,7 @@ TEST_P(ConditionFaults, AreNamedAtTheirPlace) {
   EXPECT_NE(error.hint.find(GetParam().hint), std::string::npos) << error.hint;
 }
 
-std::string name_of_fault(const testing::TestParamInfo<ConditionFault>& info) {
+std::string name_of_condition_fault(const testing::TestParamInfo<ConditionFault>& info) {
   return info.param.name;
 }
 
@@ -187,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
                        "E0308",
                        "chained",
                        "write 10 < N1 and N1 < N2 + 3"}),
-    name_of_fault);
+    name_of_condition_fault);
 
 INSTANTIATE_TEST_SUITE_P(
     Form,
@@ -220,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(
                        "E0210",
                        "nested too deeply",
                        ""}),
-    name_of_fault);
+    name_of_condition_fault);
 
 INSTANTIATE_TEST_SUITE_P(
     Values,
@@ -235,7 +236,7 @@ INSTANTIATE_TEST_SUITE_P(
                     ConditionFault{"unknown_name", "N1 == N9", 6, 2, "E0311", "'N9'", "'N1'"},
                     ConditionFault{
                         "division", "2 < 1/(N1 - 24)", 7, 7, "E0316", "division by zero", ""}),
-    name_of_fault);
+    name_of_condition_fault);
 
 TEST(Condition, LongChainOfConnectivesIsRead) {
   std::string text = "1<2";

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <variant>
 #include <vector>
@@ -9,25 +8,25 @@
 #include "expression/evaluate.hpp"
 #include "expression/parameters.hpp"
 #include "math/dual.hpp"
+#include "support/angles.hpp"
 
 namespace kinestat {
 namespace {
 
 using DualQuantity = BasicQuantity<Dual>;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kTight = 1e-14;
 
 // x = 3, y = 4 m.
-const DualQuantity* lookup(std::string_view name) {
+const DualQuantity* variable_named(std::string_view name) {
   static const DualQuantity x{make_variable(3.0, 0, 2), {}};
   static const DualQuantity y{make_variable(4.0, 1, 2), {1, 0, 0, 0}};
   return name == "x" ? &x : name == "y" ? &y : nullptr;
 }
 
-DualQuantity evaluated(std::string_view text) {
+DualQuantity with_derivatives(std::string_view text) {
   const auto parsed = parse_expression(text);
-  auto result = evaluate<Dual>(std::get<Expression>(parsed), lookup);
+  auto result = evaluate<Dual>(std::get<Expression>(parsed), variable_named);
   if (const auto* error = std::get_if<ExpressionError>(&result)) {
     ADD_FAILURE() << text << ": " << error->message;
     return {};
@@ -45,7 +44,7 @@ struct DerivativeCase {
 class Derivatives : public testing::TestWithParam<DerivativeCase> {};
 
 TEST_P(Derivatives, AreThoseOfTheTextbook) {
-  const Dual number = evaluated(GetParam().text).value;
+  const Dual number = with_derivatives(GetParam().text).value;
 
   EXPECT_NEAR(derivative(number, 0), GetParam().by_x, kTight);
   EXPECT_NEAR(derivative(number, 1), GetParam().by_y, kTight);
@@ -93,21 +92,21 @@ INSTANTIATE_TEST_SUITE_P(Kinks,
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST(EvaluateDual, ValueIsThatOfDouble) {
-  EXPECT_EQ(evaluated("x*6 mm").value.value, 3.0 * 0.006);
+  EXPECT_EQ(with_derivatives("x*6 mm").value.value, 3.0 * 0.006);
 }
 
 TEST(EvaluateDual, DimensionIsKept) {
-  EXPECT_EQ(evaluated("y^2").dimension, (Dimension{2, 0, 0, 0}));
+  EXPECT_EQ(with_derivatives("y^2").dimension, (Dimension{2, 0, 0, 0}));
 }
 
 TEST(EvaluateDual, RootOfZeroHasNoDerivative) {
-  EXPECT_FALSE(is_differentiable(evaluated("sqrt(x - 3)").value));
+  EXPECT_FALSE(is_differentiable(with_derivatives("sqrt(x - 3)").value));
 }
 
 TEST(EvaluateDual, ErrorIsThatOfDouble) {
   const auto parsed = parse_expression("1/(x - 3)");
 
-  const auto result = evaluate<Dual>(std::get<Expression>(parsed), lookup);
+  const auto result = evaluate<Dual>(std::get<Expression>(parsed), variable_named);
 
   EXPECT_EQ(std::get<ExpressionError>(result).message, "division by zero");
 }
@@ -118,13 +117,14 @@ TEST(EvaluateDual, BareNumberTakesTheUnitOfTheFile) {
   const auto parsed = parse_expression("2*x");
 
   const auto result =
-      evaluate_as<Dual>(QuantityKind::length, std::get<Expression>(parsed), units, lookup);
+      evaluate_as<Dual>(QuantityKind::length, std::get<Expression>(parsed), units, variable_named);
 
   EXPECT_NEAR(std::get<Dual>(result).value, 6e-3, kTight);
   EXPECT_NEAR(derivative(std::get<Dual>(result), 0), 2e-3, kTight);
 }
 
-std::vector<Parameter> parameters(const std::vector<std::pair<std::string, std::string>>& lines) {
+std::vector<Parameter> parameters_of_lines(
+    const std::vector<std::pair<std::string, std::string>>& lines) {
   std::vector<Parameter> result;
   for (const auto& [name, value] : lines) {
     result.push_back({name, std::get<Expression>(parse_expression(value)), {}, {}});
@@ -133,7 +133,8 @@ std::vector<Parameter> parameters(const std::vector<std::pair<std::string, std::
 }
 
 TEST(EvaluateDual, ParametersPassTheirDerivativesOn) {
-  const auto list = parameters({{"area", "width*height"}, {"width", "2"}, {"height", "5"}});
+  const auto list =
+      parameters_of_lines({{"area", "width*height"}, {"width", "2"}, {"height", "5"}});
   const std::vector<int> variables = {2, 1};
 
   const auto values = evaluate_parameters(list, variables);
@@ -144,7 +145,7 @@ TEST(EvaluateDual, ParametersPassTheirDerivativesOn) {
 }
 
 TEST(EvaluateDual, VariablesThatUseOthersFollowThem) {
-  const auto list = parameters({{"a", "3"}, {"b", "2*a"}, {"c", "a*b"}});
+  const auto list = parameters_of_lines({{"a", "3"}, {"b", "2*a"}, {"c", "a*b"}});
   const std::vector<int> variables = {0, 1};
 
   const auto values = evaluate_parameters(list, variables);
@@ -156,7 +157,7 @@ TEST(EvaluateDual, VariablesThatUseOthersFollowThem) {
 }
 
 TEST(EvaluateDual, ParameterErrorsAreThoseOfDouble) {
-  const auto list = parameters({{"a", "b"}, {"b", "a"}, {"c", "1/0"}});
+  const auto list = parameters_of_lines({{"a", "b"}, {"b", "a"}, {"c", "1/0"}});
   const std::vector<int> variables = {2};
 
   const auto values = evaluate_parameters(list, variables);

@@ -7,10 +7,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/angles.hpp"
+
 namespace kinestat {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr Dimension kBare{};
 constexpr Dimension kLength{1, 0, 0, 0};
 constexpr Dimension kAngle{0, 0, 0, 1};

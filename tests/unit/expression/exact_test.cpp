@@ -13,18 +13,18 @@ namespace {
 
 using ExactQuantity = BasicQuantity<Exact>;
 
-const ExactQuantity* lookup(std::string_view name) {
+const ExactQuantity* exact_parameter(std::string_view name) {
   static const ExactQuantity teeth{{24.0, PiRational{Rational(24), 0}}, {}};
   static const ExactQuantity root{{1.4142135623730951, std::nullopt}, {}};
   return name == "N1" ? &teeth : name == "root" ? &root : nullptr;
 }
 
-std::variant<ExactQuantity, ExpressionError> evaluated(std::string_view text) {
+std::variant<ExactQuantity, ExpressionError> exactly_evaluated(std::string_view text) {
   auto parsed = parse_expression(text);
   if (const auto* error = std::get_if<ExpressionError>(&parsed)) {
     return *error;
   }
-  return evaluate<Exact>(std::get<Expression>(parsed), lookup);
+  return evaluate<Exact>(std::get<Expression>(parsed), exact_parameter);
 }
 
 struct ExactCase {
@@ -37,7 +37,7 @@ struct ExactCase {
 class ExactValues : public testing::TestWithParam<ExactCase> {};
 
 TEST_P(ExactValues, AreFractionsTimesPowersOfPi) {
-  const auto result = evaluated(GetParam().text);
+  const auto result = exactly_evaluated(GetParam().text);
 
   ASSERT_TRUE(std::holds_alternative<ExactQuantity>(result))
       << std::get<ExpressionError>(result).message;
@@ -157,7 +157,7 @@ struct InexactCase {
 class InexactValues : public testing::TestWithParam<InexactCase> {};
 
 TEST_P(InexactValues, AreThoseOfDouble) {
-  const auto result = evaluated(GetParam().text);
+  const auto result = exactly_evaluated(GetParam().text);
 
   ASSERT_TRUE(std::holds_alternative<ExactQuantity>(result))
       << std::get<ExpressionError>(result).message;
@@ -191,11 +191,12 @@ INSTANTIATE_TEST_SUITE_P(Table,
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST(Exact, ValueIsThatOfDouble) {
-  EXPECT_EQ(std::get<ExactQuantity>(evaluated("0.1 + 0.2")).value.value, 0.1 + 0.2);
+  EXPECT_EQ(std::get<ExactQuantity>(exactly_evaluated("0.1 + 0.2")).value.value, 0.1 + 0.2);
 }
 
 TEST(Exact, DimensionIsKept) {
-  EXPECT_EQ(std::get<ExactQuantity>(evaluated("3 mm^2/2")).dimension, (Dimension{2, 0, 0, 0}));
+  EXPECT_EQ(std::get<ExactQuantity>(exactly_evaluated("3 mm^2/2")).dimension,
+            (Dimension{2, 0, 0, 0}));
 }
 
 struct SharedFault {

@@ -7,9 +7,8 @@
 namespace kinestat {
 namespace {
 
-using enum QuantityKind;
-
 TEST(FileUnits, DefaultTextsAreSi) {
+  using enum QuantityKind;
   const FileUnits units;
 
   EXPECT_EQ(units.text(length), "m");
@@ -29,6 +28,7 @@ TEST(FileUnits, DefaultFactorsAreOne) {
 }
 
 TEST(FileUnits, VelocityFollowsLengthAndTime) {
+  using enum QuantityKind;
   FileUnits units;
 
   units.set(length, "mm");
@@ -39,6 +39,7 @@ TEST(FileUnits, VelocityFollowsLengthAndTime) {
 }
 
 TEST(FileUnits, AccelerationDividesByTheTimeTwice) {
+  using enum QuantityKind;
   FileUnits units;
 
   units.set(QuantityKind::time, "min");
@@ -48,6 +49,7 @@ TEST(FileUnits, AccelerationDividesByTheTimeTwice) {
 }
 
 TEST(FileUnits, VelocityThatWasSetStays) {
+  using enum QuantityKind;
   FileUnits units;
 
   units.set(velocity, "km/h");
@@ -58,6 +60,7 @@ TEST(FileUnits, VelocityThatWasSetStays) {
 }
 
 TEST(FileUnits, AngularVelocityDoesNotFollowTheAngle) {
+  using enum QuantityKind;
   FileUnits units;
 
   units.set(angle, "deg");
@@ -67,6 +70,7 @@ TEST(FileUnits, AngularVelocityDoesNotFollowTheAngle) {
 }
 
 TEST(FileUnits, PitchAndLeadFollowTheLength) {
+  using enum QuantityKind;
   FileUnits units;
 
   units.set(length, "mm");
@@ -77,6 +81,7 @@ TEST(FileUnits, PitchAndLeadFollowTheLength) {
 }
 
 TEST(FileUnits, AngularStiffnessFollowsTheMoment) {
+  using enum QuantityKind;
   FileUnits units;
 
   units.set(moment, "N*mm");
@@ -86,6 +91,7 @@ TEST(FileUnits, AngularStiffnessFollowsTheMoment) {
 }
 
 TEST(FileUnits, FromSiGivesTheFilesNumber) {
+  using enum QuantityKind;
   FileUnits units;
 
   units.set(angle, "deg");
@@ -94,6 +100,7 @@ TEST(FileUnits, FromSiGivesTheFilesNumber) {
 }
 
 TEST(FileUnits, UnitOfAnotherDimensionIsRefused) {
+  using enum QuantityKind;
   FileUnits units;
 
   const auto error = units.set(length, "deg");
@@ -104,6 +111,7 @@ TEST(FileUnits, UnitOfAnotherDimensionIsRefused) {
 }
 
 TEST(FileUnits, RefusedUnitChangesNothing) {
+  using enum QuantityKind;
   FileUnits units;
 
   units.set(length, "deg");
@@ -112,6 +120,7 @@ TEST(FileUnits, RefusedUnitChangesNothing) {
 }
 
 TEST(FileUnits, TextThatIsNoUnitIsRefused) {
+  using enum QuantityKind;
   FileUnits units;
 
   const auto error = units.set(length, "MM");
@@ -121,6 +130,7 @@ TEST(FileUnits, TextThatIsNoUnitIsRefused) {
 }
 
 TEST(FileUnits, AngularVelocityNeedsAnAngle) {
+  using enum QuantityKind;
   FileUnits units;
 
   EXPECT_TRUE(units.set(angular_velocity, "1/s").has_value());

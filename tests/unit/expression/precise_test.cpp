@@ -18,7 +18,7 @@ const PreciseQuantity* no_name(std::string_view /*name*/) {
   return nullptr;
 }
 
-PreciseQuantity evaluated(std::string_view text) {
+PreciseQuantity precisely_evaluated(std::string_view text) {
   return std::get<PreciseQuantity>(
       evaluate<Precise>(std::get<Expression>(parse_expression(text)), no_name));
 }
@@ -32,7 +32,7 @@ struct PreciseCase {
 class PreciseValues : public testing::TestWithParam<PreciseCase> {};
 
 TEST_P(PreciseValues, HaveTheDigitsOfTheTables) {
-  const Precise number = evaluated(GetParam().text).value;
+  const Precise number = precisely_evaluated(GetParam().text).value;
 
   ASSERT_TRUE(number.precise.has_value());
   const BigFloat expected(GetParam().digits);
@@ -88,15 +88,15 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& one) { return one.param.name; });
 
 TEST(Precise, HasAHundredDigits) {
-  const Precise third = evaluated("1/3").value;
+  const Precise third = precisely_evaluated("1/3").value;
 
   EXPECT_LT(abs(3 * *third.precise - 1), BigFloat("1e-99"));
 }
 
 // Doubles divide by a rounding error of 5.6e-17 here.
 TEST(Precise, IsEmptyWhereOnlyRoundingGivesAValue) {
-  EXPECT_FALSE(evaluated("1/(0.1 + 0.2 - 0.3)").value.precise.has_value());
-  EXPECT_FALSE(evaluated("2*ln(0.1 + 0.2 - 0.3)").value.precise.has_value());
+  EXPECT_FALSE(precisely_evaluated("1/(0.1 + 0.2 - 0.3)").value.precise.has_value());
+  EXPECT_FALSE(precisely_evaluated("2*ln(0.1 + 0.2 - 0.3)").value.precise.has_value());
 }
 
 TEST(Precise, FollowsThroughParameters) {

@@ -16,11 +16,11 @@ namespace kinestat {
 
 namespace {
 
-constexpr Dimension kLength{1, 0, 0, 0};
+constexpr Dimension kLengthDimension{1, 0, 0, 0};
 
 // x and y are bare numbers, l is a length; c is a bare number that does not vary.
 const std::vector<std::string> kNames = {"x", "y", "l", "c"};
-const std::vector<Dimension> kDimensions = {{}, {}, kLength, {}};
+const std::vector<Dimension> kDimensions = {{}, {}, kLengthDimension, {}};
 constexpr double kConstant = 0.1;
 
 SlotExpression slotted(const std::string& text) {

@@ -1,8 +1,8 @@
 #include "expression/units.hpp"
 
-#include <numbers>
-
 #include <gtest/gtest.h>
+
+#include "support/angles.hpp"
 
 namespace kinestat {
 namespace {
@@ -26,8 +26,6 @@ TEST_P(UnitTable, HasItsSizeAndDimension) {
   EXPECT_EQ(unit.dimension, GetParam().dimension);
   EXPECT_EQ(unit.text, GetParam().text);
 }
-
-constexpr double kPi = std::numbers::pi;
 
 // Sizes from the definitions of the SI brochure; the inch is exactly 25.4 mm.
 INSTANTIATE_TEST_SUITE_P(

@@ -43,20 +43,20 @@ constexpr const char* kSliderCrank =
     "    input: [drive]\n"
     "    output: [load]\n";
 
-MechanismDescription read(const std::string& text) {
+MechanismDescription read_back(const std::string& text) {
   auto reading = read_text(text, read_mechanism);
   EXPECT_EQ(reading.complaints(), Complaints{});
   return reading.value.value_or(MechanismDescription{});
 }
 
 TEST(MechanismWriter, WritesWhatReadsBackAsTheSame) {
-  EXPECT_EQ(mechanism_text(read(kSliderCrank), {}), kSliderCrank);
+  EXPECT_EQ(mechanism_text(read_back(kSliderCrank), {}), kSliderCrank);
 }
 
 TEST(MechanismWriter, WritesOnlyUnitsThatOthersDoNotImply) {
-  const MechanismDescription given = read(kSliderCrank);
+  const MechanismDescription given = read_back(kSliderCrank);
 
-  const MechanismDescription written = read(mechanism_text(given, {}));
+  const MechanismDescription written = read_back(mechanism_text(given, {}));
 
   for (const QuantityKind kind : all_quantity_kinds()) {
     EXPECT_EQ(written.units.text(kind), given.units.text(kind));
@@ -67,14 +67,14 @@ TEST(MechanismWriter, WritesOnlyUnitsThatOthersDoNotImply) {
 TEST(MechanismWriter, PutsTheHeadInCommentsThatStayComments) {
   const std::vector<std::string> head = {"First line", "", "second\nkinestat: 2"};
 
-  const std::string text = mechanism_text(read(kSliderCrank), head);
+  const std::string text = mechanism_text(read_back(kSliderCrank), head);
 
   EXPECT_TRUE(text.starts_with("# First line\n#\n# second\\x0Akinestat: 2\nkinestat: 1\n")) << text;
-  read(text);
+  read_back(text);
 }
 
 TEST(MechanismWriter, RefusesWhatItWouldLeaveOut) {
-  MechanismDescription description = read(kSliderCrank);
+  MechanismDescription description = read_back(kSliderCrank);
   description.sweep.emplace();
 
   EXPECT_THROW(mechanism_text(description, {}), ContractViolation);

@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(
                              "1:4+3 4"},
                     YamlCase{"BehindCarriageReturns", "b: é\r\n\r\na: x y\r\n", "3:4+3 4"},
                     YamlCase{"QuotesBeforeACarriageReturn", "a: 'x\r\n  y'\r\n", "1:4+2 0"}),
-    name_of);
+    name_of_case);
 
 TEST(Place, OfAKeyIncludesItsQuotes) {
   const YamlNode root = read("x: {é: 1, 'b c': 2}\n");

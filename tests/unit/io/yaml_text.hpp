@@ -52,7 +52,7 @@ struct YamlCase {
   std::string expected;
 };
 
-inline std::string name_of(const testing::TestParamInfo<YamlCase>& info) {
+inline std::string name_of_case(const testing::TestParamInfo<YamlCase>& info) {
   return info.param.name;
 }
 

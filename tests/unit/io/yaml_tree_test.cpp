@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
         YamlCase{"Json", "{\"a\":[1,\"b\"],\"c\":{\"d\":null}}", "{a: [1, 'b'], c: {d: ~}}"},
         YamlCase{"JsonIndentedByTabs", "{\n\t\"a\": 1\n}\n", "{a: 1}"},
         YamlCase{"DocumentMarks", "%YAML 1.2\n---\na: 1\n...\n", "{a: 1}"}),
-    name_of);
+    name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(
     Scalars,
@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
         YamlCase{"ContinuedPlainTextWithMarks", "a: x\n  'y [\n  } z\n", "{a: x 'y [ } z}"},
         YamlCase{"Comments", "# [ { '\na: 1 # ] } \"\n# end", "{a: 1}"},
         YamlCase{"CommentBehindBracket", "a: [1] # it's\n", "{a: [1]}"}),
-    name_of);
+    name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(
     Aliases,
@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(
                     YamlCase{"OfAnAlias", "a: &x 1\nb: &y [*x]\nc: *y\n", "{a: 1, b: [1], c: [1]}"},
                     YamlCase{"AnchorUsedAnew", "a: &x 1\nb: &x 2\nc: *x\n", "{a: 1, b: 2, c: 2}"},
                     YamlCase{"AsAKey", "a: &x b\n*x : 1\n", "{a: b, b: 1}"}),
-    name_of);
+    name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(
     Encodings,
@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
                              "{a: 'x\ny\n', b: [1, 2], c: p q}"},
                     YamlCase{"NoLineEndAtTheEnd", "a: 1", "{a: 1}"},
                     YamlCase{"OtherScripts", "привет: día\n", "{привет: día}"}),
-    name_of);
+    name_of_case);
 
 class Refused : public testing::TestWithParam<YamlCase> {};
 
@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "a: 1\n...\nb: 2...\n",
                  "E0204 3:1+1 this stands behind the end of the document "
                  "(note 2:1+3 the document ends here)"}),
-    name_of);
+    name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(
     Keys,
@@ -172,7 +172,7 @@ INSTANTIATE_TEST_SUITE_P(
         YamlCase{"WithoutColon", "a: 1\nkey\n", "E0204 2:1+3 'key' has no ':' behind it"},
         YamlCase{
             "WithoutColonAtTheEnd", "a:\n  b: 1\n  key", "E0204 3:3+3 'key' has no ':' behind it"}),
-    name_of);
+    name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(
     Features,
@@ -201,7 +201,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "&x\na: *x\n",
                  "E0209 2:4+2 alias '*x' stands inside what it names "
                  "(note 2:1+1 the anchored value begins here)"}),
-    name_of);
+    name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(
     Brackets,
@@ -223,7 +223,7 @@ INSTANTIATE_TEST_SUITE_P(
         YamlCase{"OneTooMany", "a: {b: 1}}\n", "E0204 1:10+1 '}' closes nothing"},
         YamlCase{"MissingComma", "a: {b: 1 c: 2}\n", "E0204 1:11+1 expected ',' or '}' before ':'"},
         YamlCase{"TextBehindAQuote", "a: ['b' c]\n", "E0204 1:9+1 expected ',' or ']' before 'c'"}),
-    name_of);
+    name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(
     Quotes,
@@ -268,7 +268,7 @@ INSTANTIATE_TEST_SUITE_P(
         YamlCase{"EscapeThatTheParserGarbles",
                  "a: \"\\N\"\n",
                  "E0203 1:5+2 escape '\\N' cannot stand in a text"}),
-    name_of);
+    name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(
     Indentation,
@@ -300,7 +300,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "a\nb: 1\n",
                  "E0204 1:1+1 this line has no ':' behind its key"},
         YamlCase{"TwoColons", "a: b: c\n", "E0204 1:5+1 ':' cannot stand here"}),
-    name_of);
+    name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(
     Signs,
@@ -313,7 +313,7 @@ INSTANTIATE_TEST_SUITE_P(
         YamlCase{"Version", "%YAML 3.0\n---\na: 1\n", "E0204 1:1+1 YAML major version too large"},
         YamlCase{"BlockHeader", "a: |x\n  y\n", "E0204 1:5+1 'x' cannot stand behind '|' or '>'"},
         YamlCase{"InvalidBytes", "a: \xFF\n", "E0202 1:4+1 byte 0xFF at offset 3 is not UTF-8"}),
-    name_of);
+    name_of_case);
 
 TEST(Yaml, ReportsSeveralMistakesAtOnce) {
   EXPECT_EQ(complaints("a: !x 1\na: 2\n<<: 3\n"),

@@ -9,6 +9,7 @@
 
 #include "math/rational.hpp"
 #include "support/random.hpp"
+#include "unit/math/exact_value.hpp"
 
 namespace kinestat {
 namespace {
@@ -16,14 +17,6 @@ namespace {
 // What the type promises under the flags that the project is built with. A compiler that fuses
 // products and sums, or reorders them, leaves 1e-16.
 const Rational kPromise = *read_decimal("1e-30");
-
-Rational exact(double value) {
-  return Rational(value);
-}
-
-Rational exact(DoubleDouble value) {
-  return Rational(value.high) + Rational(value.low);
-}
 
 // Whether `actual` is `expected` to 1e-30 of it and its parts do not overlap.
 ::testing::AssertionResult is_right(DoubleDouble actual, const Rational& expected) {

@@ -8,6 +8,7 @@
 
 #include "support/near.hpp"
 #include "support/random.hpp"
+#include "unit/math/sparse.hpp"
 
 namespace kinestat {
 namespace {
@@ -15,18 +16,6 @@ namespace {
 /// Two solvers of a random system of 40 unknowns may differ by 1e-16 of rounding times a condition
 /// number of 1e6.
 constexpr double kTwoWays = 1e-10;
-
-SparseMatrix sparse(const MatX& dense) {
-  SparseMatrix matrix{.rows = static_cast<int>(dense.rows()),
-                      .columns = static_cast<int>(dense.cols()),
-                      .entries = {}};
-  for (int r = 0; r < matrix.rows; ++r) {
-    for (int c = 0; c < matrix.columns; ++c) {
-      matrix.add(r, c, dense(r, c));
-    }
-  }
-  return matrix;
-}
 
 MatX rows_of(std::initializer_list<std::initializer_list<double>> rows) {
   MatX result(static_cast<Eigen::Index>(rows.size()),

@@ -10,25 +10,11 @@
 
 #include "math/exact_elimination.hpp"
 #include "support/random.hpp"
+#include "unit/math/exact_value.hpp"
+#include "unit/math/sparse.hpp"
 
 namespace kinestat {
 namespace {
-
-SparseMatrix sparse(const MatX& dense) {
-  SparseMatrix matrix{.rows = static_cast<int>(dense.rows()),
-                      .columns = static_cast<int>(dense.cols()),
-                      .entries = {}};
-  for (int r = 0; r < matrix.rows; ++r) {
-    for (int c = 0; c < matrix.columns; ++c) {
-      matrix.add(r, c, dense(r, c));
-    }
-  }
-  return matrix;
-}
-
-Rational exact(DoubleDouble value) {
-  return Rational(value.high) + Rational(value.low);
-}
 
 // A chain of stages x_i = ratio x_(i - 1), driven with 1.
 SparseMatrix chain(int stages, double ratio) {
@@ -115,7 +101,7 @@ struct Family {
 };
 
 // About three entries a row, and the diagonal.
-MatX random_sparse(int size, Random& random) {
+MatX random_with_diagonal(int size, Random& random) {
   MatX result = MatX::Zero(size, size);
   for (int r = 0; r < size; ++r) {
     for (int i = 0; i < 3; ++i) {
@@ -135,7 +121,7 @@ double power_of_ten(double decades, Random& random) {
 }
 
 MatX random_scales(int size, Random& random) {
-  MatX result = random_sparse(size, random);
+  MatX result = random_with_diagonal(size, random);
   for (int i = 0; i < size; ++i) {
     result.row(i) *= power_of_ten(9.0, random);
     result.col(i) *= power_of_ten(3.0, random);
@@ -145,7 +131,7 @@ MatX random_scales(int size, Random& random) {
 
 // The last row nearly combines others: by 1e-1 to 1e-9.
 MatX nearly_singular(int size, Random& random) {
-  MatX result = random_sparse(size, random);
+  MatX result = random_with_diagonal(size, random);
   VecX last = VecX::Zero(size);
   for (int i = 0; i < 3; ++i) {
     last += random.magnitude() * result.row(random.whole(0, size - 2)).transpose();
@@ -159,7 +145,7 @@ MatX nearly_singular(int size, Random& random) {
 }
 
 // Condition 1e3 to 1e10.
-MatX hilbert(int size, Random& /*random*/) {
+MatX small_hilbert(int size, Random& /*random*/) {
   const int order = 3 + size % 6;
   return MatX::NullaryExpr(
       order, order, [](Eigen::Index r, Eigen::Index c) { return 1.0 / double(r + c + 1); });
@@ -259,11 +245,11 @@ class RefinedSolves : public ::testing::TestWithParam<Family> {
 
 INSTANTIATE_TEST_SUITE_P(Family,
                          RefinedSolves,
-                         ::testing::Values(Family{"sparse", random_sparse},
+                         ::testing::Values(Family{"sparse", random_with_diagonal},
                                            Family{"dense", random_dense},
                                            Family{"scales", random_scales},
                                            Family{"nearly_singular", nearly_singular},
-                                           Family{"hilbert", hilbert},
+                                           Family{"small_hilbert", small_hilbert},
                                            Family{"banded", banded},
                                            Family{"whole_numbers", whole_numbers},
                                            Family{"long_chain", long_chain}),

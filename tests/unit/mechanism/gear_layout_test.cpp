@@ -7,7 +7,7 @@
 namespace kinestat {
 namespace {
 
-constexpr double kClose = 1e-12;
+constexpr double kSameRadius = 1e-12;
 
 // A sun, a ring, and a planet on both, of module 2.
 GearTrain plain_train() {
@@ -28,9 +28,9 @@ GearNumbers plain_numbers(double sun, double planet, double ring) {
 }
 
 void expect_point(const Vec3& actual, double x, double y, double z) {
-  EXPECT_NEAR(actual.x(), x, kClose);
-  EXPECT_NEAR(actual.y(), y, kClose);
-  EXPECT_NEAR(actual.z(), z, kClose);
+  EXPECT_NEAR(actual.x(), x, kSameRadius);
+  EXPECT_NEAR(actual.y(), y, kSameRadius);
+  EXPECT_NEAR(actual.z(), z, kSameRadius);
 }
 
 TEST(GearLayout, PutsThePlanetOnYAtHalfTheTeethTimesTheModule) {
@@ -47,9 +47,9 @@ TEST(GearLayout, PutsThePlanetOnYAtHalfTheTeethTimesTheModule) {
 TEST(GearLayout, DividesTheMeanDistanceInTheRatioOfTeeth) {
   const auto layout = find_layout<double>(plain_train(), plain_numbers(30, 23, 78));
 
-  EXPECT_NEAR(*layout->meshes[0].asked, 53.0, kClose);
-  EXPECT_NEAR(*layout->meshes[1].asked, 55.0, kClose);
-  EXPECT_NEAR(layout->meshes[0].distance, 54.0, kClose);
+  EXPECT_NEAR(*layout->meshes[0].asked, 53.0, kSameRadius);
+  EXPECT_NEAR(*layout->meshes[1].asked, 55.0, kSameRadius);
+  EXPECT_NEAR(layout->meshes[0].distance, 54.0, kSameRadius);
   expect_point(layout->meshes[0].pitch_point, 0.0, 54.0 * 30 / 53, 0.0);
   expect_point(layout->meshes[1].pitch_point, 0.0, 54.0 * 78 / 55, 5.0);
 }
@@ -115,8 +115,8 @@ TEST(GearLayout, HasDerivativesTowardsNumbersOfTeeth) {
   numbers.at = {Dual(0.0), Dual(0.0)};
   const auto layout = find_layout<Dual>(plain_train(), numbers);
 
-  EXPECT_NEAR(derivative(layout->centres[0][1], 0), 0.5, kClose);
-  EXPECT_NEAR(derivative(layout->centres[0][1], 1), 0.0, kClose);
+  EXPECT_NEAR(derivative(layout->centres[0][1], 0), 0.5, kSameRadius);
+  EXPECT_NEAR(derivative(layout->centres[0][1], 1), 0.0, kSameRadius);
 }
 
 }  // namespace

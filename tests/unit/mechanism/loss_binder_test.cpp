@@ -26,11 +26,11 @@ const std::string kTrain =
     "            R: {body: ring, teeth: 80, internal: true}}\n"
     "  meshes: {s: {members: [S, P], carrier: carrier}, r: {members: [R, P], carrier: carrier}}\n";
 
-struct Bound {
+struct BoundLosses {
   Diagnostics found;
   std::vector<LossyMesh> meshes;
 
-  explicit Bound(const std::string& losses, const std::string& train = kTrain) {
+  explicit BoundLosses(const std::string& losses, const std::string& train = kTrain) {
     const auto root = read_yaml({.path = "test.yaml", .text = train + losses}, ReadLimits{}, found);
     const auto description = root ? read_mechanism(*root, found) : std::nullopt;
     EXPECT_TRUE(description.has_value());
@@ -44,7 +44,7 @@ struct Bound {
 };
 
 TEST(LossBinder, TakesTheKindOfEachMesh) {
-  const Bound bound("losses: {gear_external: 0.02, gear_internal: {eta: 0.99}}\n");
+  const BoundLosses bound("losses: {gear_external: 0.02, gear_internal: {eta: 0.99}}\n");
 
   ASSERT_EQ(bound.meshes.size(), 2U);
   EXPECT_EQ(bound.meshes[0].coupling, CouplingId{1});
@@ -53,7 +53,7 @@ TEST(LossBinder, TakesTheKindOfEachMesh) {
 }
 
 TEST(LossBinder, PrefersTheLossOfTheMeshItself) {
-  const Bound bound("losses: {gear_external: 0.02, meshes: {s: {loss: 0.015}}}\n");
+  const BoundLosses bound("losses: {gear_external: 0.02, meshes: {s: {loss: 0.015}}}\n");
 
   ASSERT_EQ(bound.meshes.size(), 1U);
   EXPECT_EQ(bound.share(0), 0.015);
@@ -61,23 +61,23 @@ TEST(LossBinder, PrefersTheLossOfTheMeshItself) {
 
 // A loss of nothing makes an efficiency of one; where no loss is given there is none.
 TEST(LossBinder, KeepsMeshesThatLoseNothing) {
-  const Bound bound("losses: {gear_external: 0, gear_internal: {eta: 1}}\n");
+  const BoundLosses bound("losses: {gear_external: 0, gear_internal: {eta: 1}}\n");
 
   EXPECT_EQ(bound.share(0), 0.0);
   EXPECT_EQ(bound.share(1), 0.0);
-  EXPECT_TRUE(Bound("losses: {}\n").meshes.empty());
+  EXPECT_TRUE(BoundLosses("losses: {}\n").meshes.empty());
 }
 
 // k (1/20 + 1/30) and k (1/30 - 1/80).
 TEST(LossBinder, FindsLossesFromTeeth) {
-  const Bound bound("losses: {gear_external: {k: 0.24}, gear_internal: {k: 0.24}}\n");
+  const BoundLosses bound("losses: {gear_external: {k: 0.24}, gear_internal: {k: 0.24}}\n");
 
   EXPECT_NEAR(bound.share(0), 0.02, 1e-16);
   EXPECT_NEAR(bound.share(1), 0.005, 1e-16);
 }
 
 TEST(LossBinder, RefusesTeethThatLeaveNothing) {
-  const Bound bound("losses: {gear_external: {k: 12}}\n");
+  const BoundLosses bound("losses: {gear_external: {k: 12}}\n");
 
   EXPECT_EQ(complaints_of(bound.found),
             (Complaints{"15:29 E0305 'k' of the loss of mesh 's' cannot be 12: with its teeth the "
@@ -86,7 +86,7 @@ TEST(LossBinder, RefusesTeethThatLeaveNothing) {
 
 TEST(LossBinder, FindsNoTeethOnAGearWrittenByHand) {
   const std::size_t gears = kTrain.find("gears:");
-  const Bound bound("losses: {gear_external: {k: 0.2}}\n", kTrain.substr(0, gears));
+  const BoundLosses bound("losses: {gear_external: {k: 0.2}}\n", kTrain.substr(0, gears));
 
   EXPECT_EQ(complaints_of(bound.found),
             (Complaints{"10:29 E0303 mesh 's' has no teeth to find its loss from"}));

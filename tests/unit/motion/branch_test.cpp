@@ -1,15 +1,13 @@
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/angles.hpp"
 #include "unit/motion/moving.hpp"
 
 namespace kinestat {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // Crank 1 and ground 3; the rocker pin is drawn to the left of the diagonal.
 std::string four_bar(double coupler, double rocker, double angle) {

@@ -1,15 +1,13 @@
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/angles.hpp"
 #include "unit/motion/moving.hpp"
 
 namespace kinestat {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Ground from (0, 0) to (ground, 0); the coupler point lies at (along, across) on the coupler.
 struct FourBar {

@@ -1,15 +1,13 @@
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/angles.hpp"
 #include "unit/motion/moving.hpp"
 
 namespace kinestat {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // Crank 1, rod 2.5, drawn at 60 deg; x = cos t + √(l² - sin² t), differentiated twice.
 TEST(SliderCrank, HasTheStrokeOfTheClosedForm) {

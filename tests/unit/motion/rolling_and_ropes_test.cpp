@@ -1,15 +1,13 @@
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "mechanism/cable_geometry.hpp"
+#include "support/angles.hpp"
 #include "unit/motion/moving.hpp"
 
 namespace kinestat {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // Willis: 24 S + 60 R = 84 C, exactly over many turns; the planet turns 24/18 against the sun seen
 // from the carrier.

@@ -1,15 +1,13 @@
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "support/angles.hpp"
 #include "unit/motion/moving.hpp"
 
 namespace kinestat {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 Vec3 turned(const Vec3& axis, double angle, const Vec3& p) {
   return Eigen::AngleAxisd(angle, axis.normalized()) * p;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/contract.hpp"
+#include "unit/plot/picture_text.hpp"
 
 namespace kinestat {
 namespace {
@@ -14,15 +15,6 @@ BarMap map_of(std::vector<BarRow> rows, std::vector<std::string> columns) {
           .columns = std::move(columns),
           .blocks = {{.title = "force [N]", .rows = std::move(rows)}},
           .remarks = {}};
-}
-
-std::size_t count_of(const Picture& picture, const std::string& text) {
-  std::size_t count = 0;
-  for (std::size_t at = picture.elements.find(text); at != std::string::npos;
-       at = picture.elements.find(text, at + 1)) {
-    ++count;
-  }
-  return count;
 }
 
 TEST(BarMap, HasABarForWhatIsNotZero) {

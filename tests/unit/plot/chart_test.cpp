@@ -5,11 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "core/contract.hpp"
+#include "unit/plot/picture_text.hpp"
 
 namespace kinestat {
 namespace {
-
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
 Figure figure_of(Chart chart) {
   return {.name = "demo", .title = "t", .description = "d", .charts = {std::move(chart)}};
@@ -19,19 +18,6 @@ Chart line_chart() {
   return {.x = {.label = "angle", .unit = "deg"},
           .y = {.label = "speed", .unit = "rad/s"},
           .series = {{.name = "rocker", .x = {0.0, 90.0, 180.0}, .y = {1.0, 3.0, 2.0}}}};
-}
-
-bool has(const Picture& picture, const std::string& text) {
-  return picture.elements.find(text) != std::string::npos;
-}
-
-std::size_t count_of(const Picture& picture, const std::string& text) {
-  std::size_t count = 0;
-  for (std::size_t at = picture.elements.find(text); at != std::string::npos;
-       at = picture.elements.find(text, at + 1)) {
-    ++count;
-  }
-  return count;
 }
 
 TEST(Chart, NamesItsAxesWithUnits) {

@@ -4,12 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "unit/plot/picture_text.hpp"
+
 namespace kinestat {
 namespace {
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 Figure figure_named(const std::string& name) {
   return {.name = "demo",

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "unit/plot/picture_text.hpp"
+
 namespace kinestat {
 namespace {
 
@@ -14,10 +16,6 @@ Picture picture_with_id() {
   svg.line({.x = 0.0, .y = 0.0}, {.x = 10.0, .y = 5.0}, {});
   svg.close_group();
   return make_picture("demo", "Title <1>", "Description & more", svg);
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 TEST(Picture, HasIdsOfItsPlaceOnAPage) {

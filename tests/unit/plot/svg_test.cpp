@@ -7,11 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "core/contract.hpp"
+#include "unit/plot/picture_text.hpp"
 
 namespace kinestat {
 namespace {
-
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
 bool has(const Svg& svg, const std::string& text) {
   return svg.elements().find(text) != std::string::npos;

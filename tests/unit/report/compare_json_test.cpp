@@ -9,7 +9,7 @@
 namespace kinestat {
 namespace {
 
-ReportValues values_of(const std::string& text) {
+ReportValues json_values(const std::string& text) {
   Diagnostics found;
   auto values = read_json_report({.path = "r.json", .text = text}, found);
   EXPECT_TRUE(values.has_value()) << text;
@@ -17,7 +17,7 @@ ReportValues values_of(const std::string& text) {
 }
 
 // Code and message of the only complaint, after its place.
-std::string complaint(const std::string& text) {
+std::string json_complaint(const std::string& text) {
   Diagnostics found;
   EXPECT_FALSE(read_json_report({.path = "r.json", .text = text}, found));
   if (found.items().size() != 1) {
@@ -35,7 +35,7 @@ std::string unit_at(const std::string& place, const ReportValues& values) {
 }
 
 TEST(JsonReport, HoldsValuesAtTheirPlaces) {
-  const ReportValues values = values_of(json_report(R"(, "cases": {"up/down": {"ratio": 2.5}})"));
+  const ReportValues values = json_values(json_report(R"(, "cases": {"up/down": {"ratio": 2.5}})"));
 
   const ReportValue* ratio = values.find("/cases/up~1down/ratio");
 
@@ -44,7 +44,7 @@ TEST(JsonReport, HoldsValuesAtTheirPlaces) {
 }
 
 TEST(JsonReport, LeavesOutWhatDiffersBetweenTwoRuns) {
-  const ReportValues values = values_of(json_report(
+  const ReportValues values = json_values(json_report(
       R"(, "cases": {"M1": {"statics": {"evidence": {"rank": 3}},
                              "power": {"balance_residual": 1e-17}}})"));
 
@@ -55,13 +55,13 @@ TEST(JsonReport, LeavesOutWhatDiffersBetweenTwoRuns) {
 }
 
 TEST(JsonReport, KeepsACaseThatIsCalledEvidence) {
-  EXPECT_NE(values_of(json_report(R"(, "cases": {"evidence": {"ratio": 1}})"))
+  EXPECT_NE(json_values(json_report(R"(, "cases": {"evidence": {"ratio": 1}})"))
                 .find("/cases/evidence/ratio"),
             nullptr);
 }
 
 TEST(JsonReport, PutsNamedThingsUnderTheirNames) {
-  const ReportValues values = values_of(json_report(
+  const ReportValues values = json_values(json_report(
       R"(, "graph": {"couplings": [{"name": "b", "at": [1, 2, 0], "bodies": ["f", "c"]}],
                      "tree": ["b", "a"]})"));
 
@@ -70,20 +70,20 @@ TEST(JsonReport, PutsNamedThingsUnderTheirNames) {
 }
 
 TEST(JsonReport, KeepsTheOrderOfTailAndHead) {
-  const ReportValues values =
-      values_of(json_report(R"(, "graph": {"couplings": [{"name": "b", "bodies": ["f", "c"]}]})"));
+  const ReportValues values = json_values(
+      json_report(R"(, "graph": {"couplings": [{"name": "b", "bodies": ["f", "c"]}]})"));
 
   ASSERT_NE(values.find("/graph/couplings/b/bodies/0"), nullptr);
   EXPECT_EQ(values.find("/graph/couplings/b/bodies/0")->text, "f");
 }
 
 TEST(JsonReport, NumbersAListWhoseNamesAreNotUnique) {
-  EXPECT_NE(values_of(json_report(R"(, "graph": {"tree": ["a", "a"]})")).find("/graph/tree/1"),
+  EXPECT_NE(json_values(json_report(R"(, "graph": {"tree": ["a", "a"]})")).find("/graph/tree/1"),
             nullptr);
 }
 
 TEST(JsonReport, CountsTheCodesOfDiagnostics) {
-  const ReportValues values = values_of(
+  const ReportValues values = json_values(
       json_report(R"(, "diagnostics": [{"code": "W0301", "message": "x"}, {"code": "W0301"}])"));
 
   ASSERT_NE(values.find("/diagnostics/W0301"), nullptr);
@@ -91,7 +91,7 @@ TEST(JsonReport, CountsTheCodesOfDiagnostics) {
 }
 
 TEST(JsonReport, KnowsUnitsByPlace) {
-  const ReportValues values = values_of(json_report("mm", "N*mm", R"(,
+  const ReportValues values = json_values(json_report("mm", "N*mm", R"(,
     "mobility": {"planar": {"order": 3}},
     "graph": {"couplings": [
       {"name": "a", "at": [1, 2, 3], "freedoms": ["wz"], "actuators": ["motor"]},
@@ -124,7 +124,7 @@ TEST(JsonReport, KnowsUnitsByPlace) {
 }
 
 TEST(JsonReport, SaysWhereItDoesNotTellTheUnit) {
-  const ReportValues values = values_of(json_report(R"(,
+  const ReportValues values = json_values(json_report(R"(,
     "graph": {"couplings": [{"name": "e", "freedoms": ["vx", "wz"], "actuators": ["both"]}]},
     "cases": {"M1": {"ratio": 2.0, "statics": {"actions": {"both": 1}}, "power": {"later": 1}}})"));
 
@@ -141,68 +141,68 @@ TEST(JsonReport, CountsCoefficientsPerUnitOfTheParameter) {
   text.replace(text.find(R"("parameters": {})"),
                std::string(R"("parameters": {})").size(),
                R"("parameters": {"h": {"value": 1, "unit": "mm"}})");
-  const ReportValues values = values_of(text);
+  const ReportValues values = json_values(text);
 
   EXPECT_EQ(unit_at("/cases/M1/affine/a.Tz/1", values), "moment N*mm");
   EXPECT_EQ(unit_at("/cases/M1/affine/a.Tz/h", values), "moment N*mm/(mm)");
 }
 
 TEST(JsonReport, RefusesWhatIsNoReport) {
-  EXPECT_EQ(complaint("{}"),
+  EXPECT_EQ(json_complaint("{}"),
             "0:0 E0903 this is no report of kinestat: there is no /kinestat/report");
-  EXPECT_EQ(complaint(R"({"kinestat": {"diagnostics": 1}})"),
+  EXPECT_EQ(json_complaint(R"({"kinestat": {"diagnostics": 1}})"),
             "0:0 E0903 this is no report of kinestat: there is no /kinestat/report");
-  EXPECT_EQ(complaint(R"({"kinestat": 1})"),
+  EXPECT_EQ(json_complaint(R"({"kinestat": 1})"),
             "0:0 E0903 this is no report of kinestat: there is no /kinestat/report");
 }
 
 TEST(JsonReport, RefusesAnotherVersion) {
-  EXPECT_EQ(complaint(R"({"kinestat": {"report": 2}})"),
+  EXPECT_EQ(json_complaint(R"({"kinestat": {"report": 2}})"),
             "0:0 E0904 the report is of version 2 of its format, this program knows 1");
 }
 
 TEST(JsonReport, RefusesUnitsThatAreNone) {
-  EXPECT_EQ(complaint(json_report("ell", "N*m", "")),
+  EXPECT_EQ(json_complaint(json_report("ell", "N*m", "")),
             "0:0 E0903 /mechanism/units/length: unknown unit 'ell'");
-  EXPECT_EQ(complaint(R"({"kinestat": {"report": 1}})"),
+  EXPECT_EQ(json_complaint(R"({"kinestat": {"report": 1}})"),
             "0:0 E0903 there is no unit at /mechanism/units/length");
 }
 
 TEST(JsonReport, RefusesWhatIsNoJson) {
-  EXPECT_EQ(complaint("{\"a\": [1, ü]}"), "1:11 E0903 this is not JSON from here on");
-  EXPECT_EQ(complaint("{\"a\": 01}"), "1:7 E0903 this is not JSON from here on");
+  EXPECT_EQ(json_complaint("{\"a\": [1, ü]}"), "1:11 E0903 this is not JSON from here on");
+  EXPECT_EQ(json_complaint("{\"a\": 01}"), "1:7 E0903 this is not JSON from here on");
 }
 
 TEST(JsonReport, SaysWhereItWasCutOff) {
-  EXPECT_EQ(complaint("{\n  \"a\": [1,"), "2:11 E0903 the JSON ends too early");
-  EXPECT_EQ(complaint(""), "1:1 E0903 the JSON ends too early");
+  EXPECT_EQ(json_complaint("{\n  \"a\": [1,"), "2:11 E0903 the JSON ends too early");
+  EXPECT_EQ(json_complaint(""), "1:1 E0903 the JSON ends too early");
 }
 
 TEST(JsonReport, RefusesTokensThatAreNoNumbers) {
-  EXPECT_EQ(complaint("{\"a\": NaN}"), "1:7 E0903 'NaN' is not JSON");
-  EXPECT_EQ(complaint("{\"a\": nan}"), "1:7 E0903 'nan' is not JSON");
-  EXPECT_EQ(complaint("{\"a\": -Infinity}"), "1:7 E0903 '-Infinity' is not JSON");
+  EXPECT_EQ(json_complaint("{\"a\": NaN}"), "1:7 E0903 'NaN' is not JSON");
+  EXPECT_EQ(json_complaint("{\"a\": nan}"), "1:7 E0903 'nan' is not JSON");
+  EXPECT_EQ(json_complaint("{\"a\": -Infinity}"), "1:7 E0903 '-Infinity' is not JSON");
 }
 
 TEST(JsonReport, RefusesANumberBeyondADouble) {
-  EXPECT_EQ(complaint("{\"a\": 1e999}"), "0:0 E0903 a number is beyond what a double holds");
+  EXPECT_EQ(json_complaint("{\"a\": 1e999}"), "0:0 E0903 a number is beyond what a double holds");
 }
 
 TEST(JsonReport, RefusesASecondReport) {
-  EXPECT_EQ(complaint("{}\n{}"), "2:1 E0903 there is more after the report");
+  EXPECT_EQ(json_complaint("{}\n{}"), "2:1 E0903 there is more after the report");
 }
 
 TEST(JsonReport, RefusesAKeyThatIsGivenTwice) {
-  EXPECT_EQ(complaint(R"({"a": 1, "b": {"a": 1}, "a": 2})"),
+  EXPECT_EQ(json_complaint(R"({"a": 1, "b": {"a": 1}, "a": 2})"),
             "0:0 E0903 the key 'a' is given twice in one object");
 }
 
 TEST(JsonReport, RefusesDeepNestingWithoutStoringIt) {
-  EXPECT_EQ(complaint("{\"a\":" + std::string(5'000'000, '[')),
+  EXPECT_EQ(json_complaint("{\"a\":" + std::string(5'000'000, '[')),
             "1:5000006 E0903 the JSON ends too early");
-  EXPECT_EQ(
-      complaint("{\"a\":" + std::string(100, '[') + std::string(100, ']') + ", \"b\": {\"c\": 1}}"),
-      "0:0 E0903 nesting deeper than 64 levels");
+  EXPECT_EQ(json_complaint("{\"a\":" + std::string(100, '[') + std::string(100, ']') +
+                           ", \"b\": {\"c\": 1}}"),
+            "0:0 E0903 nesting deeper than 64 levels");
 }
 
 TEST(JsonReport, RefusesAnObjectWhoseKeysWouldTakeTooLong) {
@@ -211,7 +211,7 @@ TEST(JsonReport, RefusesAnObjectWhoseKeysWouldTakeTooLong) {
     text += "\"" + std::to_string(i) + "\":0,";
   }
 
-  EXPECT_EQ(complaint(text + "\"end\":0}"), "0:0 E0903 an object has too many keys");
+  EXPECT_EQ(json_complaint(text + "\"end\":0}"), "0:0 E0903 an object has too many keys");
 }
 
 }  // namespace

@@ -18,9 +18,9 @@ Tolerances tolerances(const std::vector<std::string>& rules,
   return result.value_or(Tolerances{});
 }
 
-std::string complaint(const std::string& rule,
-                      const std::string& rtol = "",
-                      const std::string& atol = "") {
+std::string tolerance_complaint(const std::string& rule,
+                                const std::string& rtol = "",
+                                const std::string& atol = "") {
   Diagnostics found;
   const std::vector<std::string> rules =
       rule.empty() ? std::vector<std::string>{} : std::vector{rule};
@@ -122,27 +122,32 @@ TEST(Tolerance, OfZeroAsksForTheSameNumber) {
 }
 
 TEST(Tolerance, IsRefusedForAnUnknownKind) {
-  EXPECT_EQ(complaint("torque=1"), "--tolerance 'torque=1': there is no kind of quantity 'torque'");
+  EXPECT_EQ(tolerance_complaint("torque=1"),
+            "--tolerance 'torque=1': there is no kind of quantity 'torque'");
 }
 
 TEST(Tolerance, IsRefusedIfItIsNoKeyAndValue) {
-  EXPECT_EQ(complaint("moment"), "--tolerance 'moment': this is not KEY=VALUE");
-  EXPECT_EQ(complaint("=1"), "--tolerance '=1': this is not KEY=VALUE");
+  EXPECT_EQ(tolerance_complaint("moment"), "--tolerance 'moment': this is not KEY=VALUE");
+  EXPECT_EQ(tolerance_complaint("=1"), "--tolerance '=1': this is not KEY=VALUE");
 }
 
 TEST(Tolerance, IsRefusedIfItIsNoNumber) {
-  EXPECT_EQ(complaint("moment=small"), "--tolerance 'moment=small': unknown name 'small'");
-  EXPECT_EQ(complaint("moment=-1"), "--tolerance 'moment=-1': a tolerance is not negative");
-  EXPECT_EQ(complaint("moment=1 N%"), "--tolerance 'moment=1 N%': a percentage has no unit");
-  EXPECT_EQ(complaint("", "nan"), "--rtol 'nan': 'nan' is not a finite number");
+  EXPECT_EQ(tolerance_complaint("moment=small"),
+            "--tolerance 'moment=small': unknown name 'small'");
+  EXPECT_EQ(tolerance_complaint("moment=-1"),
+            "--tolerance 'moment=-1': a tolerance is not negative");
+  EXPECT_EQ(tolerance_complaint("moment=1 N%"),
+            "--tolerance 'moment=1 N%': a percentage has no unit");
+  EXPECT_EQ(tolerance_complaint("", "nan"), "--rtol 'nan': 'nan' is not a finite number");
 }
 
 TEST(Tolerance, IsRefusedIfItMeasuresSomethingElse) {
-  EXPECT_EQ(complaint("moment=1 N"), "--tolerance 'moment=1 N': this is a force, not a moment");
+  EXPECT_EQ(tolerance_complaint("moment=1 N"),
+            "--tolerance 'moment=1 N': this is a force, not a moment");
 }
 
 TEST(Tolerance, ForEveryKindHasNoUnit) {
-  EXPECT_EQ(complaint("", "", "1 mm"),
+  EXPECT_EQ(tolerance_complaint("", "", "1 mm"),
             "--atol '1 mm': this is for values of every kind, so it is a bare number");
 }
 

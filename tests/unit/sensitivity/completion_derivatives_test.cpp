@@ -5,15 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "sensitivity/solved_case.hpp"
+#include "unit/sensitivity/slope.hpp"
 
 namespace kinestat {
 namespace {
-
-using Slopes = std::vector<std::optional<double>>;
-
-double slope(const Slopes& slopes, std::size_t parameter) {
-  return slopes.at(parameter).value_or(NAN);
-}
 
 // A shaft between two bearings that bear its thrust like springs in parallel.
 const std::string kShaft =

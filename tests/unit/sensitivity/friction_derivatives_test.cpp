@@ -4,15 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "sensitivity/solved_case.hpp"
+#include "unit/sensitivity/slope.hpp"
 
 namespace kinestat {
 namespace {
-
-using Slopes = std::vector<std::optional<double>>;
-
-double slope(const Slopes& slopes, std::size_t parameter) {
-  return slopes.at(parameter).value_or(NAN);
-}
 
 // A screw that turns in the base lifts a nut against the load F. The constraints that turn with the
 // axis stay open, but one tilt moves all of them together.

@@ -7,16 +7,10 @@
 #include "screw/screw_axis.hpp"
 #include "support/mechanism_text.hpp"
 #include "support/near.hpp"
+#include "unit/statics/magnitude.hpp"
 
 namespace kinestat {
 namespace {
-
-double magnitude(const Mechanism& mechanism,
-                 const StaticSolution& solution,
-                 std::string_view name) {
-  const auto a = static_cast<std::size_t>(action_index(mechanism, name));
-  return solution.magnitudes.at(a).value_or(std::nan(""));
-}
 
 StaticSolution solve(const Mechanism& mechanism, const std::vector<Primary>& primaries) {
   return solve_action(mechanism, planar_basis(ScrewKind::twist, 1.0), primaries);

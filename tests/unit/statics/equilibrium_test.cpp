@@ -9,13 +9,13 @@ namespace kinestat {
 namespace {
 
 // A bar between two pins on the ground at 0 and 4 m: actions a.Rx, a.Ry, b.Rx, b.Ry.
-const std::string kBar =
+const std::string kPinnedBar =
     "space: planar\nground: base\nbodies: [bar]\ncouplings:\n"
     "  a: {type: revolute, bodies: [base, bar], at: [0, 0]}\n"
     "  b: {type: revolute, bodies: [base, bar], at: [4, 0]}\n";
 
 Equilibrium equilibrium_of_bar(std::vector<int> primaries) {
-  return {mechanism_of(kBar), planar_basis(ScrewKind::wrench, 4.0), std::move(primaries)};
+  return {mechanism_of(kPinnedBar), planar_basis(ScrewKind::wrench, 4.0), std::move(primaries)};
 }
 
 BodyWrench push(double x, double fx, double fy) {

@@ -15,11 +15,11 @@ namespace kinestat {
 namespace {
 
 // The first case of a mechanism with friction.
-struct Solved {
+struct SolvedWithFriction {
   Mechanism mechanism;
   StaticSolution solution;
 
-  explicit Solved(const std::string& text) : mechanism(mechanism_of(text)) {
+  explicit SolvedWithFriction(const std::string& text) : mechanism(mechanism_of(text)) {
     const Case& which = mechanism.cases.front();
     const KinematicSolution motion = solve_velocity(
         mechanism, motion_basis(mechanism.geometry, OrderChoice::minimal), which.motions);
@@ -73,8 +73,12 @@ TEST(ScrewJack, NeedsTheTorquesOfTheTextbook) {
       for (const double hand : {1.0, -1.0}) {
         // A positive turn of the screw in the base moves a nut on a right-handed thread down.
         if (mu > 0.0) {
-          EXPECT_NEAR(Solved(jack(mu, hand * pitch, 1.0)).action("crank"), -hand * raise, 1e-15);
-          EXPECT_NEAR(Solved(jack(mu, hand * pitch, -1.0)).action("crank"), hand * lower, 1e-15);
+          EXPECT_NEAR(SolvedWithFriction(jack(mu, hand * pitch, 1.0)).action("crank"),
+                      -hand * raise,
+                      1e-15);
+          EXPECT_NEAR(SolvedWithFriction(jack(mu, hand * pitch, -1.0)).action("crank"),
+                      hand * lower,
+                      1e-15);
         }
       }
     }
@@ -85,7 +89,7 @@ TEST(ScrewJack, LowersItselfUpToTheAngleOfSelfLocking) {
   constexpr double kRadius = 0.02;
   const double limit = 0.1;  // tan λ: friction of that coefficient just holds
   const auto torque = [&](double mu) {
-    return Solved(jack(mu, kRadius * limit, -1.0)).action("crank");
+    return SolvedWithFriction(jack(mu, kRadius * limit, -1.0)).action("crank");
   };
 
   EXPECT_LT(torque(limit - 1e-6), 0.0);  // the crank brakes
@@ -98,7 +102,7 @@ TEST(ScrewJack, RaisesWhatAKnownTorqueCan) {
   std::string text = jack(0.15, 0.003, 1.0);
   text.replace(text.find("action: {lift: -1}"), 18, "action: {crank: -2}");
 
-  EXPECT_NEAR(Solved(text).action("lift"),
+  EXPECT_NEAR(SolvedWithFriction(text).action("lift"),
               -2.0 / (0.02 * std::tan(std::atan(0.15) + std::atan(0.15))),
               1e-10);
 }
@@ -108,7 +112,7 @@ TEST(ScrewJack, RaisesWhatAKnownTorqueCan) {
 TEST(ScrewJack, LocksWhereTheLoadWouldHaveToDriveIt) {
   std::string text = jack(0.3, 0.003, 1.0);
   text.replace(text.find("action: {lift: -1}"), 18, "action: {crank: 2}");
-  const Solved solved(text);
+  const SolvedWithFriction solved(text);
 
   EXPECT_EQ(solved.solution.status, SolveStatus::locked);
   EXPECT_TRUE(solved.solution.magnitudes.empty());
@@ -117,7 +121,7 @@ TEST(ScrewJack, LocksWhereTheLoadWouldHaveToDriveIt) {
 // A shaft in one bearing, which bears 100 N across: the drive overcomes μ r R + tau + c ω.
 TEST(JournalFriction, IsACoupleAgainstTheMotion) {
   for (const double speed : {2.0, -2.0}) {
-    const Solved solved(fmt::format(
+    const SolvedWithFriction solved(fmt::format(
         "space: planar\n"
         "ground: f\n"
         "bodies: [shaft]\n"
@@ -154,7 +158,7 @@ std::string shaft(const std::string& friction, const std::string& load) {
 TEST(JournalFriction, IsThatOfTheCollarToo) {
   const std::string friction = "{mu: 0.1, radius: 0.03, thrust_radius: 0.05}";
 
-  EXPECT_NEAR(Solved(shaft(friction, "force: [30, 40, -200]")).action("drive"),
+  EXPECT_NEAR(SolvedWithFriction(shaft(friction, "force: [30, 40, -200]")).action("drive"),
               0.1 * (0.03 * 50.0 + 0.05 * 200.0),
               1e-14);
 }
@@ -164,16 +168,19 @@ TEST(JournalFriction, IsThatOfTheCollarToo) {
 TEST(JournalFriction, IsThatOfTheEndsOfALongJournal) {
   const std::string friction = "{mu: 0.1, radius: 0.03, length: 0.2}";
 
-  EXPECT_NEAR(Solved(shaft(friction, "force: [50, 0, 0], couple: [0, 7, 0]")).action("drive"),
-              0.1 * 0.03 * 70.0,
-              1e-14);
-  EXPECT_NEAR(Solved(shaft(friction, "force: [50, 0, 0], couple: [0, 2, 0]")).action("drive"),
-              0.1 * 0.03 * 50.0,
-              1e-14);
+  EXPECT_NEAR(
+      SolvedWithFriction(shaft(friction, "force: [50, 0, 0], couple: [0, 7, 0]")).action("drive"),
+      0.1 * 0.03 * 70.0,
+      1e-14);
+  EXPECT_NEAR(
+      SolvedWithFriction(shaft(friction, "force: [50, 0, 0], couple: [0, 2, 0]")).action("drive"),
+      0.1 * 0.03 * 50.0,
+      1e-14);
 }
 
 TEST(JournalFriction, LeavesOutWhatHasNoDimensionAndSaysSo) {
-  const Solved solved(shaft("{mu: 0.1, radius: 0.03}", "force: [3, 4, -200], couple: [0, 7, 0]"));
+  const SolvedWithFriction solved(
+      shaft("{mu: 0.1, radius: 0.03}", "force: [3, 4, -200], couple: [0, 7, 0]"));
 
   EXPECT_NEAR(solved.action("drive"), 0.1 * 0.03 * 5.0, 1e-14);
   ASSERT_EQ(solved.solution.ignored.size(), 2U);
@@ -185,7 +192,7 @@ TEST(JournalFriction, LeavesOutWhatHasNoDimensionAndSaysSo) {
 
 // One bearing that is known and two that share what equilibrium leaves open.
 TEST(JournalFriction, IsOpenWhereTheActionsAreThatPress) {
-  const Solved solved(
+  const SolvedWithFriction solved(
       "space: planar\n"
       "ground: f\n"
       "bodies: [bar, wheel]\n"
@@ -210,7 +217,7 @@ TEST(JournalFriction, IsOpenWhereTheActionsAreThatPress) {
 
 // A spline that keeps a sleeve from turning at the radius 0.02.
 TEST(GuideFriction, IsThatOfACoupleAboutItsAxisToo) {
-  const Solved solved(
+  const SolvedWithFriction solved(
       "ground: f\n"
       "bodies: [sleeve]\n"
       "couplings:\n"
@@ -238,18 +245,19 @@ std::string guide(const std::string& friction, double height) {
 }
 
 TEST(GuideFriction, IsThatOfTheForceAcross) {
-  EXPECT_NEAR(Solved(guide("0.2", 0.0)).action("drive"), 10.0 + 0.2 * 30.0, 1e-13);
-  EXPECT_NEAR(Solved(guide("{mu: 0.2, c: 3}", 0.0)).action("drive"), 19.0, 1e-13);
+  EXPECT_NEAR(SolvedWithFriction(guide("0.2", 0.0)).action("drive"), 10.0 + 0.2 * 30.0, 1e-13);
+  EXPECT_NEAR(SolvedWithFriction(guide("{mu: 0.2, c: 3}", 0.0)).action("drive"), 19.0, 1e-13);
 }
 
 // Edges 0.4 apart: while the couple 10 h is below 30 · 0.2 both press down, 30 N together; beyond
 // it they press against each other, |15 + 25 h| + |15 - 25 h|.
 TEST(GuideFriction, IsThatOfTheEdgesOfALongGuide) {
   for (const double height : {0.0, 0.3, 0.59}) {
-    EXPECT_NEAR(Solved(guide("{mu: 0.2, length: 0.4}", height)).action("drive"), 16.0, 1e-12);
+    EXPECT_NEAR(
+        SolvedWithFriction(guide("{mu: 0.2, length: 0.4}", height)).action("drive"), 16.0, 1e-12);
   }
   for (const double height : {0.7, 2.0}) {
-    EXPECT_NEAR(Solved(guide("{mu: 0.2, length: 0.4}", height)).action("drive"),
+    EXPECT_NEAR(SolvedWithFriction(guide("{mu: 0.2, length: 0.4}", height)).action("drive"),
                 10.0 + 0.2 * 50.0 * height,
                 1e-12);
   }
@@ -274,10 +282,10 @@ std::string drawer(double mu) {
 
 TEST(GuideFriction, JamsADrawerThatIsPushedTooFarFromItsMiddle) {
   for (const double mu : {0.1, 0.3, 0.39, 0.3999}) {
-    EXPECT_NEAR(Solved(drawer(mu)).action("push") * (1.0 - 2.5 * mu), 10.0, 1e-8) << mu;
+    EXPECT_NEAR(SolvedWithFriction(drawer(mu)).action("push") * (1.0 - 2.5 * mu), 10.0, 1e-8) << mu;
   }
   for (const double mu : {0.4, 0.41, 1.0}) {
-    EXPECT_EQ(Solved(drawer(mu)).solution.status, SolveStatus::locked) << mu;
+    EXPECT_EQ(SolvedWithFriction(drawer(mu)).solution.status, SolveStatus::locked) << mu;
   }
 }
 

@@ -9,19 +9,13 @@
 #include "statics/action.hpp"
 #include "support/mechanism_text.hpp"
 #include "support/near.hpp"
+#include "unit/statics/magnitude.hpp"
 
 namespace kinestat {
 namespace {
 
-double magnitude(const Mechanism& mechanism,
-                 const StaticSolution& solution,
-                 std::string_view name) {
-  const auto a = static_cast<std::size_t>(action_index(mechanism, name));
-  return solution.magnitudes.at(a).value_or(std::nan(""));
-}
-
 // The first case of the mechanism, as the program solves it.
-StaticSolution solve(const Mechanism& mechanism) {
+StaticSolution solve_loaded(const Mechanism& mechanism) {
   const std::vector<BodyWrench> loads = wrenches_of(mechanism.cases.at(0).loads);
   return solve_action(mechanism,
                       action_basis(mechanism.geometry, mechanism.static_order, loads),
@@ -43,7 +37,7 @@ TEST(LoadedAction, OfASimpleBeamIsInTheInverseRatioOfTheDistances) {
   const Mechanism mechanism = mechanism_of(beam(
       "", "loads: {push: {body: beam, at: [1, 0], force: [5, -8]}}\ncases: {one: {action: {}}}\n"));
 
-  const StaticSolution solution = solve(mechanism);
+  const StaticSolution solution = solve_loaded(mechanism);
 
   // A load P at a of a beam l: P (l - a)/l on the near support, P a/l on the far one. The pin alone
   // bears what acts along the beam.
@@ -58,7 +52,7 @@ TEST(LoadedAction, OfASimpleBeamHoldsACoupleByAPairOfForces) {
   const Mechanism mechanism = mechanism_of(
       beam("", "loads: {twist: {body: beam, couple: 12}}\ncases: {one: {action: {}}}\n"));
 
-  const StaticSolution solution = solve(mechanism);
+  const StaticSolution solution = solve_loaded(mechanism);
 
   // C/l down at the far end, up at the near one: 4 m · (-3 N) + 12 N·m = 0.
   ASSERT_EQ(solution.status, SolveStatus::solved);
@@ -70,7 +64,7 @@ TEST(LoadedAction, OfWeightIsSharedByTheSupports) {
   const Mechanism mechanism = mechanism_of(beam(
       "{mass: 10, centre_of_mass: [3, 0]}", "gravity: [0, -9.81]\ncases: {one: {action: {}}}\n"));
 
-  const StaticSolution solution = solve(mechanism);
+  const StaticSolution solution = solve_loaded(mechanism);
 
   ASSERT_EQ(solution.status, SolveStatus::solved);
   EXPECT_NEAR(magnitude(mechanism, solution, "pin.Ry"), 98.1 / 4.0, 1e-12);
@@ -84,7 +78,7 @@ TEST(LoadedAction, HoldsAPendulumByTheMomentOfItsWeight) {
       "couplings: {a: {type: revolute, bodies: [base, rod], at: [0, 0]}}\n"
       "actuators: {motor: {coupling: a}}\ngravity: [0, -10]\ncases: {one: {action: {}}}\n");
 
-  const StaticSolution solution = solve(mechanism);
+  const StaticSolution solution = solve_loaded(mechanism);
 
   // m g l sin θ = 2 · 10 · 0.6 · 1/2, anticlockwise, against the pull back.
   ASSERT_EQ(solution.status, SolveStatus::solved);
@@ -107,7 +101,7 @@ TEST(LoadedAction, OfAFourBarLinkageDoesTheVirtualWorkOfTheLoad) {
       "loads: {pull: {body: coupler, at: [3, 5], force: [2, -7], couple: 4}}\n"
       "cases: {one: {action: {}}}\n");
 
-  const StaticSolution solution = solve(mechanism);
+  const StaticSolution solution = solve_loaded(mechanism);
 
   // The power of the load is (2, -7) · (-65, 11)/27 + 4 · (-8/27) = -239/27 W.
   ASSERT_EQ(solution.status, SolveStatus::solved);
@@ -125,7 +119,7 @@ TEST(LoadedAction, OfADoorsHingesIsAPairOfForcesAgainstItsWeight) {
       "gravity: [0, 0, -10]\n"
       "cases: {one: {action: {}}}\n");
 
-  const StaticSolution solution = solve(mechanism);
+  const StaticSolution solution = solve_loaded(mechanism);
 
   // m g · 0.5 m = 150 N·m by hinges 1.5 m apart.
   ASSERT_EQ(solution.status, SolveStatus::solved);
@@ -141,7 +135,7 @@ TEST(LoadedAction, MeetsPrimaryActionsThatAgreeWithTheLoad) {
                         "loads: {push: {body: beam, at: [1, 0], force: [0, -8]}}\n"
                         "cases: {one: {action: {roll.Ry: 2}}}\n"));
 
-  const StaticSolution solution = solve(mechanism);
+  const StaticSolution solution = solve_loaded(mechanism);
 
   EXPECT_EQ(solution.status, SolveStatus::dependent);
   ASSERT_EQ(solution.check.dependences.size(), 1U);
@@ -156,7 +150,7 @@ TEST(LoadedAction, MeetsPrimaryActionsThatContradictTheLoad) {
                         "loads: {push: {body: beam, at: [1, 0], force: [0, -8]}}\n"
                         "cases: {one: {action: {roll.Ry: 2.001}}}\n"));
 
-  const StaticSolution solution = solve(mechanism);
+  const StaticSolution solution = solve_loaded(mechanism);
 
   EXPECT_EQ(solution.status, SolveStatus::inconsistent);
   EXPECT_EQ(solution.check.dependences.size(), 1U);
@@ -175,7 +169,7 @@ TEST(LoadedAction, AlongAFreedomThatNothingResistsIsInconsistent) {
       "loads: {one: {body: first, at: [1, 0, 0], force: [1, 1, 1]}, two: {body: second, at: [0, 2, "
       "0], force: [1, 5, 1]}}\ncases: {one: {action: {}}}\n");
 
-  const StaticSolution solution = solve(mechanism);
+  const StaticSolution solution = solve_loaded(mechanism);
 
   // The first is held by the actuator and its guide, the second only by its guide.
   EXPECT_EQ(solution.status, SolveStatus::inconsistent);
@@ -194,7 +188,7 @@ TEST(LoadedAction, AcrossAFreedomThatNothingResistsIsSolved) {
                    "loads: {two: {body: second, at: [0, 2, 0], force: [3, 0, 4]}}\n"
                    "cases: {one: {action: {}}}\n");
 
-  const StaticSolution solution = solve(mechanism);
+  const StaticSolution solution = solve_loaded(mechanism);
 
   ASSERT_EQ(solution.status, SolveStatus::solved);
   EXPECT_NEAR(magnitude(mechanism, solution, "b.Rx"), -3.0, 1e-13);
@@ -214,7 +208,7 @@ TEST(LoadedAction, BesideTheMinimalOrderIsNotOverlooked) {
                    "cases: {one: {action: {}}}\n");
   ASSERT_EQ(action_basis(mechanism.geometry, OrderChoice::minimal).order(), 4);
 
-  const StaticSolution solution = solve(mechanism);
+  const StaticSolution solution = solve_loaded(mechanism);
 
   EXPECT_EQ(solution.status, SolveStatus::inconsistent);
   ASSERT_TRUE(solution.unheld.has_value());
@@ -230,7 +224,7 @@ TEST(LoadedAction, BesideTheMinimalOrderMayCancel) {
       "loads: {up: {body: shaft, at: [0, 0, 1], force: [6, 0, 5]}, down: {body: shaft, "
       "at: [0, 0, 0], force: [0, 0, -5]}}\ncases: {one: {action: {}}}\n");
 
-  const StaticSolution solution = solve(mechanism);
+  const StaticSolution solution = solve_loaded(mechanism);
 
   ASSERT_EQ(solution.status, SolveStatus::solved);
   EXPECT_EQ(solution.counts.order, 6);
@@ -244,7 +238,7 @@ TEST(LoadedAction, TooLargeForANumberIsSaidSo) {
                         "loads: {push: {body: beam, at: [1e200, 0], force: [0, 1e200]}}\n"
                         "cases: {one: {action: {}}}\n"));
 
-  EXPECT_EQ(solve(mechanism).status, SolveStatus::overflow);
+  EXPECT_EQ(solve_loaded(mechanism).status, SolveStatus::overflow);
 }
 
 }  // namespace

@@ -11,12 +11,12 @@
 namespace kinestat {
 namespace {
 
-struct Solved {
+struct Pretensioned {
   Mechanism mechanism;
   CoordinateBasis basis;
   StaticSolution solution;
 
-  explicit Solved(const std::string& text)
+  explicit Pretensioned(const std::string& text)
       : mechanism(mechanism_of(text)),
         basis(action_basis(mechanism.geometry, OrderChoice::minimal, {})) {
     const Case& which = mechanism.cases.front();
@@ -68,14 +68,14 @@ std::string belts(const std::string& case_text) {
 }
 
 TEST(Pretension, IsNoneWhereAllSegmentsPull) {
-  const Solved belt(belts("action: {in: -60, belt_1.F: 5, chain_1.F: 5}"));
+  const Pretensioned belt(belts("action: {in: -60, belt_1.F: 5, chain_1.F: 5}"));
 
   EXPECT_EQ(belt.pushed(), Names{});
 }
 
 TEST(Pretension, LiftsTheSlackSegmentOfEachBeltToZero) {
   // Tight 10 and 5, slack 10 - 60 and 5 - 60/2: a pretension of 50 and of 25.
-  const Solved belt(belts("action: {in: -60, belt_2.F: 10, chain_2.F: 5}"));
+  const Pretensioned belt(belts("action: {in: -60, belt_2.F: 10, chain_2.F: 5}"));
 
   EXPECT_EQ(belt.pushed(), (Names{"belt_1", "chain_1"}));
   EXPECT_NEAR(belt.pretension("belt_1.F"), 50.0, 1e-10);
@@ -87,7 +87,7 @@ TEST(Pretension, LiftsTheSlackSegmentOfEachBeltToZero) {
 
 TEST(Pretension, CombinesSelfStressesSoThatTheSumOfTensionsIsLeast) {
   // A slide between ropes in one line, two to the left and one to the right: T1 + T2 = T3.
-  const Solved ropes(
+  const Pretensioned ropes(
       "space: planar\n"
       "ground: frame\n"
       "bodies: [slide]\n"
@@ -106,7 +106,7 @@ TEST(Pretension, CombinesSelfStressesSoThatTheSumOfTensionsIsLeast) {
 }
 
 TEST(Pretension, DoesNotExistForARopeThatNothingStretches) {
-  const Solved rope(
+  const Pretensioned rope(
       "space: planar\n"
       "ground: frame\n"
       "bodies: [load]\n"

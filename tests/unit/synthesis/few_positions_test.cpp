@@ -178,12 +178,12 @@ INSTANTIATE_TEST_SUITE_P(FourPositions,
                          testing::ValuesIn(reference_curves()),
                          [](const auto& one) { return one.param.name; });
 
-struct Form {
+struct CurveForm {
   std::string name;
   std::vector<int> orders;
 };
 
-class KnownCurves : public testing::TestWithParam<Form> {};
+class KnownCurves : public testing::TestWithParam<CurveForm> {};
 
 TEST_P(KnownCurves, HoldTheDyadsOfALinkage) {
   Random random(4);
@@ -217,11 +217,11 @@ TEST_P(KnownCurves, HoldTheDyadsOfALinkage) {
 
 INSTANTIATE_TEST_SUITE_P(FourPositions,
                          KnownCurves,
-                         testing::Values(Form{"PPPP", {4}},
-                                         Form{"PPPandP", {3, 1}},
-                                         Form{"PPandPP", {2, 2}},
-                                         Form{"PPandPandP", {2, 1, 1}},
-                                         Form{"Finite", {1, 1, 1, 1}}),
+                         testing::Values(CurveForm{"PPPP", {4}},
+                                         CurveForm{"PPPandP", {3, 1}},
+                                         CurveForm{"PPandPP", {2, 2}},
+                                         CurveForm{"PPandPandP", {2, 1, 1}},
+                                         CurveForm{"Finite", {1, 1, 1, 1}}),
                          [](const auto& one) { return one.param.name; });
 
 // Three places of a point and the centre of the circle through them.

@@ -12,14 +12,14 @@
 namespace kinestat {
 namespace {
 
-struct Form {
+struct TaskForm {
   std::string name;
   std::vector<int> orders;
 };
 
 constexpr int kTasksOfAForm = 180;
 
-class InverseTasks : public testing::TestWithParam<Form> {};
+class InverseTasks : public testing::TestWithParam<TaskForm> {};
 
 struct Tally {
   int tasks = 0;
@@ -67,13 +67,13 @@ TEST_P(InverseTasks, HaveTheKnownDyadsAmongTheirAnswers) {
 
 INSTANTIATE_TEST_SUITE_P(FivePositions,
                          InverseTasks,
-                         testing::Values(Form{"PPPPP", {5}},
-                                         Form{"PPPPandP", {4, 1}},
-                                         Form{"PPPandPP", {3, 2}},
-                                         Form{"PPPandPandP", {3, 1, 1}},
-                                         Form{"PPandPPandP", {2, 2, 1}},
-                                         Form{"PPandPandPandP", {2, 1, 1, 1}},
-                                         Form{"Finite", {1, 1, 1, 1, 1}}),
+                         testing::Values(TaskForm{"PPPPP", {5}},
+                                         TaskForm{"PPPPandP", {4, 1}},
+                                         TaskForm{"PPPandPP", {3, 2}},
+                                         TaskForm{"PPPandPandP", {3, 1, 1}},
+                                         TaskForm{"PPandPPandP", {2, 2, 1}},
+                                         TaskForm{"PPandPandPandP", {2, 1, 1, 1}},
+                                         TaskForm{"Finite", {1, 1, 1, 1, 1}}),
                          [](const auto& one) { return one.param.name; });
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/angles.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -116,7 +118,6 @@ Point random_point(Random& random, double size) {
 }
 
 Dyad random_dyad(Random& random, DyadKind kind, const Point& at, double angle) {
-  constexpr double kPi = std::numbers::pi;
   Dyad dyad{.kind = kind, .circle_point = random_point(random, 2.0)};
   const Point place = at + unit_vector(angle) * dyad.circle_point;
   dyad.direction = unit_vector(random.between(-kPi / 2, kPi / 2));
@@ -169,7 +170,6 @@ KnownLinkage random_linkage(Random& random, DyadKind one, DyadKind other) {
 std::vector<PositionJets> random_positions(Random& random,
                                            const KnownLinkage& linkage,
                                            const std::vector<int>& orders) {
-  constexpr double kPi = std::numbers::pi;
   constexpr int kTries = 200;
   std::vector<PositionJets> positions;
   std::vector<double> used;

@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "known_linkage.hpp"
+#include "support/angles.hpp"
 #include "synthesis/verdict.hpp"
 
 namespace kinestat {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // Ground 4, crank 1, coupler 3.5, rocker 2.5; its moving frame at the crank pin, along the coupler.
 Linkage crank_rocker(double coupler) {

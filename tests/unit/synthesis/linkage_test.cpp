@@ -7,13 +7,12 @@
 
 #include "reference_four_bars.hpp"
 #include "reference_tasks.hpp"
+#include "support/angles.hpp"
 #include "synthesis/cognates.hpp"
 #include "synthesis/verdict.hpp"
 
 namespace kinestat {
 namespace {
-
-constexpr double kDegree = 0.017453292519943295;
 
 const ReferenceTask& task_of(const ReferenceFourBar& four_bar) {
   return *std::ranges::find(reference_tasks(), four_bar.task, &ReferenceTask::name);

@@ -1,6 +1,7 @@
 // Tasks whose dyads are known to 60 digits, for the very doubles that are given here.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,9 @@ struct ReferenceTask {
 };
 
 const std::vector<ReferenceTask>& reference_tasks();
+
+inline const ReferenceTask& reference_task(const std::string& name) {
+  return *std::ranges::find(reference_tasks(), name, &ReferenceTask::name);
+}
 
 }  // namespace kinestat

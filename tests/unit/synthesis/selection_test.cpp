@@ -3,17 +3,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "support/angles.hpp"
 #include "synthesis/specification.hpp"
 
 namespace kinestat {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 const Point kFreePoint{0.75, 2.0};
 

@@ -9,23 +9,18 @@
 
 #include "near_dyad.hpp"
 #include "reference_tasks.hpp"
+#include "support/angles.hpp"
 #include "synthesis/burmester.hpp"
 #include "synthesis/special_frame.hpp"
 
 namespace kinestat {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
-
 PositionSpecification table_5() {
   return {.at = {0.0, 0.0},
           .angle = 0.0,
           .pole = Point(3.75, 3.25),
           .curvature = CurvatureSpecification{{3.0, 2.6}, {0.75, 2.0}, 0.58}};
-}
-
-const ReferenceTask& reference(const std::string& name) {
-  return *std::ranges::find(reference_tasks(), name, &ReferenceTask::name);
 }
 
 void expect_jets(const PositionJets& found, const PositionJets& expected) {
@@ -52,7 +47,7 @@ TEST(Specification, OfCurvatureGivesTheSecondDerivatives) {
   const auto found = find_jets(given);
 
   ASSERT_TRUE(found.jets);
-  expect_jets(*found.jets, reference("table3").positions[0]);
+  expect_jets(*found.jets, reference_task("table3").positions[0]);
 }
 
 TEST(Specification, OfStationaryCurvatureGivesTheThirdDerivatives) {
@@ -62,7 +57,7 @@ TEST(Specification, OfStationaryCurvatureGivesTheThirdDerivatives) {
   const auto found = find_jets(given);
 
   ASSERT_TRUE(found.jets);
-  expect_jets(*found.jets, reference("table5").positions[0]);
+  expect_jets(*found.jets, reference_task("table5").positions[0]);
 }
 
 TEST(Specification, OfBurmesterPointsGivesTheFourthDerivatives) {
@@ -73,7 +68,7 @@ TEST(Specification, OfBurmesterPointsGivesTheFourthDerivatives) {
   const auto found = find_jets(given);
 
   ASSERT_TRUE(found.jets);
-  expect_jets(*found.jets, reference("case1_PPPPP").positions[0]);
+  expect_jets(*found.jets, reference_task("case1_PPPPP").positions[0]);
 }
 
 // Positions that break the quadrant rules, divisions and unsigned lengths of the source. The

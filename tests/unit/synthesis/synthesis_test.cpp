@@ -6,18 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "reference_tasks.hpp"
+#include "support/angles.hpp"
 
 namespace kinestat {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
-
-const ReferenceTask& reference(const std::string& name) {
-  return *std::ranges::find(reference_tasks(), name, &ReferenceTask::name);
-}
-
 std::vector<LinkageCandidate> linkages_of(const std::string& name, const LinkageLimits& limits) {
-  const ReferenceTask& task = reference(name);
+  const ReferenceTask& task = reference_task(name);
   return rank_linkages(solve_burmester(task.positions).dyads, task.positions, limits);
 }
 
