@@ -72,17 +72,17 @@ bool SchemeRouter::is_free(GridCell cell) const {
 
 // Dijkstra's search over cells and directions.
 SchemeRouter::Search SchemeRouter::search(int net) const {
-  constexpr std::size_t kDirections = kMoves.size();
-  const std::size_t states = along_.size() * kDirections;
+  constexpr std::size_t kMoveCount = kMoves.size();
+  const std::size_t states = along_.size() * kMoveCount;
   Search result{.price = std::vector<double>(states, std::numeric_limits<double>::infinity()),
                 .before = std::vector<int>(states, -1)};
   using Entry = std::pair<double, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting;
   for (std::size_t cell = 0; cell < along_.size(); ++cell) {
     const bool is_own = is_tree_[cell] && (along_[cell] == net || across_[cell] == net);
-    for (std::size_t d = 0; is_own && d < kDirections; ++d) {
-      result.price[cell * kDirections + d] = 0.0;
-      waiting.push({0.0, cell * kDirections + d});
+    for (std::size_t d = 0; is_own && d < kMoveCount; ++d) {
+      result.price[cell * kMoveCount + d] = 0.0;
+      waiting.push({0.0, cell * kMoveCount + d});
     }
   }
   while (!waiting.empty()) {
@@ -91,12 +91,12 @@ SchemeRouter::Search SchemeRouter::search(int net) const {
     if (price > result.price[state]) {
       continue;
     }
-    const std::size_t cell = state / kDirections;
-    const std::size_t came = state % kDirections;
+    const std::size_t cell = state / kMoveCount;
+    const std::size_t came = state % kMoveCount;
     const auto can_turn = [&](const std::vector<int>& lines) {
       return lines[cell] == kFree || lines[cell] == net;
     };
-    for (std::size_t d = 0; d < kDirections; ++d) {
+    for (std::size_t d = 0; d < kMoveCount; ++d) {
       const bool turns = is_along(d) != is_along(came);
       if ((turns && !(can_turn(along_) && can_turn(across_))) ||
           (!turns && d != came && price > 0)) {
@@ -116,7 +116,7 @@ SchemeRouter::Search SchemeRouter::search(int net) const {
       const bool crosses = other[next] != kFree && other[next] != net;
       const double total =
           price + kStep + (turns && price > 0 ? kBend : 0.0) + (crosses ? kCrossing : 0.0);
-      const std::size_t next_state = next * kDirections + d;
+      const std::size_t next_state = next * kMoveCount + d;
       if (total < result.price[next_state]) {
         result.price[next_state] = total;
         result.before[next_state] = static_cast<int>(state);
