@@ -9,7 +9,7 @@
 namespace kinestat {
 namespace {
 
-Mechanism mechanism_of(const std::string& text) {
+Mechanism bound_with_cables(const std::string& text) {
   Diagnostics found;
   const auto root = read_yaml({.path = "test.yaml", .text = text}, ReadLimits{}, found);
   const auto description = root ? read_mechanism(*root, found) : std::nullopt;
@@ -39,7 +39,7 @@ constexpr const char* kHoist =
     "    over: [{pulley: drum, radius: 1, wrap: clockwise}, {body: right, at: [6, 1]}]\n";
 
 TEST(CableBinding, AddsSegmentsThenVirtualLinks) {
-  const Mechanism mechanism = mechanism_of(kHoist);
+  const Mechanism mechanism = bound_with_cables(kHoist);
   const Topology& topology = mechanism.topology;
 
   std::vector<std::string> couplings;
@@ -61,7 +61,7 @@ TEST(CableBinding, AddsSegmentsThenVirtualLinks) {
 }
 
 TEST(CableBinding, PullsTheHeadTowardsTheTail) {
-  const Mechanism mechanism = mechanism_of(kHoist);
+  const Mechanism mechanism = bound_with_cables(kHoist);
   const CouplingTopology& rope = mechanism.topology.couplings[4];
 
   // From (0, 0) up to (0, 10): the tension on the head, the link at the wheel, is downwards.
@@ -89,7 +89,7 @@ TEST(CableBinding, FreesMoreInSpace) {
       "      - {body: frame, at: [0, 6, 0]}\n";
 
   // About x, the axis of the revolute coupling, clockwise goes from -y over +z to +y.
-  const Mechanism mechanism = mechanism_of(text);
+  const Mechanism mechanism = bound_with_cables(text);
 
   ASSERT_EQ(mechanism.topology.couplings.size(), 5U);
   EXPECT_EQ(mechanism.topology.couplings[2].freedom_count, 5);
