@@ -138,11 +138,11 @@ std::optional<UnitExpression> UnitReader::convert_number(const Node& node) {
 }
 
 std::optional<UnitExpression> UnitReader::convert_power(const Node& node) {
-  constexpr double kLargestExponent = 9.0;
+  constexpr double kLargestUnitExponent = 9.0;
   const Node& exponent = expression_.nodes()[static_cast<std::size_t>(node.right)];
   const bool is_whole = exponent.kind == NodeKind::number &&
                         exponent.value == std::floor(exponent.value) && exponent.value >= 1.0 &&
-                        exponent.value <= kLargestExponent;
+                        exponent.value <= kLargestUnitExponent;
   if (!is_whole) {
     return fail(exponent, "the exponent of a unit is a whole number from 1 to 9", "write s^2");
   }

@@ -20,9 +20,9 @@ constexpr std::string_view kStationForms =
 
 // Neither a body nor a pulley, perhaps because the word is misspelt.
 void complain_of_kind(const YamlNode& node, const std::string& what, Diagnostics& found) {
-  static const std::vector<std::string> kKinds = {"body", "pulley"};
+  static const std::vector<std::string> kStations = {"body", "pulley"};
   for (const YamlEntry& entry : node.entries) {
-    const std::string guess = did_you_mean(entry.key, kKinds);
+    const std::string guess = did_you_mean(entry.key, kStations);
     if (!guess.empty()) {
       found.error("E0302",
                   entry.key_where,

@@ -114,8 +114,8 @@ void read_relative_screw(const YamlNode& node, const Place& place, CouplingDescr
 }
 
 void read_one_way(const YamlNode& node, const Place& place, CouplingDescription& coupling) {
-  static const std::vector<std::string> kWords = {"+", "-"};
-  if (const auto word = read_word(node, place.of("bearing direction"), kWords, place.found)) {
+  static const std::vector<std::string> kSigns = {"+", "-"};
+  if (const auto word = read_word(node, place.of("bearing direction"), kSigns, place.found)) {
     coupling.one_way = *word == 0 ? OneWay::positive : OneWay::negative;
   }
 }

@@ -317,9 +317,9 @@ std::optional<AxisDescription> read_axis(const YamlNode& node,
                                          Space space,
                                          Diagnostics& found) {
   if (node.kind == YamlKind::scalar) {
-    static const std::vector<std::string> kWords = {"x", "y", "z", "-x", "-y", "-z"};
-    const auto word = std::ranges::find(kWords, node.text);
-    if (word == kWords.end()) {
+    static const std::vector<std::string> kAxisWords = {"x", "y", "z", "-x", "-y", "-z"};
+    const auto word = std::ranges::find(kAxisWords, node.text);
+    if (word == kAxisWords.end()) {
       found.error(
           "E0305",
           node.where,

@@ -84,13 +84,13 @@ bool is_whole(const Rational& value) {
 
 std::optional<Rational> read_decimal(std::string_view literal) {
   // Generous: a decimal digit has more than three bits, and a common factor of ten may cancel.
-  constexpr long long kMostDigits = 2LL * kLargestRational;
+  constexpr long long kFarthestDigit = 2LL * kLargestRational;
   const Decimal decimal = split(literal);
   if (decimal.digits.empty()) {
     return Rational(0);
   }
-  if (decimal.exponent > kMostDigits || decimal.exponent < -kMostDigits ||
-      decimal.digits.size() > kMostDigits) {
+  if (decimal.exponent > kFarthestDigit || decimal.exponent < -kFarthestDigit ||
+      decimal.digits.size() > kFarthestDigit) {
     return std::nullopt;
   }
   const Integer digits(decimal.digits);

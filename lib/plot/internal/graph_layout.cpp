@@ -140,14 +140,14 @@ class LayoutFinder {
 
   // Crossings count most, edges across nodes more, long edges a little.
   double cost(const std::vector<PixelPoint>& places) const {
-    constexpr double kCrossing = 3.0;
+    constexpr double kPriceOfCrossing = 3.0;
     constexpr double kCovered = 10.0;
     const LayoutFaults faults = find_faults(graph_, places, 0.3 * distance_);
     double length = 0.0;
     for (const Pair& pair : pairs_) {
       length += length_of(place(places, pair.first) - place(places, pair.second));
     }
-    return kCrossing * faults.crossings + kCovered * faults.covered_nodes +
+    return kPriceOfCrossing * faults.crossings + kCovered * faults.covered_nodes +
            length / distance_ / std::max<double>(1.0, static_cast<double>(pairs_.size()));
   }
 

@@ -127,9 +127,11 @@ std::string body_mark(const Topology& topology, BodyId body) {
 
 Ink body_ink(BodyId body) {
   // That of forces is left to them.
-  constexpr std::array<Ink, 5> kInks = {Ink::sky, Ink::green, Ink::pink, Ink::brown, Ink::blue};
-  return body.value == 0 ? Ink::ink
-                         : kInks[static_cast<std::size_t>(body.value - 1) % kInks.size()];
+  constexpr std::array<Ink, 5> kInksOfBodies = {
+      Ink::sky, Ink::green, Ink::pink, Ink::brown, Ink::blue};
+  return body.value == 0
+             ? Ink::ink
+             : kInksOfBodies[static_cast<std::size_t>(body.value - 1) % kInksOfBodies.size()];
 }
 
 LinkageCanvas::LinkageCanvas(const Analysis& analysis,

@@ -68,10 +68,10 @@ void NamePlacer::keep_off(PixelPoint from, PixelPoint to) {
 }
 
 void NamePlacer::keep_off_circle(PixelPoint centre, double radius) {
-  constexpr int kSides = 24;
+  constexpr int kSidesOfRing = 24;
   PixelPoint last = {.x = centre.x + radius, .y = centre.y};
-  for (int i = 1; i <= kSides; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kSides;
+  for (int i = 1; i <= kSidesOfRing; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kSidesOfRing;
     const PixelPoint next = {.x = centre.x + radius * std::cos(angle),
                              .y = centre.y + radius * std::sin(angle)};
     keep_off(last, next);

@@ -151,12 +151,12 @@ std::vector<PixelPoint> circle_in_space(const LinkageView& view,
                                         const Vec3& centre,
                                         const Vec3& axis,
                                         double radius) {
-  constexpr int kSides = 40;
+  constexpr int kSidesOfCircle = 40;
   const Vec3 one = axis.unitOrthogonal();
   const Vec3 other = axis.cross(one);
   std::vector<PixelPoint> points;
-  for (int i = 0; i < kSides; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kSides;
+  for (int i = 0; i < kSidesOfCircle; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kSidesOfCircle;
     const Vec3 arm = std::cos(angle) * one + std::sin(angle) * other;
     points.push_back(view.at(centre + (radius / view.scale) * arm));
   }

@@ -70,8 +70,8 @@ std::vector<PixelPoint> rounded_hull(std::span<const Round> rounds) {
 }
 
 std::vector<PixelPoint> arc_points(PixelPoint centre, double radius, double from, double to) {
-  constexpr double kStep = std::numbers::pi / 36;
-  const int count = std::max(2, static_cast<int>(std::ceil(std::abs(to - from) / kStep)));
+  constexpr double kStepOfArc = std::numbers::pi / 36;
+  const int count = std::max(2, static_cast<int>(std::ceil(std::abs(to - from) / kStepOfArc)));
   std::vector<PixelPoint> points;
   for (int i = 0; i <= count; ++i) {
     const double angle = from + (to - from) * i / count;
