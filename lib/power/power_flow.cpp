@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "power/efficiency.hpp"
+#include "power/internal/bounded_magnitude.hpp"
 
 namespace kinestat {
 
@@ -47,6 +49,28 @@ double power_of_actuators_and_friction(const Mechanism& mechanism,
   return sum;
 }
 
+// What the power of a wrench on a motion may round by: both are written about a common origin, from
+// which the terms may be far larger than their sum. A dozen roundings make the terms and their sum.
+double rounding_of(const Wrench& wrench, const Twist& twist) {
+  const double largest_terms = wrench.moment.cwiseAbs().dot(twist.angular.cwiseAbs()) +
+                               wrench.force.cwiseAbs().dot(twist.linear.cwiseAbs());
+  return 6.0 * std::numeric_limits<double>::epsilon() * largest_terms;
+}
+
+std::optional<double> bound_of_powers(const Mechanism& mechanism,
+                                      const KinematicSolution& motion,
+                                      const StaticSolution& action,
+                                      double largest) {
+  if (!has_bounds(motion.answer) || !has_bounds(action.answer) || largest == 0.0) {
+    return std::nullopt;
+  }
+  BoundedNumber sum;  // its bound is that of each part, too
+  for (const ActuatorTopology& actuator : mechanism.topology.actuators) {
+    sum = sum + bounded_action(action, actuator.action) * bounded_rate(motion, actuator.freedom);
+  }
+  return std::min(sum.bound / largest, 1.0);
+}
+
 // Of the bodies that a friction loads, the head as seen from the tail.
 Twist relative_motion(const FrictionAction& friction, const KinematicSolution& motion) {
   if (!friction.between) {
@@ -74,6 +98,7 @@ PowerFlow find_power(const Mechanism& mechanism,
   PowerFlow flow;
   double sum = 0.0;
   double largest = 0.0;
+  double rounding = 0.0;
   for (std::size_t e = 0; e < mechanism.topology.couplings.size(); ++e) {
     const auto head = static_cast<std::size_t>(mechanism.topology.couplings[e].head.value);
     const bool is_real = !is_by_convention(action, mechanism.topology.couplings[e]);
@@ -83,6 +108,7 @@ PowerFlow find_power(const Mechanism& mechanism,
     flow.supplied.push_back(wrench ? power(*wrench, motion.couplings[e])
                                    : power_of_actuators_and_friction(mechanism, e, motion, action));
     sum += flow.supplied.back();
+    rounding += wrench ? rounding_of(*wrench, motion.couplings[e]) : 0.0;
     largest = std::max(
         {largest, std::abs(flow.into_head.back().value_or(0.0)), std::abs(flow.supplied.back())});
   }
@@ -110,7 +136,8 @@ PowerFlow find_power(const Mechanism& mechanism,
   }
   flow.largest = largest;
   flow.balance_residual = largest == 0.0 ? 0.0 : std::abs(sum) / largest;
-  flow.is_balanced = flow.balance_residual <= kPowerBalance;
+  flow.is_balanced = std::abs(sum) <= std::max(kPowerBalance * largest, rounding);
+  flow.error_bound = bound_of_powers(mechanism, motion, action, largest);
   return flow;
 }
 

@@ -30,7 +30,11 @@ struct PowerFlow {
   std::string no_efficiency;
   bool is_self_locking = false;   ///< friction takes more than the inputs give: outputs drive too
   double balance_residual = 0.0;  ///< |sum of supplied and loads| relative to the largest power
-  bool is_balanced = true;        ///< the residual is at most kPowerBalance (Tellegen)
+  bool is_balanced = true;        ///< the residual is at most kPowerBalance (Tellegen), or what
+                                  ///< rounds where wrenches and motions far from the origin cancel
+  /// How far the powers of actuators and the input may be off, relative to the largest of all
+  /// powers; empty where rates or actions have no bounds.
+  std::optional<double> error_bound;
 };
 
 /// Whether all friction and the actions of all actuators are known, not by convention. Passive

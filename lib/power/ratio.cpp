@@ -6,6 +6,7 @@
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
+#include "power/internal/bounded_magnitude.hpp"
 #include "power/rate_ratio.hpp"
 
 namespace kinestat {
@@ -37,6 +38,37 @@ std::optional<double> total_action(const Mechanism& mechanism,
     sum += *magnitude;
   }
   return sum;
+}
+
+// Of ratios that have a value.
+std::optional<double> bound_of_ratio(const Mechanism& mechanism,
+                                     const Case& which,
+                                     const KinematicSolution& motion) {
+  if (!has_bounds(motion.answer)) {
+    return std::nullopt;
+  }
+  const auto freedom = [&](int actuator) {
+    return mechanism.topology.actuators[static_cast<std::size_t>(actuator)].freedom;
+  };
+  return (bounded_rate(motion, freedom(which.inputs.front())) /
+          bounded_rate(motion, freedom(which.outputs.front())))
+      .relative_bound();
+}
+
+std::optional<double> bound_of_torque_ratio(const Mechanism& mechanism,
+                                            const Case& which,
+                                            const StaticSolution& action) {
+  if (!has_bounds(action.answer)) {
+    return std::nullopt;
+  }
+  const auto index = [&](int actuator) {
+    return mechanism.topology.actuators[static_cast<std::size_t>(actuator)].action;
+  };
+  BoundedNumber sum;
+  for (const int input : which.inputs) {
+    sum = sum + bounded_action(action, index(input));
+  }
+  return (sum / bounded_action(action, index(which.outputs.front()))).relative_bound();
 }
 
 }  // namespace
@@ -71,6 +103,8 @@ Ratios find_ratios(const Mechanism& mechanism,
   ratios.ratio = share_of(fast, slow);
   if (!ratios.ratio) {
     ratios.reason = "output '" + output.name + "' is at rest";
+  } else {
+    ratios.ratio_bound = bound_of_ratio(mechanism, which, motion);
   }
   if (action == nullptr) {
     return ratios;
@@ -79,6 +113,9 @@ Ratios find_ratios(const Mechanism& mechanism,
   const std::optional<double> out = action->magnitudes[static_cast<std::size_t>(output.action)];
   if (!is_by_convention(*action, output.action)) {
     ratios.torque_ratio = share_of(in, out);
+  }
+  if (ratios.torque_ratio) {
+    ratios.torque_ratio_bound = bound_of_torque_ratio(mechanism, which, *action);
   }
   return ratios;
 }

@@ -73,6 +73,8 @@ Json case_json(const Analysis& analysis, const CaseAnalysis& one) {
     if (!one.ratios->reason.empty()) {
       result["reason"] = one.ratios->reason;
     }
+    result["evidence"]["ratio_error_bound"] = number(one.ratios->ratio_bound);
+    result["evidence"]["torque_ratio_error_bound"] = number(one.ratios->torque_ratio_bound);
   }
   if (one.motion) {
     result["kinematics"] = kinematics_json(mechanism, *one.motion, in);

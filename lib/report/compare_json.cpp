@@ -27,6 +27,7 @@ constexpr auto kLeftOut = std::to_array<std::string_view>({
     "/mechanism/parameters/*/expression",
     "/mechanism/parameters/*/unit",
     "/mobility/evidence",
+    "/cases/*/evidence",
     "/cases/*/*/evidence",
     "/cases/*/power/balance_residual",
     "/cases/*/power/losses/balance_residual",

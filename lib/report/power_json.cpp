@@ -113,6 +113,7 @@ Json power_json(const Mechanism& mechanism, const CaseAnalysis& one, const InUni
   }
   result["input"] = number(in.power(flow.input));
   result["balance_residual"] = number(flow.balance_residual);
+  result["evidence"]["error_bound"] = number(flow.error_bound);
   add_graph(topology, *one.power_graph, in, result);
   return result;
 }

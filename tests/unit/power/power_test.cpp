@@ -148,6 +148,53 @@ TEST(PowerFlow, OfABrokenBalanceSaysSo) {
   EXPECT_NEAR(flow.balance_residual, 5e-6, 1e-8);
 }
 
+// About a point 1e9 m off the couple of the tooth is 1e11 N·m, of which 1.5e-5 is the last digit.
+TEST(PowerFlow, FarFromTheOriginMayRoundBeyondTheBalance) {
+  TwoShafts shafts;
+  const Vec3 far(0.0, 1e9, 0.0);
+  for (auto* twists : {&shafts.motion.bodies, &shafts.motion.couplings}) {
+    for (Twist& twist : *twists) {
+      twist.linear += far.cross(twist.angular);
+    }
+  }
+  Wrench& tooth = *shafts.action.wrenches[2];
+  tooth.moment += far.cross(tooth.force);
+  const auto is_balanced_with = [&](double couple) {
+    TwoShafts off = shafts;
+    off.action.wrenches[2]->moment.z() += couple;
+    return find_power(off.mechanism, off.which, off.motion, off.action).is_balanced;
+  };
+
+  EXPECT_TRUE(is_balanced_with(1.5e-5));
+  EXPECT_FALSE(is_balanced_with(1e-2));
+}
+
+TEST(PowerFlow, HasABoundWhereRatesAndActionsHave) {
+  TwoShafts shafts;
+  const auto bound = [&] {
+    return find_power(shafts.mechanism, shafts.which, shafts.motion, shafts.action).error_bound;
+  };
+  EXPECT_FALSE(bound());
+
+  shafts.motion.answer.bounds = {0.0, 1e-6};
+  EXPECT_FALSE(bound());
+
+  shafts.action.answer.bounds = {1e-4, 2e-4};
+  // 1e-4·1 of the input, 200·1e-6 + 0.5·2e-4 of the output, of 100 W.
+  EXPECT_NEAR(*bound(), 4e-6, 1e-11);
+}
+
+TEST(Ratios, HaveBoundsWhereRatesAndActionsHave) {
+  TwoShafts shafts;
+  shafts.motion.answer.bounds = {0.0, 1e-6};
+  shafts.action.answer.bounds = {1e-4, 2e-4};
+
+  const Ratios ratios = find_ratios(shafts.mechanism, shafts.which, shafts.motion, &shafts.action);
+
+  EXPECT_NEAR(*ratios.ratio_bound, 2e-6, 1e-11);         // 1e-6 of 0.5
+  EXPECT_NEAR(*ratios.torque_ratio_bound, 2e-6, 1e-11);  // 1e-6 of each
+}
+
 TEST(Ratios, AreInputOverOutput) {
   const TwoShafts shafts;
 
@@ -156,6 +203,8 @@ TEST(Ratios, AreInputOverOutput) {
   EXPECT_EQ(ratios.ratio, -2.0);
   EXPECT_EQ(ratios.torque_ratio, 0.5);
   EXPECT_EQ(ratios.reason, "");
+  EXPECT_FALSE(ratios.ratio_bound);
+  EXPECT_FALSE(ratios.torque_ratio_bound);
 }
 
 TEST(Ratios, OfAnOutputAtRestHaveAReasonInstead) {

@@ -1,0 +1,23 @@
+// A number with how far it may be off, which arithmetic passes on.
+#pragma once
+
+namespace kinestat {
+
+/// The true number lies within `bound` of `value`. The bound of a result contains its own rounding;
+/// one that is not finite promises nothing.
+struct BoundedNumber {
+  double value = 0.0;
+  double bound = 0.0;  ///< never negative
+
+  /// Error relative to the value; at most 1: then not one digit is sure. A zero without error has
+  /// 0.
+  double relative_bound() const;
+};
+
+BoundedNumber operator+(const BoundedNumber& a, const BoundedNumber& b);
+BoundedNumber operator*(const BoundedNumber& a, const BoundedNumber& b);
+
+/// Without a finite bound where the divisor may be zero.
+BoundedNumber operator/(const BoundedNumber& a, const BoundedNumber& b);
+
+}  // namespace kinestat
