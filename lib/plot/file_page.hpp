@@ -12,7 +12,6 @@
 #include "report/mobility_report.hpp"
 #include "report/motion_table.hpp"
 #include "report/synthesis_report.hpp"
-#include "screw/pose.hpp"
 
 namespace kinestat {
 
@@ -26,7 +25,7 @@ struct PageData {
 /// A finite motion, and where the bodies are in it.
 struct PageMotion {
   MotionTable table;
-  std::vector<std::vector<BodyPose>> poses;  ///< at each row of the table, of each body
+  std::vector<LinkagePosition> positions;  ///< at each row of the table
   std::vector<TracedPath> paths;
 };
 

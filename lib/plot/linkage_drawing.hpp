@@ -11,6 +11,10 @@
 // part on a pulley, which a script hides or draws anew. Names, forces and drives of the drawn
 // position stand in `<g data-layer="names">`, `"forces"`, `"drives"`, `"velocities"`; paths in
 // `"paths"`; these are to be hidden or left as they are.
+//
+// What no such matrix moves, a spatial mechanism and the ropes of a planar one, is drawn anew for
+// every position of LinkageOptions::frames, in a group `<g data-frame="K" display="none">`; shown,
+// it stands for the `"still"` layers of a spatial mechanism, or for all ropes.
 #pragma once
 
 #include <cstddef>
@@ -20,14 +24,22 @@
 
 #include "plot/picture.hpp"
 #include "report/analysis.hpp"
+#include "screw/pose.hpp"
 
 namespace kinestat {
 
 /// The path of a point. World frame [m].
 struct TracedPath {
-  std::string name;  ///< "coupler point"; written at its begin
+  std::string name;  ///< "coupler.1"; written at its begin
   std::vector<Vec3> points;
-  std::optional<BodyId> body;  ///< to which the point belongs: its link reaches to the first point
+  std::optional<BodyId> body;  ///< to which the point belongs
+  Vec3 drawn = Vec3::Zero();   ///< the point in the drawn position, to which its link reaches
+};
+
+/// A position of a finite motion.
+struct LinkagePosition {
+  std::vector<BodyPose> poses;  ///< of each body
+  Geometry geometry;            ///< moved to them
 };
 
 /// What a drawing shows beside the mechanism.
@@ -37,6 +49,7 @@ struct LinkageOptions {
   bool shows_velocities = false;     ///< of the case, if it has motions
   std::vector<TracedPath> paths;
   std::vector<Vec3> reach;  ///< points that the picture holds, such as all places in a motion [m]
+  std::vector<LinkagePosition> frames;
 };
 
 /// To scale, planar mechanisms as they are, spatial ones in parallel projection with z upwards, in

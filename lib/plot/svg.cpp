@@ -302,6 +302,11 @@ void Svg::close_group() {
   --open_groups_;
 }
 
+void Svg::add(const Svg& other) {
+  elements_ += other.elements();
+  bounds_.add(other.bounds());
+}
+
 std::string Svg::id(std::string_view name) {
   return std::string(kIdMark) + std::string(name);
 }

@@ -107,6 +107,9 @@ class Svg {
 
   void close_group();
 
+  /// Everything that the other has drawn; its groups must be closed.
+  void add(const Svg& other);
+
   /// The value for an attribute `id` or, after "#", `href` of a group, made unique where the
   /// picture is embedded; `name` is a word of ours.
   static std::string id(std::string_view name);

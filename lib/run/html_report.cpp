@@ -9,6 +9,7 @@
 #include "description/mechanism_description.hpp"
 #include "mechanism/bind.hpp"
 #include "motion/configuration.hpp"
+#include "motion/moved_mechanism.hpp"
 #include "plot/html_report.hpp"
 #include "report/certified_report.hpp"
 #include "run/each_file.hpp"
@@ -37,19 +38,26 @@ void add_new(const Diagnostics& more, Diagnostics& found) {
 }
 
 // Where the bodies and the traced points are in every position.
-PageMotion page_motion(const FoundMotion& motion, const Topology& topology) {
-  PageMotion page{.table = motion.table, .poses = {}, .paths = {}};
-  for (const TracedPoint& point : motion.plan.trace) {
+PageMotion page_motion(const FoundMotion& motion, const Mechanism& mechanism) {
+  PageMotion page{.table = motion.table, .positions = {}, .paths = {}};
+  for (std::size_t p = 0; p < motion.plan.trace.size(); ++p) {
+    const TracedPoint& point = motion.plan.trace[p];
     page.paths.push_back(
-        {.name = topology.body(point.body).name, .points = {}, .body = point.body});
+        {.name = fmt::format("{}.{}", mechanism.topology.body(point.body).name, p + 1),
+         .points = {},
+         .body = point.body,
+         .drawn = point.at});
   }
+  Mechanism moved = mechanism;
   for (int i = 0; i < motion.solution.position_count(); ++i) {
-    page.poses.push_back(body_poses(motion.network, motion.solution.configuration_at(i)));
-    for (std::size_t p = 0; p < page.paths.size(); ++p) {
-      const TracedPoint& point = motion.plan.trace[p];
-      const auto body = static_cast<std::size_t>(point.body.value);
-      page.paths[p].points.push_back(page.poses.back()[body].point(point.at));
+    std::vector<BodyPose> poses =
+        body_poses(motion.network, motion.solution.configuration_at(i));
+    move_mechanism(motion.network, motion.drawn, poses, mechanism, moved);
+    for (TracedPath& path : page.paths) {
+      const auto body = static_cast<std::size_t>(path.body->value);
+      path.points.push_back(poses[body].point(path.drawn));
     }
+    page.positions.push_back({.poses = std::move(poses), .geometry = moved.geometry});
   }
   return page;
 }
@@ -111,7 +119,7 @@ class PageBuilder {
             ? find_motion(analysis.description, analysis.mechanism, page_.found)
             : std::nullopt;
     if (motion) {
-      page_.motion = page_motion(*motion, analysis.mechanism.topology);
+      page_.motion = page_motion(*motion, analysis.mechanism);
     }
   }
 

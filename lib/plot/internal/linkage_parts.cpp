@@ -15,10 +15,13 @@ using enum CouplingType;
 
 class PartFinder {
  public:
-  PartFinder(const MechanismDescription& description, const Mechanism& mechanism)
+  PartFinder(const MechanismDescription& description,
+             const Mechanism& mechanism,
+             std::span<const BodyPose> poses)
       : description_(description),
         mechanism_(mechanism),
         topology_(mechanism.topology),
+        poses_(poses),
         numbers_(description) {
     result_.points.resize(topology_.bodies.size());
     result_.outlines.resize(topology_.bodies.size());
@@ -39,7 +42,7 @@ class PartFinder {
     for (const MeshWheels& mesh : find_mesh_wheels(description_, mechanism_)) {
       for (const auto* wheel : {&mesh.tail, &mesh.head}) {
         if (*wheel) {
-          add_wheel(**wheel);
+          add_wheel(moved(**wheel));
         }
       }
     }
@@ -57,10 +60,37 @@ class PartFinder {
       result_.is_virtual[b] = body.is_virtual;
       for (const PointDescription& corner : body.outline) {
         if (const std::optional<Vec3> point = numbers_.point(corner)) {
-          result_.outlines[b].push_back(*point);
+          result_.outlines[b].push_back(moved(BodyId{static_cast<int>(b)}, *point));
         }
       }
     }
+  }
+
+  // Where a point of the body is that was drawn there.
+  Vec3 moved(BodyId body, const Vec3& drawn) const {
+    return poses_.empty() ? drawn : poses_[index(body.value)].point(drawn);
+  }
+
+  Wheel moved(Wheel wheel) const {
+    wheel.centre = moved(wheel.body, wheel.centre);
+    wheel.axis = poses_.empty() ? wheel.axis : poses_[index(wheel.body.value)].direction(wheel.axis);
+    return wheel;
+  }
+
+  std::optional<CableStationGeometry> station_at(const CableStation& station) const {
+    std::optional<CableStationGeometry> found = numbers_.station(station);
+    if (!found || poses_.empty()) {
+      return found;
+    }
+    const BodyPose& pose = poses_[index(body_named(station.body.text).value)];
+    found->centre = pose.point(found->centre);
+    found->axis = pose.direction(found->axis);
+    for (auto* touch : {&found->meets, &found->leaves}) {
+      if (*touch) {
+        *touch = pose.point(**touch);
+      }
+    }
+    return found;
   }
 
   BodyId body_named(std::string_view name) const {
@@ -83,7 +113,7 @@ class PartFinder {
     for (const BodyId body : {coupling.tail, coupling.head}) {
       const bool is_rack = coupling.type == rack && !turns(body);
       if (!has_teeth || is_rack) {
-        add_point(body, at, id);
+        add_point(body, moved(body, at), id);
       }
     }
   }
@@ -111,8 +141,8 @@ class PartFinder {
       add_free_segment(id, written);
       return;
     }
-    const auto from = numbers_.station(written.part->from);
-    const auto to = numbers_.station(written.part->to);
+    const auto from = station_at(written.part->from);
+    const auto to = station_at(written.part->to);
     if (!from || !to) {
       return;
     }
@@ -132,9 +162,11 @@ class PartFinder {
     const auto from = written.from ? numbers_.point(*written.from) : std::nullopt;
     const auto to = written.to ? numbers_.point(*written.to) : std::nullopt;
     if (from && to) {
-      result_.spans.push_back({.coupling = id, .from = *from, .to = *to});
-      add_point(coupling.tail, *from, id);
-      add_point(coupling.head, *to, id);
+      const Vec3 begin = moved(coupling.tail, *from);
+      const Vec3 end = moved(coupling.head, *to);
+      result_.spans.push_back({.coupling = id, .from = begin, .to = end});
+      add_point(coupling.tail, begin, id);
+      add_point(coupling.head, end, id);
     }
   }
 
@@ -182,7 +214,7 @@ class PartFinder {
       if (!begins_here) {
         continue;
       }
-      const auto station = numbers_.station(written.part->from);
+      const auto station = station_at(written.part->from);
       if (station && station->radius != 0.0) {
         result_.arcs.push_back({.body = body_named(cable.over[i].body.text),
                                 .centre = station->centre,
@@ -205,6 +237,7 @@ class PartFinder {
   const MechanismDescription& description_;
   const Mechanism& mechanism_;
   const Topology& topology_;
+  std::span<const BodyPose> poses_;  // empty: as drawn
   FileNumbers numbers_;
   LinkageParts result_;
   std::map<std::pair<int, int>, Touch> stations_;  // by cable and station
@@ -213,8 +246,9 @@ class PartFinder {
 }  // namespace
 
 LinkageParts find_linkage_parts(const MechanismDescription& description,
-                                const Mechanism& mechanism) {
-  return PartFinder(description, mechanism).find();
+                                const Mechanism& mechanism,
+                                std::span<const BodyPose> poses) {
+  return PartFinder(description, mechanism, poses).find();
 }
 
 }  // namespace kinestat

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mechanism/mechanism.hpp"
+#include "screw/pose.hpp"
 
 namespace kinestat {
 
@@ -59,8 +61,10 @@ struct LinkageParts {
   std::vector<RopeArc> arcs;
 };
 
+/// In the drawn position, or with these poses of all bodies; `mechanism` is as drawn.
 LinkageParts find_linkage_parts(const MechanismDescription& description,
-                                const Mechanism& mechanism);
+                                const Mechanism& mechanism,
+                                std::span<const BodyPose> poses = {});
 
 /// The wheels of one coupling of teeth; the pinion alone of a rack.
 struct MeshWheels {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "plot/internal/file_numbers.hpp"
+#include "plot/internal/linkage_frames.hpp"
 #include "plot/internal/symbols.hpp"
 
 namespace kinestat {
@@ -19,6 +20,11 @@ constexpr double kGuideDepth = 9.5;  // from the middle of a block to its guide 
 constexpr double kSlotHalf = 24.0;
 constexpr double kRingDepth = 9.0;
 
+void draw_ropes_at(const Analysis& analysis,
+                   const LinkageOptions& options,
+                   const LinkageParts& parts,
+                   LinkageCanvas& canvas);
+
 std::size_t index(BodyId body) {
   return static_cast<std::size_t>(body.value);
 }
@@ -29,13 +35,33 @@ class PlanarDrawing {
                 const LinkageOptions& options,
                 const LinkageParts& parts,
                 LinkageCanvas& canvas)
-      : description_(analysis.description),
+      : analysis_(analysis),
+        description_(analysis.description),
         topology_(analysis.mechanism.topology),
         geometry_(analysis.mechanism.geometry),
         options_(options),
         parts_(parts),
         canvas_(canvas),
         svg_(canvas.svg()) {}
+
+  void draw_ropes() {
+    for (const RopeSpan& span : parts_.spans) {
+      const std::array<Attribute, 1> marks = {
+          {{"data-rope", topology_.coupling(span.coupling).name}}};
+      svg_.open_group(topology_.coupling(span.coupling).name, marks);
+      const PixelPoint from = canvas_.view().at(span.from);
+      const PixelPoint to = canvas_.view().at(span.to);
+      svg_.line(from, to, {.stroke = Ink::brown, .width = 2.2});
+      canvas_.placer().keep_off(from, to);
+      svg_.close_group();
+    }
+    for (const RopeArc& arc : parts_.arcs) {
+      const std::array<Attribute, 1> marks = {{{"data-wrap", body_mark(topology_, arc.body)}}};
+      svg_.open_group({}, marks);
+      draw_wrap(arc);
+      svg_.close_group();
+    }
+  }
 
   void draw() {
     for (const RopeSpan& span : parts_.spans) {
@@ -49,6 +75,7 @@ class PlanarDrawing {
       svg_.close_group();
     }
     draw_ropes();
+    draw_linkage_frames(analysis_, options_, canvas_, draw_ropes_at);
     canvas_.draw_paths();
     draw_couplings();
     canvas_.name_couplings();
@@ -240,8 +267,8 @@ class PlanarDrawing {
       }
     }
     for (const TracedPath& path : options_.paths) {
-      if (path.body == body && !path.points.empty()) {
-        add(canvas_.view().at(path.points.front()));
+      if (path.body == body) {
+        add(canvas_.view().at(path.drawn));
       }
     }
     return result;
@@ -299,25 +326,6 @@ class PlanarDrawing {
         }
       }
       rounds.push_back({.centre = touch - *radius * normal(*coupling), .radius = *radius});
-    }
-  }
-
-  void draw_ropes() {
-    for (const RopeSpan& span : parts_.spans) {
-      const std::array<Attribute, 1> marks = {
-          {{"data-rope", topology_.coupling(span.coupling).name}}};
-      svg_.open_group(topology_.coupling(span.coupling).name, marks);
-      const PixelPoint from = canvas_.view().at(span.from);
-      const PixelPoint to = canvas_.view().at(span.to);
-      svg_.line(from, to, {.stroke = Ink::brown, .width = 2.2});
-      canvas_.placer().keep_off(from, to);
-      svg_.close_group();
-    }
-    for (const RopeArc& arc : parts_.arcs) {
-      const std::array<Attribute, 1> marks = {{{"data-wrap", body_mark(topology_, arc.body)}}};
-      svg_.open_group({}, marks);
-      draw_wrap(arc);
-      svg_.close_group();
     }
   }
 
@@ -479,6 +487,7 @@ class PlanarDrawing {
     }
   }
 
+  const Analysis& analysis_;
   const MechanismDescription& description_;
   const Topology& topology_;
   const Geometry& geometry_;
@@ -487,6 +496,13 @@ class PlanarDrawing {
   LinkageCanvas& canvas_;
   Svg& svg_;
 };
+
+void draw_ropes_at(const Analysis& analysis,
+                   const LinkageOptions& options,
+                   const LinkageParts& parts,
+                   LinkageCanvas& canvas) {
+  PlanarDrawing(analysis, options, parts, canvas).draw_ropes();
+}
 
 }  // namespace
 

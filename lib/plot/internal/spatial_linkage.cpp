@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/tolerance.hpp"
+#include "plot/internal/linkage_frames.hpp"
 #include "plot/internal/spatial_symbols.hpp"
 #include "plot/internal/symbols.hpp"
 
@@ -49,13 +50,19 @@ double least_distance(const LinkageView& view, const std::vector<Vec3>& places, 
   return least;
 }
 
+void draw_mechanism_at(const Analysis& analysis,
+                       const LinkageOptions& options,
+                       const LinkageParts& parts,
+                       LinkageCanvas& canvas);
+
 class SpatialDrawing {
  public:
   SpatialDrawing(const Analysis& analysis,
                  const LinkageOptions& options,
                  const LinkageParts& parts,
                  LinkageCanvas& canvas)
-      : topology_(analysis.mechanism.topology),
+      : analysis_(analysis),
+        topology_(analysis.mechanism.topology),
         geometry_(analysis.mechanism.geometry),
         options_(options),
         parts_(parts),
@@ -63,6 +70,22 @@ class SpatialDrawing {
         svg_(canvas.svg()) {}
 
   void draw() {
+    canvas_.draw_paths();
+    canvas_.open_layer("still");
+    draw_mechanism();
+    svg_.close_group();
+    draw_linkage_frames(analysis_, options_, canvas_, draw_mechanism_at);
+    canvas_.name_couplings();
+    for (int b = 0; b < topology_.body_count(); ++b) {
+      name_body(BodyId{b});
+    }
+    canvas_.draw_arrows();
+    canvas_.draw_names();
+    canvas_.draw_legend();
+    draw_axes();
+  }
+
+  void draw_mechanism() {
     for (const RopeSpan& span : parts_.spans) {
       canvas_.set_place(span.coupling, (span.from + span.to) / 2);
     }
@@ -76,18 +99,9 @@ class SpatialDrawing {
       svg_.close_group();
     }
     draw_ropes();
-    canvas_.draw_paths();
     for (const CouplingId id : couplings_from_behind()) {
       draw_coupling(id);
     }
-    canvas_.name_couplings();
-    for (int b = 0; b < topology_.body_count(); ++b) {
-      name_body(BodyId{b});
-    }
-    canvas_.draw_arrows();
-    canvas_.draw_names();
-    canvas_.draw_legend();
-    draw_axes();
   }
 
  private:
@@ -187,8 +201,8 @@ class SpatialDrawing {
       }
     }
     for (const TracedPath& path : options_.paths) {
-      if (path.body == body && !path.points.empty()) {
-        add(canvas_.view().at(path.points.front()));
+      if (path.body == body) {
+        add(canvas_.view().at(path.drawn));
       }
     }
     return result;
@@ -304,6 +318,7 @@ class SpatialDrawing {
     }
   }
 
+  const Analysis& analysis_;
   const Topology& topology_;
   const Geometry& geometry_;
   const LinkageOptions& options_;
@@ -311,6 +326,13 @@ class SpatialDrawing {
   LinkageCanvas& canvas_;
   Svg& svg_;
 };
+
+void draw_mechanism_at(const Analysis& analysis,
+                       const LinkageOptions& options,
+                       const LinkageParts& parts,
+                       LinkageCanvas& canvas) {
+  SpatialDrawing(analysis, options, parts, canvas).draw_mechanism();
+}
 
 }  // namespace
 

@@ -102,6 +102,7 @@ class FileSection {
 
   PictureSource source(std::optional<std::size_t> which = {}) const {
     return {.analysis = page_.analysis ? &*page_.analysis : nullptr,
+            .motion = page_.motion ? &page_.motion->table : nullptr,
             .synthesis = page_.synthesis ? &*page_.synthesis : nullptr,
             .which = which,
             .name = page_title(page_)};
@@ -172,7 +173,7 @@ class FileSection {
     open_part("motion", "Motion");
     html_.open("div", {{"class", "pair both"}});
     html_.open("div");
-    if (!page_.motion->poses.empty()) {
+    if (!page_.motion->positions.empty()) {
       add_motion_figure(*page_.analysis, *page_.motion, id_, figures_, html_);
     }
     html_.close();

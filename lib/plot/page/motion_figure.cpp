@@ -16,18 +16,26 @@ namespace {
 // More positions than these look no smoother.
 constexpr std::size_t kMostSteps = 720;
 
+// Bodies and couplings that are drawn anew for positions, all together: each is about 500 bytes.
+constexpr std::size_t kMostParts = 1000;
+
 class MotionFigure {
  public:
   MotionFigure(const Analysis& analysis, const PageMotion& motion, const std::string& id)
       : mechanism_(analysis.mechanism), analysis_(analysis), motion_(motion), id_(id) {
-    const std::size_t stride = (motion.poses.size() + kMostSteps - 1) / kMostSteps;
-    for (std::size_t i = 0; i < motion.poses.size(); i += stride) {
+    const std::size_t count = motion.positions.size();
+    const std::size_t most = most_steps();
+    const std::size_t stride = (count + most - 1) / most;
+    for (std::size_t i = 0; i < count; i += stride) {
       steps_.push_back(i);
+    }
+    if (steps_.back() + 1 < count) {
+      steps_.push_back(count - 1);
     }
   }
 
   void add_to(int number, Html& html) const {
-    const bool moves = mechanism_.space == Space::planar && steps_.size() > 1;
+    const bool moves = steps_.size() > 1;
     if (moves) {
       html.open("figure",
                 {{"class", "motion"},
@@ -45,8 +53,7 @@ class MotionFigure {
     }
     html.open("figcaption");
     html.element("b", fmt::format("Figure {}. ", number));
-    html.text(motion_.paths.empty() ? "The mechanism to scale"
-                                    : "The mechanism to scale and the paths of its traced points");
+    html.text(caption());
     html.close();
     if (moves) {
       html.open("script", {{"type", "application/json"}, {"id", id_ + "-poses"}});
@@ -57,12 +64,40 @@ class MotionFigure {
   }
 
  private:
+  bool is_planar() const { return mechanism_.space == Space::planar; }
+
+  bool has_ropes() const {
+    return std::ranges::any_of(mechanism_.topology.couplings, [](const CouplingTopology& one) {
+      return one.type == CouplingType::cable;
+    });
+  }
+
+  std::size_t most_steps() const {
+    const Topology& topology = mechanism_.topology;
+    const std::size_t parts = topology.bodies.size() + topology.couplings.size();
+    return is_planar() ? kMostSteps : std::max<std::size_t>(kMostParts / parts, 2);
+  }
+
+  std::string caption() const {
+    const std::string paths = motion_.paths.empty() ? "" : " and the paths of its traced points";
+    const std::size_t all = motion_.positions.size();
+    const std::string some =
+        steps_.size() < all
+            ? fmt::format(", at {} of the {} positions of the motion", steps_.size(), all)
+            : "";
+    return fmt::format("The mechanism to scale{}{}", paths, some);
+  }
+
   Picture drawing() const {
     LinkageOptions options;
     options.shows_forces = false;
     options.paths = motion_.paths;
+    const bool needs_frames = !is_planar() || has_ropes();
     for (const std::size_t step : steps_) {
-      add_places(motion_.poses[step], options.reach);
+      add_places(motion_.positions[step].poses, options.reach);
+      if (needs_frames && steps_.size() > 1) {
+        options.frames.push_back(motion_.positions[step]);
+      }
     }
     return draw_linkage(analysis_, options);
   }
@@ -88,9 +123,9 @@ class MotionFigure {
                  {"min", "0"},
                  {"max", fmt::format("{}", steps_.size() - 1)},
                  {"step", "1"},
-                 {"value", "0"},
+                 {"value", fmt::format("{}", std::max(drawn_step(), 0))},
                  {"aria-label", name}});
-    html.element("output", label(steps_.front()));
+    html.element("output", label(steps_[static_cast<std::size_t>(std::max(drawn_step(), 0))]));
     html.close();
   }
 
@@ -114,22 +149,25 @@ class MotionFigure {
     return fmt::format("{}", fmt::join(parts, ", "));
   }
 
-  // With the poses of the drawn position, names and the like may stand.
+  // Of the steps the one with the poses of the drawn position, where names and the like may stand;
+  // -1 if there is none.
   int drawn_step() const {
-    const bool is_first = motion_.table.corrections.empty() &&
-                          std::ranges::all_of(motion_.table.drives, [](const DriveTravel& drive) {
-                            return drive.from == 0.0;
-                          });
-    return is_first ? 0 : -1;
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      if (is_drawn(motion_.positions[steps_[i]].poses)) {
+        return static_cast<int>(i);
+      }
+    }
+    return -1;
   }
 
-  // Whether the motion comes back to where it began, so that it can go round.
-  bool is_closed() const {
-    const std::vector<BodyPose>& first = motion_.poses[steps_.front()];
-    const std::vector<BodyPose>& last = motion_.poses[steps_.back()];
-    for (std::size_t b = 0; b < first.size(); ++b) {
-      const double turned = (first[b].rotation - last[b].rotation).norm();
-      const double shifted = (first[b].shift - last[b].shift).norm();
+  bool is_drawn(const std::vector<BodyPose>& poses) const {
+    return are_same(poses, std::vector<BodyPose>(poses.size()));
+  }
+
+  bool are_same(const std::vector<BodyPose>& some, const std::vector<BodyPose>& others) const {
+    for (std::size_t b = 0; b < some.size(); ++b) {
+      const double turned = (some[b].rotation - others[b].rotation).norm();
+      const double shifted = (some[b].shift - others[b].shift).norm();
       if (turned > kReportsAgree || shifted > kReportsAgree * mechanism_.geometry.length) {
         return false;
       }
@@ -137,13 +175,21 @@ class MotionFigure {
     return true;
   }
 
-  // For each body its shift in the plane [m] and its angle.
+  // Whether the motion comes back to where it began, so that it can go round.
+  bool is_closed() const {
+    return are_same(motion_.positions[steps_.front()].poses, motion_.positions[steps_.back()].poses);
+  }
+
+  // For each body of a planar mechanism its shift in the plane [m] and its angle.
   std::string poses_json() const {
     std::string poses;
     std::vector<std::string> labels;
     for (const std::size_t step : steps_) {
       std::vector<std::string> numbers;
-      for (const BodyPose& pose : motion_.poses[step]) {
+      for (const BodyPose& pose : motion_.positions[step].poses) {
+        if (!is_planar()) {
+          break;
+        }
         const double angle = std::atan2(pose.rotation(1, 0), pose.rotation(0, 0));
         for (const double value : {pose.shift.x(), pose.shift.y(), angle}) {
           numbers.push_back(fmt::format("{:.9g}", value));
@@ -153,7 +199,7 @@ class MotionFigure {
       labels.push_back(script_string(label(step)));
     }
     std::vector<std::string> bodies;
-    for (std::size_t b = 0; b < mechanism_.topology.bodies.size(); ++b) {
+    for (std::size_t b = 0; is_planar() && b < mechanism_.topology.bodies.size(); ++b) {
       bodies.push_back(script_string(fmt::format("{}-{}", mechanism_.topology.bodies[b].name, b)));
     }
     return fmt::format(R"({{"drawn":{},"closed":{},"bodies":[{}],"labels":[{}],"poses":[{}]}})",

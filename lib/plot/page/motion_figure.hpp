@@ -9,9 +9,10 @@
 
 namespace kinestat {
 
-/// Adds the drawing with the paths of the traced points; of a planar mechanism also a slider and a
-/// button, which a script brings to life, and the poses of all bodies for it. Ids begin with `id`;
-/// `figures` counts on. There must be a pose.
+/// Adds the drawing with the paths of the traced points, a slider and a button, which a script
+/// brings to life, and for it the poses of all bodies or, of a spatial mechanism, drawings of the
+/// positions. Nothing is shown that is no position of the motion. Ids begin with `id`; `figures`
+/// counts on. There must be a position.
 void add_motion_figure(const Analysis& analysis,
                        const PageMotion& motion,
                        const std::string& id,

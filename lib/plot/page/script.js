@@ -69,7 +69,8 @@
     const frame = motion.querySelector("[data-scale]");
     const scale = ["scale", "x0", "y0"].map((name) => Number(frame.dataset[name]));
     const groups = data.bodies.map((body) => all('[data-body="' + body + '"]', frame));
-    const drawn = all('[data-layer="names"],[data-layer="forces"],[data-layer="drives"],' +
+    const frames = all("[data-frame]", frame);
+    const drawn = all('[data-layer="still"],[data-layer="names"],[data-layer="forces"],[data-layer="drives"],' +
                       '[data-layer="velocities"],[data-rope],[data-wrap]', frame);
     const markers = all("[data-cursor]", motion);
 
@@ -83,6 +84,13 @@
           } else {
             group.setAttribute("transform", moved(poses.slice(3 * b, 3 * b + 3), ...scale));
           }
+        }
+      });
+      frames.forEach((one, k) => {
+        if (k === step && !isDrawn) {
+          one.removeAttribute("display");
+        } else {
+          one.setAttribute("display", "none");
         }
       });
       for (const one of drawn) {
