@@ -1,14 +1,14 @@
 #include "plot/file_page.hpp"
 
 #include "core/utf8.hpp"
+#include "plot/picture_title.hpp"
 
 namespace kinestat {
 
 std::string page_title(const FilePage& page) {
-  if (page.description && !page.description->name.empty()) {
-    return printable(page.description->name);
-  }
-  return page.source.path == "-" ? "<stdin>" : printable(page.source.path);
+  const MechanismDescription nameless;
+  return printable(
+      shown_name(page.source.path, page.description ? *page.description : nameless));
 }
 
 }  // namespace kinestat

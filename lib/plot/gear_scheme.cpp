@@ -283,18 +283,22 @@ class SchemeWriter {
     if (!options_.which || *options_.which >= analysis_.cases.size()) {
       return;
     }
-    std::string names;
+    std::string engaged;
+    std::string driven;
     for (const SchemeElement& element : train_.elements) {
       const bool engages =
           element.kind == SchemeElementKind::clutch || element.kind == SchemeElementKind::brake;
-      if (element.is_engaged && engages) {
-        names += (names.empty() ? "" : ", ") + element.name;
+      if (!element.is_engaged || element.kind == SchemeElementKind::output) {
+        continue;
       }
+      std::string& names = engages ? engaged : driven;
+      names += (names.empty() ? "" : ", ") + element.name;
     }
     svg_.text({.x = layout_.box.left, .y = svg_.bounds().bottom + 20},
-              fmt::format("{}: engaged {}",
+              fmt::format("{}: engaged {}{}",
                           analysis_.cases[*options_.which].which.label,
-                          names.empty() ? "nothing" : names),
+                          engaged.empty() ? "nothing" : engaged,
+                          driven.empty() ? "" : ", driven by " + driven),
               kSmall);
   }
 

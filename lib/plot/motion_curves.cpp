@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "core/tolerance.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -23,7 +25,7 @@ std::vector<double> values_of(const MotionTable& motion, std::size_t column) {
   return values;
 }
 
-// Whether there are different values.
+// Whether there are different values, and not by rounding alone.
 bool changes(const std::vector<double>& values) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
@@ -33,7 +35,7 @@ bool changes(const std::vector<double>& values) {
       high = std::max(high, value);
     }
   }
-  return low < high;
+  return high - low > kSameValue * std::max(std::abs(low), std::abs(high));
 }
 
 // "transmission_angle" in words.
@@ -105,7 +107,8 @@ std::vector<Group> groups_of(const MotionTable& motion) {
   std::vector<Group> groups;
   for (std::size_t c = motion.drives.size(); c < motion.columns.size(); ++c) {
     const MotionColumn& column = motion.columns[c];
-    if (column.quantity.starts_with(kPlace)) {
+    // How well circuits close is rounding, of which there is nothing to see.
+    if (column.quantity.starts_with(kPlace) || column.quantity == "misclosure") {
       continue;
     }
     const auto at = std::ranges::find_if(groups, [&column](const Group& group) {
@@ -191,8 +194,12 @@ Chart path_chart(const MotionTable& motion, char up, std::size_t PlaceColumns::*
                      .y = values_of(motion, place.*vertical)};
     // A point that rests has no path.
     if (changes(series.x) || changes(series.y)) {
-      chart.marks.push_back({.x = series.x.front(), .y = series.y.front(), .label = "begin"});
       chart.series.push_back(std::move(series));
+    }
+  }
+  for (const Series& series : chart.series) {
+    if (chart.series.size() <= kMostMarked) {
+      chart.marks.push_back({.x = series.x.front(), .y = series.y.front(), .label = "begin"});
     }
   }
   if (chart.series.size() == 1) {

@@ -29,14 +29,14 @@ class MobilityText {
         topology_(analysis.mechanism.topology),
         in_(analysis.description.units, {}) {}
 
-  TextBlocks run() const {
-    TextBlocks blocks = counts();
+  MobilityBlocks run() const {
+    MobilityBlocks blocks{.counts = counts(), .reshetov = {}, .motions = {}};
     if (mobility_.reshetov) {
-      blocks += reshetov(*mobility_.reshetov);
+      blocks.reshetov = reshetov(*mobility_.reshetov);
     }
     if (mobility_.exact) {
-      blocks += motions(mobility_.exact->motions);
-      blocks += redundancies_text(analysis_);
+      blocks.motions = motions(mobility_.exact->motions);
+      blocks.motions += redundancies_text(analysis_);
     }
     return blocks;
   }
@@ -257,13 +257,16 @@ class MobilityText {
 
 }  // namespace
 
-TextBlocks mobility_blocks(const MobilityAnalysis& analysis) {
+MobilityBlocks mobility_blocks(const MobilityAnalysis& analysis) {
   return MobilityText(analysis).run();
 }
 
 std::string mobility_text(const MobilityAnalysis& analysis) {
   const MobilityText text(analysis);
-  return text.head() + text.remarks() + text.run().text();
+  MobilityBlocks blocks = text.run();
+  blocks.counts += blocks.reshetov;
+  blocks.counts += blocks.motions;
+  return text.head() + text.remarks() + blocks.counts.text();
 }
 
 }  // namespace kinestat

@@ -9,7 +9,13 @@ namespace kinestat {
 /// Title, size, and the sentences of mobility_remarks, then all of mobility_blocks.
 std::string mobility_text(const MobilityAnalysis& analysis);
 
-/// Counts, Reshetov's table, motions, redundant constraints and repairs.
-TextBlocks mobility_blocks(const MobilityAnalysis& analysis);
+/// The tables of the mobility, in reading order.
+struct MobilityBlocks {
+  TextBlocks counts;
+  TextBlocks reshetov;  ///< a table a circuit
+  TextBlocks motions;   ///< and redundant constraints and repairs
+};
+
+MobilityBlocks mobility_blocks(const MobilityAnalysis& analysis);
 
 }  // namespace kinestat

@@ -45,9 +45,42 @@ class MotionWriter {
     return text += extremes();
   }
 
+  TextBlocks remarks() const { return TextBlocks(closure_text() + assembly_text()); }
+
   TextBlocks run() const {
     TextBlocks text = summary();
     return text += positions();
+  }
+
+  // Of every quantity but the positions of the drives, which the file gives.
+  TextBlocks extremes() const {
+    if (motion_.rows.empty()) {
+      return {};
+    }
+    std::vector<TextColumn> table = {{"Extremes", {}},
+                                     {"least", {}},
+                                     {"at " + motion_.drives.front().name, {}},
+                                     {"greatest", {}},
+                                     {"at " + motion_.drives.front().name, {}}};
+    for (std::size_t c = motion_.drives.size(); c < column_count(); ++c) {
+      const MotionRow* least = nullptr;
+      const MotionRow* greatest = nullptr;
+      for (const MotionRow& row : motion_.rows) {
+        const std::optional<double>& value = row.values[c];
+        least = value && (least == nullptr || *value < *least->values[c]) ? &row : least;
+        greatest =
+            value && (greatest == nullptr || *value > *greatest->values[c]) ? &row : greatest;
+      }
+      if (least == nullptr || is_same(*least->values[c], *greatest->values[c])) {
+        continue;
+      }
+      table[0].cells.push_back(with_unit(motion_.columns[c].name(), motion_.columns[c].unit));
+      table[1].cells.push_back(shown(least->values[c]));
+      table[2].cells.push_back(shown(least->values[0]));
+      table[3].cells.push_back(shown(greatest->values[c]));
+      table[4].cells.push_back(shown(greatest->values[0]));
+    }
+    return table[0].cells.empty() ? TextBlocks() : TextBlocks(table);
   }
 
  private:
@@ -156,37 +189,6 @@ class MotionWriter {
   // The misclosure, the last column, is summed up above.
   std::size_t column_count() const { return motion_.columns.size() - 1; }
 
-  // Of every quantity but the positions of the drives, which the file gives.
-  TextBlocks extremes() const {
-    if (motion_.rows.empty()) {
-      return {};
-    }
-    std::vector<TextColumn> table = {{"Extremes", {}},
-                                     {"least", {}},
-                                     {"at " + motion_.drives.front().name, {}},
-                                     {"greatest", {}},
-                                     {"at " + motion_.drives.front().name, {}}};
-    for (std::size_t c = motion_.drives.size(); c < column_count(); ++c) {
-      const MotionRow* least = nullptr;
-      const MotionRow* greatest = nullptr;
-      for (const MotionRow& row : motion_.rows) {
-        const std::optional<double>& value = row.values[c];
-        least = value && (least == nullptr || *value < *least->values[c]) ? &row : least;
-        greatest =
-            value && (greatest == nullptr || *value > *greatest->values[c]) ? &row : greatest;
-      }
-      if (least == nullptr || is_same(*least->values[c], *greatest->values[c])) {
-        continue;
-      }
-      table[0].cells.push_back(with_unit(motion_.columns[c].name(), motion_.columns[c].unit));
-      table[1].cells.push_back(shown(least->values[c]));
-      table[2].cells.push_back(shown(least->values[0]));
-      table[3].cells.push_back(shown(greatest->values[c]));
-      table[4].cells.push_back(shown(greatest->values[0]));
-    }
-    return table[0].cells.empty() ? TextBlocks() : TextBlocks(table);
-  }
-
   // Every k-th row, and the last.
   std::vector<const MotionRow*> shown_rows() const {
     std::vector<const MotionRow*> rows;
@@ -257,6 +259,14 @@ TextBlocks motion_blocks(const MotionTable& motion) {
 
 TextBlocks motion_summary(const MotionTable& motion) {
   return MotionWriter(motion).summary();
+}
+
+TextBlocks motion_remarks(const MotionTable& motion) {
+  return MotionWriter(motion).remarks();
+}
+
+TextBlocks motion_extremes(const MotionTable& motion) {
+  return MotionWriter(motion).extremes();
 }
 
 }  // namespace kinestat

@@ -12,4 +12,10 @@ TextBlocks motion_blocks(const MotionTable& motion);
 /// The same without the positions.
 TextBlocks motion_summary(const MotionTable& motion);
 
+/// Lines on how well circuits close, and what closed a drawn position that is apart.
+TextBlocks motion_remarks(const MotionTable& motion);
+
+/// The least and the greatest value of every quantity, and where; empty if nothing moves.
+TextBlocks motion_extremes(const MotionTable& motion);
+
 }  // namespace kinestat

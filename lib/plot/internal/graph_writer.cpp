@@ -202,6 +202,9 @@ class GraphWriter {
         curve.at(share) + 5.0 * curve.direction(share), curve.direction(share), paint.stroke, 10.0);
   }
 
+  // Of an arrow that wide, so that its head is twice as wide.
+  static double head_length(double width) { return 9.0 + 2.0 * width; }
+
   void draw_power(const ModelPower& power, const Curve& curve) {
     if (power.size == 0.0) {
       svg_.polyline(curve.points, {.stroke = Ink::grid, .width = kHair});
@@ -212,10 +215,10 @@ class GraphWriter {
       std::reverse(points.begin(), points.end());
     }
     const double width = power_width(power.size, largest_);
-    const double head = 8.0 + 1.3 * width;
+    const double head = head_length(width);
     const PixelPoint tip = points.back();
     // The line ends within the head.
-    while (points.size() > 2 && length_of(points.back() - tip) < 0.6 * head) {
+    while (points.size() > 2 && length_of(points.back() - tip) < 0.85 * head) {
       points.pop_back();
     }
     const Ink ink = power.recirculates ? Ink::vermilion : Ink::blue;
@@ -264,7 +267,7 @@ class GraphWriter {
     svg_.arrow(port.enters ? far : near,
                port.enters ? near : far,
                {.stroke = Ink::green, .width = width},
-               8.0 + 1.3 * width);
+               head_length(width));
     placer_.keep_off(near, far);
     const TextStyle style = {.ink = Ink::green, .size = kLabelText, .has_halo = true};
     const PlacedName label = placer_.place(far, port.text, style, 5.0);

@@ -329,22 +329,34 @@ PixelBox LinkageCanvas::bounds() const {
   return box;
 }
 
+double LinkageCanvas::draw_scale(PixelPoint from) {
+  const FileUnits& units = analysis_.description.units;
+  const bool is_example =
+      std::ranges::any_of(analysis_.description.parameters, &ParameterDescription::is_free);
+  if (is_example) {
+    const std::string text = "places of free parameters are examples: no scale";
+    svg_.text({.x = from.x, .y = from.y + 4}, text, kSmall);
+    return from.x + text_width(text, kSmall.size);
+  }
+  const double per_unit = view_.scale * units.factor(QuantityKind::length);
+  const double length = round_length(110.0 / per_unit);
+  const double end = from.x + length * per_unit;
+  svg_.line(from, {.x = end, .y = from.y}, {.stroke = Ink::ink, .width = 1.4});
+  for (const double tick : {from.x, end}) {
+    svg_.line({.x = tick, .y = from.y - 4}, {.x = tick, .y = from.y + 4}, {.stroke = Ink::ink});
+  }
+  const std::string text =
+      fmt::format("{} {}", short_number(length), units.text(QuantityKind::length));
+  svg_.text({.x = end + 8, .y = from.y + 4}, text, kSmall);
+  return end + 8 + text_width(text, kSmall.size);
+}
+
 void LinkageCanvas::draw_legend() {
   const FileUnits& units = analysis_.description.units;
   const PixelBox drawn = bounds();
   const double y = drawn.bottom + 26.0;
   double x = drawn.left;
-  const double per_unit = view_.scale * units.factor(QuantityKind::length);
-  const double length = round_length(110.0 / per_unit);
-  const double end = x + length * per_unit;
-  svg_.line({.x = x, .y = y}, {.x = end, .y = y}, {.stroke = Ink::ink, .width = 1.4});
-  for (const double tick : {x, end}) {
-    svg_.line({.x = tick, .y = y - 4}, {.x = tick, .y = y + 4}, {.stroke = Ink::ink});
-  }
-  const std::string text =
-      fmt::format("{} {}", short_number(length), units.text(QuantityKind::length));
-  svg_.text({.x = end + 8, .y = y + 4}, text, kSmall);
-  x = end + 8 + text_width(text, kSmall.size) + 26;
+  x = draw_scale({.x = x, .y = y}) + 26;
   if (largest_force_ > 0.0) {
     const double force = round_length(units.from_si(QuantityKind::force, largest_force_));
     const double arrow = kLongestArrow * units.to_si(QuantityKind::force, force) / largest_force_;

@@ -92,6 +92,8 @@ class LinkageCanvas {
     TextStyle style;
   };
 
+  // Where it ends at the right. None where places are no more than examples.
+  double draw_scale(PixelPoint from);
   void draw_arrow(const DrawnArrow& arrow, double factor);
   void draw_axial(const DrawnArrow& arrow);
 

@@ -1,13 +1,16 @@
 #include "plot/page/file_section.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "core/utf8.hpp"
+#include "plot/gear_scheme.hpp"
 #include "plot/linkage_drawing.hpp"
 #include "plot/page/figures.hpp"
 #include "plot/page/motion_figure.hpp"
+#include "plot/page/motion_tables.hpp"
 #include "plot/page/tables.hpp"
 #include "plot/summary.hpp"
 #include "report/case_text.hpp"
@@ -140,17 +143,29 @@ class FileSection {
     open_part("structure", "Structure");
     LinkageOptions plain;
     plain.shows_forces = false;
-    std::vector<Picture> pictures = {draw_linkage(*page_.analysis, plain)};
+    const Picture linkage = draw_linkage(*page_.analysis, plain);
+    // Of a train the half section along its axis says more than a view in space.
+    const std::optional<Picture> scheme = draw_gear_scheme(*page_.analysis, {});
+    std::vector<Picture> pictures = {scheme ? *scheme : linkage};
     for (Picture& one : pictures_at(PicturePlace::structure, source())) {
       pictures.push_back(std::move(one));
     }
     add_pictures(pictures);
+    std::vector<Picture> graphs = pictures_at(PicturePlace::graphs, source());
+    if (scheme) {
+      add_folded("Drawing in space", {linkage});
+    }
+    add_folded("Graphs of motions and actions, circuits and cut-sets", graphs);
+    html_.close();
+  }
+
+  // Below each other, behind a line that opens them.
+  void add_folded(const std::string& line, const std::vector<Picture>& pictures) {
     html_.open("details");
-    html_.element("summary", "Graphs of motions and actions, circuits and cut-sets");
-    for (const Picture& one : pictures_at(PicturePlace::graphs, source())) {
+    html_.element("summary", line);
+    for (const Picture& one : pictures) {
       add_pictures({one});
     }
-    html_.close();
     html_.close();
   }
 
@@ -162,7 +177,15 @@ class FileSection {
     for (const std::string& remark : mobility_remarks(*page_.mobility)) {
       html_.element("p", remark);
     }
-    add_blocks(mobility_blocks(*page_.mobility), "Mobility", html_);
+    const MobilityBlocks blocks = mobility_blocks(*page_.mobility);
+    add_blocks(blocks.counts, "Mobility", html_);
+    if (!blocks.reshetov.is_empty()) {
+      html_.open("details", {{"class", "reshetov"}});
+      html_.element("summary", "Reshetov's tables: what closes each circuit without force");
+      add_blocks(blocks.reshetov, "Reshetov", html_);
+      html_.close();
+    }
+    add_blocks(blocks.motions, "Mobility", html_);
     html_.close();
   }
 
@@ -178,7 +201,7 @@ class FileSection {
     }
     html_.close();
     html_.open("div");
-    add_blocks(motion_summary(page_.motion->table), "Motion", html_);
+    add_motion_tables(page_.motion->table);
     html_.close();
     html_.close();
     add_pictures(pictures_at(PicturePlace::motion, source()));
@@ -186,6 +209,19 @@ class FileSection {
       add_table(position_table(page_.motion->table), "Positions", html_);
     }
     html_.close();
+  }
+
+  void add_motion_tables(const MotionTable& motion) {
+    if (!motion.label.empty()) {
+      html_.element("p",
+                    fmt::format("With the speeds and loads of case {}.", printable(motion.label)));
+    }
+    add_table(drive_table(motion), "Drives", html_);
+    if (!motion.events.empty()) {
+      add_table(event_table(motion), "Events", html_);
+    }
+    add_blocks(motion_remarks(motion), "Motion", html_);
+    add_blocks(motion_extremes(motion), "Extremes", html_);
   }
 
   void add_shift() {
@@ -277,7 +313,7 @@ class FileSection {
     html_.open("section", {{"class", "panel"}, {"id", id}, {"aria-labelledby", id + "-title"}});
     html_.element(level(1), case_title(one), {{"id", id + "-title"}, {"class", "case-title"}});
     add_blocks(TextBlocks(blocks.known + blocks.ratio), "Case", html_);
-    add_pictures(pictures_at(PicturePlace::one_case, source(index)));
+    add_case_pictures(pictures_at(PicturePlace::one_case, source(index)));
     const auto add_pass = [&](const char* title, const TextBlocks& pass, PicturePlace place) {
       if (!pass.is_empty()) {
         html_.element(level(2), title, {{"class", "pass-title"}});
@@ -294,14 +330,29 @@ class FileSection {
     html_.close();
   }
 
+  // Of a train the section first, and its forces in space behind a line.
+  void add_case_pictures(const std::vector<Picture>& pictures) {
+    const auto scheme = std::ranges::find(pictures, "gear-scheme", &Picture::name);
+    if (scheme == pictures.end()) {
+      add_pictures(pictures);
+      return;
+    }
+    std::vector<Picture> others;
+    std::ranges::copy_if(pictures, std::back_inserter(others), [](const Picture& one) {
+      return one.name != "gear-scheme";
+    });
+    add_pictures({*scheme});
+    add_folded("Drawing in space with the forces", others);
+  }
+
   void add_synthesis() {
     if (!page_.synthesis) {
       return;
     }
     open_part("synthesis", "Synthesis");
-    add_pair(synthesis_blocks(*page_.synthesis),
-             "Synthesis",
-             pictures_at(PicturePlace::synthesis, source()));
+    // Its tables are too wide for a picture beside them.
+    add_pictures(pictures_at(PicturePlace::synthesis, source()));
+    add_blocks(synthesis_blocks(*page_.synthesis), "Synthesis", html_);
     html_.close();
   }
 

@@ -228,23 +228,4 @@ void add_motion_figure(const Analysis& analysis,
   MotionFigure(analysis, motion, id).add_to(figures, html);
 }
 
-Table position_table(const MotionTable& motion) {
-  std::vector<std::string> head = {"Step"};
-  for (const MotionColumn& column : motion.columns) {
-    head.push_back(column.unit.empty() ? column.name()
-                                       : fmt::format("{} [{}]", column.name(), column.unit));
-  }
-  head.emplace_back("status");
-  Table table(std::move(head));
-  for (const MotionRow& row : motion.rows) {
-    std::vector<std::string> cells = {fmt::format("{}", row.step)};
-    for (const std::optional<double>& value : row.values) {
-      cells.push_back(value ? format_short(*value) : "-");
-    }
-    cells.push_back(row.status);
-    table.add(std::move(cells));
-  }
-  return table;
-}
-
 }  // namespace kinestat

@@ -1,11 +1,10 @@
-// A finite motion on a page: a drawing that a script moves, and its positions.
+// The drawing of a finite motion, which a script moves.
 #pragma once
 
 #include <string>
 
 #include "plot/file_page.hpp"
 #include "plot/page/html.hpp"
-#include "report/table.hpp"
 
 namespace kinestat {
 
@@ -18,8 +17,5 @@ void add_motion_figure(const Analysis& analysis,
                        const std::string& id,
                        int& figures,
                        Html& html);
-
-/// All positions with everything that is reported of them.
-Table position_table(const MotionTable& motion);
 
 }  // namespace kinestat
