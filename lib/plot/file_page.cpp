@@ -7,8 +7,7 @@ namespace kinestat {
 
 std::string page_title(const FilePage& page) {
   const MechanismDescription nameless;
-  return printable(
-      shown_name(page.source.path, page.description ? *page.description : nameless));
+  return printable(shown_name(page.source.path, page.description ? *page.description : nameless));
 }
 
 }  // namespace kinestat

@@ -49,6 +49,7 @@ struct LinkageOptions {
   bool shows_velocities = false;     ///< of the case, if it has motions
   std::vector<TracedPath> paths;
   std::vector<Vec3> reach;  ///< points that the picture holds, such as all places in a motion [m]
+  std::vector<std::vector<Vec3>> travel;  ///< of each coupling, where it comes [m]; or empty
   std::vector<LinkagePosition> frames;
 };
 

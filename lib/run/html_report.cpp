@@ -50,8 +50,7 @@ PageMotion page_motion(const FoundMotion& motion, const Mechanism& mechanism) {
   }
   Mechanism moved = mechanism;
   for (int i = 0; i < motion.solution.position_count(); ++i) {
-    std::vector<BodyPose> poses =
-        body_poses(motion.network, motion.solution.configuration_at(i));
+    std::vector<BodyPose> poses = body_poses(motion.network, motion.solution.configuration_at(i));
     move_mechanism(motion.network, motion.drawn, poses, mechanism, moved);
     for (TracedPath& path : page.paths) {
       const auto body = static_cast<std::size_t>(path.body->value);

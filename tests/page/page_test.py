@@ -6,7 +6,6 @@ Skipped, with a word on it, where Chromium and its driver are not installed.
 
 from __future__ import annotations
 
-import argparse
 import json
 import re
 import subprocess
@@ -17,11 +16,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from browser import Browser, find_browser  # noqa: E402
-
-ROOT = Path(__file__).resolve().parents[2]
-PROGRAM = Path("kinestat")
-SKIPPED = 77  # SKIP_RETURN_CODE of the test
+from page_case import ROOT, PageCase, program, run_tests, write_page  # noqa: E402
 
 # A mechanism of each kind, the headings of its page, and the pictures that it must have.
 SOLVED = ["Summary", "Structure", "Mobility", "Cases", "Data"]
@@ -30,7 +25,14 @@ CASE = ["power-flow", "speeds", "forces"]
 PAGES = {
     "transmissions/ravigneaux.yaml": (SOLVED, [*GRAPHS, *CASE, "torques", "lever"]),
     "planar/four_bar.yaml": (SOLVED, [*GRAPHS, *CASE]),
-    "spatial/rssr.yaml": (["Summary", "Structure", "Mobility", "Data"], GRAPHS),
+    "planar/cam_and_follower.yaml": (SOLVED, [*GRAPHS, *CASE]),
+    "spatial/rssr.yaml": (
+        ["Summary", "Structure", "Mobility", "Motion", "Data"], [*GRAPHS, "motion", "motion-curves"]
+    ),
+    "transmissions/ravigneaux_input_shaft.yaml": (
+        ["Summary", "Structure", "Mobility", "Shift table", "Gears", "Data"],
+        [*GRAPHS, "gear-scheme", "shift-matrix", "ratio-ladder"],
+    ),
     "cables/block_and_tackle.yaml": (SOLVED, [*GRAPHS, *CASE]),
     "synthesis/crank_rocker.yaml": (["Summary", "Synthesis", "Data"], []),
 }
@@ -38,44 +40,7 @@ PAGES = {
 HOSTILE_TITLE = "<script>alert(1)</script></title><img src=x onerror=alert(2)>]]>\"'=1+1"
 
 
-def write_page(path: Path, *files: Path | str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [PROGRAM, "report", "--force", "--out", path, *files],
-        capture_output=True, encoding="utf-8", check=False, timeout=300,
-    )
-
-
-class PageTest(unittest.TestCase):
-    """Every test opens its page anew, 1280 pixels wide, light, without a wish for less motion."""
-
-    browser: Browser
-    folder: Path
-
-    @classmethod
-    def page(cls, name: str) -> Path:
-        path = cls.folder / (Path(name).stem + ".html")
-        if not path.exists():
-            answer = write_page(path, ROOT / "mechanisms" / name)
-            assert answer.returncode == 0, answer.stderr
-        return path
-
-    def open(self, path: Path, width: int = 1280, **features: str) -> None:
-        self.browser.set_width(width)
-        self.browser.set_media(**features)
-        self.browser.messages()
-        self.browser.requests()
-        self.browser.open(path)
-
-    def ask(self, script: str, *arguments: object):
-        return self.browser.ask(script, *arguments)
-
-    def is_shown(self, selector: str) -> list[bool]:
-        return self.ask(
-            "return [...document.querySelectorAll(arguments[0])]"
-            ".map((one) => one.getClientRects().length > 0);",
-            selector,
-        )
-
+class PageTest(PageCase):
     # What every page keeps to
 
     def test_nothing_is_loaded_and_the_console_is_silent(self) -> None:
@@ -136,15 +101,45 @@ class PageTest(unittest.TestCase):
                     self.assertGreater(min(width, height), 20, picture)
                     self.assertTrue(label and caption, picture)
 
+    def test_every_picture_of_the_catalogue_is_there(self) -> None:
+        for name in PAGES:
+            with self.subTest(name):
+                listed = subprocess.run(
+                    [program(), "plot", "list", ROOT / "mechanisms" / name],
+                    capture_output=True, encoding="utf-8", check=True).stdout
+                # How long the program computes is no property of a mechanism.
+                wanted = set(re.findall(r"(?m)^yes  (\S+)", listed)) - {"pareto"}
+                self.open(self.page(name))
+                shown = set(self.ask("return [...document.querySelectorAll('figure')]"
+                                     ".map((one) => one.dataset.picture);"))
+                self.assertTrue(wanted)
+                self.assertEqual(wanted - shown, set())
+
     def test_the_page_never_scrolls_sideways(self) -> None:
         for name in PAGES:
             for width in (400, 1280):
-                with self.subTest(name, width=width):
-                    self.open(self.page(name), width)
-                    self.ask("for (const one of document.querySelectorAll('[hidden]'))"
-                             " one.hidden = false;")
-                    self.assertLessEqual(
-                        self.ask("return document.documentElement.scrollWidth;"), width)
+                for scheme in ("light", "dark"):
+                    with self.subTest(name, width=width, scheme=scheme):
+                        self.open(self.page(name), width, prefers_color_scheme=scheme)
+                        self.ask("for (const one of document.querySelectorAll('[hidden]'))"
+                                 " one.hidden = false;"
+                                 "for (const one of document.querySelectorAll('details'))"
+                                 " one.open = true;")
+                        self.assertLessEqual(
+                            self.ask("return document.documentElement.scrollWidth;"), width)
+
+    def test_what_is_wider_than_its_box_can_be_reached_and_says_so(self) -> None:
+        for name in PAGES:
+            with self.subTest(name):
+                self.open(self.page(name), 400)
+                self.ask("for (const one of document.querySelectorAll('details')) one.open = true;")
+                wide = self.ask(
+                    "return [...document.querySelectorAll('.box, .picture')]"
+                    ".filter((one) => one.scrollWidth > one.clientWidth + 1)"
+                    ".map((one) => [one.tabIndex, getComputedStyle(one).overflowX,"
+                    " getComputedStyle(one).backgroundImage !== 'none']);")
+                self.assertTrue(wide)
+                self.assertEqual([one for one in wide if one != [0, "auto", True]], [])
 
     def test_ids_are_unique_and_references_meet_them(self) -> None:
         for name in PAGES:
@@ -283,7 +278,7 @@ class PageTest(unittest.TestCase):
     def test_the_data_are_those_of_the_reports(self) -> None:
         file = ROOT / "mechanisms/planar/four_bar.yaml"
         with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([PROGRAM, "analyze", "-q", "--out", folder, file], check=True)
+            subprocess.run([program(), "analyze", "-q", "--out", folder, file], check=True)
             written = {one.name: one.read_text("utf-8") for one in Path(folder).iterdir()}
         self.open(self.page("planar/four_bar.yaml"))
         saved = dict(self.ask(SAVE))
@@ -346,22 +341,5 @@ return Promise.all(wait).then((texts) => texts.map((text, i) => [saved[i], text]
 """
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", type=Path, required=True)
-    arguments, rest = parser.parse_known_args()
-    globals()["PROGRAM"] = arguments.program.resolve()
-    found = find_browser()
-    if not found:
-        print("skipped: chromium and chromium-driver are not installed; scripts/setup.sh test"
-              " installs them")
-        return SKIPPED
-    with tempfile.TemporaryDirectory() as folder, Browser(*found) as browser:
-        PageTest.browser = browser
-        PageTest.folder = Path(folder)
-        program = unittest.main(argv=[sys.argv[0], *rest], exit=False)
-    return 0 if program.result.wasSuccessful() else 1
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_tests(__doc__))

@@ -73,7 +73,8 @@ class PartFinder {
 
   Wheel moved(Wheel wheel) const {
     wheel.centre = moved(wheel.body, wheel.centre);
-    wheel.axis = poses_.empty() ? wheel.axis : poses_[index(wheel.body.value)].direction(wheel.axis);
+    wheel.axis =
+        poses_.empty() ? wheel.axis : poses_[index(wheel.body.value)].direction(wheel.axis);
     return wheel;
   }
 

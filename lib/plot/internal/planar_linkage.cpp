@@ -178,10 +178,24 @@ class PlanarDrawing {
     const double depth =
         has_rack(coupling.tail) || has_rack(coupling.head) ? kRackDepth + 3.0 : kGuideDepth;
     const PixelPoint side = -depth * left_of(along);
-    const PixelPoint from = at(id) + side - kGuideHalf * along;
-    const PixelPoint to = at(id) + side + kGuideHalf * along;
+    double back = 0.0;
+    double ahead = 0.0;
+    for (const Vec3& place : travel(id)) {
+      const PixelPoint moved = canvas_.view().at(place) - at(id);
+      const double share = moved.x * along.x + moved.y * along.y;
+      back = std::min(back, share);
+      ahead = std::max(ahead, share);
+    }
+    const PixelPoint from = at(id) + side + (back - kGuideHalf) * along;
+    const PixelPoint to = at(id) + side + (ahead + kGuideHalf) * along;
     draw_fixed_line(svg_, from, to);
     canvas_.placer().keep_off(from, to);
+  }
+
+  // Where the block comes in a motion.
+  std::span<const Vec3> travel(CouplingId id) const {
+    const auto e = static_cast<std::size_t>(id.value);
+    return e < options_.travel.size() ? options_.travel[e] : std::span<const Vec3>();
   }
 
   // Whether the body slides as a rack, and so needs no block.

@@ -94,7 +94,7 @@ class MotionFigure {
     options.paths = motion_.paths;
     const bool needs_frames = !is_planar() || has_ropes();
     for (const std::size_t step : steps_) {
-      add_places(motion_.positions[step].poses, options.reach);
+      add_places(motion_.positions[step].poses, options);
       if (needs_frames && steps_.size() > 1) {
         options.frames.push_back(motion_.positions[step]);
       }
@@ -103,14 +103,18 @@ class MotionFigure {
   }
 
   // Where couplings and reference points are with these poses.
-  void add_places(const std::vector<BodyPose>& poses, std::vector<Vec3>& places) const {
+  void add_places(const std::vector<BodyPose>& poses, LinkageOptions& options) const {
     const Topology& topology = mechanism_.topology;
+    options.travel.resize(topology.couplings.size());
     for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
-      const auto head = static_cast<std::size_t>(topology.couplings[e].head.value);
-      places.push_back(poses[head].point(mechanism_.geometry.points[e]));
+      const CouplingTopology& coupling = topology.couplings[e];
+      const BodyId moving = coupling.head.value == 0 ? coupling.tail : coupling.head;
+      const BodyPose& pose = poses[static_cast<std::size_t>(moving.value)];
+      options.travel[e].push_back(pose.point(mechanism_.geometry.points[e]));
+      options.reach.push_back(options.travel[e].back());
     }
     for (std::size_t b = 1; b < topology.bodies.size(); ++b) {
-      places.push_back(poses[b].point(mechanism_.geometry.references[b]));
+      options.reach.push_back(poses[b].point(mechanism_.geometry.references[b]));
     }
   }
 
@@ -177,7 +181,8 @@ class MotionFigure {
 
   // Whether the motion comes back to where it began, so that it can go round.
   bool is_closed() const {
-    return are_same(motion_.positions[steps_.front()].poses, motion_.positions[steps_.back()].poses);
+    return are_same(motion_.positions[steps_.front()].poses,
+                    motion_.positions[steps_.back()].poses);
   }
 
   // For each body of a planar mechanism its shift in the plane [m] and its angle.

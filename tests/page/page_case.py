@@ -1,0 +1,80 @@
+"""What the tests of pages have in common: a browser, and pages that are written once."""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from browser import Browser, find_browser
+
+ROOT = Path(__file__).resolve().parents[2]
+SKIPPED = 77  # SKIP_RETURN_CODE of the tests
+
+_program = Path("kinestat")
+
+
+def program() -> Path:
+    return _program
+
+
+def write_page(path: Path, *files: Path | str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [_program, "report", "--force", "--out", path, *files],
+        capture_output=True, encoding="utf-8", check=False, timeout=300,
+    )
+
+
+class PageCase(unittest.TestCase):
+    """Every test opens its page anew, 1280 pixels wide, light, without a wish for less motion."""
+
+    browser: Browser
+    folder: Path
+
+    @classmethod
+    def page(cls, name: str) -> Path:
+        path = cls.folder / (Path(name).stem + ".html")
+        if not path.exists():
+            answer = write_page(path, ROOT / "mechanisms" / name)
+            assert answer.returncode == 0, answer.stderr
+        return path
+
+    def open(self, path: Path, width: int = 1280, **features: str) -> None:
+        self.browser.set_width(width)
+        self.browser.set_media(**features)
+        self.browser.messages()
+        self.browser.requests()
+        self.browser.open(path)
+
+    def ask(self, script: str, *arguments: object):
+        return self.browser.ask(script, *arguments)
+
+    def is_shown(self, selector: str) -> list[bool]:
+        return self.ask(
+            "return [...document.querySelectorAll(arguments[0])]"
+            ".map((one) => one.getClientRects().length > 0);",
+            selector,
+        )
+
+
+def run_tests(description: str) -> int:
+    """Those of the main module."""
+    global _program
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("--program", type=Path, required=True)
+    arguments, rest = parser.parse_known_args()
+    _program = arguments.program.resolve()
+    found = find_browser()
+    if not found:
+        print("skipped: chromium and chromium-driver are not installed; scripts/setup.sh test"
+              " installs them")
+        return SKIPPED
+    with tempfile.TemporaryDirectory() as folder, Browser(*found) as browser:
+        PageCase.browser = browser
+        PageCase.folder = Path(folder)
+        done = unittest.main(argv=[sys.argv[0], *rest], exit=False)
+    return 0 if done.result.wasSuccessful() else 1
+
