@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing; does nothing when all are there.
-# Usage: scripts/setup.sh [build|test|sanitize|bench|lint|browser]...   (default: build test)
+# Usage: scripts/setup.sh [build|test|sanitize|bench|lint|browser|viewers]...   (default: build test)
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config libeigen3-dev libyaml-cpp-dev libcli11-dev
@@ -10,6 +10,7 @@ sanitize=("${test[@]}" clang libclang-rt-14-dev)
 bench=("${build[@]}" liblapack-dev libblas-dev libsuitesparse-dev)
 lint=(clang-format clang-tidy)
 browser=(chromium chromium-driver)
+viewers=(graphviz gnuplot-nox)
 
 stop() {
   local status=$1
@@ -28,7 +29,8 @@ for part in "$@"; do
     bench) wanted+=("${bench[@]}") ;;
     lint) wanted+=("${lint[@]}") ;;
     browser) wanted+=("${browser[@]}") ;;
-    *) stop 2 "unknown part '$part'; parts are build, test, sanitize, bench, lint, browser" ;;
+    viewers) wanted+=("${viewers[@]}") ;;
+    *) stop 2 "unknown part '$part'; parts are build, test, sanitize, bench, lint, browser, viewers" ;;
   esac
 done
 

@@ -1,5 +1,6 @@
 #include "plot/gnuplot.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -95,9 +96,20 @@ std::string chart_text(const Chart& chart, std::size_t index) {
   return text + "\n";
 }
 
+// In as many columns as keep the picture from being much higher than wide. How large it must be
+// for all charts to be read is said, not set: the terminal is the reader's.
 std::string layout_text(std::size_t count) {
-  return fmt::format("set grid\nset key outside top center horizontal\nset multiplot layout {},1\n",
-                     count);
+  constexpr std::size_t kWidth = 700;  // of a chart [px]
+  constexpr std::size_t kHeight = 320;
+  const std::size_t columns = count <= 3 ? 1 : count <= 8 ? 2 : 3;
+  const std::size_t rows = (count + columns - 1) / columns;
+  return fmt::format(
+      "# To read all charts: set terminal pngcairo size {},{}\n"
+      "set grid\nset key outside top center horizontal\nset multiplot layout {},{}\n",
+      kWidth * columns,
+      std::max(kHeight * rows, 480UL),
+      rows,
+      columns);
 }
 
 // Names with what would end a string within data taken out of it.

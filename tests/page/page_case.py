@@ -69,7 +69,7 @@ def run_tests(description: str) -> int:
     _program = arguments.program.resolve()
     found = find_browser()
     if not found:
-        print("skipped: chromium and chromium-driver are not installed; scripts/setup.sh test"
+        print("skipped: chromium and chromium-driver are not installed; scripts/setup.sh browser"
               " installs them")
         return SKIPPED
     with tempfile.TemporaryDirectory() as folder, Browser(*found) as browser:

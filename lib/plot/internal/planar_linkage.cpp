@@ -6,6 +6,7 @@
 
 #include "plot/internal/file_numbers.hpp"
 #include "plot/internal/linkage_frames.hpp"
+#include "plot/internal/planar_drawer.hpp"
 #include "plot/internal/symbols.hpp"
 
 namespace kinestat {
@@ -17,7 +18,6 @@ using enum CouplingType;
 constexpr double kHalfBar = 6.0;     // half the width of a link [px]
 constexpr double kGuideHalf = 46.0;  // half the length of a guide [px]
 constexpr double kGuideDepth = 9.5;  // from the middle of a block to its guide [px]
-constexpr double kSlotHalf = 24.0;
 constexpr double kRingDepth = 9.0;
 
 void draw_ropes_at(const Analysis& analysis,
@@ -29,20 +29,9 @@ std::size_t index(BodyId body) {
   return static_cast<std::size_t>(body.value);
 }
 
-class PlanarDrawing {
+class PlanarDrawing : private PlanarDrawer {
  public:
-  PlanarDrawing(const Analysis& analysis,
-                const LinkageOptions& options,
-                const LinkageParts& parts,
-                LinkageCanvas& canvas)
-      : analysis_(analysis),
-        description_(analysis.description),
-        topology_(analysis.mechanism.topology),
-        geometry_(analysis.mechanism.geometry),
-        options_(options),
-        parts_(parts),
-        canvas_(canvas),
-        svg_(canvas.svg()) {}
+  using PlanarDrawer::PlanarDrawer;
 
   void draw_ropes() {
     for (const RopeSpan& span : parts_.spans) {
@@ -64,9 +53,7 @@ class PlanarDrawing {
   }
 
   void draw() {
-    for (const RopeSpan& span : parts_.spans) {
-      canvas_.set_place(span.coupling, (span.from + span.to) / 2);
-    }
+    place_ropes();
     draw_ground();
     for (const BodyId body : bodies_from_behind()) {
       canvas_.open_body(body);
@@ -77,7 +64,7 @@ class PlanarDrawing {
     draw_ropes();
     draw_linkage_frames(analysis_, options_, canvas_, draw_ropes_at);
     canvas_.draw_paths();
-    draw_couplings();
+    draw_planar_couplings(analysis_, options_, parts_, canvas_);
     canvas_.name_couplings();
     for (const BodyId body : bodies_from_behind()) {
       name_body(body);
@@ -91,12 +78,7 @@ class PlanarDrawing {
  private:
   // Moving bodies that are drawn, those with the largest wheels first.
   std::vector<BodyId> bodies_from_behind() const {
-    std::vector<BodyId> bodies;
-    for (int b = 1; b < topology_.body_count(); ++b) {
-      if (!parts_.is_virtual[static_cast<std::size_t>(b)]) {
-        bodies.push_back(BodyId{b});
-      }
-    }
+    std::vector<BodyId> bodies = moving_bodies();
     std::ranges::stable_sort(
         bodies, [this](BodyId a, BodyId b) { return largest_wheel(a) > largest_wheel(b); });
     return bodies;
@@ -112,39 +94,11 @@ class PlanarDrawing {
     return radius;
   }
 
-  PixelPoint at(CouplingId id) const {
-    return canvas_.view().at(geometry_.points[static_cast<std::size_t>(id.value)]);
-  }
-
-  // Of the sliding freedom of a coupling.
-  PixelPoint sliding_direction(const CouplingTopology& coupling) const {
-    for (int f = coupling.first_freedom; f < coupling.first_freedom + coupling.freedom_count; ++f) {
-      const auto i = static_cast<std::size_t>(f);
-      if (!topology_.freedoms[i].is_rotation) {
-        return unit_of(canvas_.view().along(geometry_.motions[i].linear));
-      }
-    }
-    return {.x = 1.0, .y = 0.0};
-  }
-
-  // Of the force in a contact, which pushes the head.
-  PixelPoint normal(const CouplingTopology& coupling) const {
-    return coupling.action_count == 0
-               ? PixelPoint{.x = 0.0, .y = -1.0}
-               : unit_of(canvas_.view().along(
-                     geometry_.actions[static_cast<std::size_t>(coupling.first_action)].force));
-  }
-
-  // What fixes the body that is held, of a prismatic coupling the one that has the guide.
-  BodyId guide_body(const CouplingTopology& coupling) const {
-    return coupling.head.value == 0 ? coupling.head : coupling.tail;
-  }
-
   // Pins that stand in the ground have one support a place.
   void draw_ground() {
     canvas_.open_body(BodyId{0});
     std::vector<PixelPoint> supports;
-    for (const BodyPoint& point : parts_.points[0]) {
+    for (const BodyPoint& point : points(BodyId{0})) {
       const CouplingType type =
           point.coupling ? topology_.coupling(*point.coupling).type : CouplingType::revolute;
       const PixelPoint pin = canvas_.view().at(point.at);
@@ -198,16 +152,6 @@ class PlanarDrawing {
     return e < options_.travel.size() ? options_.travel[e] : std::span<const Vec3>();
   }
 
-  // Whether the body slides as a rack, and so needs no block.
-  bool has_rack(BodyId body) const {
-    const auto slides = [&](CouplingType type) {
-      return std::ranges::any_of(topology_.couplings, [&](const CouplingTopology& coupling) {
-        return coupling.type == type && (coupling.tail == body || coupling.head == body);
-      });
-    };
-    return body.value != 0 && slides(rack) && slides(prismatic);
-  }
-
   void draw_outline(BodyId body) {
     std::vector<PixelPoint> corners;
     for (const Vec3& corner : parts_.outlines[index(body)]) {
@@ -259,14 +203,9 @@ class PlanarDrawing {
   // further.
   std::vector<PixelPoint> places(BodyId body) const {
     std::vector<PixelPoint> result;
-    const auto add = [&result](PixelPoint p) {
-      if (std::ranges::none_of(result, [&](PixelPoint q) { return length_of(p - q) < 0.5; })) {
-        result.push_back(p);
-      }
-    };
-    for (const BodyPoint& point : parts_.points[index(body)]) {
+    for (const BodyPoint& point : points(body)) {
       const PixelPoint p = canvas_.view().at(point.at);
-      add(p);
+      add_place(p, result);
       if (!point.coupling) {
         continue;
       }
@@ -276,15 +215,11 @@ class PlanarDrawing {
           coupling.type == prismatic && coupling.tail == body && guide_body(coupling).value != 0;
       if (has_slot || has_rod) {
         const double half = has_slot ? kSlotHalf : 0.8 * kGuideHalf;
-        add(p + half * sliding_direction(coupling));
-        add(p - half * sliding_direction(coupling));
+        add_place(p + half * sliding_direction(coupling), result);
+        add_place(p - half * sliding_direction(coupling), result);
       }
     }
-    for (const TracedPath& path : options_.paths) {
-      if (path.body == body) {
-        add(canvas_.view().at(path.drawn));
-      }
-    }
+    add_traced(body, result);
     return result;
   }
 
@@ -293,37 +228,34 @@ class PlanarDrawing {
     if (parts_.outlines[index(body)].size() > 2) {
       return;
     }
-    const std::vector<PixelPoint> points = places(body);
-    if (points.size() < 2) {
+    const std::vector<PixelPoint> reached = places(body);
+    if (reached.size() < 2) {
       return;
     }
     std::vector<Round> rounds;
-    for (const PixelPoint& point : points) {
+    for (const PixelPoint& point : reached) {
       rounds.push_back({.centre = point, .radius = kHalfBar});
     }
     add_lobe(body, rounds);
     svg_.polygon(rounded_hull(rounds),
                  {.stroke = body_ink(body), .fill = body_ink(body), .width = 1.5, .opacity = 0.16});
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const PixelPoint side = kHalfBar * left_of(unit_of(points[i] - points[i - 1]));
-      canvas_.placer().keep_off(points[i - 1] + side, points[i] + side);
-      canvas_.placer().keep_off(points[i - 1] - side, points[i] - side);
-    }
+    keep_off_bar(reached, kHalfBar);
   }
 
   // Of the tail (0) or the head (1) where they touch [px]; empty if it is flat or not known.
   std::optional<double> contact_radius(CouplingId id, std::size_t side) const {
-    const auto& radii = description_.couplings[static_cast<std::size_t>(id.value)].radii;
+    const auto& radii = analysis_.description.couplings[static_cast<std::size_t>(id.value)].radii;
     if (radii.size() != 2 || !radii[side]) {
       return std::nullopt;
     }
-    const auto radius = FileNumbers(description_).number(*radii[side], QuantityKind::length);
+    const auto radius =
+        FileNumbers(analysis_.description).number(*radii[side], QuantityKind::length);
     return radius && *radius > 0.0 ? std::optional(*radius * canvas_.view().scale) : std::nullopt;
   }
 
   // A cam is round where it touches; without its radius it swells from its axis.
   void add_lobe(BodyId body, std::vector<Round>& rounds) {
-    for (const BodyPoint& point : parts_.points[index(body)]) {
+    for (const BodyPoint& point : points(body)) {
       const CouplingTopology* coupling =
           point.coupling ? &topology_.coupling(*point.coupling) : nullptr;
       if (coupling == nullptr || coupling->tail != body ||
@@ -352,123 +284,17 @@ class PlanarDrawing {
                   {.stroke = Ink::brown, .width = 2.2});
   }
 
-  // Pins on top of blocks.
-  void draw_couplings() {
-    for (const bool is_block : {true, false}) {
-      for (int e = 0; e < topology_.coupling_count(); ++e) {
-        if ((topology_.coupling(CouplingId{e}).type == prismatic) == is_block) {
-          draw_coupling(CouplingId{e});
-        }
-      }
-    }
-  }
-
-  void draw_coupling(CouplingId id) {
-    const CouplingTopology& coupling = topology_.coupling(id);
-    if (parts_.is_virtual[index(coupling.tail)] || parts_.is_virtual[index(coupling.head)] ||
-        coupling.type == cable || coupling.type == gear || coupling.type == bevel_gear) {
-      return;
-    }
-    const bool is_reversed = coupling.head.value == 0;
-    canvas_.open_body(is_reversed ? coupling.tail : coupling.head);
-    draw_symbol(id, coupling);
-    svg_.close_group();
-    canvas_.placer().keep_off(box_of_circle(at(id), 6.0));
-  }
-
-  void draw_symbol(CouplingId id, const CouplingTopology& coupling) {
-    const PixelPoint p = at(id);
-    switch (coupling.type) {
-      case prismatic: {
-        const BodyId moving = coupling.head.value == 0 ? coupling.tail : coupling.head;
-        if (has_rack(moving)) {
-          break;
-        }
-        draw_block(
-            svg_,
-            p,
-            sliding_direction(coupling),
-            {.stroke = body_ink(moving), .fill = body_ink(moving), .width = 1.5, .opacity = 0.3});
-        canvas_.placer().keep_off(box_of_circle(p, 13.0));
-        break;
-      }
-      case pin_in_slot:
-        draw_slot(p, sliding_direction(coupling), coupling.tail);
-        break;
-      case cam:
-      case point_contact:
-        draw_contact(svg_, p, normal(coupling));
-        break;
-      case rack:
-        draw_rack(p, coupling);
-        break;
-      case screws:
-        draw_bars(p, coupling);
-        break;
-      case rigid:
-        svg_.rectangle(box_of_circle(p, 4.0), {.stroke = Ink::ink, .fill = Ink::ink});
-        break;
-      default:
-        draw_pin(svg_, p);
-        break;
-    }
-  }
-
-  // Constraints given as lines are bars of which the file tells but the direction, towards the tail
-  // where they pull.
-  void draw_bars(PixelPoint p, const CouplingTopology& coupling) {
-    constexpr double kLength = 46.0;
-    for (int a = 0; a < coupling.action_count; ++a) {
-      const Vec3& force =
-          geometry_.actions[static_cast<std::size_t>(coupling.first_action + a)].force;
-      const PixelPoint along = canvas_.view().along(force);
-      if (length_of(along) > 0.0) {
-        const PixelPoint end = p + kLength * unit_of(along);
-        svg_.line(p, end, {.stroke = Ink::brown, .width = 2.0, .dash = "5 2"});
-        canvas_.placer().keep_off(p, end);
-      }
-    }
-    draw_pin(svg_, p);
-  }
-
-  // The slot moves with the body of the group, its pin with the other.
-  void draw_slot(PixelPoint p, PixelPoint along, BodyId pin_body) {
-    const std::array<Round, 2> rounds = {{{.centre = p - (kSlotHalf - 4) * along, .radius = 4.5},
-                                          {.centre = p + (kSlotHalf - 4) * along, .radius = 4.5}}};
-    svg_.polygon(rounded_hull(rounds), {.stroke = Ink::ink, .fill = Ink::paper, .width = 1.2});
-    svg_.close_group();
-    canvas_.open_body(pin_body);
-    draw_pin(svg_, p, 3.6);
-  }
-
-  // A bar with strokes for its teeth, along the tangent of its pinion.
-  void draw_rack(PixelPoint p, const CouplingTopology& coupling) {
-    PixelPoint away = {.x = 0.0, .y = 1.0};
-    BodyId rack_body = coupling.head;
-    for (const Wheel& wheel : parts_.wheels) {
-      if (wheel.body == coupling.tail || wheel.body == coupling.head) {
-        away = unit_of(p - canvas_.view().at(wheel.centre));
-        rack_body = wheel.body == coupling.tail ? coupling.head : coupling.tail;
-      }
-    }
-    svg_.close_group();
-    canvas_.open_body(rack_body);
-    for (const auto& [from, to] : draw_rack_bar(svg_, p, away, body_ink(rack_body))) {
-      canvas_.placer().keep_off(from, to);
-    }
-  }
-
   // Beside the middle of a link, or the rim of a wheel.
   void name_body(BodyId body) {
-    const std::vector<PixelPoint> points = places(body);
+    const std::vector<PixelPoint> reached = places(body);
     const std::string& name = topology_.body(body).name;
-    if (points.size() < 2) {
-      name_wheel_or_slider(body, points);
+    if (reached.size() < 2) {
+      name_wheel_or_slider(body, reached);
       return;
     }
     PixelPoint middle = {.x = 0.0, .y = 0.0};
-    for (const PixelPoint& point : points) {
-      middle = middle + (1.0 / static_cast<double>(points.size())) * point;
+    for (const PixelPoint& point : reached) {
+      middle = middle + (1.0 / static_cast<double>(reached.size())) * point;
     }
     canvas_.name(name, middle, kHalfBar + 4.0, body_ink(body));
   }
@@ -492,23 +318,13 @@ class PlanarDrawing {
 
   // Below the first place where anything stands on it.
   void name_ground() {
-    const auto& points = parts_.points[0];
     const auto at = std::ranges::find_if(
-        points, [](const BodyPoint& point) { return point.coupling.has_value(); });
-    if (at != points.end()) {
+        points(BodyId{0}), [](const BodyPoint& point) { return point.coupling.has_value(); });
+    if (at != points(BodyId{0}).end()) {
       const PixelPoint below = canvas_.view().at(at->at) + PixelPoint{.x = 0.0, .y = 26.0};
       canvas_.name(topology_.body(BodyId{0}).name, below, 3.0, Ink::soft);
     }
   }
-
-  const Analysis& analysis_;
-  const MechanismDescription& description_;
-  const Topology& topology_;
-  const Geometry& geometry_;
-  const LinkageOptions& options_;
-  const LinkageParts& parts_;
-  LinkageCanvas& canvas_;
-  Svg& svg_;
 };
 
 void draw_ropes_at(const Analysis& analysis,

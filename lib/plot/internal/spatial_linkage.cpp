@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/tolerance.hpp"
+#include "plot/internal/linkage_drawer.hpp"
 #include "plot/internal/linkage_frames.hpp"
 #include "plot/internal/spatial_symbols.hpp"
 #include "plot/internal/symbols.hpp"
@@ -55,19 +56,9 @@ void draw_mechanism_at(const Analysis& analysis,
                        const LinkageParts& parts,
                        LinkageCanvas& canvas);
 
-class SpatialDrawing {
+class SpatialDrawing : private LinkageDrawer {
  public:
-  SpatialDrawing(const Analysis& analysis,
-                 const LinkageOptions& options,
-                 const LinkageParts& parts,
-                 LinkageCanvas& canvas)
-      : analysis_(analysis),
-        topology_(analysis.mechanism.topology),
-        geometry_(analysis.mechanism.geometry),
-        options_(options),
-        parts_(parts),
-        canvas_(canvas),
-        svg_(canvas.svg()) {}
+  using LinkageDrawer::LinkageDrawer;
 
   void draw() {
     canvas_.draw_paths();
@@ -86,9 +77,7 @@ class SpatialDrawing {
   }
 
   void draw_mechanism() {
-    for (const RopeSpan& span : parts_.spans) {
-      canvas_.set_place(span.coupling, (span.from + span.to) / 2);
-    }
+    place_ropes();
     separate_sliders();
     canvas_.open_body(BodyId{0});
     draw_ground();
@@ -121,7 +110,7 @@ class SpatialDrawing {
       }
       const Vec3 axis = axes_of(coupling).back();
       double ahead = 0.0;
-      for (const BodyPoint& point : parts_.points[static_cast<std::size_t>(coupling.head.value)]) {
+      for (const BodyPoint& point : points(coupling.head)) {
         ahead += axis.dot(point.at - place(CouplingId{e}));
       }
       const double sense = ahead < 0.0 ? -1.0 : 1.0;
@@ -141,21 +130,15 @@ class SpatialDrawing {
   }
 
   double depth(BodyId body) const {
-    const auto& points = parts_.points[static_cast<std::size_t>(body.value)];
     double sum = 0.0;
-    for (const BodyPoint& point : points) {
-      sum += out().dot(point.at) / static_cast<double>(points.size());
+    for (const BodyPoint& point : points(body)) {
+      sum += out().dot(point.at) / static_cast<double>(points(body).size());
     }
     return sum;
   }
 
   std::vector<BodyId> bodies_from_behind() const {
-    std::vector<BodyId> bodies;
-    for (int b = 1; b < topology_.body_count(); ++b) {
-      if (!parts_.is_virtual[static_cast<std::size_t>(b)]) {
-        bodies.push_back(BodyId{b});
-      }
-    }
+    std::vector<BodyId> bodies = moving_bodies();
     std::ranges::stable_sort(bodies, [this](BodyId a, BodyId b) { return depth(a) < depth(b); });
     return bodies;
   }
@@ -173,7 +156,7 @@ class SpatialDrawing {
 
   // Each coupling of the ground stands on a piece of it.
   void draw_ground() {
-    for (const BodyPoint& point : parts_.points[0]) {
+    for (const BodyPoint& point : points(BodyId{0})) {
       const PixelPoint p = canvas_.view().at(point.at);
       const PixelPoint foot = p + PixelPoint{.x = 0.0, .y = 17.0};
       svg_.line(p, foot, {.stroke = Ink::ink, .width = 1.4});
@@ -186,25 +169,17 @@ class SpatialDrawing {
 
   std::vector<PixelPoint> places(BodyId body) const {
     std::vector<PixelPoint> result;
-    const auto add = [&result](PixelPoint p) {
-      if (std::ranges::none_of(result, [&](PixelPoint q) { return length_of(p - q) < 0.5; })) {
-        result.push_back(p);
-      }
-    };
-    for (const BodyPoint& point : parts_.points[static_cast<std::size_t>(body.value)]) {
+    for (const BodyPoint& point : points(body)) {
       const bool is_rope = point.coupling && topology_.coupling(*point.coupling).type == cable;
-      add(canvas_.view().at(point.coupling && !is_rope ? place(*point.coupling) : point.at));
+      const Vec3& at = point.coupling && !is_rope ? place(*point.coupling) : point.at;
+      add_place(canvas_.view().at(at), result);
     }
     for (const Wheel& wheel : parts_.wheels) {
       if (wheel.body == body) {
-        add(canvas_.view().at(wheel.centre));
+        add_place(canvas_.view().at(wheel.centre), result);
       }
     }
-    for (const TracedPath& path : options_.paths) {
-      if (path.body == body) {
-        add(canvas_.view().at(path.drawn));
-      }
-    }
+    add_traced(body, result);
     return result;
   }
 
@@ -221,21 +196,16 @@ class SpatialDrawing {
         }
       }
     }
-    std::vector<Round> rounds;
-    for (const PixelPoint& p : places(body)) {
-      rounds.push_back({.centre = p, .radius = kHalfRod});
-    }
-    if (rounds.size() < 2) {
+    const std::vector<PixelPoint> reached = places(body);
+    if (reached.size() < 2) {
       return;
     }
-    svg_.polygon(rounded_hull(rounds), {.stroke = ink, .fill = ink, .width = 1.4, .opacity = 0.16});
-    for (std::size_t i = 1; i < rounds.size(); ++i) {
-      const PixelPoint from = rounds[i - 1].centre;
-      const PixelPoint to = rounds[i].centre;
-      const PixelPoint side = kHalfRod * left_of(unit_of(to - from));
-      canvas_.placer().keep_off(from + side, to + side);
-      canvas_.placer().keep_off(from - side, to - side);
+    std::vector<Round> rounds;
+    for (const PixelPoint& p : reached) {
+      rounds.push_back({.centre = p, .radius = kHalfRod});
     }
+    svg_.polygon(rounded_hull(rounds), {.stroke = ink, .fill = ink, .width = 1.4, .opacity = 0.16});
+    keep_off_bar(reached, kHalfRod);
   }
 
   void draw_ropes() {
@@ -259,41 +229,38 @@ class SpatialDrawing {
 
   void draw_coupling(CouplingId id) {
     const CouplingTopology& coupling = topology_.coupling(id);
-    const bool is_hidden = parts_.is_virtual[static_cast<std::size_t>(coupling.tail.value)] ||
-                           parts_.is_virtual[static_cast<std::size_t>(coupling.head.value)];
-    if (is_hidden || coupling.type == cable || coupling.type == gear) {
+    if (is_hidden(coupling) || coupling.type == cable || coupling.type == gear) {
       return;
     }
-    canvas_.open_body(coupling.head.value == 0 ? coupling.tail : coupling.head);
+    canvas_.open_body(carrier(coupling));
     Vec3 normal = Vec3::UnitZ();
     if (coupling.action_count > 0) {
       normal = geometry_.actions[static_cast<std::size_t>(coupling.first_action)].force;
     }
-    draw_spatial_coupling(
-        svg_,
-        canvas_.view(),
-        {.type = coupling.type,
-         .at = place(id),
-         .axes = axes_of(coupling),
-         .normal = normal,
-         .ink = body_ink(coupling.head.value == 0 ? coupling.tail : coupling.head)});
+    draw_spatial_coupling(svg_,
+                          canvas_.view(),
+                          {.type = coupling.type,
+                           .at = place(id),
+                           .axes = axes_of(coupling),
+                           .normal = normal,
+                           .ink = body_ink(carrier(coupling))});
     svg_.close_group();
     canvas_.placer().keep_off(box_of_circle(canvas_.view().at(place(id)), 9.0));
   }
 
   void name_body(BodyId body) {
-    const std::vector<PixelPoint> points = places(body);
-    if (parts_.is_virtual[static_cast<std::size_t>(body.value)] || points.empty()) {
+    const std::vector<PixelPoint> reached = places(body);
+    if (is_virtual(body) || reached.empty()) {
       return;
     }
-    PixelPoint anchor = points.front();
+    PixelPoint anchor = reached.front();
     if (body.value == 0) {
       anchor = anchor + PixelPoint{.x = 0.0, .y = 24.0};
-    } else if (points.size() > 1) {
-      anchor = 0.5 * (points[0] + points[1]);
+    } else if (reached.size() > 1) {
+      anchor = 0.5 * (reached[0] + reached[1]);
     }
     for (const Wheel& wheel : parts_.wheels) {
-      if (wheel.body == body && points.size() < 2) {
+      if (wheel.body == body && reached.size() < 2) {
         anchor = circle_in_space(
             canvas_.view(), wheel.centre, wheel.axis, wheel.radius * canvas_.view().scale)[4];
       }
@@ -317,14 +284,6 @@ class SpatialDrawing {
       svg_.text(text + PixelPoint{.x = 0.0, .y = 4.0}, names[i], style);
     }
   }
-
-  const Analysis& analysis_;
-  const Topology& topology_;
-  const Geometry& geometry_;
-  const LinkageOptions& options_;
-  const LinkageParts& parts_;
-  LinkageCanvas& canvas_;
-  Svg& svg_;
 };
 
 void draw_mechanism_at(const Analysis& analysis,
