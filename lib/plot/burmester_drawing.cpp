@@ -33,6 +33,13 @@ struct Stretch {
   std::vector<PixelPoint> points;
 };
 
+// "transmission angle" of a word of reports.
+std::string in_words(std::string_view word) {
+  std::string words(word);
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
 class BurmesterWriter {
  public:
   BurmesterWriter(const SynthesisAnalysis& analysis, const SynthesisTask& task)
@@ -181,11 +188,12 @@ class BurmesterWriter {
       svg_.polyline(points, {.stroke = Ink::green, .width = width, .dash = "6 3"});
       keep_off(points);
     }
-    const bool is_judged = task_.curves.has_value();
+    // Of five positions the curve of four on which the best linkage stands.
+    const bool is_judged = is_first && (task_.curves.has_value() || partner());
     for (const CurveBranch& branch : branches(drawn.curves.circle_points)) {
       keep_off(visible(branch));
       if (is_judged) {
-        draw_judged(branch);
+        draw_judged(branch, drawn.positions);
       } else {
         svg_.polyline(visible(branch), {.stroke = Ink::blue, .width = width});
       }
@@ -202,14 +210,15 @@ class BurmesterWriter {
   }
 
   // Stretches with a defect are grey and dashed, and bear its word where there is room.
-  void draw_judged(const CurveBranch& branch) {
+  void draw_judged(const CurveBranch& branch, const std::vector<PositionJets>& positions) {
     std::vector<Stretch> stretches;
     for (const Point& p : branch.points) {
       if (!plane_.window.holds(p)) {
         stretches.emplace_back();
         continue;
       }
-      const std::string reason = find_rejection(task_, analysis_.limits, partner(), p);
+      const std::string reason =
+          in_words(find_rejection(positions, analysis_.limits, partner(), p));
       if (stretches.empty() || stretches.back().points.empty() ||
           stretches.back().reason != reason) {
         Stretch next{.reason = reason, .points = {}};
@@ -380,7 +389,8 @@ class BurmesterWriter {
       reasons += (reasons.empty() ? "" : ", ") + reason;
     }
     if (!reasons.empty()) {
-      const std::string beside = partner() ? "rejected beside dyad A: " : "rejected: ";
+      const std::string beside =
+          partner() ? "rejected beside dyad A: " : "rejected as a crank that drives: ";
       legend_line({.stroke = Ink::soft, .width = 1.6, .dash = "3 3"}, beside + reasons, y);
     }
     draw_verdict(y);
@@ -394,9 +404,9 @@ class BurmesterWriter {
     const LinkageCandidate& best = task_.linkages.front();
     const std::string verdict = best.defect == Defect::none
                                     ? std::string("usable")
-                                    : fmt::format("rejected: {}", word_of(best.defect));
+                                    : "rejected: " + in_words(word_of(best.defect));
     svg_.text({.x = 0.0, .y = y + 4},
-              fmt::format("linkage A, B: {}, {}", word_of(best.linkage.type()), verdict),
+              fmt::format("linkage A, B: {}, {}", in_words(word_of(best.linkage.type())), verdict),
               kSmall);
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -105,7 +106,7 @@ class PlaneFinder {
 
   void add_curves() {
     if (task_.curves) {
-      add_curves(*task_.curves, "");
+      add_curves(*task_.curves, task_.positions, "");
       return;
     }
     const std::vector<PositionJets>& positions = task_.positions;
@@ -118,15 +119,21 @@ class PlaneFinder {
       if (i > 0 || positions[i].order() > 1) {
         const int order = positions[i].order();
         const std::string which = std::to_string(i + 1);
-        add_curves(find_curves(reduced(positions, i)),
+        const std::vector<PositionJets> four = reduced(positions, i);
+        add_curves(find_curves(four),
+                   four,
                    order == 1 ? which : fmt::format("the last condition of {}", which));
       }
     }
   }
 
-  void add_curves(FourPositionCurves curves, std::string without) {
+  void add_curves(FourPositionCurves curves,
+                  std::vector<PositionJets> positions,
+                  std::string without) {
     if (curves.status == BurmesterStatus::solved) {
-      result_.curves.push_back({.curves = std::move(curves), .without = std::move(without)});
+      result_.curves.push_back({.curves = std::move(curves),
+                                .positions = std::move(positions),
+                                .without = std::move(without)});
     }
   }
 
@@ -147,7 +154,24 @@ class PlaneFinder {
     }
   }
 
-  // Positions always; of what else there is, what is not much further away than they are spread.
+  // Its points no further from the middle than that; of the best linkage as far as the nearer of
+  // its cranks asks for, where positions lie close to each other.
+  static void add_reached(const DrawnDyad& dyad,
+                          const Point& middle,
+                          double far,
+                          std::vector<Point>& points) {
+    constexpr double kFarOfClose = 12.0;
+    const std::array<Point, 2> ends = {dyad.circle_point, dyad.centre_point};
+    const double near = std::min(std::abs(ends[0] - middle), std::abs(ends[1] - middle));
+    for (const Point& p : ends) {
+      if (std::abs(p - middle) <= std::max(far, dyad.is_chosen ? kFarOfClose * near : 0.0)) {
+        points.push_back(p);
+      }
+    }
+  }
+
+  // Positions and, but for the farthest, the best linkage; of what else there is, what is not much
+  // further away than these are spread.
   void find_window() {
     constexpr double kFar = 3.5;
     constexpr double kMarginShare = 0.18;
@@ -166,11 +190,10 @@ class PlaneFinder {
     for (const Point& p : points) {
       spread = std::max(spread, std::abs(p - middle));
     }
-    for (const DrawnDyad& dyad : result_.dyads) {
-      const double far = dyad.is_chosen ? 3.0 * kFar : kFar;
-      for (const Point& p : {dyad.circle_point, dyad.centre_point}) {
-        if (std::abs(p - middle) <= far * spread) {
-          points.push_back(p);
+    for (const bool is_chosen : {true, false}) {
+      for (const DrawnDyad& dyad : result_.dyads) {
+        if (dyad.is_chosen == is_chosen) {
+          add_reached(dyad, middle, (is_chosen ? 3.0 * kFar : kFar) * spread, points);
         }
       }
     }
@@ -201,29 +224,54 @@ class PlaneFinder {
   BurmesterPlane result_;
 };
 
+// Whether a crank that turns one way comes through finitely separated positions as they are
+// numbered. Of others nothing is said.
+bool passes_in_order(const Dyad& dyad, const std::vector<PositionJets>& positions) {
+  const bool is_finite =
+      std::ranges::all_of(positions, [](const PositionJets& one) { return one.order() == 1; });
+  if (dyad.kind != DyadKind::crank || !is_finite) {
+    return true;
+  }
+  // From each position to the next and back to the first, anticlockwise: one turn in all if they
+  // follow each other so, all turns but one if clockwise.
+  double turns = 0.0;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto arm = [&](std::size_t k) {
+      return pose_of(positions[k]).place(dyad.circle_point) - dyad.centre_point;
+    };
+    const double angle = std::arg(arm((i + 1) % positions.size()) / arm(i));
+    turns += (angle < 0.0 ? angle + 2 * std::numbers::pi : angle) / (2 * std::numbers::pi);
+  }
+  const auto count = static_cast<double>(positions.size());
+  return std::round(turns) <= 1.0 || std::round(turns) >= count - 1.0;
+}
+
 }  // namespace
 
 BurmesterPlane find_plane(const SynthesisTask& task) {
   return PlaneFinder(task).find();
 }
 
-std::string find_rejection(const SynthesisTask& task,
+std::string find_rejection(const std::vector<PositionJets>& positions,
                            const LinkageLimits& limits,
                            const std::optional<Dyad>& partner,
                            const Point& circle_point) {
-  const std::optional<Dyad> dyad = find_dyad(task.positions, circle_point);
+  const std::optional<Dyad> dyad = find_dyad(positions, circle_point);
   if (!dyad) {
     return "no centre";
   }
   if (!partner) {
     const bool is_large = dyad->kind == DyadKind::crank && dyad->length > limits.size;
-    return is_large ? std::string(word_of(Defect::size)) : "";
+    return is_large                            ? std::string(word_of(Defect::size))
+           : passes_in_order(*dyad, positions) ? ""
+                                               : std::string(word_of(Defect::order));
   }
+  // A crank of the curve makes a four-bar also where the task asks for a slider.
+  LinkageLimits of_any_type = limits;
+  of_any_type.type.reset();
   const std::array<Dyad, 2> pair = {*partner, *dyad};
-  const std::vector<LinkageCandidate> found = rank_linkages(pair, task.positions, limits);
-  return found.empty() || found.front().defect == Defect::none
-             ? ""
-             : std::string(word_of(found.front().defect));
+  const std::vector<LinkageCandidate> found = rank_linkages(pair, positions, of_any_type);
+  return found.front().defect == Defect::none ? "" : std::string(word_of(found.front().defect));
 }
 
 }  // namespace kinestat

@@ -28,6 +28,7 @@ struct DrawnDyad {
 /// The curves of four conditions.
 struct DrawnCurves {
   FourPositionCurves curves;
+  std::vector<PositionJets> positions;  ///< those that they are of
   std::string without;  ///< "5": what of five positions they leave out; empty if there are four
 };
 
@@ -57,8 +58,8 @@ struct BurmesterPlane {
 BurmesterPlane find_plane(const SynthesisTask& task);
 
 /// The word of what speaks against a linkage of the dyad `partner` and that of a point on the curve
-/// of circle points; empty if nothing does.
-std::string find_rejection(const SynthesisTask& task,
+/// of circle points; without a partner against a crank there that drives. Empty if nothing does.
+std::string find_rejection(const std::vector<PositionJets>& positions,
                            const LinkageLimits& limits,
                            const std::optional<Dyad>& partner,
                            const Point& circle_point);

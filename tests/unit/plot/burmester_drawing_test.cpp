@@ -68,9 +68,23 @@ TEST(Rejection, NamesTheLimitThatALinkageBreaks) {
   four.positions.pop_back();
   LinkageLimits limits;
 
-  EXPECT_EQ(find_rejection(four, limits, one, place), "");
+  EXPECT_EQ(find_rejection(four.positions, limits, one, place), "");
   limits.size = 2.0;
-  EXPECT_EQ(find_rejection(four, limits, one, place), word_of(Defect::size));
+  EXPECT_EQ(find_rejection(four.positions, limits, one, place), word_of(Defect::size));
+}
+
+// The crank of the known crank-rocker turns through the positions as they are numbered; with two of
+// them exchanged it does not.
+TEST(Rejection, NamesTheOrderInWhichACrankDoesNotCome) {
+  const SynthesisAnalysis analysis = library_synthesis("synthesis/crank_rocker.yaml");
+  std::vector<PositionJets> four = analysis.tasks[0].positions;
+  four.pop_back();
+  const Dyad crank = analysis.tasks[0].linkages.front().linkage.one;
+  const Point place = pose_of(four[0]).place(crank.circle_point);
+
+  EXPECT_EQ(find_rejection(four, {}, std::nullopt, place), "");
+  std::swap(four[1], four[2]);
+  EXPECT_EQ(find_rejection(four, {}, std::nullopt, place), word_of(Defect::order));
 }
 
 // do Valle 1983, table 5: Ball's point of the first position, by its inflection circle.
