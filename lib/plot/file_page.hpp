@@ -12,6 +12,7 @@
 #include "report/mobility_report.hpp"
 #include "report/motion_table.hpp"
 #include "report/synthesis_report.hpp"
+#include "report/text_blocks.hpp"
 
 namespace kinestat {
 
@@ -29,6 +30,12 @@ struct PageMotion {
   std::vector<TracedPath> paths;
 };
 
+/// How the values of a case move with the parameters, in tables.
+struct PageSensitivity {
+  std::string label;  ///< of the case
+  TextBlocks blocks;
+};
+
 /// Passes that failed, or for which the file gives no reason, are empty; what was wrong is among
 /// the findings.
 struct FilePage {
@@ -38,6 +45,7 @@ struct FilePage {
   std::optional<Analysis> analysis;
   std::optional<MobilityAnalysis> mobility;
   std::optional<PageMotion> motion;  ///< of the mechanism of the analysis
+  std::vector<PageSensitivity> sensitivity;  ///< of cases, where the file has parameters
   std::optional<SynthesisAnalysis> synthesis;
   std::vector<PageData> data;
 };

@@ -101,7 +101,7 @@ std::vector<std::size_t> by_strength(const SensitivityValue& value, const Parame
   return order;
 }
 
-std::string table_of(const SensitivityValue& value, const Parameters& parameters) {
+Table table_of(const SensitivityValue& value, const Parameters& parameters) {
   Table table({"by", "at", "derivative", "unit", "relative"});
   for (const std::size_t p : by_strength(value, parameters)) {
     const SensitivityParameter& parameter = parameters[p];
@@ -114,7 +114,7 @@ std::string table_of(const SensitivityValue& value, const Parameters& parameters
                unit_of(value, parameter),
                relative ? format_short(*relative) : "-"});
   }
-  return table.text("    ");
+  return table;
 }
 
 // Behind a value that equilibrium alone leaves open.
@@ -136,16 +136,7 @@ std::string text_of(const MechanismDescription& description,
                     const Parameters& parameters) {
   std::string text = (description.name.empty() ? file : description.name) + "\n\n";
   for (const CaseSensitivity& one : cases) {
-    text += fmt::format("Case {}\n", one.label);
-    for (const SensitivityValue& value : one.values) {
-      text += fmt::format("  {} = {}{}{}{}\n{}\n",
-                          value.name,
-                          format_short(value.value),
-                          value.unit.empty() ? "" : " ",
-                          value.unit,
-                          note_of(value),
-                          table_of(value, parameters));
-    }
+    text += fmt::format("Case {}\n", one.label) + sensitivity_blocks(one, parameters).text();
   }
   return text;
 }
@@ -160,6 +151,21 @@ std::optional<double> relative_sensitivity(const SensitivityValue& value,
   }
   const double relative = *derivative * parameter.value / value.value;
   return std::isfinite(relative) ? std::optional(relative) : std::nullopt;
+}
+
+TextBlocks sensitivity_blocks(const CaseSensitivity& one, const Parameters& parameters) {
+  TextBlocks blocks;
+  for (const SensitivityValue& value : one.values) {
+    blocks += fmt::format("  {} = {}{}{}{}\n",
+                          value.name,
+                          format_short(value.value),
+                          value.unit.empty() ? "" : " ",
+                          value.unit,
+                          note_of(value));
+    blocks += TextBlocks(table_of(value, parameters), "    ");
+    blocks += "\n";
+  }
+  return blocks;
 }
 
 FileReport make_sensitivity_report(const std::string& file,

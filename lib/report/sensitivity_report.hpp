@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "report/file_report.hpp"
+#include "report/text_blocks.hpp"
 
 namespace kinestat {
 
@@ -37,6 +38,10 @@ struct CaseSensitivity {
 std::optional<double> relative_sensitivity(const SensitivityValue& value,
                                            const SensitivityParameter& parameter,
                                            std::optional<double> derivative);
+
+/// The values of one case, each with a table of its parameters, the strongest first.
+TextBlocks sensitivity_blocks(const CaseSensitivity& one,
+                              const std::vector<SensitivityParameter>& parameters);
 
 /// JSON `cases.<label>.sensitivity.<value>.by.<parameter>`; tables with the strongest parameter
 /// first.

@@ -15,6 +15,7 @@
 #include "run/each_file.hpp"
 #include "run/mobility.hpp"
 #include "run/motion.hpp"
+#include "run/sensitivity.hpp"
 #include "run/synthesis.hpp"
 
 namespace kinestat {
@@ -98,6 +99,7 @@ class PageBuilder {
                                        page_.motion ? &page_.motion->table : nullptr,
                                        kForms,
                                        page_.found));
+        differentiate(analysis);
         page_.analysis = std::move(certified->analysis);
       }
     }
@@ -119,6 +121,34 @@ class PageBuilder {
             : std::nullopt;
     if (motion) {
       page_.motion = page_motion(*motion, analysis.mechanism);
+    }
+  }
+
+  // Cases without an answer, or a file without parameters, have no derivatives to show.
+  void differentiate(const Analysis& analysis) {
+    if (analysis.description.parameters.empty() || analysis.cases.empty()) {
+      return;
+    }
+    Diagnostics found;
+    const std::optional<FoundSensitivity> answer = find_sensitivity(analysis, {}, found);
+    if (!answer) {
+      return;
+    }
+    add_new(found, page_.found);
+    for (const CaseSensitivity& one : answer->cases) {
+      TextBlocks blocks = sensitivity_blocks(one, answer->parameters);
+      if (!blocks.is_empty()) {
+        page_.sensitivity.push_back({.label = one.label, .blocks = std::move(blocks)});
+      }
+    }
+    if (!page_.sensitivity.empty()) {
+      add_data("sensitivity",
+               make_sensitivity_report(path_,
+                                       analysis.description,
+                                       answer->parameters,
+                                       answer->cases,
+                                       kForms,
+                                       found));
     }
   }
 

@@ -79,7 +79,7 @@ class SensitivityJob {
       : analysis_(analysis), choice_(choice), found_(found) {}
 
   // Empty iff an error was added.
-  std::optional<FileReport> run(const ReportForms& forms) {
+  std::optional<FoundSensitivity> run() {
     const int errors_before = found_.error_count();
     choose_parameters();
     check_case();
@@ -107,8 +107,7 @@ class SensitivityJob {
     if (found_.error_count() > errors_before) {
       return std::nullopt;
     }
-    return make_sensitivity_report(
-        analysis_.file, analysis_.description, shown, cases, forms, found_);
+    return FoundSensitivity{.parameters = std::move(shown), .cases = std::move(cases)};
   }
 
  private:
@@ -288,6 +287,12 @@ class SensitivityJob {
 
 }  // namespace
 
+std::optional<FoundSensitivity> find_sensitivity(const Analysis& analysis,
+                                                 const SensitivityChoice& choice,
+                                                 Diagnostics& found) {
+  return SensitivityJob(analysis, choice, found).run();
+}
+
 Outcome sensitivity_files(const std::vector<std::string>& paths,
                           const SensitivityChoice& choice,
                           const AnalyseOptions& options) {
@@ -302,7 +307,12 @@ Outcome sensitivity_files(const std::vector<std::string>& paths,
         }
         const Analysis analysis = solve_cases(path, *std::move(loaded));
         add_findings(analysis, found);
-        return SensitivityJob(analysis, choice, found).run(forms);
+        const std::optional<FoundSensitivity> answer = find_sensitivity(analysis, choice, found);
+        if (!answer) {
+          return std::nullopt;
+        }
+        return make_sensitivity_report(
+            path, analysis.description, answer->parameters, answer->cases, forms, found);
       });
 }
 

@@ -1,9 +1,11 @@
 // How the answers of files move with their parameters.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "report/sensitivity_report.hpp"
 #include "run/analyse.hpp"
 
 namespace kinestat {
@@ -14,6 +16,17 @@ struct SensitivityChoice {
   std::vector<std::string> parameters;  ///< names
   std::string case_label;               ///< empty: all cases
 };
+
+/// What was found of one file.
+struct FoundSensitivity {
+  std::vector<SensitivityParameter> parameters;
+  std::vector<CaseSensitivity> cases;
+};
+
+/// Empty iff an error was added.
+std::optional<FoundSensitivity> find_sensitivity(const Analysis& analysis,
+                                                 const SensitivityChoice& choice,
+                                                 Diagnostics& found);
 
 /// One report a file on standard output.
 Outcome sensitivity_files(const std::vector<std::string>& paths,

@@ -1,6 +1,7 @@
 #include "plot/page/file_section.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include "core/utf8.hpp"
 #include "plot/gear_scheme.hpp"
 #include "plot/linkage_drawing.hpp"
+#include "plot/motion_curves.hpp"
 #include "plot/page/figures.hpp"
 #include "plot/page/motion_figure.hpp"
 #include "plot/page/motion_tables.hpp"
@@ -44,6 +46,7 @@ class FileSection {
     add_motion();
     add_shift();
     add_cases();
+    add_sensitivity();
     add_synthesis();
     add_data();
     html_.close();
@@ -204,11 +207,26 @@ class FileSection {
     add_motion_tables(page_.motion->table);
     html_.close();
     html_.close();
-    add_pictures(pictures_at(PicturePlace::motion, source()));
+    add_charts(motion_figure(page_.motion->table, ""));
+    add_charts(path_figure(page_.motion->table, ""));
     if (!page_.motion->table.rows.empty()) {
       add_table(position_table(page_.motion->table), "Positions", html_);
     }
     html_.close();
+  }
+
+  // Each a figure of its own, so that they stand beside each other.
+  void add_charts(const Figure& figure) {
+    std::vector<Picture> pictures;
+    for (const Chart& chart : figure.charts) {
+      std::string title = chart.title.empty() ? chart.y.label : chart.title;
+      title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+      pictures.push_back(draw_figure({.name = figure.name,
+                                      .title = std::move(title),
+                                      .description = figure.description,
+                                      .charts = {chart}}));
+    }
+    add_pictures(pictures);
   }
 
   void add_motion_tables(const MotionTable& motion) {
@@ -343,6 +361,24 @@ class FileSection {
     });
     add_pictures({*scheme});
     add_folded("Drawing in space with the forces", others);
+  }
+
+  void add_sensitivity() {
+    if (page_.sensitivity.empty()) {
+      return;
+    }
+    open_part("sensitivity", "Sensitivity");
+    html_.element("p",
+                  "Exact derivatives by the parameters of the file, the strongest first; relative: "
+                  "by how many per cent a value moves if the parameter moves by one.");
+    for (const PageSensitivity& one : page_.sensitivity) {
+      const std::string label = printable(one.label);
+      html_.open("details");
+      html_.element("summary", label);
+      add_blocks(one.blocks, "Sensitivity of " + label, html_);
+      html_.close();
+    }
+    html_.close();
   }
 
   void add_synthesis() {
