@@ -11,6 +11,7 @@
 #include "report/analysis.hpp"
 #include "report/benchmark_report.hpp"
 #include "report/motion_table.hpp"
+#include "report/sweep_table.hpp"
 #include "report/synthesis_report.hpp"
 
 namespace kinestat {
@@ -21,6 +22,7 @@ struct PictureSource {
   const MotionTable* motion = nullptr;
   const SynthesisAnalysis* synthesis = nullptr;
   const std::vector<BenchmarkedCase>* benchmark = nullptr;
+  const SweepTable* sweep = nullptr;
   /// Index into Analysis::cases: the case that a picture of one case shows; empty: the first that
   /// has what it needs. Pictures of all cases show that one alone.
   std::optional<std::size_t> which = {};
@@ -28,7 +30,7 @@ struct PictureSource {
 };
 
 /// What must be found for a picture.
-enum class PictureNeed { analysis, motion, synthesis, benchmark };
+enum class PictureNeed { analysis, motion, synthesis, benchmark, sweep };
 
 /// Whether a picture is of the file, or of one of its cases.
 enum class PictureScope { file, one_case };

@@ -213,7 +213,7 @@ double draw_chart(const Chart& chart, double top, Svg& svg) {
     svg.text({.x = 0.0, .y = y + 12.0}, "no data", {.ink = Ink::soft});
     return y + kLineHeight;
   }
-  y = draw_legend(chart, y, kFrameWidth, svg) + 8.0;
+  y = draw_legend(chart, y, chart.width, svg) + 8.0;
   ChartFrame frame = make_frame(chart, y);
   const std::vector<ChartGuide> guides = guides_within(chart, frame);
   const GuideLayout layout = lay_out_guides(guides, frame);

@@ -50,6 +50,7 @@ struct Chart {
   std::vector<ChartMark> marks = {};
   std::vector<ChartGuide> guides = {};
   bool has_equal_scales = false;  ///< a unit of x is as long as one of y
+  double width = 720.0;           ///< of its frame, if scales are not equal [px]
 };
 
 /// Charts below each other.

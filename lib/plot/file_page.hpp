@@ -11,6 +11,7 @@
 #include "report/analysis.hpp"
 #include "report/mobility_report.hpp"
 #include "report/motion_table.hpp"
+#include "report/sweep_table.hpp"
 #include "report/synthesis_report.hpp"
 #include "report/text_blocks.hpp"
 
@@ -44,8 +45,9 @@ struct FilePage {
   std::optional<MechanismDescription> description;  ///< empty for a file that cannot be read
   std::optional<Analysis> analysis;
   std::optional<MobilityAnalysis> mobility;
-  std::optional<PageMotion> motion;  ///< of the mechanism of the analysis
+  std::optional<PageMotion> motion;          ///< of the mechanism of the analysis
   std::vector<PageSensitivity> sensitivity;  ///< of cases, where the file has parameters
+  std::optional<SweepTable> sweep;           ///< without rows where they are too many
   std::optional<SynthesisAnalysis> synthesis;
   std::vector<PageData> data;
 };

@@ -16,6 +16,7 @@
 #include "run/mobility.hpp"
 #include "run/motion.hpp"
 #include "run/sensitivity.hpp"
+#include "run/sweep.hpp"
 #include "run/synthesis.hpp"
 
 namespace kinestat {
@@ -72,6 +73,7 @@ class PageBuilder {
     page_.description = load_description(path_, options_.load, page_.source, page_.found);
     if (page_.description) {
       analyse();
+      sweep();
       synthesize();
     }
     return std::move(page_);
@@ -143,13 +145,18 @@ class PageBuilder {
     }
     if (!page_.sensitivity.empty()) {
       add_data("sensitivity",
-               make_sensitivity_report(path_,
-                                       analysis.description,
-                                       answer->parameters,
-                                       answer->cases,
-                                       kForms,
-                                       found));
+               make_sensitivity_report(
+                   path_, analysis.description, answer->parameters, answer->cases, kForms, found));
     }
+  }
+
+  void sweep() {
+    if (!page_.description->sweep || page_.found.has_errors()) {
+      return;
+    }
+    Diagnostics found;
+    page_.sweep = find_sweep_table(page_.source, *page_.description, kMostSweptStates, found);
+    add_new(found, page_.found);
   }
 
   void synthesize() {

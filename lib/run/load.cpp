@@ -129,27 +129,30 @@ void refuse_without_mechanism(const MechanismDescription& description, Diagnosti
           : "add ground, bodies and couplings");
 }
 
+std::optional<Loaded> bind_loaded(MechanismDescription description,
+                                  Diagnostics& found,
+                                  const ShiftOptions& sizes) {
+  std::optional<Mechanism> mechanism = bind(description, found);
+  if (!mechanism) {
+    if (!found.has_errors()) {
+      refuse_without_mechanism(description, found);
+    }
+    return std::nullopt;
+  }
+  Loaded loaded{.description = std::move(description),
+                .mechanism = *std::move(mechanism),
+                .shift = std::nullopt};
+  loaded.shift = add_gears(loaded.description, loaded.mechanism, sizes, found);
+  return found.has_errors() ? std::nullopt : std::optional(std::move(loaded));
+}
+
 std::optional<Loaded> load(const std::string& path,
                            const LoadOptions& options,
                            SourceFile& source,
                            Diagnostics& found,
                            const ShiftOptions& sizes) {
   std::optional<MechanismDescription> description = load_description(path, options, source, found);
-  if (!description) {
-    return std::nullopt;
-  }
-  std::optional<Mechanism> mechanism = bind(*description, found);
-  if (!mechanism) {
-    if (!found.has_errors()) {
-      refuse_without_mechanism(*description, found);
-    }
-    return std::nullopt;
-  }
-  Loaded loaded{.description = *std::move(description),
-                .mechanism = *std::move(mechanism),
-                .shift = std::nullopt};
-  loaded.shift = add_gears(loaded.description, loaded.mechanism, sizes, found);
-  return found.has_errors() ? std::nullopt : std::optional(std::move(loaded));
+  return description ? bind_loaded(*std::move(description), found, sizes) : std::nullopt;
 }
 
 }  // namespace kinestat

@@ -38,6 +38,11 @@ std::optional<MechanismDescription> load_description(const std::string& path,
 /// Says that a file holds no mechanism, and what does: E0303.
 void refuse_without_mechanism(const MechanismDescription& description, Diagnostics& found);
 
+/// Binds a description that was read, gears included. Empty iff an error was added.
+std::optional<Loaded> bind_loaded(MechanismDescription description,
+                                  Diagnostics& found,
+                                  const ShiftOptions& sizes = {});
+
 /// Reads, applies the overrides and binds, gears included, whose `sizes` may be more than the
 /// usual; a file without a mechanism is an error. Empty iff an error was added.
 std::optional<Loaded> load(const std::string& path,

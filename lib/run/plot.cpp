@@ -18,6 +18,7 @@
 #include "run/benchmark.hpp"
 #include "run/each_file.hpp"
 #include "run/motion.hpp"
+#include "run/sweep.hpp"
 #include "run/synthesis.hpp"
 
 namespace kinestat {
@@ -47,12 +48,14 @@ struct PictureSolutions {
   std::optional<MotionTable> motion;
   std::optional<SynthesisAnalysis> synthesis;
   std::optional<std::vector<BenchmarkedCase>> benchmark;
+  std::optional<SweepTable> sweep;
 
   PictureSource source() const {
     return {.analysis = analysis ? &*analysis : nullptr,
             .motion = motion ? &*motion : nullptr,
             .synthesis = synthesis ? &*synthesis : nullptr,
-            .benchmark = benchmark ? &*benchmark : nullptr};
+            .benchmark = benchmark ? &*benchmark : nullptr,
+            .sweep = sweep ? &*sweep : nullptr};
   }
 };
 
@@ -129,6 +132,8 @@ class PictureJob {
         return find_benchmark();
       case PictureNeed::motion:
         return find_motion_table();
+      case PictureNeed::sweep:
+        return find_sweep();
     }
     return false;
   }
@@ -175,6 +180,18 @@ class PictureJob {
       solutions_.motion = std::move(found->table);
     }
     return found.has_value();
+  }
+
+  bool find_sweep() {
+    if (!description_->sweep) {
+      found_.error("E0303",
+                   {},
+                   "the file has no section 'sweep'",
+                   "add sweep: {vary: {…}}; 'kinestat help sweeps' says more");
+      return false;
+    }
+    solutions_.sweep = find_sweep_table(source_, *description_, kMostSweptStates, found_);
+    return solutions_.sweep.has_value();
   }
 
   bool find_benchmark() {
@@ -247,6 +264,9 @@ class PictureJob {
     if (kind.need == PictureNeed::motion && !description_->motion) {
       return "the file has no section 'motion'";
     }
+    if (kind.need == PictureNeed::sweep && !description_->sweep) {
+      return "the file has no section 'sweep'";
+    }
     if (kind.need == PictureNeed::benchmark) {
       return description_->cases.empty() ? "the file has no cases" : "";
     }
@@ -284,7 +304,7 @@ class PictureJob {
   Diagnostics found_;
   std::optional<MechanismDescription> description_;
   PictureSolutions solutions_;
-  std::array<std::optional<bool>, 4> is_found_;  ///< by PictureNeed
+  std::array<std::optional<bool>, 5> is_found_;  ///< by PictureNeed
 };
 
 // Forms that a picture has, beside svg.

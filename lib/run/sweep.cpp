@@ -144,6 +144,40 @@ void sweep_into(const std::string& path,
 
 }  // namespace
 
+std::optional<SweepTable> find_sweep_table(const SourceFile& source,
+                                           const MechanismDescription& description,
+                                           std::uint64_t most,
+                                           Diagnostics& found) {
+  std::optional<Loaded> loaded = bind_loaded(description, found);
+  std::optional<SweepTask> task =
+      loaded ? make_sweep_task(source, *std::move(loaded), {}, found) : std::nullopt;
+  if (!task) {
+    return std::nullopt;
+  }
+  SweepTable table{.states = task->plan.state_count(), .varied = {}, .quantities = {}, .rows = {}};
+  const std::vector<std::string>& titles = task->header.titles;
+  const auto varied = static_cast<std::ptrdiff_t>(task->plan.axes().size());
+  // Then the case; at the end the status.
+  table.varied.assign(titles.begin(), titles.begin() + varied);
+  table.quantities.assign(titles.begin() + varied + 1, titles.end() - 1);
+  if (table.states > most) {
+    return table;
+  }
+  task->tapes = record_tapes(*task);
+  bool is_title = true;
+  const SweepHooks hooks{.write =
+                             [&](std::string_view rows) {
+                               if (!std::exchange(is_title, false)) {
+                                 add_sweep_rows(rows, table);
+                               }
+                               return true;
+                             },
+                         .progress = {},
+                         .stop = nullptr};
+  StreamedSweep(*task, hooks).run(1);
+  return table;
+}
+
 Outcome sweep_file(const std::string& path, const SweepOptions& options, const SweepHooks& hooks) {
   Outcome outcome;
   outcome.form = options.diagnostics;

@@ -171,8 +171,11 @@ std::vector<std::string> usual_value_names(const DualCase& values) {
   }
   const Topology& topology = values.topology();
   for (const ActuatorTopology& actuator : topology.actuators) {
-    if (values.motion() != nullptr && !is_primary(values.which().motions, actuator.freedom)) {
-      names.push_back(topology.freedom_name(actuator.freedom));
+    // Several actuators may drive one freedom.
+    const std::string& rate = topology.freedom_name(actuator.freedom);
+    if (values.motion() != nullptr && !is_primary(values.which().motions, actuator.freedom) &&
+        std::ranges::find(names, rate) == names.end()) {
+      names.push_back(rate);
     }
     if (values.action() != nullptr && !is_primary(values.which().actions, actuator.action) &&
         values.action()->magnitudes[static_cast<std::size_t>(actuator.action)]) {

@@ -68,14 +68,14 @@ ChartFrame equal_frame(const Chart& chart, double top) {
   ChartFrame frame = {.box = {}, .x = along(x), .y = along(y)};
   const double width = frame.x.high - frame.x.low;
   const double height = frame.y.high - frame.y.low;
-  const double scale = std::min(kFrameWidth / width, kTallest / height);
+  const double scale = std::min(chart.width / width, kTallest / height);
   frame.box = {.left = 0.0, .top = top, .right = width * scale, .bottom = top + height * scale};
   return frame;
 }
 
 ChartFrame free_frame(const Chart& chart, double top) {
-  return {.box = {.left = 0.0, .top = top, .right = kFrameWidth, .bottom = top + kFreeHeight},
-          .x = axis_range(chart.x, range_of(chart, chart.x, &Series::x), kFrameWidth, 80.0),
+  return {.box = {.left = 0.0, .top = top, .right = chart.width, .bottom = top + kFreeHeight},
+          .x = axis_range(chart.x, range_of(chart, chart.x, &Series::x), chart.width, 80.0),
           .y = axis_range(chart.y, range_of(chart, chart.y, &Series::y), kFreeHeight, 38.0)};
 }
 

@@ -5,9 +5,8 @@
 
 namespace kinestat {
 
-inline constexpr double kFrameWidth = 720.0;  ///< [px], if scales are free
-inline constexpr double kChartText = 12.0;    ///< size of names [px]
-inline constexpr double kTickText = 11.0;     ///< size of numbers [px]
+inline constexpr double kChartText = 12.0;  ///< size of names [px]
+inline constexpr double kTickText = 11.0;   ///< size of numbers [px]
 
 /// The axes along a box on the picture.
 struct ChartFrame {

@@ -7,6 +7,7 @@
 #include "plot/internal/catalogue_parts.hpp"
 #include "plot/motion_curves.hpp"
 #include "plot/pareto.hpp"
+#include "plot/sweep_curves.hpp"
 
 namespace kinestat {
 
@@ -47,6 +48,27 @@ std::string lack_of_curves(const PictureSource& source) {
 std::string lack_of_paths(const PictureSource& source) {
   return paths_of(source).charts.empty() ? "in its motion no point moves whose place is reported"
                                          : "";
+}
+
+Figure sweep_of(const PictureSource& source) {
+  return sweep_figure(*source.sweep, titled("Sweep", source));
+}
+
+std::string lack_of_sweep(const PictureSource& source) {
+  if (source.sweep->rows.empty()) {
+    return fmt::format(
+        "its sweep has {} states, more than a picture shows, or none that is allowed",
+        source.sweep->states);
+  }
+  return sweep_of(source).charts.empty() ? "its sweep varies nothing that has two values" : "";
+}
+
+Picture draw_sweep(const PictureSource& source) {
+  return draw_figure(sweep_of(source));
+}
+
+std::string sweep_text(const PictureSource& source) {
+  return gnuplot_text(sweep_of(source));
 }
 
 Picture draw_motion(const PictureSource& source) {
@@ -90,6 +112,12 @@ constexpr auto kStudyKinds = std::to_array<PictureKind>({
      .lack = lack_of_paths,
      .draw = draw_paths,
      .gnuplot = paths_text},
+    {.name = "sweep-curves",
+     .sentence = "quantities of a sweep over a parameter",
+     .need = PictureNeed::sweep,
+     .lack = lack_of_sweep,
+     .draw = draw_sweep,
+     .gnuplot = sweep_text},
     {.name = "burmester",
      .sentence = "the positions of a synthesis with poles, curves and dyads",
      .need = PictureNeed::synthesis,

@@ -40,6 +40,8 @@ PicturePlace place_of(const PictureKind& kind) {
   switch (kind.need) {
     case PictureNeed::motion:
       return PicturePlace::motion;
+    case PictureNeed::sweep:
+      return PicturePlace::sweep;
     case PictureNeed::synthesis:
       return PicturePlace::synthesis;
     case PictureNeed::analysis:

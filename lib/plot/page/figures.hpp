@@ -20,6 +20,7 @@ enum class PicturePlace {
   actions,
   power,
   compared,  ///< all cases side by side
+  sweep,
   synthesis
 };
 

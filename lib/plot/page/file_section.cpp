@@ -15,6 +15,7 @@
 #include "plot/page/motion_tables.hpp"
 #include "plot/page/tables.hpp"
 #include "plot/summary.hpp"
+#include "plot/sweep_curves.hpp"
 #include "report/case_text.hpp"
 #include "report/diagnostic_text.hpp"
 #include "report/gear_values.hpp"
@@ -27,6 +28,9 @@
 namespace kinestat {
 
 namespace {
+
+// Of the frames of two charts that stand beside each other [px].
+constexpr double kChartWidth = 480.0;
 
 class FileSection {
  public:
@@ -47,6 +51,7 @@ class FileSection {
     add_shift();
     add_cases();
     add_sensitivity();
+    add_sweep();
     add_synthesis();
     add_data();
     html_.close();
@@ -218,9 +223,13 @@ class FileSection {
   // Each a figure of its own, so that they stand beside each other.
   void add_charts(const Figure& figure) {
     std::vector<Picture> pictures;
-    for (const Chart& chart : figure.charts) {
+    for (Chart chart : figure.charts) {
+      chart.width = kChartWidth;
       std::string title = chart.title.empty() ? chart.y.label : chart.title;
-      title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+      // Words, but not names such as "d.wz".
+      if (title.find('.') >= title.find(' ')) {
+        title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+      }
       pictures.push_back(draw_figure({.name = figure.name,
                                       .title = std::move(title),
                                       .description = figure.description,
@@ -378,6 +387,20 @@ class FileSection {
       add_blocks(one.blocks, "Sensitivity of " + label, html_);
       html_.close();
     }
+    html_.close();
+  }
+
+  void add_sweep() {
+    if (!page_.sweep || page_.sweep->rows.empty()) {
+      return;
+    }
+    const Figure figure = sweep_figure(*page_.sweep, "");
+    if (figure.charts.empty()) {
+      return;
+    }
+    open_part("sweep", "Sweep");
+    html_.element("p", figure.description);
+    add_charts(figure);
     html_.close();
   }
 

@@ -1,0 +1,16 @@
+// Curves of a sweep: its quantities over one of the varied parameters.
+#pragma once
+
+#include <string>
+
+#include "plot/chart.hpp"
+#include "report/sweep_table.hpp"
+
+namespace kinestat {
+
+/// One chart a quantity, over the parameter with the most values; a series for every case and every
+/// choice of the other parameters, as far as lines can be told apart. No charts if no parameter has
+/// two values.
+Figure sweep_figure(const SweepTable& sweep, const std::string& title);
+
+}  // namespace kinestat
