@@ -56,9 +56,8 @@ Figure sweep_of(const PictureSource& source) {
 
 std::string lack_of_sweep(const PictureSource& source) {
   if (source.sweep->rows.empty()) {
-    return fmt::format(
-        "its sweep has {} states, more than a picture shows, or none that is allowed",
-        source.sweep->states);
+    return fmt::format("of the {} states of its sweep none is allowed, or they are too many",
+                       source.sweep->states);
   }
   return sweep_of(source).charts.empty() ? "its sweep varies nothing that has two values" : "";
 }
