@@ -3,13 +3,17 @@
 
 namespace kinestat {
 
-/// A moved position is closed if nothing misses by more than this share of the size: some hundred
-/// roundings.
-inline constexpr double kMotionClosure = 1e-13;
+/// A moved position is closed if nothing misses by more than this share of the size: some
+/// hundred roundings.
+inline constexpr double kMotionClosure = 3e-14;
 
 /// An overconstrained mechanism that is not drawn exactly closes by least squares; this share of
-/// its size may be left.
-inline constexpr double kAcceptedMisclosure = 1e-6;
+/// its size may be left: points that were typed with six figures.
+inline constexpr double kAcceptedMisclosure = 1e-5;
+
+/// Its drives can move it if what their rates miss of closure is less than this share: directions
+/// follow from differences of points that were rounded.
+inline constexpr double kAcceptedRateMiss = 1e-5;
 
 /// A drawn position that misses by less than this share of the size is closed without a word:
 /// decimals that were rounded.
@@ -26,6 +30,13 @@ inline constexpr double kSlackInCarrier = 1e-6;
 /// near: from here on the arc is followed instead of the drives.
 inline constexpr double kFlatClosure = 1e-4;
 
+/// Where the shortest column of a closure is below this share of the longest, velocities, whose
+/// error is that of closure by this share, are left out.
+inline constexpr double kFlatVelocity = 1e-8;
+
+/// Below this the accelerations, whose error is that of closure by its square, are left out.
+inline constexpr double kFlatAcceleration = 1e-5;
+
 /// The finest part of a step of a motion by its drives; then the arc is followed.
 inline constexpr double kFinestShare = 1e-3;
 
@@ -37,6 +48,12 @@ inline constexpr double kArrivedShare = 1e-7;
 
 /// How narrow a change point is bracketed, along the arc.
 inline constexpr double kChangePointBracket = 1e-9;
+
+/// Steps that differ by less than this share are equal.
+inline constexpr double kSameStep = 1e-9;
+
+/// How narrow a dead point is bracketed, by the fastest drive [rad or shares of the size].
+inline constexpr double kDeadPointBracket = 1e-11;
 
 /// What may be missed where a freedom was tried: ten times that of a motion.
 inline constexpr double kTrialClosure = 1e-12;

@@ -48,6 +48,22 @@ std::vector<BodyPose> body_poses(const MotionNetwork& network, const Configurati
   });
 }
 
+std::vector<double> body_turns(const MotionNetwork& network, const Configuration& configuration) {
+  std::vector<double> of_frame(at(network.frame_count), 0.0);
+  for (std::size_t j = 0; j < network.joints.size(); ++j) {
+    const MotionJoint& joint = network.joints[j];
+    const bool turns = joint.coordinate >= 0 && joint.motion.kind == ElementaryKind::turn;
+    const double sense = joint.sense * joint.motion.direction.z();
+    of_frame[j + 1] = of_frame[at(joint.parent)] +
+                      (turns ? sense * configuration.coordinates[at(joint.coordinate)] : 0.0);
+  }
+  std::vector<double> turns;
+  for (const int frame : network.frame_of_body) {
+    turns.push_back(of_frame[at(frame)]);
+  }
+  return turns;
+}
+
 std::vector<std::optional<double>> freedom_positions(const MotionNetwork& network,
                                                      const Mechanism& mechanism,
                                                      const Configuration& configuration) {

@@ -14,6 +14,10 @@ Configuration drawn_configuration(const MotionNetwork& network);
 /// Of each body, relative to where it was drawn, in the world frame [m].
 std::vector<BodyPose> body_poses(const MotionNetwork& network, const Configuration& configuration);
 
+/// In the plane: how far each body has turned about +z since it was drawn [rad], full turns
+/// counted.
+std::vector<double> body_turns(const MotionNetwork& network, const Configuration& configuration);
+
 /// How far each freedom has moved from the drawn position [rad or m], turns counted; empty where a
 /// freedom has no position: of balls, contacts, ropes.
 std::vector<std::optional<double>> freedom_positions(const MotionNetwork& network,

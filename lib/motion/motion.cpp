@@ -38,15 +38,23 @@ class MotionSolver {
     return std::move(solution_);
   }
 
-  std::optional<Configuration> close_between(const Configuration& start, double share) {
+  std::optional<Configuration> follow_between(const Configuration& start,
+                                              double start_share,
+                                              double share) {
     tracker_.set_range(from_, to_);
-    PathPoint point = tracker_.make_point();
-    point.coordinates = start.coordinates;
-    point.angles = start.angles;
-    point.share = share;
-    tracker_.set_drives(share, point.coordinates);
+    PathPoint now = tracker_.make_point();
+    now.coordinates = start.coordinates;
+    now.angles = start.angles;
+    now.share = start_share;
     double moved = 0.0;
-    return tracker_.close(point, moved) ? std::optional(configuration_of(point)) : std::nullopt;
+    if (!tracker_.close(now, moved)) {
+      return std::nullopt;
+    }
+    tracker_.find_rates(now);
+    PathPoint before = tracker_.make_point();
+    return tracker_.advance(now, before, share) == Arrival::reached
+               ? std::optional(configuration_of(now))
+               : std::nullopt;
   }
 
  private:
@@ -69,7 +77,7 @@ class MotionSolver {
     tracker_.set_range(still, still);
     const PathPoint drawn = now;
     Assembly& assembly = solution_.assembly;
-    assembly.drawn_misses = find_misses(network_, configuration_of(drawn), kSilentCorrection);
+    assembly.drawn_misses = network_.drawn_misses;
     double moved = 0.0;
     if (!tracker_.close(now, moved)) {
       now = drawn;
@@ -97,7 +105,7 @@ class MotionSolver {
     solution_.passive_freedoms = network_.passive_freedoms;
     tracker_.set_range(from_, to_);
     tracker_.find_rates(now);
-    const bool can_move = tracker_.missed_rate(now) <= kSilentCorrection;
+    const bool can_move = tracker_.missed_rate(now) <= kAcceptedRateMiss;
     const int surplus = tracker_.open_count() - static_cast<int>(network_.passive_motions.size());
     if (surplus <= 0) {
       solution_.status = can_move ? MotionStatus::completed : MotionStatus::locked;
@@ -267,11 +275,12 @@ MotionSolution solve_motion(const MotionNetwork& network, const MotionTask& task
 std::optional<Configuration> configuration_between(const MotionNetwork& network,
                                                    const MotionSolution& solution,
                                                    const Configuration& start,
+                                                   double start_share,
                                                    double share) {
   const MotionTask task{.drives = solution.drives, .steps = 1};
   return network.space == Space::planar
-             ? MotionSolver<PlanarFrames>(network, task).close_between(start, share)
-             : MotionSolver<SpatialFrames>(network, task).close_between(start, share);
+             ? MotionSolver<PlanarFrames>(network, task).follow_between(start, start_share, share)
+             : MotionSolver<SpatialFrames>(network, task).follow_between(start, start_share, share);
 }
 
 }  // namespace kinestat

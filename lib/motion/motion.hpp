@@ -14,11 +14,12 @@ namespace kinestat {
 /// of the network, in that order.
 [[nodiscard]] MotionSolution solve_motion(const MotionNetwork& network, const MotionTask& task);
 
-/// The closed position at another share of the ranges of the solution, close to `start`, on its
-/// branch; empty where it cannot be closed from there.
+/// On from a position at one share of the ranges to a later one, on its branch; empty where it
+/// cannot be followed.
 [[nodiscard]] std::optional<Configuration> configuration_between(const MotionNetwork& network,
                                                                  const MotionSolution& solution,
                                                                  const Configuration& start,
+                                                                 double start_share,
                                                                  double share);
 
 }  // namespace kinestat

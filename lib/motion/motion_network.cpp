@@ -1,12 +1,14 @@
 #include "motion/motion_network.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <numeric>
 #include <set>
 
 #include "core/contract.hpp"
 #include "core/index.hpp"
+#include "core/motion_tolerance.hpp"
 #include "mobility/passive_freedom.hpp"
 #include "motion/internal/rolling.hpp"
 #include "network/bases.hpp"
@@ -74,6 +76,7 @@ class NetworkMaker {
     find_tree();
     build_frames();
     for (int e = 0; e < topology_.coupling_count(); ++e) {
+      add_drawn_miss(e);
       add_closure(e);
     }
     find_drives();
@@ -198,6 +201,24 @@ class NetworkMaker {
       }
     }
     return Vec3::Zero();
+  }
+
+  // Where the bodies are as drawn, only points can miss each other.
+  void add_drawn_miss(int e) {
+    double squares = 0.0;
+    for (const ClosureCondition& one : law(e).conditions) {
+      const Vec3 between = one.head_point - one.tail_point;
+      if (one.kind == ClosureKind::meet) {
+        squares += between.squaredNorm();
+      } else if (one.kind == ClosureKind::along || one.kind == ClosureKind::screw) {
+        const double height = one.kind == ClosureKind::along ? one.value : 0.0;
+        squares += std::pow(one.tail.dot(between) - height, 2);
+      }
+    }
+    const double distance = std::sqrt(squares);
+    if (distance > kSilentCorrection * network_.length) {
+      network_.drawn_misses.push_back({.coupling = CouplingId{e}, .distance = distance});
+    }
   }
 
   // Slides along all directions, then a turn or a ball.
@@ -360,7 +381,7 @@ std::string_view reason_of(MotionObstacle why) {
     case MotionObstacle::spatial_rope:
       return "it leaves a pulley in space, or at points that are given";
     case MotionObstacle::undriven_position:
-      return "the driven freedom has no position";
+      return "its driven freedom has no position, as a turn of a ball or a slide of a contact";
     case MotionObstacle::drives_in_circuit:
       return "the driven couplings form a circuit of their own";
   }

@@ -79,6 +79,13 @@ struct BallFreedoms {
   int head_frame = 0;
 };
 
+/// How far the two sides of a coupling are apart, the part that it does not free.
+struct CouplingMiss {
+  CouplingId coupling;
+  double distance = 0.0;  ///< [m]
+  double angle = 0.0;     ///< [rad]
+};
+
 /// Frame 0 is the ground. Lengths in m, points from `origin`.
 struct MotionNetwork {
   Space space = Space::spatial;
@@ -98,6 +105,7 @@ struct MotionNetwork {
   std::vector<int> driven_rates;      ///< parallel: the rate that each drives
   std::vector<VecX> passive_motions;  ///< rates of the joints: of freedoms that no other body feels
   std::vector<int> passive_freedoms;  ///< of each, the freedom that moves most
+  std::vector<CouplingMiss> drawn_misses;    ///< of points drawn apart, above rounding
   std::vector<UnmovableCoupling> obstacles;  ///< empty: it can be moved
 
   bool is_movable() const { return obstacles.empty(); }

@@ -59,13 +59,6 @@ struct SpecialPosition {
   Configuration configuration;
 };
 
-/// How far the two sides of a coupling are apart, the part that it does not free.
-struct CouplingMiss {
-  CouplingId coupling;
-  double distance = 0.0;  ///< [m]
-  double angle = 0.0;     ///< [rad]
-};
-
 /// The drawn position, closed with the drives held, or the nearest to that.
 struct Assembly {
   bool closes = true;

@@ -5,7 +5,9 @@
 
 #include "core/contract.hpp"
 #include "core/index.hpp"
+#include "core/motion_tolerance.hpp"
 #include "motion/internal/closure_system.hpp"
+#include "motion/internal/motion_limits.hpp"
 #include "motion/internal/pivoted_qr.hpp"
 
 namespace kinestat {
@@ -85,7 +87,8 @@ class StateSolver {
       state.poses.push_back(pose);
     }
     const int open = static_cast<int>(unknown_.size()) - qr_.rank();
-    state.is_singular = open > static_cast<int>(network_.passive_motions.size());
+    state.is_singular = open > static_cast<int>(network_.passive_motions.size()) ||
+                        (!unknown_.empty() && qr_.flatness() < kFlatVelocity);
     if (state.is_singular) {
       return state;
     }
@@ -115,7 +118,7 @@ class StateSolver {
       const auto first = system_.jacobian().begin() + column * rows;
       matrix.insert(matrix.end(), first, first + rows);
     }
-    qr_.factor(matrix, rows, static_cast<int>(unknown_.size()));
+    qr_.factor(matrix, rows, static_cast<int>(unknown_.size()), kSize);
   }
 
   double unit_of_rate(int rate) const {
@@ -177,7 +180,7 @@ class StateSolver {
         state.rate_rates[at(ball.first_freedom + i)] = head.rate.angular[i] - tail.rate.angular[i];
       }
     }
-    if (detail == StateDetail::velocity) {
+    if (detail == StateDetail::velocity || qr_.flatness() < kFlatAcceleration) {
       state.twist_rates.clear();
       state.rate_rates.clear();
     }

@@ -20,15 +20,18 @@ enum class StateDetail { velocity, acceleration };
 /// Twists are written about the origin of the geometry. Lists of bodies and freedoms are parallel
 /// to the topology.
 struct MotionState {
-  bool is_singular = false;  ///< the drives do not determine the velocities; nothing but poses
+  bool is_singular = false;  ///< the drives do not determine the velocities, or hardly
+                             ///< (kFlatVelocity): nothing but poses
   Vec3 origin = Vec3::Zero();
   std::vector<BodyPose> poses;
   std::vector<Twist> twists;
-  std::vector<Twist> twist_rates;                 ///< time derivatives; empty unless asked for
+  std::vector<Twist> twist_rates;                 ///< time derivatives; empty unless asked for, and
+                                                  ///< nearer a singular position than
+                                                  ///< kFlatAcceleration
   std::vector<std::optional<double>> rates;       ///< of the freedoms [rad/s or m/s]; empty of
                                                   ///< contacts and ropes
   std::vector<std::optional<double>> rate_rates;  ///< their derivatives [rad/s² or m/s²]; empty
-                                                  ///< unless asked for
+                                                  ///< likewise
 };
 
 /// The least motion in the coordinates where passive freedoms stay open. `speeds` is parallel to

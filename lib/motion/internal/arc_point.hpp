@@ -1,6 +1,7 @@
 // Points of the curve of closed positions by the length of its arc.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace kinestat {
@@ -31,6 +32,26 @@ struct Surroundings {
   double share_at(double place) const;
   double determinant_at(double place) const;
   ArcPoint point_at(double place) const;
+};
+
+/// A change point on an arc.
+struct Crossing {
+  double place = 0.0;  ///< along the arc
+  Surroundings around;
+  bool is_noted = false;  ///< among what was passed
+
+  /// Whether the drives have this share between its surroundings.
+  bool is_around(double share) const {
+    return around.points.front().share <= share && share <= around.points.back().share;
+  }
+};
+
+/// Where the drives have a share, between the ends of a step of the arc.
+struct Destination {
+  const ArcPoint& from;
+  double share = 0.0;
+  ArcBracket passes;                 ///< of the share
+  std::optional<Crossing> crossing;  ///< in the same step
 };
 
 }  // namespace kinestat

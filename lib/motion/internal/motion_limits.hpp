@@ -6,6 +6,9 @@
 
 namespace kinestat {
 
+/// Closures are in sizes of the mechanism: columns are short or not compared with it too.
+inline constexpr double kSize = 1.0;
+
 /// The largest correction that Newton begins with [rad or shares of the size].
 inline constexpr double kFarCorrection = 1.0;
 
@@ -42,6 +45,9 @@ inline constexpr double kLeastWay = 0.1;
 /// How far apart the regular points are from which a change point between them follows: a cubic
 /// leaves some roundings.
 inline constexpr double kSurroundings = 0.001;
+
+/// At a change point the determinant is this share at most of what it is beside it.
+inline constexpr double kLeftAtCrossing = 0.01;
 
 inline constexpr int kMostRounds = 8;
 inline constexpr int kMostBisections = 100;

@@ -9,50 +9,6 @@
 
 namespace kinestat {
 
-namespace {
-
-// The root between 0 and the end of a bracket, by the rule of Illinois; the best found where the
-// function has no value.
-template <class Function>
-double find_root(const ArcBracket& bracket, const Function& value_at) {
-  double low = 0.0;
-  double high = bracket.high;
-  double low_value = bracket.low_value;
-  double high_value = bracket.high_value;
-  double best = std::abs(low_value) <= std::abs(high_value) ? low : high;
-  double least = std::min(std::abs(low_value), std::abs(high_value));
-  int side = 0;
-  for (int round = 0; round < kMostBisections && least > 0.0; ++round) {
-    const double guess = (low_value * high - high_value * low) / (low_value - high_value);
-    const double middle = guess > low && guess < high ? guess : 0.5 * (low + high);
-    const std::optional<double> value = value_at(middle);
-    if (!value || middle == low || middle == high) {
-      break;
-    }
-    if (std::abs(*value) < least) {
-      least = std::abs(*value);
-      best = middle;
-    }
-    if ((*value > 0.0) == (low_value > 0.0)) {
-      low = middle;
-      low_value = *value;
-      high_value = side > 0 ? 0.5 * high_value : high_value;
-      side = 1;
-    } else {
-      high = middle;
-      high_value = *value;
-      low_value = side < 0 ? 0.5 * low_value : low_value;
-      side = -1;
-    }
-    if (least <= kEpsilon || high - low <= kEpsilon * high) {
-      break;
-    }
-  }
-  return best;
-}
-
-}  // namespace
-
 template <class Frames>
 ArcPoint PathTracker<Frames>::arc_point(const PathPoint& now) {
   ArcPoint arc{.share = now.share,
@@ -91,6 +47,7 @@ template <class Frames>
 bool PathTracker<Frames>::find_tangent(const std::vector<double>& before, ArcPoint& point) {
   const int columns = static_cast<int>(unknown_.size()) + 1;
   qr_.factor(point.matrix, system_.row_count(), columns);
+  qr_.limit_rank(columns - 1);  // Rounded drawings are not singular where they should be.
   const std::vector<double>& null = qr_.null_vectors();
   point.tangent.assign(at(columns), 0.0);
   for (int k = 0; k < columns - qr_.rank(); ++k) {
@@ -160,7 +117,7 @@ bool PathTracker<Frames>::correct_arc(const ArcPoint& from, double length, ArcPo
   for (int round = 0; round <= kMostRounds; ++round) {
     system_.evaluate(to.coordinates, to.angles);
     const double missed = system_.largest_residual();
-    if (missed <= kMotionClosure || (is_last && missed <= kAcceptedMisclosure)) {
+    if (missed <= kMotionClosure || (is_last && missed <= accepted_)) {
       system_.follow_angles(to.angles);
       augmented_matrix(to.matrix);
       return find_tangent(from.tangent, to);
@@ -212,14 +169,20 @@ double PathTracker<Frames>::arc_orientation(const ArcPoint& a, const ArcPoint& b
 
 template <class Frames>
 Arrival PathTracker<Frames>::walk_arc(PathPoint& now, double share) {
-  ArcPoint here = arc_point(now);
+  ArcPoint here = resumption_ ? resumption_->from : arc_point(now);
+  bool has_noted = resumption_ && resumption_->has_noted;
+  resumption_.reset();
   ArcPoint there = here;
   double length = kFirstArc;
   int steps = 0;
   while (length > kFinestArc && steps++ < kMostArcs) {
-    if (!try_arc(here, length, there)) {
+    std::optional<Crossing> crossing;
+    if (!try_arc(here, length, there) || !crosses_at_most(here, length, there, crossing)) {
       length *= 0.5;
       continue;
+    }
+    if (crossing) {
+      crossing->is_noted = has_noted;
     }
     if (there.tangent.back() <= 0.0) {
       const ArcBracket turns{
@@ -230,92 +193,21 @@ Arrival PathTracker<Frames>::walk_arc(PathPoint& now, double share) {
     if (there.share >= share) {
       const ArcBracket passes{
           .high = length, .low_value = here.share - share, .high_value = there.share - share};
-      if (arrive(here, passes, share, now)) {
+      if (arrive({.from = here, .share = share, .passes = passes, .crossing = crossing}, now)) {
         return Arrival::reached;
       }
       length *= 0.5;
       continue;
     }
-    if (arc_orientation(here, there) < 0.0) {
-      note_change_point(here, length);
+    if (crossing) {
+      note_crossing(*crossing);
+      has_noted = false;
     }
     std::swap(here, there);
     length = std::min(2.0 * length, kLongestArc);
   }
   land(here, now);
   return Arrival::lost;
-}
-
-// Between the two ends of a step of the arc, the point at which the drives have this share. Where
-// the corrector fails, as at a change point, it follows from regular points on both sides.
-template <class Frames>
-bool PathTracker<Frames>::arrive(const ArcPoint& from,
-                                 const ArcBracket& bracket,
-                                 double share,
-                                 PathPoint& now) {
-  ArcPoint there = from;
-  const auto miss = [&](double length) -> std::optional<double> {
-    return correct_arc(from, length, there) ? std::optional(there.share - share) : std::nullopt;
-  };
-  const double reached = find_root(bracket, miss);
-  const bool is_regular = correct_arc(from, reached, there) &&
-                          std::abs(there.share - share) <= kArrivedShare &&
-                          arc_orientation(from, there) > 0.0;
-  if (!is_regular) {
-    const std::optional<Surroundings> around = surround(from, reached);
-    if (!around) {
-      return false;
-    }
-    double low = around->places.front();
-    double high = around->places.back();
-    for (int round = 0; round < kMostBisections; ++round) {
-      const double middle = 0.5 * (low + high);
-      (around->share_at(middle) < share ? low : high) = middle;
-    }
-    there = around->point_at(low);
-    if (std::abs(there.share - share) > kArrivedShare) {
-      return false;
-    }
-  }
-  land(there, now);
-  if (now.is_singular) {
-    note_special(SpecialKind::change_point, there, kEpsilon);
-  } else if (arc_orientation(from, there) < 0.0) {
-    note_change_point(from, reached);
-    land(there, now);
-  }
-  now.share = share;
-  set_drives(share, now.coordinates);
-  if (now.flatness > kFlatClosure && !now.is_singular) {
-    double moved = 0.0;
-    if (!close(now, moved) || moved > kArrivedShare * scale_) {
-      return false;
-    }
-    find_rates(now);
-  }
-  return true;
-}
-
-// Where the drives turn back: the last component of the tangent is zero.
-template <class Frames>
-void PathTracker<Frames>::find_limit(const ArcPoint& from,
-                                     const ArcBracket& bracket,
-                                     PathPoint& now) {
-  ArcPoint there = from;
-  const auto drive_rate = [&](double length) -> std::optional<double> {
-    return correct_arc(from, length, there) ? std::optional(there.tangent.back()) : std::nullopt;
-  };
-  const double reached = find_root(bracket, drive_rate);
-  if (!correct_arc(from, reached, there)) {
-    there = from;
-  }
-  const std::vector<double> rates = now.rates;
-  land(there, now);
-  now.rates = rates;
-  now.is_singular = true;
-  // The drives turn back with the square of the arc.
-  const double left = there.tangent.back();
-  note_special(SpecialKind::limit, there, left * left + now.misclosure + kEpsilon);
 }
 
 template <class Frames>
@@ -337,4 +229,7 @@ template bool PathTracker<PlanarFrames>::correct_arc(const ArcPoint&, double, Ar
 template bool PathTracker<SpatialFrames>::correct_arc(const ArcPoint&, double, ArcPoint&);
 template double PathTracker<PlanarFrames>::arc_orientation(const ArcPoint&, const ArcPoint&);
 template double PathTracker<SpatialFrames>::arc_orientation(const ArcPoint&, const ArcPoint&);
+template void PathTracker<PlanarFrames>::augmented_matrix(std::vector<double>&) const;
+template void PathTracker<SpatialFrames>::augmented_matrix(std::vector<double>&) const;
+
 }  // namespace kinestat

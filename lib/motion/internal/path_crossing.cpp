@@ -7,9 +7,23 @@
 
 namespace kinestat {
 
-// Between 0 and `length`, where the determinant changes its sign.
+// False where the step leads to a branch that comes near and does not cross: the arc bends there,
+// and a shorter step follows it.
 template <class Frames>
-void PathTracker<Frames>::note_change_point(const ArcPoint& from, double length) {
+bool PathTracker<Frames>::crosses_at_most(const ArcPoint& from,
+                                          double length,
+                                          const ArcPoint& to,
+                                          std::optional<Crossing>& crossing) {
+  if (arc_orientation(from, to) > 0.0) {
+    return true;
+  }
+  crossing = find_crossing(from, length);
+  return crossing.has_value() && to.tangent.back() > 0.0;
+}
+
+// Between 0 and `length`, where the determinant changes its sign at a closed position.
+template <class Frames>
+std::optional<Crossing> PathTracker<Frames>::find_crossing(const ArcPoint& from, double length) {
   ArcPoint point = from;
   double low = 0.0;
   double high = length;
@@ -21,30 +35,54 @@ void PathTracker<Frames>::note_change_point(const ArcPoint& from, double length)
     }
     (arc_orientation(from, point) > 0.0 ? low : high) = middle;
   }
-  const std::optional<Surroundings> around = surround(from, 0.5 * (low + high));
-  if (!around) {
-    note_special(SpecialKind::change_point, from, high - low + kSurroundings);
-    return;
+  for (const double spacing : {kSurroundings, 0.1 * kSurroundings, 0.01 * kSurroundings}) {
+    if (auto crossing = find_crossing_in(from, 0.5 * (low + high), spacing)) {
+      return crossing;
+    }
   }
-  low = around->places.front();
-  high = around->places.back();
+  return std::nullopt;
+}
+
+template <class Frames>
+std::optional<Crossing> PathTracker<Frames>::find_crossing_in(const ArcPoint& from,
+                                                              double place,
+                                                              double spacing) {
+  std::optional<Surroundings> around = surround(from, place, spacing);
+  if (!around || around->determinants.front() * around->determinants.back() >= 0.0) {
+    return std::nullopt;
+  }
+  double low = around->places.front();
+  double high = around->places.back();
   const double before = around->determinants.front();
   for (int round = 0; round < kMostBisections; ++round) {
     const double middle = 0.5 * (low + high);
     (around->determinant_at(middle) * before > 0.0 ? low : high) = middle;
   }
-  note_special(SpecialKind::change_point, around->point_at(low), kChangePointBracket);
+  // Branches that only come near each other leave a gap there, or a determinant that jumps.
+  ArcPoint point = around->point_at(low);
+  set_drives(point.share, point.coordinates);
+  system_.evaluate(point.coordinates, point.angles);
+  augmented_matrix(point.matrix);
+  (void)arc_orientation(from, point);
+  const double left = std::abs(qr_.relative_determinant());
+  if (!(system_.largest_residual() <= kSilentCorrection) ||
+      left > kLeftAtCrossing * std::abs(before)) {
+    return std::nullopt;
+  }
+  return Crossing{.place = low, .around = *std::move(around)};
 }
 
 template <class Frames>
-std::optional<Surroundings> PathTracker<Frames>::surround(const ArcPoint& from, double place) {
+std::optional<Surroundings> PathTracker<Frames>::surround(const ArcPoint& from,
+                                                          double place,
+                                                          double spacing) {
   Surroundings around;
   for (const double offset : {-1.5, -0.5, 0.5, 1.5}) {
     ArcPoint point = from;
-    if (!correct_arc(from, place + offset * kSurroundings, point)) {
+    if (!correct_arc(from, place + offset * spacing, point)) {
       return std::nullopt;
     }
-    around.places.push_back(place + offset * kSurroundings);
+    around.places.push_back(place + offset * spacing);
     (void)arc_orientation(from, point);
     around.determinants.push_back(qr_.relative_determinant());
     around.points.push_back(std::move(point));
@@ -52,9 +90,25 @@ std::optional<Surroundings> PathTracker<Frames>::surround(const ArcPoint& from, 
   return around;
 }
 
-template void PathTracker<PlanarFrames>::note_change_point(const ArcPoint&, double);
-template void PathTracker<SpatialFrames>::note_change_point(const ArcPoint&, double);
-template std::optional<Surroundings> PathTracker<PlanarFrames>::surround(const ArcPoint&, double);
-template std::optional<Surroundings> PathTracker<SpatialFrames>::surround(const ArcPoint&, double);
+template <class Frames>
+void PathTracker<Frames>::note_crossing(const Crossing& crossing) {
+  if (!crossing.is_noted) {
+    note_special(
+        SpecialKind::change_point, crossing.around.point_at(crossing.place), kChangePointBracket);
+  }
+}
+
+template bool PathTracker<PlanarFrames>::crosses_at_most(const ArcPoint&,
+                                                         double,
+                                                         const ArcPoint&,
+                                                         std::optional<Crossing>&);
+template std::optional<Crossing> PathTracker<PlanarFrames>::find_crossing(const ArcPoint&, double);
+template void PathTracker<PlanarFrames>::note_crossing(const Crossing&);
+template bool PathTracker<SpatialFrames>::crosses_at_most(const ArcPoint&,
+                                                          double,
+                                                          const ArcPoint&,
+                                                          std::optional<Crossing>&);
+template std::optional<Crossing> PathTracker<SpatialFrames>::find_crossing(const ArcPoint&, double);
+template void PathTracker<SpatialFrames>::note_crossing(const Crossing&);
 
 }  // namespace kinestat

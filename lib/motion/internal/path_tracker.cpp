@@ -28,7 +28,9 @@ PathTracker<Frames>::PathTracker(const MotionNetwork& network)
       unknown_.push_back(rate);
     }
   }
-  is_square_ = system_.row_count() == static_cast<int>(unknown_.size());
+  is_square_ = system_.row_count() == static_cast<int>(unknown_.size()) && passive_count_ == 0;
+  const bool has_surplus = system_.row_count() > static_cast<int>(unknown_.size()) - passive_count_;
+  accepted_ = has_surplus ? kAcceptedMisclosure : kTrialClosure;
   from_.assign(driven_.size(), 0.0);
   reach_.assign(driven_.size(), 0.0);
   const std::size_t rates = at(network.rate_count);
@@ -60,6 +62,8 @@ void PathTracker<Frames>::set_range(std::span<const double> from, std::span<cons
     scale_ = std::max(scale_, std::abs(reach_[d]));
   }
   scale_ = scale_ > 0.0 ? scale_ : 1.0;
+  resumption_.reset();
+  trail_.clear();
 }
 
 template <class Frames>
@@ -92,8 +96,10 @@ bool PathTracker<Frames>::close(PathPoint& point, double& moved) {
     system_.evaluate(point.coordinates, point.angles);
     point.misclosure = system_.largest_residual();
     gather(unknown_, matrix_);
-    qr_.factor(matrix_, rows, columns);
-    if (point.misclosure <= kMotionClosure || is_last) {
+    qr_.factor(matrix_, rows, columns, kSize);
+    // A closed point is polished once more with the factors at hand.
+    const bool is_closed = point.misclosure <= kMotionClosure;
+    if (point.misclosure <= kEpsilon || is_last) {
       break;
     }
     if (!std::isfinite(point.misclosure)) {
@@ -103,7 +109,7 @@ bool PathTracker<Frames>::close(PathPoint& point, double& moved) {
         system_.residuals(), right_.begin(), [](double residual) { return -residual; });
     qr_.solve(right_, solved_);
     const double size = largest(std::span(solved_).first(unknown_.size()));
-    if (size > last) {
+    if (size > last && !is_closed) {
       return false;
     }
     is_last = size <= kLeastCorrection;
@@ -117,10 +123,13 @@ bool PathTracker<Frames>::close(PathPoint& point, double& moved) {
     for (std::size_t i = 0; i < point.arrival.size(); ++i) {
       point.arrival[i] += correction_[i];
     }
+    if (is_closed) {
+      break;
+    }
   }
   point.sign = qr_.sign();
   point.flatness = qr_.flatness();
-  if (!(point.misclosure <= kAcceptedMisclosure)) {
+  if (!(point.misclosure <= accepted_)) {
     return false;
   }
   system_.follow_angles(point.angles);
@@ -163,9 +172,13 @@ double PathTracker<Frames>::missed_rate(const PathPoint& point) const {
   return worst / scale_;
 }
 
-// Cubic through the last two points and their rates.
+// Cubic through the last two points and their rates, or better.
 template <class Frames>
 void PathTracker<Frames>::predict(const PathPoint& now, const PathPoint& before, double step) {
+  if (trail_.leads_by(step)) {
+    trail_.predict(step_);
+    return;
+  }
   const double h = now.arrival_share;
   if (!(h > 0.0)) {
     for (std::size_t i = 0; i < step_.size(); ++i) {
@@ -205,6 +218,9 @@ bool PathTracker<Frames>::try_step(const PathPoint& now,
                                    double share,
                                    PathPoint& next) {
   predict(now, before, share - now.share);
+  for (std::size_t d = 0; d < driven_.size(); ++d) {
+    step_[at(driven_[d])] = (share - now.share) * reach_[d];
+  }
   if (largest(step_) > kLongestStep ||
       (follows_turns_ && system_.total_turn(step_) > kMostTurnInStep)) {
     return false;
@@ -230,17 +246,19 @@ Arrival PathTracker<Frames>::advance(PathPoint& now, PathPoint& before, double s
   const double least = kFinestShare * step;
   while (now.share < share) {
     const double next = now.share + step >= share - least ? share : now.share + step;
-    if (!now.is_singular && try_step(now, before, next, trial_)) {
+    if (!now.is_singular && !resumption_ && try_step(now, before, next, trial_)) {
       std::swap(before, now);
       std::swap(now, trial_);
+      trail_.leave(now.rates, now.arrival, now.arrival_share);
       step *= 2.0;
       continue;
     }
     step *= 0.5;
-    if (step > least && !now.is_singular) {
+    if (step > least && !now.is_singular && !resumption_) {
       continue;
     }
     const Arrival arrival = walk_arc(now, share);
+    trail_.clear();
     now.arrival_share = 0.0;
     return arrival;
   }
@@ -283,7 +301,7 @@ void PathTracker<Frames>::land(const ArcPoint& arc, PathPoint& now) {
   system_.evaluate(now.coordinates, now.angles);
   now.misclosure = system_.largest_residual();
   gather(unknown_, matrix_);
-  qr_.factor(matrix_, system_.row_count(), static_cast<int>(unknown_.size()));
+  qr_.factor(matrix_, system_.row_count(), static_cast<int>(unknown_.size()), kSize);
   now.sign = qr_.sign();
   now.flatness = qr_.flatness();
   now.is_singular = open_count() > passive_count_;

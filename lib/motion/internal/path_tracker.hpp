@@ -9,6 +9,7 @@
 #include "motion/internal/arc_point.hpp"
 #include "motion/internal/closure_system.hpp"
 #include "motion/internal/pivoted_qr.hpp"
+#include "motion/internal/trail.hpp"
 #include "motion/motion_solution.hpp"
 
 namespace kinestat {
@@ -75,6 +76,12 @@ class PathTracker {
   ClosureSystem<Frames>& system() { return system_; }
 
  private:
+  // Of a point beside a change point: the regular one from which the arc led there.
+  struct Resumption {
+    ArcPoint from;
+    bool has_noted = false;  // the change point among what was passed
+  };
+
   void gather(std::span<const int> columns, std::vector<double>& matrix) const;
   bool try_step(const PathPoint& now, const PathPoint& before, double share, PathPoint& next);
   void predict(const PathPoint& now, const PathPoint& before, double step);
@@ -90,10 +97,17 @@ class PathTracker {
   double arc_orientation(const ArcPoint& a, const ArcPoint& b);
   ArcPoint arc_point(const PathPoint& now);
   void land(const ArcPoint& arc, PathPoint& now);
-  bool arrive(const ArcPoint& from, const ArcBracket& bracket, double share, PathPoint& now);
+  bool arrive(const Destination& to, PathPoint& now);
+  bool arrive_beside(const Destination& to, const Crossing& crossing, PathPoint& now);
   void find_limit(const ArcPoint& from, const ArcBracket& bracket, PathPoint& now);
-  void note_change_point(const ArcPoint& from, double length);
-  std::optional<Surroundings> surround(const ArcPoint& from, double place);
+  bool crosses_at_most(const ArcPoint& from,
+                       double length,
+                       const ArcPoint& to,
+                       std::optional<Crossing>& crossing);
+  std::optional<Crossing> find_crossing(const ArcPoint& from, double length);
+  std::optional<Crossing> find_crossing_in(const ArcPoint& from, double place, double spacing);
+  std::optional<Surroundings> surround(const ArcPoint& from, double place, double spacing);
+  void note_crossing(const Crossing& crossing);
   void note_special(SpecialKind kind, const ArcPoint& point, double uncertainty);
 
   ClosureSystem<Frames> system_;
@@ -102,12 +116,15 @@ class PathTracker {
   std::vector<int> drive_coordinates_;
   std::vector<int> unknown_;  ///< the other rates
   int passive_count_ = 0;
+  double accepted_ = 0.0;  ///< misclosure that may be left where Newton ends
   std::vector<double> from_;
   std::vector<double> reach_;  ///< to - from
   double scale_ = 1.0;         ///< the largest of them
   bool follows_turns_ = false;
-  bool is_square_ = false;  ///< as many conditions as unknowns
+  bool is_square_ = false;  ///< as many conditions as unknowns, and none is passive
+  Trail trail_;
   std::vector<SpecialPosition> special_;
+  std::optional<Resumption> resumption_;
   std::vector<double> matrix_;
   std::vector<double> augmented_;
   std::vector<double> right_;

@@ -9,7 +9,7 @@
 
 namespace kinestat {
 
-void PivotedQr::factor(std::span<const double> A, int rows, int columns) {
+void PivotedQr::factor(std::span<const double> A, int rows, int columns, double scale) {
   rows_ = rows;
   columns_ = columns;
   rank_ = 0;
@@ -41,9 +41,9 @@ void PivotedQr::factor(std::span<const double> A, int rows, int columns) {
       }
     }
     const double length = std::sqrt(lengths_[at(best)]);
-    longest_ = step == 0 ? length : longest_;
+    longest_ = step == 0 ? std::max(length, scale) : longest_;
     if (!(length > kRankZero * longest_)) {
-      flatness_ = 0.0;
+      flatness_ = step == 0 ? 0.0 : flatness_;
       return;
     }
     flatness_ = length / longest_;

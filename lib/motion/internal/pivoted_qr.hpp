@@ -12,8 +12,12 @@ namespace kinestat {
 /// kRankZero of the longest column counts as zero. Buffers grow to the largest system and stay.
 class PivotedQr {
  public:
-  /// `A` holds rows x columns, one column after the other.
-  void factor(std::span<const double> A, int rows, int columns);
+  /// `A` holds rows x columns, one column after the other. Below `scale` the longest column is
+  /// short itself.
+  void factor(std::span<const double> A, int rows, int columns, double scale = 0.0);
+
+  /// Takes the columns beyond as if they were zero.
+  void limit_rank(int most) { rank_ = rank_ < most ? rank_ : most; }
 
   int rank() const { return rank_; }
 

@@ -17,7 +17,7 @@ struct DeadPoint {
 };
 
 /// Of the freedoms between a body and the ground, and of those of actuators, in the order of the
-/// motion; drives have none. Bracketed to kSameValue of the ranges.
+/// motion; drives have none. Bracketed to kDeadPointBracket.
 std::vector<DeadPoint> find_dead_points(const Mechanism& mechanism, const FoundMotion& motion);
 
 }  // namespace kinestat

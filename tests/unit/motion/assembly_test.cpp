@@ -32,6 +32,7 @@ TEST(Assembly, ClosesWhatIsDrawnApart) {
 
   ASSERT_EQ(solution.status, MotionStatus::completed);
   ASSERT_EQ(solution.assembly.drawn_misses.size(), 1U);
+  EXPECT_EQ(solution.assembly.drawn_misses[0].coupling, subject.coupling("c"));
   EXPECT_NEAR(solution.assembly.drawn_misses[0].distance, 0.1, 1e-12);
   const auto& poses = solution.assembly.corrections;
   ASSERT_EQ(poses.size(), 4U);
@@ -106,6 +107,29 @@ TEST(Motion, DoesNotChooseABranchOfAChangePoint) {
       {"a.wz"});
 
   EXPECT_EQ(move(subject, 0.0, 1.0, 10).status, MotionStatus::singular);
+}
+
+// Where one drive holds still, the five-bar is a four-bar.
+TEST(Motion, LetsADriveHoldStill) {
+  const std::string five_bar =
+      "space: planar\nground: frame\nbodies: [one, two, three, four]\ncouplings:\n"
+      "  a: {type: revolute, bodies: [frame, one], at: [0, 0]}\n"
+      "  b: {type: revolute, bodies: [one, two], at: [0, 2]}\n"
+      "  c: {type: revolute, bodies: [two, three], at: [2, 3]}\n"
+      "  d: {type: revolute, bodies: [three, four], at: [4, 2]}\n"
+      "  e: {type: revolute, bodies: [frame, four], at: [4, 0]}\n";
+  const Moving subject = moving(five_bar, {"a.wz", "e.wz"});
+  const auto& drives = subject.network.driven_freedoms;
+
+  const MotionSolution solution = solve_motion(
+      subject.network,
+      {.drives = {{.freedom = drives[0], .to = -0.4}, {.freedom = drives[1]}}, .steps = 8});
+
+  ASSERT_EQ(solution.status, MotionStatus::completed);
+  const Vec3 one = point_at(subject, solution, 8, subject.body("one"), {0.0, 2.0, 0.0});
+  const Vec3 pin = point_at(subject, solution, 8, subject.body("two"), {2.0, 3.0, 0.0});
+  EXPECT_NEAR((pin - one).norm(), std::sqrt(5.0), 1e-12);
+  EXPECT_NEAR((pin - Vec3(4.0, 2.0, 0.0)).norm(), std::sqrt(5.0), 1e-12);
 }
 
 // The drive begins at 0.5 and ends at -0.3, both from the drawn position.

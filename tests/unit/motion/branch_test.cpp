@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -114,6 +115,110 @@ TEST_P(Neck, IsNotJumped) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Widths, Neck, testing::Values(1e-2, 1e-3, 1e-4, 1e-6));
+
+// A crank of this turn, with its pin in the frame's x-axis at the origin; the rocker pin is on the
+// side `sign` of the diagonal.
+Moving linkage(const std::array<double, 4>& links, double angle, double sign) {
+  const auto [crank, coupler, rocker, ground] = links;
+  const Vec3 b = crank * Vec3(std::cos(angle), std::sin(angle), 0.0);
+  const Vec3 diagonal = Vec3(ground, 0.0, 0.0) - b;
+  const double length = diagonal.norm();
+  const double along = (length * length + coupler * coupler - rocker * rocker) / (2.0 * length);
+  const double height = sign * std::sqrt(coupler * coupler - along * along);
+  const Vec3 u = diagonal / length;
+  const Vec3 c = b + along * u + height * Vec3(-u.y(), u.x(), 0.0);
+  return moving(
+      fmt::format("space: planar\nground: frame\nbodies: [crank, coupler, rocker]\ncouplings:\n"
+                  "  a: {{type: revolute, bodies: [frame, crank], at: [0, 0]}}\n"
+                  "  b: {{type: revolute, bodies: [crank, coupler], at: [{}, {}]}}\n"
+                  "  c: {{type: revolute, bodies: [coupler, rocker], at: [{}, {}]}}\n"
+                  "  d: {{type: revolute, bodies: [frame, rocker], at: [{}, 0]}}\n",
+                  b.x(),
+                  b.y(),
+                  c.x(),
+                  c.y(),
+                  ground),
+      {"a.wz"});
+}
+
+struct Stop {
+  std::array<double, 4> links;  // crank, coupler, rocker, ground
+  double angle = 0.0;           // of the crank as drawn [deg]
+  double sign = 1.0;
+  double to = 0.0;  // [deg]
+  int steps = 0;
+};
+
+class NearlyAChangePoint : public testing::TestWithParam<Stop> {};
+
+// Where coupler and rocker cannot reach quite far enough, the crank turns back, although another
+// branch begins a little further on.
+TEST_P(NearlyAChangePoint, IsALimit) {
+  const auto [links, angle, sign, to, steps] = GetParam();
+  const auto [crank, coupler, rocker, ground] = links;
+  const double start = angle * kPi / 180.0;
+  const Moving subject = linkage(links, start, sign);
+
+  const MotionSolution solution = move(subject, 0.0, to * kPi / 180.0, steps);
+
+  // The nearest angle, in the sense of the motion, at which the diagonal has one of two lengths.
+  double expected = 2.0 * kPi;
+  for (const double diagonal : {coupler + rocker, std::abs(coupler - rocker)}) {
+    const double cosine =
+        (crank * crank + ground * ground - diagonal * diagonal) / (2.0 * crank * ground);
+    for (const double side : {1.0, -1.0}) {
+      const double turn = std::copysign(1.0, to) * (side * std::acos(cosine) - start);
+      const double way = turn - 2.0 * kPi * std::floor(turn / (2.0 * kPi));
+      expected = std::isnan(way) ? expected : std::min(expected, way);
+    }
+  }
+  ASSERT_EQ(solution.status, MotionStatus::limit);
+  ASSERT_EQ(solution.special.size(), 1U);
+  EXPECT_NEAR(std::abs(solution.special[0].drive_values[0]), expected, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Linkages,
+    NearlyAChangePoint,
+    testing::Values(
+        Stop{{1.8827060208507826, 1.500246167613572, 0.6877853953475789, 2.6951657931167756},
+             40.03999030795064,
+             1.0,
+             -360.0,
+             12},
+        Stop{{3.472573231608499, 2.171224728292365, 2.7089180140467723, 1.4075705107306378},
+             73.97469277227404,
+             1.0,
+             -360.0,
+             72},
+        Stop{{0.7377277044695806, 4.649292730516089, 0.3185671409545868, 5.068452294031084},
+             287.7796598523404,
+             1.0,
+             720.0,
+             12},
+        Stop{{0.26198978999203726, 0.7214218541995635, 0.3110461138216887, 0.7704781790292148},
+             307.65887932257726,
+             -1.0,
+             -360.0,
+             360}));
+
+class BesideAChangePoint : public testing::TestWithParam<double> {};
+
+// Links 1, 3, 4 and 6 come in line at 180 deg, wherever a step ends.
+TEST_P(BesideAChangePoint, AStepMayEnd) {
+  const double start = GetParam();
+  const Moving subject = linkage({1.0, 3.0, 4.0, 6.0}, start, 1.0);
+
+  const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 72);
+
+  ASSERT_EQ(solution.status, MotionStatus::completed);
+  ASSERT_EQ(solution.special.size(), 1U);
+  EXPECT_NEAR(solution.special[0].drive_values[0], kPi - start, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Starts,
+                         BesideAChangePoint,
+                         testing::Values(1e-2, 1e-4, 1e-6, 1e-8, 1e-10, -1e-4, -1e-6, -1e-8));
 
 // Forward and backward ends where it began, whichever way the drive goes first.
 TEST(Branch, LeadsBack) {

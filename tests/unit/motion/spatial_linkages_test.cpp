@@ -96,6 +96,25 @@ double link_angle(const Vec3& axis, const Vec3& before, const Vec3& at, const Ve
   return std::atan2(n.dot((at - before).cross(after - at)), (at - before).dot(after - at));
 }
 
+// Six figures of its axes are enough: it closes by least squares, and says how well.
+TEST(Bennett, MovesAsDrawnWithSixFigures) {
+  const Moving subject = moving(
+      "ground: frame\nbodies: [k1, k2, k3]\ncouplings:\n"
+      "  a: {type: revolute, bodies: [frame, k1], at: [0.0, 0.0, 0.0], axis: [0.0, 0.0, 1.0]}\n"
+      "  b: {type: revolute, bodies: [k1, k2], at: [0.540302, 0.841470, 0.0], axis: [0.540887, "
+      "-0.347299, 0.766044]}\n"
+      "  c: {type: revolute, bodies: [k2, k3], at: [-0.322250, -0.115229, 0.175292], axis: "
+      "[-0.134840, 0.294896, 0.945967]}\n"
+      "  d: {type: revolute, bodies: [frame, k3], at: [-1.3, 0.0, 0.0], axis: "
+      "[0.0, 0.835623, 0.549302]}\n",
+      {"a.w"});
+
+  const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 72);
+
+  ASSERT_EQ(solution.status, MotionStatus::completed);
+  EXPECT_LE(worst_misclosure(solution), 1e-5);
+}
+
 // Bennett 1903: the tangents of the half angles of neighbouring hinges keep their product.
 TEST(Bennett, KeepsTheProductOfItsHalfTangents) {
   const Moving subject = moving_file("spatial/bennett.yaml", {"a.w"});

@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cmath>
+
+#include "motion/internal/motion_limits.hpp"
+#include "motion/internal/path_tracker.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// The root between 0 and the end of a bracket, by the rule of Illinois; the best found where the
+// function has no value.
+template <class Function>
+double find_root(const ArcBracket& bracket, const Function& value_at) {
+  double low = 0.0;
+  double high = bracket.high;
+  double low_value = bracket.low_value;
+  double high_value = bracket.high_value;
+  double best = std::abs(low_value) <= std::abs(high_value) ? low : high;
+  double least = std::min(std::abs(low_value), std::abs(high_value));
+  int side = 0;
+  for (int round = 0; round < kMostBisections && least > 0.0; ++round) {
+    const double guess = (low_value * high - high_value * low) / (low_value - high_value);
+    const double middle = guess > low && guess < high ? guess : 0.5 * (low + high);
+    const std::optional<double> value = value_at(middle);
+    if (!value || middle == low || middle == high) {
+      break;
+    }
+    if (std::abs(*value) < least) {
+      least = std::abs(*value);
+      best = middle;
+    }
+    if ((*value > 0.0) == (low_value > 0.0)) {
+      low = middle;
+      low_value = *value;
+      high_value = side > 0 ? 0.5 * high_value : high_value;
+      side = 1;
+    } else {
+      high = middle;
+      high_value = *value;
+      low_value = side < 0 ? 0.5 * low_value : low_value;
+      side = -1;
+    }
+    if (least <= kEpsilon || high - low <= kEpsilon * high) {
+      break;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+// Between the two ends of a step of the arc, the point at which the drives have their share.
+template <class Frames>
+bool PathTracker<Frames>::arrive(const Destination& to, PathPoint& now) {
+  if (to.crossing && to.crossing->is_around(to.share)) {
+    return arrive_beside(to, *to.crossing, now);
+  }
+  ArcPoint there = to.from;
+  const auto miss = [&](double length) -> std::optional<double> {
+    return correct_arc(to.from, length, there) ? std::optional(there.share - to.share)
+                                               : std::nullopt;
+  };
+  const double reached = find_root(to.passes, miss);
+  if (!correct_arc(to.from, reached, there) || std::abs(there.share - to.share) > kArrivedShare) {
+    return false;
+  }
+  land(there, now);
+  if ((now.is_singular || now.flatness <= kFlatClosure) && !to.crossing) {
+    const std::optional<Crossing> ahead = find_crossing(to.from, reached + 4.0 * kSurroundings);
+    if (ahead && ahead->is_around(to.share)) {
+      return arrive_beside(to, *ahead, now);
+    }
+  }
+  now.share = to.share;
+  set_drives(to.share, now.coordinates);
+  if (now.flatness > kFlatClosure && !now.is_singular) {
+    double moved = 0.0;
+    if (!close(now, moved) || moved > kArrivedShare * scale_) {
+      return false;
+    }
+    find_rates(now);
+  }
+  if (to.crossing && reached > to.crossing->place) {
+    note_crossing(*to.crossing);
+  }
+  return true;
+}
+
+// So near a change point that Newton would lose digits: the position follows from regular ones on
+// both sides, and the way goes on from where this arc began.
+template <class Frames>
+bool PathTracker<Frames>::arrive_beside(const Destination& to,
+                                        const Crossing& crossing,
+                                        PathPoint& now) {
+  double low = crossing.around.places.front();
+  double high = crossing.around.places.back();
+  for (int round = 0; round < kMostBisections; ++round) {
+    const double middle = 0.5 * (low + high);
+    (crossing.around.share_at(middle) < to.share ? low : high) = middle;
+  }
+  const ArcPoint there = crossing.around.point_at(low);
+  if (std::abs(there.share - to.share) > kArrivedShare) {
+    return false;
+  }
+  land(there, now);
+  now.share = to.share;
+  set_drives(to.share, now.coordinates);
+  const bool has_passed = low >= crossing.place - kChangePointBracket;
+  if (has_passed) {
+    note_crossing(crossing);
+  }
+  resumption_ = {.from = to.from, .has_noted = crossing.is_noted || has_passed};
+  return true;
+}
+
+// Where the drives turn back: the last component of the tangent is zero.
+template <class Frames>
+void PathTracker<Frames>::find_limit(const ArcPoint& from,
+                                     const ArcBracket& bracket,
+                                     PathPoint& now) {
+  ArcPoint there = from;
+  const auto drive_rate = [&](double length) -> std::optional<double> {
+    return correct_arc(from, length, there) ? std::optional(there.tangent.back()) : std::nullopt;
+  };
+  const double reached = find_root(bracket, drive_rate);
+  if (!correct_arc(from, reached, there)) {
+    there = from;
+  }
+  const std::vector<double> rates = now.rates;
+  land(there, now);
+  now.rates = rates;
+  now.is_singular = true;
+  // The drives turn back with the square of the arc.
+  const double left = there.tangent.back();
+  note_special(SpecialKind::limit, there, left * left + now.misclosure + kEpsilon);
+}
+
+template bool PathTracker<PlanarFrames>::arrive(const Destination&, PathPoint&);
+template void PathTracker<PlanarFrames>::find_limit(const ArcPoint&, const ArcBracket&, PathPoint&);
+template bool PathTracker<SpatialFrames>::arrive(const Destination&, PathPoint&);
+template void PathTracker<SpatialFrames>::find_limit(const ArcPoint&,
+                                                     const ArcBracket&,
+                                                     PathPoint&);
+
+}  // namespace kinestat
