@@ -165,6 +165,12 @@ class MotionWriter {
                                       : "singular position";
   }
 
+  // " +- 7e-11 deg": how uncertain the first drive is.
+  std::string bracket_text(const MotionEvent& event) const {
+    const std::string& unit = motion_.drives.front().unit;
+    return fmt::format(" +- {:.0e}{}{}", event.uncertainty, unit.empty() ? "" : " ", unit);
+  }
+
   std::string events_text() const {
     std::string text;
     const std::size_t count = std::min(motion_.events.size(), kMostEvents);
@@ -178,7 +184,7 @@ class MotionWriter {
                             motion_.drives[d].name,
                             amount(event.drive[d], motion_.drives[d].unit));
       }
-      text += fmt::format(", after step {}\n", event.step);
+      text += fmt::format("{}, after step {}\n", bracket_text(event), event.step);
     }
     if (count < motion_.events.size()) {
       text += fmt::format("  and {} more\n", motion_.events.size() - count);

@@ -31,16 +31,18 @@ std::optional<double> position(const std::optional<Value>& value,
   return std::nullopt;
 }
 
-void check_range(const DriveRange& range, const SectionContext& context) {
+// The first of several drives must move; others may hold still.
+void check_range(const DriveRange& range, bool must_move, const SectionContext& context) {
   context.names.check_actuator(range.actuator, "'motion' drives", context.found);
   const DriveKind kind = context.names.kind_of_actuator(range.actuator.text);
   const std::optional<double> from = position(range.from, kind, context);
   const std::optional<double> to = position(range.to, kind, context);
-  if (from && to && *from == *to) {
+  if (must_move && from && to && *from == *to) {
     context.found.error("E0305",
                         range.to->where,
                         fmt::format("drive '{}' ends where it begins", range.actuator.text),
-                        "give 'to' another value than 'from'; a full turn is to: 360 deg");
+                        "give 'to' another value than 'from'; a full turn is to: 360 deg; drives "
+                        "that hold still come behind one that moves");
   }
 }
 
@@ -53,7 +55,7 @@ void check_motion(const SectionContext& context) {
   const MotionDescription& motion = *context.description.motion;
   std::vector<Name> drives;
   for (const DriveRange& range : motion.drives) {
-    check_range(range, context);
+    check_range(range, drives.empty(), context);
     drives.push_back(range.actuator);
   }
   context.repeats(drives, "'drives' of 'motion'");

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -24,6 +23,11 @@ std::optional<double> entry(const std::vector<std::optional<double>>& list, std:
 // Empty where the velocities are not known.
 bool has_motion(const MotionPosition& position) {
   return position.has_speeds && !position.state.is_singular;
+}
+
+// Empty too where the position is so near a singular one that they would be rounding.
+bool has_acceleration(const MotionPosition& position) {
+  return has_motion(position) && !position.state.twist_rates.empty();
 }
 
 // The axis of the turn times its angle [rad].
@@ -119,14 +123,9 @@ class ReadingList {
       return std::optional(point_motion(at.state, {static_cast<int>(b)}, reference).position);
     });
     if (mechanism_.space == Space::planar) {
-      // Since the drawn position; positions are read in their order, so that turns are counted.
-      const auto counted = [b, turn = 0.0](const MotionPosition& at) mutable {
-        const Mat3& rotation = at.state.poses[b].rotation;
-        const double now = std::atan2(rotation(1, 0), rotation(0, 0));
-        turn += std::remainder(now - turn, 2.0 * std::numbers::pi);
-        return std::optional(turn);
-      };
-      add(name, "rotation/z", MotionKind::angle, counted);
+      add(name, "rotation/z", MotionKind::angle, [b](const MotionPosition& at) {
+        return std::optional(at.turns[b]);
+      });
       return;
     }
     for (int i = 0; i < 3; ++i) {
@@ -178,7 +177,7 @@ class ReadingList {
             "acceleration",
             MotionKind::acceleration,
             [point](const MotionPosition& at) -> std::optional<Vec3> {
-              return has_motion(at)
+              return has_acceleration(at)
                          ? std::optional(point_motion(at.state, point.body, point.at).acceleration)
                          : std::nullopt;
             });
@@ -251,7 +250,7 @@ class ReadingList {
                  "linear_acceleration",
                  MotionKind::acceleration,
                  [body, reference](const MotionPosition& at) -> std::optional<Vec3> {
-                   return has_motion(at)
+                   return has_acceleration(at)
                               ? std::optional(point_motion(at.state, body, reference).acceleration)
                               : std::nullopt;
                  });

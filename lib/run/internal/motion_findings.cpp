@@ -1,14 +1,18 @@
 #include "run/internal/motion_findings.hpp"
 
 #include <algorithm>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "core/motion_tolerance.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "report/numbers.hpp"
+#include "run/internal/motion_columns.hpp"
 
 namespace kinestat {
 
@@ -23,8 +27,16 @@ std::string with_unit(double value, const std::string& unit) {
 
 class Findings {
  public:
-  Findings(const FoundMotion& motion, const Mechanism& mechanism, Diagnostics& found)
-      : motion_(motion), table_(motion.table), topology_(mechanism.topology), found_(found) {}
+  Findings(const FoundMotion& motion,
+           const FileUnits& units,
+           const Mechanism& mechanism,
+           Diagnostics& found)
+      : motion_(motion),
+        table_(motion.table),
+        topology_(mechanism.topology),
+        mechanism_(mechanism),
+        units_(units),
+        found_(found) {}
 
   void add_all() {
     add_correction();
@@ -120,8 +132,44 @@ class Findings {
                                fmt::join(moved, ", "),
                                count > kMostNamed ? fmt::format(" and {} more", count - kMostNamed)
                                                   : std::string()),
-                   "the motion begins at the closed position; draw the points where both bodies "
-                   "meet if that is not what was meant");
+                   closed_points_hint());
+  }
+
+  // Where points alone were drawn wrong, those that close; axes would have to be turned too.
+  std::string closed_points_hint() const {
+    const Assembly& assembly = motion_.solution.assembly;
+    std::string text;
+    std::size_t count = 0;
+    for (std::size_t e = 0; e < topology_.couplings.size(); ++e) {
+      const CouplingTopology& coupling = topology_.couplings[e];
+      const Vec3& drawn = motion_.drawn[e].geometry.at;
+      const auto tail = static_cast<std::size_t>(coupling.tail.value);
+      const Vec3 closed = assembly.corrections[tail].point(drawn);
+      if (!motion_.drawn[e].at_head &&
+          (closed - drawn).norm() <= kSilentCorrection * mechanism_.geometry.length) {
+        continue;
+      }
+      const bool is_point = coupling.type == CouplingType::spherical ||
+                            (is_planar() && coupling.type == CouplingType::revolute);
+      if (!is_point || ++count > kMostNamed) {
+        return "the motion begins at the closed position; draw the points where both bodies meet "
+               "if that is not what was meant";
+      }
+      text +=
+          fmt::format("{}{}: at: {}", count == 1 ? "" : ", ", coupling.name, point_text(closed));
+    }
+    return "the motion begins at the closed position; other passes take it if it is drawn so: " +
+           text;
+  }
+
+  bool is_planar() const { return mechanism_.space == Space::planar; }
+
+  std::string point_text(const Vec3& point) const {
+    std::vector<std::string> coordinates;
+    for (int i = 0; i < (is_planar() ? 2 : 3); ++i) {
+      coordinates.push_back(format_exact(in_file_unit(units_, MotionKind::length, point[i])));
+    }
+    return fmt::format("[{}]", fmt::join(coordinates, ", "));
   }
 
   void add_singularities() const {
@@ -155,16 +203,31 @@ class Findings {
 
   void add_limit() const {
     const DriveTravel& drive = table_.drives.front();
+    const bool has_begun = !table_.rows.empty() || table_.events.empty();
     found_.error("E0505",
                  place_of_drive(),
                  fmt::format("the motion comes to its limit {}, before {} = {}",
-                             reached_text(),
+                             has_begun ? reached_text()
+                                       : fmt::format("at {}, on the way to where it begins",
+                                                     drives_text(table_.events.back().drive)),
                              drive.name,
-                             with_unit(drive.to, drive.unit)),
+                             with_unit(has_begun ? drive.to : drive.from, drive.unit)),
                  "the report goes up to there; end the motion before, or drive another coupling");
   }
 
   void add_locked() const {
+    if (table_.drives.size() > 1) {
+      std::vector<std::string> names;
+      for (const DriveTravel& drive : table_.drives) {
+        names.push_back(drive.name);
+      }
+      found_.error(
+          "E0505",
+          place_of_drive(),
+          fmt::format("the drives {} cannot run through their ranges together", plain_list(names)),
+          "'kinestat mobility' says how many freedoms there are: drive no more than these");
+      return;
+    }
     found_.error(
         "E0505",
         place_of_drive(),
@@ -193,7 +256,7 @@ class Findings {
         has_moved ? fmt::format("the motion cannot be followed beyond {}", reached_text().substr(3))
                   : std::string("the motion cannot leave the drawn position"),
         motion_.solution.status == MotionStatus::singular
-            ? "several motions begin there; start from another position, or take more "
+            ? "several motions begin there, or none; start from another position, or take more "
               "drives"
             : "take more steps, or end the motion before");
   }
@@ -201,6 +264,8 @@ class Findings {
   const FoundMotion& motion_;
   const MotionTable& table_;
   const Topology& topology_;
+  const Mechanism& mechanism_;
+  const FileUnits& units_;
   Diagnostics& found_;
 };
 
@@ -249,7 +314,11 @@ bool check_report(const MotionPlan& plan, const Mechanism& mechanism, Diagnostic
 }
 
 bool check_movable(const FoundMotion& motion, const Mechanism& mechanism, Diagnostics& found) {
+  std::set<std::pair<int, MotionObstacle>> told;
   for (const UnmovableCoupling& one : motion.network.obstacles) {
+    if (!told.insert({one.coupling.value, one.why}).second) {
+      continue;
+    }
     const CouplingTopology& coupling = mechanism.topology.coupling(one.coupling);
     found.error("E0507",
                 coupling.where,
@@ -261,10 +330,10 @@ bool check_movable(const FoundMotion& motion, const Mechanism& mechanism, Diagno
 }
 
 void add_motion_findings(const FoundMotion& motion,
-                         const MechanismDescription& /*description*/,
+                         const MechanismDescription& description,
                          const Mechanism& mechanism,
                          Diagnostics& found) {
-  Findings(motion, mechanism, found).add_all();
+  Findings(motion, description.units, mechanism, found).add_all();
 }
 
 }  // namespace kinestat

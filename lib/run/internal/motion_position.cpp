@@ -50,6 +50,9 @@ MotionPositions::MotionPositions(const Mechanism& mechanism,
 MotionPosition MotionPositions::at(const Configuration& configuration) {
   MotionPosition position;
   position.freedoms = freedom_positions(network_, mechanism_, configuration);
+  if (mechanism_.space == Space::planar) {
+    position.turns = body_turns(network_, configuration);
+  }
   const bool needs_speeds = detail_.velocity || detail_.acceleration;
   const auto speeds = needs_speeds ? speeds_of_case(configuration) : std::nullopt;
   const StateDetail detail =
@@ -105,7 +108,7 @@ std::optional<std::vector<DriveSpeed>> MotionPositions::speeds_of_case(
     return std::nullopt;
   }
   const double speed = moving->value / slope;
-  const double bend = detail_.acceleration ? state.rate_rates[freedom].value_or(0.0) : 0.0;
+  const double bend = state.rate_rates.empty() ? 0.0 : state.rate_rates[freedom].value_or(0.0);
   return std::vector<DriveSpeed>{{.speed = speed, .acceleration = -bend * speed * speed / slope}};
 }
 

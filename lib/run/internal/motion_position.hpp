@@ -21,6 +21,7 @@ struct MotionDetail {
 /// World frame, SI. Lists are parallel to those of the topology.
 struct MotionPosition {
   std::vector<std::optional<double>> freedoms;  ///< positions [rad or m]
+  std::vector<double> turns;                    ///< of the bodies in the plane, counted [rad]
   MotionState state;                            ///< with the speeds of the case, or per share
   bool has_speeds = false;                      ///< the state has those of the case
   std::optional<CaseAnalysis> solved;           ///< the passes of the case
