@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Holds finite motions against closed forms: positions, paths, velocities, accelerations, limits.
+"""Holds motions of planar linkages against closed forms, and their tables against each other.
 
-Usage: motion_test.py PROGRAM MECHANISMS [unittest arguments]
+Usage: planar_motion_test.py PROGRAM MECHANISMS [unittest arguments]
 """
 
 from __future__ import annotations
@@ -13,86 +13,12 @@ import json
 import math
 import subprocess
 import sys
-import unittest
 from pathlib import Path
 from typing import Callable
 
-import program
-from reference_test_case import ReferenceTest
-
-MECHANISMS = Path()
-CLOSURE = 1e-12
-DEAD_POINT = 1e-9
-
-
-class Motion:
-    """The rows of a report as columns by name; every cell by step."""
-
-    def __init__(self, report: dict) -> None:
-        self.report = report["motion"]
-        self.names = [column["name"] for column in self.report["columns"]]
-        self.rows = self.report["rows"]
-
-    def __getitem__(self, name: str) -> list[float]:
-        at = self.names.index(name)
-        return [row[at] for row in self.rows]
-
-    def events(self, kind: str, element: str | None = None) -> list[float]:
-        """Positions of the first drive."""
-        return [event["drive"][0] for event in self.report["events"]
-                if event["kind"] == kind and element in (None, event["element"])]
-
-    def point(self, element: str, quantity: str) -> list[complex]:
-        return [complex(x, y) for x, y in
-                zip(self[f"{element}/{quantity}/x"], self[f"{element}/{quantity}/y"])]
-
-
-def run(source: str | Path, *options: str, status: int = 0) -> Motion:
-    """The motion of a file of the library, or of a text."""
-    is_file = isinstance(source, Path)
-    done = program.call("motion", *options, str(MECHANISMS / source) if is_file else "-",
-                        text=None if is_file else source)
-    if done.returncode != status:
-        raise AssertionError(f"status {done.returncode}\n{done.stderr}")
-    return Motion(program.report(done))
-
-
-# Closed forms
-
-
-def turned(point: complex, angle: float) -> complex:
-    return point * cmath.exp(1j * angle)
-
-
-def dyad(p: complex, q: complex, r: float, s: float, like: tuple[complex, ...]) -> complex:
-    """The point at the distances r from p and s from q, on the side on which c is of a-b."""
-    d = abs(q - p)
-    along = (r * r - s * s + d * d) / (2 * d)
-    across = math.sqrt(max(r * r - along * along, 0.0))
-    a, b, c = like
-    side = math.copysign(1.0, ((b - a).conjugate() * (c - a)).imag)
-    return p + (along + 1j * side * across) * (q - p) / d
-
-
-def unwrapped(angles: list[float]) -> list[float]:
-    result = angles[:1]
-    for angle in angles[1:]:
-        result.append(angle + 2 * math.pi * round((result[-1] - angle) / (2 * math.pi)))
-    return result
-
-
-def derivative(f: Callable[[float], complex], t: float, order: int, h: float = 0.08) -> complex:
-    """By Richardson's extrapolation of central differences, to about 1e-9 of the function."""
-    def difference(d: float) -> complex:
-        if order == 1:
-            return (f(t + d) - f(t - d)) / (2 * d)
-        return (f(t + d) - 2 * f(t) + f(t - d)) / (d * d)
-
-    table = [difference(h / 2 ** k) for k in range(5)]
-    for level in range(1, 5):
-        table = [(4 ** level * fine - coarse) / (4 ** level - 1)
-                 for coarse, fine in zip(table, table[1:])]
-    return table[0]
+import motion_case
+from motion_case import (CLOSURE, DEAD_POINT, Motion, MotionTest, derivative, dyad, in_library,
+                         run, turned, unwrapped)
 
 
 class FourBar:
@@ -172,24 +98,6 @@ def other_assembly(linkage: FourBar) -> FourBar:
     diagonal = linkage.d - linkage.b
     c = linkage.b + diagonal * ((linkage.c - linkage.b) / diagonal).conjugate()
     return FourBar(complex(linkage.a), linkage.b, c, complex(linkage.d))
-
-
-class MotionTest(ReferenceTest):
-    def close(self, actual: float, expected: float, tolerance: float, what: str) -> None:
-        self.assertLessEqual(abs(actual - expected), tolerance,
-                             f"{what}: {actual} is not {expected}")
-
-    def check(self, motion: Motion, name: str, expected: Callable[[float], float],
-              tolerance: float) -> None:
-        """A column against a function of the first drive."""
-        for drive, value in zip(motion[motion.names[1]], motion[name]):
-            self.close(value, expected(drive), tolerance, f"{name} at {drive}")
-
-    def check_complete(self, motion: Motion, steps: int) -> None:
-        self.assertEqual(motion.report["status"], "complete")
-        self.assertEqual([row[0] for row in motion.rows], list(range(steps + 1)))
-        self.assertEqual(set(motion["status"]), {"solved"})
-        self.assertLessEqual(motion.report["closure"]["largest"], CLOSURE)
 
 
 class FourBars(MotionTest):
@@ -275,8 +183,37 @@ class FourBars(MotionTest):
             motion = run(FOUR_BAR.format(linkage, 0.0, 3.0 * sign, 60), status=5)
             self.close(motion.events("limit")[0], expected, DEAD_POINT, "limit of the crank")
 
+    def test_in_long_steps_miss_no_dead_point_and_no_turn(self) -> None:
+        turns = 2
+        motion = run(FOUR_BAR.format(CAZANGI, 0.0, 2 * turns * math.pi, 1))
+        self.check_complete(motion, 1)
+        expected = [angle + 2 * math.pi * turn for turn in range(turns)
+                    for angle in positive(CAZANGI.rocker_dead_points())]
+        found = motion.events("dead_point", "d.wz")
+        self.assertEqual(len(found), len(expected))
+        for one, actual in zip(expected, found):
+            self.close(actual, one, DEAD_POINT, "dead point")
+        for body in ("crank", "coupler"):  # both turn with the crank
+            turned_by = motion[f"{body}/rotation/z"][-1]
+            self.close(turned_by, 2 * turns * math.pi if body == "crank" else 0.0, 1e-11, body)
+
+    def test_find_a_dead_point_in_the_step_before_a_limit(self) -> None:
+        """Crank and coupler in line, 16 deg before coupler and rocker are."""
+        crank, coupler, rocker, ground = 2.0, 0.58, 1.35, 3.74
+        b = crank * cmath.exp(-1j * math.radians(2))
+        linkage = FourBar(0j, b, dyad(b, complex(ground), coupler, rocker, (0, 1, 1j)),
+                          complex(ground))
+        motion = run(FOUR_BAR.format(linkage, 0.0, math.pi, 6), status=5)
+        reach = crank + coupler
+        at_a = math.acos((reach ** 2 + ground ** 2 - rocker ** 2) / (2 * reach * ground))
+        found = motion.events("dead_point", "d.wz")
+        self.assertEqual(len(found), 1)
+        self.close(found[0], at_a + math.radians(2), DEAD_POINT, "dead point")
+        self.close(motion.events("limit")[0], linkage.crank_at(coupler + rocker, 1.0), DEAD_POINT,
+                   "limit")
+
     def test_of_the_library_reports_it_in_its_own_units(self) -> None:
-        motion = run(Path("planar/four_bar.yaml"))
+        motion = run(in_library("planar/four_bar.yaml"))
         self.check_complete(motion, motion.report["steps"])
         for step, angle in enumerate(motion["Tin/drive"]):
             at = motion.point("coupler.1", "at")[step]
@@ -349,7 +286,8 @@ class SixBars(MotionTest):
             at_g = first.d + turned(g - first.d, first.rocker(angle))
             return at_e, dyad(at_e, at_g, abs(f - e), abs(g - f), (e, g, f)), at_g
 
-        self.check_six_bar(Path("planar/watt_six_bar.yaml"), "swing", f, "motor", lambda t: pins(t),
+        self.check_six_bar(in_library("planar/watt_six_bar.yaml"), "swing", f, "motor",
+                           lambda t: pins(t),
                            lambda t: cmath.phase((pins(t)[1] - pins(t)[2]) / (f - g)))
 
     def test_of_stephenson(self) -> None:
@@ -360,7 +298,7 @@ class SixBars(MotionTest):
             at_e = first.coupler_point(e, angle)
             return at_e, dyad(at_e, g, abs(f - e), abs(g - f), (e, g, f)), g
 
-        self.check_six_bar(Path("planar/stephenson_six_bar.yaml"), "lever", f, "motor",
+        self.check_six_bar(in_library("planar/stephenson_six_bar.yaml"), "lever", f, "motor",
                            lambda t: pins(t),
                            lambda t: cmath.phase((pins(t)[1] - g) / (f - g)))
 
@@ -387,164 +325,10 @@ class SixBars(MotionTest):
         return [x if unit == "deg" else math.degrees(x) for x in motion[column]]
 
 
-class Cams(MotionTest):
-    def test_lift_as_the_disc_turns(self) -> None:
-        motion = run(Path("planar/cam_and_follower.yaml"), "--drive", "motor", "--to", "360 deg",
-                     "--steps", "36", "--case", "opening", "--report", "g.vy", "--report", "c.R",
-                     "--report", "transmission_angle")
-        self.check_complete(motion, motion.report["steps"])
-
-        def lift(angle: float) -> float:
-            e = turned(9 + 12j, angle)
-            return e.imag + math.sqrt(41.0 ** 2 - e.real ** 2) - 52.0
-        speed = 20 * math.pi
-        self.check(motion, "g.vy/position", lift, 1e-10)
-        self.check(motion, "g.vy/velocity",
-                   lambda t: speed * derivative(lift, t, 1).real, 1e-4)
-        self.check(motion, "g.vy/acceleration",
-                   lambda t: speed ** 2 * derivative(lift, t, 2).real, 1e-1)
-        for step, angle in enumerate(motion["motor/drive"]):
-            e = turned(9 + 12j, angle)
-            slope = math.asin(abs(e.real) / 41)
-            self.close(motion["valve_spring/transmission_angle"][step], math.pi / 2 - slope, 1e-9,
-                       "pressure angle")
-            self.close(motion["c.R/action"][step], 200 / math.cos(slope), 1e-8, "contact force")
-
-
-class SpatialLinkages(MotionTest):
-    @staticmethod
-    def rod(crank: float) -> tuple[float, float, float]:
-        """p, q, s of the rod's length p cos(t) + q sin(t) = s, the rocker turned by t about y."""
-        b = turned(40 + 20j, crank)
-        k = (120 - b.real, 20 - b.imag, 40.0)  # from the crank's ball to the rocker's bearing
-        r = (-20, 60, 20)                      # from there to its own ball, as drawn
-        fixed = sum(x * x for x in k) + sum(x * x for x in r) + 2 * k[1] * r[1]
-        return 2 * (k[0] * r[0] + k[2] * r[2]), 2 * (k[0] * r[2] - k[2] * r[0]), 10800 - fixed
-
-    @classmethod
-    def rocker(cls, crank: float) -> float:
-        """Its turn from the drawn position, on the branch on which that is none for no turn."""
-        def on(branch: float, angle: float) -> float:
-            p, q, s = cls.rod(angle)
-            half = math.acos(max(-1.0, min(1.0, s / math.hypot(p, q))))
-            return math.remainder(math.atan2(q, p) + branch * half, 2 * math.pi)
-        return on(1.0 if abs(on(1.0, 0.0)) < abs(on(-1.0, 0.0)) else -1.0, crank)
-
-    def test_rssr_keeps_the_length_of_its_rod(self) -> None:
-        self.assertLess(abs(self.rocker(0.0)), 1e-12)
-        motion = run(Path("spatial/rssr.yaml"))
-        self.check_complete(motion, motion.report["steps"])
-        for step, angle in enumerate(motion["motor/drive"]):
-            self.close(motion["d.wy/position"][step], self.rocker(angle), 1e-12, f"at {angle}")
-            self.close(motion["d.wy/velocity"][step],
-                       10 * derivative(self.rocker, angle, 1, 0.01).real, 1e-6, "velocity")
-            self.close(motion["d.wy/acceleration"][step],
-                       100 * derivative(self.rocker, angle, 2, 0.01).real, 1e-3, "acceleration")
-
-    def test_rssr_stops_where_its_balls_cannot_reach_further(self) -> None:
-        for to in (3.0, -3.0):
-            motion = run(Path("spatial/rssr.yaml"), "--from", "0", "--to", f"{to} rad", status=5)
-            self.close(motion.events("limit")[0], self.limit(math.copysign(1.0, to)), DEAD_POINT,
-                       "limit")
-
-    @classmethod
-    def limit(cls, sign: float) -> float:
-        """Where |s| = hypot(p, q), by bisection."""
-        def slack(crank: float) -> float:
-            p, q, s = cls.rod(crank)
-            return math.hypot(p, q) - abs(s)
-        low, high = 0.0, 0.0
-        while slack(high) > 0:
-            low, high = high, high + sign * 0.01
-        for _ in range(100):
-            middle = (low + high) / 2
-            low, high = (middle, high) if slack(middle) > 0 else (low, middle)
-        return low
-
-    def test_bennett_keeps_the_product_of_half_tangents(self) -> None:
-        """tan(A/2) tan(B/2) is constant, A and B the angles at neighbouring joints."""
-        motion = run(Path("spatial/bennett.yaml"))
-        self.check_complete(motion, motion.report["steps"])
-        # The rate of b to that of a is -sin(B)/sin(A), and opposite joints turn equally.
-        for step in range(len(motion.rows)):
-            self.close(motion["c.w/position"][step], motion["a.w/position"][step], 1e-12,
-                       "opposite joints")
-        joint = [(40.0, 0.0, 20.0), (20.0, 60.0, -20.0), (-40.0, 0.0, 20.0), (-20.0, -60.0, -20.0)]
-        axis = [(-3, 1, 3), (0, 2, 3), (3, -1, 3), (0, -2, 3)]
-        start = [self.turn_at(joint, axis, i) for i in (0, 1)]
-        constant = math.tan(start[0] / 2) * math.tan(start[1] / 2)
-        for step in range(len(motion.rows)):
-            first = start[0] + motion["a.w/position"][step]
-            second = start[1] + motion["b.w/position"][step]
-            # tan(A/2) tan(B/2) = k without the poles of the tangent.
-            fault = (math.sin(first / 2) * math.sin(second / 2)
-                     - constant * math.cos(first / 2) * math.cos(second / 2))
-            self.close(fault, 0.0, 1e-12 * max(1.0, abs(constant)), "product of half tangents")
-
-    @staticmethod
-    def turn_at(joint: list, axis: list, i: int) -> float:
-        """Angle at joint i from the link before it to the link behind it, about its axis."""
-        def minus(a: tuple, b: tuple) -> tuple:
-            return tuple(x - y for x, y in zip(a, b))
-
-        def dot(a: tuple, b: tuple) -> float:
-            return sum(x * y for x, y in zip(a, b))
-
-        def cross(a: tuple, b: tuple) -> tuple:
-            return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-        before = minus(joint[i], joint[i - 1])
-        behind = minus(joint[(i + 1) % 4], joint[i])
-        size = math.sqrt(dot(axis[i], axis[i]))
-        return math.atan2(dot(axis[i], cross(before, behind)) / size, dot(before, behind))
-
-    def test_platform_has_the_lengths_of_its_legs(self) -> None:
-        """The distances of the joints, to the closure of a mechanism of more than 2 m."""
-        motion = run(Path("spatial/ups_platform.yaml"))
-        self.check_complete(motion, motion.report["steps"])
-        base = [math.radians(x) for x in (10, 110, 130, 230, 250, 350)]
-        top = [math.radians(x) for x in (50, 70, 170, 190, 290, 310)]
-        big, small, height = 1.2, 0.7, 1.0
-        drawn = math.sqrt(big ** 2 + small ** 2 + height ** 2
-                          - 2 * big * small * math.cos(math.radians(40)))
-        for step in range(len(motion.rows)):
-            at = [motion[f"platform/at/{x}"][step] for x in "xyz"]
-            rotation = [math.radians(motion[f"platform/rotation/{x}"][step]) for x in "xyz"]
-            for leg in range(6):
-                drawn_joint = (small * math.cos(top[leg]), small * math.sin(top[leg]), 0.0)
-                joint = [a + b for a, b in zip(at, rotated(rotation, drawn_joint))]
-                foot = (big * math.cos(base[leg]), big * math.sin(base[leg]), 0.0)
-                length = math.dist(joint, foot)
-                self.close(length - drawn, motion[f"leg{leg + 1}/drive"][step], 2 * CLOSURE,
-                           f"leg {leg + 1} in step {step}")
-
-
-def rotated(turn: list[float], point: tuple[float, ...]) -> list[float]:
-    """By Rodrigues' formula; the vector is the axis times the angle."""
-    angle = math.sqrt(sum(x * x for x in turn))
-    if angle == 0.0:
-        return list(point)
-    k = [x / angle for x in turn]
-    cross = (k[1] * point[2] - k[2] * point[1], k[2] * point[0] - k[0] * point[2],
-             k[0] * point[1] - k[1] * point[0])
-    along = sum(x * y for x, y in zip(k, point))
-    return [p * math.cos(angle) + c * math.sin(angle) + x * along * (1 - math.cos(angle))
-            for p, c, x in zip(point, cross, k)]
-
-
-class Cables(MotionTest):
-    def test_of_a_tackle_share_the_travel_of_the_hand(self) -> None:
-        motion = run(Path("cables/block_and_tackle.yaml"))
-        self.check_complete(motion, motion.report["steps"])
-        for step, hand in enumerate(motion["hand/drive"]):
-            self.close(motion["L.vy/position"][step], -hand / 4, 1e-9, "block")
-            # The rope runs over the sheave, which does not slip.
-            self.close(motion["B1.wz/position"][step], -hand / 50, 1e-9, "first sheave")
-
-
 class Tables(MotionTest):
     def test_are_the_same_in_csv(self) -> None:
-        path = MECHANISMS / "planar/four_bar.yaml"
-        motion = run(Path("planar/four_bar.yaml"))
+        path = in_library("planar/four_bar.yaml")
+        motion = run(path)
         done = subprocess.run([sys.argv[0], "motion", "--format", "csv", str(path)],
                               capture_output=True, text=True, check=True)
         rows = list(csv.DictReader(io.StringIO(done.stdout)))
@@ -562,7 +346,4 @@ class Tables(MotionTest):
 
 
 if __name__ == "__main__":
-    program.use(sys.argv[1])
-    MECHANISMS = Path(sys.argv[2])
-    sys.argv = [sys.argv[1], *sys.argv[3:]]
-    unittest.main(argv=sys.argv)
+    motion_case.main()

@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""Holds motions of cams, gears and ropes against closed forms.
+
+Usage: rolling_motion_test.py PROGRAM MECHANISMS [unittest arguments]
+"""
+
+from __future__ import annotations
+
+import math
+
+import motion_case
+from motion_case import MotionTest, derivative, in_library, run, turned
+
+
+class Cams(MotionTest):
+    def test_lift_as_the_disc_turns(self) -> None:
+        motion = run(in_library("planar/cam_and_follower.yaml"))
+        self.check_complete(motion, motion.report["steps"])
+
+        def lift(angle: float) -> float:
+            e = turned(9 + 12j, angle)
+            return e.imag + math.sqrt(41.0 ** 2 - e.real ** 2) - 52.0
+        speed = 20 * math.pi
+        self.check(motion, "g.vy/position", lift, 1e-10)
+        self.check(motion, "g.vy/velocity",
+                   lambda t: speed * derivative(lift, t, 1).real, 1e-4)
+        self.check(motion, "g.vy/acceleration",
+                   lambda t: speed ** 2 * derivative(lift, t, 2).real, 1e-1)
+        for step, angle in enumerate(motion["motor/drive"]):
+            e = turned(9 + 12j, angle)
+            slope = math.asin(abs(e.real) / 41)
+            self.close(motion["valve_spring/transmission_angle"][step], math.pi / 2 - slope, 1e-9,
+                       "pressure angle")
+            self.close(motion["c.R/action"][step], 200 / math.cos(slope), 1e-8, "contact force")
+
+
+class Cables(MotionTest):
+    def test_of_a_tackle_share_the_travel_of_the_hand(self) -> None:
+        motion = run(in_library("cables/block_and_tackle.yaml"))
+        self.check_complete(motion, motion.report["steps"])
+        for step, hand in enumerate(motion["hand/drive"]):
+            self.close(motion["L.vy/position"][step], -hand / 4, 1e-9, "block")
+            # The rope runs over the sheave, which does not slip.
+            self.close(motion["B1.wz/position"][step], -hand / 50, 1e-9, "first sheave")
+
+
+if __name__ == "__main__":
+    motion_case.main()

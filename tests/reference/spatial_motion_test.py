@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""Holds motions of spatial linkages against closed forms.
+
+Usage: spatial_motion_test.py PROGRAM MECHANISMS [unittest arguments]
+"""
+
+from __future__ import annotations
+
+import math
+
+import motion_case
+from motion_case import CLOSURE, DEAD_POINT, MotionTest, derivative, in_library, run, turned
+
+
+class SpatialLinkages(MotionTest):
+    @staticmethod
+    def rod(crank: float) -> tuple[float, float, float]:
+        """p, q, s of the rod's length p cos(t) + q sin(t) = s, the rocker turned by t about y."""
+        b = turned(40 + 20j, crank)
+        k = (120 - b.real, 20 - b.imag, 40.0)  # from the crank's ball to the rocker's bearing
+        r = (-20, 60, 20)                      # from there to its own ball, as drawn
+        fixed = sum(x * x for x in k) + sum(x * x for x in r) + 2 * k[1] * r[1]
+        return 2 * (k[0] * r[0] + k[2] * r[2]), 2 * (k[0] * r[2] - k[2] * r[0]), 10800 - fixed
+
+    @classmethod
+    def rocker(cls, crank: float) -> float:
+        """Its turn from the drawn position, on the branch on which that is none for no turn."""
+        def on(branch: float, angle: float) -> float:
+            p, q, s = cls.rod(angle)
+            half = math.acos(max(-1.0, min(1.0, s / math.hypot(p, q))))
+            return math.remainder(math.atan2(q, p) + branch * half, 2 * math.pi)
+        return on(1.0 if abs(on(1.0, 0.0)) < abs(on(-1.0, 0.0)) else -1.0, crank)
+
+    def test_rssr_keeps_the_length_of_its_rod(self) -> None:
+        self.assertLess(abs(self.rocker(0.0)), 1e-12)
+        motion = run(in_library("spatial/rssr.yaml"))
+        self.check_complete(motion, motion.report["steps"])
+        for step, angle in enumerate(motion["motor/drive"]):
+            self.close(motion["d.wy/position"][step], self.rocker(angle), 1e-12, f"at {angle}")
+            self.close(motion["d.wy/velocity"][step],
+                       10 * derivative(self.rocker, angle, 1, 0.01).real, 1e-6, "velocity")
+            self.close(motion["d.wy/acceleration"][step],
+                       100 * derivative(self.rocker, angle, 2, 0.01).real, 1e-3, "acceleration")
+
+    def test_rssr_stops_where_its_balls_cannot_reach_further(self) -> None:
+        for to in (3.0, -3.0):
+            motion = run(in_library("spatial/rssr.yaml"), "--from", "0", "--to", f"{to} rad",
+                         status=5)
+            self.close(motion.events("limit")[0], self.limit(math.copysign(1.0, to)), DEAD_POINT,
+                       "limit")
+
+    @classmethod
+    def limit(cls, sign: float) -> float:
+        """Where |s| = hypot(p, q), by bisection."""
+        def slack(crank: float) -> float:
+            p, q, s = cls.rod(crank)
+            return math.hypot(p, q) - abs(s)
+        low, high = 0.0, 0.0
+        while slack(high) > 0:
+            low, high = high, high + sign * 0.01
+        for _ in range(100):
+            middle = (low + high) / 2
+            low, high = (middle, high) if slack(middle) > 0 else (low, middle)
+        return low
+
+    def test_bennett_keeps_the_product_of_half_tangents(self) -> None:
+        """tan(A/2) tan(B/2) is constant, A and B the angles at neighbouring joints."""
+        motion = run(in_library("spatial/bennett.yaml"))
+        self.check_complete(motion, motion.report["steps"])
+        # The rate of b to that of a is -sin(B)/sin(A), and opposite joints turn equally.
+        for step in range(len(motion.rows)):
+            self.close(motion["c.w/position"][step], motion["a.w/position"][step], 1e-12,
+                       "opposite joints")
+        joint = [(40.0, 0.0, 20.0), (20.0, 60.0, -20.0), (-40.0, 0.0, 20.0), (-20.0, -60.0, -20.0)]
+        axis = [(-3, 1, 3), (0, 2, 3), (3, -1, 3), (0, -2, 3)]
+        start = [self.turn_at(joint, axis, i) for i in (0, 1)]
+        constant = math.tan(start[0] / 2) * math.tan(start[1] / 2)
+        for step in range(len(motion.rows)):
+            first = start[0] + motion["a.w/position"][step]
+            second = start[1] + motion["b.w/position"][step]
+            # tan(A/2) tan(B/2) = k without the poles of the tangent.
+            fault = (math.sin(first / 2) * math.sin(second / 2)
+                     - constant * math.cos(first / 2) * math.cos(second / 2))
+            self.close(fault, 0.0, 1e-12 * max(1.0, abs(constant)), "product of half tangents")
+
+    @staticmethod
+    def turn_at(joint: list, axis: list, i: int) -> float:
+        """Angle at joint i from the link before it to the link behind it, about its axis."""
+        def minus(a: tuple, b: tuple) -> tuple:
+            return tuple(x - y for x, y in zip(a, b))
+
+        def dot(a: tuple, b: tuple) -> float:
+            return sum(x * y for x, y in zip(a, b))
+
+        def cross(a: tuple, b: tuple) -> tuple:
+            return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+        before = minus(joint[i], joint[i - 1])
+        behind = minus(joint[(i + 1) % 4], joint[i])
+        size = math.sqrt(dot(axis[i], axis[i]))
+        return math.atan2(dot(axis[i], cross(before, behind)) / size, dot(before, behind))
+
+    def test_platform_has_the_lengths_of_its_legs(self) -> None:
+        """The distances of the joints, to the closure of a mechanism of more than 2 m."""
+        motion = run(in_library("spatial/ups_platform.yaml"))
+        self.check_complete(motion, motion.report["steps"])
+        base = [math.radians(x) for x in (10, 110, 130, 230, 250, 350)]
+        top = [math.radians(x) for x in (50, 70, 170, 190, 290, 310)]
+        big, small, height = 1.2, 0.7, 1.0
+        drawn = math.sqrt(big ** 2 + small ** 2 + height ** 2
+                          - 2 * big * small * math.cos(math.radians(40)))
+        for step in range(len(motion.rows)):
+            at = [motion[f"platform/at/{x}"][step] for x in "xyz"]
+            rotation = [math.radians(motion[f"platform/rotation/{x}"][step]) for x in "xyz"]
+            for leg in range(6):
+                drawn_joint = (small * math.cos(top[leg]), small * math.sin(top[leg]), 0.0)
+                joint = [a + b for a, b in zip(at, rotated(rotation, drawn_joint))]
+                foot = (big * math.cos(base[leg]), big * math.sin(base[leg]), 0.0)
+                length = math.dist(joint, foot)
+                self.close(length - drawn, motion[f"leg{leg + 1}/drive"][step], 2 * CLOSURE,
+                           f"leg {leg + 1} in step {step}")
+
+
+def rotated(turn: list[float], point: tuple[float, ...]) -> list[float]:
+    """By Rodrigues' formula; the vector is the axis times the angle."""
+    angle = math.sqrt(sum(x * x for x in turn))
+    if angle == 0.0:
+        return list(point)
+    k = [x / angle for x in turn]
+    cross = (k[1] * point[2] - k[2] * point[1], k[2] * point[0] - k[0] * point[2],
+             k[0] * point[1] - k[1] * point[0])
+    along = sum(x * y for x, y in zip(k, point))
+    return [p * math.cos(angle) + c * math.sin(angle) + x * along * (1 - math.cos(angle))
+            for p, c, x in zip(point, cross, k)]
+
+
+if __name__ == "__main__":
+    motion_case.main()
