@@ -83,6 +83,9 @@ bool PathTracker<Frames>::arrive(const Destination& to, PathPoint& now) {
   }
   if (to.crossing && reached > to.crossing->place) {
     note_crossing(*to.crossing);
+  } else if (now.is_singular) {
+    // Two motions cross at once, and the determinant keeps its sign.
+    note_special(SpecialKind::change_point, there, kChangePointBracket);
   }
   return true;
 }

@@ -96,6 +96,27 @@ double link_angle(const Vec3& axis, const Vec3& before, const Vec3& at, const Ve
   return std::atan2(n.dot((at - before).cross(after - at)), (at - before).dot(after - at));
 }
 
+// Where both legs of a Sarrus linkage are folded, each may swing by itself: a step that ends there
+// says so, although the platform goes on.
+TEST(Sarrus, SaysWhereItsLegsAreFolded) {
+  const Moving subject = moving(
+      "ground: frame\nbodies: [l1, l2, m1, m2, top]\ncouplings:\n"
+      "  a: {type: revolute, bodies: [frame, l1], at: [1, 0, 0], axis: y}\n"
+      "  b: {type: revolute, bodies: [l1, l2], at: [2, 0, 1], axis: y}\n"
+      "  c: {type: revolute, bodies: [l2, top], at: [1, 0, 2], axis: y}\n"
+      "  d: {type: revolute, bodies: [frame, m1], at: [0, 1, 0], axis: x}\n"
+      "  e: {type: revolute, bodies: [m1, m2], at: [0, 2, 1], axis: x}\n"
+      "  f: {type: revolute, bodies: [m2, top], at: [0, 1, 2], axis: x}\n",
+      {"a.wy"});
+
+  const MotionSolution solution = move(subject, 0.0, kPi / 3.0, 4);
+
+  ASSERT_EQ(solution.status, MotionStatus::completed);
+  ASSERT_EQ(solution.special.size(), 1U);
+  EXPECT_EQ(solution.special[0].kind, SpecialKind::change_point);
+  EXPECT_NEAR(solution.special[0].drive_values[0], kPi / 4.0, 1e-9);
+}
+
 // Six figures of its axes are enough: it closes by least squares, and says how well.
 TEST(Bennett, MovesAsDrawnWithSixFigures) {
   const Moving subject = moving(
