@@ -146,7 +146,24 @@ class TableMaker {
     return "solved";
   }
 
+  double& largest(MotionKind kind) { return largest_[static_cast<std::size_t>(kind)]; }
+
+  // What turns fast moves points fast, and turning steadily accelerates them: a motion in which all
+  // points rest has no velocities but rounding.
+  void compare_turns_with_speeds() {
+    using enum MotionKind;
+    const double size = mechanism_.geometry.length;
+    const double turns = std::max(largest(angular_velocity), largest(velocity) / size);
+    const double bends =
+        std::max({largest(angular_acceleration), largest(acceleration) / size, turns * turns});
+    largest(angular_velocity) = turns;
+    largest(velocity) = turns * size;
+    largest(angular_acceleration) = bends;
+    largest(acceleration) = bends * size;
+  }
+
   void write_in_units(const std::vector<MotionReading>& readings) {
+    compare_turns_with_speeds();
     const std::size_t first = plan_.drives.size();
     for (MotionRow& row : table_.rows) {
       for (std::size_t c = 0; c < readings.size(); ++c) {
