@@ -1,25 +1,8 @@
 #include "accuracy_options.hpp"
 #include "command.hpp"
+#include "output_options.hpp"
 
 namespace kinestat::app {
-
-namespace {
-
-void add_report_output(CLI::App& command, AnalyseOptions& analyse) {
-  with_value(command,
-             command.add_option("-o,--out",
-                                analyse.output.folder,
-                                "folder for <name>.report.json and one CSV\n"
-                                "table a pass; it must exist"),
-             "FOLDER");
-  add_flag(
-      command,
-      "--force",
-      [&analyse] { analyse.output.overwrite = Overwrite::force; },
-      "replace files that this program did not write");
-}
-
-}  // namespace
 
 void add_analyze(CLI::App& parent, Job& job) {
   CLI::App* command =
@@ -34,7 +17,10 @@ void add_analyze(CLI::App& parent, Job& job) {
   add_files(*command, *options);
   add_format(*command, *options);
   add_accuracy(*command, analyse.accuracy);
-  add_report_output(*command, analyse);
+  add_output(*command,
+             analyse,
+             "folder for <name>.report.json and one CSV\n"
+             "table a pass; it must exist");
   add_strict(*command, *options);
   add_flag(
       *command,

@@ -1,6 +1,7 @@
 #include "run/motion.hpp"
 
 #include "command.hpp"
+#include "output_options.hpp"
 
 namespace kinestat::app {
 
@@ -37,20 +38,6 @@ void add_motion_choice(CLI::App& command, MotionChoice& choice) {
                "NAME");
 }
 
-void add_motion_output(CLI::App& command, AnalyseOptions& analyse) {
-  with_value(command,
-             command.add_option("-o,--out",
-                                analyse.output.folder,
-                                "folder for <name>.motion.json and\n"
-                                "<name>.motion.csv; it must exist"),
-             "FOLDER");
-  add_flag(
-      command,
-      "--force",
-      [&analyse] { analyse.output.overwrite = Overwrite::force; },
-      "replace files that this program did not write");
-}
-
 }  // namespace
 
 void add_motion(CLI::App& parent, Job& job) {
@@ -65,7 +52,10 @@ void add_motion(CLI::App& parent, Job& job) {
   add_files(*command, flags->files);
   add_format(*command, flags->files);
   add_motion_choice(*command, flags->choice);
-  add_motion_output(*command, analyse);
+  add_output(*command,
+             analyse,
+             "folder for <name>.motion.json and\n"
+             "<name>.motion.csv; it must exist");
   add_strict(*command, flags->files);
   add_flag(
       *command,

@@ -1,0 +1,13 @@
+// The options by which reports are written as files.
+#pragma once
+
+#include <string>
+
+#include "file_options.hpp"
+
+namespace kinestat::app {
+
+/// Declares -o, explained by this, and --force.
+void add_output(CLI::App& command, AnalyseOptions& analyse, const std::string& explanation);
+
+}  // namespace kinestat::app
