@@ -219,7 +219,7 @@ class Findings {
     if (table_.drives.size() > 1) {
       std::vector<std::string> names;
       for (const DriveTravel& drive : table_.drives) {
-        names.push_back(drive.name);
+        names.push_back(fmt::format("'{}'", drive.name));
       }
       found_.error(
           "E0505",
