@@ -197,6 +197,9 @@ Chart path_chart(const MotionTable& motion, char up, std::size_t PlaceColumns::*
       chart.series.push_back(std::move(series));
     }
   }
+  if (chart.series.size() > 1) {
+    chart.title = fmt::format("{} over x", up);
+  }
   for (const Series& series : chart.series) {
     if (chart.series.size() <= kMostMarked) {
       chart.marks.push_back({.x = series.x.front(), .y = series.y.front(), .label = "begin"});

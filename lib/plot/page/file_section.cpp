@@ -213,7 +213,7 @@ class FileSection {
     html_.close();
     html_.close();
     add_charts(motion_figure(page_.motion->table, ""));
-    add_charts(path_figure(page_.motion->table, ""));
+    add_charts(path_figure(page_.motion->table, ""), "Paths of points: ");
     if (!page_.motion->table.rows.empty()) {
       add_table(position_table(page_.motion->table), "Positions", html_);
     }
@@ -221,11 +221,11 @@ class FileSection {
   }
 
   // Each a figure of its own, so that they stand beside each other.
-  void add_charts(const Figure& figure) {
+  void add_charts(const Figure& figure, const std::string& beginning = "") {
     std::vector<Picture> pictures;
     for (Chart chart : figure.charts) {
       chart.width = kChartWidth;
-      std::string title = chart.title.empty() ? chart.y.label : chart.title;
+      std::string title = beginning + (chart.title.empty() ? chart.y.label : chart.title);
       // Words, but not names such as "d.wz".
       if (title.find('.') >= title.find(' ')) {
         title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));

@@ -164,8 +164,18 @@ class MotionFigure {
     return -1;
   }
 
+  // In space it is enough that couplings are in their places: how a rod spins is not seen.
   bool is_drawn(const std::vector<BodyPose>& poses) const {
-    return are_same(poses, std::vector<BodyPose>(poses.size()));
+    if (is_planar()) {
+      return are_same(poses, std::vector<BodyPose>(poses.size()));
+    }
+    LinkageOptions moved;
+    LinkageOptions still;
+    add_places(poses, moved);
+    add_places(std::vector<BodyPose>(poses.size()), still);
+    return std::ranges::equal(moved.reach, still.reach, [this](const Vec3& a, const Vec3& b) {
+      return (a - b).norm() <= kReportsAgree * mechanism_.geometry.length;
+    });
   }
 
   bool are_same(const std::vector<BodyPose>& some, const std::vector<BodyPose>& others) const {
