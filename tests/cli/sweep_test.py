@@ -117,6 +117,15 @@ class Rows(InFolder):
             sun, planet = int(row["Ns"]), int(row["Np"])
             self.assertAlmostEqual(float(row["ratio"]), 1 + (sun + 2 * planet) / sun, delta=1e-13)
 
+    def test_the_ratio_of_a_four_bar_follows_its_pole(self) -> None:
+        file = ROOT / "mechanisms/sweeps/four_bar_height.yaml"
+        rows = list(csv.DictReader(kinestat("sweep", "--quiet", file).stdout.splitlines()))
+        self.assertEqual(len(rows), 34)
+        for row in rows:
+            height = float(row["height [m]"])
+            ratio = (6 * height - 3) / (18 - height)
+            self.assertAlmostEqual(float(row["ratio"]), ratio, delta=1e-12)
+
     def test_rows_are_those_of_single_analyses(self) -> None:
         rows = self.rows(TRAIN + SWEEP)
         seed = random.SystemRandom().randrange(10**6)

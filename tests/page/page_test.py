@@ -33,6 +33,9 @@ PAGES = {
         ["Summary", "Structure", "Mobility", "Shift table", "Gears", "Data"],
         [*GRAPHS, "gear-scheme", "shift-matrix", "ratio-ladder"],
     ),
+    "sweeps/four_bar_height.yaml": (
+        [*SOLVED, "Sensitivity", "Sweep"], [*GRAPHS, *CASE, "sweep-curves"]
+    ),
     "cables/block_and_tackle.yaml": (SOLVED, [*GRAPHS, *CASE]),
     "synthesis/crank_rocker.yaml": (["Summary", "Synthesis", "Data"], []),
 }
