@@ -174,6 +174,16 @@ class PowerModeller {
   GraphModel& model_;
 };
 
+// A line for each of the freedoms or actions of a coupling, which its label names.
+template <class Label>
+void multiply_edge(const std::vector<Label>& labels, int first, int count, ModelEdge& edge) {
+  edge.lines = count;
+  edge.label += ":";
+  for (int i = first; i < first + count; ++i) {
+    edge.label += " " + labels[static_cast<std::size_t>(i)].name;
+  }
+}
+
 }  // namespace
 
 GraphModel coupling_graph_model(const Analysis& analysis) {
@@ -185,12 +195,8 @@ GraphModel motion_graph_model(const Analysis& analysis) {
   const Topology& topology = analysis.mechanism.topology;
   for (std::size_t e = 0; e < model.edges.size(); ++e) {
     const CouplingTopology& coupling = topology.couplings[e];
-    model.edges[e].lines = coupling.freedom_count;
-    model.edges[e].label += ":";
-    for (int f = 0; f < coupling.freedom_count; ++f) {
-      model.edges[e].label +=
-          " " + topology.freedoms[static_cast<std::size_t>(coupling.first_freedom + f)].name;
-    }
+    multiply_edge(
+        topology.freedoms, coupling.first_freedom, coupling.freedom_count, model.edges[e]);
   }
   return model;
 }
@@ -200,12 +206,7 @@ GraphModel action_graph_model(const Analysis& analysis) {
   const Topology& topology = analysis.mechanism.topology;
   for (std::size_t e = 0; e < model.edges.size(); ++e) {
     const CouplingTopology& coupling = topology.couplings[e];
-    model.edges[e].lines = coupling.action_count;
-    model.edges[e].label += ":";
-    for (int a = 0; a < coupling.action_count; ++a) {
-      model.edges[e].label +=
-          " " + topology.actions[static_cast<std::size_t>(coupling.first_action + a)].name;
-    }
+    multiply_edge(topology.actions, coupling.first_action, coupling.action_count, model.edges[e]);
   }
   return model;
 }
