@@ -391,16 +391,21 @@ class FileSection {
   }
 
   void add_sweep() {
-    if (!page_.sweep || page_.sweep->rows.empty()) {
-      return;
-    }
-    const Figure figure = sweep_figure(*page_.sweep, "");
-    if (figure.charts.empty()) {
+    if (!page_.sweep) {
       return;
     }
     open_part("sweep", "Sweep");
-    html_.element("p", figure.description);
-    add_charts(figure);
+    if (page_.sweep->rows.empty()) {
+      html_.element(
+          "p",
+          fmt::format("The sweep has {} states, of which none is allowed or which are too "
+                      "many to be drawn; 'kinestat sweep' writes its rows.",
+                      page_.sweep->states));
+    } else {
+      const Figure figure = sweep_figure(*page_.sweep, "");
+      html_.element("p", figure.description);
+      add_charts(figure);
+    }
     html_.close();
   }
 
