@@ -15,7 +15,7 @@ namespace kinestat {
 
 namespace {
 
-constexpr std::size_t kMostSeries = 6;  // of one chart
+constexpr std::size_t kMostCurves = 6;  // of one chart
 
 // "h [m]" as name and unit.
 ChartAxis axis_of(const std::string& title) {
@@ -96,14 +96,14 @@ Series series_of(const Line& line, std::size_t along, std::size_t quantity) {
 std::string describe(const SweepTable& sweep, std::size_t along, std::size_t lines) {
   const std::string over = axis_of(sweep.varied[along]).label;
   const std::string shown =
-      lines > kMostSeries ? fmt::format("; {} of {} curves are shown", kMostSeries, lines) : "";
+      lines > kMostCurves ? fmt::format("; {} of {} curves are shown", kMostCurves, lines) : "";
   return fmt::format("{} states of the sweep, over {}{}.", sweep.states, over, shown);
 }
 
 // Of all lines some at equal distances, the first and the last among them.
 std::vector<const Line*> shown_lines(const std::vector<Line>& lines) {
   std::vector<const Line*> shown;
-  const std::size_t count = std::min(lines.size(), kMostSeries);
+  const std::size_t count = std::min(lines.size(), kMostCurves);
   for (std::size_t i = 0; i < count; ++i) {
     shown.push_back(&lines[count == 1 ? 0 : i * (lines.size() - 1) / (count - 1)]);
   }

@@ -16,8 +16,8 @@ struct Ratios {
   std::optional<double> torque_ratio;  ///< Γ = action of the input / of the output (eq. 5.2)
   std::string reason;                  ///< why `ratio` is empty
 
-  /// Relative errors that they may have at most, 1 where not one digit is sure; empty where rates or
-  /// actions have no bounds, or the ratio has no value.
+  /// Relative errors that they may have at most, 1 where not one digit is sure; empty where rates
+  /// or actions have no bounds, or the ratio has no value.
   std::optional<double> ratio_bound;
   std::optional<double> torque_ratio_bound;
 };
