@@ -217,9 +217,9 @@ double draw_chart(const Chart& chart, double top, Svg& svg) {
   ChartFrame frame = make_frame(chart, y);
   const std::vector<ChartGuide> guides = guides_within(chart, frame);
   const GuideLayout layout = lay_out_guides(guides, frame);
-  const double shift = layout.row_count * kLineHeight;
-  frame.box.top += shift;
-  frame.box.bottom += shift;
+  frame.words_above = layout.row_count * kLineHeight;
+  frame.box.top += frame.words_above;
+  frame.box.bottom += frame.words_above;
   draw_grid(frame, svg);
   draw_guides(guides, frame, layout, svg);
   draw_data(chart, frame, svg);

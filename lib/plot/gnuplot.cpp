@@ -49,7 +49,30 @@ std::string data_text(const Series& series, const std::string& name) {
   return text + "END\n";
 }
 
-std::string axis_text(char letter, const ChartAxis& axis) {
+// Around what is the same throughout, of which the program makes no axis without a warning.
+struct AxisEnds {
+  std::optional<double> low;
+  std::optional<double> high;
+};
+
+AxisEnds ends_of(const Chart& chart, const ChartAxis& axis, std::vector<double> Series::*values) {
+  std::optional<double> only;
+  for (const Series& series : chart.series) {
+    for (const double value : series.*values) {
+      if (std::isfinite(value) && value != only.value_or(value)) {
+        return {.low = axis.low, .high = axis.high};
+      }
+      only = std::isfinite(value) ? std::optional(value) : only;
+    }
+  }
+  if (!only || axis.low || axis.high) {
+    return {.low = axis.low, .high = axis.high};
+  }
+  const double around = *only == 0.0 ? 1.0 : 0.1 * std::abs(*only);
+  return {.low = *only - around, .high = *only + around};
+}
+
+std::string axis_text(char letter, const ChartAxis& axis, const AxisEnds& ends) {
   const auto end = [](const std::optional<double>& value) {
     return value ? number(*value) : std::string("*");
   };
@@ -57,8 +80,8 @@ std::string axis_text(char letter, const ChartAxis& axis) {
                      letter,
                      in_gnuplot_quotes(axis_title(axis, 0)),
                      axis.scale == ScaleKind::logarithmic ? "set" : "unset",
-                     end(axis.low),
-                     end(axis.high));
+                     end(ends.low),
+                     end(ends.high));
 }
 
 std::string guides_text(const Chart& chart) {
@@ -83,7 +106,9 @@ std::string chart_text(const Chart& chart, std::size_t index) {
   std::string text = fmt::format("unset label\nunset arrow\nset title {} noenhanced\nset size {}\n",
                                  in_gnuplot_quotes(chart.title),
                                  chart.has_equal_scales ? "ratio -1" : "noratio");
-  text += axis_text('x', chart.x) + axis_text('y', chart.y) + guides_text(chart) + "plot";
+  text += axis_text('x', chart.x, ends_of(chart, chart.x, &Series::x)) +
+          axis_text('y', chart.y, ends_of(chart, chart.y, &Series::y)) + guides_text(chart) +
+          "plot";
   for (std::size_t s = 0; s < chart.series.size(); ++s) {
     const bool is_line = chart.series[s].style == SeriesStyle::line;
     text += fmt::format("{} \\\n  {} using 1:2 with {} title {} noenhanced",

@@ -108,7 +108,8 @@ void draw_axis_titles(const Chart& chart, const ChartFrame& frame, double reach,
     turned.turn = -90.0;
     svg.text({.x = frame.box.left - reach - 10.0, .y = frame.box.centre().y}, title, turned);
   } else {
-    svg.text({.x = frame.box.left, .y = frame.box.top - 8.0}, title, {.size = kChartText});
+    const double y = frame.box.top - frame.words_above - 8.0;
+    svg.text({.x = frame.box.left, .y = y}, title, {.size = kChartText});
   }
 }
 

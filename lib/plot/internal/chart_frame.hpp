@@ -13,6 +13,7 @@ struct ChartFrame {
   PixelBox box;
   AxisRange x;
   AxisRange y;
+  double words_above = 0.0;  ///< height of what is written over the box [px]
 
   PixelPoint place(double x_value, double y_value) const {
     return {.x = box.left + x.share(x_value) * box.width(),
