@@ -13,11 +13,10 @@ std::vector<std::string> take_cells(std::string_view& csv) {
   while (!csv.empty()) {
     const char character = csv.front();
     csv.remove_prefix(1);
-    if (character == '"') {
-      // Two quotes within quotes are one.
-      if (!is_quoted && !cells.back().empty()) {
-        cells.back() += '"';
-      }
+    if (character == '"' && is_quoted && csv.starts_with('"')) {
+      csv.remove_prefix(1);  // two within quotes are one
+      cells.back() += '"';
+    } else if (character == '"') {
       is_quoted = !is_quoted;
     } else if (character == ',' && !is_quoted) {
       cells.emplace_back();

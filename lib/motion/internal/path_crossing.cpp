@@ -36,7 +36,9 @@ std::optional<Crossing> PathTracker<Frames>::find_crossing(const ArcPoint& from,
     (arc_orientation(from, point) > 0.0 ? low : high) = middle;
   }
   for (const double spacing : {kSurroundings, 0.1 * kSurroundings, 0.01 * kSurroundings}) {
-    if (auto crossing = find_crossing_in(from, 0.5 * (low + high), spacing)) {
+    auto crossing = find_crossing_in(from, 0.5 * (low + high), spacing);
+    // Beside a crossing that lies behind, its surroundings reach beyond the step.
+    if (crossing && crossing->place >= 0.0 && crossing->place <= length) {
       return crossing;
     }
   }

@@ -203,7 +203,9 @@ class Findings {
 
   void add_limit() const {
     const DriveTravel& drive = table_.drives.front();
-    const bool has_begun = !table_.rows.empty() || table_.events.empty();
+    const bool has_way_to_start =
+        std::ranges::any_of(table_.drives, [](const DriveTravel& one) { return one.from != 0.0; });
+    const bool has_begun = !table_.rows.empty() || table_.events.empty() || !has_way_to_start;
     found_.error("E0505",
                  place_of_drive(),
                  fmt::format("the motion comes to its limit {}, before {} = {}",

@@ -61,7 +61,7 @@ MotionPosition MotionPositions::at(const Configuration& configuration) {
   const std::vector<DriveSpeed> rest(plan_.drives.size());
   position.state =
       solve_state(network_, mechanism_, configuration, speeds ? *speeds : rest, detail);
-  if (detail_.statics || detail_.transmission_angle) {
+  if (!position.state.is_singular && (detail_.statics || detail_.transmission_angle)) {
     move_mechanism(network_, drawn_, position.state.poses, mechanism_, moved_);
     solve_passes(position);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/tolerance.hpp"
 #include "run/internal/motion_columns.hpp"
@@ -186,10 +187,12 @@ class TableMaker {
     return values;
   }
 
-  // How uncertain the position of the first drive is there.
-  double uncertainty(double share) const {
+  // How uncertain the position of the first drive is there. Shares of the way to the start, before
+  // the first step, are of that way.
+  double uncertainty(double share, int step) const {
     const PlannedDrive& drive = plan_.drives.front();
-    return in_unit(kind_of(drive), std::abs(share * (drive.to - drive.from)));
+    const double way = step < 0 ? drive.from : drive.to - drive.from;
+    return in_unit(kind_of(drive), std::abs(share * way));
   }
 
   void add_events() {
@@ -205,7 +208,7 @@ class TableMaker {
                                   .element = topology_.freedom_name(point.freedom),
                                   .step = point.step,
                                   .drive = drives_at(point.share),
-                                  .uncertainty = uncertainty(point.uncertainty)}});
+                                  .uncertainty = uncertainty(point.uncertainty, point.step)}});
     }
     for (const SpecialPosition& special : solution_.special) {
       const bool is_limit = special.kind == SpecialKind::limit;
@@ -218,9 +221,10 @@ class TableMaker {
                                   .element = is_limit ? table_.drives.front().name : "",
                                   .step = special.step,
                                   .drive = std::move(drive),
-                                  .uncertainty = uncertainty(special.uncertainty)}});
+                                  .uncertainty = uncertainty(special.uncertainty, special.step)}});
     }
-    std::ranges::stable_sort(placed, {}, &Placed::share);
+    std::ranges::stable_sort(
+        placed, {}, [](const Placed& one) { return std::pair(one.event.step >= 0, one.share); });
     for (Placed& one : placed) {
       table_.events.push_back(std::move(one.event));
     }

@@ -80,6 +80,21 @@ TEST(BoundedNumber, ThatIsSurelyZeroHasNoError) {
 
   EXPECT_EQ((zero + zero).relative_bound(), 0.0);
   EXPECT_EQ((zero * BoundedNumber{.value = 5.0, .bound = 1.0}).bound, 0.0);
+  EXPECT_EQ((zero / BoundedNumber{.value = 5.0, .bound = 1.0}).bound, 0.0);
+}
+
+TEST(BoundedNumber, BelowTheSmallestOneIsNotSurelyZero) {
+  const BoundedNumber tiny{.value = 1e-200};
+
+  EXPECT_EQ((tiny * tiny).value, 0.0);
+  EXPECT_GT((tiny * tiny).bound, 0.0);
+}
+
+TEST(BoundedNumber, OfAnInfiniteBoundHasOne) {
+  const BoundedNumber unknown{.value = 2.0, .bound = kInfinity};
+
+  EXPECT_EQ((BoundedNumber{.value = 0.0, .bound = 1.0} * unknown).bound, kInfinity);
+  EXPECT_EQ((unknown + BoundedNumber{.value = -2.0}).bound, kInfinity);
 }
 
 }  // namespace

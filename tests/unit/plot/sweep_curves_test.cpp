@@ -31,6 +31,15 @@ TEST(SweepTable, HasTheRowsOfItsText) {
   EXPECT_FALSE(sweep.rows[5].values[0].has_value());
 }
 
+TEST(SweepTable, TellsApartLabelsThatBeginWithAQuote) {
+  SweepTable sweep{.states = 2, .varied = {"h"}, .quantities = {"ratio"}, .rows = {}};
+  add_sweep_rows("1.0,\"\"\"q\"\" x\",1.5,solved\n1.0,\"q\"\" x\",2.5,solved\n", sweep);
+
+  ASSERT_EQ(sweep.rows.size(), 2U);
+  EXPECT_EQ(sweep.rows[0].label, "\"q\" x");
+  EXPECT_EQ(sweep.rows[1].label, "q\" x");
+}
+
 TEST(SweepFigure, RunsAlongTheParameterWithTheMostValues) {
   const Figure figure = sweep_figure(small_sweep(), "Sweep");
 
