@@ -25,16 +25,21 @@ SVG = "{http://www.w3.org/2000/svg}"
 # Planar and spatial, trains, ropes, gears in cases, many charts in one figure.
 FILES = ["planar/four_bar.yaml", "planar/slider_crank.yaml", "spatial/rssr.yaml",
          "spatial/ups_platform.yaml", "cables/block_and_tackle.yaml",
-         "transmissions/ravigneaux.yaml", "transmissions/zf_8hp70.yaml"]
+         "transmissions/ravigneaux.yaml", "transmissions/zf_8hp70.yaml",
+         "sweeps/four_bar_height.yaml"]
 GRAPHS = ["coupling-graph", "motion-graph", "action-graph", "power-flow"]
-CHARTS = ["speeds", "torques", "forces", "motion-curves", "paths"]
+CHARTS = ["speeds", "torques", "forces", "motion-curves", "paths", "sweep-curves"]
 
 
 def emitted(form: str, picture: str, file: Path) -> str | None:
     """None where the file has no such picture."""
     done = subprocess.run([PROGRAM, "plot", picture, "--emit", form, file],
                           capture_output=True, encoding="utf-8", check=False, timeout=120)
-    return done.stdout if done.returncode == 0 else None
+    if done.returncode == 0:
+        return done.stdout
+    if "E0909" not in done.stderr:
+        raise AssertionError(f"plot {picture} {file}: {done.returncode}\n{done.stderr}")
+    return None
 
 
 def run(program: list[str], text: str) -> subprocess.CompletedProcess[str]:

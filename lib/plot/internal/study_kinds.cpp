@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -58,6 +60,12 @@ std::string lack_of_sweep(const PictureSource& source) {
   if (source.sweep->rows.empty()) {
     return fmt::format("of the {} states of its sweep none is allowed, or they are too many",
                        source.sweep->states);
+  }
+  const bool has_value = std::ranges::any_of(source.sweep->rows, [](const SweepTableRow& row) {
+    return std::ranges::any_of(row.values, &std::optional<double>::has_value);
+  });
+  if (!has_value) {
+    return "no state of its sweep has an answer";
   }
   return sweep_of(source).charts.empty() ? "its sweep varies nothing that has two values" : "";
 }
