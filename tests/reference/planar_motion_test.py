@@ -325,6 +325,47 @@ class SixBars(MotionTest):
         return [x if unit == "deg" else math.degrees(x) for x in motion[column]]
 
 
+class SingularPositions(MotionTest):
+    """A parallelogram, whose links are in line where its crank has turned by a quarter."""
+
+    TEXT = """\
+kinestat: 1
+name: parallelogram
+space: planar
+ground: frame
+bodies: [crank, coupler, rocker]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, coupler], at: [0, 1]}
+  c: {type: revolute, bodies: [coupler, rocker], at: [3, 1]}
+  d: {type: revolute, bodies: [frame, rocker], at: [3, 0]}
+actuators: {Tin: {coupling: a}, Tout: {coupling: d}}
+cases:
+  one: {motion: {Tin: 1 rad/s}, action: {Tout: 1 N*m}, input: Tin, output: Tout}
+motion: {drive: Tin, from: %s deg, to: %s deg, steps: 1, case: one,
+         report: [d.wz, ratio, power, action]}
+"""
+
+    def test_have_positions_alone(self) -> None:
+        motion = run(self.TEXT % ("0", "90.0000001"))
+        last = dict(zip(motion.names, motion.rows[1]))
+        self.assertEqual(last["status"], "singular")
+        self.close(last["d.wz/position"], math.radians(90.0000001), 1e-9, "position")
+        for name, value in last.items():
+            if name.split("/")[-1] in ("velocity", "ratio", "power", "action"):
+                self.assertIsNone(value, name)
+
+    def test_are_found_on_the_way_and_nowhere_else(self) -> None:
+        for start in ("0", "89", "89.9", "89.99"):
+            (place,) = run(self.TEXT % (start, "100")).events("singular")
+            self.close(place, math.pi / 2, 1e-9, start)
+
+    def test_too_near_to_begin_at_are_refused(self) -> None:
+        """Rather than told in a wrong place."""
+        motion = run(self.TEXT % ("89.9998", "100"), status=5)
+        self.assertEqual(motion.report["status"], "lost")
+
+
 class Tables(MotionTest):
     def test_are_the_same_in_csv(self) -> None:
         path = in_library("planar/four_bar.yaml")
