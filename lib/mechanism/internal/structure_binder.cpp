@@ -78,6 +78,7 @@ class StructureBinder {
 
  private:
   void bind_bodies() {
+    topology_.bodies.reserve(description_.bodies.size() + 1);
     add_body(description_.ground);
     for (const BodyDescription& body : description_.bodies) {
       if (body.name.text == description_.ground.text) {
