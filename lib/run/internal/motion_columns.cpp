@@ -273,8 +273,11 @@ class ReadingList {
             "action",
             topology_.actions[i].is_couple ? MotionKind::moment : MotionKind::force,
             [i](const MotionPosition& at) -> std::optional<double> {
-              const auto& action = at.solved->action;
-              return action && i < action->magnitudes.size() ? action->magnitudes[i] : std::nullopt;
+              if (!at.solved || !at.solved->action) {
+                return std::nullopt;
+              }
+              const auto& magnitudes = at.solved->action->magnitudes;
+              return i < magnitudes.size() ? magnitudes[i] : std::nullopt;
             });
       }
     }
@@ -289,8 +292,8 @@ class ReadingList {
             "power",
             MotionKind::power,
             [i](const MotionPosition& at) -> std::optional<double> {
-              return at.solved->power ? std::optional(at.solved->power->actuators[i])
-                                      : std::nullopt;
+              return at.solved && at.solved->power ? std::optional(at.solved->power->actuators[i])
+                                                   : std::nullopt;
             });
       }
     }
@@ -303,7 +306,8 @@ class ReadingList {
           "power",
           MotionKind::power,
           [i](const MotionPosition& at) -> std::optional<double> {
-            return at.solved->power ? std::optional(at.solved->power->loads[i]) : std::nullopt;
+            return at.solved && at.solved->power ? std::optional(at.solved->power->loads[i])
+                                                 : std::nullopt;
           });
     }
   }
@@ -337,7 +341,8 @@ class ReadingList {
     readings_.push_back({.column = {.element = output_name(), .quantity = quantity, .unit = ""},
                          .kind = MotionKind::number,
                          .value = [ratio](const MotionPosition& at) -> std::optional<double> {
-                           return at.solved->ratios ? ratio(*at.solved).value : std::nullopt;
+                           return at.solved && at.solved->ratios ? ratio(*at.solved).value
+                                                                 : std::nullopt;
                          }});
   }
 
