@@ -219,12 +219,14 @@ class MotionSolver {
 
   void follow(PathPoint& now) {
     tracker_.set_range(from_, to_);
-    double moved = 0.0;
-    if (!tracker_.close(now, moved)) {
-      solution_.status = MotionStatus::lost_branch;
-      return;
+    if (!tracker_.is_beside_change_point()) {
+      double moved = 0.0;
+      if (!tracker_.close(now, moved)) {
+        solution_.status = MotionStatus::lost_branch;
+        return;
+      }
+      tracker_.find_rates(now);
     }
-    tracker_.find_rates(now);
     const auto positions = at(task_.steps + 1);
     solution_.shares.reserve(positions);
     solution_.misclosures.reserve(positions);

@@ -197,6 +197,22 @@ class FourBars(MotionTest):
             turned_by = motion[f"{body}/rotation/z"][-1]
             self.close(turned_by, 2 * turns * math.pi if body == "crank" else 0.0, 1e-11, body)
 
+    def test_of_many_turns_are_followed_to_their_rounding(self) -> None:
+        turns = 2500
+        last = 2 * math.pi * turns + 0.3
+        rounding = 16 * sys.float_info.epsilon * last
+        motion = run(FOUR_BAR.format(CAZANGI, 0.0, last, 1))
+        self.assertEqual(motion.report["status"], "complete")
+        self.assertLessEqual(motion.report["closure"]["largest"], rounding)
+        self.close(motion["d.wz/position"][-1], CAZANGI.rocker(0.3), rounding, "rocker")
+        found = motion.events("dead_point", "d.wz")
+        expected = [angle + 2 * math.pi * turn for turn in range(turns + 1)
+                    for angle in positive(CAZANGI.rocker_dead_points())]
+        expected = [angle for angle in expected if angle < last]
+        self.assertEqual(len(found), len(expected))
+        for one, actual in zip(expected, found):
+            self.close(actual, one, DEAD_POINT, "dead point")
+
     def test_find_a_dead_point_in_the_step_before_a_limit(self) -> None:
         """Crank and coupler in line, 16 deg before coupler and rocker are."""
         crank, coupler, rocker, ground = 2.0, 0.58, 1.35, 3.74
@@ -360,10 +376,26 @@ motion: {drive: Tin, from: %s deg, to: %s deg, steps: 1, case: one,
             (place,) = run(self.TEXT % (start, "100")).events("singular")
             self.close(place, math.pi / 2, 1e-9, start)
 
-    def test_too_near_to_begin_at_are_refused(self) -> None:
-        """Rather than told in a wrong place."""
-        motion = run(self.TEXT % ("89.9998", "100"), status=5)
-        self.assertEqual(motion.report["status"], "lost")
+    def test_may_be_where_a_motion_begins(self) -> None:
+        """The parallelogram stays one, from there forwards and back."""
+        for start in (90, 89.9999999, 89.99999, 89.9998, 90.0000001, 90.00001, 90.0002, -90,
+                      -89.9998, 270.00001):
+            for end in (100, 0, -100, 280):
+                motion = run(self.TEXT % (start, end))
+                for crank, rocker in zip(motion["Tin/drive"], motion["d.wz/position"]):
+                    self.close(rocker, crank, 1e-9, f"{start} to {end}")
+                self.close(motion["Tin/drive"][-1], math.radians(end), 1e-12, f"{start} to {end}")
+                self.assertEqual([round(math.degrees(place), 6)
+                                  for place in motion.events("singular")],
+                                 self.passed(0, start) + self.passed(start, end)[start in (90, -90):],
+                                 f"{start} to {end}")
+
+    @staticmethod
+    def passed(start: float, end: float) -> list[float]:
+        """The odd quarters of a turn from start to end, both included."""
+        quarters = [quarter for quarter in (-270, -90, 90, 270)
+                    if min(start, end) <= quarter <= max(start, end)]
+        return quarters if end > start else quarters[::-1]
 
 
 class Tables(MotionTest):

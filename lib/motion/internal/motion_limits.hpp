@@ -33,6 +33,9 @@ inline constexpr double kNearby = 0.01;
 /// All turns in a step together, so that full turns can be counted [rad].
 inline constexpr double kMostTurnInStep = 3.0;
 
+/// Coordinates of many turns are rounded: so many of their roundings may be missed.
+inline constexpr double kTurnRoundings = 8.0;
+
 /// How far a freedom is tried.
 inline constexpr double kTrialStep = 0.01;
 

@@ -19,7 +19,7 @@ ArcPoint PathTracker<Frames>::arc_point(const PathPoint& now) {
   for (std::size_t i = 0; i < unknown_.size(); ++i) {
     arc.tangent[i] = now.rates[at(unknown_[i])];
   }
-  arc.tangent.back() = scale_;
+  arc.tangent.back() = line_.scale;
   system_.evaluate(arc.coordinates, arc.angles);
   augmented_matrix(arc.matrix);
   const std::vector<double> along = arc.tangent;
@@ -37,7 +37,7 @@ void PathTracker<Frames>::augmented_matrix(std::vector<double>& matrix) const {
   for (std::size_t d = 0; d < driven_.size(); ++d) {
     const double* column = system_.jacobian().data() + driven_[d] * rows;
     for (int r = 0; r < rows; ++r) {
-      last[r] += column[r] * reach_[d] / scale_;
+      last[r] += column[r] * line_.reach[d] / line_.scale;
     }
   }
 }
@@ -72,7 +72,7 @@ void PathTracker<Frames>::move_arc(std::span<const double> by, ArcPoint& point) 
   for (std::size_t i = 0; i < unknown_.size(); ++i) {
     correction_[at(unknown_[i])] = by[i];
   }
-  point.share += by[unknown_.size()] / scale_;
+  point.share += by[unknown_.size()] / line_.scale;
   system_.move(correction_, point.coordinates);
   set_drives(point.share, point.coordinates);
 }
@@ -169,8 +169,8 @@ double PathTracker<Frames>::arc_orientation(const ArcPoint& a, const ArcPoint& b
 
 template <class Frames>
 Arrival PathTracker<Frames>::walk_arc(PathPoint& now, double share) {
-  ArcPoint here = resumption_ ? resumption_->from : arc_point(now);
-  bool has_noted = resumption_ && resumption_->has_noted;
+  ArcPoint here = resumption_ ? resumption_->before : arc_point(now);
+  bool has_noted = resumption_ && resumption_->has_passed;
   resumption_.reset();
   ArcPoint there = here;
   double length = kFirstArc;
@@ -216,7 +216,7 @@ void PathTracker<Frames>::note_special(SpecialKind kind,
                                        double uncertainty) {
   special_.push_back({.kind = kind,
                       .share = point.share,
-                      .uncertainty = uncertainty / scale_,
+                      .uncertainty = uncertainty / line_.scale,
                       .drive_values = {},
                       .configuration = {.coordinates = point.coordinates, .angles = point.angles}});
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "motion/internal/motion_limits.hpp"
 #include "motion/internal/path_tracker.hpp"
@@ -76,7 +77,7 @@ bool PathTracker<Frames>::arrive(const Destination& to, PathPoint& now) {
   set_drives(to.share, now.coordinates);
   if (now.flatness > kFlatClosure && !now.is_singular) {
     double moved = 0.0;
-    if (!close(now, moved) || moved > kArrivedShare * scale_) {
+    if (!close(now, moved) || moved > kArrivedShare * line_.scale) {
       return false;
     }
     find_rates(now);
@@ -113,8 +114,37 @@ bool PathTracker<Frames>::arrive_beside(const Destination& to,
   if (has_passed) {
     note_crossing(crossing);
   }
-  resumption_ = {.from = to.from, .has_noted = crossing.is_noted || has_passed};
+  resumption_ = {.before = to.from,
+                 .behind = crossing.around.points.back(),
+                 .is_at = std::abs(low - crossing.place) <= kChangePointBracket,
+                 .has_passed = crossing.is_noted || has_passed};
   return true;
+}
+
+// To the present line of the drives; the arc is another one if they leave the last line.
+template <class Frames>
+void PathTracker<Frames>::turn_resumption(const DriveLine& last) {
+  const int sense = line_.sense_in(last);
+  if (sense == 0) {
+    resumption_.reset();
+    return;
+  }
+  Resumption& beside = *resumption_;
+  for (ArcPoint* point : {&beside.before, &beside.behind}) {
+    point->share = line_.share_of(last, point->share);
+    if (sense < 0) {
+      // The last component and column are those of the drives, which now run the other way.
+      const double by_drives = point->tangent.back();
+      std::ranges::transform(point->tangent, point->tangent.begin(), std::negate());
+      point->tangent.back() = by_drives;
+      const auto drives = point->matrix.end() - system_.row_count();
+      std::transform(drives, point->matrix.end(), drives, std::negate());
+    }
+  }
+  if (sense < 0) {
+    std::swap(beside.before, beside.behind);
+    beside.has_passed = beside.is_at || !beside.has_passed;
+  }
 }
 
 // Where the drives turn back: the last component of the tangent is zero.
@@ -141,9 +171,11 @@ void PathTracker<Frames>::find_limit(const ArcPoint& from,
 
 template bool PathTracker<PlanarFrames>::arrive(const Destination&, PathPoint&);
 template void PathTracker<PlanarFrames>::find_limit(const ArcPoint&, const ArcBracket&, PathPoint&);
+template void PathTracker<PlanarFrames>::turn_resumption(const DriveLine&);
 template bool PathTracker<SpatialFrames>::arrive(const Destination&, PathPoint&);
 template void PathTracker<SpatialFrames>::find_limit(const ArcPoint&,
                                                      const ArcBracket&,
                                                      PathPoint&);
+template void PathTracker<SpatialFrames>::turn_resumption(const DriveLine&);
 
 }  // namespace kinestat

@@ -31,8 +31,8 @@ PathTracker<Frames>::PathTracker(const MotionNetwork& network)
   is_square_ = system_.row_count() == static_cast<int>(unknown_.size()) && passive_count_ == 0;
   const bool has_surplus = system_.row_count() > static_cast<int>(unknown_.size()) - passive_count_;
   accepted_ = has_surplus ? kAcceptedMisclosure : kTrialClosure;
-  from_.assign(driven_.size(), 0.0);
-  reach_.assign(driven_.size(), 0.0);
+  const std::vector<double> still(driven_.size(), 0.0);
+  line_ = DriveLine::between(still, still);
   const std::size_t rates = at(network.rate_count);
   const std::size_t rows = at(system_.row_count());
   right_.resize(rows + 1);
@@ -55,21 +55,17 @@ PathPoint PathTracker<Frames>::make_point() const {
 
 template <class Frames>
 void PathTracker<Frames>::set_range(std::span<const double> from, std::span<const double> to) {
-  scale_ = 0.0;
-  for (std::size_t d = 0; d < driven_.size(); ++d) {
-    from_[d] = from[d];
-    reach_[d] = to[d] - from[d];
-    scale_ = std::max(scale_, std::abs(reach_[d]));
-  }
-  scale_ = scale_ > 0.0 ? scale_ : 1.0;
-  resumption_.reset();
+  const DriveLine last = std::exchange(line_, DriveLine::between(from, to));
   trail_.clear();
+  if (resumption_) {
+    turn_resumption(last);
+  }
 }
 
 template <class Frames>
 void PathTracker<Frames>::set_drives(double share, std::span<double> coordinates) const {
   for (std::size_t d = 0; d < driven_.size(); ++d) {
-    coordinates[at(drive_coordinates_[d])] = from_[d] + share * reach_[d];
+    coordinates[at(drive_coordinates_[d])] = line_.value(d, share);
   }
 }
 
@@ -83,6 +79,12 @@ void PathTracker<Frames>::gather(std::span<const int> columns, std::vector<doubl
     std::copy_n(from + column * rows, rows, to);
     to += rows;
   }
+}
+
+// Of its coordinates, which are large after many turns.
+template <class Frames>
+double PathTracker<Frames>::rounding_of(const PathPoint& point) {
+  return kTurnRoundings * kEpsilon * largest(point.coordinates);
 }
 
 template <class Frames>
@@ -109,10 +111,10 @@ bool PathTracker<Frames>::close(PathPoint& point, double& moved) {
         system_.residuals(), right_.begin(), [](double residual) { return -residual; });
     qr_.solve(right_, solved_);
     const double size = largest(std::span(solved_).first(unknown_.size()));
-    if (size > last && !is_closed) {
+    if (size > last && !is_closed && size > rounding_of(point)) {
       return false;
     }
-    is_last = size <= kLeastCorrection;
+    is_last = size <= kLeastCorrection || size > last;
     last = size;
     std::ranges::fill(correction_, 0.0);
     for (std::size_t i = 0; i < unknown_.size(); ++i) {
@@ -129,7 +131,7 @@ bool PathTracker<Frames>::close(PathPoint& point, double& moved) {
   }
   point.sign = qr_.sign();
   point.flatness = qr_.flatness();
-  if (!(point.misclosure <= accepted_)) {
+  if (!(point.misclosure <= accepted_ || point.misclosure <= rounding_of(point))) {
     return false;
   }
   system_.follow_angles(point.angles);
@@ -143,9 +145,9 @@ void PathTracker<Frames>::find_rates(PathPoint& point) {
   for (std::size_t d = 0; d < driven_.size(); ++d) {
     const double* column = system_.jacobian().data() + driven_[d] * rows;
     for (int r = 0; r < rows; ++r) {
-      right_[at(r)] -= column[r] * reach_[d];
+      right_[at(r)] -= column[r] * line_.reach[d];
     }
-    point.rates[at(driven_[d])] = reach_[d];
+    point.rates[at(driven_[d])] = line_.reach[d];
   }
   qr_.solve(right_, solved_);
   for (std::size_t i = 0; i < unknown_.size(); ++i) {
@@ -169,7 +171,7 @@ double PathTracker<Frames>::missed_rate(const PathPoint& point) const {
     }
     worst = std::max(worst, std::abs(sum));
   }
-  return worst / scale_;
+  return worst / line_.scale;
 }
 
 // Cubic through the last two points and their rates, or better.
@@ -197,8 +199,8 @@ void PathTracker<Frames>::predict(const PathPoint& now, const PathPoint& before,
 
 template <class Frames>
 bool PathTracker<Frames>::keeps_branch(const PathPoint& now, const PathPoint& next, double moved) {
-  if (next.is_singular || next.flatness < kFlatClosure || next.sign != now.sign ||
-      moved > kMostCorrection * largest(next.arrival)) {
+  const bool jumps = moved > kMostCorrection * largest(next.arrival) && moved > rounding_of(next);
+  if (next.is_singular || next.flatness < kFlatClosure || next.sign != now.sign || jumps) {
     return false;
   }
   double change = 0.0;
@@ -219,7 +221,7 @@ bool PathTracker<Frames>::try_step(const PathPoint& now,
                                    PathPoint& next) {
   predict(now, before, share - now.share);
   for (std::size_t d = 0; d < driven_.size(); ++d) {
-    step_[at(driven_[d])] = (share - now.share) * reach_[d];
+    step_[at(driven_[d])] = (share - now.share) * line_.reach[d];
   }
   if (largest(step_) > kLongestStep ||
       (follows_turns_ && system_.total_turn(step_) > kMostTurnInStep)) {
@@ -242,19 +244,21 @@ bool PathTracker<Frames>::try_step(const PathPoint& now,
 
 template <class Frames>
 Arrival PathTracker<Frames>::advance(PathPoint& now, PathPoint& before, double share) {
-  double step = share - now.share;
+  const double longest = kLongestStep / line_.scale;
+  double step = std::min(share - now.share, longest);
   const double least = kFinestShare * step;
   while (now.share < share) {
     const double next = now.share + step >= share - least ? share : now.share + step;
-    if (!now.is_singular && !resumption_ && try_step(now, before, next, trial_)) {
+    const bool is_regular = !now.is_singular && !resumption_;
+    if (is_regular && try_step(now, before, next, trial_)) {
       std::swap(before, now);
       std::swap(now, trial_);
       trail_.leave(now.rates, now.arrival, now.arrival_share);
-      step *= 2.0;
+      step = std::min(2.0 * step, longest);
       continue;
     }
     step *= 0.5;
-    if (step > least && !now.is_singular && !resumption_) {
+    if (step > least && is_regular && now.share + step > now.share) {
       continue;
     }
     const Arrival arrival = walk_arc(now, share);
@@ -306,12 +310,12 @@ void PathTracker<Frames>::land(const ArcPoint& arc, PathPoint& now) {
   now.flatness = qr_.flatness();
   now.is_singular = open_count() > passive_count_;
   now.matrix = matrix_;
-  const double by_share = scale_ / arc.tangent.back();
+  const double by_share = line_.scale / arc.tangent.back();
   for (std::size_t i = 0; i < unknown_.size(); ++i) {
     now.rates[at(unknown_[i])] = by_share * arc.tangent[i];
   }
   for (std::size_t d = 0; d < driven_.size(); ++d) {
-    now.rates[at(driven_[d])] = reach_[d];
+    now.rates[at(driven_[d])] = line_.reach[d];
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "motion/internal/arc_point.hpp"
 #include "motion/internal/closure_system.hpp"
+#include "motion/internal/drive_line.hpp"
 #include "motion/internal/pivoted_qr.hpp"
 #include "motion/internal/trail.hpp"
 #include "motion/motion_solution.hpp"
@@ -37,7 +38,9 @@ class PathTracker {
  public:
   explicit PathTracker(const MotionNetwork& network);
 
-  /// Where all drives run together from these values to those [rad, or sizes of the mechanism].
+  /// Where all drives run together from these values to those [rad, or sizes of the mechanism]. A
+  /// way that arrived beside a change point goes on from there if they keep their directions or all
+  /// turn back.
   void set_range(std::span<const double> from, std::span<const double> to);
 
   /// Puts the drives where the share has them.
@@ -73,18 +76,26 @@ class PathTracker {
 
   bool has_special() const { return !special_.empty(); }
 
+  /// Whether the last way arrived so near a change point that Newton would lose digits there, and
+  /// the next one can go on all the same.
+  bool is_beside_change_point() const { return resumption_.has_value(); }
+
   ClosureSystem<Frames>& system() { return system_; }
 
  private:
-  // Of a point beside a change point: the regular one from which the arc led there.
+  // Of a point beside a change point: the regular ones before and behind both on the arc.
   struct Resumption {
-    ArcPoint from;
-    bool has_noted = false;  // the change point among what was passed
+    ArcPoint before;
+    ArcPoint behind;
+    bool is_at = false;       // the change point itself
+    bool has_passed = false;  // or it
   };
 
+  void turn_resumption(const DriveLine& last);
   void gather(std::span<const int> columns, std::vector<double>& matrix) const;
   bool try_step(const PathPoint& now, const PathPoint& before, double share, PathPoint& next);
   void predict(const PathPoint& now, const PathPoint& before, double step);
+  static double rounding_of(const PathPoint& point);
   bool keeps_branch(const PathPoint& now, const PathPoint& next, double moved);
   Arrival walk_arc(PathPoint& now, double share);
   bool try_arc(const ArcPoint& from, double length, ArcPoint& to);
@@ -117,9 +128,7 @@ class PathTracker {
   std::vector<int> unknown_;  ///< the other rates
   int passive_count_ = 0;
   double accepted_ = 0.0;  ///< misclosure that may be left where Newton ends
-  std::vector<double> from_;
-  std::vector<double> reach_;  ///< to - from
-  double scale_ = 1.0;         ///< the largest of them
+  DriveLine line_;
   bool follows_turns_ = false;
   bool is_square_ = false;  ///< as many conditions as unknowns, and none is passive
   Trail trail_;
