@@ -234,9 +234,11 @@ void add_motion(const MotionTable& motion, Sentences& sentences) {
                                    drive.unit);
     if (motion.end == MotionEnd::not_assembled) {
       text += ", but the drawn position cannot be assembled";
-    } else if (motion.end != MotionEnd::complete && drive.reached) {
-      text += fmt::format(
-          ", but comes no further than {} {}", format_short(*drive.reached), drive.unit);
+    } else if (motion.end != MotionEnd::complete) {
+      text += drive.reached ? fmt::format(", but comes no further than {} {}",
+                                          format_short(*drive.reached),
+                                          drive.unit)
+                            : ", but the motion cannot begin";
     }
     sentences.push_back(text + ".");
   }

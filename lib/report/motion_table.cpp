@@ -8,6 +8,8 @@ std::string_view word_of(MotionEnd end) {
       return "complete";
     case MotionEnd::limited:
       return "limited";
+    case MotionEnd::locked:
+      return "locked";
     case MotionEnd::lost:
       return "lost";
     case MotionEnd::not_assembled:

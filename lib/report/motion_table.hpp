@@ -13,6 +13,7 @@ namespace kinestat {
 enum class MotionEnd {
   complete,      ///< at the positions that the file asks for
   limited,       ///< a drive came to its limit before
+  locked,        ///< the drives cannot move at all, or not together
   lost,          ///< the branch could not be followed
   not_assembled  ///< the drawn position does not close
 };

@@ -113,6 +113,8 @@ class MotionWriter {
         return "";
       case MotionEnd::limited:
         return ": comes to its limit" + where;
+      case MotionEnd::locked:
+        return motion_.drives.size() > 1 ? ": cannot run with the others" : ": cannot run";
       case MotionEnd::lost:
         return ": could not be followed beyond" + (drive.reached ? where.substr(3) : " the start");
       case MotionEnd::not_assembled:
@@ -171,6 +173,11 @@ class MotionWriter {
     return fmt::format(" +- {:.0e}{}{}", event.uncertainty, unit.empty() ? "" : " ", unit);
   }
 
+  static std::string when_text(const MotionEvent& event) {
+    return event.step < 0 ? ", on the way to where the motion begins"
+                          : fmt::format(", after step {}", event.step);
+  }
+
   std::string events_text() const {
     std::string text;
     const std::size_t count = std::min(motion_.events.size(), kMostEvents);
@@ -184,7 +191,7 @@ class MotionWriter {
                             motion_.drives[d].name,
                             amount(event.drive[d], motion_.drives[d].unit));
       }
-      text += fmt::format("{}, after step {}\n", bracket_text(event), event.step);
+      text += bracket_text(event) + when_text(event) + "\n";
     }
     if (count < motion_.events.size()) {
       text += fmt::format("  and {} more\n", motion_.events.size() - count);

@@ -214,7 +214,10 @@ class Findings {
                                                      drives_text(table_.events.back().drive)),
                              drive.name,
                              with_unit(has_begun ? drive.to : drive.from, drive.unit)),
-                 "the report goes up to there; end the motion before, or drive another coupling");
+                 has_begun && !table_.rows.empty()
+                     ? "the report goes up to there; end the motion before, or drive another "
+                       "coupling"
+                     : "let the motion begin and end before that, or drive another coupling");
   }
 
   void add_locked() const {
@@ -251,16 +254,21 @@ class Findings {
   }
 
   void add_lost() const {
-    const bool has_moved = table_.rows.size() > 0;
-    found_.error(
-        "E0506",
-        place_of_drive(),
-        has_moved ? fmt::format("the motion cannot be followed beyond {}", reached_text().substr(3))
-                  : std::string("the motion cannot leave the drawn position"),
-        motion_.solution.status == MotionStatus::singular
-            ? "several motions begin there, or none; start from another position, or take more "
-              "drives"
-            : "take more steps, or end the motion before");
+    const bool is_singular = motion_.solution.status == MotionStatus::singular;
+    const std::string_view hint =
+        is_singular ? "several motions begin there, or none; start from another position, or take "
+                      "more drives"
+        : table_.rows.size() <= 1
+            ? "a singular position lies next to where it begins: begin farther from that, or draw "
+              "the mechanism farther from it"
+            : "other branches come too near there: end the motion before, or go another way with "
+              "more drives";
+    found_.error("E0506",
+                 place_of_drive(),
+                 table_.rows.empty() ? std::string("the motion cannot leave the drawn position")
+                                     : fmt::format("the motion cannot be followed beyond {}",
+                                                   reached_text().substr(3)),
+                 std::string(hint));
   }
 
   const FoundMotion& motion_;

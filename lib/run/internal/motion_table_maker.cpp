@@ -20,8 +20,9 @@ MotionEnd end_of(MotionStatus status) {
     case MotionStatus::completed:
       return MotionEnd::complete;
     case MotionStatus::limit:
-    case MotionStatus::locked:
       return MotionEnd::limited;
+    case MotionStatus::locked:
+      return MotionEnd::locked;
     case MotionStatus::not_assembled:
       return MotionEnd::not_assembled;
     case MotionStatus::singular:
