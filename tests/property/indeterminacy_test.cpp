@@ -19,10 +19,10 @@ namespace {
 
 class Indeterminacy : public RandomNetworks {};
 
-INSTANTIATE_TEST_SUITE_P(Seed, Indeterminacy, ::testing::Range(0, kFirstSmallSeed, kShardSize));
+INSTANTIATE_TEST_SUITE_P(Seed, Indeterminacy, ::testing::Range(0, kFirstSmallSeed, kToNextShard));
 INSTANTIATE_TEST_SUITE_P(SmallSpatialSeed,
                          Indeterminacy,
-                         ::testing::Range(kFirstSmallSeed, kSeedCount, kSmallShardSize));
+                         ::testing::Range(kFirstSmallSeed, kSeedCount, kToNextSmallShard));
 
 // Half of the primaries that the network needs, and loads that it can hold.
 struct Problem {

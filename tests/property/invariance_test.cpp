@@ -19,7 +19,7 @@ class Invariance : public RandomNetworks {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Seed, Invariance, ::testing::Range(0, kFirstSmallSeed, kShardSize));
+INSTANTIATE_TEST_SUITE_P(Seed, Invariance, ::testing::Range(0, kFirstSmallSeed, kToNextShard));
 
 TEST_P(Invariance, OfAllAnswersToAnotherSpanningTree) {
   for_each_trial(

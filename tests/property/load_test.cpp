@@ -17,10 +17,10 @@ namespace {
 
 class Loads : public RandomNetworks {};
 
-INSTANTIATE_TEST_SUITE_P(Seed, Loads, ::testing::Range(0, kFirstSmallSeed, kShardSize));
+INSTANTIATE_TEST_SUITE_P(Seed, Loads, ::testing::Range(0, kFirstSmallSeed, kToNextShard));
 INSTANTIATE_TEST_SUITE_P(SmallSpatialSeed,
                          Loads,
-                         ::testing::Range(kFirstSmallSeed, kSeedCount, kSmallShardSize));
+                         ::testing::Range(kFirstSmallSeed, kSeedCount, kToNextSmallShard));
 
 TEST_P(Loads, AreHeldByActionsThatSatisfyTheCutsetLaw) {
   for_each_network([](const RandomNetwork&, const NetworkCase& network, std::uint64_t seed) {

@@ -6,7 +6,7 @@
 namespace kinestat {
 namespace {
 
-INSTANTIATE_TEST_SUITE_P(Seed, RandomNetworks, ::testing::Range(0, kFirstSmallSeed, kShardSize));
+INSTANTIATE_TEST_SUITE_P(Seed, RandomNetworks, ::testing::Range(0, kFirstSmallSeed, kToNextShard));
 
 TEST_P(RandomNetworks, HaveCircuitsOrthogonalToCutsets) {
   for_each_network([](const RandomNetwork&, const NetworkCase& network, std::uint64_t) {
