@@ -6,23 +6,10 @@
 #include <vector>
 
 #include "report/motion_table.hpp"
+#include "run/internal/motion_kind.hpp"
 #include "run/internal/motion_position.hpp"
 
 namespace kinestat {
-
-/// Values of one kind, in SI; those that are rounding beside the largest of their kind are zero.
-enum class MotionKind {
-  angle,
-  length,
-  angular_velocity,
-  velocity,
-  angular_acceleration,
-  acceleration,
-  moment,
-  force,
-  power,
-  number
-};
 
 /// A column and how its value is read [SI].
 struct MotionReading {
@@ -40,9 +27,5 @@ std::vector<MotionReading> motion_readings(const MechanismDescription& descripti
                                            const Mechanism& mechanism,
                                            const MotionPlan& plan,
                                            const MotionPosition& first);
-
-/// A value of that kind in the unit of the file, and the unit.
-double in_file_unit(const FileUnits& units, MotionKind kind, double value);
-std::string unit_text(const FileUnits& units, MotionKind kind);
 
 }  // namespace kinestat

@@ -12,7 +12,7 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "report/numbers.hpp"
-#include "run/internal/motion_columns.hpp"
+#include "run/internal/motion_kind.hpp"
 
 namespace kinestat {
 
