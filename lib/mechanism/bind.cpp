@@ -191,7 +191,7 @@ std::optional<Mechanism> bind_for(Purpose purpose,
     const bool is_good = bind_whole_structure(context, spaces, result);
     if (!is_good || !has_all_screws(description)) {
       check_cases(description, evaluator);
-      check_case_names(description, found);
+      check_case_names(context);
     } else if (bind_graph(description, found, result)) {
       result.cases = bind_cases(description, result.topology, evaluator, found);
       result.planet_counts = bind_planet_counts(description, result.topology, evaluator);

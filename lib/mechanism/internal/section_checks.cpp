@@ -19,10 +19,10 @@ void check_sections(const SectionContext& context) {
   check_synthesis(context);
 }
 
-void check_case_names(const MechanismDescription& description, Diagnostics& found) {
-  Diagnostics said_elsewhere;
-  const DeclaredNames names = declare_names(description, said_elsewhere);
-  for (const CaseDescription& one : description.cases) {
+void check_case_names(const SectionContext& context) {
+  const DeclaredNames& names = context.names;
+  Diagnostics& found = context.found;
+  for (const CaseDescription& one : context.description.cases) {
     for (const auto* side : {&one.motions, &one.actions}) {
       for (const Assignment& known : *side) {
         const std::string owner = known.target.text.substr(0, known.target.text.find('.'));
@@ -41,7 +41,7 @@ void check_case_names(const MechanismDescription& description, Diagnostics& foun
       names.check_actuator(output, "'output' names", found);
     }
   }
-  for (const Name& branch : description.tree.value_or(std::vector<Name>{})) {
+  for (const Name& branch : context.description.tree.value_or(std::vector<Name>{})) {
     names.couplings.check(branch, "the tree names", found);
   }
 }

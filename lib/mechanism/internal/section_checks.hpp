@@ -14,7 +14,7 @@ void check_sections(const SectionContext& context);
 /// Complains of inputs and outputs of cases that are no actuators, of knowns whose coupling or
 /// actuator is not declared, and of couplings of the tree that are not: for a mechanism whose
 /// freedoms and actions have no names yet.
-void check_case_names(const MechanismDescription& description, Diagnostics& found);
+void check_case_names(const SectionContext& context);
 
 /// Complains of the freedoms and actions that `motion` and `sweep` report although their couplings
 /// do not have them. The topology must hold all couplings, those of gears and cables too.
