@@ -10,6 +10,27 @@
 
 namespace kinestat {
 
+namespace {
+
+// Their couplings or actuators.
+void check_knowns(const std::vector<Assignment>& knowns, const SectionContext& context) {
+  const DeclaredNames& names = context.names;
+  for (const Assignment& known : knowns) {
+    const std::string owner = known.target.text.substr(0, known.target.text.find('.'));
+    const bool is_dotted = owner.size() < known.target.text.size();
+    const bool is_declared =
+        is_dotted ? names.couplings.contains(owner) : names.actuators.contains(owner);
+    const Name target{.text = owner, .where = known.target.where};
+    if (!is_declared && is_dotted) {
+      names.couplings.check(target, "a case knows something of", context.found);
+    } else if (!is_declared) {
+      names.check_actuator(target, "a case knows", context.found);
+    }
+  }
+}
+
+}  // namespace
+
 void check_sections(const SectionContext& context) {
   check_bodies(context);
   check_losses(context);
@@ -23,17 +44,8 @@ void check_case_names(const SectionContext& context) {
   const DeclaredNames& names = context.names;
   Diagnostics& found = context.found;
   for (const CaseDescription& one : context.description.cases) {
-    for (const auto* side : {&one.motions, &one.actions}) {
-      for (const Assignment& known : *side) {
-        const std::string owner = known.target.text.substr(0, known.target.text.find('.'));
-        const bool is_dotted = owner.size() < known.target.text.size();
-        if (is_dotted ? !names.couplings.contains(owner) : !names.actuators.contains(owner)) {
-          const Name target{.text = owner, .where = known.target.where};
-          is_dotted ? names.couplings.check(target, "a case knows something of", found)
-                    : names.check_actuator(target, "a case knows", found);
-        }
-      }
-    }
+    check_knowns(one.motions, context);
+    check_knowns(one.actions, context);
     for (const Name& input : one.inputs) {
       names.check_actuator(input, "'input' names", found);
     }

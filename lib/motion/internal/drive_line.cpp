@@ -18,16 +18,15 @@ DriveLine DriveLine::between(std::span<const double> from, std::span<const doubl
 }
 
 int DriveLine::sense_in(const DriveLine& other) const {
-  const auto runs = [&](double sense) {
-    for (std::size_t d = 0; d < reach.size(); ++d) {
-      const double off = reach[d] / scale - sense * other.reach[d] / other.scale;
-      if (std::abs(off) > kSameStep) {
-        return false;
-      }
-    }
-    return true;
-  };
-  return runs(1.0) ? 1 : runs(-1.0) ? -1 : 0;
+  double along = 0.0;
+  double against = 0.0;
+  for (std::size_t d = 0; d < reach.size(); ++d) {
+    const double here = reach[d] / scale;
+    const double there = other.reach[d] / other.scale;
+    along = std::max(along, std::abs(here - there));
+    against = std::max(against, std::abs(here + there));
+  }
+  return along <= kSameStep ? 1 : against <= kSameStep ? -1 : 0;
 }
 
 double DriveLine::share_of(const DriveLine& other, double share) const {
