@@ -45,7 +45,7 @@ struct FilePage {
   std::optional<MechanismDescription> description;  ///< empty for a file that cannot be read
   std::optional<Analysis> analysis;
   std::optional<MobilityAnalysis> mobility;
-  std::optional<PageMotion> motion;          ///< of the mechanism of the analysis
+  std::optional<PageMotion> motion;          ///< drawn only where there is an analysis
   std::vector<PageSensitivity> sensitivity;  ///< of cases, where the file has parameters
   std::optional<SweepTable> sweep;           ///< without rows where they are too many
   std::optional<SynthesisAnalysis> synthesis;

@@ -12,6 +12,7 @@
 #include "motion/moved_mechanism.hpp"
 #include "plot/html_report.hpp"
 #include "report/certified_report.hpp"
+#include "report/motion_report.hpp"
 #include "run/each_file.hpp"
 #include "run/mobility.hpp"
 #include "run/motion.hpp"
@@ -22,22 +23,6 @@
 namespace kinestat {
 
 namespace {
-
-// Every pass reads the description anew and says again what is wrong with it.
-void add_new(const Diagnostics& more, Diagnostics& found) {
-  for (const Diagnostic& one : more.items()) {
-    const bool is_known = std::ranges::any_of(found.items(), [&](const Diagnostic& other) {
-      return other.code == one.code && other.where == one.where && other.message == one.message;
-    });
-    if (is_known) {
-      continue;
-    }
-    Diagnostic& added = one.severity == Severity::error
-                            ? found.error(one.code, one.where, one.message, one.hint)
-                            : found.warning(one.code, one.where, one.message, one.hint);
-    added.notes = one.notes;
-  }
-}
 
 // Where the bodies and the traced points are in every position.
 PageMotion page_motion(const FoundMotion& motion, const Mechanism& mechanism) {
@@ -73,6 +58,9 @@ class PageBuilder {
     page_.description = load_description(path_, options_.load, page_.source, page_.found);
     if (page_.description) {
       analyse();
+      if (!page_.analysis) {
+        move_alone();
+      }
       sweep();
       synthesize();
     }
@@ -94,7 +82,9 @@ class PageBuilder {
                                          page_.found);
       if (certified) {
         const Analysis& analysis = certified->analysis;
-        move(analysis);
+        if (analysis.description.motion) {
+          move(analysis.mechanism, page_.found);
+        }
         add_data("report",
                  make_certified_report(analysis,
                                        certified->certainty,
@@ -115,14 +105,30 @@ class PageBuilder {
     }
   }
 
-  // The section `motion`, if there is one.
-  void move(const Analysis& analysis) {
-    const std::optional<FoundMotion> motion =
-        analysis.description.motion
-            ? find_motion(analysis.description, analysis.mechanism, page_.found)
-            : std::nullopt;
+  void move(const Mechanism& mechanism, Diagnostics& found) {
+    const std::optional<FoundMotion> motion = find_motion(*page_.description, mechanism, found);
     if (motion) {
-      page_.motion = page_motion(*motion, analysis.mechanism);
+      page_.motion = page_motion(*motion, mechanism);
+    }
+  }
+
+  // A motion closes a drawing that does not close before it begins.
+  void move_alone() {
+    if (!page_.description->motion) {
+      return;
+    }
+    Diagnostics found;
+    if (const auto mechanism = bind_drawn_apart(*page_.description, found)) {
+      move(*mechanism, found);
+    }
+    add_new(found, page_.found);
+    if (page_.motion) {
+      add_data(
+          "motion",
+          make_motion_report(
+              {.file = path_, .description = *page_.description, .motion = page_.motion->table},
+              kForms,
+              page_.found));
     }
   }
 
@@ -151,7 +157,7 @@ class PageBuilder {
   }
 
   void sweep() {
-    if (!page_.description->sweep || page_.found.has_errors()) {
+    if (!page_.description->sweep) {
       return;
     }
     Diagnostics found;
@@ -160,7 +166,7 @@ class PageBuilder {
   }
 
   void synthesize() {
-    if (!page_.description->synthesis || page_.found.has_errors()) {
+    if (!page_.description->synthesis) {
       return;
     }
     Diagnostics found;

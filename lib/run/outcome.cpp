@@ -1,5 +1,8 @@
 #include "run/outcome.hpp"
 
+#include <set>
+#include <string>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,6 +22,25 @@ ExitStatus status_of(const Diagnostics& found, Strictness strictness) {
     }
   }
   return status;
+}
+
+void add_new(const Diagnostics& more, Diagnostics& found) {
+  const auto key = [](const Diagnostic& one) {
+    return std::tuple(one.where.line, one.where.column, one.code, one.message);
+  };
+  std::set<std::tuple<int, int, std::string_view, std::string>> known;
+  for (const Diagnostic& one : found.items()) {
+    known.insert(key(one));
+  }
+  for (const Diagnostic& one : more.items()) {
+    if (!known.insert(key(one)).second) {
+      continue;
+    }
+    Diagnostic& added = one.severity == Severity::error
+                            ? found.error(one.code, one.where, one.message, one.hint)
+                            : found.warning(one.code, one.where, one.message, one.hint);
+    added.notes = one.notes;
+  }
 }
 
 void add_diagnostics(const SourceFile& source,

@@ -30,6 +30,10 @@ struct Outcome {
 /// count as a failed check.
 ExitStatus status_of(const Diagnostics& found, Strictness strictness);
 
+/// Adds to `found` what it does not say yet: every pass reads the description anew, and says again
+/// what is wrong with it.
+void add_new(const Diagnostics& more, Diagnostics& found);
+
 /// Appends the diagnostics of one file, in the form of the outcome, and their status. As JSON a
 /// file without messages has its line too.
 void add_diagnostics(const SourceFile& source,

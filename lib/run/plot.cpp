@@ -112,42 +112,45 @@ class PictureJob {
                  fmt::format("'kinestat plot {} FILE' says which pictures it has", kListPictures));
   }
 
-  // Looks for it once. False if it was not found, with an error the first time.
+  // Looks for it once. False if it was not found, with an error the first time. What is wrong with
+  // one is no reason to leave out another.
   bool find(PictureNeed need) {
     std::optional<bool>& is_found = is_found_[static_cast<std::size_t>(need)];
     if (!is_found) {
-      is_found = solve(need);
+      Diagnostics found;
+      is_found = solve(need, found);
+      add_new(found, found_);
     }
     return *is_found;
   }
 
-  bool solve(PictureNeed need) {
+  bool solve(PictureNeed need, Diagnostics& found) {
     switch (need) {
       case PictureNeed::analysis:
-        return find_analysis();
+        return find_analysis(found);
       case PictureNeed::synthesis:
-        solutions_.synthesis = find_synthesis(path_, *description_, {}, found_);
+        solutions_.synthesis = find_synthesis(path_, *description_, {}, found);
         return solutions_.synthesis.has_value();
       case PictureNeed::benchmark:
-        return find_benchmark();
+        return find_benchmark(found);
       case PictureNeed::motion:
-        return find_motion_table();
+        return find_motion_table(found);
       case PictureNeed::sweep:
-        return find_sweep();
+        return find_sweep(found);
     }
     return false;
   }
 
-  std::optional<Mechanism> bind_mechanism() {
-    std::optional<Mechanism> mechanism = bind(*description_, found_);
-    if (!mechanism && !found_.has_errors()) {
-      refuse_without_mechanism(*description_, found_);
+  std::optional<Mechanism> bind_mechanism(Diagnostics& found) const {
+    std::optional<Mechanism> mechanism = bind(*description_, found);
+    if (!mechanism && !found.has_errors()) {
+      refuse_without_mechanism(*description_, found);
     }
     return mechanism;
   }
 
-  bool find_analysis() {
-    std::optional<Mechanism> mechanism = bind_mechanism();
+  bool find_analysis(Diagnostics& found) {
+    std::optional<Mechanism> mechanism = bind_mechanism(found);
     if (!mechanism) {
       return false;
     }
@@ -155,53 +158,53 @@ class PictureJob {
         path_,
         {.description = *description_, .mechanism = *std::move(mechanism), .shift = std::nullopt},
         options_.accuracy,
-        found_);
+        found);
     if (certified) {
       solutions_.analysis = std::move(certified->analysis);
     }
     return certified.has_value();
   }
 
-  bool find_motion_table() {
+  bool find_motion_table(Diagnostics& found) {
     if (!description_->motion) {
-      found_.error("E0303",
-                   {},
-                   "the file has no section 'motion'",
-                   "add motion: {drive: …, from: …, to: …}; 'kinestat help motion' says more");
+      found.error("E0303",
+                  {},
+                  "the file has no section 'motion'",
+                  "add motion: {drive: …, from: …, to: …}; 'kinestat help motion' says more");
       return false;
     }
     // Also of a drawing that does not close: the motion closes it first.
-    const std::optional<Mechanism> mechanism = bind_drawn_apart(*description_, found_);
+    const std::optional<Mechanism> mechanism = bind_drawn_apart(*description_, found);
     if (!mechanism) {
       return false;
     }
-    std::optional<FoundMotion> found = find_motion(*description_, *mechanism, found_);
-    if (found) {
-      solutions_.motion = std::move(found->table);
+    std::optional<FoundMotion> motion = find_motion(*description_, *mechanism, found);
+    if (motion) {
+      solutions_.motion = std::move(motion->table);
     }
-    return found.has_value();
+    return motion.has_value();
   }
 
-  bool find_sweep() {
+  bool find_sweep(Diagnostics& found) {
     if (!description_->sweep) {
-      found_.error("E0303",
-                   {},
-                   "the file has no section 'sweep'",
-                   "add sweep: {vary: {…}}; 'kinestat help sweeps' says more");
+      found.error("E0303",
+                  {},
+                  "the file has no section 'sweep'",
+                  "add sweep: {vary: {…}}; 'kinestat help sweeps' says more");
       return false;
     }
-    solutions_.sweep = find_sweep_table(source_, *description_, kMostSweptStates, found_);
+    solutions_.sweep = find_sweep_table(source_, *description_, kMostSweptStates, found);
     return solutions_.sweep.has_value();
   }
 
-  bool find_benchmark() {
-    const std::optional<Mechanism> mechanism = bind_mechanism();
+  bool find_benchmark(Diagnostics& found) {
+    const std::optional<Mechanism> mechanism = bind_mechanism(found);
     if (!mechanism) {
       return false;
     }
     const BenchmarkChoice choice = {.case_label = choice_.case_label,
                                     .limits = {.seconds = kTimingSeconds}};
-    solutions_.benchmark = benchmark_cases(*mechanism, choice, clock_, found_);
+    solutions_.benchmark = benchmark_cases(*mechanism, choice, clock_, found);
     return solutions_.benchmark.has_value();
   }
 
@@ -267,10 +270,15 @@ class PictureJob {
     if (kind.need == PictureNeed::sweep && !description_->sweep) {
       return "the file has no section 'sweep'";
     }
-    if (kind.need == PictureNeed::benchmark) {
-      return description_->cases.empty() ? "the file has no cases" : "";
+    const bool is_of_time = kind.need == PictureNeed::benchmark;
+    if (is_of_time && description_->cases.empty()) {
+      return "the file has no cases";
     }
-    return find(kind.need) ? kind.lack(solutions_.source()) : "the file has errors";
+    // Nothing is timed for a list.
+    if (!find(is_of_time ? PictureNeed::analysis : kind.need)) {
+      return "the file has errors";
+    }
+    return is_of_time ? "" : kind.lack(solutions_.source());
   }
 
   OutputFile output(std::string content) const {

@@ -197,17 +197,28 @@ class FileSection {
     html_.close();
   }
 
+  // A part that the file has a section for, and that has come to nothing.
+  void add_lack(const std::string& name, const std::string& title, bool is_asked) {
+    if (is_asked) {
+      open_part(name, title);
+      html_.element("p", "There is nothing to show: the findings say what is wrong.");
+      html_.close();
+    }
+  }
+
   void add_motion() {
-    if (!page_.motion || !page_.analysis) {
+    if (!page_.motion) {
+      add_lack("motion", "Motion", page_.description && page_.description->motion);
       return;
     }
     open_part("motion", "Motion");
-    html_.open("div", {{"class", "pair both"}});
-    html_.open("div");
-    if (!page_.motion->positions.empty()) {
+    const bool is_drawn = page_.analysis && !page_.motion->positions.empty();
+    html_.open("div", {{"class", is_drawn ? "pair both" : "pair"}});
+    if (is_drawn) {
+      html_.open("div");
       add_motion_figure(*page_.analysis, *page_.motion, id_, figures_, html_);
+      html_.close();
     }
-    html_.close();
     html_.open("div");
     add_motion_tables(page_.motion->table);
     html_.close();
@@ -392,6 +403,7 @@ class FileSection {
 
   void add_sweep() {
     if (!page_.sweep) {
+      add_lack("sweep", "Sweep", page_.description && page_.description->sweep);
       return;
     }
     open_part("sweep", "Sweep");
@@ -411,6 +423,7 @@ class FileSection {
 
   void add_synthesis() {
     if (!page_.synthesis) {
+      add_lack("synthesis", "Synthesis", page_.description && page_.description->synthesis);
       return;
     }
     open_part("synthesis", "Synthesis");
