@@ -1,7 +1,6 @@
 #include "plot/sweep_curves.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -88,7 +87,7 @@ Series series_of(const Line& line, std::size_t along, std::size_t quantity) {
   Series series{.name = line.name};
   for (const SweepTableRow* row : line.rows) {
     series.x.push_back(row->places[along]);
-    series.y.push_back(row->values[quantity].value_or(std::numeric_limits<double>::quiet_NaN()));
+    series.y.push_back(row->values[quantity]);
   }
   return series;
 }

@@ -1,11 +1,8 @@
 // The rows of a sweep as numbers, for pictures.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace kinestat {
@@ -14,7 +11,7 @@ namespace kinestat {
 struct SweepTableRow {
   std::vector<double> places;  ///< of the varied parameters, in their units
   std::string label;           ///< of the case
-  std::vector<std::optional<double>> values;
+  std::vector<double> values;  ///< NaN where a quantity has none
 };
 
 /// Columns are titled as in the result of the sweep: "C1 [N*m]".
@@ -24,8 +21,5 @@ struct SweepTable {
   std::vector<std::string> quantities;
   std::vector<SweepTableRow> rows;  ///< none where there are more states than somebody reads
 };
-
-/// Adds the rows that such a table has as text, without their titles.
-void add_sweep_rows(std::string_view csv, SweepTable& table);
 
 }  // namespace kinestat

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "run/internal/chunk_runner.hpp"
+#include "run/internal/state_solver.hpp"
 #include "run/internal/stored_sweep.hpp"
 #include "run/internal/sweep_task.hpp"
 
@@ -142,6 +143,17 @@ void sweep_into(const std::string& path,
   outcome.err += told;
 }
 
+void add_rows(const SolvedState& state, const SweepTask& task, SweepTable& table) {
+  std::vector<double> places;
+  for (std::size_t i = 0; i < state.places.size(); ++i) {
+    places.push_back(task.plan.axes()[i].count_at(state.places[i]));
+  }
+  for (const SweepRow& row : state.rows) {
+    table.rows.push_back(
+        {.places = places, .label = task.cases[row.which].label, .values = row.values});
+  }
+}
+
 }  // namespace
 
 std::optional<SweepTable> find_sweep_table(const SourceFile& source,
@@ -164,17 +176,13 @@ std::optional<SweepTable> find_sweep_table(const SourceFile& source,
     return table;
   }
   task->tapes = record_tapes(*task);
-  bool is_title = true;
-  const SweepHooks hooks{.write =
-                             [&](std::string_view rows) {
-                               if (!std::exchange(is_title, false)) {
-                                 add_sweep_rows(rows, table);
-                               }
-                               return true;
-                             },
-                         .progress = {},
-                         .stop = nullptr};
-  StreamedSweep(*task, hooks).run(1);
+  StateSolver solver(*task);
+  StateWalk walk(task->plan, 0, table.states);
+  for (auto states = solver.solve_next(walk); !states.empty(); states = solver.solve_next(walk)) {
+    for (const SolvedState& state : states) {
+      add_rows(state, *task, table);
+    }
+  }
   return table;
 }
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -62,7 +62,7 @@ std::string lack_of_sweep(const PictureSource& source) {
                        source.sweep->states);
   }
   const bool has_value = std::ranges::any_of(source.sweep->rows, [](const SweepTableRow& row) {
-    return std::ranges::any_of(row.values, &std::optional<double>::has_value);
+    return !std::ranges::all_of(row.values, [](double value) { return std::isnan(value); });
   });
   if (!has_value) {
     return "no state of its sweep has an answer";
