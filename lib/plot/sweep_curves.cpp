@@ -1,6 +1,7 @@
 #include "plot/sweep_curves.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -110,6 +111,30 @@ std::vector<const Line*> shown_lines(const std::vector<Line>& lines) {
 }
 
 }  // namespace
+
+std::string sweep_lack(const SweepTable& sweep) {
+  if (sweep.states > kMostSweptStates) {
+    return fmt::format(
+        "its sweep has {} states, and curves are drawn of up to {}; vary less or in larger steps, "
+        "or take the rows that 'kinestat sweep' writes",
+        sweep.states,
+        kMostSweptStates);
+  }
+  if (sweep.rows.empty()) {
+    return fmt::format("the requirements of its sweep exclude all of its {} states; require less",
+                       sweep.states);
+  }
+  const bool has_value = std::ranges::any_of(sweep.rows, [](const SweepTableRow& row) {
+    return !std::ranges::all_of(row.values, [](double value) { return std::isnan(value); });
+  });
+  if (!has_value) {
+    return "no state of its sweep has an answer";
+  }
+  return longest_axis(sweep) == sweep.varied.size()
+             ? "its sweep has no parameter with two values; vary one, or take the rows that "
+               "'kinestat sweep' writes"
+             : "";
+}
 
 Figure sweep_figure(const SweepTable& sweep, const std::string& title) {
   Figure figure = {.name = "sweep-curves", .title = title, .description = "", .charts = {}};

@@ -14,12 +14,15 @@ struct SweepTableRow {
   std::vector<double> values;  ///< NaN where a quantity has none
 };
 
+/// A picture of a sweep shows no more states than these.
+inline constexpr std::uint64_t kMostSweptStates = 20'000;
+
 /// Columns are titled as in the result of the sweep: "C1 [N*m]".
 struct SweepTable {
   std::uint64_t states = 0;         ///< of the plan
   std::vector<std::string> varied;  ///< parameters
   std::vector<std::string> quantities;
-  std::vector<SweepTableRow> rows;  ///< none where there are more states than somebody reads
+  std::vector<SweepTableRow> rows;  ///< none where there are more states than kMostSweptStates
 };
 
 }  // namespace kinestat

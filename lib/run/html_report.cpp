@@ -161,7 +161,7 @@ class PageBuilder {
       return;
     }
     Diagnostics found;
-    page_.sweep = find_sweep_table(page_.source, *page_.description, kMostSweptStates, found);
+    page_.sweep = find_sweep_table(page_.source, *page_.description, found);
     add_new(found, page_.found);
   }
 

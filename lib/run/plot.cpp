@@ -193,7 +193,7 @@ class PictureJob {
                   "add sweep: {vary: {…}}; 'kinestat help sweeps' says more");
       return false;
     }
-    solutions_.sweep = find_sweep_table(source_, *description_, kMostSweptStates, found);
+    solutions_.sweep = find_sweep_table(source_, *description_, found);
     return solutions_.sweep.has_value();
   }
 

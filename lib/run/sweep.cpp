@@ -158,7 +158,6 @@ void add_rows(const SolvedState& state, const SweepTask& task, SweepTable& table
 
 std::optional<SweepTable> find_sweep_table(const SourceFile& source,
                                            const MechanismDescription& description,
-                                           std::uint64_t most,
                                            Diagnostics& found) {
   std::optional<Loaded> loaded = bind_loaded(description, found);
   std::optional<SweepTask> task =
@@ -172,7 +171,7 @@ std::optional<SweepTable> find_sweep_table(const SourceFile& source,
   // Then the case; at the end the status.
   table.varied.assign(titles.begin(), titles.begin() + varied);
   table.quantities.assign(titles.begin() + varied + 1, titles.end() - 1);
-  if (table.states > most) {
+  if (table.states > kMostSweptStates) {
     return table;
   }
   task->tapes = record_tapes(*task);

@@ -48,14 +48,10 @@ struct SweepOptions {
   bool is_quiet = false;  ///< no counts on standard error
 };
 
-/// A picture of a sweep shows no more states than these.
-inline constexpr std::uint64_t kMostSweptStates = 20'000;
-
-/// The rows of the section `sweep` of a description that was read from `source`; none if there are
-/// more states than `most`. Empty iff an error was added.
+/// The rows of the section `sweep` of a description that was read from `source`, for pictures.
+/// Empty iff an error was added.
 std::optional<SweepTable> find_sweep_table(const SourceFile& source,
                                            const MechanismDescription& description,
-                                           std::uint64_t most,
                                            Diagnostics& found);
 
 /// Runs the sweep of a file. With a folder, <name>.sweep.csv (or .jsonl) and <name>.sweep.json are

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -57,17 +56,7 @@ Figure sweep_of(const PictureSource& source) {
 }
 
 std::string lack_of_sweep(const PictureSource& source) {
-  if (source.sweep->rows.empty()) {
-    return fmt::format("of the {} states of its sweep none is allowed, or they are too many",
-                       source.sweep->states);
-  }
-  const bool has_value = std::ranges::any_of(source.sweep->rows, [](const SweepTableRow& row) {
-    return !std::ranges::all_of(row.values, [](double value) { return std::isnan(value); });
-  });
-  if (!has_value) {
-    return "no state of its sweep has an answer";
-  }
-  return sweep_of(source).charts.empty() ? "its sweep varies nothing that has two values" : "";
+  return sweep_lack(*source.sweep);
 }
 
 Picture draw_sweep(const PictureSource& source) {

@@ -407,12 +407,8 @@ class FileSection {
       return;
     }
     open_part("sweep", "Sweep");
-    if (page_.sweep->rows.empty()) {
-      html_.element(
-          "p",
-          fmt::format("The sweep has {} states, of which none is allowed or which are too "
-                      "many to be drawn; 'kinestat sweep' writes its rows.",
-                      page_.sweep->states));
+    if (const std::string lack = sweep_lack(*page_.sweep); !lack.empty()) {
+      html_.element("p", fmt::format("There is no picture: {}.", lack));
     } else {
       const Figure figure = sweep_figure(*page_.sweep, "");
       html_.element("p", figure.description);

@@ -45,11 +45,33 @@ TEST(SweepFigure, LeavesAGapWhereACaseHasNoValue) {
   EXPECT_TRUE(std::isnan(series[1].y.back()));
 }
 
-TEST(SweepFigure, HasNoChartWhereNothingIsVaried) {
+TEST(SweepLack, IsEmptyWhereThereAreCurves) {
+  EXPECT_EQ(sweep_lack(small_sweep()), "");
+}
+
+TEST(SweepLack, IsAParameterWithTwoValues) {
   SweepTable sweep = small_sweep();
   sweep.rows.resize(1);
 
+  EXPECT_TRUE(sweep_lack(sweep).starts_with("its sweep has no parameter with two values"));
   EXPECT_TRUE(sweep_figure(sweep, "Sweep").charts.empty());
+}
+
+TEST(SweepLack, SaysHowManyStatesAreTooMany) {
+  SweepTable sweep = small_sweep();
+  sweep.states = 20'001;
+  sweep.rows.clear();
+
+  EXPECT_TRUE(sweep_lack(sweep).starts_with(
+      "its sweep has 20001 states, and curves are drawn of up to 20000"));
+}
+
+TEST(SweepLack, SaysThatNoStateIsAllowed) {
+  SweepTable sweep = small_sweep();
+  sweep.rows.clear();
+
+  EXPECT_TRUE(
+      sweep_lack(sweep).starts_with("the requirements of its sweep exclude all of its 6 states"));
 }
 
 }  // namespace
