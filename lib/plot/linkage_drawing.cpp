@@ -9,20 +9,25 @@
 #include "plot/internal/linkage_canvas.hpp"
 #include "plot/internal/planar_linkage.hpp"
 #include "plot/internal/spatial_linkage.hpp"
+#include "plot/picture_title.hpp"
 
 namespace kinestat {
 
 namespace {
 
-std::string describe(const Analysis& analysis, const LinkageOptions& options) {
-  const Topology& topology = analysis.mechanism.topology;
-  std::string text = fmt::format("Drawing to scale of {} bodies and {} couplings",
-                                 topology.body_count(),
-                                 topology.coupling_count());
-  if (options.which && *options.which < analysis.cases.size()) {
-    text += fmt::format(", case {}", analysis.cases[*options.which].which.label);
-  }
-  return text + ".";
+// "Mechanism with the forces of case 1".
+std::string drawn_words(const Analysis& analysis, const LinkageOptions& options) {
+  const bool has_forces =
+      options.shows_forces && options.which && *options.which < analysis.cases.size();
+  return has_forces ? fmt::format("Mechanism with the forces of case {}",
+                                  analysis.cases[*options.which].which.label)
+                    : "Mechanism";
+}
+
+std::string describe(const Topology& topology) {
+  return fmt::format("Drawing to scale of {} bodies and {} couplings.",
+                     topology.body_count(),
+                     topology.coupling_count());
 }
 
 }  // namespace
@@ -45,8 +50,10 @@ Picture draw_linkage(const Analysis& analysis, const LinkageOptions& options) {
     draw_spatial(analysis, options, parts, canvas);
   }
   canvas.svg().close_group();
-  Picture picture =
-      make_picture("linkage", analysis.mechanism.name, describe(analysis, options), canvas.svg());
+  Picture picture = make_picture("linkage",
+                                 picture_title(drawn_words(analysis, options), analysis),
+                                 describe(analysis.mechanism.topology),
+                                 canvas.svg());
   const PixelBox bounds = canvas.bounds();
   picture.view.add(PixelBox{.left = std::floor(bounds.left),
                             .top = std::floor(bounds.top),

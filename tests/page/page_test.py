@@ -104,6 +104,27 @@ class PageTest(PageCase):
                     self.assertGreater(min(width, height), 20, picture)
                     self.assertTrue(label and caption, picture)
 
+    def test_captions_keep_names_as_the_file_writes_them(self) -> None:
+        text = (ROOT / "mechanisms/sweeps/four_bar_height.yaml").read_text(encoding="utf-8")
+        text = text[:text.index("published:")].replace("Tin", "tin").replace("crank turns:", "'a: b':")
+        text = text.replace("name: Four-bar linkage of", "name: 'pair: four-bar of").replace(
+            "varied height", "varied height'", 1)
+        file = self.folder / "names.yaml"
+        file.write_text(text, encoding="utf-8")
+        page = self.folder / "names.html"
+        self.assertEqual(write_page(page, file).returncode, 0)
+        self.open(page)
+
+        captions = self.ask(
+            "return [...document.querySelectorAll('figcaption')]"
+            ".map((one) => one.textContent.replace(/^Figure \\d+\\. /, ''));"
+        )
+
+        for caption in ("Mechanism", "Mechanism with the forces of case a: b",
+                        "Power flow, case a: b", "Sweep over height, tin",
+                        "Sweep over height, d.wz"):
+            self.assertIn(caption, captions)
+
     def test_every_picture_of_the_catalogue_is_there(self) -> None:
         for name in PAGES:
             with self.subTest(name):

@@ -51,10 +51,11 @@ PicturePlace place_of(const PictureKind& kind) {
   return kind.scope == PictureScope::one_case ? PicturePlace::one_case : PicturePlace::structure;
 }
 
-// The title without the name of the mechanism, under which the picture stands.
-std::string caption_of(const Picture& picture) {
-  const std::size_t end = picture.title.find(": ");
-  return picture.title.substr(0, end);
+// "Shift matrix", without the name of the mechanism under which the picture stands.
+std::string caption_of(const Picture& picture, const std::string& name) {
+  const std::string end = ": " + name;
+  return picture.title.ends_with(end) ? picture.title.substr(0, picture.title.size() - end.size())
+                                      : picture.title;
 }
 
 }  // namespace
@@ -74,6 +75,7 @@ std::vector<Picture> pictures_at(PicturePlace place, const PictureSource& source
 }
 
 void add_figures(const std::vector<Picture>& pictures,
+                 const std::string& name,
                  const std::string& id,
                  int& figures,
                  Html& html) {
@@ -85,7 +87,7 @@ void add_figures(const std::vector<Picture>& pictures,
     html.close();
     html.open("figcaption");
     html.element("b", fmt::format("Figure {}. ", figures));
-    html.text(caption_of(one));
+    html.text(caption_of(one, name));
     html.close();
     html.close();
   }

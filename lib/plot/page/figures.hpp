@@ -28,8 +28,10 @@ enum class PicturePlace {
 /// PictureSource::which they are those of that case.
 std::vector<Picture> pictures_at(PicturePlace place, const PictureSource& source);
 
-/// Adds them with numbers and captions. Ids begin with `id`; `figures` counts on.
+/// Adds them with numbers and captions: their titles without `name`, that of the mechanism. Ids
+/// begin with `id`; `figures` counts on.
 void add_figures(const std::vector<Picture>& pictures,
+                 const std::string& name,
                  const std::string& id,
                  int& figures,
                  Html& html);

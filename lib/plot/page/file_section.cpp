@@ -1,7 +1,6 @@
 #include "plot/page/file_section.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -124,7 +123,7 @@ class FileSection {
       return;
     }
     html_.open("div", {{"class", pictures.size() == 1 ? "pictures" : "pictures two"}});
-    add_figures(pictures, id_, figures_, html_);
+    add_figures(pictures, page_title(page_), id_, figures_, html_);
     html_.close();
   }
 
@@ -138,7 +137,7 @@ class FileSection {
     html_.close();
     if (!pictures.empty()) {
       html_.open("div");
-      add_figures(pictures, id_, figures_, html_);
+      add_figures(pictures, page_title(page_), id_, figures_, html_);
       html_.close();
     }
     html_.close();
@@ -223,8 +222,8 @@ class FileSection {
     add_motion_tables(page_.motion->table);
     html_.close();
     html_.close();
-    add_charts(motion_figure(page_.motion->table, ""));
-    add_charts(path_figure(page_.motion->table, ""), "Paths of points: ");
+    add_charts(motion_figure(page_.motion->table, ""), "Motion");
+    add_charts(path_figure(page_.motion->table, ""), "Paths of points");
     if (!page_.motion->table.rows.empty()) {
       add_table(position_table(page_.motion->table), "Positions", html_);
     }
@@ -232,19 +231,16 @@ class FileSection {
   }
 
   // Each a figure of its own, so that they stand beside each other.
-  void add_charts(const Figure& figure, const std::string& beginning = "") {
+  void add_charts(const Figure& figure, const std::string& what) {
     std::vector<Picture> pictures;
     for (Chart chart : figure.charts) {
       chart.width = kChartWidth;
-      std::string title = beginning + (chart.title.empty() ? chart.y.label : chart.title);
-      // Words, but not names such as "d.wz".
-      if (title.find('.') >= title.find(' ')) {
-        title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
-      }
-      pictures.push_back(draw_figure({.name = figure.name,
-                                      .title = std::move(title),
-                                      .description = figure.description,
-                                      .charts = {chart}}));
+      const std::string& shown = chart.title.empty() ? chart.y.label : chart.title;
+      pictures.push_back(
+          draw_figure({.name = figure.name,
+                       .title = fmt::format("{}, {}: {}", what, shown, page_title(page_)),
+                       .description = figure.description,
+                       .charts = {chart}}));
     }
     add_pictures(pictures);
   }
@@ -412,7 +408,7 @@ class FileSection {
     } else {
       const Figure figure = sweep_figure(*page_.sweep, "");
       html_.element("p", figure.description);
-      add_charts(figure);
+      add_charts(figure, "Sweep over " + figure.charts.front().x.label);
     }
     html_.close();
   }
