@@ -1,6 +1,7 @@
 // What a page says of one file.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +28,8 @@ struct PageData {
 /// A finite motion, and where the bodies are in it.
 struct PageMotion {
   MotionTable table;
-  std::vector<LinkagePosition> positions;  ///< at each row of the table
+  std::vector<std::size_t> shown;          ///< of the rows of the table, those that are drawn
+  std::vector<LinkagePosition> positions;  ///< at these
   std::vector<TracedPath> paths;
 };
 

@@ -11,6 +11,7 @@
 #include "motion/configuration.hpp"
 #include "motion/moved_mechanism.hpp"
 #include "plot/html_report.hpp"
+#include "plot/page/motion_figure.hpp"
 #include "report/certified_report.hpp"
 #include "report/motion_report.hpp"
 #include "run/each_file.hpp"
@@ -24,9 +25,13 @@ namespace kinestat {
 
 namespace {
 
-// Where the bodies and the traced points are in every position.
+// Where the traced points are in every position, and the bodies in those that are shown.
 PageMotion page_motion(const FoundMotion& motion, const Mechanism& mechanism) {
-  PageMotion page{.table = motion.table, .positions = {}, .paths = {}};
+  const auto count = static_cast<std::size_t>(motion.solution.position_count());
+  PageMotion page{.table = motion.table,
+                  .shown = shown_positions(mechanism, count),
+                  .positions = {},
+                  .paths = {}};
   for (std::size_t p = 0; p < motion.plan.trace.size(); ++p) {
     const TracedPoint& point = motion.plan.trace[p];
     page.paths.push_back(
@@ -36,14 +41,17 @@ PageMotion page_motion(const FoundMotion& motion, const Mechanism& mechanism) {
          .drawn = point.at});
   }
   Mechanism moved = mechanism;
-  for (int i = 0; i < motion.solution.position_count(); ++i) {
-    std::vector<BodyPose> poses = body_poses(motion.network, motion.solution.configuration_at(i));
-    move_mechanism(motion.network, motion.drawn, poses, mechanism, moved);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<BodyPose> poses =
+        body_poses(motion.network, motion.solution.configuration_at(static_cast<int>(i)));
     for (TracedPath& path : page.paths) {
       const auto body = static_cast<std::size_t>(path.body->value);
       path.points.push_back(poses[body].point(path.drawn));
     }
-    page.positions.push_back({.poses = std::move(poses), .geometry = moved.geometry});
+    if (page.shown[page.positions.size()] == i) {
+      move_mechanism(motion.network, motion.drawn, poses, mechanism, moved);
+      page.positions.push_back({.poses = std::move(poses), .geometry = moved.geometry});
+    }
   }
   return page;
 }

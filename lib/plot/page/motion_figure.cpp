@@ -19,23 +19,20 @@ constexpr std::size_t kMostSteps = 720;
 // Bodies and couplings that are drawn anew for positions, all together: each is about 500 bytes.
 constexpr std::size_t kMostParts = 1000;
 
+std::size_t most_positions(const Mechanism& mechanism) {
+  const Topology& topology = mechanism.topology;
+  const std::size_t parts = topology.bodies.size() + topology.couplings.size();
+  return mechanism.space == Space::planar ? kMostSteps
+                                          : std::max<std::size_t>(kMostParts / parts, 2);
+}
+
 class MotionFigure {
  public:
   MotionFigure(const Analysis& analysis, const PageMotion& motion, const std::string& id)
-      : mechanism_(analysis.mechanism), analysis_(analysis), motion_(motion), id_(id) {
-    const std::size_t count = motion.positions.size();
-    const std::size_t most = most_steps();
-    const std::size_t stride = (count + most - 1) / most;
-    for (std::size_t i = 0; i < count; i += stride) {
-      steps_.push_back(i);
-    }
-    if (steps_.back() + 1 < count) {
-      steps_.push_back(count - 1);
-    }
-  }
+      : mechanism_(analysis.mechanism), analysis_(analysis), motion_(motion), id_(id) {}
 
   void add_to(int number, Html& html) const {
-    const bool moves = steps_.size() > 1;
+    const bool moves = motion_.positions.size() > 1;
     if (moves) {
       html.open("figure",
                 {{"class", "motion"},
@@ -72,19 +69,12 @@ class MotionFigure {
     });
   }
 
-  std::size_t most_steps() const {
-    const Topology& topology = mechanism_.topology;
-    const std::size_t parts = topology.bodies.size() + topology.couplings.size();
-    return is_planar() ? kMostSteps : std::max<std::size_t>(kMostParts / parts, 2);
-  }
-
   std::string caption() const {
     const std::string paths = motion_.paths.empty() ? "" : " and the paths of its traced points";
-    const std::size_t all = motion_.positions.size();
+    const std::size_t shown = motion_.positions.size();
+    const std::size_t all = motion_.table.rows.size();
     const std::string some =
-        steps_.size() < all
-            ? fmt::format(", at {} of the {} positions of the motion", steps_.size(), all)
-            : "";
+        shown < all ? fmt::format(", at {} of the {} positions of the motion", shown, all) : "";
     return fmt::format("The mechanism to scale{}{}", paths, some);
   }
 
@@ -93,11 +83,11 @@ class MotionFigure {
     options.shows_forces = false;
     options.paths = motion_.paths;
     const bool needs_frames = !is_planar() || has_ropes();
-    for (const std::size_t step : steps_) {
-      add_places(motion_.positions[step].poses, options);
-      if (needs_frames && steps_.size() > 1) {
-        options.frames.push_back(motion_.positions[step]);
-      }
+    for (const LinkagePosition& position : motion_.positions) {
+      add_places(position.poses, options);
+    }
+    if (needs_frames && motion_.positions.size() > 1) {
+      options.frames = motion_.positions;
     }
     return draw_linkage(analysis_, options);
   }
@@ -125,11 +115,11 @@ class MotionFigure {
     html.single("input",
                 {{"type", "range"},
                  {"min", "0"},
-                 {"max", fmt::format("{}", steps_.size() - 1)},
+                 {"max", fmt::format("{}", motion_.positions.size() - 1)},
                  {"step", "1"},
                  {"value", fmt::format("{}", std::max(drawn_step(), 0))},
                  {"aria-label", name}});
-    html.element("output", label(steps_[static_cast<std::size_t>(std::max(drawn_step(), 0))]));
+    html.element("output", label(static_cast<std::size_t>(std::max(drawn_step(), 0))));
     html.close();
   }
 
@@ -142,11 +132,11 @@ class MotionFigure {
   }
 
   // "motor 30 deg", the positions of the drives, which are the first columns.
-  std::string label(std::size_t step) const {
+  std::string label(std::size_t position) const {
     std::vector<std::string> parts;
     const std::vector<DriveTravel>& drives = motion_.table.drives;
     for (std::size_t d = 0; d < drives.size(); ++d) {
-      const std::optional<double>& value = motion_.table.rows[step].values[d];
+      const std::optional<double>& value = motion_.table.rows[motion_.shown[position]].values[d];
       parts.push_back(fmt::format(
           "{} {} {}", drives[d].name, value ? format_short(*value) : "?", drives[d].unit));
     }
@@ -156,8 +146,8 @@ class MotionFigure {
   // Of the steps the one with the poses of the drawn position, where names and the like may stand;
   // -1 if there is none.
   int drawn_step() const {
-    for (std::size_t i = 0; i < steps_.size(); ++i) {
-      if (is_drawn(motion_.positions[steps_[i]].poses)) {
+    for (std::size_t i = 0; i < motion_.positions.size(); ++i) {
+      if (is_drawn(motion_.positions[i].poses)) {
         return static_cast<int>(i);
       }
     }
@@ -191,17 +181,16 @@ class MotionFigure {
 
   // Whether the motion comes back to where it began, so that it can go round.
   bool is_closed() const {
-    return are_same(motion_.positions[steps_.front()].poses,
-                    motion_.positions[steps_.back()].poses);
+    return are_same(motion_.positions.front().poses, motion_.positions.back().poses);
   }
 
   // For each body of a planar mechanism its shift in the plane [m] and its angle.
   std::string poses_json() const {
     std::string poses;
     std::vector<std::string> labels;
-    for (const std::size_t step : steps_) {
+    for (std::size_t i = 0; i < motion_.positions.size(); ++i) {
       std::vector<std::string> numbers;
-      for (const BodyPose& pose : motion_.positions[step].poses) {
+      for (const BodyPose& pose : motion_.positions[i].poses) {
         if (!is_planar()) {
           break;
         }
@@ -211,7 +200,7 @@ class MotionFigure {
         }
       }
       poses += fmt::format("{}[{}]", poses.empty() ? "" : ",\n", fmt::join(numbers, ","));
-      labels.push_back(script_string(label(step)));
+      labels.push_back(script_string(label(i)));
     }
     std::vector<std::string> bodies;
     for (std::size_t b = 0; is_planar() && b < mechanism_.topology.bodies.size(); ++b) {
@@ -229,10 +218,22 @@ class MotionFigure {
   const Analysis& analysis_;
   const PageMotion& motion_;
   const std::string& id_;
-  std::vector<std::size_t> steps_;
 };
 
 }  // namespace
+
+std::vector<std::size_t> shown_positions(const Mechanism& mechanism, std::size_t count) {
+  const std::size_t most = most_positions(mechanism);
+  const std::size_t stride = (count + most - 1) / most;
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < count; i += stride) {
+    shown.push_back(i);
+  }
+  if (!shown.empty() && shown.back() + 1 < count) {
+    shown.push_back(count - 1);
+  }
+  return shown;
+}
 
 void add_motion_figure(const Analysis& analysis,
                        const PageMotion& motion,
