@@ -224,7 +224,14 @@ class FileSection {
     html_.close();
     add_charts(motion_figure(page_.motion->table, ""), "Motion");
     add_charts(path_figure(page_.motion->table, ""), "Paths of points");
-    if (!page_.motion->table.rows.empty()) {
+    const std::size_t positions = page_.motion->table.rows.size();
+    if (positions > kMostPositions) {
+      html_.element("p",
+                    fmt::format("The table has some of the {} positions; the file of the motion "
+                                "under Data has all.",
+                                positions));
+    }
+    if (positions > 0) {
       add_table(position_table(page_.motion->table), "Positions", html_);
     }
     html_.close();

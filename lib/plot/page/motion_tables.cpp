@@ -69,7 +69,12 @@ Table position_table(const MotionTable& motion) {
   }
   head.emplace_back("status");
   Table table(std::move(head));
-  for (const MotionRow& row : motion.rows) {
+  const std::size_t stride = (motion.rows.size() + kMostPositions - 1) / kMostPositions;
+  for (std::size_t i = 0; i < motion.rows.size(); ++i) {
+    if (i % stride != 0 && i + 1 != motion.rows.size()) {
+      continue;
+    }
+    const MotionRow& row = motion.rows[i];
     std::vector<std::string> cells = {fmt::format("{}", row.step)};
     for (const std::optional<double>& value : row.values) {
       cells.push_back(value ? format_short(*value) : "-");
