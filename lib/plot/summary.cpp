@@ -245,12 +245,16 @@ void add_motion(const MotionTable& motion, Sentences& sentences) {
   const auto count = [&](std::string_view kind) {
     return static_cast<int>(std::ranges::count(motion.events, kind, &MotionEvent::kind));
   };
-  const int dead = count("dead_point");
-  const int singular = count("singular");
-  if (dead + singular > 0) {
-    sentences.push_back(fmt::format("On the way it passes {} and {}.",
-                                    counted(dead, "dead point"),
-                                    counted(singular, "singular position")));
+  std::vector<std::string> passed;
+  const auto add = [&](int number, std::string_view noun) {
+    if (number > 0) {
+      passed.push_back(counted(number, noun));
+    }
+  };
+  add(count("dead_point"), "dead point");
+  add(count("singular"), "singular position");
+  if (!passed.empty()) {
+    sentences.push_back(fmt::format("On the way it passes {}.", fmt::join(passed, " and ")));
   }
 }
 

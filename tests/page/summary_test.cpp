@@ -91,5 +91,15 @@ TEST(Summary, IsEmptyForAFileThatCannotBeRead) {
   EXPECT_TRUE(summary_sentences({}).empty());
 }
 
+TEST(Summary, NamesOnlyWhatAMotionPasses) {
+  FilePage page;
+  page.motion = PageMotion{};
+  page.motion->table.events.resize(2);
+  page.motion->table.events[0].kind = "dead_point";
+  page.motion->table.events[1].kind = "dead_point";
+
+  EXPECT_TRUE(has(summary_sentences(page), "On the way it passes 2 dead points."));
+}
+
 }  // namespace
 }  // namespace kinestat
