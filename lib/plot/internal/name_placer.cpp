@@ -15,6 +15,10 @@ constexpr double kLabelCost = 1e6;
 constexpr double kBoxCost = 3.0;
 constexpr double kLineCost = 14.0;
 
+// What is nearer to a label than this seems to touch it, which costs less than to cover it.
+constexpr double kAir = 2.0;
+constexpr double kNearCost = 1.0;
+
 constexpr int kDirections = 16;
 
 // The share of the height that lies above the base line.
@@ -84,11 +88,13 @@ double NamePlacer::cost(const PixelBox& box) const {
   for (const PixelBox& label : labels_) {
     sum += kLabelCost * overlap(box, label);
   }
+  const PixelBox around = box.grown(kAir);
   for (const PixelBox& other : boxes_) {
     sum += kBoxCost * overlap(box, other);
   }
   for (const Segment& segment : segments_) {
-    sum += kLineCost * length_within(box, segment.from, segment.to);
+    sum += kLineCost * length_within(box, segment.from, segment.to) +
+           kNearCost * length_within(around, segment.from, segment.to);
   }
   return sum;
 }

@@ -37,6 +37,15 @@ TEST(NamePlacer, KeepsOffLines) {
   EXPECT_TRUE(placed.box.bottom <= 0.0 || placed.box.top >= 0.0);
 }
 
+TEST(NamePlacer, LeavesSomeAirBetweenANameAndALine) {
+  NamePlacer placer;
+  placer.keep_off({.x = -100.0, .y = 0.0}, {.x = 100.0, .y = 0.0});
+
+  const PlacedName placed = placer.place({.x = 0.0, .y = 0.0}, "in", {}, 3.0);
+
+  EXPECT_TRUE(placed.box.bottom <= -2.0 || placed.box.top >= 2.0);
+}
+
 TEST(NamePlacer, LeadsALineToANameThatIsFarAway) {
   NamePlacer placer;
   bool needs_line = false;
