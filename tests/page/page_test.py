@@ -104,6 +104,20 @@ class PageTest(PageCase):
                     self.assertGreater(min(width, height), 20, picture)
                     self.assertTrue(label and caption, picture)
 
+    def test_names_of_a_drawing_that_shrinks_can_be_read(self) -> None:
+        for name in ("planar/four_bar.yaml", "spatial/rssr.yaml"):
+            with self.subTest(name):
+                self.open(self.page(name), width=400)
+                heights = self.ask(
+                    "return [...document.querySelectorAll("
+                    "  '.structure [data-picture=linkage] text, figure.motion text')]"
+                    ".map((one) => one.getBoundingClientRect().height)"
+                    ".filter((one) => one > 0);"
+                )
+
+                # Of a font of 7 px; the small letters of the scale and the axes are the smallest.
+                self.assertGreater(min(heights), 8)
+
     def test_captions_keep_names_as_the_file_writes_them(self) -> None:
         text = (ROOT / "mechanisms/sweeps/four_bar_height.yaml").read_text(encoding="utf-8")
         text = text[:text.index("published:")].replace("Tin", "tin").replace("crank turns:", "'a: b':")

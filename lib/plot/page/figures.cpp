@@ -74,6 +74,14 @@ std::vector<Picture> pictures_at(PicturePlace place, const PictureSource& source
   return pictures;
 }
 
+void add_picture(const Picture& picture, const std::string& prefix, Html& html) {
+  constexpr double kNarrow = 420.0;  // a telephone [px]
+  const bool is_wide = picture.view.width() > kNarrow;
+  html.open("div", {{"class", is_wide ? "picture wide" : "picture"}, {"tabindex", "0"}});
+  html.markup(svg_element(picture, prefix));
+  html.close();
+}
+
 void add_figures(const std::vector<Picture>& pictures,
                  const std::string& name,
                  const std::string& id,
@@ -82,9 +90,7 @@ void add_figures(const std::vector<Picture>& pictures,
   for (const Picture& one : pictures) {
     ++figures;
     html.open("figure", {{"data-picture", one.name}});
-    html.open("div", {{"class", "picture"}, {"tabindex", "0"}});
-    html.markup(svg_element(one, fmt::format("{}-figure-{}", id, figures)));
-    html.close();
+    add_picture(one, fmt::format("{}-figure-{}", id, figures), html);
     html.open("figcaption");
     html.element("b", fmt::format("Figure {}. ", figures));
     html.text(caption_of(one, name));

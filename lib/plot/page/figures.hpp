@@ -28,6 +28,9 @@ enum class PicturePlace {
 /// PictureSource::which they are those of that case.
 std::vector<Picture> pictures_at(PicturePlace place, const PictureSource& source);
 
+/// Adds the drawing alone. Ids begin with `prefix`.
+void add_picture(const Picture& picture, const std::string& prefix, Html& html);
+
 /// Adds them with numbers and captions: their titles without `name`, that of the mechanism. Ids
 /// begin with `id`; `figures` counts on.
 void add_figures(const std::vector<Picture>& pictures,

@@ -7,6 +7,7 @@
 
 #include "core/tolerance.hpp"
 #include "plot/linkage_drawing.hpp"
+#include "plot/page/figures.hpp"
 #include "report/numbers.hpp"
 
 namespace kinestat {
@@ -42,9 +43,7 @@ class MotionFigure {
     } else {
       html.open("figure", {{"data-picture", "motion"}});
     }
-    html.open("div", {{"class", "picture"}, {"tabindex", "0"}});
-    html.markup(svg_element(drawing(), fmt::format("{}-figure-{}", id_, number)));
-    html.close();
+    add_picture(drawing(), fmt::format("{}-figure-{}", id_, number), html);
     if (moves) {
       add_controls(html);
     }
