@@ -118,6 +118,20 @@ class PageTest(PageCase):
                 # Of a font of 7 px; the small letters of the scale and the axes are the smallest.
                 self.assertGreater(min(heights), 8)
 
+    def test_no_picture_shrinks_much_on_a_screen(self) -> None:
+        for name in (*PAGES, "transmissions/zf_8hp70.yaml"):
+            with self.subTest(name):
+                self.open(self.page(name))
+                shrunk = self.ask(
+                    "return [...document.querySelectorAll('figure')].map((one) => {"
+                    "  const svg = one.querySelector('svg');"
+                    "  const width = svg.getBoundingClientRect().width;"
+                    "  return [one.dataset.picture, width / svg.viewBox.baseVal.width];"
+                    "}).filter(([, scale]) => scale > 0 && scale < 0.8);"
+                )
+
+                self.assertEqual(shrunk, [])
+
     def test_captions_keep_names_as_the_file_writes_them(self) -> None:
         text = (ROOT / "mechanisms/sweeps/four_bar_height.yaml").read_text(encoding="utf-8")
         text = text[:text.index("published:")].replace("Tin", "tin").replace("crank turns:", "'a: b':")

@@ -74,6 +74,11 @@ std::vector<Picture> pictures_at(PicturePlace place, const PictureSource& source
   return pictures;
 }
 
+bool is_broad(const Picture& picture) {
+  constexpr double kBroad = 780.0;  // at most 4/3 of half a page [px]
+  return picture.view.width() > kBroad;
+}
+
 void add_picture(const Picture& picture, const std::string& prefix, Html& html) {
   constexpr double kNarrow = 420.0;  // a telephone [px]
   const bool is_wide = picture.view.width() > kNarrow;
@@ -89,7 +94,11 @@ void add_figures(const std::vector<Picture>& pictures,
                  Html& html) {
   for (const Picture& one : pictures) {
     ++figures;
-    html.open("figure", {{"data-picture", one.name}});
+    if (is_broad(one)) {
+      html.open("figure", {{"class", "broad"}, {"data-picture", one.name}});
+    } else {
+      html.open("figure", {{"data-picture", one.name}});
+    }
     add_picture(one, fmt::format("{}-figure-{}", id, figures), html);
     html.open("figcaption");
     html.element("b", fmt::format("Figure {}. ", figures));

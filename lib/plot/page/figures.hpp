@@ -28,6 +28,9 @@ enum class PicturePlace {
 /// PictureSource::which they are those of that case.
 std::vector<Picture> pictures_at(PicturePlace place, const PictureSource& source);
 
+/// Whether its letters would be too small in half the width of a page.
+bool is_broad(const Picture& picture);
+
 /// Adds the drawing alone. Ids begin with `prefix`.
 void add_picture(const Picture& picture, const std::string& prefix, Html& html);
 

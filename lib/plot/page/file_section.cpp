@@ -127,20 +127,22 @@ class FileSection {
     html_.close();
   }
 
-  // Tables, and pictures of the same beside them where there is room.
-  void add_pair(const TextBlocks& blocks,
-                const std::string& name,
-                const std::vector<Picture>& pictures) {
-    html_.open("div", {{"class", pictures.empty() || blocks.is_empty() ? "pair" : "pair both"}});
+  // Tables, and pictures of the same beside them where there is room, else below.
+  void add_pair(const TextBlocks& blocks, const std::string& name, std::vector<Picture> pictures) {
+    const auto below = std::stable_partition(
+        pictures.begin(), pictures.end(), [](const Picture& one) { return !is_broad(one); });
+    const std::vector<Picture> beside(pictures.begin(), below);
+    html_.open("div", {{"class", beside.empty() || blocks.is_empty() ? "pair" : "pair both"}});
     html_.open("div");
     add_blocks(blocks, name, html_);
     html_.close();
-    if (!pictures.empty()) {
+    if (!beside.empty()) {
       html_.open("div");
-      add_figures(pictures, page_title(page_), id_, figures_, html_);
+      add_figures(beside, page_title(page_), id_, figures_, html_);
       html_.close();
     }
     html_.close();
+    add_pictures({below, pictures.end()});
   }
 
   void add_structure() {
