@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -283,23 +286,28 @@ class SchemeWriter {
     if (!options_.which || *options_.which >= analysis_.cases.size()) {
       return;
     }
-    std::string engaged;
-    std::string driven;
+    std::vector<std::string> engaged;
+    std::vector<std::string> driven;
+    bool has_shift_elements = false;
     for (const SchemeElement& element : train_.elements) {
       const bool engages =
           element.kind == SchemeElementKind::clutch || element.kind == SchemeElementKind::brake;
-      if (!element.is_engaged || element.kind == SchemeElementKind::output) {
-        continue;
+      has_shift_elements = has_shift_elements || engages;
+      if (element.is_engaged && element.kind != SchemeElementKind::output) {
+        (engages ? engaged : driven).push_back(element.name);
       }
-      std::string& names = engages ? engaged : driven;
-      names += (names.empty() ? "" : ", ") + element.name;
     }
-    svg_.text({.x = layout_.box.left, .y = svg_.bounds().bottom + 20},
-              fmt::format("{}: engaged {}{}",
-                          analysis_.cases[*options_.which].which.label,
-                          engaged.empty() ? "nothing" : engaged,
-                          driven.empty() ? "" : ", driven by " + driven),
-              kSmall);
+    std::string text = analysis_.cases[*options_.which].which.label;
+    const char* mark = ": ";
+    const auto add = [&](const std::string& words) { text += std::exchange(mark, ", ") + words; };
+    if (has_shift_elements) {
+      add(engaged.empty() ? "nothing engaged"
+                          : fmt::format("engaged {}", fmt::join(engaged, ", ")));
+    }
+    if (!driven.empty()) {
+      add(fmt::format("driven by {}", fmt::join(driven, ", ")));
+    }
+    svg_.text({.x = layout_.box.left, .y = svg_.bounds().bottom + 20}, text, kSmall);
   }
 
   const Analysis& analysis_;

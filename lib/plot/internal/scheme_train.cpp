@@ -206,6 +206,18 @@ class TrainFinder {
     if (type == CouplingType::brake) {
       return SchemeElementKind::brake;
     }
+    // Another case may drive what this one holds, or is driven by.
+    if (const CaseAnalysis* const shown = shown_case()) {
+      if (is_held(*shown, actuator)) {
+        return SchemeElementKind::brake;
+      }
+      if (holds(shown->which.inputs)) {
+        return SchemeElementKind::input;
+      }
+      if (holds(shown->which.outputs)) {
+        return SchemeElementKind::output;
+      }
+    }
     if (is_of_any_case(&Case::inputs)) {
       return SchemeElementKind::input;
     }
@@ -227,13 +239,20 @@ class TrainFinder {
                                [&](const CaseAnalysis& one) { return is_held(one, actuator); });
   }
 
+  // Null where no case is shown.
+  const CaseAnalysis* shown_case() const {
+    return options_.which && *options_.which < analysis_.cases.size()
+               ? &analysis_.cases[*options_.which]
+               : nullptr;
+  }
+
   // Held by the case, or, where its rest follows from others, at rest and not said to be open; an
   // input drives.
   bool is_engaged(int actuator, const ActuatorTopology& of) const {
-    if (!options_.which || *options_.which >= analysis_.cases.size()) {
+    if (shown_case() == nullptr) {
       return false;
     }
-    const CaseAnalysis& one = analysis_.cases[*options_.which];
+    const CaseAnalysis& one = *shown_case();
     if (std::ranges::find(one.which.inputs, actuator) != one.which.inputs.end() ||
         std::ranges::find(one.which.outputs, actuator) != one.which.outputs.end() ||
         is_held(one, actuator)) {

@@ -138,6 +138,29 @@ TEST(SchemeTrain, IsTheSameFromPitchPointsAsFromTeeth) {
   }
 }
 
+SchemeElementKind kind_of(const Analysis& analysis, std::size_t which, std::string_view name) {
+  const SchemeTrain train = find_scheme_train(analysis, {.which = which}).value();
+  return std::ranges::find(train.elements, name, &SchemeElement::name)->kind;
+}
+
+// Its cases drive it from one shaft and from the other.
+TEST(SchemeTrain, IsDrivenByTheInputOfItsCase) {
+  const Analysis analysis = library_analysis("gears/self_locking_planetary.yaml");
+
+  EXPECT_EQ(kind_of(analysis, 0, "carrier_shaft"), SchemeElementKind::input);
+  EXPECT_EQ(kind_of(analysis, 0, "sun_shaft"), SchemeElementKind::output);
+  EXPECT_EQ(kind_of(analysis, 1, "sun_shaft"), SchemeElementKind::input);
+  EXPECT_EQ(kind_of(analysis, 1, "carrier_shaft"), SchemeElementKind::output);
+}
+
+// Its first case holds the ring, which drives the second.
+TEST(SchemeTrain, IsHeldByWhatItsCaseHolds) {
+  const Analysis analysis = library_analysis("gears/simple_planetary.yaml");
+
+  EXPECT_EQ(kind_of(analysis, 0, "Tr"), SchemeElementKind::brake);
+  EXPECT_EQ(kind_of(analysis, 1, "Tr"), SchemeElementKind::input);
+}
+
 // Table of the 6HP26: the second gear engages A and C.
 TEST(SchemeTrain, KnowsWhatAGearEngages) {
   const Analysis analysis = library_analysis("transmissions/lepelletier_6hp26.yaml");
