@@ -19,12 +19,39 @@ bool has_actions(const CaseAnalysis& one) {
   return one.action && !one.action->wrenches.empty();
 }
 
+// The analysis with the one case that is asked for, or all.
+Analysis chosen(const PictureSource& source) {
+  Analysis analysis = *source.analysis;
+  if (source.which) {
+    analysis.cases = {source.analysis->cases[*source.which]};
+  }
+  return analysis;
+}
+
 std::string lack_of_velocities(const PictureSource& source) {
   return lack_in_cases(source, has_velocities, "velocities that are solved");
 }
 
 std::string lack_of_actions(const PictureSource& source) {
   return lack_in_cases(source, has_actions, "actions that are solved");
+}
+
+// Bars of nothing say nothing.
+std::string lack_of_speeds(const PictureSource& source) {
+  const std::string lack = lack_of_velocities(source);
+  return lack.empty() && speed_map(chosen(source)).blocks.empty() ? "no body moves" : lack;
+}
+
+std::string lack_of_torques(const PictureSource& source) {
+  const std::string lack = lack_of_actions(source);
+  return lack.empty() && torque_map(chosen(source)).blocks.empty() ? "no coupling bears a moment"
+                                                                   : lack;
+}
+
+std::string lack_of_forces(const PictureSource& source) {
+  const std::string lack = lack_of_actions(source);
+  return lack.empty() && force_map(chosen(source)).blocks.empty() ? "no coupling bears a force"
+                                                                  : lack;
 }
 
 std::string lack_of_shift(const PictureSource& source) {
@@ -47,15 +74,6 @@ std::string lack_of_levers(const PictureSource& source) {
            "on a lever";
   }
   return lack_of_velocities(source);
-}
-
-// The analysis with the one case that is asked for, or all.
-Analysis chosen(const PictureSource& source) {
-  Analysis analysis = *source.analysis;
-  if (source.which) {
-    analysis.cases = {source.analysis->cases[*source.which]};
-  }
-  return analysis;
 }
 
 Picture draw_speeds(const PictureSource& source) {
@@ -97,17 +115,17 @@ std::string forces_text(const PictureSource& source) {
 constexpr auto kCaseKinds = std::to_array<PictureKind>({
     {.name = "speeds",
      .sentence = "bars of the velocities of all bodies, case by case",
-     .lack = lack_of_velocities,
+     .lack = lack_of_speeds,
      .draw = draw_speeds,
      .gnuplot = speeds_text},
     {.name = "torques",
      .sentence = "bars of the moments in all couplings, case by case",
-     .lack = lack_of_actions,
+     .lack = lack_of_torques,
      .draw = draw_torques,
      .gnuplot = torques_text},
     {.name = "forces",
      .sentence = "bars of the forces in all couplings, case by case",
-     .lack = lack_of_actions,
+     .lack = lack_of_forces,
      .draw = draw_forces,
      .gnuplot = forces_text},
     {.name = "lever",
