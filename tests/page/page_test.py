@@ -127,7 +127,7 @@ class PageTest(PageCase):
                     "  const svg = one.querySelector('svg');"
                     "  const width = svg.getBoundingClientRect().width;"
                     "  return [one.dataset.picture, width / svg.viewBox.baseVal.width];"
-                    "}).filter(([, scale]) => scale > 0 && scale < 0.8);"
+                    "}).filter(([, scale]) => scale > 0 && scale < 0.74);"
                 )
 
                 self.assertEqual(shrunk, [])
@@ -326,6 +326,20 @@ class PageTest(PageCase):
         findings = self.ask("return document.querySelector('.findings').textContent;")
         first = answer.stderr.splitlines()[0]
         self.assertIn(first, findings)
+
+    def test_words_of_findings_are_broken_into_lines_and_quotations_are_not(self) -> None:
+        for name in ("gears/self_locking_planetary.yaml", "cables/finger_rehabilitation.yaml"):
+            with self.subTest(name):
+                self.open(self.page(name), width=400)
+                finding = self.ask(
+                    "return [...document.querySelectorAll('.findings pre')]"
+                    ".map((one) => [one.className, one.scrollWidth <= one.clientWidth,"
+                    "  one.textContent]);"
+                )
+
+                self.assertEqual([one[0] for one in finding], ["words", "quoted", "words"])
+                self.assertTrue(finding[0][1] and finding[2][1])
+                self.assertEqual(finding[1][2].count("\n"), 2)
 
     def test_the_data_are_those_of_the_reports(self) -> None:
         file = ROOT / "mechanisms/planar/four_bar.yaml"

@@ -31,6 +31,12 @@ namespace {
 // Of the frames of two charts that stand beside each other [px].
 constexpr double kChartWidth = 480.0;
 
+// Whether a finding goes on with "   12 | ..." or "      | ^^^".
+bool is_quotation(std::string_view text) {
+  const std::size_t mark = text.find_first_not_of(" 0123456789");
+  return mark != std::string_view::npos && text.substr(mark).starts_with('|');
+}
+
 class FileSection {
  public:
   FileSection(const FilePage& page, std::string id, PageForm form, int& figures, Html& html)
@@ -101,13 +107,26 @@ class FileSection {
     html_.open("ul", {{"class", "findings"}});
     for (const DiagnosticText& one : diagnostic_texts(page_.source, page_.found)) {
       html_.open("li", {{"class", one.severity == Severity::error ? "error" : "warning"}});
-      html_.open("pre");
-      html_.lines(one.text);
-      html_.close();
+      add_finding(one.text);
       html_.close();
     }
     html_.close();
     html_.close();
+  }
+
+  // Words are broken into lines, the line of the file with its carets is not.
+  void add_finding(std::string_view text) {
+    while (!text.empty()) {
+      const bool is_quoted = is_quotation(text);
+      std::size_t end = 0;
+      while (end < text.size() && is_quotation(text.substr(end)) == is_quoted) {
+        end = std::min(text.find('\n', end), text.size() - 1) + 1;
+      }
+      html_.open("pre", {{"class", is_quoted ? "quoted" : "words"}});
+      html_.lines(text.substr(0, end));
+      html_.close();
+      text.remove_prefix(end);
+    }
   }
 
   PictureSource source(std::optional<std::size_t> which = {}) const {
