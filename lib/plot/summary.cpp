@@ -258,10 +258,17 @@ void add_motion(const MotionTable& motion, Sentences& sentences) {
   }
 }
 
-std::string linkage_word(const LinkageCandidate& candidate) {
-  std::string word(word_of(candidate.linkage.type()));
-  std::ranges::replace(word, '_', ' ');
-  return word;
+// "crank-rocker"
+std::string hyphenated(std::string_view word) {
+  std::string words(word);
+  std::ranges::replace(words, '_', '-');
+  return words;
+}
+
+// "an inverted-slider-crank"
+std::string with_article(const std::string& noun) {
+  constexpr std::string_view kVowels = "aeio";
+  return fmt::format("{} {}", kVowels.find(noun.front()) == kVowels.npos ? "a" : "an", noun);
 }
 
 void add_best(const SynthesisTask& task, const FileUnits& units, Sentences& sentences) {
@@ -269,12 +276,12 @@ void add_best(const SynthesisTask& task, const FileUnits& units, Sentences& sent
       task.linkages, Defect::none, [](const LinkageCandidate& one) { return one.defect; }));
   const LinkageCandidate& best = task.linkages.front();
   std::string text =
-      fmt::format("{} of {} usable; the {} is a {}",
+      fmt::format("{} of {} usable; the {} is {}",
                   usable,
                   counted(static_cast<int>(task.linkages.size()), "linkage is", "linkages are"),
                   usable > 0 ? "best" : "nearest",
-                  linkage_word(best));
-  text += best.grashof ? fmt::format(", class {}", word_of(best.grashof->kind)) : "";
+                  with_article(hyphenated(word_of(best.linkage.type()))));
+  text += best.grashof ? fmt::format(", class {}", hyphenated(word_of(best.grashof->kind))) : "";
   text += usable > 0 ? fmt::format(", whose transmission angle keeps {} {} from the dead points",
                                    format_short(units.from_si(QuantityKind::angle, best.margin())),
                                    units.text(QuantityKind::angle))
@@ -290,10 +297,12 @@ void add_synthesis(const SynthesisAnalysis& synthesis, Sentences& sentences) {
           : fmt::format("Synthesis task {} with {}.", synthesis.form, counted(choices, "choice")));
   for (const SynthesisTask& task : synthesis.tasks) {
     if (task.dyads && task.dyads->status == BurmesterStatus::solved) {
+      const int real = static_cast<int>(task.dyads->dyads.size());
+      const int imaginary = task.dyads->imaginary_count;
       sentences.push_back(
-          fmt::format("Of the dyads {} real, {} not.",
-                      counted(static_cast<int>(task.dyads->dyads.size()), "is", "are"),
-                      task.dyads->imaginary_count));
+          imaginary == 0
+              ? fmt::format("{} real.", counted(real, "dyad is", "dyads are"))
+              : fmt::format("Of {} dyads {} real.", real + imaginary, counted(real, "is", "are")));
     }
     if (!task.linkages.empty()) {
       add_best(task, synthesis.description.units, sentences);

@@ -6,6 +6,7 @@
 
 #include "run/load.hpp"
 #include "run/solve_cases.hpp"
+#include "run/synthesis.hpp"
 
 namespace kinestat {
 namespace {
@@ -89,6 +90,21 @@ TEST(Summary, TellsWhichCasesAreOpen) {
 
 TEST(Summary, IsEmptyForAFileThatCannotBeRead) {
   EXPECT_TRUE(summary_sentences({}).empty());
+}
+
+// The file asks for what a known inverted slider-crank does: closed form.
+TEST(Summary, NamesTheBestLinkageInWords) {
+  const std::string path = std::string(KINESTAT_MECHANISMS) + "/synthesis/oscillating_slider.yaml";
+  FilePage page;
+  page.description = load_description(path, {}, page.source, page.found);
+  page.synthesis = find_synthesis(path, page.description.value(), {}, page.found);
+
+  const auto sentences = summary_sentences(page);
+
+  EXPECT_TRUE(has(sentences, "4 dyads are real."));
+  EXPECT_TRUE(std::ranges::any_of(sentences, [](const std::string& one) {
+    return one.find("the best is an inverted-slider-crank, ") != std::string::npos;
+  })) << testing::PrintToString(sentences);
 }
 
 TEST(Summary, NamesOnlyWhatAMotionPasses) {
