@@ -183,6 +183,41 @@ class FourBars(MotionTest):
             motion = run(FOUR_BAR.format(linkage, 0.0, 3.0 * sign, 60), status=5)
             self.close(motion.events("limit")[0], expected, DEAD_POINT, "limit of the crank")
 
+    def test_reach_what_lies_just_before_a_limit(self) -> None:
+        """Crank and rod of 50 let the slider go to 100, where the crank comes to 0."""
+        text = """kinestat: 1
+space: planar
+units: {length: mm}
+ground: frame
+bodies: [crank, rod, slider]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, rod], at: [30, 40]}
+  c: {type: revolute, bodies: [rod, slider], at: [60, 0]}
+  d: {type: prismatic, bodies: [frame, slider], axis: x, at: [60, 0]}
+actuators: {crank: {coupling: a}, slider: {coupling: d}}
+motion: {drive: slider, from: %r mm, to: %r mm, steps: %d, report: [a.wz]}
+"""
+        drawn = math.acos(0.6)
+        for gap in (1, 1e-3, 1e-6, 1e-9):
+            crank = math.acos((100 - gap) / 100) - drawn
+            for steps in (1, 4, 100):
+                motion = run(text % (0.0, 40 - gap, steps))
+                self.assertEqual(motion.report["status"], "complete")
+                self.assertEqual(motion.events("limit"), [])
+                # The crank turns by the root of what the slider moves.
+                self.close(motion["a.wz/position"][-1], crank, 1e-13 / math.sqrt(gap), f"at {gap}")
+            motion = run(text % (40 - gap, 0.0, 4))
+            self.close(motion["a.wz/position"][0], crank, 1e-13 / math.sqrt(gap), f"from {gap}")
+            self.close(motion["a.wz/position"][-1], 0.0, 1e-12, f"back from {gap}")
+        motion = run(text % (0.0, 40.0, 4))
+        self.assertEqual(motion.rows[-1][-1], "singular")
+        self.close(motion["a.wz/position"][-1], -drawn, 1e-7, "at the limit")
+        motion = run(text % (0.0, 59.9985, 3), status=5)
+        self.assertEqual([row[0] for row in motion.rows], [0, 1, 2, 3])
+        self.close(motion["a.wz/position"][2], math.acos(0.99999) - drawn, 1e-12, "before")
+        self.close(motion.events("limit")[0], 40.0, DEAD_POINT, "limit")
+
     def test_in_long_steps_miss_no_dead_point_and_no_turn(self) -> None:
         turns = 2
         motion = run(FOUR_BAR.format(CAZANGI, 0.0, 2 * turns * math.pi, 1))
@@ -389,6 +424,37 @@ motion: {drive: Tin, from: %s deg, to: %s deg, steps: 1, case: one,
                                   for place in motion.events("singular")],
                                  self.passed(0, start) + self.passed(start, end)[start in (90, -90):],
                                  f"{start} to {end}")
+
+    def test_are_passed_a_thousand_times_in_one_step(self) -> None:
+        turns = 1000
+        motion = run(self.TEXT % (0, 360 * turns))
+        last = 2 * math.pi * turns
+        self.close(motion["d.wz/position"][-1], last, 1e-9, "rocker")
+        places = motion.events("singular")
+        self.assertEqual(len(places), 2 * turns)
+        for half, place in enumerate(places):
+            self.close(place, math.pi * (half + 0.5), 1e-9 + 1e-15 * last, "change point")
+
+    def test_are_found_beside_a_fast_gear(self) -> None:
+        """A pinion that turns the crank slowly, or that the crank turns fast."""
+        for ratio in (10, 15, 30, 100, 1000):
+            pinion = f"""  p: {{type: revolute, bodies: [frame, pinion], at: [0, {2 + 2 / ratio!r}]}}
+  k: {{type: gear, bodies: [pinion, crank], at: [0, 2], tangent: x,
+      pressure_angle: 20 deg}}
+"""
+            text = (self.TEXT % (0, 200)).replace("bodies: [crank,", "bodies: [pinion, crank,", 1)
+            text = text.replace("couplings:\n", "couplings:\n" + pinion)
+            fast = text.replace("Tin: {coupling: a}", "Tin: {coupling: p}")
+            fast = fast.replace("to: 200 deg", f"to: {-200 * ratio} deg")
+            for per_crank, one in ((1, text), (-ratio, fast)):
+                for steps in (1, 8, 300):
+                    motion = run(one.replace("steps: 1,", f"steps: {steps},"))
+                    (event,) = [event for event in motion.report["events"]
+                                if event["kind"] == "singular"]
+                    self.assertLessEqual(event["uncertainty"], 2e-10 * max(ratio, 10))
+                    self.close(event["drive"][0], per_crank * math.pi / 2, event["uncertainty"],
+                               f"{ratio} in {steps}")
+                    self.close(motion["d.wz/position"][-1], math.radians(200), 1e-9, "rocker")
 
     @staticmethod
     def passed(start: float, end: float) -> list[float]:

@@ -1,8 +1,11 @@
 #include "motion/internal/arc_point.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
+
+#include "core/tolerance.hpp"
 
 namespace kinestat {
 
@@ -33,6 +36,14 @@ double Surroundings::determinant_at(double place) const {
     sum += cubic_weight(places, i, place) * determinants[i];
   }
   return sum;
+}
+
+double Surroundings::uncertainty() const {
+  const double bend =
+      determinants[3] - 3.0 * determinants[2] + 3.0 * determinants[1] - determinants[0];
+  const double length = places[3] - places[0];
+  const double slope = (determinants[3] - determinants[0]) / length;
+  return std::max(std::abs(bend / slope), kEpsilon * length / (flatness * flatness));
 }
 
 ArcPoint Surroundings::point_at(double place) const {

@@ -28,15 +28,21 @@ struct Surroundings {
   std::vector<double> places;  ///< along the arc
   std::vector<ArcPoint> points;
   std::vector<double> determinants;  ///< of the closure, relative to where the arc begins
+  double flatness = 0.0;             ///< of the closure at the ends
 
   double share_at(double place) const;
   double determinant_at(double place) const;
+
+  /// How far along the arc the zero of the determinant may be off: by the bend of its four values
+  /// if they lie far apart, by rounding, which leaves points across the arc, if near.
+  double uncertainty() const;
   ArcPoint point_at(double place) const;
 };
 
 /// A change point on an arc.
 struct Crossing {
-  double place = 0.0;  ///< along the arc
+  double place = 0.0;        ///< along the arc
+  double uncertainty = 0.0;  ///< likewise
   Surroundings around;
   bool is_noted = false;  ///< among what was passed
 

@@ -27,6 +27,9 @@ inline constexpr double kStepToStart = 0.1;
 inline constexpr double kFirstArc = 0.01;
 inline constexpr double kLongestArc = 0.1;
 
+/// So far of the drives the arc is followed past what stood in the way of a step of theirs.
+inline constexpr double kArcStretch = 0.5;
+
 /// How far from a singular drawn position it is looked whether the rank comes back.
 inline constexpr double kNearby = 0.01;
 

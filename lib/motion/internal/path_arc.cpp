@@ -117,7 +117,9 @@ bool PathTracker<Frames>::correct_arc(const ArcPoint& from, double length, ArcPo
   for (int round = 0; round <= kMostRounds; ++round) {
     system_.evaluate(to.coordinates, to.angles);
     const double missed = system_.largest_residual();
-    if (missed <= kMotionClosure || (is_last && missed <= accepted_)) {
+    // One correction at least: what the tangent led to is off by the error of the tangent.
+    const bool is_closed = missed <= kEpsilon || (missed <= kMotionClosure && round > 0);
+    if (is_closed || (is_last && missed <= std::max(accepted_, rounding_of(to.coordinates)))) {
       system_.follow_angles(to.angles);
       augmented_matrix(to.matrix);
       return find_tangent(from.tangent, to);
@@ -135,7 +137,7 @@ bool PathTracker<Frames>::correct_arc(const ArcPoint& from, double length, ArcPo
     if (largest(corrected) > kMostArcCorrection * std::abs(length)) {
       return false;
     }
-    is_last = largest(by) <= kLeastCorrection;
+    is_last = largest(by) <= std::max(kLeastCorrection, rounding_of(to.coordinates));
     move_arc(by, to);
   }
   return false;
@@ -184,15 +186,18 @@ Arrival PathTracker<Frames>::walk_arc(PathPoint& now, double share) {
     if (crossing) {
       crossing->is_noted = has_noted;
     }
-    if (there.tangent.back() <= 0.0) {
-      const ArcBracket turns{
-          .high = length, .low_value = here.tangent.back(), .high_value = there.tangent.back()};
-      find_limit(here, turns, now);
-      return Arrival::limit;
+    double end = length;
+    const bool turns_back = there.tangent.back() <= 0.0;
+    if (turns_back) {
+      end = find_limit(here, length, there);
+      if (there.share < share - kEpsilon) {
+        stop_at_limit(there, now);
+        return Arrival::limit;
+      }
     }
-    if (there.share >= share) {
+    if (turns_back || there.share >= share) {
       const ArcBracket passes{
-          .high = length, .low_value = here.share - share, .high_value = there.share - share};
+          .high = end, .low_value = here.share - share, .high_value = there.share - share};
       if (arrive({.from = here, .share = share, .passes = passes, .crossing = crossing}, now)) {
         return Arrival::reached;
       }

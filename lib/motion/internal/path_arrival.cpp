@@ -84,8 +84,8 @@ bool PathTracker<Frames>::arrive(const Destination& to, PathPoint& now) {
   }
   if (to.crossing && reached > to.crossing->place) {
     note_crossing(*to.crossing);
-  } else if (now.is_singular) {
-    // Two motions cross at once, and the determinant keeps its sign.
+  } else if (now.is_singular && there.tangent.back() > kFlatVelocity) {
+    // Two motions cross at once, and the determinant keeps its sign; at a limit none does.
     note_special(SpecialKind::change_point, there, kChangePointBracket);
   }
   return true;
@@ -147,35 +147,41 @@ void PathTracker<Frames>::turn_resumption(const DriveLine& last) {
   }
 }
 
-// Where the drives turn back: the last component of the tangent is zero.
+// Where the drives turn back on the way to `there`, which becomes that point: the last component of
+// the tangent is zero. The length of the arc to it.
 template <class Frames>
-void PathTracker<Frames>::find_limit(const ArcPoint& from,
-                                     const ArcBracket& bracket,
-                                     PathPoint& now) {
-  ArcPoint there = from;
-  const auto drive_rate = [&](double length) -> std::optional<double> {
-    return correct_arc(from, length, there) ? std::optional(there.tangent.back()) : std::nullopt;
+double PathTracker<Frames>::find_limit(const ArcPoint& from, double length, ArcPoint& there) {
+  const ArcBracket bracket{
+      .high = length, .low_value = from.tangent.back(), .high_value = there.tangent.back()};
+  const auto drive_rate = [&](double at) -> std::optional<double> {
+    return correct_arc(from, at, there) ? std::optional(there.tangent.back()) : std::nullopt;
   };
   const double reached = find_root(bracket, drive_rate);
   if (!correct_arc(from, reached, there)) {
     there = from;
+    return 0.0;
   }
+  return reached;
+}
+
+template <class Frames>
+void PathTracker<Frames>::stop_at_limit(const ArcPoint& limit, PathPoint& now) {
   const std::vector<double> rates = now.rates;
-  land(there, now);
+  land(limit, now);
   now.rates = rates;
   now.is_singular = true;
   // The drives turn back with the square of the arc.
-  const double left = there.tangent.back();
-  note_special(SpecialKind::limit, there, left * left + now.misclosure + kEpsilon);
+  const double left = limit.tangent.back();
+  note_special(SpecialKind::limit, limit, left * left + now.misclosure + kEpsilon);
 }
 
 template bool PathTracker<PlanarFrames>::arrive(const Destination&, PathPoint&);
-template void PathTracker<PlanarFrames>::find_limit(const ArcPoint&, const ArcBracket&, PathPoint&);
+template double PathTracker<PlanarFrames>::find_limit(const ArcPoint&, double, ArcPoint&);
+template double PathTracker<SpatialFrames>::find_limit(const ArcPoint&, double, ArcPoint&);
+template void PathTracker<PlanarFrames>::stop_at_limit(const ArcPoint&, PathPoint&);
+template void PathTracker<SpatialFrames>::stop_at_limit(const ArcPoint&, PathPoint&);
 template void PathTracker<PlanarFrames>::turn_resumption(const DriveLine&);
 template bool PathTracker<SpatialFrames>::arrive(const Destination&, PathPoint&);
-template void PathTracker<SpatialFrames>::find_limit(const ArcPoint&,
-                                                     const ArcBracket&,
-                                                     PathPoint&);
 template void PathTracker<SpatialFrames>::turn_resumption(const DriveLine&);
 
 }  // namespace kinestat

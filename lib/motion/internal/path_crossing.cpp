@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "motion/internal/motion_limits.hpp"
 #include "motion/internal/path_tracker.hpp"
@@ -35,14 +36,20 @@ std::optional<Crossing> PathTracker<Frames>::find_crossing(const ArcPoint& from,
     }
     (arc_orientation(from, point) > 0.0 ? low : high) = middle;
   }
-  for (const double spacing : {kSurroundings, 0.1 * kSurroundings, 0.01 * kSurroundings}) {
-    auto crossing = find_crossing_in(from, 0.5 * (low + high), spacing);
+  // Nearer where the arc bends; farther where a fast joint makes it long.
+  std::optional<Crossing> best;
+  for (const double share : {1.0, 0.1, 0.01, 10.0, 100.0, 1000.0}) {
+    auto crossing = find_crossing_in(from, 0.5 * (low + high), share * kSurroundings);
     // Beside a crossing that lies behind, its surroundings reach beyond the step.
-    if (crossing && crossing->place >= 0.0 && crossing->place <= length) {
-      return crossing;
+    const bool is_on_way = crossing && crossing->place >= 0.0 && crossing->place <= length;
+    if (is_on_way && (!best || crossing->uncertainty < best->uncertainty)) {
+      best = std::move(crossing);
+    }
+    if (best && best->uncertainty <= kChangePointBracket) {
+      break;
     }
   }
-  return std::nullopt;
+  return best;
 }
 
 template <class Frames>
@@ -71,7 +78,10 @@ std::optional<Crossing> PathTracker<Frames>::find_crossing_in(const ArcPoint& fr
       left > kLeftAtCrossing * std::abs(before)) {
     return std::nullopt;
   }
-  return Crossing{.place = low, .around = *std::move(around)};
+  return Crossing{.place = low,
+                  .uncertainty = std::max(
+                      {kChangePointBracket, around->uncertainty(), system_.largest_residual()}),
+                  .around = *std::move(around)};
 }
 
 template <class Frames>
@@ -87,6 +97,7 @@ std::optional<Surroundings> PathTracker<Frames>::surround(const ArcPoint& from,
     around.places.push_back(place + offset * spacing);
     (void)arc_orientation(from, point);
     around.determinants.push_back(qr_.relative_determinant());
+    around.flatness = qr_.flatness();
     around.points.push_back(std::move(point));
   }
   return around;
@@ -96,7 +107,7 @@ template <class Frames>
 void PathTracker<Frames>::note_crossing(const Crossing& crossing) {
   if (!crossing.is_noted) {
     note_special(
-        SpecialKind::change_point, crossing.around.point_at(crossing.place), kChangePointBracket);
+        SpecialKind::change_point, crossing.around.point_at(crossing.place), crossing.uncertainty);
   }
 }
 

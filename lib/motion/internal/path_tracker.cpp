@@ -81,10 +81,10 @@ void PathTracker<Frames>::gather(std::span<const int> columns, std::vector<doubl
   }
 }
 
-// Of its coordinates, which are large after many turns.
+// What may be missed by it: coordinates are large after many turns.
 template <class Frames>
-double PathTracker<Frames>::rounding_of(const PathPoint& point) {
-  return kTurnRoundings * kEpsilon * largest(point.coordinates);
+double PathTracker<Frames>::rounding_of(std::span<const double> coordinates) {
+  return kTurnRoundings * kEpsilon * largest(coordinates);
 }
 
 template <class Frames>
@@ -111,7 +111,7 @@ bool PathTracker<Frames>::close(PathPoint& point, double& moved) {
         system_.residuals(), right_.begin(), [](double residual) { return -residual; });
     qr_.solve(right_, solved_);
     const double size = largest(std::span(solved_).first(unknown_.size()));
-    if (size > last && !is_closed && size > rounding_of(point)) {
+    if (size > last && !is_closed && size > rounding_of(point.coordinates)) {
       return false;
     }
     is_last = size <= kLeastCorrection || size > last;
@@ -131,7 +131,7 @@ bool PathTracker<Frames>::close(PathPoint& point, double& moved) {
   }
   point.sign = qr_.sign();
   point.flatness = qr_.flatness();
-  if (!(point.misclosure <= accepted_ || point.misclosure <= rounding_of(point))) {
+  if (!(point.misclosure <= accepted_ || point.misclosure <= rounding_of(point.coordinates))) {
     return false;
   }
   system_.follow_angles(point.angles);
@@ -199,7 +199,8 @@ void PathTracker<Frames>::predict(const PathPoint& now, const PathPoint& before,
 
 template <class Frames>
 bool PathTracker<Frames>::keeps_branch(const PathPoint& now, const PathPoint& next, double moved) {
-  const bool jumps = moved > kMostCorrection * largest(next.arrival) && moved > rounding_of(next);
+  const bool jumps =
+      moved > kMostCorrection * largest(next.arrival) && moved > rounding_of(next.coordinates);
   if (next.is_singular || next.flatness < kFlatClosure || next.sign != now.sign || jumps) {
     return false;
   }
@@ -261,39 +262,49 @@ Arrival PathTracker<Frames>::advance(PathPoint& now, PathPoint& before, double s
     if (step > least && is_regular && now.share + step > now.share) {
       continue;
     }
-    const Arrival arrival = walk_arc(now, share);
+    const double stretch = now.share + kArcStretch / line_.scale;
+    const Arrival arrival = walk_arc(now, stretch >= share - least ? share : stretch);
     trail_.clear();
     now.arrival_share = 0.0;
-    return arrival;
+    step = longest;
+    if (arrival != Arrival::reached) {
+      return arrival;
+    }
   }
   return Arrival::reached;
 }
 
 // +1 where no singular position lies between two near ones, -1 where one does: the sign of
-// det(aᵀ b + Σ z zᵀ), z the null vectors of a, which is that of det a · det b where both are
-// square.
+// det [Qᵀ b; zᵀ] as that of det [Qᵀ a; zᵀ], Q the range of a and z its null vectors. Where both are
+// square it is that of det a · det b.
 template <class Frames>
 double PathTracker<Frames>::orientation(const std::vector<double>& a,
                                         const std::vector<double>& b,
                                         int columns) {
   const int rows = static_cast<int>(a.size()) / columns;
   qr_.factor(a, rows, columns);
-  const std::vector<double> null = qr_.null_vectors();
-  std::vector<double> product(at(columns * columns), 0.0);
-  for (int i = 0; i < columns; ++i) {
-    for (int j = 0; j < columns; ++j) {
-      double sum = 0.0;
-      for (int r = 0; r < rows; ++r) {
-        sum += a[at(i * rows + r)] * b[at(j * rows + r)];
+  const int rank = qr_.rank();
+  const std::vector<double>& null = qr_.null_vectors();
+  const auto turned = [&](const std::vector<double>& matrix) {
+    std::vector<double> result(at(columns * columns));
+    for (int c = 0; c < columns; ++c) {
+      std::copy_n(matrix.data() + c * rows, rows, right_.begin());
+      qr_.turn(right_);
+      std::copy_n(right_.begin(), rank, result.begin() + c * columns);
+      for (int z = rank; z < columns; ++z) {
+        result[at(c * columns + z)] = null[at((z - rank) * columns + c)];
       }
-      for (std::size_t z = 0; z < null.size(); z += at(columns)) {
-        sum += null[z + at(i)] * null[z + at(j)];
-      }
-      product[at(j * columns + i)] = sum;
     }
+    return result;
+  };
+  double sign = qr_.turned_sign();
+  const std::vector<double> turned_b = turned(b);
+  if (rank < columns) {
+    qr_.factor(turned(a), columns, columns);
+    sign = qr_.sign();
   }
-  qr_.factor(product, columns, columns);
-  return qr_.sign();
+  qr_.factor(turned_b, columns, columns);
+  return sign * qr_.sign();
 }
 
 // `now` becomes the point of the arc.

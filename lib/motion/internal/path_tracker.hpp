@@ -95,7 +95,7 @@ class PathTracker {
   void gather(std::span<const int> columns, std::vector<double>& matrix) const;
   bool try_step(const PathPoint& now, const PathPoint& before, double share, PathPoint& next);
   void predict(const PathPoint& now, const PathPoint& before, double step);
-  static double rounding_of(const PathPoint& point);
+  static double rounding_of(std::span<const double> coordinates);
   bool keeps_branch(const PathPoint& now, const PathPoint& next, double moved);
   Arrival walk_arc(PathPoint& now, double share);
   bool try_arc(const ArcPoint& from, double length, ArcPoint& to);
@@ -110,7 +110,8 @@ class PathTracker {
   void land(const ArcPoint& arc, PathPoint& now);
   bool arrive(const Destination& to, PathPoint& now);
   bool arrive_beside(const Destination& to, const Crossing& crossing, PathPoint& now);
-  void find_limit(const ArcPoint& from, const ArcBracket& bracket, PathPoint& now);
+  double find_limit(const ArcPoint& from, double length, ArcPoint& there);
+  void stop_at_limit(const ArcPoint& limit, PathPoint& now);
   bool crosses_at_most(const ArcPoint& from,
                        double length,
                        const ArcPoint& to,

@@ -90,10 +90,15 @@ void PivotedQr::reflect(int step) {
 }
 
 double PivotedQr::sign() const {
-  if (rank_ < columns_ || rows_ != columns_) {
+  const double turned = rows_ == columns_ ? turned_sign() : 0.0;
+  return reflections_ % 2 == 1 ? -turned : turned;
+}
+
+double PivotedQr::turned_sign() const {
+  if (rank_ < columns_) {
     return 0.0;
   }
-  bool is_negative = (swaps_ + reflections_) % 2 == 1;
+  bool is_negative = swaps_ % 2 == 1;
   for (int i = 0; i < rank_; ++i) {
     is_negative = is_negative != (diagonal_[at(i)] < 0.0);
   }
@@ -118,8 +123,7 @@ void PivotedQr::back_substitute(double* x) const {
   }
 }
 
-void PivotedQr::solve(std::span<const double> b, std::span<double> x) {
-  std::copy(b.begin(), b.begin() + rows_, work_.begin());
+void PivotedQr::turn(std::span<double> b) const {
   for (int step = 0; step < rank_; ++step) {
     if (scale_[at(step)] == 0.0) {
       continue;
@@ -127,13 +131,18 @@ void PivotedQr::solve(std::span<const double> b, std::span<double> x) {
     const double* v = qr_.data() + step * rows_;
     double sum = 0.0;
     for (int r = step; r < rows_; ++r) {
-      sum += v[r] * work_[at(r)];
+      sum += v[r] * b[at(r)];
     }
     sum *= scale_[at(step)];
     for (int r = step; r < rows_; ++r) {
-      work_[at(r)] -= sum * v[r];
+      b[at(r)] -= sum * v[r];
     }
   }
+}
+
+void PivotedQr::solve(std::span<const double> b, std::span<double> x) {
+  std::copy(b.begin(), b.begin() + rows_, work_.begin());
+  turn(work_);
   back_substitute(work_.data());
   for (int i = 0; i < columns_; ++i) {
     x[at(order_[at(i)])] = i < rank_ ? work_[at(i)] : 0.0;

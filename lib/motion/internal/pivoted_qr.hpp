@@ -32,6 +32,12 @@ class PivotedQr {
   /// The determinant, by the power of the longest column; of a square system, otherwise 0.
   double relative_determinant() const;
 
+  /// The sign of the determinant of Qᵀ A; of full rank, otherwise 0.
+  double turned_sign() const;
+
+  /// b becomes Qᵀ b; of its rows those below the rank lie in the range of A.
+  void turn(std::span<double> b) const;
+
   /// The shortest x among those with the least |A x - b|.
   void solve(std::span<const double> b, std::span<double> x);
 
