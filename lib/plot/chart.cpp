@@ -45,6 +45,10 @@ std::vector<PixelPoint> visible_points(const ChartFrame& frame, const Series& se
   return points;
 }
 
+int look_of(const Chart& chart, std::size_t series) {
+  return chart.series[series].look.value_or(static_cast<int>(series));
+}
+
 Paint line_paint(int index) {
   return {.stroke = series_ink(index), .width = 2.0, .dash = std::string(series_dash(index))};
 }
@@ -86,7 +90,7 @@ double draw_legend(const Chart& chart, double top, double width, Svg& svg) {
       x = 0.0;
       y += kLineHeight;
     }
-    draw_sample(chart.series[i], static_cast<int>(i), {.x = x, .y = y + 8.0}, svg);
+    draw_sample(chart.series[i], look_of(chart, i), {.x = x, .y = y + 8.0}, svg);
     svg.text({.x = x + kSample + 6.0, .y = y + 12.0}, name, {.size = kChartText});
     x += size;
   }
@@ -196,7 +200,7 @@ void draw_data(const Chart& chart, const ChartFrame& frame, Svg& svg) {
   PointLabels placer(frame.box.grown(-2.0));
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const std::vector<PixelPoint> points = visible_points(frame, chart.series[i]);
-    draw_series(chart.series[i], static_cast<int>(i), points, svg);
+    draw_series(chart.series[i], look_of(chart, i), points, svg);
     placer.avoid(points);
   }
   draw_marks(chart, frame, placer, svg);

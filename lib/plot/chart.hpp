@@ -27,6 +27,7 @@ struct Series {
   std::vector<double> x = {};
   std::vector<double> y = {};
   SeriesStyle style = SeriesStyle::line;
+  std::optional<int> look = {};  ///< of its colour and marker; empty: its place among the series
 };
 
 /// A point that is worth words.

@@ -111,11 +111,12 @@ std::string chart_text(const Chart& chart, std::size_t index) {
           "plot";
   for (std::size_t s = 0; s < chart.series.size(); ++s) {
     const bool is_line = chart.series[s].style == SeriesStyle::line;
+    const int look = chart.series[s].look.value_or(static_cast<int>(s));
     text += fmt::format("{} \\\n  {} using 1:2 with {} title {} noenhanced",
                         s == 0 ? "" : ",",
                         block_name(index, s),
-                        is_line ? fmt::format("lines dashtype {}", s % 5 + 1)
-                                : fmt::format("points pointtype {}", s % 15 + 1),
+                        is_line ? fmt::format("lines dashtype {}", look % 5 + 1)
+                                : fmt::format("points pointtype {}", look % 15 + 1),
                         in_gnuplot_quotes(chart.series[s].name));
   }
   return text + "\n";

@@ -41,6 +41,7 @@ Series front_of(const TradeOff& result, double floor) {
   return front;
 }
 
+// A method looks the same in every chart, also where another has no answer.
 Chart chart_of(std::string title, const TradeOff& result) {
   Chart chart = {
       .title = std::move(title),
@@ -56,7 +57,8 @@ Chart chart_of(std::string title, const TradeOff& result) {
       chart.series.push_back({.name = name_of(method),
                               .x = {method.time},
                               .y = {std::max(*method.worst_error, floor)},
-                              .style = SeriesStyle::points});
+                              .style = SeriesStyle::points,
+                              .look = 1 + static_cast<int>(method.method)});
     }
   }
   return chart;

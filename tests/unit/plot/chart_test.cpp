@@ -41,6 +41,18 @@ TEST(Chart, HasALegendOnlyForSeveralSeries) {
   EXPECT_EQ(count_of(draw_figure(figure_of(chart)), ">rocker<"), 2U);
 }
 
+// The first ink is blue, the third green.
+TEST(Chart, DrawsASeriesByItsLook) {
+  Chart chart = line_chart();
+  EXPECT_TRUE(has(draw_figure(figure_of(chart)), "ks-s-blue"));
+
+  chart.series.front().look = 2;
+  const Picture picture = draw_figure(figure_of(chart));
+
+  EXPECT_TRUE(has(picture, "ks-s-green"));
+  EXPECT_FALSE(has(picture, "ks-s-blue"));
+}
+
 TEST(Chart, LeavesGapsWhereThereIsNoValue) {
   Chart chart = line_chart();
   chart.series.front() = {
