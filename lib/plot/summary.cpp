@@ -224,6 +224,24 @@ void add_shift(const ShiftAnalysis& shift, Sentences& sentences) {
   sentences.push_back(text + ".");
 }
 
+std::string end_text(const MotionTable& motion, const DriveTravel& drive) {
+  switch (motion.end) {
+    case MotionEnd::complete:
+      return "";
+    case MotionEnd::limited:
+    case MotionEnd::lost:
+      return drive.reached ? fmt::format(", but comes no further than {} {}",
+                                         format_short(*drive.reached),
+                                         drive.unit)
+                           : "";
+    case MotionEnd::locked:
+      return motion.drives.size() > 1 ? ", but cannot run with the others" : ", but cannot run";
+    case MotionEnd::not_assembled:
+      return ", but the drawn position cannot be assembled";
+  }
+  return "";
+}
+
 // "30 to 390 deg", or as far as the drive goes.
 void add_motion(const MotionTable& motion, Sentences& sentences) {
   for (const DriveTravel& drive : motion.drives) {
@@ -232,14 +250,7 @@ void add_motion(const MotionTable& motion, Sentences& sentences) {
                                    format_short(drive.from),
                                    format_short(drive.to),
                                    drive.unit);
-    if (motion.end == MotionEnd::not_assembled) {
-      text += ", but the drawn position cannot be assembled";
-    } else if (motion.end != MotionEnd::complete) {
-      text += drive.reached ? fmt::format(", but comes no further than {} {}",
-                                          format_short(*drive.reached),
-                                          drive.unit)
-                            : ", but the motion cannot begin";
-    }
+    text += end_text(motion, drive);
     sentences.push_back(text + ".");
   }
   const auto count = [&](std::string_view kind) {

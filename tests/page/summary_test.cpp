@@ -107,6 +107,18 @@ TEST(Summary, NamesTheBestLinkageInWords) {
   })) << testing::PrintToString(sentences);
 }
 
+TEST(Summary, SaysThatADriveCannotRun) {
+  FilePage page;
+  page.motion = PageMotion{};
+  page.motion->table.drives.resize(1);
+  page.motion->table.drives.front().name = "motor";
+  page.motion->table.drives.front().unit = "deg";
+  page.motion->table.drives.front().to = 90.0;
+  page.motion->table.end = MotionEnd::locked;
+
+  EXPECT_TRUE(has(summary_sentences(page), "Drive motor goes from 0 to 90 deg, but cannot run."));
+}
+
 TEST(Summary, NamesOnlyWhatAMotionPasses) {
   FilePage page;
   page.motion = PageMotion{};
