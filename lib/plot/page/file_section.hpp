@@ -6,17 +6,9 @@
 
 #include "plot/file_page.hpp"
 #include "plot/page/html.hpp"
+#include "plot/page/section_writer.hpp"
 
 namespace kinestat {
-
-/// A heading for the table of contents.
-struct PageHeading {
-  std::string id;
-  std::string title;
-};
-
-/// Whether the title of the page is that of its only file.
-enum class PageForm { one_file, many_files };
 
 /// Adds the section of a file and gives its headings. Ids begin with `id`; the figures are
 /// numbered on from `figures`.
