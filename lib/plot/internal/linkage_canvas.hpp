@@ -5,34 +5,11 @@
 #include <vector>
 
 #include "plot/internal/drawn_case.hpp"
-#include "plot/internal/linkage_parts.hpp"
+#include "plot/internal/linkage_view.hpp"
 #include "plot/internal/name_placer.hpp"
 #include "plot/linkage_drawing.hpp"
 
 namespace kinestat {
-
-/// Parallel projection: the world point p is at (x0 + scale right·p, y0 - scale up·p).
-struct LinkageView {
-  Vec3 right = Vec3::UnitX();  ///< unit vectors, perpendicular to each other
-  Vec3 up = Vec3::UnitY();
-  double scale = 1.0;  ///< [px/m]
-  double x0 = 0.0;     ///< [px]
-  double y0 = 0.0;     ///< [px]
-
-  PixelPoint at(const Vec3& p) const;
-
-  /// A world vector on the picture [px].
-  PixelPoint along(const Vec3& v) const;
-};
-
-/// The scale and the origin with which all points fit the usual size of a picture, its middle at
-/// (0, 0).
-LinkageView fit_view(LinkageView directions, const std::vector<Vec3>& points);
-
-/// All places that a drawing must hold.
-std::vector<Vec3> extent_points(const LinkageParts& parts,
-                                const Analysis& analysis,
-                                const LinkageOptions& options);
 
 /// "crank-1", the value of data-body.
 std::string body_mark(const Topology& topology, BodyId body);
