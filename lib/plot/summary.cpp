@@ -123,12 +123,14 @@ void add_cases(const std::vector<CaseAnalysis>& cases, Sentences& sentences) {
     }
   }
   const auto count = static_cast<int>(cases.size());
+  const int solved = count - static_cast<int>(open.size());
+  const std::string list = plain_list(open, kMostListed);
   sentences.push_back(
-      open.empty() ? fmt::format("{} {} solved.", counted(count, "case"), count == 1 ? "is" : "are")
-                   : fmt::format("Of {}, {} solved; not so: {}.",
-                                 counted(count, "case"),
-                                 counted(count - static_cast<int>(open.size()), "is", "are"),
-                                 plain_list(open, kMostListed)));
+      open.empty() ? fmt::format("{} solved.", counted(count, "case is", "cases are"))
+      : solved == 0
+          ? fmt::format("No case is solved: {}.", list)
+          : fmt::format(
+                "Of {} cases {} solved; not so: {}.", count, counted(solved, "is", "are"), list));
 }
 
 // A value that cases have, by their labels: "M1 2.84689, M2 1.60097"; from least to most where
