@@ -298,7 +298,7 @@ void add_best(const SynthesisTask& task, const FileUnits& units, Sentences& sent
   text += usable > 0 ? fmt::format(", whose transmission angle keeps {} {} from the dead points",
                                    format_short(units.from_si(QuantityKind::angle, best.margin())),
                                    units.text(QuantityKind::angle))
-                     : fmt::format(" with this against it: {}", phrase_of(best.defect));
+                     : fmt::format(", with this against it: {}", phrase_of(best.defect));
   sentences.push_back(text + ".");
 }
 
@@ -317,8 +317,15 @@ void add_synthesis(const SynthesisAnalysis& synthesis, Sentences& sentences) {
               ? fmt::format("{} real.", counted(real, "dyad is", "dyads are"))
               : fmt::format("Of {} dyads {} real.", real + imaginary, counted(real, "is", "are")));
     }
+    if (task.dyads && task.dyads->status == BurmesterStatus::family) {
+      std::string why = family_text(task.dyads->reason, task.positions);
+      why.front() = why.front() == 'a' ? 'A' : 'N';  // "a family ...", "no dyads ..."
+      sentences.push_back(fmt::format("{}.", why.substr(0, why.find('\n'))));
+    }
     if (!task.linkages.empty()) {
       add_best(task, synthesis.description.units, sentences);
+    } else if (task.dyads && task.dyads->status != BurmesterStatus::family) {
+      sentences.emplace_back("No linkage is found.");
     }
     if (choices > 1) {
       break;

@@ -91,19 +91,32 @@ TEST(Summary, IsEmptyForAFileThatCannotBeRead) {
   EXPECT_TRUE(summary_sentences({}).empty());
 }
 
-// The file asks for what a known inverted slider-crank does: closed form.
-TEST(Summary, NamesTheBestLinkageInWords) {
-  const std::string path = std::string(KINESTAT_MECHANISMS) + "/synthesis/oscillating_slider.yaml";
+std::vector<std::string> sentences_of_task(const std::string& file) {
+  const std::string path = std::string(KINESTAT_MECHANISMS) + "/synthesis/" + file;
   FilePage page;
   page.description = load_description(path, {}, page.source, page.found);
   page.synthesis = find_synthesis(path, page.description.value(), {}, page.found);
+  return summary_sentences(page);
+}
 
-  const auto sentences = summary_sentences(page);
+// The file asks for what a known inverted slider-crank does: closed form.
+TEST(Summary, NamesTheBestLinkageInWords) {
+  const auto sentences = sentences_of_task("oscillating_slider.yaml");
 
   EXPECT_TRUE(has(sentences, "4 dyads are real."));
   EXPECT_TRUE(std::ranges::any_of(sentences, [](const std::string& one) {
     return one.find("the best is an inverted-slider-crank, ") != std::string::npos;
   })) << testing::PrintToString(sentences);
+}
+
+// Cardan's motion: the points of a circle that rolls in one twice as large draw its diameters.
+TEST(Summary, TellsOfAFamilyOfDyads) {
+  const auto sentences = sentences_of_task("elliptic_trammel.yaml");
+
+  EXPECT_TRUE(
+      has(sentences, "A family of dyads: a whole circle of points moves on straight lines."))
+      << testing::PrintToString(sentences);
+  EXPECT_FALSE(has(sentences, "No linkage is found."));
 }
 
 TEST(Summary, SaysThatADriveCannotRun) {
