@@ -7,8 +7,9 @@
 
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "plot/internal/counted.hpp"
+#include "plot/internal/synthesis_summary.hpp"
 #include "report/gear_values.hpp"
-#include "report/linkage_text.hpp"
 #include "report/numbers.hpp"
 #include "report/ratio_in_units.hpp"
 
@@ -20,14 +21,6 @@ namespace {
 constexpr std::size_t kMostListed = 10;
 
 using Sentences = std::vector<std::string>;
-
-std::string counted(int number, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", number, number == 1 ? one : many);
-}
-
-std::string counted(int number, std::string_view noun) {
-  return counted(number, noun, fmt::format("{}s", noun));
-}
 
 // "7 revolute, 4 gear", in the order in which the types first appear.
 std::string types_text(const Topology& topology) {
@@ -271,68 +264,6 @@ void add_motion(const MotionTable& motion, Sentences& sentences) {
   }
 }
 
-// "crank-rocker"
-std::string hyphenated(std::string_view word) {
-  std::string words(word);
-  std::ranges::replace(words, '_', '-');
-  return words;
-}
-
-// "an inverted-slider-crank"
-std::string with_article(const std::string& noun) {
-  constexpr std::string_view kVowels = "aeio";
-  return fmt::format("{} {}", kVowels.find(noun.front()) == kVowels.npos ? "a" : "an", noun);
-}
-
-void add_best(const SynthesisTask& task, const FileUnits& units, Sentences& sentences) {
-  const auto usable = static_cast<int>(std::ranges::count(
-      task.linkages, Defect::none, [](const LinkageCandidate& one) { return one.defect; }));
-  const LinkageCandidate& best = task.linkages.front();
-  std::string text =
-      fmt::format("{} of {} usable; the {} is {}",
-                  usable,
-                  counted(static_cast<int>(task.linkages.size()), "linkage is", "linkages are"),
-                  usable > 0 ? "best" : "nearest",
-                  with_article(hyphenated(word_of(best.linkage.type()))));
-  text += best.grashof ? fmt::format(", class {}", hyphenated(word_of(best.grashof->kind))) : "";
-  text += usable > 0 ? fmt::format(", whose transmission angle keeps {} {} from the dead points",
-                                   format_short(units.from_si(QuantityKind::angle, best.margin())),
-                                   units.text(QuantityKind::angle))
-                     : fmt::format(", with this against it: {}", phrase_of(best.defect));
-  sentences.push_back(text + ".");
-}
-
-void add_synthesis(const SynthesisAnalysis& synthesis, Sentences& sentences) {
-  const auto choices = static_cast<int>(synthesis.tasks.size());
-  sentences.push_back(
-      choices == 1
-          ? fmt::format("Synthesis task {}.", synthesis.form)
-          : fmt::format("Synthesis task {} with {}.", synthesis.form, counted(choices, "choice")));
-  for (const SynthesisTask& task : synthesis.tasks) {
-    if (task.dyads && task.dyads->status == BurmesterStatus::solved) {
-      const int real = static_cast<int>(task.dyads->dyads.size());
-      const int imaginary = task.dyads->imaginary_count;
-      sentences.push_back(
-          imaginary == 0
-              ? fmt::format("{} real.", counted(real, "dyad is", "dyads are"))
-              : fmt::format("Of {} dyads {} real.", real + imaginary, counted(real, "is", "are")));
-    }
-    if (task.dyads && task.dyads->status == BurmesterStatus::family) {
-      std::string why = family_text(task.dyads->reason, task.positions);
-      why.front() = why.front() == 'a' ? 'A' : 'N';  // "a family ...", "no dyads ..."
-      sentences.push_back(fmt::format("{}.", why.substr(0, why.find('\n'))));
-    }
-    if (!task.linkages.empty()) {
-      add_best(task, synthesis.description.units, sentences);
-    } else if (task.dyads && task.dyads->status != BurmesterStatus::family) {
-      sentences.emplace_back("No linkage is found.");
-    }
-    if (choices > 1) {
-      break;
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<std::string> summary_sentences(const FilePage& page) {
@@ -351,7 +282,9 @@ std::vector<std::string> summary_sentences(const FilePage& page) {
     add_motion(page.motion->table, sentences);
   }
   if (page.synthesis) {
-    add_synthesis(*page.synthesis, sentences);
+    for (std::string& one : synthesis_sentences(*page.synthesis)) {
+      sentences.push_back(std::move(one));
+    }
   }
   return sentences;
 }
