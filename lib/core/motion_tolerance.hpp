@@ -34,6 +34,10 @@ inline constexpr double kFlatClosure = 1e-4;
 /// error is that of closure by this share, are left out.
 inline constexpr double kFlatVelocity = 1e-8;
 
+/// A position lies off its branch by what it misses over that share, and its velocities are wrong
+/// by as much again over it: above this share they are left out.
+inline constexpr double kMostVelocityError = 1e-3;
+
 /// Below this the accelerations, whose error is that of closure by its square, are left out.
 inline constexpr double kFlatAcceleration = 1e-5;
 

@@ -187,8 +187,10 @@ class MotionSolver {
       const Arrival arrival = tracker_.advance(now, before, static_cast<double>(k) / steps);
       note_special(-1, true);
       if (arrival != Arrival::reached) {
-        solution_.status =
-            arrival == Arrival::limit ? MotionStatus::limit : MotionStatus::lost_branch;
+        solution_.status = MotionStatus::limit;
+        if (arrival == Arrival::lost) {
+          note_lost(drive_values(now.share, true));
+        }
         return false;
       }
     }
@@ -197,14 +199,25 @@ class MotionSolver {
     return true;
   }
 
+  // On the way to where the motion begins, or in it.
+  std::vector<double> drive_values(double share, bool is_on_the_way) const {
+    std::vector<double> values;
+    for (const MotionDrive& drive : solution_.drives) {
+      values.push_back(is_on_the_way ? share * drive.from
+                                     : drive.from + share * (drive.to - drive.from));
+    }
+    return values;
+  }
+
+  void note_lost(std::vector<double> drive_values) {
+    solution_.status = MotionStatus::lost_branch;
+    solution_.lost_at = std::move(drive_values);
+  }
+
   void note_special(int step, bool is_on_the_way) {
     for (SpecialPosition& one : tracker_.take_special()) {
       one.step = step;
-      for (const MotionDrive& drive : solution_.drives) {
-        one.drive_values.push_back(is_on_the_way
-                                       ? one.share * drive.from
-                                       : drive.from + one.share * (drive.to - drive.from));
-      }
+      one.drive_values = drive_values(one.share, is_on_the_way);
       solution_.special.push_back(std::move(one));
     }
   }
@@ -222,7 +235,7 @@ class MotionSolver {
     if (!tracker_.is_beside_change_point()) {
       double moved = 0.0;
       if (!tracker_.close(now, moved)) {
-        solution_.status = MotionStatus::lost_branch;
+        note_lost(drive_values(0.0, false));
         return;
       }
       tracker_.find_rates(now);
@@ -241,7 +254,7 @@ class MotionSolver {
         note_special(k - 1, false);
       }
       if (arrival == Arrival::lost) {
-        solution_.status = MotionStatus::lost_branch;
+        note_lost(drive_values(now.share, false));
         return;
       }
       keep(now);

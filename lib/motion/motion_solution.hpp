@@ -84,6 +84,7 @@ struct MotionSolution {
   std::vector<double> angles;       ///< likewise
   int coordinate_count = 0;
   int angle_count = 0;
+  std::vector<double> lost_at;           ///< each drive where a lost branch ends [rad or m]
   std::vector<SpecialPosition> special;  ///< in the order of the motion
   std::vector<int> open_freedoms;        ///< that the drives leave open and other bodies feel
   std::vector<int> passive_freedoms;     ///< that they leave open and no other body feels

@@ -87,8 +87,7 @@ class StateSolver {
       state.poses.push_back(pose);
     }
     const int open = static_cast<int>(unknown_.size()) - qr_.rank();
-    state.is_singular = open > static_cast<int>(network_.passive_motions.size()) ||
-                        (!unknown_.empty() && qr_.flatness() < kFlatVelocity);
+    state.is_singular = open > static_cast<int>(network_.passive_motions.size()) || is_too_flat();
     if (state.is_singular) {
       return state;
     }
@@ -119,6 +118,14 @@ class StateSolver {
       matrix.insert(matrix.end(), first, first + rows);
     }
     qr_.factor(matrix, rows, static_cast<int>(unknown_.size()), kSize);
+  }
+
+  // A closure by least squares misses something everywhere.
+  bool is_too_flat() const {
+    const double flatness = unknown_.empty() ? 1.0 : qr_.flatness();
+    const bool is_square = system_.row_count() == static_cast<int>(unknown_.size());
+    return flatness < kFlatVelocity ||
+           (is_square && system_.largest_residual() > kMostVelocityError * flatness * flatness);
   }
 
   double unit_of_rate(int rate) const {

@@ -54,7 +54,7 @@ struct DriveTravel {
   std::string unit;
   double from = 0.0;
   double to = 0.0;
-  std::optional<double> reached;  ///< the last position; empty if there is none
+  std::optional<double> reached;  ///< the last position, or where it was lost; empty without any
 };
 
 /// How far a body was moved to close the drawn position.

@@ -435,6 +435,17 @@ motion: {drive: Tin, from: %s deg, to: %s deg, steps: 1, case: one,
         for half, place in enumerate(places):
             self.close(place, math.pi * (half + 0.5), 1e-9 + 1e-15 * last, "change point")
 
+    def test_that_are_missed_by_a_hair_have_no_velocities(self) -> None:
+        """With a coupler a little longer the branches bend there: between them is neither."""
+        for gap in (3e-9, 1e-9, 1e-10, 1e-11, 1e-13):
+            text = (self.TEXT % (60, 120)).replace("steps: 1,", "steps: 6,")
+            motion = run(text.replace("at: [3, 1]", f"at: [{3 + gap!r}, 1]"))
+            for crank, speed in zip(motion["Tin/drive"], motion["d.wz/velocity"]):
+                if speed is None:
+                    self.close(crank, math.pi / 2, 1e-3, f"singular with a gap of {gap}")
+                else:
+                    self.close(speed, 1.0, 1e-7, f"rocker at {crank} with a gap of {gap}")
+
     def test_are_found_beside_a_fast_gear(self) -> None:
         """A pinion that turns the crank slowly, or that the crank turns fast."""
         for ratio in (10, 15, 30, 100, 1000):

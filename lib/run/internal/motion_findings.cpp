@@ -255,20 +255,16 @@ class Findings {
 
   void add_lost() const {
     const bool is_singular = motion_.solution.status == MotionStatus::singular;
-    const std::string_view hint =
-        is_singular ? "several motions begin there, or none; start from another position, or take "
-                      "more drives"
-        : table_.rows.size() <= 1
-            ? "a singular position lies next to where it begins: begin farther from that, or draw "
-              "the mechanism farther from it"
-            : "other branches come too near there: end the motion before, or go another way with "
-              "more drives";
     found_.error("E0506",
                  place_of_drive(),
-                 table_.rows.empty() ? std::string("the motion cannot leave the drawn position")
-                                     : fmt::format("the motion cannot be followed beyond {}",
-                                                   reached_text().substr(3)),
-                 std::string(hint));
+                 is_singular ? std::string("the motion cannot leave the drawn position")
+                             : fmt::format("the motion cannot be followed beyond {}",
+                                           reached_text().substr(3)),
+                 is_singular ? "several motions begin there, or none; start from another position, "
+                               "or take more drives"
+                             : "other branches come too near there, or something goes far away: "
+                               "begin behind that or end before, or go another way with more "
+                               "drives");
   }
 
   const FoundMotion& motion_;

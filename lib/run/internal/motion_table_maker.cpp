@@ -85,8 +85,10 @@ class TableMaker {
            .unit = unit_text(units_, kind),
            .from = in_unit(kind, drive.from),
            .to = in_unit(kind, drive.to),
-           .reached = last < 0 ? std::nullopt
-                               : std::optional(in_unit(kind, solution_.drive_value(d, last)))});
+           .reached = !solution_.lost_at.empty()
+                          ? std::optional(in_unit(kind, solution_.lost_at[d]))
+                      : last < 0 ? std::nullopt
+                                 : std::optional(in_unit(kind, solution_.drive_value(d, last)))});
       table_.columns.push_back(
           {.element = actuator.name, .quantity = "drive", .unit = unit_text(units_, kind)});
     }
