@@ -73,7 +73,7 @@ std::optional<FoundMotion> find_motion(const MechanismDescription& description,
   }
   motion.drawn = bind_drawn_couplings(description, mechanism);
   motion.network = make_motion_network(mechanism, motion.drawn, driven);
-  if (!check_movable(motion, mechanism, found)) {
+  if (!check_movable(motion, mechanism, found) || !check_ranges(motion, mechanism, found)) {
     return std::nullopt;
   }
   motion.solution = solve_motion(motion.network, task);

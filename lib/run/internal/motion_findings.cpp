@@ -1,6 +1,7 @@
 #include "run/internal/motion_findings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <utility>
@@ -20,6 +21,9 @@ namespace {
 
 // Messages name so many couplings or bodies; the report has them all.
 constexpr std::size_t kMostNamed = 4;
+
+// Of a drive, in radians or sizes of the mechanism: a minute or some.
+constexpr double kLongestRange = 1e6;
 
 std::string with_unit(double value, const std::string& unit) {
   return unit.empty() ? format_short(value) : fmt::format("{} {}", format_short(value), unit);
@@ -333,6 +337,27 @@ bool check_movable(const FoundMotion& motion, const Mechanism& mechanism, Diagno
                 "what each type needs to be moved");
   }
   return motion.network.is_movable();
+}
+
+bool check_ranges(const FoundMotion& motion, const Mechanism& mechanism, Diagnostics& found) {
+  const Topology& topology = mechanism.topology;
+  bool are_bounded = true;
+  for (const PlannedDrive& drive : motion.plan.drives) {
+    const bool turns = topology.freedoms[static_cast<std::size_t>(drive.freedom)].is_rotation;
+    const double unit = turns ? 1.0 : mechanism.geometry.length;
+    if (std::max(std::abs(drive.from), std::abs(drive.to)) <= kLongestRange * unit) {
+      continue;
+    }
+    are_bounded = false;
+    found.error("E0305",
+                drive.where,
+                fmt::format("drive '{}' runs by more than a million {}",
+                            topology.actuators[static_cast<std::size_t>(drive.actuator)].name,
+                            turns ? "radians" : "times the size of the mechanism"),
+                "it is followed in steps of a third of a radian or of the size; a full turn is to: "
+                "360 deg");
+  }
+  return are_bounded;
 }
 
 void add_motion_findings(const FoundMotion& motion,

@@ -13,6 +13,9 @@ bool check_report(const MotionPlan& plan, const Mechanism& mechanism, Diagnostic
 /// Couplings that cannot be moved: E0507. False iff there are any.
 bool check_movable(const FoundMotion& motion, const Mechanism& mechanism, Diagnostics& found);
 
+/// Ranges of drives that would take hours: E0305. False iff there are any.
+bool check_ranges(const FoundMotion& motion, const Mechanism& mechanism, Diagnostics& found);
+
 /// What stopped the motion, and what it passed.
 void add_motion_findings(const FoundMotion& motion,
                          const MechanismDescription& description,
