@@ -425,6 +425,29 @@ motion: {drive: Tin, from: %s deg, to: %s deg, steps: 1, case: one,
                                  self.passed(0, start) + self.passed(start, end)[start in (90, -90):],
                                  f"{start} to {end}")
 
+    def test_may_be_where_several_drives_leave_their_way(self) -> None:
+        """An arm on the coupler is driven too: there the drives do not go on in one line."""
+        text = self.TEXT[:self.TEXT.index("cases:")]
+        text = text.replace("rocker]", "rocker, arm]", 1).replace(
+            "actuators: {", "  e: {type: revolute, bodies: [coupler, arm], at: [1, 1]}\n"
+            "actuators: {arm: {coupling: e}, ")
+        for start in (90, 89.99999, 90.0001, -90, 270):
+            for end in (-80, 60, 100, 200):
+                for arm in ((10, 20), (10, -300), (0, 5), (5, 5)):
+                    motion = run(text + f"""motion:
+  drives: [{{drive: Tin, from: {start} deg, to: {end} deg}},
+           {{drive: arm, from: {arm[0]} deg, to: {arm[1]} deg}}]
+  steps: 3
+  report: [d.wz]
+""")
+                    what = f"{start} to {end}, arm {arm}"
+                    self.assertEqual(motion.report["status"], "complete", what)
+                    for crank, rocker in zip(motion["Tin/drive"], motion["d.wz/position"]):
+                        self.close(rocker, crank, 1e-9, what)
+                    self.assertEqual(
+                        [round(math.degrees(place), 6) for place in motion.events("singular")],
+                        self.passed(0, start) + self.passed(start, end)[start % 180 == 90:], what)
+
     def test_are_passed_a_thousand_times_in_one_step(self) -> None:
         turns = 1000
         motion = run(self.TEXT % (0, 360 * turns))

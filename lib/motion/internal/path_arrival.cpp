@@ -121,30 +121,78 @@ bool PathTracker<Frames>::arrive_beside(const Destination& to,
   return true;
 }
 
-// To the present line of the drives; the arc is another one if they leave the last line.
+// To the present line of the drives.
 template <class Frames>
 void PathTracker<Frames>::turn_resumption(const DriveLine& last) {
   const int sense = line_.sense_in(last);
+  Resumption beside = *std::exchange(resumption_, std::nullopt);
   if (sense == 0) {
-    resumption_.reset();
+    resumption_ = lead_around(beside, last);
     return;
   }
-  Resumption& beside = *resumption_;
-  for (ArcPoint* point : {&beside.before, &beside.behind}) {
-    point->share = line_.share_of(last, point->share);
-    if (sense < 0) {
-      // The last component and column are those of the drives, which now run the other way.
-      const double by_drives = point->tangent.back();
-      std::ranges::transform(point->tangent, point->tangent.begin(), std::negate());
-      point->tangent.back() = by_drives;
-      const auto drives = point->matrix.end() - system_.row_count();
-      std::transform(drives, point->matrix.end(), drives, std::negate());
-    }
+  if (sense < 0 && !beside.behind) {
+    return;
   }
   if (sense < 0) {
-    std::swap(beside.before, beside.behind);
+    std::swap(beside.before, *beside.behind);
     beside.has_passed = beside.is_at || !beside.has_passed;
   }
+  ArcPoint& before = beside.before;
+  before.share = line_.share_of(last, before.share);
+  if (sense < 0) {
+    // The last component and column are those of the drives, which now run the other way.
+    const double by_drives = before.tangent.back();
+    std::ranges::transform(before.tangent, before.tangent.begin(), std::negate());
+    before.tangent.back() = by_drives;
+    const auto drives = before.matrix.end() - system_.row_count();
+    std::transform(drives, before.matrix.end(), drives, std::negate());
+  }
+  beside.behind.reset();
+  resumption_ = std::move(beside);
+}
+
+// Where the drives leave their line beside a change point: a way from the regular point before it
+// to one that lies before it on the new line.
+template <class Frames>
+std::optional<typename PathTracker<Frames>::Resumption> PathTracker<Frames>::lead_around(
+    const Resumption& beside, const DriveLine& last) {
+  std::vector<double> from;
+  double distance = kStepToStart;
+  for (std::size_t d = 0; d < driven_.size(); ++d) {
+    from.push_back(last.value(d, beside.before.share));
+    distance = std::max(distance, std::abs(line_.from[d] - from.back()));
+  }
+  const double share = -distance / line_.scale;
+  std::vector<double> to;
+  for (std::size_t d = 0; d < driven_.size(); ++d) {
+    to.push_back(line_.value(d, share));
+  }
+  const DriveLine next = std::exchange(line_, DriveLine::between(from, to));
+  const std::vector<SpecialPosition> passed = take_special();
+  PathPoint point = make_point();
+  point.coordinates = beside.before.coordinates;
+  point.angles = beside.before.angles;
+  double moved = 0.0;
+  bool is_there = close(point, moved);
+  if (is_there) {
+    find_rates(point);
+    PathPoint none = make_point();
+    is_there = advance(point, none, 1.0) == Arrival::reached && !resumption_;
+  }
+  const bool has_crossed = take_special().size() % 2 == 1;
+  resumption_.reset();
+  special_ = passed;
+  line_ = next;
+  point.share = share;
+  if (!is_there || !close(point, moved)) {
+    return std::nullopt;
+  }
+  find_rates(point);
+  // What lies between the new point and the present one is behind the way that begins.
+  return Resumption{.before = arc_point(point),
+                    .behind = std::nullopt,
+                    .is_at = beside.is_at,
+                    .has_passed = beside.is_at || has_crossed != beside.has_passed};
 }
 
 // Where the drives turn back on the way to `there`, which becomes that point: the last component of

@@ -39,8 +39,7 @@ class PathTracker {
   explicit PathTracker(const MotionNetwork& network);
 
   /// Where all drives run together from these values to those [rad, or sizes of the mechanism]. A
-  /// way that arrived beside a change point goes on from there if they keep their directions or all
-  /// turn back.
+  /// way that arrived beside a change point goes on from there.
   void set_range(std::span<const double> from, std::span<const double> to);
 
   /// Puts the drives where the share has them.
@@ -86,12 +85,13 @@ class PathTracker {
   // Of a point beside a change point: the regular ones before and behind both on the arc.
   struct Resumption {
     ArcPoint before;
-    ArcPoint behind;
-    bool is_at = false;       // the change point itself
-    bool has_passed = false;  // or it
+    std::optional<ArcPoint> behind;  // unknown after the drives have left their line
+    bool is_at = false;              // the change point itself
+    bool has_passed = false;         // or it
   };
 
   void turn_resumption(const DriveLine& last);
+  std::optional<Resumption> lead_around(const Resumption& beside, const DriveLine& last);
   void gather(std::span<const int> columns, std::vector<double>& matrix) const;
   bool try_step(const PathPoint& now, const PathPoint& before, double share, PathPoint& next);
   void predict(const PathPoint& now, const PathPoint& before, double step);
