@@ -98,6 +98,7 @@ class FreedomTester {
     const VecX along = rates_of(motion);
     FreedomTrial trial;
     double shares[2] = {0.0, 0.0};
+    double ways[2] = {0.0, 0.0};
     for (const int half : {0, 1}) {
       PathPoint there = drawn;
       trial.step = half == 0 ? kTrialStep : 0.5 * kTrialStep;
@@ -124,7 +125,8 @@ class FreedomTester {
         way = std::max(way, std::abs(difference));
       }
       shares[half] = off / trial.step;
-      if (way < kLeastWay * trial.step) {
+      ways[half] = way / trial.step;
+      if (ways[half] < kLeastWay || (half == 1 && ways[1] > kGrowingShare * ways[0])) {
         trial.persistence = Persistence::instantaneous;  // it only closes where it was drawn
         return trial;
       }

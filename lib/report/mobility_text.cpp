@@ -187,8 +187,9 @@ class MobilityText {
       return "";
     }
     const std::string gained = names_text(topology_, analysis_.finite->gained);
-    return fmt::format("  The drawn position is singular: {} freedoms here, {} close by{}\n\n",
+    return fmt::format("  The drawn position is singular: {} freedom{} here, {} close by{}\n\n",
                        analysis_.finite->drawn_freedom,
+                       analysis_.finite->drawn_freedom == 1 ? "" : "s",
                        analysis_.finite->nearby_freedom,
                        gained.empty() ? "" : "; only here move " + gained);
   }

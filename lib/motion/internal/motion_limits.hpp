@@ -48,6 +48,10 @@ inline constexpr double kShrinks = 0.75;
 /// A trial that comes back to less than this share of its step has not moved.
 inline constexpr double kLeastWay = 0.1;
 
+/// Nor has one whose share of half the step is so many times as large: it comes back to where the
+/// misclosure is lost in rounding, whatever the step.
+inline constexpr double kGrowingShare = 1.3;
+
 /// How far apart the regular points are from which a change point between them follows: a cubic
 /// leaves some roundings.
 inline constexpr double kSurroundings = 0.001;

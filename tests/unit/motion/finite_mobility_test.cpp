@@ -76,6 +76,24 @@ TEST(FiniteMobility, OfUnequalParallelCranksDoesNot) {
   EXPECT_EQ(mobility.trials[0].persistence, Persistence::instantaneous);
 }
 
+// Cranks of 1, 2 and 4, whose ends keep their second derivatives too, but miss with the fourth
+// power of the way.
+TEST(FiniteMobility, OfCranksThatMissLateIsInstantaneous) {
+  const FiniteMobility mobility =
+      tried(moving("space: planar\nground: frame\nbodies: [one, two, three, platform]\ncouplings:\n"
+                   "  a: {type: revolute, bodies: [frame, one], at: [0, 0]}\n"
+                   "  b: {type: revolute, bodies: [frame, two], at: [2, 0]}\n"
+                   "  c: {type: revolute, bodies: [frame, three], at: [3, 0]}\n"
+                   "  d: {type: revolute, bodies: [one, platform], at: [0, 1]}\n"
+                   "  e: {type: revolute, bodies: [two, platform], at: [2, 2]}\n"
+                   "  f: {type: revolute, bodies: [three, platform], at: [3, 4]}\n",
+                   {}));
+
+  ASSERT_EQ(mobility.trials.size(), 1U);
+  EXPECT_EQ(mobility.trials[0].persistence, Persistence::instantaneous);
+  EXPECT_EQ(mobility.nearby_freedom, 0);
+}
+
 // All links of a parallelogram in line: two freedoms, one as soon as it has moved.
 TEST(FiniteMobility, OfAParallelogramInLineIsSingular) {
   const FiniteMobility mobility =
