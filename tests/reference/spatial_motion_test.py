@@ -99,6 +99,18 @@ class SpatialLinkages(MotionTest):
         size = math.sqrt(dot(axis[i], axis[i]))
         return math.atan2(dot(axis[i], cross(before, behind)) / size, dot(before, behind))
 
+    def test_schatz_linkage_has_the_torque_of_its_motor_everywhere(self) -> None:
+        """A redundant linkage leaves bearing forces open, and the power of its shafts does not:
+        tan A tan E = 2, A being 45 deg as drawn, and 1 N*m drives the other shaft."""
+        motion = run(in_library("spatial/schatz_linkage.yaml"), "--drive", "motor", "--to",
+                     "360 deg", "--steps", "200", "--case", "left shaft turns",
+                     "--report", "action")
+        self.assertEqual(set(motion["status"]), {"indeterminate"})
+        for angle, torque in zip(motion["motor/drive"], motion["motor/action"]):
+            a = math.pi / 4 + angle
+            self.assertIsNotNone(torque, f"at {angle}")
+            self.close(torque, 2 / (math.sin(a) ** 2 + 4 * math.cos(a) ** 2), 1e-9, f"at {angle}")
+
     def test_platform_has_the_lengths_of_its_legs(self) -> None:
         """The distances of the joints, to the closure of a mechanism of more than 2 m."""
         motion = run(in_library("spatial/ups_platform.yaml"))
