@@ -78,7 +78,7 @@ class StateSolver {
     factor();
   }
 
-  MotionState solve(std::span<const DriveSpeed> speeds, StateDetail detail) {
+  MotionState solve(const GivenSpeeds& speeds, StateDetail detail) {
     MotionState state;
     state.origin = network_.origin;
     for (const int frame : network_.frame_of_body) {
@@ -93,17 +93,24 @@ class StateSolver {
     }
     std::vector<double> rates(at(network_.rate_count), 0.0);
     std::vector<double> bends = rates;
-    for (std::size_t d = 0; d < speeds.size(); ++d) {
+    for (std::size_t d = 0; d < speeds.drives.size(); ++d) {
       const double unit = unit_of_rate(network_.driven_rates[d]);
-      rates[at(network_.driven_rates[d])] = speeds[d].speed / unit;
-      bends[at(network_.driven_rates[d])] = speeds[d].acceleration / unit;
+      rates[at(network_.driven_rates[d])] = speeds.drives[d].speed / unit;
+      bends[at(network_.driven_rates[d])] = speeds.drives[d].acceleration / unit;
     }
     complete(rates, std::vector<double>(at(system_.row_count()), 0.0));
+    if (open > 0) {
+      find_effects(speeds.passive);
+      meet_speeds(speeds.passive, rates);
+    }
     if (detail == StateDetail::acceleration) {
       // What is left of the second derivative while the unknown rates do not change.
       const auto frames = system_.moving_frames(configuration_.coordinates, rates, bends);
       const std::vector<double> left = system_.residual_bends(frames, bends, configuration_.angles);
       solve_unknown(left, bends);
+      if (open > 0) {
+        hold_speeds(speeds.passive, rates, bends);
+      }
     }
     fill(rates, bends, detail, state);
     return state;
@@ -160,16 +167,85 @@ class StateSolver {
     }
   }
 
+  // How much each open motion changes the rates of the freedoms whose speed is given.
+  void find_effects(const std::vector<PassiveSpeed>& given) {
+    const std::vector<double>& open = qr_.null_vectors();
+    const std::vector<double> none(at(network_.rate_count), 0.0);
+    std::vector<double> effects;
+    for (std::size_t first = 0; first < open.size(); first += unknown_.size()) {
+      std::vector<double> rates = none;
+      for (std::size_t i = 0; i < unknown_.size(); ++i) {
+        rates[at(unknown_[i])] = open[first + i];
+      }
+      MotionState motion;
+      fill_freedoms(rates, none, motion);
+      for (const PassiveSpeed& one : given) {
+        effects.push_back(motion.rates[at(one.freedom)].value_or(0.0) / unit_of(one));
+      }
+    }
+    const auto count = static_cast<int>(given.size());
+    effects_.factor(effects, count, static_cast<int>(open.size() / unknown_.size()), kSize);
+  }
+
+  void meet_speeds(const std::vector<PassiveSpeed>& given, std::vector<double>& rates) {
+    MotionState motion;
+    fill_freedoms(rates, std::vector<double>(rates.size(), 0.0), motion);
+    std::vector<double> missed;
+    for (const PassiveSpeed& one : given) {
+      missed.push_back((one.speed - motion.rates[at(one.freedom)].value_or(0.0)) / unit_of(one));
+    }
+    add_open(missed, rates);
+  }
+
+  void hold_speeds(const std::vector<PassiveSpeed>& given,
+                   const std::vector<double>& rates,
+                   std::vector<double>& bends) {
+    MotionState motion;
+    fill_freedoms(rates, bends, motion);
+    std::vector<double> missed;
+    for (const PassiveSpeed& one : given) {
+      missed.push_back(-motion.rate_rates[at(one.freedom)].value_or(0.0) / unit_of(one));
+    }
+    add_open(missed, bends);
+  }
+
+  // Open motions that make up for what the freedoms miss.
+  void add_open(const std::vector<double>& missed, std::vector<double>& rates) {
+    std::vector<double> shares(at(effects_.columns()));
+    effects_.solve(missed, shares);
+    const std::vector<double>& open = qr_.null_vectors();
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      for (std::size_t i = 0; i < unknown_.size(); ++i) {
+        rates[at(unknown_[i])] += shares[k] * open[k * unknown_.size() + i];
+      }
+    }
+  }
+
+  double unit_of(const PassiveSpeed& given) const {
+    return mechanism_.topology.freedoms[at(given.freedom)].is_rotation ? 1.0 : network_.length;
+  }
+
   void fill(const std::vector<double>& rates,
             const std::vector<double>& bends,
             StateDetail detail,
             MotionState& state) const {
-    const auto frames = system_.moving_frames(configuration_.coordinates, rates, bends);
+    const auto frames = fill_freedoms(rates, bends, state);
     for (const int frame : network_.frame_of_body) {
       const MovingTwist moving = twist_of(frames[at(frame)], network_.length);
       state.twists.push_back(moving.twist);
       state.twist_rates.push_back(moving.rate);
     }
+    if (detail == StateDetail::velocity || qr_.flatness() < kFlatAcceleration) {
+      state.twist_rates.clear();
+      state.rate_rates.clear();
+    }
+  }
+
+  // Their rates and the derivatives of these.
+  std::vector<typename Frames::template Frame<Jet>> fill_freedoms(const std::vector<double>& rates,
+                                                                  const std::vector<double>& bends,
+                                                                  MotionState& state) const {
+    auto frames = system_.moving_frames(configuration_.coordinates, rates, bends);
     state.rates.resize(mechanism_.topology.freedoms.size());
     state.rate_rates.resize(mechanism_.topology.freedoms.size());
     fill_joints(rates, bends, state);
@@ -187,10 +263,7 @@ class StateSolver {
         state.rate_rates[at(ball.first_freedom + i)] = head.rate.angular[i] - tail.rate.angular[i];
       }
     }
-    if (detail == StateDetail::velocity || qr_.flatness() < kFlatAcceleration) {
-      state.twist_rates.clear();
-      state.rate_rates.clear();
-    }
+    return frames;
   }
 
   void fill_joints(const std::vector<double>& rates,
@@ -224,6 +297,7 @@ class StateSolver {
   const Configuration& configuration_;
   ClosureSystem<Frames> system_;
   PivotedQr qr_;
+  PivotedQr effects_;  // of the open motions on what is given of them
   std::vector<int> unknown_;
 };
 
@@ -232,9 +306,9 @@ class StateSolver {
 MotionState solve_state(const MotionNetwork& network,
                         const Mechanism& mechanism,
                         const Configuration& configuration,
-                        std::span<const DriveSpeed> speeds,
+                        const GivenSpeeds& speeds,
                         StateDetail detail) {
-  KINESTAT_EXPECTS(speeds.size() == network.driven_rates.size());
+  KINESTAT_EXPECTS(speeds.drives.size() == network.driven_rates.size());
   return network.space == Space::planar
              ? StateSolver<PlanarFrames>(network, mechanism, configuration).solve(speeds, detail)
              : StateSolver<SpatialFrames>(network, mechanism, configuration).solve(speeds, detail);

@@ -15,6 +15,18 @@ struct DriveSpeed {
   double acceleration = 0.0;  ///< [rad/s² or m/s²]
 };
 
+/// The constant rate of a freedom that the drives leave open.
+struct PassiveSpeed {
+  int freedom = 0;     ///< index into Topology::freedoms
+  double speed = 0.0;  ///< [rad/s or m/s]
+};
+
+/// What is known of the velocities.
+struct GivenSpeeds {
+  std::vector<DriveSpeed> drives;     ///< parallel to the driven freedoms of the network
+  std::vector<PassiveSpeed> passive;  ///< those of freedoms that are not open count for nothing
+};
+
 enum class StateDetail { velocity, acceleration };
 
 /// Twists are written about the origin of the geometry. Lists of bodies and freedoms are parallel
@@ -34,12 +46,12 @@ struct MotionState {
                                                   ///< likewise
 };
 
-/// The least motion in the coordinates where passive freedoms stay open. `speeds` is parallel to
-/// the driven freedoms of the network.
+/// The least motion in the coordinates where passive freedoms stay open. The rates of a ball are
+/// about world axes, and one that is given stays constant there.
 [[nodiscard]] MotionState solve_state(const MotionNetwork& network,
                                       const Mechanism& mechanism,
                                       const Configuration& configuration,
-                                      std::span<const DriveSpeed> speeds,
+                                      const GivenSpeeds& speeds,
                                       StateDetail detail);
 
 /// World frame, SI.

@@ -42,6 +42,33 @@ class SpatialLinkages(MotionTest):
             self.close(motion["d.wy/acceleration"][step],
                        100 * derivative(self.rocker, angle, 2, 0.01).real, 1e-3, "acceleration")
 
+    def test_rssr_spins_its_rod_as_the_case_says(self) -> None:
+        """b.wx = 0: the rod's ends and its turn about x determine the other two, as analyze does."""
+        motion = run(in_library("spatial/rssr.yaml"), "--from", "0", "--to", "10 deg", "--steps",
+                     "2", "--report", "velocity", "--report", "acceleration")
+        for step, angle in enumerate(motion["motor/drive"]):
+            y, z = (10 * self.rod_turn(angle)[i] for i in (0, 1))
+            self.close(motion["b.wx/velocity"][step], 0.0, 1e-12, "b.wx")
+            self.close(motion["rod/angular_acceleration/x"][step], 0.0, 1e-9, "change of b.wx")
+            self.close(motion["b.wy/velocity"][step], y, 1e-8, "b.wy")
+            self.close(motion["b.wz/velocity"][step], z - 10, 1e-8, "b.wz")
+            for i, axis in enumerate("yz"):
+                bend = 100 * derivative(lambda t: self.rod_turn(t)[i], angle, 1, 0.01).real
+                self.close(motion[f"rod/angular_acceleration/{axis}"][step], bend, 1e-4, axis)
+        self.close(motion["b.wy/velocity"][0], -5 / 3, 1e-12, "b.wy as drawn")
+        self.close(motion["b.wz/velocity"][0], -50 / 3, 1e-12, "b.wz as drawn")
+
+    @classmethod
+    def rod_turn(cls, crank: float) -> tuple[float, float]:
+        """wy, wz for each radian of the crank, wx being 0: w x (c - b) is vc - vb."""
+        turn, rate = cls.rocker(crank), derivative(cls.rocker, crank, 1, 0.01).real
+        b = turned(40 + 20j, crank)
+        arm = turned(-20 - 20j, turn)  # x - iz: a turn about y
+        x, z = arm.real, -arm.imag
+        rod = (120 + x - b.real, 80 - b.imag, 40 + z)
+        speed = (rate * z + b.imag, -b.real, -rate * x)
+        return -speed[2] / rod[0], speed[1] / rod[0]
+
     def test_rssr_stops_where_its_balls_cannot_reach_further(self) -> None:
         for to in (3.0, -3.0):
             motion = run(in_library("spatial/rssr.yaml"), "--from", "0", "--to", f"{to} rad",

@@ -28,7 +28,7 @@ class DeadPointFinder {
       const bool turns =
           mechanism_.topology.freedoms[static_cast<std::size_t>(drive.freedom)].is_rotation;
       const double way = drive.to - drive.from;
-      per_share_.push_back({.speed = way, .acceleration = 0.0});
+      per_share_.drives.push_back({.speed = way, .acceleration = 0.0});
       reach_ = std::max(reach_, std::abs(way) / (turns ? 1.0 : mechanism_.geometry.length));
     }
   }
@@ -193,7 +193,7 @@ class DeadPointFinder {
   const Mechanism& mechanism_;
   const FoundMotion& motion_;
   std::vector<int> watched_;
-  std::vector<DriveSpeed> per_share_;
+  GivenSpeeds per_share_;
   double reach_ = 0.0;  ///< of the fastest drive [rad, or sizes of the mechanism]
   std::vector<DeadPoint> found_;
 };

@@ -58,7 +58,7 @@ MotionPosition MotionPositions::at(const Configuration& configuration) {
   const StateDetail detail =
       detail_.acceleration ? StateDetail::acceleration : StateDetail::velocity;
   position.has_speeds = speeds.has_value();
-  const std::vector<DriveSpeed> rest(plan_.drives.size());
+  const GivenSpeeds rest{.drives = std::vector<DriveSpeed>(plan_.drives.size()), .passive = {}};
   position.state =
       solve_state(network_, mechanism_, configuration, speeds ? *speeds : rest, detail);
   if (!position.state.is_singular && (detail_.statics || detail_.transmission_angle)) {
@@ -69,18 +69,18 @@ MotionPosition MotionPositions::at(const Configuration& configuration) {
 }
 
 // Those that the case gives or, of one drive, that follow from the motion which it gives.
-std::optional<std::vector<DriveSpeed>> MotionPositions::speeds_of_case(
-    const Configuration& configuration) {
+std::optional<GivenSpeeds> MotionPositions::speeds_of_case(const Configuration& configuration) {
   if (which_ == nullptr) {
     return std::nullopt;
   }
-  std::vector<DriveSpeed> speeds;
+  GivenSpeeds speeds;
   for (const PlannedDrive& drive : plan_.drives) {
     if (const Primary* known = find_primary(*which_, drive.freedom)) {
-      speeds.push_back({.speed = known->value, .acceleration = 0.0});
+      speeds.drives.push_back({.speed = known->value, .acceleration = 0.0});
     }
   }
-  if (speeds.size() == plan_.drives.size()) {
+  speeds.passive = undriven_speeds();
+  if (speeds.drives.size() == plan_.drives.size()) {
     return speeds;
   }
   const Primary* moving = plan_.drives.size() == 1 ? find_moving(*which_) : nullptr;
@@ -89,12 +89,14 @@ std::optional<std::vector<DriveSpeed>> MotionPositions::speeds_of_case(
   }
   // With f the given freedom as a function of the drive s: f' s. = given, f' s.. = -f'' s.^2.
   const auto freedom = static_cast<std::size_t>(moving->index);
-  const std::vector<DriveSpeed> unit = {{.speed = 1.0, .acceleration = 0.0}};
+  std::erase_if(speeds.passive,
+                [&](const PassiveSpeed& one) { return one.freedom == moving->index; });
+  speeds.drives = {{.speed = 1.0, .acceleration = 0.0}};
   const MotionState state =
       solve_state(network_,
                   mechanism_,
                   configuration,
-                  unit,
+                  speeds,
                   detail_.acceleration ? StateDetail::acceleration : StateDetail::velocity);
   if (state.is_singular) {
     return std::nullopt;
@@ -109,7 +111,19 @@ std::optional<std::vector<DriveSpeed>> MotionPositions::speeds_of_case(
   }
   const double speed = moving->value / slope;
   const double bend = state.rate_rates.empty() ? 0.0 : state.rate_rates[freedom].value_or(0.0);
-  return std::vector<DriveSpeed>{{.speed = speed, .acceleration = -bend * speed * speed / slope}};
+  speeds.drives = {{.speed = speed, .acceleration = -bend * speed * speed / slope}};
+  return speeds;
+}
+
+std::vector<PassiveSpeed> MotionPositions::undriven_speeds() const {
+  std::vector<PassiveSpeed> speeds;
+  for (const Primary& known : which_->motions) {
+    if (std::ranges::find(plan_.drives, known.index, &PlannedDrive::freedom) ==
+        plan_.drives.end()) {
+      speeds.push_back({.freedom = known.index, .speed = known.value});
+    }
+  }
+  return speeds;
 }
 
 void MotionPositions::solve_passes(MotionPosition& position) {

@@ -43,7 +43,8 @@ class MotionPositions {
   const Mechanism& moved() const { return moved_; }
 
  private:
-  std::optional<std::vector<DriveSpeed>> speeds_of_case(const Configuration& configuration);
+  std::optional<GivenSpeeds> speeds_of_case(const Configuration& configuration);
+  std::vector<PassiveSpeed> undriven_speeds() const;
   void solve_passes(MotionPosition& position);
 
   const Mechanism& mechanism_;
