@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 #include <vector>
 
 #include "core/tolerance.hpp"
@@ -11,6 +12,8 @@
 namespace kinestat {
 
 namespace {
+
+using AngleOrObstacle = std::variant<double, TransmissionObstacle>;
 
 // The coupling through which the output is driven, and how its wrench counts on the driven body.
 struct DrivingCoupling {
@@ -73,49 +76,67 @@ std::optional<Wrench> find_driving_wrench(const Mechanism& mechanism,
 }
 
 // Of a force and the motion of the body on which it acts; `near` is the point of the coupling.
-std::optional<double> angle_between(const Wrench& wrench,
-                                    const Twist& motion,
-                                    const Vec3& near,
-                                    double length) {
+AngleOrObstacle angle_between(const Wrench& wrench,
+                              const Twist& motion,
+                              const Vec3& near,
+                              double length) {
   const double force = wrench.force.norm();
   const Vec3 moment = moment_at(wrench, near);
   if (force * length <= kNoReaction * moment.norm()) {
-    return std::nullopt;  // A couple has no line.
+    return TransmissionObstacle::couple;  // It has no line.
   }
   // The point of the line of F next to the coupling.
   const Vec3 point = near + wrench.force.cross(moment) / (force * force);
   const Vec3 velocity = velocity_at(motion, point);
   const double fastest = std::max(motion.linear.norm(), motion.angular.norm() * length);
   if (velocity.norm() <= kNoReaction * fastest) {
-    return std::nullopt;
+    return TransmissionObstacle::rest;
   }
   const double along = std::abs(wrench.force.dot(velocity));
   return std::atan2(along, wrench.force.cross(velocity).norm());
 }
 
-}  // namespace
-
-std::optional<double> find_transmission_angle(const Mechanism& mechanism, int input, int output) {
+AngleOrObstacle find_angle(const Mechanism& mechanism, int input, int output) {
+  if (input == output) {
+    return TransmissionObstacle::same_actuator;
+  }
   const Topology& topology = mechanism.topology;
   const ActuatorTopology& driven = topology.actuators[static_cast<std::size_t>(output)];
   const auto freedom = static_cast<std::size_t>(driven.freedom);
   const CouplingTopology& coupling = topology.coupling(topology.freedoms[freedom].coupling);
   const std::optional<DrivingCoupling> driving = find_driving_coupling(topology, coupling);
-  if (!driving || input == output) {
-    return std::nullopt;
+  if (!driving) {
+    return TransmissionObstacle::no_one_coupling;
   }
   const CoordinateBasis basis = action_basis(mechanism.geometry, mechanism.static_order);
   std::optional<Wrench> wrench = find_driving_wrench(mechanism, basis, *driving, output, input);
   if (!wrench) {  // At a dead point of the input only the input can load the chain.
     wrench = find_driving_wrench(mechanism, basis, *driving, input, output);
   }
-  return wrench ? angle_between(
-                      *wrench,
-                      mechanism.geometry.motions[freedom],
-                      mechanism.geometry.points[static_cast<std::size_t>(driving->coupling.value)] -
-                          mechanism.geometry.origin,
-                      mechanism.geometry.length)
-                : std::nullopt;
+  if (!wrench) {
+    return TransmissionObstacle::open_force;
+  }
+  const auto at = static_cast<std::size_t>(driving->coupling.value);
+  return angle_between(*wrench,
+                       mechanism.geometry.motions[freedom],
+                       mechanism.geometry.points[at] - mechanism.geometry.origin,
+                       mechanism.geometry.length);
+}
+
+}  // namespace
+
+std::optional<double> find_transmission_angle(const Mechanism& mechanism, int input, int output) {
+  const AngleOrObstacle found = find_angle(mechanism, input, output);
+  const double* angle = std::get_if<double>(&found);
+  return angle == nullptr ? std::nullopt : std::optional(*angle);
+}
+
+std::optional<TransmissionObstacle> find_transmission_obstacle(const Mechanism& mechanism,
+                                                               int input,
+                                                               int output) {
+  const AngleOrObstacle found = find_angle(mechanism, input, output);
+  const auto* obstacle = std::get_if<TransmissionObstacle>(&found);
+  return obstacle == nullptr ? std::nullopt : std::optional(*obstacle);
 }
 
 }  // namespace kinestat

@@ -22,4 +22,18 @@ namespace kinestat {
 /// `input` and `output` are indices of actuators.
 std::optional<double> find_transmission_angle(const Mechanism& mechanism, int input, int output);
 
+/// Why there is no transmission angle.
+enum class TransmissionObstacle {
+  same_actuator,    ///< input and output are one
+  no_one_coupling,  ///< the body of the output has no other coupling, or several
+  open_force,       ///< equilibrium does not determine the force
+  couple,           ///< what drives the body is a couple
+  rest              ///< the body rests on the line of the force
+};
+
+/// Empty iff there is one.
+std::optional<TransmissionObstacle> find_transmission_obstacle(const Mechanism& mechanism,
+                                                               int input,
+                                                               int output);
+
 }  // namespace kinestat

@@ -107,6 +107,14 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "the motion began: the drives stay where they are drawn, and everything else moves by as "
      "little as it must. The report has the gaps as drawn and how far each body moved; motions "
      "are measured from the drawn position all the same."},
+    {"W0505",
+     done,
+     "no transmission angle",
+     "The transmission angle is that of the force which drives the body of the output through its "
+     "one other coupling. There is none where several couplings drive it, where a couple does, or "
+     "where equilibrium leaves the force open: in a plane mechanism drawn in space the bearings "
+     "may press on each other along their axes, as far as equilibrium says, and that belongs to "
+     "the force."},
     {"W0601",
      done,
      "actions are statically indeterminate",

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "power/transmission_angle.hpp"
 #include "report/numbers.hpp"
 #include "run/internal/action_findings.hpp"
 #include "run/internal/motion_position.hpp"
@@ -20,6 +21,30 @@ bool reports_actions(const MotionReport& report) {
          !report.actuators.empty();
 }
 
+std::string reason_of(TransmissionObstacle why, std::string_view output) {
+  switch (why) {
+    case TransmissionObstacle::same_actuator:
+      return "it is the input too";
+    case TransmissionObstacle::no_one_coupling:
+      return fmt::format("not one coupling alone drives the body of '{}'", output);
+    case TransmissionObstacle::open_force:
+      return fmt::format("equilibrium does not determine the force that drives '{}'", output);
+    case TransmissionObstacle::couple:
+      return fmt::format("a couple drives '{}', and it has no line", output);
+    case TransmissionObstacle::rest:
+      return fmt::format("'{}' does not move where the force acts", output);
+  }
+  return {};
+}
+
+std::string hint_of(TransmissionObstacle why) {
+  return why == TransmissionObstacle::open_force
+             ? "write 'space: planar' if all moves in one plane, or leave out with 'passive:' what "
+               "the couplings do not bear; 'mechanical_advantage' needs no force"
+             : "take 'transmission_angle' out of 'report'; 'mechanical_advantage' says how well "
+               "the output is driven";
+}
+
 class StaticsFindings {
  public:
   StaticsFindings(const FoundMotion& motion,
@@ -27,6 +52,41 @@ class StaticsFindings {
                   const Mechanism& mechanism,
                   Diagnostics& found)
       : motion_(motion), description_(description), mechanism_(mechanism), found_(found) {}
+
+  // Only where no position has one: at dead points alone it explains itself.
+  void add_transmission() {
+    const MotionTable& table = motion_.table;
+    const auto column =
+        std::ranges::find(table.columns, "transmission_angle", &MotionColumn::quantity);
+    if (column == table.columns.end()) {
+      return;
+    }
+    const auto c = static_cast<std::size_t>(column - table.columns.begin());
+    const MotionRow* first = nullptr;
+    for (const MotionRow& row : table.rows) {
+      if (row.values[c]) {
+        return;
+      }
+      first = first == nullptr && row.status != "singular" ? &row : first;
+    }
+    if (first == nullptr) {
+      return;
+    }
+    MotionPositions positions(
+        mechanism_, motion_.plan, motion_.network, motion_.drawn, {.transmission_angle = true});
+    positions.at(motion_.solution.configuration_at(first->step));
+    const Case& which = mechanism_.cases[static_cast<std::size_t>(motion_.plan.which)];
+    const int output = which.outputs.front();
+    if (const auto why =
+            find_transmission_obstacle(positions.moved(), which.inputs.front(), output)) {
+      const std::string& name =
+          mechanism_.topology.actuators[static_cast<std::size_t>(output)].name;
+      found_.warning("W0505",
+                     motion_.plan.where,
+                     fmt::format("'{}' has no transmission angle: {}", name, reason_of(*why, name)),
+                     hint_of(*why));
+    }
+  }
 
   void add_all() {
     using enum SolveStatus;
@@ -113,9 +173,11 @@ void add_motion_statics_findings(const FoundMotion& motion,
                                  const MechanismDescription& description,
                                  const Mechanism& mechanism,
                                  Diagnostics& found) {
+  StaticsFindings findings(motion, description, mechanism, found);
   if (reports_actions(motion.plan.report)) {
-    StaticsFindings(motion, description, mechanism, found).add_all();
+    findings.add_all();
   }
+  findings.add_transmission();
 }
 
 }  // namespace kinestat

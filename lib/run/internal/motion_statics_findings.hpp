@@ -7,7 +7,8 @@
 namespace kinestat {
 
 /// Why there are no actions at positions of a motion that reports them: what an analysis of the
-/// first such position says, and at how many it holds. Nothing is said of indeterminate positions.
+/// first such position says, and at how many it holds; nothing is said of indeterminate positions.
+/// And why there is no transmission angle where one is asked for and no position has it: W0505.
 void add_motion_statics_findings(const FoundMotion& motion,
                                  const MechanismDescription& description,
                                  const Mechanism& mechanism,

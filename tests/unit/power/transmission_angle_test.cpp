@@ -67,6 +67,26 @@ TEST(TransmissionAngle, DoesNotExistWhereTwoCouplingsDriveTheOutput) {
       "actuators: {Tin: {coupling: a}, Tout: {coupling: d}}\n");
 
   EXPECT_FALSE(find_transmission_angle(mechanism, 0, 1));
+  EXPECT_EQ(find_transmission_obstacle(mechanism, 0, 1), TransmissionObstacle::no_one_coupling);
+}
+
+TEST(TransmissionAngle, DoesNotExistWhereBearingsMayPressAlongTheirAxes) {
+  const Mechanism mechanism = mechanism_of(
+      "ground: frame\nbodies: [crank, coupler, rocker]\ncouplings:\n"
+      "  a: {type: revolute, bodies: [frame, crank], at: [0, 0, 0], axis: z}\n"
+      "  b: {type: revolute, bodies: [crank, coupler], at: [1, 3, 0], axis: z}\n"
+      "  c: {type: revolute, bodies: [coupler, rocker], at: [6, 5, 0], axis: z}\n"
+      "  d: {type: revolute, bodies: [frame, rocker], at: [7, 0, 0], axis: z}\n"
+      "actuators: {Tin: {coupling: a}, Tout: {coupling: d}}\n");
+
+  EXPECT_EQ(find_transmission_obstacle(mechanism, 0, 1), TransmissionObstacle::open_force);
+  EXPECT_EQ(find_transmission_obstacle(mechanism, 0, 0), TransmissionObstacle::same_actuator);
+}
+
+TEST(TransmissionAngle, ExistsWhereNothingIsInItsWay) {
+  const Mechanism mechanism = mechanism_of(four_bar("6, 5"));
+
+  EXPECT_FALSE(find_transmission_obstacle(mechanism, 0, 1));
 }
 
 }  // namespace
