@@ -10,6 +10,7 @@
 #include "run/each_file.hpp"
 #include "run/internal/motion_choice.hpp"
 #include "run/internal/motion_findings.hpp"
+#include "run/internal/motion_passive_findings.hpp"
 #include "run/internal/motion_statics_findings.hpp"
 #include "run/internal/motion_table_maker.hpp"
 
@@ -80,6 +81,7 @@ std::optional<FoundMotion> find_motion(const MechanismDescription& description,
   motion.solution = solve_motion(motion.network, task);
   motion.table = make_motion_table(description, mechanism, motion);
   add_motion_findings(motion, description, mechanism, found);
+  add_motion_passive_findings(motion, mechanism, found);
   add_motion_statics_findings(motion, description, mechanism, found);
   return motion;
 }

@@ -115,6 +115,13 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "where equilibrium leaves the force open: in a plane mechanism drawn in space the bearings "
      "may press on each other along their axes, as far as equilibrium says, and that belongs to "
      "the force."},
+    {"W0506",
+     done,
+     "positions that the drives leave open",
+     "A body can turn or shift without any other body feeling it, as a rod between two balls about "
+     "its own line. In each step it moves by as little as it must, so that how far it has turned "
+     "depends on the number of steps, and is not what its velocities add up to. All other "
+     "positions are determined. A case may give its rate: velocities meet that."},
     {"W0601",
      done,
      "actions are statically indeterminate",
