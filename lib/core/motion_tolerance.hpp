@@ -22,6 +22,10 @@ inline constexpr double kSilentCorrection = 1e-9;
 /// A correction of a joint below this, in radians or shares of the size, is rounding.
 inline constexpr double kLeastCorrection = 1e-12;
 
+/// An action of a moved position is determined if a self-stress moves it by less than this many
+/// misclosures of the position, as share of the stress: levers near dead points take two digits.
+inline constexpr double kClosureInActions = 100.0;
+
 /// Teeth roll in a carrier if their relative motion is that of two lines in it to this share:
 /// pitch points that were typed with seven figures pass.
 inline constexpr double kSlackInCarrier = 1e-6;

@@ -31,8 +31,7 @@ struct Mechanism {
   OrderChoice kinematic_order = OrderChoice::minimal;
   OrderChoice static_order = OrderChoice::minimal;
   IndeterminateChoice indeterminate = IndeterminateChoice::report;
-  bool is_moved = false;  ///< stands where a motion closed it, to rounding: what equilibrium leaves
-                          ///< open is told from that
+  double misclosure = 0.0;          ///< of moved positions, as share of the size; 0: as drawn
   std::vector<double> compliances;  ///< of each action [m/N or rad/(N·m)]; 0: rigid
   std::vector<int> planet_counts;   ///< of each action: how many equal planets share it
   std::vector<Case> cases;

@@ -20,7 +20,6 @@ class MechanismMover {
       : network_(network), drawn_(drawn), poses_(poses), mechanism_(mechanism) {}
 
   void move(Mechanism& moved) const {
-    moved.is_moved = true;
     for (int e = 0; e < mechanism_.topology.coupling_count(); ++e) {
       move_coupling(e, moved.geometry);
     }

@@ -69,10 +69,6 @@ StaticSolution solve_action(const Mechanism& mechanism,
   solution.evidence = equilibrium.evidence();
   solution.counts = equilibrium.counts();
   solution.check = equilibrium.check(loads);
-  if (mechanism.is_moved) {
-    // What a self-stress moves no more than closure does is rounding of the position.
-    solution.check.undetermined = solution.check.candidates;
-  }
   const EquilibriumActions actions =
       equilibrium.solve_to(request, determined_actions(mechanism, solution.check), known, loads);
   if (!actions.consistent) {

@@ -1,9 +1,14 @@
 #include "statics/equilibrium.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/contract.hpp"
+#include "core/motion_tolerance.hpp"
+#include "core/tolerance.hpp"
 #include "math/bounded_solve.hpp"
+#include "math/orthonormal.hpp"
+#include "math/readable_basis.hpp"
 #include "network/node_system.hpp"
 
 namespace kinestat {
@@ -29,11 +34,41 @@ Equilibrium::Equilibrium(const Mechanism& mechanism,
       units_(action_units(mechanism.topology, basis_)),
       body_count_(mechanism.topology.body_count()),
       elimination_(action_system(mechanism.topology, mechanism.geometry, basis_), primaries_),
-      counts_(action_counts(mechanism, basis_.order(), elimination_.rank())) {}
+      counts_(action_counts(mechanism, basis_.order(), elimination_.rank())) {
+  if (mechanism.misclosure > 0.0) {
+    find_stresses(mechanism.misclosure);
+  }
+}
+
+// Where there are so many that nobody would read them, all that they touch is open; likewise where
+// they are hardly different.
+void Equilibrium::find_stresses(double misclosure) {
+  const std::size_t count = elimination_.free_columns().size();
+  if (count == 0 || count * units_.size() > kLongestList) {
+    return;
+  }
+  const std::vector<VecX> vectors = elimination_.null_vectors();
+  MatX stresses(static_cast<Eigen::Index>(units_.size()), static_cast<Eigen::Index>(count));
+  for (std::size_t j = 0; j < count; ++j) {
+    stresses.col(static_cast<Eigen::Index>(j)) = vectors[j].normalized();
+  }
+  stresses_ = orthonormal_range(stresses);
+  is_moved_ = stresses_.cols() == stresses.cols();
+  const double least = std::max(kRankZero, kClosureInActions * misclosure);
+  for (Eigen::Index a = 0; a < stresses_.rows(); ++a) {
+    if (stresses_.row(a).norm() > least) {
+      open_.push_back(static_cast<int>(a));
+    }
+  }
+}
 
 PrimaryCheck Equilibrium::check(std::span<const BodyWrench> loads) const {
-  return check_primaries(
-      elimination_, 0, units_, load_vector(body_count_, basis_, loads), driving_);
+  PrimaryCheck check =
+      check_primaries(elimination_, 0, units_, load_vector(body_count_, basis_, loads), driving_);
+  if (is_moved_) {
+    check.undetermined = open_;
+  }
+  return check;
 }
 
 EquilibriumActions Equilibrium::solve(std::span<const double> known,
@@ -53,7 +88,11 @@ EquilibriumActions Equilibrium::solve_to(const AccuracyRequest& request,
   const BoundedSolution solved = solve_to_digits(
       elimination_, in_units, load_vector(body_count_, basis_, loads), request, counts);
   const Eigen::Map<const VecX> units(units_.data(), static_cast<Eigen::Index>(units_.size()));
-  EquilibriumActions result{.magnitudes = units.cwiseProduct(solved.solution.x),
+  VecX x = solved.solution.x;
+  if (is_moved_) {
+    x -= stresses_ * (stresses_.transpose() * x);
+  }
+  EquilibriumActions result{.magnitudes = units.cwiseProduct(x),
                             .residual = solved.solution.residual,
                             .consistent = solved.solution.consistent,
                             .answer = {.rung = solved.rung, .error_bound = {}, .bounds = {}}};

@@ -23,7 +23,8 @@ struct EquilibriumActions {
 
 /// A_N ψ + loads = 0 as the equilibrium of the bodies, factored once for a choice of primary
 /// actions (Cazangi 2008, sections 3.8.2 and 3.9.2). It answers for any magnitudes of them and any
-/// loads, those that depend on the answer among them.
+/// loads, those that depend on the answer among them. In a moved position an action is determined
+/// if self-stresses move it by no more than that misses closure, and magnitudes are the least ones.
 class Equilibrium {
  public:
   /// `basis` must hold all unit actions and the loads to come; `primaries` are actions, each once.
@@ -56,6 +57,8 @@ class Equilibrium {
   std::vector<VecX> self_stresses() const;
 
  private:
+  void find_stresses(double misclosure);
+
   CoordinateBasis basis_;
   std::vector<int> primaries_;
   std::vector<int> driving_;   ///< actions of actuators
@@ -63,6 +66,9 @@ class Equilibrium {
   int body_count_ = 0;
   Elimination elimination_;
   ActionCounts counts_;
+  bool is_moved_ = false;  ///< and has self-stresses
+  MatX stresses_;          ///< then: an orthonormal basis of them in units, one a column
+  std::vector<int> open_;  ///< then: the actions that they move, ascending
 };
 
 }  // namespace kinestat

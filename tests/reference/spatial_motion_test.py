@@ -138,6 +138,18 @@ class SpatialLinkages(MotionTest):
             self.assertIsNotNone(torque, f"at {angle}")
             self.close(torque, 2 / (math.sin(a) ** 2 + 4 * math.cos(a) ** 2), 1e-9, f"at {angle}")
 
+    def test_bennett_with_rounded_axes_has_the_torque_of_its_motor(self) -> None:
+        """It closes by least squares, and the torque is right to that."""
+        exact = in_library("spatial/bennett.yaml").read_text(encoding="utf-8")
+        case = ("--steps", "60", "--case", "crank turns", "--report", "action")
+        right = run(exact, *case)
+        for error in (1e-9, 1e-6):
+            rough = run(exact.replace("[-3, 1, 3]", f"[-3 + {error}, 1, 3 - {error}]"), *case)
+            self.assertGreater(rough.report["closure"]["largest"], 0.01 * error)
+            for step, torque in enumerate(right["motor/action"]):
+                self.assertIsNotNone(rough["motor/action"][step], f"step {step}")
+                self.close(rough["motor/action"][step], torque, 10 * error, f"step {step}")
+
     def test_platform_has_the_lengths_of_its_legs(self) -> None:
         """The distances of the joints, to the closure of a mechanism of more than 2 m."""
         motion = run(in_library("spatial/ups_platform.yaml"))

@@ -34,6 +34,14 @@ const Primary* find_moving(const Case& which) {
 
 }  // namespace
 
+double worst_misclosure(const MotionSolution& solution) {
+  double worst = kMotionClosure;
+  for (const double one : solution.misclosures) {
+    worst = std::max(worst, one);
+  }
+  return worst;
+}
+
 MotionPositions::MotionPositions(const Mechanism& mechanism,
                                  const MotionPlan& plan,
                                  const MotionNetwork& network,
@@ -63,6 +71,7 @@ MotionPosition MotionPositions::at(const Configuration& configuration) {
       solve_state(network_, mechanism_, configuration, speeds ? *speeds : rest, detail);
   if (!position.state.is_singular && (detail_.statics || detail_.transmission_angle)) {
     move_mechanism(network_, drawn_, position.state.poses, mechanism_, moved_);
+    moved_.misclosure = detail_.misclosure;
     solve_passes(position);
   }
   return position;

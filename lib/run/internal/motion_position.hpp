@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/motion_tolerance.hpp"
 #include "motion/motion_state.hpp"
 #include "report/analysis.hpp"
 #include "run/motion.hpp"
@@ -16,7 +17,12 @@ struct MotionDetail {
   bool acceleration = false;
   bool statics = false;  ///< all passes of the case
   bool transmission_angle = false;
+  double misclosure = kMotionClosure;  ///< of the worst position of the motion
 };
+
+/// As share of the mechanism's size, no less than what counts as closed. A mechanism that closes by
+/// least squares may close exactly where it was drawn, and is no more exact for that.
+double worst_misclosure(const MotionSolution& solution);
 
 /// World frame, SI. Lists are parallel to those of the topology.
 struct MotionPosition {

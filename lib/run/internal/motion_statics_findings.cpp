@@ -149,8 +149,11 @@ class StaticsFindings {
 
   // Of the statics of that position, analysed anew.
   Diagnostics findings_at(int step) const {
-    MotionPositions positions(
-        mechanism_, motion_.plan, motion_.network, motion_.drawn, {.statics = true});
+    MotionPositions positions(mechanism_,
+                              motion_.plan,
+                              motion_.network,
+                              motion_.drawn,
+                              {.statics = true, .misclosure = worst_misclosure(motion_.solution)});
     MotionPosition position = positions.at(motion_.solution.configuration_at(step));
     Analysis analysis;
     analysis.description = description_;

@@ -98,8 +98,9 @@ class TableMaker {
     if (solution_.position_count() == 0) {
       return;
     }
-    MotionPositions positions(
-        mechanism_, plan_, motion_.network, motion_.drawn, detail_of(plan_, mechanism_));
+    MotionDetail detail = detail_of(plan_, mechanism_);
+    detail.misclosure = worst_misclosure(solution_);
+    MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail);
     const std::vector<MotionReading> readings = motion_readings(
         description_, mechanism_, plan_, positions.at(solution_.configuration_at(0)));
     for (const MotionReading& reading : readings) {
