@@ -122,11 +122,11 @@ void add_motion_passive_findings(const FoundMotion& motion,
   if (names.empty()) {
     return;
   }
-  constexpr std::size_t kMostNamed = 4;
+  constexpr std::size_t kMostBodiesNamed = 4;
   const std::size_t count = names.size();
-  if (count > kMostNamed) {
-    names.resize(kMostNamed);
-    names.push_back(fmt::format("{} more", count - kMostNamed));
+  if (count > kMostBodiesNamed) {
+    names.resize(kMostBodiesNamed);
+    names.push_back(fmt::format("{} more", count - kMostBodiesNamed));
   }
   found.warning("W0506",
                 motion.plan.where,
