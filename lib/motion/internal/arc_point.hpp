@@ -28,7 +28,7 @@ struct Surroundings {
   std::vector<double> places;  ///< along the arc
   std::vector<ArcPoint> points;
   std::vector<double> determinants;  ///< of the closure, relative to where the arc begins
-  double flatness = 0.0;             ///< of the closure at the ends
+  double flatness = 0.0;             ///< of that at the last point
 
   double share_at(double place) const;
   double determinant_at(double place) const;

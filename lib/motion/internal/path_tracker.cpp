@@ -56,10 +56,10 @@ PathPoint PathTracker<Frames>::make_point() const {
 template <class Frames>
 void PathTracker<Frames>::set_range(std::span<const double> from, std::span<const double> to) {
   const DriveLine last = std::exchange(line_, DriveLine::between(from, to));
-  trail_.clear();
   if (resumption_) {
     turn_resumption(last);
   }
+  trail_.clear();
 }
 
 template <class Frames>
@@ -281,6 +281,9 @@ template <class Frames>
 double PathTracker<Frames>::orientation(const std::vector<double>& a,
                                         const std::vector<double>& b,
                                         int columns) {
+  if (columns == 0) {
+    return 1.0;  // Nothing is open that could turn over.
+  }
   const int rows = static_cast<int>(a.size()) / columns;
   qr_.factor(a, rows, columns);
   const int rank = qr_.rank();

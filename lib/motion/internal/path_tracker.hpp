@@ -87,7 +87,7 @@ class PathTracker {
     ArcPoint before;
     std::optional<ArcPoint> behind;  // unknown after the drives have left their line
     bool is_at = false;              // the change point itself
-    bool has_passed = false;         // or it
+    bool has_passed = false;         // the way has passed it, or it is told
   };
 
   void turn_resumption(const DriveLine& last);

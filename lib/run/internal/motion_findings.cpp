@@ -349,13 +349,14 @@ bool check_ranges(const FoundMotion& motion, const Mechanism& mechanism, Diagnos
       continue;
     }
     are_bounded = false;
-    found.error("E0305",
-                drive.where,
-                fmt::format("drive '{}' runs by more than a million {}",
-                            topology.actuators[static_cast<std::size_t>(drive.actuator)].name,
-                            turns ? "radians" : "times the size of the mechanism"),
-                "it is followed in steps of a third of a radian or of the size; a full turn is to: "
-                "360 deg");
+    found.error(
+        "E0305",
+        drive.where,
+        fmt::format("drive '{}' begins or ends more than a million {} from the drawn position",
+                    topology.actuators[static_cast<std::size_t>(drive.actuator)].name,
+                    turns ? "radians" : "sizes of the mechanism"),
+        "it is followed in steps of a third of a radian or of the size; a full turn is to: "
+        "360 deg");
   }
   return are_bounded;
 }

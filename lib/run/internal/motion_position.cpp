@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
 #include "motion/moved_mechanism.hpp"
 #include "power/transmission_angle.hpp"
@@ -18,18 +19,17 @@ const Primary* find_primary(const Case& which, int freedom) {
   return at == which.motions.end() ? nullptr : &*at;
 }
 
-// The only known motion that is not zero.
-const Primary* find_moving(const Case& which) {
-  const Primary* result = nullptr;
-  for (const Primary& one : which.motions) {
-    if (one.value != 0.0) {
-      if (result != nullptr) {
-        return nullptr;
-      }
-      result = &one;
-    }
+// False where known rates contradict each other.
+bool meets(const Case& which, const MotionState& state) {
+  double fastest = 0.0;
+  for (const std::optional<double>& rate : state.rates) {
+    fastest = std::max(fastest, std::abs(rate.value_or(0.0)));
   }
-  return result;
+  return std::ranges::all_of(which.motions, [&](const Primary& known) {
+    const double missed = std::abs(
+        state.rates[static_cast<std::size_t>(known.index)].value_or(known.value) - known.value);
+    return missed <= kMostVelocityError * std::abs(known.value) + kNoReaction * fastest;
+  });
 }
 
 }  // namespace
@@ -69,12 +69,45 @@ MotionPosition MotionPositions::at(const Configuration& configuration) {
   const GivenSpeeds rest{.drives = std::vector<DriveSpeed>(plan_.drives.size()), .passive = {}};
   position.state =
       solve_state(network_, mechanism_, configuration, speeds ? *speeds : rest, detail);
+  if (position.has_speeds && !position.state.is_singular) {
+    position.has_speeds = meets(*which_, position.state);
+  }
   if (!position.state.is_singular && (detail_.statics || detail_.transmission_angle)) {
     move_mechanism(network_, drawn_, position.state.poses, mechanism_, moved_);
     moved_.misclosure = detail_.misclosure;
     solve_passes(position);
   }
   return position;
+}
+
+// The only known motion that is not zero, of those that the drive determines.
+const Primary* MotionPositions::find_moving(const Configuration& configuration) const {
+  const Primary* result = nullptr;
+  for (const Primary& one : which_->motions) {
+    if (one.value == 0.0 || is_open(one.index, configuration)) {
+      continue;
+    }
+    if (result != nullptr) {
+      return nullptr;
+    }
+    result = &one;
+  }
+  return result;
+}
+
+// Whether the drive leaves it to itself, so that a case may give it any rate.
+bool MotionPositions::is_open(int freedom, const Configuration& configuration) const {
+  if (network_.passive_motions.empty()) {
+    return false;
+  }
+  const auto rate_given = [&](double speed) {
+    const GivenSpeeds speeds{.drives = {{.speed = 1.0, .acceleration = 0.0}},
+                             .passive = {{.freedom = freedom, .speed = speed}}};
+    const MotionState state =
+        solve_state(network_, mechanism_, configuration, speeds, StateDetail::velocity);
+    return state.is_singular ? 0.0 : state.rates[static_cast<std::size_t>(freedom)].value_or(0.0);
+  };
+  return std::abs(rate_given(1.0) - rate_given(0.0)) > 0.5;
 }
 
 // Those that the case gives or, of one drive, that follow from the motion which it gives.
@@ -92,7 +125,7 @@ std::optional<GivenSpeeds> MotionPositions::speeds_of_case(const Configuration& 
   if (speeds.drives.size() == plan_.drives.size()) {
     return speeds;
   }
-  const Primary* moving = plan_.drives.size() == 1 ? find_moving(*which_) : nullptr;
+  const Primary* moving = plan_.drives.size() == 1 ? find_moving(configuration) : nullptr;
   if (moving == nullptr) {
     return std::nullopt;
   }

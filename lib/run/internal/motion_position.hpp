@@ -50,6 +50,8 @@ class MotionPositions {
 
  private:
   std::optional<GivenSpeeds> speeds_of_case(const Configuration& configuration);
+  const Primary* find_moving(const Configuration& configuration) const;
+  bool is_open(int freedom, const Configuration& configuration) const;
   std::vector<PassiveSpeed> undriven_speeds() const;
   void solve_passes(MotionPosition& position);
 

@@ -73,7 +73,11 @@ class StaticsFindings {
       return;
     }
     MotionPositions positions(
-        mechanism_, motion_.plan, motion_.network, motion_.drawn, {.transmission_angle = true});
+        mechanism_,
+        motion_.plan,
+        motion_.network,
+        motion_.drawn,
+        {.transmission_angle = true, .misclosure = worst_misclosure(motion_.solution)});
     positions.at(motion_.solution.configuration_at(first->step));
     const Case& which = mechanism_.cases[static_cast<std::size_t>(motion_.plan.which)];
     const int output = which.outputs.front();
