@@ -34,6 +34,28 @@ class Cams(MotionTest):
             self.close(motion["c.R/action"][step], 200 / math.cos(slope), 1e-8, "contact force")
 
 
+class Gears(MotionTest):
+    def test_may_be_driven_on_both_sides(self) -> None:
+        """Where no joint is left to follow."""
+        text = """kinestat: 1
+space: planar
+ground: frame
+bodies: [p, q]
+couplings:
+  a: {type: revolute, bodies: [frame, p], at: [0, 0]}
+  b: {type: revolute, bodies: [frame, q], at: [3, 0]}
+  g: {type: gear, bodies: [p, q], at: [1, 0], tangent: y, pressure_angle: 20 deg}
+actuators: {m: {coupling: a}, n: {coupling: b}}
+motion: {drives: [{drive: m, to: 90 deg}, {drive: n, to: %s deg}], steps: 3, report: [a.wz, b.wz]}
+"""
+        motion = run(text % -45)
+        self.check_complete(motion, 3)
+        for step, angle in enumerate(motion["m/drive"]):
+            self.close(angle, step * math.pi / 6, 1e-13, "first wheel")
+            self.close(motion["b.wz/position"][step], -angle / 2, 1e-13, "second wheel")
+        self.assertEqual(run(text % -44, status=5).report["status"], "locked")
+
+
 class Cables(MotionTest):
     def test_of_a_tackle_share_the_travel_of_the_hand(self) -> None:
         motion = run(in_library("cables/block_and_tackle.yaml"))

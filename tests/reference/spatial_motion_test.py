@@ -7,6 +7,7 @@ Usage: spatial_motion_test.py PROGRAM MECHANISMS [unittest arguments]
 from __future__ import annotations
 
 import math
+import re
 
 import motion_case
 from motion_case import CLOSURE, DEAD_POINT, MotionTest, derivative, in_library, run, turned
@@ -68,6 +69,22 @@ class SpatialLinkages(MotionTest):
         rod = (120 + x - b.real, 80 - b.imag, 40 + z)
         speed = (rate * z + b.imag, -b.real, -rate * x)
         return -speed[2] / rod[0], speed[1] / rod[0]
+
+    def test_rssr_takes_its_speed_from_the_output_and_none_from_the_spin(self) -> None:
+        text = in_library("spatial/rssr.yaml").read_text(encoding="utf-8")
+        given = re.search(r"motion: ({motor: [^}]*})", text)
+        assert given
+
+        def speeds(known: str, name: str) -> list[float]:
+            return run(text.replace(given[1], known), "--to", "60 deg", "--steps", "3",
+                       "--report", "velocity")[f"{name}/velocity"]
+        alone = speeds("{work: 5 rad/s, b.wx: 0}", "a.wz")
+        for speed, other in zip(speeds("{work: 5 rad/s, b.wx: 3 rad/s}", "a.wz"), alone):
+            self.close(speed, other, 1e-9 * abs(other), "crank")
+        for speed in speeds("{work: 5 rad/s, b.wx: 3 rad/s}", "d.wy"):
+            self.close(speed, 5.0, 1e-9, "output")
+        self.assertEqual(set(speeds("{b.wx: 3 rad/s}", "a.wz")), {None})
+        self.assertEqual(set(speeds("{motor: 10 rad/s, work: 99 rad/s}", "a.wz")), {None})
 
     def test_rssr_stops_where_its_balls_cannot_reach_further(self) -> None:
         for to in (3.0, -3.0):
