@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+"""Holds motions through singular positions against closed forms.
+
+Usage: singular_motion_test.py PROGRAM MECHANISMS [unittest arguments]
+"""
+
+from __future__ import annotations
+
+import math
+
+import motion_case
+from motion_case import MotionTest, run
+
+
+class SingularPositions(MotionTest):
+    """A parallelogram, whose links are in line where its crank has turned by a quarter."""
+
+    TEXT = """\
+kinestat: 1
+name: parallelogram
+space: planar
+ground: frame
+bodies: [crank, coupler, rocker]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, coupler], at: [0, 1]}
+  c: {type: revolute, bodies: [coupler, rocker], at: [3, 1]}
+  d: {type: revolute, bodies: [frame, rocker], at: [3, 0]}
+actuators: {Tin: {coupling: a}, Tout: {coupling: d}}
+cases:
+  one: {motion: {Tin: 1 rad/s}, action: {Tout: 1 N*m}, input: Tin, output: Tout}
+motion: {drive: Tin, from: %s deg, to: %s deg, steps: 1, case: one,
+         report: [d.wz, ratio, power, action]}
+"""
+
+    def test_have_positions_alone(self) -> None:
+        motion = run(self.TEXT % ("0", "90.0000001"))
+        last = dict(zip(motion.names, motion.rows[1]))
+        self.assertEqual(last["status"], "singular")
+        self.close(last["d.wz/position"], math.radians(90.0000001), 1e-9, "position")
+        for name, value in last.items():
+            if name.split("/")[-1] in ("velocity", "ratio", "power", "action"):
+                self.assertIsNone(value, name)
+
+    def test_are_found_on_the_way_and_nowhere_else(self) -> None:
+        for start in ("0", "89", "89.9", "89.99"):
+            (place,) = run(self.TEXT % (start, "100")).events("singular")
+            self.close(place, math.pi / 2, 1e-9, start)
+
+    def test_may_be_where_a_motion_begins(self) -> None:
+        """The parallelogram stays one, from there forwards and back."""
+        for start in (90, 89.9999999, 89.99999, 89.9998, 90.0000001, 90.00001, 90.0002, -90,
+                      -89.9998, 270.00001):
+            for end in (100, 0, -100, 280):
+                motion = run(self.TEXT % (start, end))
+                for crank, rocker in zip(motion["Tin/drive"], motion["d.wz/position"]):
+                    self.close(rocker, crank, 1e-9, f"{start} to {end}")
+                self.close(motion["Tin/drive"][-1], math.radians(end), 1e-12, f"{start} to {end}")
+                self.assertEqual([round(math.degrees(place), 6)
+                                  for place in motion.events("singular")],
+                                 self.passed(0, start) + self.passed(start, end)[start in (90, -90):],
+                                 f"{start} to {end}")
+
+    def test_may_be_where_several_drives_leave_their_way(self) -> None:
+        """An arm on the coupler is driven too: there the drives do not go on in one line."""
+        text = self.TEXT[:self.TEXT.index("cases:")]
+        text = text.replace("rocker]", "rocker, arm]", 1).replace(
+            "actuators: {", "  e: {type: revolute, bodies: [coupler, arm], at: [1, 1]}\n"
+            "actuators: {arm: {coupling: e}, ")
+        for start in (90, 89.99999, 90.0001, -90, 270):
+            for end in (-80, 60, 100, 200):
+                for arm in ((10, 20), (10, -300), (0, 5), (5, 5)):
+                    motion = run(text + f"""motion:
+  drives: [{{drive: Tin, from: {start} deg, to: {end} deg}},
+           {{drive: arm, from: {arm[0]} deg, to: {arm[1]} deg}}]
+  steps: 3
+  report: [d.wz]
+""")
+                    what = f"{start} to {end}, arm {arm}"
+                    self.assertEqual(motion.report["status"], "complete", what)
+                    for crank, rocker in zip(motion["Tin/drive"], motion["d.wz/position"]):
+                        self.close(rocker, crank, 1e-9, what)
+                    self.assertEqual(
+                        [round(math.degrees(place), 6) for place in motion.events("singular")],
+                        self.passed(0, start) + self.passed(start, end)[start % 180 == 90:], what)
+
+    def test_are_passed_a_thousand_times_in_one_step(self) -> None:
+        turns = 1000
+        motion = run(self.TEXT % (0, 360 * turns))
+        last = 2 * math.pi * turns
+        self.close(motion["d.wz/position"][-1], last, 1e-9, "rocker")
+        places = motion.events("singular")
+        self.assertEqual(len(places), 2 * turns)
+        for half, place in enumerate(places):
+            self.close(place, math.pi * (half + 0.5), 1e-9 + 1e-15 * last, "change point")
+
+    def test_that_are_missed_by_a_hair_have_no_velocities(self) -> None:
+        """With a coupler a little longer the branches bend there: between them is neither."""
+        for gap in (3e-9, 1e-9, 1e-10, 1e-11, 1e-13):
+            text = (self.TEXT % (60, 120)).replace("steps: 1,", "steps: 6,")
+            motion = run(text.replace("at: [3, 1]", f"at: [{3 + gap!r}, 1]"))
+            for crank, speed in zip(motion["Tin/drive"], motion["d.wz/velocity"]):
+                if speed is None:
+                    self.close(crank, math.pi / 2, 1e-3, f"singular with a gap of {gap}")
+                else:
+                    self.close(speed, 1.0, 1e-7, f"rocker at {crank} with a gap of {gap}")
+
+    def test_are_found_beside_a_fast_gear(self) -> None:
+        """A pinion that turns the crank slowly, or that the crank turns fast."""
+        for ratio in (10, 15, 30, 100, 1000):
+            pinion = f"""  p: {{type: revolute, bodies: [frame, pinion], at: [0, {2 + 2 / ratio!r}]}}
+  k: {{type: gear, bodies: [pinion, crank], at: [0, 2], tangent: x,
+      pressure_angle: 20 deg}}
+"""
+            text = (self.TEXT % (0, 200)).replace("bodies: [crank,", "bodies: [pinion, crank,", 1)
+            text = text.replace("couplings:\n", "couplings:\n" + pinion)
+            fast = text.replace("Tin: {coupling: a}", "Tin: {coupling: p}")
+            fast = fast.replace("to: 200 deg", f"to: {-200 * ratio} deg")
+            for per_crank, one in ((1, text), (-ratio, fast)):
+                for steps in (1, 8, 300):
+                    motion = run(one.replace("steps: 1,", f"steps: {steps},"))
+                    (event,) = [event for event in motion.report["events"]
+                                if event["kind"] == "singular"]
+                    self.assertLessEqual(event["uncertainty"], 2e-10 * max(ratio, 10))
+                    self.close(event["drive"][0], per_crank * math.pi / 2, event["uncertainty"],
+                               f"{ratio} in {steps}")
+                    self.close(motion["d.wz/position"][-1], math.radians(200), 1e-9, "rocker")
+
+    @staticmethod
+    def passed(start: float, end: float) -> list[float]:
+        """The odd quarters of a turn from start to end, both included."""
+        quarters = [quarter for quarter in (-270, -90, 90, 270)
+                    if min(start, end) <= quarter <= max(start, end)]
+        return quarters if end > start else quarters[::-1]
+
+
+if __name__ == "__main__":
+    motion_case.main()
