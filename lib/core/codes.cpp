@@ -225,6 +225,32 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "outside. Here no such line exists, because a point lies within a pulley, pulleys overlap or "
      "do not lie in one plane, or the line passes through another pulley of the rope. The message "
      "has the distances; 'kinestat help cables' shows how ropes run."},
+    {"E0318",
+     wrong_input,
+     "clutch joins bodies on two axes",
+     "A clutch joins bodies that turn about one axis. In 'gears' a body stands on the main axis or "
+     "at the distance of its gears from it, and the two of this clutch stand apart: engaged, it "
+     "would hold both still, and every gear that uses it would be locked. The message has both "
+     "distances; give the gears on a lay shaft one 'centre_distance', or teeth of the same sum."},
+    {"E0319",
+     wrong_input,
+     "idler is no planet",
+     "A gear that turns on a shaft, meshes once and is clutched to that shaft is an idler, as on "
+     "the lay shaft of a manual gearbox. With the shaft as the carrier of its mesh it would be a "
+     "planet that the shaft carries round, and every ratio would be that of another machine. Bear "
+     "it on the ground instead: idler and shaft turn about one axis, which 'centre_distance' gives "
+     "to the gears of both, and the clutch joins them there."},
+    {"E0320",
+     wrong_input,
+     "number beyond what can be computed with",
+     "Distances, forces and speeds are multiplied with each other and squared. A number above 1e60 "
+     "in SI units would soon leave the range of numbers, and no answer would be left. A point that "
+     "is meant to be infinitely far is a direction: a prismatic instead of a revolute."},
+    {"E0321",
+     wrong_input,
+     "range without extent",
+     "Where circle points may lie is an area, given by two opposite corners under 'vary'. Both "
+     "corners are the same point, so that there is nothing to choose from."},
     {"E0401",
      wrong_input,
      "mechanism falls apart",
@@ -294,6 +320,14 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "The message lists the freedoms that stay open; as many must be driven as the net degree of "
      "freedom says. What nobody else feels, such as the spin of a rod between two balls, need "
      "not be driven."},
+    {"E0510",
+     no_answer,
+     "rope lifts off its pulley",
+     "Where the straight parts of a rope before and behind a pulley come into one line, it lies on "
+     "the pulley by an arc of zero; from there on it runs straight past, and the equations of the "
+     "rope over the pulley would count a negative arc. The motion ends there, and the report has "
+     "everything before. End the motion earlier, or draw the mechanism behind that position "
+     "without the pulley and move it from there."},
     {"E0601",
      wrong_input,
      "primary actions depend on each other",

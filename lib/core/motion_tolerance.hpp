@@ -51,14 +51,34 @@ inline constexpr double kFinestShare = 1e-3;
 /// The finest step of the arc, in radians or shares of the size; then the branch is lost.
 inline constexpr double kFinestArc = 1e-11;
 
+/// A limit that is this near to the end asked for, as share of the range, is that end: what reports
+/// write of a limit has more digits.
+inline constexpr double kAskedLimit = 1e-9;
+
 /// A position is reached if the drives are this near, as share of their range.
 inline constexpr double kArrivedShare = 1e-7;
 
 /// How narrow a change point is bracketed, along the arc.
 inline constexpr double kChangePointBracket = 1e-9;
 
+/// Between its surroundings a change point misses closure by no more than this: what cubics leave,
+/// and rounding. Branches that miss each other by more do not cross.
+inline constexpr double kGapAtCrossing = 3e-13;
+
+/// Between two looks so near each other a rate does not turn back twice [rad, or shares of the
+/// size, of the fastest freedom].
+inline constexpr double kLeastLook = 1e-6;
+
 /// Steps that differ by less than this share are equal.
 inline constexpr double kSameStep = 1e-9;
+
+/// A rope that lies on its pulley by this much less than nothing [rad] runs straight past it: the
+/// angles of its segments are rounded.
+inline constexpr double kStraightArc = 1e-12;
+
+/// Between the positions of a motion, rates below this share of the fastest get the bound of their
+/// error, which says whether they are zero.
+inline constexpr double kDoubtfulRate = 1e-6;
 
 /// How narrow a dead point is bracketed, by the fastest drive [rad or shares of the size].
 inline constexpr double kDeadPointBracket = 1e-11;

@@ -65,11 +65,13 @@ inline constexpr double kInfinitePitch = 1e-12;
 /// many of its sizes; beyond, its distance would drown the geometry.
 inline constexpr double kFarOrigin = 8.0;
 
+/// The largest length or angle [SI]. Products of five of them still stay within a double.
+inline constexpr double kLargestNumber = 1e60;
+
 /// An axis shorter than this (of components given as plain numbers) has no direction.
 inline constexpr double kZeroAxis = 1e-12;
 
-/// Friction that grows beyond this many times what the frictionless actions cause counts as
-/// unbounded: the mechanism locks.
+/// Friction beyond this many times what the frictionless actions cause is unbounded: it locks.
 inline constexpr double kUnboundedFriction = 1e7;
 
 /// The least share of the friction by which the solution is followed; finer steps mean that it has
@@ -80,8 +82,7 @@ inline constexpr double kLeastFrictionStep = 1e-7;
 /// million roundings, far below what wears anything.
 inline constexpr double kNoReaction = 1e-9;
 
-/// Two axes count as parallel if the sine of their angle is below this: far below any joint that is
-/// drawn on purpose, far above rounding.
+/// Two axes are parallel if the sine of their angle is below this: far above rounding.
 inline constexpr double kParallelAxes = 1e-9;
 
 /// A rope that comes nearer to the centre of a pulley than its radius by less than this share of it
@@ -120,8 +121,7 @@ inline constexpr double kLongCrank = 1e3;
 /// the scale of the equations.
 inline constexpr double kLongestLever = 1e6;
 
-/// Angles of positions that differ by less than this are the same: far above rounding, far below
-/// what anybody prescribes.
+/// Angles of positions that differ by less than this are the same: far above rounding.
 inline constexpr double kSameAngle = 1e-13;
 
 /// E, its centre and the pole count as collinear if the sine of the angle between them is below

@@ -63,6 +63,9 @@ class GearExpansion {
       on_axis.insert(carrier_of(mesh, description_));
     }
     on_axis.erase(description_.ground.text);
+    for (const CouplingDescription& coupling : description_.couplings) {
+      add_clutched(coupling, on_axis);
+    }
     for (CouplingDescription& coupling : description_.couplings) {
       const bool turns = coupling.type == CouplingType::revolute ||
                          coupling.type == CouplingType::clutch ||
@@ -72,6 +75,22 @@ class GearExpansion {
         coupling.at = CouplingPoint{
             .point = {}, .of_bodies = {}, .along_axis = {}, .where = coupling.name.where};
       }
+    }
+  }
+
+  // A shaft without gears turns about the axis of what a clutch joins it to, and so on along a row
+  // of clutches.
+  void add_clutched(const CouplingDescription& coupling, std::set<std::string>& on_axis) const {
+    const std::string& tail = coupling.tail.text;
+    const std::string& head = coupling.head.text;
+    const std::string& ground = description_.ground.text;
+    if (coupling.type != CouplingType::clutch || tail == ground || head == ground ||
+        on_axis.contains(tail) == on_axis.contains(head)) {
+      return;
+    }
+    on_axis.insert({tail, head});
+    for (const CouplingDescription& other : description_.couplings) {
+      add_clutched(other, on_axis);
     }
   }
 

@@ -12,7 +12,7 @@ namespace kinestat {
 enum class LinkageKind { any, four_bar, slider_crank, inverted_slider_crank };
 
 /// One derivative of a pose by the parameter of the motion. Without `angle` (then in all of them)
-/// the parameter is the angle itself; with it, radians per unit of the parameter.
+/// the parameter is the angle itself, in radians; with it, angles per unit of the parameter.
 struct PoseDerivative {
   PointDescription at;
   std::optional<Value> angle;

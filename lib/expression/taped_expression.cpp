@@ -7,6 +7,7 @@
 #include "core/contract.hpp"
 #include "expression/evaluate.hpp"
 #include "expression/internal/arithmetic.hpp"
+#include "expression/internal/evaluate_as.hpp"
 
 namespace kinestat {
 
@@ -149,11 +150,13 @@ std::optional<TapeNumber> record_as(QuantityKind kind,
   if (!value) {
     return std::nullopt;
   }
-  if (!is_bare(value->dimension)) {
-    return fits(value->dimension, kind) ? std::optional(value->value) : std::nullopt;
+  const bool counts_in_unit = is_bare(value->dimension);
+  if (!counts_in_unit && !fits(value->dimension, kind)) {
+    return std::nullopt;
   }
-  const TapeNumber result = one.to_si(value->value, units.scale(kind));
-  one.demand_finite(result);
+  const TapeNumber result =
+      counts_in_unit ? one.to_si(value->value, units.scale(kind)) : value->value;
+  recorder.demand_at_most(result, recorder.constant(largest_number(kind)));
   return result;
 }
 

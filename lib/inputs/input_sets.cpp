@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::uint64_t kMostCounted = 10'000'000;
 constexpr std::size_t kMostRanked = 100'000;
+constexpr double kMostRankingWork = 4e8;  // of which a set takes the cube of its magnitudes
 
 // Magnitudes that occur in solutions of the echelon form together, and these solutions.
 struct Part {
@@ -94,6 +95,8 @@ class GroupSearch {
         rows_(orthonormal_range(echelon(part.solutions, part.magnitudes).transpose()).transpose()) {
     group_.magnitudes = part.magnitudes;
     group_.needed = static_cast<int>(part.solutions.size());
+    const double work = std::pow(group_.needed, 3);
+    most_ranked_ = std::min(static_cast<double>(kMostRanked), kMostRankingWork / work);
   }
 
   InputGroup run() {
@@ -119,7 +122,7 @@ class GroupSearch {
  private:
   void note(const std::vector<int>& columns) {
     ++group_.count;
-    if (choice_.listed == 0 || group_.count > kMostRanked) {
+    if (choice_.listed == 0 || static_cast<double>(group_.count) > most_ranked_) {
       return;
     }
     InputSet set;
@@ -139,6 +142,7 @@ class GroupSearch {
   const InputChoice& choice_;
   MatX rows_;
   InputGroup group_;
+  double most_ranked_ = 0.0;
 };
 
 }  // namespace

@@ -53,7 +53,8 @@ struct InputChoice {
 };
 
 /// `solutions` has one row a magnitude and a column for each independent solution. Counts up to ten
-/// million sets a group; the first hundred thousand in the order of their magnitudes are ranked.
+/// million sets a group, fewer where they are found slowly; the first hundred thousand in the order
+/// of their magnitudes are ranked, of large sets fewer.
 InputSets find_input_sets(const MatX& solutions, const InputChoice& choice = {});
 
 /// The smallest singular value described at InputSet, of any choice of as many magnitudes as there

@@ -80,7 +80,7 @@ std::vector<PoseDerivative> find_derivatives(Fields& fields, Diagnostics& found)
     found.error("E0304",
                 node->where,
                 fmt::format("'derivatives' of {} must be a list of one to four", fields.what()),
-                "write derivatives: [{at: [x, y], angle: 1}, …], the first derivative first");
+                "write derivatives: [{at: [x, y], angle: 1 rad}, …], the first derivative first");
     return derivatives;
   }
   for (std::size_t i = 0; i < node->items.size(); ++i) {

@@ -38,9 +38,44 @@ bool is_temporary(std::string_view name) {
   return name.starts_with(".kinestat-") && name.ends_with(".tmp");
 }
 
+// What stands in a folder, the lock excepted, in order; nothing if there is no folder.
+std::vector<std::string> names_in(const std::string& path) {
+  std::vector<std::string> names;
+  const std::unique_ptr<DIR, int (*)(DIR*)> folder(::opendir(path.c_str()), ::closedir);
+  while (const dirent* entry = folder ? ::readdir(folder.get()) : nullptr) {
+    const std::string name = entry->d_name;
+    if (name != "." && name != ".." && name != kLockName) {
+      names.push_back(name);
+    }
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+bool has_nothing_else(const std::string& path, WorkFolder::IsOwn is_own, Diagnostics& found) {
+  const std::vector<std::string> names = names_in(path);
+  const auto foreign = std::ranges::find_if(
+      names, [&](const std::string& name) { return !is_own(name) && !is_temporary(name); });
+  if (foreign == names.end()) {
+    return true;
+  }
+  found.error("E0153",
+              {},
+              fmt::format("'{}/{}' exists and was not written by this program", path, *foreign),
+              fmt::format("move it elsewhere, as '{}' is removed when the run has finished; or "
+                          "choose another folder for --out",
+                          path));
+  return false;
+}
+
 }  // namespace
 
-std::optional<WorkFolder> WorkFolder::open(const std::string& path, Diagnostics& found) {
+std::optional<WorkFolder> WorkFolder::open(const std::string& path,
+                                           IsOwn is_own,
+                                           Diagnostics& found) {
+  if (!has_nothing_else(path, is_own, found)) {
+    return std::nullopt;
+  }
   constexpr int kAttempts = 16;
   for (int i = 0; i < kAttempts; ++i) {
     if (::mkdir(path.c_str(), 0777) != 0 && errno != EEXIST) {
@@ -73,8 +108,8 @@ std::optional<WorkFolder> WorkFolder::open(const std::string& path, Diagnostics&
       ::close(descriptor);
       continue;
     }
-    WorkFolder folder(path, descriptor);
-    for (const std::string& name : folder.files()) {
+    WorkFolder folder(path, is_own, descriptor);
+    for (const std::string& name : names_in(path)) {
       if (is_temporary(name)) {
         ::unlink(fmt::format("{}/{}", path, name).c_str());
       }
@@ -86,7 +121,9 @@ std::optional<WorkFolder> WorkFolder::open(const std::string& path, Diagnostics&
 }
 
 WorkFolder::WorkFolder(WorkFolder&& other) noexcept
-    : path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1)) {}
+    : path_(std::move(other.path_)),
+      is_own_(other.is_own_),
+      lock_(std::exchange(other.lock_, -1)) {}
 
 WorkFolder::~WorkFolder() {
   if (lock_ >= 0) {
@@ -95,15 +132,8 @@ WorkFolder::~WorkFolder() {
 }
 
 std::vector<std::string> WorkFolder::files() const {
-  std::vector<std::string> names;
-  const std::unique_ptr<DIR, int (*)(DIR*)> folder(::opendir(path_.c_str()), ::closedir);
-  while (const dirent* entry = folder ? ::readdir(folder.get()) : nullptr) {
-    const std::string name = entry->d_name;
-    if (name != "." && name != ".." && name != kLockName) {
-      names.push_back(name);
-    }
-  }
-  std::ranges::sort(names);
+  std::vector<std::string> names = names_in(path_);
+  std::erase_if(names, [&](const std::string& name) { return !is_own_(name); });
   return names;
 }
 

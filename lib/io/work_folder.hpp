@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/diagnostic.hpp"
@@ -12,9 +13,13 @@ namespace kinestat {
 /// Holds the lock until it goes out of scope; the system frees it even if the process is killed.
 class WorkFolder {
  public:
+  /// Whether a file of this name is the run's own.
+  using IsOwn = bool (*)(std::string_view name);
+
   /// Makes the folder if it is not there, and locks it; also removes temporaries that a killed
-  /// process left in it. Empty iff an error was added: E0152, also if another process holds it.
-  static std::optional<WorkFolder> open(const std::string& path, Diagnostics& found);
+  /// process left in it. Empty iff an error was added: E0152, also if another process holds it, or
+  /// E0153 if there is something else in it, which this class never touches.
+  static std::optional<WorkFolder> open(const std::string& path, IsOwn is_own, Diagnostics& found);
 
   WorkFolder(const WorkFolder&) = delete;
   WorkFolder& operator=(const WorkFolder&) = delete;
@@ -24,19 +29,21 @@ class WorkFolder {
 
   const std::string& path() const { return path_; }
 
-  /// The names of the files in it, the lock excepted, in order.
+  /// The names of the run's own files in it, in order.
   std::vector<std::string> files() const;
 
-  /// Removes all files in it, the lock excepted.
+  /// Removes these files.
   void clear() const;
 
-  /// Removes the folder with all that this class put into it; the lock ends.
+  /// Removes the folder with these files, unless there is something else in it; the lock ends.
   void remove();
 
  private:
-  WorkFolder(std::string path, int lock) : path_(std::move(path)), lock_(lock) {}
+  WorkFolder(std::string path, IsOwn is_own, int lock)
+      : path_(std::move(path)), is_own_(is_own), lock_(lock) {}
 
   std::string path_;
+  IsOwn is_own_;
   int lock_ = -1;
 };
 

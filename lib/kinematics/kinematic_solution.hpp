@@ -17,17 +17,15 @@ namespace kinestat {
 struct KinematicSolution {
   SolveStatus status = SolveStatus::solved;
   MotionCounts counts;
-  RankEvidence evidence;         ///< of the velocity system, whose rank is m + λ (n - 1)
-  double residual = 0.0;         ///< relative, of the velocity system
-  AnswerEvidence answer;         ///< its bounds are those of the rates
-  PrimaryCheck check;            ///< what is wrong with the primaries, if anything
-  std::vector<double> rates;     ///< of each freedom [rad/s or m/s]
-  std::vector<Twist> bodies;     ///< of each body relative to the ground
-  std::vector<Twist> couplings;  ///< of each coupling: head relative to tail
+  RankEvidence evidence;           ///< of the velocity system, whose rank is m + λ (n - 1)
+  double residual = 0.0;           ///< relative, of the velocity system
+  AnswerEvidence answer;           ///< its bounds are those of the rates
+  PrimaryCheck check;              ///< what is wrong with the primaries, if anything
+  std::vector<double> rates;       ///< of each freedom [rad/s or m/s]
+  std::vector<Twist> bodies;       ///< of each body relative to the ground
+  std::vector<Twist> body_bounds;  ///< how far each component of them may be off, rounding of the
+                                   ///< drawing included; 0 of typed numbers that are exact
+  std::vector<Twist> couplings;    ///< of each coupling: head relative to tail
 };
-
-/// The fastest motion of a body: of its point at the origin, or of one that is `length` [m] off the
-/// axis on which it turns [m/s]. By it sliding is told from rounding.
-double fastest_motion(const KinematicSolution& motion, double length);
 
 }  // namespace kinestat

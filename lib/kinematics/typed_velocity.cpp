@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kinematics/bounded_motion.hpp"
 #include "math/bounded_solve.hpp"
 #include "network/node_system.hpp"
 #include "network/typed_system.hpp"
@@ -15,10 +16,11 @@ bool determines_all(const TypedElimination& elimination) {
   return elimination.free_columns().empty() && elimination.relation_count() == 0;
 }
 
-void fill(const Topology& topology,
+void fill(const Mechanism& mechanism,
           const CoordinateBasis& basis,
           const TypedSolution& solved,
           KinematicSolution& solution) {
+  const Topology& topology = mechanism.topology;
   for (int f = 0; f < topology.freedom_count(); ++f) {
     const double unit = rate_unit(topology, basis, f);
     const int column = velocity_column(topology, basis, f);
@@ -27,10 +29,11 @@ void fill(const Topology& topology,
   }
   for (int b = 0; b < topology.body_count(); ++b) {
     solution.bodies.push_back(body_twist(solved.x, basis, BodyId{b}));
+    solution.body_bounds.push_back(body_twist(solved.bound, basis, BodyId{b}));
+    solution.bodies.back() = bounded_body(solution, BodyId{b}).zeroed();
   }
-  for (const CouplingTopology& coupling : topology.couplings) {
-    solution.couplings.push_back(solution.bodies[static_cast<std::size_t>(coupling.head.value)] -
-                                 solution.bodies[static_cast<std::size_t>(coupling.tail.value)]);
+  for (int e = 0; e < topology.coupling_count(); ++e) {
+    solution.couplings.push_back(bounded_coupling(mechanism, solution, CouplingId{e}).zeroed());
   }
 }
 
@@ -70,10 +73,11 @@ std::optional<KinematicSolution> solve_velocity_as_typed(const Mechanism& mechan
                              .check = {},
                              .rates = {},
                              .bodies = {},
+                             .body_bounds = {},
                              .couplings = {}};
   const std::vector<bool> counts(static_cast<std::size_t>(solved->x.size()), true);
   solution.answer.error_bound = worst_relative_error(solved->x, solved->bound, counts);
-  fill(topology, basis, *solved, solution);
+  fill(mechanism, basis, *solved, solution);
   return solution;
 }
 

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/bounded_motion.hpp"
 #include "math/bounded_solve.hpp"
+#include "math/data_zero.hpp"
+#include "mechanism/place_error.hpp"
 #include "network/node_system.hpp"
 
 namespace kinestat {
@@ -18,10 +21,11 @@ std::vector<double> rate_units(const Topology& topology, const CoordinateBasis& 
   return units;
 }
 
-void fill(const Topology& topology,
+void fill(const Mechanism& mechanism,
           const CoordinateBasis& basis,
           const VecX& x,
           KinematicSolution& solution) {
+  const Topology& topology = mechanism.topology;
   solution.rates.reserve(topology.freedoms.size());
   solution.bodies.reserve(topology.bodies.size());
   solution.couplings.reserve(topology.couplings.size());
@@ -32,10 +36,7 @@ void fill(const Topology& topology,
   for (int b = 0; b < topology.body_count(); ++b) {
     solution.bodies.push_back(body_twist(x, basis, BodyId{b}));
   }
-  for (const CouplingTopology& coupling : topology.couplings) {
-    solution.couplings.push_back(solution.bodies[static_cast<std::size_t>(coupling.head.value)] -
-                                 solution.bodies[static_cast<std::size_t>(coupling.tail.value)]);
-  }
+  finish_motions(mechanism, solution);
 }
 
 // What is known of the error of the rates.
@@ -93,10 +94,19 @@ KinematicSolution solve_velocity(const Mechanism& mechanism,
   }
   const std::vector<bool> counts(
       static_cast<std::size_t>(velocity_column(topology, basis, topology.freedom_count())), true);
-  const BoundedSolution solved = solve_to_digits(elimination, known, {}, request, counts);
+  BoundedSolution solved = solve_to_digits(elimination, known, {}, request, counts);
+  if (place_error(mechanism) > 0.0) {
+    settle_inexact(elimination,
+                   velocity_system(topology, mechanism.geometry, basis),
+                   {},
+                   {.rows = basis.order(),
+                    .first_column = velocity_column(topology, basis, 0),
+                    .share = place_error(mechanism)},
+                   solved.solution.x);
+  }
   solution.residual = solved.solution.residual;
   solution.answer = evidence_of(topology, basis, solved, counts);
-  fill(topology, basis, solved.solution.x, solution);
+  fill(mechanism, basis, solved.solution.x, solution);
   if (!is_finite(solution)) {
     solution.status = SolveStatus::overflow;
   }

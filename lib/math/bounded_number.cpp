@@ -36,6 +36,10 @@ BoundedNumber operator+(const BoundedNumber& a, const BoundedNumber& b) {
   return a.bound == 0.0 && b.bound == 0.0 && sum.value == 0.0 ? BoundedNumber{} : sum;
 }
 
+BoundedNumber operator-(const BoundedNumber& a, const BoundedNumber& b) {
+  return a + BoundedNumber{.value = -b.value, .bound = b.bound};
+}
+
 BoundedNumber operator*(const BoundedNumber& a, const BoundedNumber& b) {
   if (is_sure_zero(a) || is_sure_zero(b)) {
     return {};

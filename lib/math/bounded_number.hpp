@@ -1,6 +1,8 @@
 // A number with how far it may be off, which arithmetic passes on.
 #pragma once
 
+#include "math/settled.hpp"
+
 namespace kinestat {
 
 /// The true number lies within `bound` of `value`. The bound of a result contains its own rounding;
@@ -12,9 +14,13 @@ struct BoundedNumber {
   /// Error relative to the value; at most 1: then not one digit is sure. A zero without error has
   /// 0.
   double relative_bound() const;
+
+  /// The value, or zero where its bound does not tell it from zero.
+  double zeroed() const { return settled(value, bound); }
 };
 
 BoundedNumber operator+(const BoundedNumber& a, const BoundedNumber& b);
+BoundedNumber operator-(const BoundedNumber& a, const BoundedNumber& b);
 BoundedNumber operator*(const BoundedNumber& a, const BoundedNumber& b);
 
 /// Without a finite bound where the divisor may be zero.

@@ -17,6 +17,13 @@ bool at_index(const std::vector<bool>& list, Eigen::Index i) {
   return list[static_cast<std::size_t>(i)];
 }
 
+// What its bound does not tell from zero is zero.
+void make_zeros(const std::optional<VecX>& bound, VecX& x) {
+  if (bound) {
+    x = (x.array().abs() <= bound->array() && bound->array().isFinite()).select(0.0, x);
+  }
+}
+
 // The high parts; what they leave out adds to the bound.
 VecX rounded(const std::vector<DoubleDouble>& x, std::optional<VecX>& bound) {
   VecX high(static_cast<Eigen::Index>(x.size()));
@@ -66,6 +73,7 @@ BoundedSolution solve_to_digits(const Elimination& elimination,
   if (only_if_needed) {
     result.bound = refined.error_bound();
     if (result.bound && worst_relative_error(result.solution.x, *result.bound, counts) <= asked) {
+      make_zeros(result.bound, result.solution.x);
       return result;
     }
   }
@@ -77,6 +85,7 @@ BoundedSolution solve_to_digits(const Elimination& elimination,
       break;
     }
   }
+  make_zeros(result.bound, result.solution.x);
   result.rung = Rung::refined;
   result.solution.residual = elimination.residual(result.solution.x, rhs);
   return result;

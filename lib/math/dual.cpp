@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/contract.hpp"
+#include "core/tolerance.hpp"
 
 namespace kinestat {
 
@@ -22,11 +23,6 @@ double finite_or_none(double derivative) {
   return std::isfinite(derivative) ? derivative : kNone;
 }
 
-// 1 where a is chosen, 0 where b is, 1/2 at a tie.
-double share_of_first(bool is_first, bool is_tie) {
-  return is_tie ? 0.5 : is_first ? 1.0 : 0.0;
-}
-
 double slope_of_power(double base, double exponent) {
   return exponent == 0.0 ? 0.0 : exponent * std::pow(base, exponent - 1.0);
 }
@@ -36,6 +32,32 @@ double slope_of_exponent(double base, double exponent, double value) {
     return value * std::log(base);
   }
   return base == 0.0 && exponent > 0.0 ? 0.0 : kNone;
+}
+
+// Calls slope(da, db) for every variable; a list that is empty stands for zeros.
+template <class Slope>
+Dual combine(double value, const Dual& a, const Dual& b, const Slope& slope) {
+  const std::size_t count = std::max(a.derivatives.size(), b.derivatives.size());
+  KINESTAT_EXPECTS(a.derivatives.empty() || b.derivatives.empty() ||
+                   a.derivatives.size() == b.derivatives.size());
+  Dual result{value, std::vector<double>(count)};
+  for (std::size_t i = 0; i < count; ++i) {
+    result.derivatives[i] = finite_or_none(slope(derivative(a, i), derivative(b, i)));
+  }
+  return result;
+}
+
+// What a factor adds to the slope of a product with another.
+double share_of_product(double factor, double factor_slope, double slope) {
+  return factor == 0.0 && factor_slope == 0.0 ? 0.0 : term(factor, slope);
+}
+
+// Of one of two values, which may be tied.
+Dual choose(double value, bool is_first, const Dual& a, const Dual& b) {
+  if (!is_tie(a.value, b.value)) {
+    return chain(value, 1.0, is_first ? a : b);
+  }
+  return combine(value, a, b, [](double da, double db) { return da == db ? da : kNone; });
 }
 
 }  // namespace
@@ -92,7 +114,9 @@ Dual operator-(const Dual& a, const Dual& b) {
 }
 
 Dual operator*(const Dual& a, const Dual& b) {
-  return chain(a.value * b.value, b.value, a, a.value, b);
+  return combine(a.value * b.value, a, b, [&](double da, double db) {
+    return share_of_product(b.value, db, da) + share_of_product(a.value, da, db);
+  });
 }
 
 Dual operator/(const Dual& a, const Dual& b) {
@@ -138,7 +162,7 @@ Dual sqrt(const Dual& a) {
 }
 
 Dual abs(const Dual& a) {
-  const double slope = a.value > 0.0 ? 1.0 : a.value < 0.0 ? -1.0 : 0.0;
+  const double slope = a.value > 0.0 ? 1.0 : a.value < 0.0 ? -1.0 : kNone;
   return chain(std::abs(a.value), slope, a);
 }
 
@@ -164,20 +188,31 @@ Dual pow(const Dual& base, const Dual& exponent) {
                exponent);
 }
 
+Dual staircase(double value, bool jumps, const Dual& a) {
+  return chain(value, jumps ? kNone : 0.0, a);
+}
+
+Dual staircase(double value, bool jumps, const Dual& a, const Dual& b) {
+  const double slope = jumps ? kNone : 0.0;
+  return chain(value, slope, a, slope, b);
+}
+
+bool is_tie(double a, double b) {
+  return std::abs(a - b) <= 4.0 * kEpsilon * std::max(std::abs(a), std::abs(b));
+}
+
 Dual min(const Dual& a, const Dual& b) {
-  const double share = share_of_first(a.value < b.value, a.value == b.value);
-  return chain(std::min(a.value, b.value), share, a, 1.0 - share, b);
+  return choose(std::min(a.value, b.value), a.value < b.value, a, b);
 }
 
 Dual max(const Dual& a, const Dual& b) {
-  const double share = share_of_first(a.value > b.value, a.value == b.value);
-  return chain(std::max(a.value, b.value), share, a, 1.0 - share, b);
+  return choose(std::max(a.value, b.value), a.value > b.value, a, b);
 }
 
+// At the origin 0/0 is the NaN that is wanted.
 Dual hypot(const Dual& a, const Dual& b) {
   const double value = std::hypot(a.value, b.value);
-  const double divisor = value == 0.0 ? 1.0 : value;
-  return chain(value, a.value / divisor, a, b.value / divisor, b);
+  return chain(value, a.value / value, a, b.value / value, b);
 }
 
 }  // namespace kinestat

@@ -7,14 +7,11 @@
 
 namespace kinestat {
 
-/// The functions below apply the chain rule. Where the function has a kink or a jump, they follow
-/// one rule each:
-/// - at a corner with two one-sided slopes, the mean of both: abs at 0, min and max of equal
-/// values,
-///   hypot at the origin (0, like abs);
-/// - where the derivative grows without bound, or the function jumps, there is none: sqrt at 0,
-///   asin and acos at ±1, a power of zero with an exponent below one, atan2 at the origin. It is
-///   NaN, and so is all that depends on it. A variable that does not take part keeps its zero.
+/// The functions below apply the chain rule. Where the function has a corner (abs at 0, min and max
+/// of equal values, hypot at the origin), jumps (a step, atan2 at the origin) or grows without
+/// bound (sqrt at 0, asin and acos at ±1, a power of zero with an exponent below one), there is no
+/// derivative. It is NaN, and so is all that depends on it. A variable that does not take part
+/// keeps its zero, and one that moves both sides of a corner alike keeps its slope.
 struct Dual {
   double value = 0.0;
   std::vector<double> derivatives;  ///< one a variable; an empty list stands for zeros
@@ -53,7 +50,11 @@ Dual chain(double value, double by_a, const Dual& a, double by_b, const Dual& b)
 Dual operator-(const Dual& a);
 Dual operator+(const Dual& a, const Dual& b);
 Dual operator-(const Dual& a, const Dual& b);
+
+/// A factor that is zero and stays so leaves nothing of the other, whether that has a derivative or
+/// not.
 Dual operator*(const Dual& a, const Dual& b);
+
 Dual operator/(const Dual& a, const Dual& b);
 
 Dual sin(const Dual& a);
@@ -75,6 +76,13 @@ Dual log10(const Dual& a);
 /// A derivative towards the exponent exists only for a positive base, or 0 with a positive
 /// exponent.
 Dual pow(const Dual& base, const Dual& exponent);
+
+/// Of a function that is constant between its jumps: `jumps` says whether it has one here.
+Dual staircase(double value, bool jumps, const Dual& a);
+Dual staircase(double value, bool jumps, const Dual& a, const Dual& b);
+
+/// Whether rounding alone decides which of two numbers is the larger.
+bool is_tie(double a, double b);
 
 Dual min(const Dual& a, const Dual& b);
 Dual max(const Dual& a, const Dual& b);

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "core/contract.hpp"
+#include <Eigen/QR>
+
 #include "core/tolerance.hpp"
-#include "math/dense_solve.hpp"
 #include "math/echelon.hpp"
 #include "math/elimination.hpp"
 #include "math/orthonormal.hpp"
@@ -61,11 +61,9 @@ VecX coordinates_in(const Eigen::Ref<const MatX>& A, const VecX& b) {
   if (A.cols() == 0) {
     return {};
   }
-  const MatX unit = with_unit_columns(A);
-  const MatX normal = unit.transpose() * unit;
-  const std::optional<VecX> x = solve_dense(normal, unit.transpose() * b);
-  KINESTAT_EXPECTS(x.has_value());
-  return x->cwiseQuotient(A.colwise().norm().transpose());
+  // Not by the normal equations: columns that are nearly parallel would depend on each other there.
+  const Eigen::ColPivHouseholderQR<MatX> factors(with_unit_columns(A));
+  return factors.solve(b).cwiseQuotient(A.colwise().norm().transpose());
 }
 
 }  // namespace kinestat

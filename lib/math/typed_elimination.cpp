@@ -8,16 +8,13 @@
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "math/equilibrate.hpp"
-#include "math/internal/decimal_field.hpp"
+#include "math/internal/decimal_solve.hpp"
 #include "math/internal/field_eliminator.hpp"
-#include "math/internal/field_solve.hpp"
 #include "math/internal/unit_roundoff.hpp"
 
 namespace kinestat {
 
 namespace {
-
-using Decimals = FieldElimination<DecimalField>;
 
 // The common field of a matrix of exact numbers; beyond this its primes are hard to find.
 constexpr int kMostCommonRoots = 1 << 16;
@@ -34,12 +31,6 @@ Scaling scaling_of(const TypedMatrix& matrix) {
   return find_scaling(doubles);
 }
 
-struct DecimalEntry {
-  int row = 0;
-  int column = 0;
-  BigFloat value;
-};
-
 std::vector<DecimalEntry> scaled_entries(const TypedMatrix& matrix, const Scaling& scaling) {
   std::vector<DecimalEntry> entries;
   entries.reserve(matrix.entries.size());
@@ -52,16 +43,8 @@ std::vector<DecimalEntry> scaled_entries(const TypedMatrix& matrix, const Scalin
   return entries;
 }
 
-// A matrix eliminated in a hundred digits.
-struct DecimalFactors {
-  Scaling scaling;
-  std::vector<DecimalEntry> entries;
-  Decimals decimals;
-};
-
 DecimalFactors eliminate_decimals(const TypedMatrix& matrix, std::span<const int> last) {
-  DecimalFactors result{
-      .scaling = scaling_of(matrix), .entries = {}, .decimals = Decimals{.field = {}}};
+  DecimalFactors result{.scaling = scaling_of(matrix), .entries = {}, .decimals = {.field = {}}};
   result.entries = scaled_entries(matrix, result.scaling);
   result.decimals.load(matrix.rows, result.entries, [](const BigFloat& value) { return value; });
   FieldEliminator(result.decimals, matrix.columns).run(last);
@@ -124,49 +107,6 @@ std::optional<std::vector<Rational>> rational_list(std::span<const Typed> number
     }
     result.push_back(*value);
   }
-  return result;
-}
-
-// b - A x of the scaled rows.
-std::vector<BigFloat> residual(const DecimalFactors& factors,
-                               const std::vector<BigFloat>& right,
-                               const std::vector<BigFloat>& x) {
-  std::vector<BigFloat> rest = right;
-  for (const DecimalEntry& entry : factors.entries) {
-    at(rest, entry.row) -= entry.value * at(x, entry.column);
-  }
-  return rest;
-}
-
-BigFloat largest_of(const std::vector<BigFloat>& numbers) {
-  BigFloat largest = 0;
-  for (const BigFloat& one : numbers) {
-    largest = std::max(largest, BigFloat(abs(one)));
-  }
-  return largest;
-}
-
-// `x` holds the known unknowns, scaled, and zero elsewhere; `b` the scaled right-hand side.
-TypedSolution solve_decimals(const DecimalFactors& factors,
-                             std::vector<BigFloat> x,
-                             const std::vector<BigFloat>& b) {
-  const std::vector<BigFloat> right = eliminated<DecimalField>(factors.decimals, b);
-  back_substitute<DecimalField>(factors.decimals, right, x);
-  std::vector<BigFloat> correction(x.size());
-  back_substitute<DecimalField>(factors.decimals,
-                                eliminated<DecimalField>(factors.decimals, residual(factors, b, x)),
-                                correction);
-  const auto columns = static_cast<Eigen::Index>(x.size());
-  TypedSolution result{.x = VecX(columns), .bound = VecX(columns)};
-  for (int c = 0; c < static_cast<int>(columns); ++c) {
-    const double unit = at(factors.scaling.columns, c);
-    result.x[c] = unit * static_cast<double>(at(x, c));
-    result.bound[c] = kUnitRoundoff * std::abs(result.x[c]) +
-                      2.0 * unit * std::abs(static_cast<double>(at(correction, c)));
-  }
-  const BigFloat worst = largest_of(left_by_surplus_rows<DecimalField>(factors.decimals, right, x));
-  const BigFloat scale = std::max(largest_of(x), largest_of(b));
-  result.consistent = scale.is_zero() || DecimalField::is_zero(BigFloat(worst / scale));
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include "mechanism/internal/cable_contact_binder.hpp"
 #include "mechanism/internal/case_binder.hpp"
 #include "mechanism/internal/compliance_binder.hpp"
+#include "mechanism/internal/gear_binder.hpp"
 #include "mechanism/internal/gear_check.hpp"
 #include "mechanism/internal/geometry_check.hpp"
 #include "mechanism/internal/graph_binder.hpp"
@@ -153,11 +154,17 @@ void bind_sections(const SectionContext& context, Mechanism& result) {
   }
 }
 
+// Numbers of gears that are made of a parameter without a value have no complaint of their own.
+bool has_gear_numbers(const SectionContext& context) {
+  return !context.description.gears || !has_all_meshes(context.description) ||
+         bind_gear_frame<double>(context.description, context.evaluator).has_value();
+}
+
 // The couplings that gears and cables make are bound only if these are right, so that each mistake
 // has one complaint.
 bool bind_whole_structure(const SectionContext& context, ScrewSpaces spaces, Mechanism& result) {
   const MechanismDescription& description = context.description;
-  const bool has_right_gears = check_gears(context);
+  const bool has_right_gears = check_gears(context) && has_gear_numbers(context);
   const bool has_right_cables = description.cables.empty() || check_cables(context);
   if (has_right_gears && has_right_cables) {
     return bind_structure(description, spaces, context.evaluator, context.found, result);

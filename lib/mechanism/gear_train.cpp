@@ -32,6 +32,9 @@ class TrainFinder {
     place_by_bearings();
     place_the_rest();
     add_planets();
+    for (PlanetAxis& planet : train_.planets) {
+      add_shafts(planet);
+    }
     find_hands();
     return std::move(train_);
   }
@@ -237,6 +240,31 @@ class TrainFinder {
     return result;
   }
 
+  // Whether a body has no gears and carries none, so that only its clutches say where it turns.
+  bool is_plain_shaft(const std::string& body) const {
+    return body != description_.ground.text &&
+           std::ranges::find(bodies_, body, &GearBody::name) == bodies_.end() &&
+           std::ranges::none_of(gears_.meshes, [&](const MeshDescription& mesh) {
+             return carrier_of(mesh, description_) == body;
+           });
+  }
+
+  void add_shafts(PlanetAxis& planet) const {
+    std::vector<std::string> joined = {planet.body};
+    for (std::size_t i = 0; i < joined.size(); ++i) {
+      for (const CouplingDescription& coupling : description_.couplings) {
+        const bool is_at = coupling.tail.text == joined[i] || coupling.head.text == joined[i];
+        const std::string& other =
+            coupling.tail.text == joined[i] ? coupling.head.text : coupling.tail.text;
+        if (is_at && coupling.type == CouplingType::clutch && is_plain_shaft(other) &&
+            std::ranges::find(joined, other) == joined.end()) {
+          joined.push_back(other);
+        }
+      }
+    }
+    planet.shafts.assign(joined.begin() + 1, joined.end());
+  }
+
   void find_hands() {
     train_.hand.assign(gears_.meshes.size(), 1);
     std::vector<int> hand(gears_.members.size(), 0);
@@ -279,7 +307,9 @@ class TrainFinder {
 }  // namespace
 
 int GearTrain::planet_on(std::string_view body) const {
-  const auto at = std::ranges::find(planets, body, &PlanetAxis::body);
+  const auto at = std::ranges::find_if(planets, [&](const PlanetAxis& planet) {
+    return planet.body == body || std::ranges::find(planet.shafts, body) != planet.shafts.end();
+  });
   return at == planets.end() ? -1 : static_cast<int>(at - planets.begin());
 }
 

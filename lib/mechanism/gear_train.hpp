@@ -17,7 +17,8 @@ struct PlanetAxis {
   int neighbour = -1;        ///< the planet beside which it stands; -1: it stands on +y
   int neighbour_mesh = -1;   ///< the mesh of the two
   PlanetSide side = PlanetSide::left;
-  const Value* distance = nullptr;  ///< from the main axis, where the file gives it
+  const Value* distance = nullptr;       ///< from the main axis, where the file gives it
+  std::vector<std::string> shafts = {};  ///< bodies without gears that clutches join to it
 };
 
 /// The train without its numbers. Pointers lead into the description, which must outlive it.
@@ -29,7 +30,7 @@ struct GearTrain {
   std::vector<int> hand;  ///< of each mesh: 1 if its first member is right-handed where the
                           ///< helix angle of the section is positive, otherwise -1
 
-  /// The index of the planet on a body, or -1.
+  /// The index of the planet on whose axis a body turns, or -1.
   int planet_on(std::string_view body) const;
 };
 

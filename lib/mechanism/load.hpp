@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/source.hpp"
-#include "screw/wrench.hpp"
+#include "screw/bounded_screw.hpp"
 
 namespace kinestat {
 
@@ -26,10 +26,11 @@ struct Load {
   SourceRange where;
 };
 
-/// The couple of a load beside its force, which acts at its point [N·m]. `origin` is that of the
+/// The couple of a load beside its force, which acts at its point [N·m]; what is rounding of the
+/// moment of the force is zero. `origin` is that of the
 /// Geometry.
 inline Vec3 couple_of(const Load& load, const Vec3& origin) {
-  return load.point ? moment_at(load.acts.wrench, Vec3(*load.point - origin))
+  return load.point ? moment_at(written(load.acts.wrench), *load.point - origin).zeroed()
                     : load.acts.wrench.moment;
 }
 

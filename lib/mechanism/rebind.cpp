@@ -1,10 +1,12 @@
 #include "mechanism/rebind.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
 #include "core/contract.hpp"
+#include "core/tolerance.hpp"
 #include "mechanism/coupling_catalogue.hpp"
 #include "mechanism/internal/coupling_binder.hpp"
 #include "mechanism/internal/dependence.hpp"
@@ -71,7 +73,8 @@ std::optional<double> number_of(const SlotExpression& value,
                                 const Slots& slots,
                                 std::vector<Quantity>& scratch) {
   const std::optional<Quantity> quantity = value.evaluate(slots, scratch);
-  if (quantity && is_bare(quantity->dimension) && units.scale(kind) == UnitScale{}) {
+  if (quantity && is_bare(quantity->dimension) && units.scale(kind) == UnitScale{} &&
+      std::abs(quantity->value) <= kLargestNumber) {
     return quantity->value;  // as fit has it
   }
   const auto fitted = quantity ? fit<double>(*quantity, kind, units)

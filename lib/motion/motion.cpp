@@ -187,7 +187,8 @@ class MotionSolver {
       const Arrival arrival = tracker_.advance(now, before, static_cast<double>(k) / steps);
       note_special(-1, true);
       if (arrival != Arrival::reached) {
-        solution_.status = MotionStatus::limit;
+        solution_.status =
+            arrival == Arrival::lift_off ? MotionStatus::lift_off : MotionStatus::limit;
         if (arrival == Arrival::lost) {
           note_lost(drive_values(now.share, true));
         }
@@ -225,6 +226,9 @@ class MotionSolver {
   void keep(const PathPoint& point) {
     solution_.shares.push_back(point.share);
     solution_.misclosures.push_back(point.misclosure);
+    if (tracker_.closes_by_least_squares(point)) {
+      solution_.closes_by_least_squares = true;
+    }
     solution_.coordinates.insert(
         solution_.coordinates.end(), point.coordinates.begin(), point.coordinates.end());
     solution_.angles.insert(solution_.angles.end(), point.angles.begin(), point.angles.end());
@@ -258,8 +262,9 @@ class MotionSolver {
         return;
       }
       keep(now);
-      if (arrival == Arrival::limit) {
-        solution_.status = MotionStatus::limit;
+      if (arrival != Arrival::reached) {
+        solution_.status =
+            arrival == Arrival::lift_off ? MotionStatus::lift_off : MotionStatus::limit;
         return;
       }
     }

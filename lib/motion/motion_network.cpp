@@ -79,6 +79,7 @@ class NetworkMaker {
       add_drawn_miss(e);
       add_closure(e);
     }
+    find_arcs();
     find_drives();
     find_passive();
     return std::move(network_);
@@ -320,6 +321,28 @@ class NetworkMaker {
       network_.rollings.push_back(*std::move(row));
     } else {
       refuse(e, MotionObstacle::no_carrier);
+    }
+  }
+
+  // Of ropes whose sense is known; segments that leave a pulley at given points cannot be moved.
+  void find_arcs() {
+    const auto angle_of = [&](CouplingId segment) {
+      const auto row = std::ranges::find(network_.closures, segment, &ClosureRow::coupling);
+      const bool is_rope =
+          row != network_.closures.end() && row->condition.kind == ClosureKind::rope;
+      return is_rope ? row->angle : -1;
+    };
+    for (std::size_t i = 0; i < mechanism_.contacts.size(); ++i) {
+      const CableContact& contact = mechanism_.contacts[i];
+      const int arrives = angle_of(contact.arrives);
+      const int leaves = angle_of(contact.leaves);
+      if (contact.wrap && arrives >= 0 && leaves >= 0) {
+        network_.arcs.push_back({.contact = static_cast<int>(i),
+                                 .arrives = arrives + 1,
+                                 .leaves = leaves,
+                                 .sense = contact.radius < 0.0 ? -1.0 : 1.0,
+                                 .drawn = *contact.wrap});
+      }
     }
   }
 

@@ -72,6 +72,16 @@ struct MeasuredFreedom {
   int angle = -1;  ///< of a turn: that is followed over full turns
 };
 
+/// The rope on a pulley between two straight segments: its arc is as drawn, and what the second
+/// segment has turned more than the first, seen from the pulley.
+struct ContactArc {
+  int contact = 0;     ///< index into Mechanism::contacts
+  int arrives = 0;     ///< the followed angle of the segment before it
+  int leaves = 0;      ///< that of the segment behind it
+  double sense = 1.0;  ///< -1: the rope turns about -z
+  double drawn = 0.0;  ///< the arc in the drawn position, with full turns [rad]
+};
+
 /// Turns freely about a point; its three freedoms are turns about the world axes.
 struct BallFreedoms {
   int first_freedom = 0;  ///< index into Topology::freedoms
@@ -100,6 +110,7 @@ struct MotionNetwork {
   std::vector<RollingRow> rollings;
   std::vector<MeasuredFreedom> measures;
   std::vector<BallFreedoms> balls;
+  std::vector<ContactArc> arcs;
   int angle_count = 0;                ///< angles that are followed over full turns
   std::vector<int> driven_freedoms;   ///< as they were given
   std::vector<int> driven_rates;      ///< parallel: the rate that each drives

@@ -10,6 +10,8 @@ std::string_view word_of(MotionStatus status) {
       return "completed";
     case MotionStatus::limit:
       return "limit";
+    case MotionStatus::lift_off:
+      return "lift-off";
     case MotionStatus::locked:
       return "locked";
     case MotionStatus::singular:

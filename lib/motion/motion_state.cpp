@@ -6,7 +6,9 @@
 #include "core/contract.hpp"
 #include "core/index.hpp"
 #include "core/motion_tolerance.hpp"
+#include "math/settled.hpp"
 #include "motion/internal/closure_system.hpp"
+#include "motion/internal/joint_errors.hpp"
 #include "motion/internal/motion_limits.hpp"
 #include "motion/internal/pivoted_qr.hpp"
 
@@ -62,6 +64,35 @@ MovingTwist twist_of(const SpatialFrames::Frame<Jet>& f, double length) {
                    .linear = length * (bend - angular_rate.cross(shift) - angular.cross(speed))}};
 }
 
+void settle(std::vector<std::optional<double>>& values, const std::vector<double>& bounds) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i]) {
+      values[i] = settled(*values[i], bounds[i]);
+    }
+  }
+}
+
+Vec3 settled_vector(const Vec3& value, double bound) {
+  return value.unaryExpr([bound](double x) { return settled(x, bound); });
+}
+
+// Makes zero what the bounds do not tell from it.
+void settle(MotionState& state) {
+  settle(state.rates, state.bounds.rates);
+  settle(state.rate_rates, state.bounds.rate_rates);
+  for (std::size_t b = 0; b < state.twists.size(); ++b) {
+    const BodyBounds& bounds = state.bounds.bodies[b];
+    Twist& twist = state.twists[b];
+    twist = {.angular = settled_vector(twist.angular, bounds.angular),
+             .linear = settled_vector(twist.linear, bounds.linear)};
+    if (!state.twist_rates.empty()) {
+      Twist& rate = state.twist_rates[b];
+      rate = {.angular = settled_vector(rate.angular, bounds.angular_rate),
+              .linear = settled_vector(rate.linear, bounds.linear_rate)};
+    }
+  }
+}
+
 template <class Frames>
 class StateSolver {
  public:
@@ -79,6 +110,27 @@ class StateSolver {
   }
 
   MotionState solve(const GivenSpeeds& speeds, StateDetail detail) {
+    return solve(speeds, detail, nullptr);
+  }
+
+  MotionState solve_bounded(const GivenSpeeds& speeds, StateDetail detail) {
+    JointErrors errors({.network = network_,
+                        .rates_of_rows = system_.rates_of_rows(),
+                        .residuals = system_.residuals(),
+                        .jacobian = system_.jacobian(),
+                        .unknown = unknown_,
+                        .qr = qr_,
+                        .reach = system_.reach()},
+                       configuration_.coordinates,
+                       is_singular());
+    MotionState state = solve(speeds, detail, &errors);
+    state.bounds = errors.bounds(mechanism_.topology);
+    settle(state);
+    return state;
+  }
+
+ private:
+  MotionState solve(const GivenSpeeds& speeds, StateDetail detail, JointErrors* errors) {
     MotionState state;
     state.origin = network_.origin;
     for (const int frame : network_.frame_of_body) {
@@ -86,8 +138,7 @@ class StateSolver {
       pose.shift = network_.length * pose.shift + network_.origin - pose.rotation * network_.origin;
       state.poses.push_back(pose);
     }
-    const int open = static_cast<int>(unknown_.size()) - qr_.rank();
-    state.is_singular = open > static_cast<int>(network_.passive_motions.size()) || is_too_flat();
+    state.is_singular = is_singular();
     if (state.is_singular) {
       return state;
     }
@@ -99,7 +150,8 @@ class StateSolver {
       bends[at(network_.driven_rates[d])] = speeds.drives[d].acceleration / unit;
     }
     complete(rates, std::vector<double>(at(system_.row_count()), 0.0));
-    if (open > 0) {
+    const bool has_open = open_count() > 0;
+    if (has_open) {
       find_effects(speeds.passive);
       meet_speeds(speeds.passive, rates);
     }
@@ -108,15 +160,37 @@ class StateSolver {
       const auto frames = system_.moving_frames(configuration_.coordinates, rates, bends);
       const std::vector<double> left = system_.residual_bends(frames, bends, configuration_.angles);
       solve_unknown(left, bends);
-      if (open > 0) {
+      if (has_open) {
         hold_speeds(speeds.passive, rates, bends);
       }
+    }
+    if (errors != nullptr) {
+      find_errors(speeds, rates, bends, *errors);
     }
     fill(rates, bends, detail, state);
     return state;
   }
 
- private:
+  void find_errors(const GivenSpeeds& speeds,
+                   const std::vector<double>& rates,
+                   const std::vector<double>& bends,
+                   JointErrors& errors) const {
+    std::vector<double> driven_errors;
+    std::vector<double> driven_bend_errors;
+    for (std::size_t d = 0; d < speeds.drives.size(); ++d) {
+      const double unit = unit_of_rate(network_.driven_rates[d]);
+      driven_errors.push_back(speeds.drives[d].speed_bound / unit);
+      driven_bend_errors.push_back(speeds.drives[d].acceleration_bound / unit);
+    }
+    errors.follow(rates, bends, driven_errors, driven_bend_errors);
+  }
+
+  int open_count() const { return static_cast<int>(unknown_.size()) - qr_.rank(); }
+
+  bool is_singular() const {
+    return open_count() > static_cast<int>(network_.passive_motions.size()) || is_too_flat();
+  }
+
   void factor() {
     const int rows = system_.row_count();
     std::vector<double> matrix;
@@ -314,19 +388,51 @@ MotionState solve_state(const MotionNetwork& network,
              : StateSolver<SpatialFrames>(network, mechanism, configuration).solve(speeds, detail);
 }
 
+MotionState solve_bounded_state(const MotionNetwork& network,
+                                const Mechanism& mechanism,
+                                const Configuration& configuration,
+                                const GivenSpeeds& speeds,
+                                StateDetail detail) {
+  KINESTAT_EXPECTS(speeds.drives.size() == network.driven_rates.size());
+  return network.space == Space::planar
+             ? StateSolver<PlanarFrames>(network, mechanism, configuration)
+                   .solve_bounded(speeds, detail)
+             : StateSolver<SpatialFrames>(network, mechanism, configuration)
+                   .solve_bounded(speeds, detail);
+}
+
+namespace {
+
+void settle(const MotionState& state, std::size_t body, PointMotion& motion) {
+  if (state.bounds.bodies.empty()) {
+    return;
+  }
+  const PointBounds bounds =
+      point_bounds(state.bounds.bodies[body],
+                   motion.position - state.origin,
+                   motion.position,
+                   state.twists.empty() ? Twist{} : state.twists[body],
+                   state.twist_rates.empty() ? Twist{} : state.twist_rates[body]);
+  motion.position = settled_vector(motion.position, bounds.position);
+  motion.velocity = settled_vector(motion.velocity, bounds.velocity);
+  motion.acceleration = settled_vector(motion.acceleration, bounds.acceleration);
+}
+
+}  // namespace
+
 PointMotion point_motion(const MotionState& state, BodyId body, const Vec3& drawn) {
   const std::size_t b = at(body.value);
   PointMotion motion;
   motion.position = state.poses[b].point(drawn);
-  if (state.twists.empty()) {
-    return motion;
-  }
   const Vec3 arm = motion.position - state.origin;
-  motion.velocity = velocity_at(state.twists[b], arm);
-  if (!state.twist_rates.empty()) {
+  if (!state.twists.empty()) {
+    motion.velocity = velocity_at(state.twists[b], arm);
+  }
+  if (!state.twists.empty() && !state.twist_rates.empty()) {
     motion.acceleration =
         velocity_at(state.twist_rates[b], arm) + state.twists[b].angular.cross(motion.velocity);
   }
+  settle(state, b, motion);
   return motion;
 }
 

@@ -6,13 +6,16 @@
 #include <vector>
 
 #include "motion/configuration.hpp"
+#include "motion/state_bounds.hpp"
 
 namespace kinestat {
 
 /// How fast a drive runs.
 struct DriveSpeed {
-  double speed = 0.0;         ///< [rad/s or m/s]
-  double acceleration = 0.0;  ///< [rad/s² or m/s²]
+  double speed = 0.0;               ///< [rad/s or m/s]
+  double acceleration = 0.0;        ///< [rad/s² or m/s²]
+  double speed_bound = 0.0;         ///< how far off they may be
+  double acceleration_bound = 0.0;  ///< likewise
 };
 
 /// The constant rate of a freedom that the drives leave open.
@@ -44,6 +47,7 @@ struct MotionState {
                                                   ///< contacts and ropes
   std::vector<std::optional<double>> rate_rates;  ///< their derivatives [rad/s² or m/s²]; empty
                                                   ///< likewise
+  StateBounds bounds;  ///< where asked for; then all that it tells from nothing is exactly zero
 };
 
 /// The least motion in the coordinates where passive freedoms stay open. The rates of a ball are
@@ -54,6 +58,14 @@ struct MotionState {
                                       const GivenSpeeds& speeds,
                                       StateDetail detail);
 
+/// The same with bounds of its errors, and what these do not tell from zero is zero: for what is
+/// reported.
+[[nodiscard]] MotionState solve_bounded_state(const MotionNetwork& network,
+                                              const Mechanism& mechanism,
+                                              const Configuration& configuration,
+                                              const GivenSpeeds& speeds,
+                                              StateDetail detail);
+
 /// World frame, SI.
 struct PointMotion {
   Vec3 position = Vec3::Zero();
@@ -62,7 +74,7 @@ struct PointMotion {
 };
 
 /// Of the point of a body that was drawn at `drawn`. Accelerations are zero where the state has
-/// none.
+/// none; where it has bounds, components are zero that are not told from it.
 PointMotion point_motion(const MotionState& state, BodyId body, const Vec3& drawn);
 
 }  // namespace kinestat

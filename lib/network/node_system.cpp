@@ -1,8 +1,16 @@
 #include "network/node_system.hpp"
 
+#include <cmath>
+
+#include "core/tolerance.hpp"
+
 namespace kinestat {
 
 namespace {
+
+// Of a coordinate of a load before loads are summed: of its number as typed, its unit, its place,
+// their product and the direction of the basis.
+constexpr double kRoundingsOfLoad = 4.0;
 
 // Adds factor · (the screw's coordinates in the basis) as a column piece that begins at `at`.
 void add_screw(const Vec6& screw,
@@ -106,14 +114,20 @@ std::vector<double> load_vector(int body_count,
   }
   const int order = basis.order();
   std::vector<double> right(static_cast<std::size_t>(order * (body_count - 1)), 0.0);
+  std::vector<double> terms = right;
   for (const BodyWrench& load : loads) {
     if (load.body.value > 0) {
       const VecX coordinates = basis.coordinates_of(load.wrench.coordinates());
       const auto first = static_cast<std::size_t>(order * (load.body.value - 1));
       for (int i = 0; i < order; ++i) {
         right[first + static_cast<std::size_t>(i)] -= coordinates[i];
+        terms[first + static_cast<std::size_t>(i)] += std::abs(coordinates[i]);
       }
     }
+  }
+  const double share = (kRoundingsOfLoad + static_cast<double>(loads.size())) * kEpsilon;
+  for (std::size_t r = 0; r < right.size(); ++r) {
+    right[r] = std::abs(right[r]) <= share * terms[r] ? 0.0 : right[r];
   }
   return right;
 }

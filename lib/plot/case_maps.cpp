@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "kinematics/bounded_motion.hpp"
 #include "plot/picture_title.hpp"
 #include "report/in_units.hpp"
+#include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
 
@@ -85,8 +87,7 @@ class MapBuilder {
              bool& is_zero) const {
     BarRow row = {.name = name, .values = {}};
     for (const CaseAnalysis* one : cases_) {
-      const InUnits in(analysis_.description.units,
-                       find_zero_snap(*one, analysis_.mechanism.geometry.length));
+      const InUnits in(analysis_.description.units);
       const std::optional<Vec3> vector = quantity.value(*one, element, in);
       is_zero = is_zero && vector && (*vector)[axis] == 0.0;
       row.values.push_back(vector ? std::optional((*vector)[axis]) : std::nullopt);
@@ -102,6 +103,11 @@ class MapBuilder {
 
 std::string unit_text(const Analysis& analysis, QuantityKind kind) {
   return analysis.description.units.text(kind);
+}
+
+// Of all bodies but the ground.
+BoundedTwist body(const CaseAnalysis& one, std::size_t i) {
+  return bounded_body(*one.motion, BodyId{static_cast<int>(i) + 1});
 }
 
 // All but the ground, which rests.
@@ -131,19 +137,18 @@ BarMap speed_map(const Analysis& analysis) {
                .unit = unit_text(analysis, QuantityKind::angular_velocity),
                .value =
                    [](const CaseAnalysis& one, std::size_t i, const InUnits& in) {
-                     return std::optional<Vec3>(in.angular(one.motion->bodies[i + 1].angular));
+                     return std::optional<Vec3>(in.angular(body(one, i).angular.zeroed()));
                    }},
               moving_bodies(analysis));
-  builder.add(
-      {.words = "velocity",
-       .symbol = "v",
-       .unit = unit_text(analysis, QuantityKind::velocity),
-       .value =
-           [&geometry](const CaseAnalysis& one, std::size_t i, const InUnits& in) {
-             const Vec3 at = geometry.references[i + 1] - geometry.origin;
-             return std::optional<Vec3>(in.linear(velocity_at(one.motion->bodies[i + 1], at)));
-           }},
-      moving_bodies(analysis));
+  builder.add({.words = "velocity",
+               .symbol = "v",
+               .unit = unit_text(analysis, QuantityKind::velocity),
+               .value =
+                   [&geometry](const CaseAnalysis& one, std::size_t i, const InUnits& in) {
+                     const Vec3 at = geometry.references[i + 1] - geometry.origin;
+                     return std::optional<Vec3>(in.linear(velocity_at(body(one, i), at).zeroed()));
+                   }},
+              moving_bodies(analysis));
   return builder.finish(
       "speeds",
       picture_title("Velocities of the bodies", analysis),
@@ -159,9 +164,10 @@ BarMap torque_map(const Analysis& analysis) {
                .unit = unit_text(analysis, QuantityKind::moment),
                .value =
                    [&geometry](const CaseAnalysis& one, std::size_t e, const InUnits& in) {
-                     const std::optional<Wrench>& wrench = one.action->wrenches[e];
+                     const auto wrench =
+                         bounded_wrench(*one.action, CouplingId{static_cast<int>(e)});
                      const Vec3 at = geometry.points[e] - geometry.origin;
-                     return wrench ? std::optional<Vec3>(in.moment(moment_at(*wrench, at)))
+                     return wrench ? std::optional<Vec3>(in.moment(moment_at(*wrench, at).zeroed()))
                                    : std::nullopt;
                    }},
               couplings(analysis));
@@ -173,15 +179,16 @@ BarMap torque_map(const Analysis& analysis) {
 
 BarMap force_map(const Analysis& analysis) {
   MapBuilder builder(analysis, has_action);
-  builder.add({.words = "force",
-               .symbol = "R",
-               .unit = unit_text(analysis, QuantityKind::force),
-               .value =
-                   [](const CaseAnalysis& one, std::size_t e, const InUnits& in) {
-                     const std::optional<Wrench>& wrench = one.action->wrenches[e];
-                     return wrench ? std::optional<Vec3>(in.force(wrench->force)) : std::nullopt;
-                   }},
-              couplings(analysis));
+  builder.add(
+      {.words = "force",
+       .symbol = "R",
+       .unit = unit_text(analysis, QuantityKind::force),
+       .value =
+           [](const CaseAnalysis& one, std::size_t e, const InUnits& in) {
+             const auto wrench = bounded_wrench(*one.action, CouplingId{static_cast<int>(e)});
+             return wrench ? std::optional<Vec3>(in.force(wrench->force.zeroed())) : std::nullopt;
+           }},
+      couplings(analysis));
   return builder.finish("forces",
                         picture_title("Forces in the couplings", analysis),
                         "Bars of the force that each coupling bears, of tail on head, for each "

@@ -149,7 +149,7 @@ class PowerModeller {
     }
     for (const PowerLoop& loop : one_.power_graph->loops) {
       for (const std::size_t arc : loop.arcs) {
-        const CouplingId coupling = one_.power_graph->arcs[arc].coupling;
+        const CouplingId coupling = one_.power_graph->net[arc].coupling;
         model_.power[static_cast<std::size_t>(coupling.value)].recirculates = true;
       }
     }

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "core/rounding.hpp"
+#include "kinematics/bounded_motion.hpp"
 #include "plot/axes.hpp"
 #include "plot/internal/text_styles.hpp"
 #include "plot/labels.hpp"
@@ -94,10 +96,9 @@ class LeverDrawing {
   const Topology& topology() const { return analysis_.mechanism.topology; }
 
   double speed(const CaseAnalysis& one, const DiagramLever& lever, BodyId body) const {
-    const InUnits in(analysis_.description.units,
-                     find_zero_snap(one, analysis_.mechanism.geometry.length));
-    const Twist& twist = one.motion->bodies[static_cast<std::size_t>(body.value)];
-    return in.angular(twist.angular.dot(lever.axis));
+    const BoundedVector axis = rounded_vector(lever.axis, kDataRounding);
+    const double rate = dot(bounded_body(*one.motion, body).angular, axis).zeroed();
+    return InUnits(analysis_.description.units).angular(rate);
   }
 
   void find_scale() {

@@ -40,6 +40,10 @@ double character_width(char32_t code, Weight weight) {
   return is_letter ? 0.87 : 1.0;
 }
 
+bool is_inside_character(std::string_view text, std::size_t at) {
+  return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+}
+
 }  // namespace
 
 double text_width(std::string_view text, double size, Weight weight) {
@@ -55,14 +59,20 @@ std::string fitting_text(std::string_view text, double size, double width, Weigh
     return std::string(text);
   }
   const std::string dots = "…";
-  std::size_t length = text.size();
-  while (length > 0 &&
-         text_width(std::string(text.substr(0, length)) + dots, size, weight) > width) {
-    do {
+  const auto cut = [&](std::size_t length) {
+    while (length > 0 && is_inside_character(text, length)) {
       --length;
-    } while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U);
+    }
+    return std::string(text.substr(0, length)) + dots;
+  };
+  // Longer texts are wider, so that halving finds the longest that fits.
+  std::size_t fits = 0;
+  std::size_t too_long = text.size();
+  while (too_long - fits > 1) {
+    const std::size_t middle = fits + (too_long - fits) / 2;
+    (text_width(cut(middle), size, weight) <= width ? fits : too_long) = middle;
   }
-  return std::string(text.substr(0, length)) + dots;
+  return cut(fits);
 }
 
 std::vector<std::string> wrapped_text(std::string_view text,

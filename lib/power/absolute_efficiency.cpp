@@ -58,7 +58,7 @@ class OutsideFinder {
  private:
   void add(CouplingId id) {
     const auto e = static_cast<std::size_t>(id.value);
-    if (!flow_.into_head[e] || std::abs(flow_.supplied[e]) <= kReportZero * flow_.largest) {
+    if (!flow_.into_head[e] || flow_.supplied[e] == 0.0) {
       return;
     }
     const Exchange exchange = exchange_of(*flow_.into_head[e], flow_.supplied[e]);

@@ -4,19 +4,22 @@
 #include <cmath>
 #include <utility>
 
-#include "core/tolerance.hpp"
+#include "core/rounding.hpp"
+#include "math/bounded_number.hpp"
 #include "power/internal/no_efficiency.hpp"
 
 namespace kinestat {
 
 namespace {
 
+// Zero where rounding of its own terms does not tell it from zero; the terms are what they are.
 double sum_of(const std::vector<int>& chosen, const std::vector<double>& powers) {
-  double sum = 0.0;
+  BoundedNumber sum;
   for (const int i : chosen) {
-    sum += powers[static_cast<std::size_t>(i)];
+    const double power = powers[static_cast<std::size_t>(i)];
+    sum = sum + BoundedNumber{.value = power, .bound = kSolvedRounding * std::abs(power)};
   }
-  return sum;
+  return sum.zeroed();
 }
 
 // Whether all power comes from the inputs and goes to the outputs and into losses.
@@ -27,6 +30,9 @@ bool is_between_inputs_and_outputs(const Case& which, const CasePowers& powers) 
     const int actuator = static_cast<int>(i);
     const bool is_named = std::ranges::find(which.inputs, actuator) != which.inputs.end() ||
                           std::ranges::find(which.outputs, actuator) != which.outputs.end();
+    if (!is_named && !powers.slips.empty() && powers.slips[i] && powers.actuators[i] <= 0.0) {
+      continue;
+    }
     double& size = is_named ? largest : beside;
     size = std::max(size, std::abs(powers.actuators[i]));
   }
@@ -45,6 +51,16 @@ bool has_power(const std::vector<int>& chosen, double sign, const CasePowers& po
 
 }  // namespace
 
+std::vector<bool> find_slipping(const Topology& topology) {
+  std::vector<bool> slips;
+  for (const ActuatorTopology& actuator : topology.actuators) {
+    const auto freedom = static_cast<std::size_t>(actuator.freedom);
+    const CouplingType type = topology.coupling(topology.freedoms[freedom].coupling).type;
+    slips.push_back(type == CouplingType::clutch || type == CouplingType::brake);
+  }
+  return slips;
+}
+
 Efficiency find_efficiency(const Case& which, const CasePowers& powers) {
   if (which.inputs.empty() || which.outputs.empty()) {
     return {};
@@ -54,13 +70,12 @@ Efficiency find_efficiency(const Case& which, const CasePowers& powers) {
   }
   const double in = sum_of(which.inputs, powers.actuators);
   const double out = sum_of(which.outputs, powers.actuators);
-  const double nothing = kReportZero * powers.largest;
-  if (std::abs(in) <= nothing) {
+  if (in == 0.0) {
     return no_efficiency("the inputs give no power");
   }
   if (in < 0.0) {
-    return no_efficiency(out > nothing ? "the inputs take power, the outputs drive"
-                                       : "the inputs take power");
+    return no_efficiency(out > 0.0 ? "the inputs take power, the outputs drive"
+                                   : "the inputs take power");
   }
   if (has_power(which.inputs, -1.0, powers)) {
     return no_efficiency("one of the inputs takes power");

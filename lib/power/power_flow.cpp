@@ -6,6 +6,8 @@
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
+#include "math/settled.hpp"
+#include "mechanism/place_error.hpp"
 #include "power/efficiency.hpp"
 #include "power/internal/bounded_magnitude.hpp"
 
@@ -30,31 +32,65 @@ double input_power(const Case& which, const PowerFlow& flow) {
 }
 
 // What a coupling supplies whose passive constraints are not all known: these do no work.
-double power_of_actuators_and_friction(const Mechanism& mechanism,
-                                       std::size_t coupling,
-                                       const KinematicSolution& motion,
-                                       const StaticSolution& action) {
-  double sum = 0.0;
+BoundedNumber power_of_actuators_and_friction(const Mechanism& mechanism,
+                                              std::size_t coupling,
+                                              const KinematicSolution& motion,
+                                              const StaticSolution& action) {
+  const BoundedTwist twist =
+      bounded_coupling(mechanism, motion, CouplingId{static_cast<int>(coupling)});
+  BoundedNumber sum;
   for (const ActuatorTopology& actuator : mechanism.topology.actuators) {
     const auto f = static_cast<std::size_t>(actuator.freedom);
     if (static_cast<std::size_t>(mechanism.topology.freedoms[f].coupling.value) == coupling) {
-      sum += *action.magnitudes[static_cast<std::size_t>(actuator.action)] * motion.rates[f];
+      sum = sum + bounded_action(action, actuator.action) * bounded_rate(motion, actuator.freedom);
     }
   }
   for (const FrictionAction& friction : action.friction) {
     if (!friction.between && static_cast<std::size_t>(friction.coupling.value) == coupling) {
-      sum += power(friction.wrench, motion.couplings[coupling]);
+      sum = sum + power(written(friction.wrench), twist);
     }
   }
   return sum;
 }
 
 // What the power of a wrench on a motion may round by: both are written about a common origin, from
-// which the terms may be far larger than their sum. A dozen roundings make the terms and their sum.
-double rounding_of(const Wrench& wrench, const Twist& twist) {
-  const double largest_terms = wrench.moment.cwiseAbs().dot(twist.angular.cwiseAbs()) +
-                               wrench.force.cwiseAbs().dot(twist.linear.cwiseAbs());
+// which the terms may be far larger than their sum; `terms` are those of the wrench. A dozen
+// roundings make them and their sum.
+double rounding_of(const Vec6& terms, const Twist& twist) {
+  const double largest_terms =
+      terms.head<3>().dot(twist.angular.cwiseAbs()) + terms.tail<3>().dot(twist.linear.cwiseAbs());
   return 6.0 * std::numeric_limits<double>::epsilon() * largest_terms;
+}
+
+// Places were rounded when they were still written about the origin of the world.
+Vec6 terms_of(const Wrench& wrench, const Vec3& point) {
+  const Vec3 p = point.cwiseAbs();
+  const Vec3 f = wrench.force.cwiseAbs();
+  Vec6 terms = wrench.coordinates().cwiseAbs();
+  terms[0] += p.y() * f.z() + p.z() * f.y();
+  terms[1] += p.z() * f.x() + p.x() * f.z();
+  terms[2] += p.x() * f.y() + p.y() * f.x();
+  return terms;
+}
+
+// What a power may be off by where the bodies of a moved position are: lines of action are shifted,
+// and the points on which they act.
+double misplaced_power(const Mechanism& mechanism, const Wrench& wrench, const Twist& twist) {
+  const double share = place_error(mechanism);
+  if (share == 0.0) {
+    return 0.0;
+  }
+  const double terms = wrench.coordinates().cwiseAbs().dot(twist.coordinates().cwiseAbs());
+  return share * (terms + mechanism.geometry.length * wrench.force.norm() * twist.angular.norm());
+}
+
+// Zero where rounding, or where the bodies may be off in a moved position, is all there is of it.
+double load_power(const Mechanism& mechanism,
+                  const BodyWrench& acts,
+                  const KinematicSolution& motion) {
+  const BoundedNumber exact = power(written(acts.wrench), bounded_body(motion, acts.body));
+  const Twist& twist = motion.bodies[static_cast<std::size_t>(acts.body.value)];
+  return settled(exact.value, exact.bound + misplaced_power(mechanism, acts.wrench, twist));
 }
 
 std::optional<double> bound_of_powers(const Mechanism& mechanism,
@@ -72,12 +108,14 @@ std::optional<double> bound_of_powers(const Mechanism& mechanism,
 }
 
 // Of the bodies that a friction loads, the head as seen from the tail.
-Twist relative_motion(const FrictionAction& friction, const KinematicSolution& motion) {
+BoundedTwist relative_motion(const Mechanism& mechanism,
+                             const FrictionAction& friction,
+                             const KinematicSolution& motion) {
   if (!friction.between) {
-    return motion.couplings[static_cast<std::size_t>(friction.coupling.value)];
+    return bounded_coupling(mechanism, motion, friction.coupling);
   }
-  return motion.bodies[static_cast<std::size_t>(friction.between->head.value)] -
-         motion.bodies[static_cast<std::size_t>(friction.between->tail.value)];
+  return bounded_body(motion, friction.between->head) -
+         bounded_body(motion, friction.between->tail);
 }
 
 }  // namespace
@@ -95,41 +133,57 @@ PowerFlow find_power(const Mechanism& mechanism,
                      const KinematicSolution& motion,
                      const StaticSolution& action) {
   KINESTAT_EXPECTS(motion.status == SolveStatus::solved && determines_power(mechanism, action));
+  const Vec3& origin = mechanism.geometry.origin;
   PowerFlow flow;
   double sum = 0.0;
   double largest = 0.0;
   double rounding = 0.0;
   for (std::size_t e = 0; e < mechanism.topology.couplings.size(); ++e) {
-    const auto head = static_cast<std::size_t>(mechanism.topology.couplings[e].head.value);
-    const bool is_real = !is_by_convention(action, mechanism.topology.couplings[e]);
-    const std::optional<Wrench> wrench = is_real ? action.wrenches[e] : std::nullopt;
-    flow.into_head.push_back(wrench ? std::optional(power(*wrench, motion.bodies[head]))
-                                    : std::nullopt);
-    flow.supplied.push_back(wrench ? power(*wrench, motion.couplings[e])
-                                   : power_of_actuators_and_friction(mechanism, e, motion, action));
+    const CouplingId id{static_cast<int>(e)};
+    const CouplingTopology& coupling = mechanism.topology.couplings[e];
+    const std::optional<BoundedWrench> wrench =
+        is_by_convention(action, coupling) ? std::nullopt : bounded_wrench(action, id);
+    flow.into_head.push_back(
+        wrench ? std::optional(power(*wrench, bounded_body(motion, coupling.head)).zeroed())
+               : std::nullopt);
+    flow.supplied.push_back((wrench ? power(*wrench, bounded_coupling(mechanism, motion, id))
+                                    : power_of_actuators_and_friction(mechanism, e, motion, action))
+                                .zeroed());
     sum += flow.supplied.back();
-    rounding += wrench ? rounding_of(*wrench, motion.couplings[e]) : 0.0;
+    if (wrench) {
+      const Wrench& acts = *action.wrenches[e];
+      rounding += rounding_of(terms_of(acts, origin), motion.couplings[e]) +
+                  misplaced_power(mechanism, acts, motion.couplings[e]);
+    }
     largest = std::max(
         {largest, std::abs(flow.into_head.back().value_or(0.0)), std::abs(flow.supplied.back())});
   }
   for (const Load& load : which.loads) {
     const auto body = static_cast<std::size_t>(load.acts.body.value);
-    flow.loads.push_back(power(load.acts.wrench, motion.bodies[body]));
+    flow.loads.push_back(load_power(mechanism, load.acts, motion));
     sum += flow.loads.back();
+    const Wrench& acts = load.acts.wrench;
+    rounding += rounding_of(terms_of(acts, load.point.value_or(origin)), motion.bodies[body]) +
+                misplaced_power(mechanism, acts, motion.bodies[body]);
     largest = std::max(largest, std::abs(flow.loads.back()));
   }
   for (const ActuatorTopology& actuator : mechanism.topology.actuators) {
-    flow.actuators.push_back(*action.magnitudes[static_cast<std::size_t>(actuator.action)] *
-                             motion.rates[static_cast<std::size_t>(actuator.freedom)]);
+    flow.actuators.push_back(
+        (bounded_action(action, actuator.action) * bounded_rate(motion, actuator.freedom))
+            .zeroed());
   }
   for (const FrictionAction& friction : action.friction) {
-    flow.friction.push_back(power(friction.wrench, relative_motion(friction, motion)));
+    flow.friction.push_back(
+        power(written(friction.wrench), relative_motion(mechanism, friction, motion)).zeroed());
     sum += friction.between ? flow.friction.back() : 0.0;
   }
   flow.input = input_power(which, flow);
   if (!flow.friction.empty()) {
-    Efficiency found = find_efficiency(
-        which, {.actuators = flow.actuators, .loads = flow.loads, .largest = largest});
+    Efficiency found = find_efficiency(which,
+                                       {.actuators = flow.actuators,
+                                        .loads = flow.loads,
+                                        .largest = largest,
+                                        .slips = find_slipping(mechanism.topology)});
     flow.efficiency = found.value;
     flow.no_efficiency = std::move(found.reason);
     flow.is_self_locking = found.is_self_locking;

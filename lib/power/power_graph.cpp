@@ -5,6 +5,9 @@
 
 #include "core/tolerance.hpp"
 #include "graph/strong_components.hpp"
+#include "kinematics/bounded_motion.hpp"
+#include "power/internal/net_power.hpp"
+#include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
 
@@ -17,8 +20,8 @@ class GraphBuilder {
                const KinematicSolution& motion,
                const StaticSolution& action,
                const PowerFlow& flow)
-      : topology_(mechanism.topology),
-        geometry_(mechanism.geometry),
+      : mechanism_(mechanism),
+        topology_(mechanism.topology),
         which_(which),
         motion_(motion),
         action_(action),
@@ -34,11 +37,13 @@ class GraphBuilder {
     }
     drop_rounding();
     find_mesh_powers();
+    graph_.net = find_net_powers(mechanism_, motion_, action_, graph_.arcs);
+    std::erase_if(graph_.net, [&](const PowerArc& arc) { return is_rounding(arc.power); });
     find_loops();
     if (flow_.input > 0.0) {
       double largest = 0.0;
-      for (const PowerArc& arc : graph_.arcs) {
-        largest = std::max(largest, net_power(arc));
+      for (const PowerArc& arc : graph_.net) {
+        largest = std::max(largest, arc.power);
       }
       graph_.factor = largest / flow_.input;
     }
@@ -56,7 +61,7 @@ class GraphBuilder {
     }
     const double into_head = *flow_.into_head[e];
     const double out_of_tail =
-        power(*action_.wrenches[e], motion_.bodies[static_cast<std::size_t>(coupling.tail.value)]);
+        power(*bounded_wrench(action_, id), bounded_body(motion_, coupling.tail)).zeroed();
     add_to(coupling.head, into_head);
     add_to(coupling.tail, -out_of_tail);
     largest_ = std::max({largest_, std::abs(into_head), std::abs(out_of_tail)});
@@ -85,7 +90,7 @@ class GraphBuilder {
   }
 
   void find_mesh_powers() {
-    for (const Mesh& mesh : find_meshes(topology_, geometry_)) {
+    for (const Mesh& mesh : find_meshes(topology_, mechanism_.geometry)) {
       const auto e = static_cast<std::size_t>(mesh.coupling.value);
       if (mesh.carrier && flow_.into_head[e]) {
         const auto head = static_cast<std::size_t>(topology_.couplings[e].head.value);
@@ -99,33 +104,10 @@ class GraphBuilder {
     }
   }
 
-  bool is_cable(const PowerArc& arc) const {
-    return topology_.coupling(arc.coupling).type == CouplingType::cable;
-  }
-
-  // Of an arc its power; of the strands of a belt between two bodies what one side carries more
-  // than the other, for pretension does not recirculate. Zero on the side that carries less.
-  double net_power(const PowerArc& arc) const {
-    if (!is_cable(arc)) {
-      return arc.power;
-    }
-    double sum = 0.0;
-    for (const PowerArc& other : graph_.arcs) {
-      if (is_cable(other) && other.from == arc.from && other.to == arc.to) {
-        sum += other.power;
-      } else if (is_cable(other) && other.from == arc.to && other.to == arc.from) {
-        sum -= other.power;
-      }
-    }
-    return std::max(sum, 0.0);
-  }
-
   void find_loops() {
     Digraph flow{.vertex_count = topology_.body_count(), .edges = {}};
-    for (const PowerArc& arc : graph_.arcs) {
-      if (!is_rounding(net_power(arc))) {
-        flow.edges.push_back({.tail = arc.from.value, .head = arc.to.value});
-      }
+    for (const PowerArc& arc : graph_.net) {
+      flow.edges.push_back({.tail = arc.from.value, .head = arc.to.value});
     }
     for (const std::vector<int>& part : find_strong_components(flow)) {
       graph_.loops.push_back(loop_of(part));
@@ -138,9 +120,9 @@ class GraphBuilder {
     for (const int body : part) {
       loop.bodies.push_back(BodyId{body});
     }
-    for (std::size_t i = 0; i < graph_.arcs.size(); ++i) {
-      const PowerArc& arc = graph_.arcs[i];
-      if (is_member(arc.from) && is_member(arc.to) && !is_rounding(net_power(arc))) {
+    for (std::size_t i = 0; i < graph_.net.size(); ++i) {
+      const PowerArc& arc = graph_.net[i];
+      if (is_member(arc.from) && is_member(arc.to)) {
         loop.arcs.push_back(i);
         loop.rolls = loop.rolls || rolls(arc.coupling);
       }
@@ -162,15 +144,15 @@ class GraphBuilder {
     BodyId at = loop.bodies.front();
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       const auto next =
-          *std::ranges::find(arcs, at, [&](std::size_t arc) { return graph_.arcs[arc].from; });
+          *std::ranges::find(arcs, at, [&](std::size_t arc) { return graph_.net[arc].from; });
       loop.bodies[i] = at;
       loop.arcs[i] = next;
-      at = graph_.arcs[next].to;
+      at = graph_.net[next].to;
     }
   }
 
+  const Mechanism& mechanism_;
   const Topology& topology_;
-  const Geometry& geometry_;
   const Case& which_;
   const KinematicSolution& motion_;
   const StaticSolution& action_;

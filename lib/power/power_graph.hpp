@@ -39,19 +39,24 @@ struct MeshPower {
 /// circle and loads its members without reaching the output.
 struct PowerLoop {
   std::vector<BodyId> bodies;     ///< in the sense of the flow where that is a single circle
-  std::vector<std::size_t> arcs;  ///< indices into PowerGraph::arcs, likewise
+  std::vector<std::size_t> arcs;  ///< indices into PowerGraph::net, likewise
   bool rolls = false;             ///< whether a mesh among them rolls, and so loses power
 };
 
 /// Seen from the ground, so that a train that turns as a block carries power too. Couplings whose
 /// wrench is open are left out, and with them the balance of their bodies.
 struct PowerGraph {
-  std::vector<PowerArc> arcs;                    ///< in the order of the couplings
+  std::vector<PowerArc> arcs;  ///< in the order of the couplings
+  /// What goes from shaft to shaft: planets that mesh with each other on one carrier are one, which
+  /// the first of them stands for, the strands of a belt are one, and of several couplings between
+  /// the same two the strongest stands for their sum. A gear on a fixed axis gives torque times
+  /// speed, and the bearings of the planets together the carrier's; so nothing here depends on
+  /// pressure angles, nor on where the planets are drawn.
+  std::vector<PowerArc> net;
   std::vector<std::optional<BodyPower>> bodies;  ///< of all bodies; the ground, at rest, has zeros
   std::vector<MeshPower> meshes;                 ///< those whose carrier is known
   std::vector<PowerLoop> loops;
-  std::optional<double>
-      factor;  ///< γ: largest power of an arc, of belts net, over the input, if any
+  std::optional<double> factor;  ///< γ: largest power of `net` over the input, if any
 };
 
 /// The flow must be that of the motion and the actions.

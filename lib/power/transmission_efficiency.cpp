@@ -53,7 +53,8 @@ std::vector<FrictionLaw> friction_laws(const Mechanism& mechanism,
 struct Direction {
   LossSearch search = LossSearch::none;
   StaticSolution action;
-  std::optional<PowerFlow> flow;  ///< where the actions determine it
+  std::optional<PowerFlow> flow;     ///< where the actions determine it
+  std::optional<double> other = {};  ///< the efficiency of another answer
 };
 
 class LossyCase {
@@ -79,6 +80,10 @@ class LossyCase {
     if (determines_power(mechanism_, result.action)) {
       result.flow = find_power(mechanism_, which, motion_, result.action);
     }
+    if (found.other && determines_power(mechanism_, *found.other)) {
+      const PowerFlow flow = find_power(mechanism_, which, motion_, *found.other);
+      result.other = between_ends(which, flow).value;
+    }
     return result;
   }
 
@@ -100,8 +105,7 @@ class LossyCase {
     if (!flow.is_balanced) {
       return no_efficiency("the powers do not balance");
     }
-    Efficiency result = find_efficiency(
-        which, {.actuators = flow.actuators, .loads = flow.loads, .largest = flow.largest});
+    Efficiency result = between_ends(which, flow);
     if (result.is_self_locking) {
       return self_locking("losses take more than the inputs give");
     }
@@ -109,10 +113,25 @@ class LossyCase {
       return {
           .value = 0.0, .reason = "losses take all that the inputs give", .is_self_locking = true};
     }
+    if (result.value && direction.other) {
+      result.other = direction.other;
+      result.reason = fmt::format(
+          "teeth that are driven the other way agree with their powers too, with an efficiency of "
+          "{:.6g}",
+          *direction.other);
+    }
     return result;
   }
 
  private:
+  Efficiency between_ends(const Case& which, const PowerFlow& flow) const {
+    return find_efficiency(which,
+                           {.actuators = flow.actuators,
+                            .loads = flow.loads,
+                            .largest = flow.largest,
+                            .slips = find_slipping(mechanism_.topology)});
+  }
+
   // Loads and frictions may leave the coordinates that the actions need.
   CoordinateBasis basis_for(const CoordinateBasis& common, const Case& which) const {
     std::vector<BodyWrench> outside = wrenches_of(which.loads);
@@ -198,8 +217,11 @@ Efficiency absolute_of(const Mechanism& mechanism, const SolvedCase& solved) {
     return no_efficiency("the case does not name input and output");
   }
   const PowerFlow& power = solved.power;
-  Efficiency result = find_efficiency(
-      solved.which, {.actuators = power.actuators, .loads = power.loads, .largest = power.largest});
+  Efficiency result = find_efficiency(solved.which,
+                                      {.actuators = power.actuators,
+                                       .loads = power.loads,
+                                       .largest = power.largest,
+                                       .slips = find_slipping(mechanism.topology)});
   if (!result.value) {
     return result;
   }

@@ -235,9 +235,9 @@ void add_power_graph(CsvWriter& writer, Place place, const Json& pass) {
   }
   const Json& loops = pass["recirculation"]["loops"];
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    for (const Json& coupling : loops[i]["couplings"]) {
-      place.element = coupling;
-      writer.add(place, "loop/" + std::to_string(i), pass["arcs"][place.element]["power"]);
+    for (std::size_t k = 0; k < loops[i]["couplings"].size(); ++k) {
+      place.element = loops[i]["couplings"][k];
+      writer.add(place, "loop/" + std::to_string(i), loops[i]["powers"][k]);
     }
   }
 }

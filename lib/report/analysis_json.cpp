@@ -1,6 +1,7 @@
 #include "report/analysis_json.hpp"
 
 #include "core/diagnostic.hpp"
+#include "kinematics/bounded_motion.hpp"
 #include "report/affine_report.hpp"
 #include "report/counts_json.hpp"
 #include "report/in_units.hpp"
@@ -46,15 +47,15 @@ Json kinematics_json(const Mechanism& mechanism,
   }
   Json& bodies = result["bodies"] = object_of(topology.bodies.size());
   for (std::size_t b = 0; is_solved && b < topology.bodies.size(); ++b) {
-    const Twist& twist = motion.bodies[b];
+    const BoundedTwist twist = bounded_body(motion, BodyId{static_cast<int>(b)});
     const Vec3& at = mechanism.geometry.references[b];
     const Vec3& origin = mechanism.geometry.origin;
     Json& body = appended(bodies, topology.bodies[b].name);
-    body["twist"] = sixfold_of(about_world(twist, origin), in);
-    body["angular"] = vector(in.angular(twist.angular));
-    body["linear"] = vector(in.linear(velocity_at(twist, at - origin)));
+    body["twist"] = sixfold_of(about_world(twist, origin).zeroed(), in);
+    body["angular"] = vector(in.angular(twist.angular.zeroed()));
+    body["linear"] = vector(in.linear(velocity_at(twist, at - origin).zeroed()));
     body["at"] = vector(in.length(at));
-    body["screw"] = screw_json(find_axis(in.snapped(twist), mechanism.geometry.length), origin, in);
+    body["screw"] = screw_json(find_axis(twist, mechanism.geometry.length), origin, in);
   }
   result["evidence"] = evidence_json(
       motion.evidence, is_solved ? std::optional(motion.residual) : std::nullopt, motion.answer);
@@ -64,7 +65,7 @@ Json kinematics_json(const Mechanism& mechanism,
 Json case_json(const Analysis& analysis, const CaseAnalysis& one) {
   const Mechanism& mechanism = analysis.mechanism;
   const FileUnits& units = analysis.description.units;
-  const InUnits in(units, find_zero_snap(one, mechanism.geometry.length));
+  const InUnits in(units);
   Json result = object_of(8);
   result["primary"] = primary_json(mechanism, one.which);
   if (one.ratios) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/utf8.hpp"
+#include "kinematics/bounded_motion.hpp"
 #include "report/affine_report.hpp"
 #include "report/column_table.hpp"
 #include "report/in_units.hpp"
@@ -81,9 +82,10 @@ TextBlocks bodies_blocks(const Mechanism& mechanism,
   for (std::size_t b = 1; b < mechanism.topology.bodies.size(); ++b) {
     const Vec3& reference = mechanism.geometry.references[b];
     names.cells.push_back(mechanism.topology.bodies[b].name);
-    angular.rows.emplace_back(in.angular(motion.bodies[b].angular));
+    const BoundedTwist twist = bounded_body(motion, BodyId{static_cast<int>(b)});
+    angular.rows.emplace_back(in.angular(twist.angular.zeroed()));
     linear.rows.emplace_back(
-        in.linear(velocity_at(motion.bodies[b], reference - mechanism.geometry.origin)));
+        in.linear(velocity_at(twist, reference - mechanism.geometry.origin).zeroed()));
     at.rows.emplace_back(in.length(reference));
   }
   std::vector<TextColumn> columns = {std::move(names)};
@@ -107,7 +109,7 @@ TextBlocks motion_blocks(const Mechanism& mechanism,
 
 CaseBlocks case_blocks(const Analysis& analysis, const CaseAnalysis& one) {
   const Mechanism& mechanism = analysis.mechanism;
-  const InUnits in(analysis.description.units, find_zero_snap(one, mechanism.geometry.length));
+  const InUnits in(analysis.description.units);
   CaseBlocks blocks;
   blocks.known = known_text(mechanism.topology, one.which, in);
   if (one.ratios) {

@@ -16,6 +16,7 @@
 #include "core/utf8.hpp"
 #include "report/analysis_csv.hpp"
 #include "report/compare_place.hpp"
+#include "report/motion_csv.hpp"
 
 namespace kinestat {
 
@@ -108,14 +109,16 @@ void refuse(int line, std::string message, std::string hint, Diagnostics& found)
               std::move(hint));
 }
 
-std::vector<std::string> known_columns() {
-  return CsvReader(kCsvHeader).next()->cells;
+// Those of a motion tell the step too.
+std::vector<std::string> known_columns(const CsvRow& header) {
+  const bool is_motion = std::ranges::find(header.cells, "step") != header.cells.end();
+  return CsvReader(is_motion ? kMotionCsvHeader : kCsvHeader).next()->cells;
 }
 
 // Which cell of a row is which column; empty iff an error was added.
 std::optional<std::map<std::string, std::size_t>> read_header(const CsvRow& header,
                                                               Diagnostics& found) {
-  const std::vector<std::string> known = known_columns();
+  const std::vector<std::string> known = known_columns(header);
   std::map<std::string, std::size_t> columns;
   for (std::size_t i = 0; i < header.cells.size(); ++i) {
     const std::string name = printable(header.cells[i].substr(0, 80));
@@ -166,7 +169,7 @@ class TableReader {
              found_);
       return;
     }
-    const std::string place = place_of(row);
+    const std::string place = columns_.contains("step") ? place_in_motion(row) : place_of(row);
     if (!add_value(row, place)) {
       return;
     }
@@ -197,6 +200,17 @@ class TableReader {
     return place + "/" + cell(row, "quantity");
   }
 
+  // Below that of its quantity its step; several events may lie in one, and come in their order.
+  std::string place_in_motion(const CsvRow& row) {
+    const std::string& step = cell(row, "step");
+    const std::string place =
+        step.empty() ? place_of(row) : place_below(place_of(row), "step " + step);
+    if (!cell(row, "quantity").starts_with("event/")) {
+      return place;
+    }
+    return place_below(place, std::to_string(event_counts_[place]++));
+  }
+
   // False if an error was added. A place that is taken shows when the status is added.
   bool add_value(const CsvRow& row, const std::string& place) {
     const std::string& text = cell(row, "value");
@@ -224,6 +238,7 @@ class TableReader {
 
   const std::map<std::string, std::size_t>& columns_;
   Diagnostics& found_;
+  std::map<std::string, int> event_counts_;
   ReportValues values_{ReportForm::csv};
 };
 

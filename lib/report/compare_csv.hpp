@@ -9,8 +9,9 @@
 
 namespace kinestat {
 
-/// Reads a table with the columns of kCsvHeader, in any order, its rows in any order. A value
-/// stands at /mechanism/case/pass/element/quantity, the status of its row below that. Lines may end
+/// Reads a table with the columns of kCsvHeader or kMotionCsvHeader, in any order, its rows in any
+/// order. A value stands at /mechanism/case/pass/element/quantity, in a motion at its step below
+/// that, the status of its row below. Lines may end
 /// with CR LF. Errors, with their line: E0903 for missing or unknown columns, for a value that is
 /// no finite number, for a unit that is none, and for two rows with one place. Empty iff an error
 /// was added.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -35,6 +36,11 @@ constexpr auto kLeftOut = std::to_array<std::string_view>({
     "/cases/*/power/efficiency/reasons",
     "/cases/*/reason",
     "/graph/matrices/*/meaning",
+    "/motion/drives/*/unit",
+    "/motion/columns/*/unit",
+    "/motion/closure",
+    "/motion/rows/*/misclosure",
+    "/motion/events/*/uncertainty",
     "/diagnostics",
 });
 
@@ -57,6 +63,18 @@ std::string name_of(const Json& item) {
   }
   const auto at = item.find("name");
   return at != item.end() && at->is_string() ? at->get<std::string>() : "";
+}
+
+// The keys of the cells of a row of a motion: the names of their columns, or nothing if these do
+// not fit.
+std::vector<std::string> keys_of_cells(const Json& motion, const Json& row) {
+  std::vector<std::string> keys;
+  const auto columns = motion.find("columns");
+  if (columns != motion.end() && columns->is_array() && row.is_array() &&
+      columns->size() == row.size()) {
+    std::ranges::transform(*columns, std::back_inserter(keys), name_of);
+  }
+  return keys;
 }
 
 // The keys of the items of a list: their names, or their numbers if some have none or the same.
@@ -90,7 +108,11 @@ class Collector {
       values_.add({.place = place, .type = ValueType::empty, .text = {}});
     } else if (value.is_object()) {
       for (const auto& [key, item] : value.items()) {
-        add(place_below(place, key), item);
+        if (place == "/motion" && key == "rows" && item.is_array() && !item.empty()) {
+          add_rows(value, item);
+        } else {
+          add(place_below(place, key), item);
+        }
       }
     } else if (value.is_array()) {
       const std::vector<std::string> keys = keys_of_items(place, value);
@@ -103,6 +125,19 @@ class Collector {
   }
 
  private:
+  void add_rows(const Json& motion, const Json& rows) {
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      const std::string place = place_below("/motion/rows", std::to_string(r));
+      const std::vector<std::string> keys = keys_of_cells(motion, rows[r]);
+      for (std::size_t c = 0; c < keys.size(); ++c) {
+        add(place_below(place, keys[c]), rows[r][c]);
+      }
+      if (keys.empty()) {
+        add(place, rows[r]);
+      }
+    }
+  }
+
   void add_word(const std::string& place, const Json& value) {
     values_.add({.place = place,
                  .type = value.is_null() ? ValueType::null : ValueType::text,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,6 +29,10 @@ enum class Rule {
   lossy_action,
   ratio,
   affine,
+  stated,
+  event_drive,
+  first_drive,
+  column,
   parameter,
   count,
   direction,
@@ -53,6 +58,9 @@ constexpr auto kRules = std::to_array<std::pair<std::string_view, Rule>>({
     {"/cases/*/statics/net_constraint", Rule::count},
     {"/cases/*/statics/actions/*", Rule::action},
     {"/cases/*/statics/couplings/*/wrench/*", Rule::wrench},
+    {"/cases/*/statics/loads/*/wrench/*", Rule::wrench},
+    {"/cases/*/statics/loads/*/moment", Rule::moment},
+    {"/cases/*/statics/loads/*/force", Rule::force},
     {"/cases/*/statics/couplings/*/moment", Rule::moment},
     {"/cases/*/statics/couplings/*/force", Rule::force},
     {"/cases/*/statics/planets/*/count", Rule::count},
@@ -81,12 +89,24 @@ constexpr auto kRules = std::to_array<std::pair<std::string_view, Rule>>({
     {"/cases/*/power/couplings", Rule::power},
     {"/cases/*/power/supplied", Rule::power},
     {"/cases/*/power/actuators", Rule::power},
+    {"/cases/*/power/loads", Rule::power},
     {"/cases/*/power/arcs", Rule::power},
     {"/cases/*/power/bodies", Rule::power},
     {"/cases/*/power/meshes", Rule::power},
+    {"/cases/*/power/recirculation/loops/*/powers", Rule::power},
     {"/cases/*/power/recirculation", Rule::bare},
     {"/cases/*/power/input", Rule::power},
     {"/cases/*/affine/*/*", Rule::affine},
+    {"/motion/steps", Rule::count},
+    {"/motion/drives/*/*", Rule::stated},
+    {"/motion/rows/*/step", Rule::count},
+    {"/motion/rows/*/*", Rule::column},
+    {"/motion/events/*/step", Rule::count},
+    {"/motion/events/*/drive/*", Rule::event_drive},
+    {"/motion/events/*/uncertainty", Rule::first_drive},
+    {"/motion/assembly/*/*/distance", Rule::length},
+    {"/motion/assembly/*/*/shift", Rule::length},
+    {"/motion/assembly/*/*/angle", Rule::angle},
     {"/shift/possibilities", Rule::count},
     {"/shift/net_freedom", Rule::count},
     {"/shift/engaged", Rule::count},
@@ -148,6 +168,7 @@ std::optional<ReportUnits> ReportUnits::read(const Json& report, std::string& pr
     }
   }
   result.read_couplings(report);
+  result.read_motion(report);
   return result;
 }
 
@@ -194,6 +215,27 @@ void ReportUnits::read_couplings(const Json& report) {
   }
 }
 
+// A motion writes the unit of each drive and of each column beside it. One that is no unit is not
+// told: then the report is of another program.
+void ReportUnits::read_motion(const Json& report) {
+  const Json& motion = member(report, "motion");
+  const auto unit_of = [this](const Json& one) {
+    const Json& text = member(one, "unit");
+    const auto unit = read_unit(text.is_string() ? text.get<std::string>() : "?");
+    const auto* known = std::get_if<ValueUnit>(&unit);
+    return known != nullptr ? *known : unknown();
+  };
+  for (const Json& drive : member(motion, "drives")) {
+    const Json& name = member(drive, "name");
+    drives_.emplace_back(name.is_string() ? place_below("", name.get<std::string>()) : "",
+                         unit_of(drive));
+  }
+  for (const Json& column : member(motion, "columns")) {
+    const Json& name = member(column, "name");
+    columns_[name.is_string() ? place_below("", name.get<std::string>()) : ""] = unit_of(column);
+  }
+}
+
 ValueUnit ReportUnits::at(std::string_view place) const {
   const auto* row = find_rule(place);
   if (row == nullptr) {
@@ -227,6 +269,14 @@ ValueUnit ReportUnits::at(std::string_view place) const {
       return action(keys[5]);
     case Rule::ratio:
       return ratio();
+    case Rule::stated:
+      return drive(keys[2]);
+    case Rule::event_drive:
+      return drive_at(keys[4]);
+    case Rule::first_drive:
+      return drive_at("0");
+    case Rule::column:
+      return column(keys[3]);
     case Rule::affine:
       return coefficient(keys[3], keys[4]);
     case Rule::parameter:
@@ -286,6 +336,23 @@ ValueUnit ReportUnits::ratio() const {
   ValueUnit unit = are_alike ? bare_unit("ratio") : unknown();
   unit.kind = "ratio";
   return unit;
+}
+
+ValueUnit ReportUnits::drive(std::string_view name) const {
+  const auto at =
+      std::ranges::find_if(drives_, [&](const auto& one) { return one.first.substr(1) == name; });
+  return at == drives_.end() ? unknown() : at->second;
+}
+
+ValueUnit ReportUnits::drive_at(std::string_view index) const {
+  std::size_t i = drives_.size();
+  std::from_chars(index.data(), index.data() + index.size(), i);
+  return i < drives_.size() ? drives_[i].second : unknown();
+}
+
+ValueUnit ReportUnits::column(std::string_view name) const {
+  const auto at = columns_.find("/" + std::string(name));
+  return at == columns_.end() ? unknown() : at->second;
 }
 
 ValueUnit ReportUnits::parameter(std::string_view name) const {

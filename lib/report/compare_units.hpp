@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "expression/file_units.hpp"
 #include "report/compare_values.hpp"
@@ -12,8 +14,8 @@
 
 namespace kinestat {
 
-/// What a report says about its units: mechanism.units, the units of the parameters, and the
-/// freedoms of its couplings, which tell rotations from translations.
+/// What a report says about its units: mechanism.units, the units of the parameters, of drives and
+/// columns of a motion, and the freedoms of its couplings, which tell rotations from translations.
 class ReportUnits {
  public:
   /// Reads them; empty, with what is wrong, if a unit is none.
@@ -27,6 +29,7 @@ class ReportUnits {
   std::optional<std::string> read_file_units(const Json& report);
   std::optional<std::string> read_parameters(const Json& report);
   void read_couplings(const Json& report);
+  void read_motion(const Json& report);
 
   ValueUnit of(QuantityKind kind) const;
   ValueUnit unknown() const;
@@ -34,11 +37,16 @@ class ReportUnits {
   ValueUnit action(std::string_view name) const;
   ValueUnit ratio() const;
   ValueUnit parameter(std::string_view name) const;
+  ValueUnit drive(std::string_view name) const;
+  ValueUnit drive_at(std::string_view index) const;
+  ValueUnit column(std::string_view name) const;
   ValueUnit coefficient(std::string_view magnitude, std::string_view parameter) const;
 
   FileUnits units_;
   std::map<std::string, ValueUnit, std::less<>> parameters_;
-  std::map<std::string, char, std::less<>> actuators_;  // 'w' turn, 'v' slide, '?' not told
+  std::vector<std::pair<std::string, ValueUnit>> drives_;  // by "/" and the key in places
+  std::map<std::string, ValueUnit, std::less<>> columns_;  // likewise
+  std::map<std::string, char, std::less<>> actuators_;     // 'w' turn, 'v' slide, '?' not told
 };
 
 }  // namespace kinestat

@@ -27,7 +27,7 @@ class GearReader {
         plan_(analysis.shift->plan),
         state_(analysis.shift->solution.states[state]),
         one_(*find_gear_case(analysis, state_)),
-        in_(analysis.description.units, find_zero_snap(one_, analysis.mechanism.geometry.length)) {
+        in_(analysis.description.units) {
     values_.step = analysis.shift->solution.table.steps[state];
   }
 

@@ -74,7 +74,7 @@ Json names(const Topology& topology, const std::vector<int>& edges) {
 }  // namespace
 
 Json graph_json(const Mechanism& mechanism, const FileUnits& units) {
-  const InUnits in(units, ZeroSnap{});
+  const InUnits in(units);
   const Topology& topology = mechanism.topology;
   Json result = object_of(8);
   result["bodies"] = Json::array();

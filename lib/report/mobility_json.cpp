@@ -12,7 +12,7 @@ namespace {
 class MobilityJson {
  public:
   explicit MobilityJson(const MobilityAnalysis& analysis)
-      : analysis_(analysis), units_(analysis.description.units), in_(units_, {}) {}
+      : analysis_(analysis), units_(analysis.description.units), in_(units_) {}
 
   Json run() const {
     const Mobility& mobility = analysis_.mobility;

@@ -27,7 +27,7 @@ class MobilityText {
       : analysis_(analysis),
         mobility_(analysis.mobility),
         topology_(analysis.mechanism.topology),
-        in_(analysis.description.units, {}) {}
+        in_(analysis.description.units) {}
 
   MobilityBlocks run() const {
     MobilityBlocks blocks{.counts = counts(), .reshetov = {}, .motions = {}};

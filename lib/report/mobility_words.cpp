@@ -137,7 +137,7 @@ std::string constraint_words(const MobilityAnalysis& analysis, const RedundantCo
   if (!one.axis) {
     return {};
   }
-  const InUnits in(analysis.description.units, {});
+  const InUnits in(analysis.description.units);
   Vec3 direction = one.axis->direction;
   const auto first =
       std::ranges::find_if(direction, [](double x) { return std::abs(x) > kParallelAxes; });

@@ -35,7 +35,9 @@ struct MotionColumn {
 struct MotionRow {
   int step = 0;
   std::vector<std::optional<double>> values;
-  std::string status;  ///< "solved", "singular", …
+  std::string status;                ///< "solved", "singular", …
+  bool lacks_velocities = false;     ///< they were asked for, and there are none
+  bool lacks_accelerations = false;  ///< likewise, where there are velocities
 };
 
 /// What happens at a position of the drives that is none of the steps.
@@ -45,6 +47,16 @@ struct MotionEvent {
   int step = 0;               ///< the last step before; -1: on the way from the drawn position
   std::vector<double> drive;  ///< position of each drive, in its unit
   double uncertainty = 0.0;   ///< of that of the first drive
+  std::vector<std::optional<double>> places;  ///< of a dead point among the rows: parallel to the
+                                              ///< columns, those of drives and positions
+};
+
+/// Friction that turns round with the sliding of its coupling.
+struct FrictionTurn {
+  std::string coupling;
+  std::size_t before = 0;  ///< the row before it turns for the first time
+  std::size_t after = 0;   ///< the row behind; one between the two rests
+  int count = 0;           ///< how often it turns
 };
 
 /// The range of one drive, from the drawn position.
@@ -79,6 +91,8 @@ struct MotionTable {
   std::vector<MotionColumn> columns;  ///< first the position of each drive
   std::vector<MotionRow> rows;
   std::vector<MotionEvent> events;
+  bool may_lack_dead_points = false;  ///< more would have had to be looked at than is feasible
+  std::vector<FrictionTurn> friction_turns;  ///< where actions are reported
   double worst_closure = 0.0;  ///< largest misclosure of any row, relative to the mechanism's size
   int worst_step = 0;          ///< where it is
   std::vector<CouplingGap> drawn_gaps;      ///< of the drawn position, if it does not close

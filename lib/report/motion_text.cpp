@@ -62,28 +62,44 @@ class MotionWriter {
                                      {"at " + motion_.drives.front().name, {}},
                                      {"greatest", {}},
                                      {"at " + motion_.drives.front().name, {}}};
+    const std::vector<const Values*> all = all_values();
     for (std::size_t c = motion_.drives.size(); c < column_count(); ++c) {
-      const MotionRow* least = nullptr;
-      const MotionRow* greatest = nullptr;
-      for (const MotionRow& row : motion_.rows) {
-        const std::optional<double>& value = row.values[c];
-        least = value && (least == nullptr || *value < *least->values[c]) ? &row : least;
-        greatest =
-            value && (greatest == nullptr || *value > *greatest->values[c]) ? &row : greatest;
+      const Values* least = nullptr;
+      const Values* greatest = nullptr;
+      for (const Values* one : all) {
+        const std::optional<double>& value = (*one)[c];
+        least = value && (least == nullptr || *value < *(*least)[c]) ? one : least;
+        greatest = value && (greatest == nullptr || *value > *(*greatest)[c]) ? one : greatest;
       }
-      if (least == nullptr || is_same(*least->values[c], *greatest->values[c])) {
+      if (least == nullptr || is_same(*(*least)[c], *(*greatest)[c])) {
         continue;
       }
       table[0].cells.push_back(with_unit(motion_.columns[c].name(), motion_.columns[c].unit));
-      table[1].cells.push_back(shown(least->values[c]));
-      table[2].cells.push_back(shown(least->values[0]));
-      table[3].cells.push_back(shown(greatest->values[c]));
-      table[4].cells.push_back(shown(greatest->values[0]));
+      table[1].cells.push_back(shown((*least)[c]));
+      table[2].cells.push_back(shown((*least)[0]));
+      table[3].cells.push_back(shown((*greatest)[c]));
+      table[4].cells.push_back(shown((*greatest)[0]));
     }
     return table[0].cells.empty() ? TextBlocks() : TextBlocks(table);
   }
 
  private:
+  using Values = std::vector<std::optional<double>>;
+
+  // Those of the rows, and the positions at the dead points between them.
+  std::vector<const Values*> all_values() const {
+    std::vector<const Values*> all;
+    for (const MotionRow& row : motion_.rows) {
+      all.push_back(&row.values);
+    }
+    for (const MotionEvent& event : motion_.events) {
+      if (!event.places.empty()) {
+        all.push_back(&event.places);
+      }
+    }
+    return all;
+  }
+
   std::string case_text() const {
     return motion_.label.empty()
                ? ""
@@ -164,6 +180,7 @@ class MotionWriter {
   static std::string_view title_of(const MotionEvent& event) {
     return event.kind == "dead_point" ? "dead point of"
            : event.kind == "limit"    ? "limit of"
+           : event.kind == "lift_off" ? "lift-off at"
                                       : "singular position";
   }
 

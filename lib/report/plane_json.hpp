@@ -7,6 +7,7 @@
 #include "core/tolerance.hpp"
 #include "report/in_units.hpp"
 #include "report/json_values.hpp"
+#include "report/plane_zero.hpp"
 #include "synthesis/special_frame.hpp"
 
 namespace kinestat {
@@ -15,7 +16,7 @@ namespace kinestat {
 class PlaneJson {
  public:
   /// Lengths below `zero` [m] are rounding and written as zero.
-  PlaneJson(const FileUnits& units, double zero) : in_(units, {}), zero_(zero) {}
+  PlaneJson(const FileUnits& units, double zero) : in_(units), zero_(zero) {}
 
   /// The same with lengths below `zero` [m] written as zero, if that is more.
   PlaneJson with_zero(double zero) const { return {in_.units(), std::max(zero_, zero)}; }

@@ -8,6 +8,7 @@
 
 #include "report/in_units.hpp"
 #include "report/numbers.hpp"
+#include "report/plane_zero.hpp"
 #include "synthesis/plane.hpp"
 
 namespace kinestat {
@@ -16,7 +17,7 @@ namespace kinestat {
 class PlaneText {
  public:
   /// Lengths below `zero` [m] are rounding and written as zero.
-  PlaneText(const FileUnits& units, double zero) : in_(units, {}), zero_(zero) {}
+  PlaneText(const FileUnits& units, double zero) : in_(units), zero_(zero) {}
 
   /// The same with lengths below `zero` [m] written as zero, if that is more.
   PlaneText with_zero(double zero) const { return {in_.units(), std::max(zero_, zero)}; }

@@ -55,6 +55,11 @@ std::string frame_text(const SpecialFrame& frame, const PlaneText& plane) {
   return text + (ball ? "; Ball's point " + plane.point(*ball) : "") + "\n";
 }
 
+std::string why_no_pole(const PositionJets& position) {
+  return position.angle[1] == 0.0 ? "no pole, it does not turn"
+                                  : "its pole is farther away than can be computed with";
+}
+
 }  // namespace
 
 std::string positions_text(const SynthesisTask& task, const PlaneText& plane) {
@@ -68,7 +73,7 @@ std::string positions_text(const SynthesisTask& task, const PlaneText& plane) {
     text += fmt::format("position {}, {}: {}{}\n",
                         i + 1,
                         form_of(std::span(&position, 1)),
-                        pole ? "pole " + plane.point(*pole) : "no pole, it does not turn",
+                        pole ? "pole " + plane.point(*pole) : why_no_pole(position),
                         path_text(position, plane));
     if (const auto frame = find_special_frame(position)) {
       text += frame_text(*frame, plane);

@@ -42,15 +42,20 @@ Json meshes_json(const Topology& topology, const PowerGraph& graph, const InUnit
   return meshes;
 }
 
-Json loop_json(const Topology& topology, const PowerGraph& graph, const PowerLoop& loop) {
+Json loop_json(const Topology& topology,
+               const PowerGraph& graph,
+               const PowerLoop& loop,
+               const InUnits& in) {
   Json result = object_of(4);
   result["bodies"] = Json::array();
   for (const BodyId body : loop.bodies) {
     result["bodies"].push_back(topology.body(body).name);
   }
   result["couplings"] = Json::array();
+  result["powers"] = Json::array();
   for (const std::size_t arc : loop.arcs) {
-    result["couplings"].push_back(topology.coupling(graph.arcs[arc].coupling).name);
+    result["couplings"].push_back(topology.coupling(graph.net[arc].coupling).name);
+    result["powers"].push_back(number(in.power(graph.net[arc].power)));
   }
   result["rolls"] = loop.rolls;
   return result;
@@ -66,7 +71,7 @@ void add_graph(const Topology& topology, const PowerGraph& graph, const InUnits&
   recirculation["factor"] = number(graph.factor);
   recirculation["loops"] = Json::array();
   for (const PowerLoop& loop : graph.loops) {
-    recirculation["loops"].push_back(loop_json(topology, graph, loop));
+    recirculation["loops"].push_back(loop_json(topology, graph, loop, in));
   }
 }
 

@@ -43,8 +43,8 @@ std::string circle_text(const Topology& topology, const PowerGraph& graph, const
   text.clear();
   for (const std::size_t arc : loop.arcs) {
     text += fmt::format("{} -({})-> ",
-                        topology.body(graph.arcs[arc].from).name,
-                        topology.coupling(graph.arcs[arc].coupling).name);
+                        topology.body(graph.net[arc].from).name,
+                        topology.coupling(graph.net[arc].coupling).name);
   }
   return text + topology.body(loop.bodies.front()).name;
 }
@@ -54,7 +54,7 @@ std::string loops_text(const Topology& topology, const PowerGraph& graph, const 
   for (const PowerLoop& loop : graph.loops) {
     double largest = 0.0;
     for (const std::size_t arc : loop.arcs) {
-      largest = std::max(largest, graph.arcs[arc].power);
+      largest = std::max(largest, graph.net[arc].power);
     }
     const std::string_view teeth = graph.meshes.empty() ? ""
                                    : loop.rolls         ? "; its teeth roll"

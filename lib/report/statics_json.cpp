@@ -1,6 +1,7 @@
 #include "report/statics_json.hpp"
 
 #include "report/solution_json.hpp"
+#include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
 
@@ -9,18 +10,17 @@ namespace {
 // A wrench that equilibrium does not determine is null, part by part.
 Json wrench_json(const Mechanism& mechanism,
                  std::size_t e,
-                 const std::optional<Wrench>& wrench,
+                 const std::optional<BoundedWrench>& wrench,
                  const InUnits& in) {
   const Vec3& at = mechanism.geometry.points[e];
   const Vec3& origin = mechanism.geometry.origin;
   Json result = object_of(8);
-  result["wrench"] = wrench ? sixfold_of(about_world(*wrench, origin), in) : Json();
-  result["moment"] = wrench ? vector(in.moment(moment_at(*wrench, at - origin))) : Json();
-  result["force"] = wrench ? vector(in.force(wrench->force)) : Json();
+  result["wrench"] = wrench ? sixfold_of(about_world(*wrench, origin).zeroed(), in) : Json();
+  result["moment"] = wrench ? vector(in.moment(moment_at(*wrench, at - origin).zeroed())) : Json();
+  result["force"] = wrench ? vector(in.force(wrench->force.zeroed())) : Json();
   result["at"] = vector(in.length(at));
   result["screw"] =
-      wrench ? screw_json(find_axis(in.snapped(*wrench), mechanism.geometry.length), origin, in)
-             : Json();
+      wrench ? screw_json(find_axis(*wrench, mechanism.geometry.length), origin, in) : Json();
   return result;
 }
 
@@ -30,7 +30,7 @@ Json load_json(const Mechanism& mechanism, const Load& load, const InUnits& in) 
   const Wrench& wrench = load.acts.wrench;
   Json result = object_of(8);
   result["body"] = mechanism.topology.body(load.acts.body).name;
-  result["wrench"] = sixfold_of(about_world(wrench, origin), in);
+  result["wrench"] = sixfold_of(about_world(written(wrench), origin).zeroed(), in);
   result["moment"] = vector(in.moment(couple_of(load, origin)));
   result["force"] = vector(in.force(wrench.force));
   result["at"] = load.point ? vector(in.length(*load.point)) : Json(nullptr);
@@ -44,7 +44,7 @@ Json friction_json(const Mechanism& mechanism, const FrictionAction& friction, c
   Json result = object_of(8);
   result[friction.is_couple ? "couple" : "drag"] =
       number(in.action(friction.magnitude, friction.is_couple));
-  result["moment"] = vector(in.moment(moment_at(friction.wrench, at)));
+  result["moment"] = vector(in.moment(moment_at(written(friction.wrench), at).zeroed()));
   result["force"] = vector(in.force(friction.wrench.force));
   return result;
 }
@@ -153,7 +153,7 @@ Json statics_json(const Mechanism& mechanism, const CaseAnalysis& one, const InU
   Json& couplings = result["couplings"] = object_of(topology.couplings.size());
   for (std::size_t e = 0; e < action.wrenches.size(); ++e) {
     appended(couplings, topology.couplings[e].name) =
-        wrench_json(mechanism, e, action.wrenches[e], in);
+        wrench_json(mechanism, e, bounded_wrench(action, CouplingId{static_cast<int>(e)}), in);
   }
   if (!one.which.loads.empty()) {
     result["loads"] = object_of(one.which.loads.size());

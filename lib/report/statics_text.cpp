@@ -4,6 +4,7 @@
 
 #include "math/readable_basis.hpp"
 #include "report/numbers.hpp"
+#include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
 
@@ -50,11 +51,11 @@ TextBlocks wrenches_blocks(const Mechanism& mechanism,
   VectorColumns moment{.symbol = "T", .unit = in.units().text(QuantityKind::moment), .rows = {}};
   for (std::size_t e = 0; e < mechanism.topology.couplings.size(); ++e) {
     names.cells.push_back(mechanism.topology.couplings[e].name);
-    const std::optional<Wrench>& wrench = action.wrenches[e];
+    const auto wrench = bounded_wrench(action, CouplingId{static_cast<int>(e)});
     if (wrench) {
-      force.rows.emplace_back(in.force(wrench->force));
-      moment.rows.emplace_back(
-          in.moment(moment_at(*wrench, mechanism.geometry.points[e] - mechanism.geometry.origin)));
+      force.rows.emplace_back(in.force(wrench->force.zeroed()));
+      const Vec3 at = mechanism.geometry.points[e] - mechanism.geometry.origin;
+      moment.rows.emplace_back(in.moment(moment_at(*wrench, at).zeroed()));
     } else {
       force.rows.emplace_back(std::nullopt);
       moment.rows.emplace_back(std::nullopt);

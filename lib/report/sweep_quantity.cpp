@@ -93,6 +93,14 @@ class QuantitySearch {
         return rate_of(f);
       }
     }
+    for (const ActuatorTopology& actuator : topology_.actuators) {
+      if (name.text == "lossy." + actuator.name) {
+        SweepQuantity result = action_of(actuator.action);
+        result.kind = lossy_action;
+        result.name = name.text;
+        return result;
+      }
+    }
     KINESTAT_EXPECTS(false);  // the check of the section lets no other name pass
     return std::nullopt;
   }
@@ -168,6 +176,15 @@ std::optional<double> efficiency_value(const CaseAnalysis& one, const Mechanism&
   return one.power ? one.power->efficiency : std::nullopt;
 }
 
+// Where no mesh loses anything, both are the same.
+std::optional<double> action_value(const CaseAnalysis& one, std::size_t action, bool is_lossy) {
+  if (is_lossy) {
+    return one.efficiency->state ? one.efficiency->state->actions[action] : std::nullopt;
+  }
+  return one.action && action < one.action->magnitudes.size() ? one.action->magnitudes[action]
+                                                              : std::nullopt;
+}
+
 std::optional<double> ratio_value(SweepQuantityKind kind,
                                   const CaseAnalysis& one,
                                   const Topology& topology,
@@ -188,7 +205,7 @@ bool needs_statics(SweepQuantityKind kind) {
 }
 
 bool needs_power(SweepQuantityKind kind) {
-  return kind == efficiency || kind == recirculation;
+  return kind == efficiency || kind == recirculation || kind == lossy_action;
 }
 
 std::optional<std::vector<SweepQuantity>> find_sweep_quantities(
@@ -206,7 +223,7 @@ std::optional<double> value_of(const SweepQuantity& quantity,
                                const CaseAnalysis& one,
                                const Mechanism& mechanism,
                                const FileUnits& units) {
-  const InUnits in(units, ZeroSnap{});
+  const InUnits in(units);
   const auto i = static_cast<std::size_t>(quantity.index);
   switch (quantity.kind) {
     case ratio:
@@ -224,10 +241,12 @@ std::optional<double> value_of(const SweepQuantity& quantity,
                        in.rate(one.motion->rates[i], mechanism.topology.freedoms[i].is_rotation))
                  : std::nullopt;
     case SweepQuantityKind::action:
-      return one.action && i < one.action->magnitudes.size() && one.action->magnitudes[i]
-                 ? std::optional(in.action(*one.action->magnitudes[i],
-                                           mechanism.topology.actions[i].is_couple))
-                 : std::nullopt;
+    case lossy_action: {
+      const std::optional<double> value =
+          action_value(one, i, quantity.kind == lossy_action && one.efficiency);
+      return value ? std::optional(in.action(*value, mechanism.topology.actions[i].is_couple))
+                   : std::nullopt;
+    }
   }
   return std::nullopt;
 }

@@ -11,7 +11,16 @@
 
 namespace kinestat {
 
-enum class SweepQuantityKind { ratio, torque_ratio, step, efficiency, recirculation, rate, action };
+enum class SweepQuantityKind {
+  ratio,
+  torque_ratio,
+  step,
+  efficiency,
+  recirculation,
+  rate,
+  action,
+  lossy_action  ///< as meshes with their losses by the carrier model leave it
+};
 
 /// A column of a sweep, resolved once for all states.
 struct SweepQuantity {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "run/internal/typed_numbers.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -45,7 +47,7 @@ void add_rank_finding(const std::optional<RankCertainty>& certainty,
                   deciding_text(*certainty)),
       typed > rank ? "the position is close to a singular one, or coordinates were rounded before "
                      "they were typed: write expressions; '--accuracy exact' solves what is typed"
-                   : "'--accuracy exact' counts and solves what is typed");
+                   : "the counts are those as typed; '--accuracy exact' solves what is typed, too");
 }
 
 // A case that only the numbers as typed answer.
@@ -117,7 +119,7 @@ void add_certainty_findings(const Analysis& analysis,
                             const Certainty& certainty,
                             Diagnostics& found) {
   add_rank_findings(certainty, found);
-  const bool is_taken = certainty.accuracy.accuracy == Accuracy::exact;
+  const bool is_taken = takes_new_answers(certainty.accuracy.accuracy, analysis.mechanism.geometry);
   for (std::size_t c = 0; c < analysis.cases.size(); ++c) {
     add_typed_answers(analysis.cases[c], certainty.cases[c], is_taken, found);
     add_digit_findings(certainty.accuracy.digits, analysis.cases[c], found);

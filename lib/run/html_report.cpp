@@ -26,7 +26,9 @@ namespace kinestat {
 namespace {
 
 // Where the traced points are in every position, and the bodies in those that are shown.
-PageMotion page_motion(const FoundMotion& motion, const Mechanism& mechanism) {
+PageMotion page_motion(const FoundMotion& motion,
+                       const MechanismDescription& description,
+                       const Mechanism& mechanism) {
   const auto count = static_cast<std::size_t>(motion.solution.position_count());
   PageMotion page{.table = motion.table,
                   .shown = shown_positions(mechanism, count),
@@ -38,18 +40,22 @@ PageMotion page_motion(const FoundMotion& motion, const Mechanism& mechanism) {
         {.name = fmt::format("{}.{}", mechanism.topology.body(point.body).name, p + 1),
          .points = {},
          .body = point.body,
-         .drawn = point.at});
+         .drawn = motion.origin + point.at});
   }
+  const std::vector<DrawnCoupling> drawn = bind_drawn_couplings(description, mechanism);
   Mechanism moved = mechanism;
   for (std::size_t i = 0; i < count; ++i) {
     std::vector<BodyPose> poses =
         body_poses(motion.network, motion.solution.configuration_at(static_cast<int>(i)));
+    for (BodyPose& pose : poses) {
+      pose.shift += motion.origin - pose.rotation * motion.origin;
+    }
     for (TracedPath& path : page.paths) {
       const auto body = static_cast<std::size_t>(path.body->value);
       path.points.push_back(poses[body].point(path.drawn));
     }
     if (page.shown[page.positions.size()] == i) {
-      move_mechanism(motion.network, motion.drawn, poses, mechanism, moved);
+      move_mechanism(motion.network, drawn, poses, mechanism, moved);
       page.positions.push_back({.poses = std::move(poses), .geometry = moved.geometry});
     }
   }
@@ -116,7 +122,7 @@ class PageBuilder {
   void move(const Mechanism& mechanism, Diagnostics& found) {
     const std::optional<FoundMotion> motion = find_motion(*page_.description, mechanism, found);
     if (motion) {
-      page_.motion = page_motion(*motion, mechanism);
+      page_.motion = page_motion(*motion, *page_.description, mechanism);
     }
   }
 

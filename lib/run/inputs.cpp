@@ -223,21 +223,23 @@ class InputsJob {
   void judge_motions(const std::vector<int>& magnitudes, ChoiceVerdict& verdict) const {
     const KinematicSolution motion =
         solve_velocity(analysis_.mechanism, motion_basis_, primaries_of(magnitudes));
-    const KnownSide names = motion_side(analysis_, which_);
+    const KnownSide names = motion_side(judged_file(analysis_), which_);
     explain(motion.check,
             names,
-            motion.check.dependences.empty() ? "" : circuits_text(analysis_, motion, names),
+            motion.check.dependences.empty() ? ""
+                                             : circuits_text(judged_file(analysis_), motion, names),
             verdict);
   }
 
   void judge_actions(const std::vector<int>& magnitudes, ChoiceVerdict& verdict) const {
     const StaticSolution action =
         solve_action(analysis_.mechanism, action_basis_, primaries_of(magnitudes), {});
-    const KnownSide names = action_side(analysis_, which_);
-    explain(action.check,
-            names,
-            action.check.dependences.empty() ? "" : cutsets_text(analysis_, action, names),
-            verdict);
+    const KnownSide names = action_side(judged_file(analysis_), which_);
+    explain(
+        action.check,
+        names,
+        action.check.dependences.empty() ? "" : cutsets_text(judged_file(analysis_), action, names),
+        verdict);
   }
 
   // A dependent set contains a circuit of the matroid, an incomplete one leaves magnitudes open.

@@ -25,12 +25,27 @@ void count_without_geometry(MobilityAnalysis& analysis) {
   }
 }
 
-void add_certainty(const MobilityAnalysis& analysis,
-                   const AccuracyRequest& accuracy,
+// By the screws that were rounded nearby, where the mechanism stands far from the origin.
+ExactMobility exact_mobility(const MobilityAnalysis& analysis, const AccuracyRequest& accuracy) {
+  TypedNumbers typed(analysis.description, analysis.mechanism, accuracy);
+  const Mechanism* nearby = typed.nearby();
+  if (nearby == nullptr) {
+    return find_exact_mobility(analysis.mechanism, analysis.in_space);
+  }
+  const std::optional<Mechanism> in_space =
+      rounded_nearby(analysis.description, analysis.in_space, true);
+  return find_exact_mobility(*nearby, in_space ? *in_space : analysis.in_space);
+}
+
+// And counts what is known of the ranks as typed.
+void add_certainty(const AccuracyRequest& accuracy,
+                   MobilityAnalysis& analysis,
                    Diagnostics& found) {
   if (accuracy.accuracy != Accuracy::fast) {
     Certainty certainty;
-    TypedNumbers(analysis.description, analysis.mechanism, accuracy).find_ranks(true, certainty);
+    TypedNumbers typed(analysis.description, analysis.mechanism, accuracy);
+    typed.find_ranks(true, certainty);
+    typed.count_as_typed(certainty, analysis.mobility.exact->counts);
     add_rank_findings(certainty, found);
   }
 }
@@ -80,9 +95,9 @@ std::optional<MobilityAnalysis> find_mobility(const std::string& path,
   analysis.description = std::move(description);
   count_without_geometry(analysis);
   if (has_places) {
-    analysis.mobility.exact = find_exact_mobility(analysis.mechanism, analysis.in_space);
+    analysis.mobility.exact = exact_mobility(analysis, accuracy);
     analysis.finite = try_motions(analysis);
-    add_certainty(analysis, accuracy, found);
+    add_certainty(accuracy, analysis, found);
   }
   return analysis;
 }

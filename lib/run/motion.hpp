@@ -29,6 +29,9 @@ struct FoundMotion {
   std::vector<DrawnCoupling> drawn;
   MotionSolution solution;
   MotionTable table;
+  std::optional<Mechanism> near;  ///< of a mechanism far from the origin of the world: beside it,
+                                  ///< as it was moved; network, couplings and plan are of this one
+  Vec3 origin = Vec3::Zero();     ///< where its origin is in the world [m]
 };
 
 /// Runs the section `motion` of a description that has been bound to this mechanism. What became of

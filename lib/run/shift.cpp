@@ -4,10 +4,11 @@
 #include <utility>
 
 #include "report/shift_report.hpp"
+#include "run/certainty_findings.hpp"
+#include "run/certified_cases.hpp"
 #include "run/each_file.hpp"
 #include "run/findings.hpp"
 #include "run/load.hpp"
-#include "run/solve_cases.hpp"
 
 namespace kinestat {
 
@@ -23,11 +24,11 @@ void drop_own_cases(Loaded& loaded) {
 }
 
 // Empty iff an error was added.
-std::optional<Analysis> find_shift(const std::string& path,
-                                   const ShiftChoice& choice,
-                                   const AnalyseOptions& options,
-                                   SourceFile& source,
-                                   Diagnostics& found) {
+std::optional<CertifiedAnalysis> find_shift(const std::string& path,
+                                            const ShiftChoice& choice,
+                                            const AnalyseOptions& options,
+                                            SourceFile& source,
+                                            Diagnostics& found) {
   const ShiftOptions sizes{.one_more = choice.one_more, .one_fewer = choice.one_fewer};
   std::optional<Loaded> loaded = load(path, options.load, source, found, sizes);
   if (!loaded) {
@@ -42,7 +43,7 @@ std::optional<Analysis> find_shift(const std::string& path,
     return std::nullopt;
   }
   drop_own_cases(*loaded);
-  return solve_cases(path, *std::move(loaded), options.accuracy);
+  return solve_certified_cases(path, *std::move(loaded), options.accuracy);
 }
 
 }  // namespace
@@ -55,12 +56,13 @@ Outcome shift_of_files(const std::vector<std::string>& paths,
       options,
       [&](const std::string& path, const ReportForms& forms, SourceFile& source, Diagnostics& found)
           -> std::optional<FileReport> {
-        const auto analysis = find_shift(path, choice, options, source, found);
-        if (!analysis) {
+        const auto certified = find_shift(path, choice, options, source, found);
+        if (!certified) {
           return std::nullopt;
         }
-        add_findings(*analysis, found);
-        return make_shift_report(*analysis, forms, found);
+        add_certainty_findings(certified->analysis, certified->certainty, found);
+        add_findings(certified->analysis, found);
+        return make_shift_report(certified->analysis, forms, found);
       });
 }
 

@@ -8,13 +8,16 @@
 #include "core/tolerance.hpp"
 #include "kinematics/velocity.hpp"
 #include "mechanism/bind.hpp"
+#include "mechanism/typed_mechanism.hpp"
 #include "network/bases.hpp"
 #include "run/certified_cases.hpp"
 #include "run/free_parameters.hpp"
 #include "run/internal/typed_numbers.hpp"
 #include "statics/action.hpp"
+#include "statics/coupling_wrenches.hpp"
 #include "statics/friction.hpp"
 #include "statics/indeterminacy.hpp"
+#include "statics/one_sided_action.hpp"
 #include "statics/pretension.hpp"
 
 namespace kinestat {
@@ -35,20 +38,28 @@ bool wants_statics(const Mechanism& mechanism) {
          std::ranges::any_of(mechanism.cases, [](const Case& c) { return c.asks_actions; });
 }
 
-MobilityCounts counts_of(const Loaded& loaded) {
-  const bool has_actions = wants_statics(loaded.mechanism);
+// Far from the origin, the mechanism in space is rounded nearby like the other one.
+MobilityCounts counts_of(const MechanismDescription& description,
+                         const Mechanism& drawn,
+                         const Mechanism* nearby) {
+  const bool has_actions = wants_statics(drawn);
+  const Mechanism& mechanism = nearby != nullptr ? *nearby : drawn;
   std::optional<Mechanism> in_space;
-  if (loaded.mechanism.space == Space::planar &&
-      (has_actions || frees_more_in_space(loaded.description))) {
+  if (drawn.space == Space::planar && (has_actions || frees_more_in_space(description))) {
     // It complains of nothing that the first binding did not, and that had no errors.
     Diagnostics ignored;
-    in_space = bind_in_space(loaded.description, ignored);
+    in_space = bind_in_space(description, ignored);
     KINESTAT_EXPECTS(in_space.has_value());
+    if (nearby != nullptr) {
+      if (std::optional<Mechanism> rounded = rounded_nearby(description, *in_space, true)) {
+        in_space = std::move(rounded);
+      }
+    }
   }
-  const Mechanism& spatial = in_space ? *in_space : loaded.mechanism;
-  MobilityCounts counts = count_motions(loaded.mechanism, spatial);
+  const Mechanism& spatial = in_space ? *in_space : mechanism;
+  MobilityCounts counts = count_motions(mechanism, spatial);
   if (has_actions) {
-    count_actions(loaded.mechanism, spatial, counts);
+    count_actions(mechanism, spatial, counts);
   }
   return counts;
 }
@@ -117,10 +128,28 @@ CoordinateBasis basis_for(const Mechanism& mechanism,
 struct CaseRequest {
   const Case& which;
   const AccuracyRequest& accuracy;
+  const Mechanism* nearby = nullptr;   // the mechanism whose screws count; null: as drawn
   TypedNumbers* typed = nullptr;       // of all cases; null where none are wanted
   std::size_t index = 0;               // among these
   CaseCertainty* certainty = nullptr;  // filled in beside `typed`
 };
+
+// With the screws that were rounded nearby, if there are any; wrenches are those of the drawing, at
+// whose points they are reported.
+StaticSolution solve_frictionless(const Mechanism& mechanism,
+                                  const CoordinateBasis& basis,
+                                  const CaseRequest& request,
+                                  const std::vector<BodyWrench>& loads) {
+  const std::vector<Primary>& known = request.which.actions;
+  if (request.nearby == nullptr) {
+    return solve_action(mechanism, basis, known, loads, request.accuracy);
+  }
+  StaticSolution solution = solve_action(*request.nearby, basis, known, loads, request.accuracy);
+  if (!solution.wrenches.empty()) {
+    make_wrenches(mechanism, solution);
+  }
+  return solution;
+}
 
 // Friction is followed in doubles: there is no bound for it.
 StaticSolution solve_statics(const Mechanism& mechanism,
@@ -137,7 +166,7 @@ StaticSolution solve_statics(const Mechanism& mechanism,
   }
   StaticSolution solution =
       frictions.laws.empty()
-          ? solve_action(mechanism, basis, which.actions, loads, request.accuracy)
+          ? solve_frictionless(mechanism, basis, request, loads)
           : solve_with_friction(mechanism, basis, which.actions, loads, frictions.laws);
   return resolve_indeterminacy(mechanism, basis, which.actions, loads, std::move(solution));
 }
@@ -177,13 +206,15 @@ LoadedFlanks solve_on_flanks(const Mechanism& drawn,
                              const KinematicSolution* motion,
                              std::vector<int> turned) {
   LoadedFlanks result{.turned = std::move(turned), .mechanism = {}, .basis = bases.action};
+  CaseRequest own = request;
   if (!result.turned.empty()) {
+    own.nearby = nullptr;  // its teeth are not turned
     result.mechanism = drawn;
     turn_flanks(result.turned, result.mechanism->geometry);
     result.basis = action_basis(result.mechanism->geometry, drawn.static_order);
   }
   result.action =
-      solve_statics(result.mechanism ? *result.mechanism : drawn, result.basis, request, motion);
+      solve_statics(result.mechanism ? *result.mechanism : drawn, result.basis, own, motion);
   return result;
 }
 
@@ -217,7 +248,10 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   CaseAnalysis result;
   result.which = which;
   if (which.asks_motions) {
-    result.motion = solve_velocity(drawn, bases.motion, which.motions, request.accuracy);
+    result.motion = solve_velocity(request.nearby != nullptr ? *request.nearby : drawn,
+                                   bases.motion,
+                                   which.motions,
+                                   request.accuracy);
   }
   if (result.motion && request.typed != nullptr) {
     request.certainty->has_typed_motion = request.typed->improve(request.index, *result.motion);
@@ -296,20 +330,22 @@ CertifiedAnalysis solve_certified_cases(std::string file,
   CertifiedAnalysis result;
   Analysis& analysis = result.analysis;
   analysis.file = std::move(file);
-  analysis.mobility = counts_of(loaded);
   analysis.shift = std::move(loaded.shift);
   analysis.description = std::move(loaded.description);
   analysis.mechanism = std::move(loaded.mechanism);
   const Mechanism& mechanism = analysis.mechanism;
   TypedNumbers typed(analysis.description, mechanism, request);
+  const Mechanism* nearby = typed.nearby();
+  analysis.mobility = counts_of(analysis.description, mechanism, nearby);
   result.certainty.accuracy = request;
   result.certainty.cases.resize(mechanism.cases.size());
-  const Bases bases = bases_of(mechanism);
+  const Bases bases = bases_of(nearby != nullptr ? *nearby : mechanism);
   for (std::size_t c = 0; c < mechanism.cases.size(); ++c) {
     analysis.cases.push_back(solve_case(mechanism,
                                         bases,
                                         {.which = mechanism.cases[c],
                                          .accuracy = request,
+                                         .nearby = nearby,
                                          .typed = &typed,
                                          .index = c,
                                          .certainty = &result.certainty.cases[c]}));
@@ -317,6 +353,7 @@ CertifiedAnalysis solve_certified_cases(std::string file,
   find_affine_dependence(analysis);
   if (request.accuracy != Accuracy::fast) {
     typed.find_ranks(analysis.mobility.minimal.actions.has_value(), result.certainty);
+    typed.count_as_typed(result.certainty, analysis.mobility);
   }
   return result;
 }

@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "core/tolerance.hpp"
+#include "core/rounding.hpp"
+#include "math/bounded_vector.hpp"
 
 namespace kinestat {
 
@@ -21,11 +22,11 @@ std::optional<ScrewAxis> axis_of(const Vec3& line, const Vec3& moment, double le
         .direction = moment.normalized(), .point = std::nullopt, .pitch = std::nullopt};
   }
   const double square = line.squaredNorm();
-  const double along = line.dot(moment);
-  const bool is_rounding = std::abs(along) <= kReportZero * line.norm() * moment_size;
+  const double along =
+      dot(rounded_vector(line, kDataRounding), rounded_vector(moment, kDataRounding)).zeroed();
   return ScrewAxis{.direction = line.normalized(),
                    .point = line.cross(moment) / square,
-                   .pitch = is_rounding ? 0.0 : along / square};
+                   .pitch = along / square};
 }
 
 }  // namespace

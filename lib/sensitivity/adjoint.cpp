@@ -167,6 +167,26 @@ void CaseAdjoint::add_frictions(const std::vector<double>& slopes,
   }
 }
 
+// A corner of the value towards one magnitude counts for those parameters that move the magnitude.
+void CaseAdjoint::leave_corners(std::vector<double>& slopes,
+                                std::vector<std::optional<Sum>>& result,
+                                const AddPart& add_part) {
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    if (!std::isfinite(slopes[i])) {
+      std::vector<double> alone(slopes.size(), 0.0);
+      alone[i] = 1.0;
+      std::vector<std::optional<Sum>> moved(result.size(), Sum{});
+      add_part(alone, moved);
+      for (std::size_t p = 0; p < result.size(); ++p) {
+        if (!moved[p] || moved[p]->rounded() != 0.0) {
+          result[p] = std::nullopt;
+        }
+      }
+      slopes[i] = 0.0;
+    }
+  }
+}
+
 std::vector<std::optional<double>> CaseAdjoint::derivatives_of(const ReportedValue& value) {
   const Topology& topology = values_.topology();
   const auto slopes = [&](std::size_t first, std::size_t count) {
@@ -186,18 +206,16 @@ std::vector<std::optional<double>> CaseAdjoint::derivatives_of(const ReportedVal
     sums.push_back(is_possible ? std::optional(Sum{.value = direct, .size = std::abs(direct)})
                                : std::nullopt);
   }
-  const auto by_rates = slopes(0, rates);
-  const auto by_actions = slopes(rates, actions);
-  const auto by_frictions = slopes(rates + actions, frictions);
-  if (!is_zero(by_rates)) {
-    motion().add(by_rates, sums);
-  }
-  if (!is_zero(by_actions)) {
-    action().add(by_actions, sums);
-  }
-  if (!is_zero(by_frictions)) {
-    add_frictions(by_frictions, sums);
-  }
+  const auto add = [&](std::vector<double> by, const AddPart& add_part) {
+    leave_corners(by, sums, add_part);
+    if (!is_zero(by)) {
+      add_part(by, sums);
+    }
+  };
+  add(slopes(0, rates), [&](const auto& by, auto& result) { motion().add(by, result); });
+  add(slopes(rates, actions), [&](const auto& by, auto& result) { action().add(by, result); });
+  add(slopes(rates + actions, frictions),
+      [&](const auto& by, auto& result) { add_frictions(by, result); });
   std::vector<std::optional<double>> result;
   for (const std::optional<Sum>& sum : sums) {
     const bool has_value = sum && std::isfinite(sum->value);

@@ -1,6 +1,7 @@
 // Derivatives of reported values towards parameters by the adjoint of the solved equations.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -43,6 +44,13 @@ class CaseAdjoint {
   AdjointSide& motion();
   AdjointSide& action();
   AdjointSide make_action();
+
+  // Adds what a value moves by, from its slopes towards the magnitudes of one side.
+  using AddPart = std::function<void(const std::vector<double>&, std::vector<std::optional<Sum>>&)>;
+  static void leave_corners(std::vector<double>& slopes,
+                            std::vector<std::optional<Sum>>& result,
+                            const AddPart& add_part);
+
   void add_frictions(const std::vector<double>& slopes, std::vector<std::optional<Sum>>& result);
 
   const DualCase& values_;

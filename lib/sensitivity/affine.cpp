@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
@@ -10,13 +11,25 @@ namespace kinestat {
 
 namespace {
 
-// How many steps each parameter is moved at the two last probes: nothing that repeats or cancels.
-double first_mix(std::size_t i) {
-  return 0.37 + 0.21 * static_cast<double>(i % 5);
+// How many steps each parameter is moved at the last probes, where all move. Steps are round
+// numbers, and what repeats mostly does so after a round one too: a staircase looks straight at
+// points of the same phase. Multiples of the golden ratio share none with any period.
+double turns(std::size_t i) {
+  const double multiple = std::numbers::phi * static_cast<double>(i + 1);
+  return multiple - std::floor(multiple);
 }
 
-double second_mix(std::size_t i) {
-  return -0.53 - 0.13 * static_cast<double>(i % 3) - 0.07 * static_cast<double>(i % 7);
+double forward_mix(std::size_t i) {
+  return 0.31 + turns(i);
+}
+
+double backward_mix(std::size_t i) {
+  return -0.47 - turns(i + 5);
+}
+
+// Close by, for what stands still between its jumps.
+double near_mix(std::size_t i) {
+  return turns(i + 11) / 1024.0;
 }
 
 // One magnitude at all probes.
@@ -65,7 +78,7 @@ std::vector<std::vector<double>> affine_probes(std::span<const FreeParameter> pa
     probes.push_back(base);
     probes.back()[i] += parameters[i].step;
   }
-  for (const auto mix : {first_mix, second_mix}) {
+  for (const auto mix : {forward_mix, backward_mix, near_mix}) {
     probes.push_back(base);
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       probes.back()[i] += mix(i) * parameters[i].step;

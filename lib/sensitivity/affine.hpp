@@ -24,8 +24,8 @@ struct FreeParameter {
 };
 
 /// The points at which the magnitudes must be known: first the values themselves, then each
-/// parameter moved alone, then two points at which all are moved differently, which tell an affine
-/// function from any other. One list of parameter values a point.
+/// parameter moved alone, then points at which all are moved differently, by no round numbers,
+/// which tell an affine function from any other. One list of parameter values a point.
 std::vector<std::vector<double>> affine_probes(std::span<const FreeParameter> parameters);
 
 /// The magnitudes at one probe; empty where they have no solution.

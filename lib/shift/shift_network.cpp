@@ -1,7 +1,8 @@
 #include "shift/shift_network.hpp"
 
-#include <vector>
+#include <cmath>
 
+#include "core/tolerance.hpp"
 #include "math/elimination.hpp"
 #include "network/node_system.hpp"
 
@@ -9,23 +10,47 @@ namespace kinestat {
 
 namespace {
 
-// The rates of actuators in each motion.
-MatX rates_of(const Mechanism& mechanism,
-              const CoordinateBasis& basis,
-              const std::vector<int>& actuators,
-              const std::vector<VecX>& motions) {
-  const Topology& topology = mechanism.topology;
-  MatX rates(static_cast<Eigen::Index>(actuators.size()),
-             static_cast<Eigen::Index>(motions.size()));
-  for (std::size_t i = 0; i < actuators.size(); ++i) {
-    const int freedom = topology.actuators[static_cast<std::size_t>(actuators[i])].freedom;
-    const int column = velocity_column(topology, basis, freedom);
-    const double unit = rate_unit(topology, basis, freedom);
-    for (std::size_t j = 0; j < motions.size(); ++j) {
-      rates(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = unit * motions[j][column];
+// Motions with what each of their entries may be off by: every one is made of sums in which the
+// largest may have cancelled.
+class BoundedMotions {
+ public:
+  explicit BoundedMotions(std::vector<VecX> motions) : motions_(std::move(motions)) {
+    for (const VecX& motion : motions_) {
+      bounds_.push_back(kCancellation * motion.lpNorm<Eigen::Infinity>());
     }
   }
-  return rates;
+
+  std::size_t count() const { return motions_.size(); }
+
+  // Of each motion one entry, times `unit`.
+  RateRow row(Eigen::Index entry, double unit) const {
+    RateRow row;
+    for (std::size_t j = 0; j < motions_.size(); ++j) {
+      const double value = motions_[j][entry];
+      row.push_back(std::abs(value) <= bounds_[j]
+                        ? BoundedNumber{}
+                        : BoundedNumber{.value = unit * value, .bound = unit * bounds_[j]});
+    }
+    return row;
+  }
+
+ private:
+  std::vector<VecX> motions_;
+  std::vector<double> bounds_;
+};
+
+std::vector<RateRow> rates_of(const Mechanism& mechanism,
+                              const CoordinateBasis& basis,
+                              const std::vector<int>& actuators,
+                              const BoundedMotions& motions) {
+  const Topology& topology = mechanism.topology;
+  std::vector<RateRow> rows;
+  for (const int actuator : actuators) {
+    const int freedom = topology.actuators[static_cast<std::size_t>(actuator)].freedom;
+    rows.push_back(motions.row(velocity_column(topology, basis, freedom),
+                               rate_unit(topology, basis, freedom)));
+  }
+  return rows;
 }
 
 template <class List, class Projection>
@@ -43,20 +68,20 @@ ShiftNetwork make_shift_network(const Mechanism& mechanism,
                                 const CoordinateBasis& basis,
                                 const ShiftPlan& plan) {
   const Elimination elimination(velocity_system(mechanism.topology, mechanism.geometry, basis), {});
-  const std::vector<VecX> motions = elimination.null_vectors();
+  const BoundedMotions motions(elimination.null_vectors());
   const auto rates = [&](const std::vector<int>& actuators) {
     return rates_of(mechanism, basis, actuators, motions);
   };
-  ShiftNetwork network{.inputs = rates(actuators_of(plan.inputs, &ShiftInput::actuator)),
+  ShiftNetwork network{.motions = static_cast<int>(motions.count()),
+                       .inputs = rates(actuators_of(plan.inputs, &ShiftInput::actuator)),
                        .outputs = rates(plan.outputs),
                        .elements = rates(actuators_of(plan.elements, &ShiftElement::actuator)),
                        .others = rates(plan.others),
                        .bodies = {},
                        .order = basis.order()};
   const Eigen::Index rows = basis.order() * (mechanism.topology.body_count() - 1);
-  network.bodies.resize(rows, static_cast<Eigen::Index>(motions.size()));
-  for (std::size_t j = 0; j < motions.size(); ++j) {
-    network.bodies.col(static_cast<Eigen::Index>(j)) = motions[j].head(rows);
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    network.bodies.push_back(motions.row(row, 1.0));
   }
   return network;
 }

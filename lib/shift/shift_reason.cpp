@@ -133,10 +133,10 @@ class ReasonWriter {
   RemainingMotion motions(bool has_inputs_at_rest) const {
     RemainingMotion left(network_.net_freedom());
     for (const int element : engaged_) {
-      (void)left.prescribe(network_.elements.row(element), 0.0);
+      (void)left.prescribe(network_.elements[static_cast<std::size_t>(element)], 0.0);
     }
-    for (Eigen::Index i = 0; has_inputs_at_rest && i < network_.inputs.rows(); ++i) {
-      (void)left.prescribe(network_.inputs.row(i), 0.0);
+    for (std::size_t i = 0; has_inputs_at_rest && i < network_.inputs.size(); ++i) {
+      (void)left.prescribe(network_.inputs[i], 0.0);
     }
     return left;
   }
@@ -147,7 +147,7 @@ class ReasonWriter {
     for (int b = 1; b < topology_.body_count(); ++b) {
       bool moves = false;
       for (int row = network_.order * (b - 1); row < network_.order * b; ++row) {
-        moves = moves || left.changes(network_.bodies.row(row));
+        moves = moves || left.changes(network_.bodies[static_cast<std::size_t>(row)]);
       }
       if (moves == that_move) {
         names.push_back(topology_.bodies[static_cast<std::size_t>(b)].name);

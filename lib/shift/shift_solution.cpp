@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "power/rate_ratio.hpp"
 #include "shift/shift_reason.hpp"
 
 namespace kinestat {
@@ -118,12 +119,11 @@ class ShiftSolver {
         others.push_back(one);
         continue;
       }
-      const double input = one.state.inputs.front();
-      const double output = one.state.outputs.front().value_or(0.0);
-      gears.push_back(
-          {.state = static_cast<int>(s),
-           .ratio = input == 0.0 || output == 0.0 ? std::nullopt : std::optional(input / output),
-           .engaged = one.engaged});
+      const std::optional<double> ratio =
+          share_of(common_rate(one.state.inputs), one.state.outputs.front());
+      gears.push_back({.state = static_cast<int>(s),
+                       .ratio = ratio == 0.0 ? std::nullopt : ratio,
+                       .engaged = one.engaged});
     }
     sort_gears(gears);
     std::vector<NamedShiftState> states;

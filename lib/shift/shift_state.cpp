@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/tolerance.hpp"
-#include "math/dense_solve.hpp"
 #include "shift/internal/remaining_motion.hpp"
 
 namespace kinestat {
@@ -31,20 +30,24 @@ class StateSolver {
   }
 
  private:
-  bool refuse(ShiftClass kind, ShiftCause cause, Eigen::Index which = -1) {
+  bool refuse(ShiftClass kind, ShiftCause cause, std::optional<std::size_t> which = {}) {
     state_.kind = kind;
     state_.cause = cause;
-    state_.which = static_cast<int>(which);
+    state_.which = which ? static_cast<int>(*which) : -1;
     return false;
   }
 
-  bool is_engaged(int element) const {
-    return std::ranges::find(engaged_, element) != engaged_.end();
+  bool is_engaged(std::size_t element) const {
+    return std::ranges::find(engaged_, static_cast<int>(element)) != engaged_.end();
+  }
+
+  const RateRow& row_of(int element) const {
+    return network_.elements[static_cast<std::size_t>(element)];
   }
 
   void engage() {
     for (const int element : engaged_) {
-      if (!left_.prescribe(network_.elements.row(element), 0.0)) {
+      if (!left_.prescribe(row_of(element), 0.0)) {
         state_.surplus.push_back(element);
       }
     }
@@ -52,18 +55,19 @@ class StateSolver {
   }
 
   bool move_inputs() {
-    for (Eigen::Index i = 0; i < network_.inputs.rows(); ++i) {
-      const double speed = plan_.inputs[static_cast<std::size_t>(i)].speed;
-      if (speed != 0.0 && !left_.changes(network_.inputs.row(i)) && state_.moving.empty()) {
+    for (std::size_t i = 0; i < network_.inputs.size(); ++i) {
+      const RateRow& row = network_.inputs[i];
+      const double speed = plan_.inputs[i].speed;
+      if (speed != 0.0 && !left_.changes(row) && state_.moving.empty()) {
         return refuse(ShiftClass::locked, ShiftCause::input_held, i);
       }
-      if (left_.prescribe(network_.inputs.row(i), speed)) {
+      if (left_.prescribe(row, speed)) {
         state_.moving.push_back(static_cast<int>(i));
-      } else if (std::abs(left_.rate(network_.inputs.row(i)) - speed) >
-                 kConsistency * std::abs(speed)) {
-        const bool is_held = left_.rate(network_.inputs.row(i)) == 0.0;
-        return refuse(
-            ShiftClass::locked, is_held ? ShiftCause::input_held : ShiftCause::inputs_coupled, i);
+      } else if (const double rate = left_.rate(row).value;
+                 std::abs(rate - speed) > kConsistency * std::abs(speed)) {
+        return refuse(ShiftClass::locked,
+                      rate == 0.0 ? ShiftCause::input_held : ShiftCause::inputs_coupled,
+                      i);
       }
     }
     state_.idle = left_.count();
@@ -71,8 +75,8 @@ class StateSolver {
   }
 
   bool outputs_follow() {
-    for (Eigen::Index o = 0; o < network_.outputs.rows(); ++o) {
-      if (left_.changes(network_.outputs.row(o))) {
+    for (std::size_t o = 0; o < network_.outputs.size(); ++o) {
+      if (left_.changes(network_.outputs[o])) {
         return refuse(ShiftClass::neutral, ShiftCause::output_free, o);
       }
     }
@@ -80,18 +84,17 @@ class StateSolver {
   }
 
   bool outputs_move() {
-    for (Eigen::Index o = 0; o < network_.outputs.rows(); ++o) {
-      if (left_.rate(network_.outputs.row(o)) != 0.0) {
-        return true;
-      }
-    }
-    return refuse(ShiftClass::locked, ShiftCause::outputs_held);
+    return std::ranges::any_of(network_.outputs,
+                               [&](const RateRow& row) { return left_.rate(row).value != 0.0; }) ||
+           refuse(ShiftClass::locked, ShiftCause::outputs_held);
   }
 
   bool is_no_tie_up() {
     const bool is_more = static_cast<int>(engaged_.size()) > network_.needed();
     return is_more && !state_.surplus.empty()
-               ? refuse(ShiftClass::tie_up, ShiftCause::redundant, state_.surplus.front())
+               ? refuse(ShiftClass::tie_up,
+                        ShiftCause::redundant,
+                        static_cast<std::size_t>(state_.surplus.front()))
                : true;
   }
 
@@ -99,72 +102,94 @@ class StateSolver {
     for (const ShiftInput& input : plan_.inputs) {
       state_.inputs.push_back(input.speed);
     }
-    for (Eigen::Index o = 0; o < network_.outputs.rows(); ++o) {
-      state_.outputs.push_back(left_.rate(network_.outputs.row(o)));
+    for (const RateRow& row : network_.outputs) {
+      state_.outputs.push_back(left_.rate(row).value);
     }
-    for (Eigen::Index e = 0; e < network_.elements.rows(); ++e) {
-      const bool is_open = !is_engaged(static_cast<int>(e));
-      state_.slips.push_back(
-          is_open && left_.changes(network_.elements.row(e))
-              ? std::nullopt
-              : std::optional(is_open ? left_.rate(network_.elements.row(e)) : 0.0));
+    for (std::size_t e = 0; e < network_.elements.size(); ++e) {
+      const RateRow& row = network_.elements[e];
+      const bool is_open = !is_engaged(e);
+      state_.slips.push_back(is_open && left_.changes(row)
+                                 ? std::nullopt
+                                 : std::optional(is_open ? left_.rate(row).value : 0.0));
     }
   }
 
   // An idle motion that moves open elements alone says that their torques do no work on it: one of
   // them follows from the others. (Virtual power.)
   void find_unloaded() {
-    for (Eigen::Index e = 0; e < network_.elements.rows(); ++e) {
-      if (!is_engaged(static_cast<int>(e)) && left_.prescribe(network_.elements.row(e), 0.0)) {
+    for (std::size_t e = 0; e < network_.elements.size(); ++e) {
+      if (!is_engaged(e) && left_.prescribe(network_.elements[e], 0.0)) {
         state_.unloaded.push_back(static_cast<int>(e));
       }
     }
-    for (Eigen::Index o = 0; o < network_.others.rows(); ++o) {
-      if (left_.prescribe(network_.others.row(o), 0.0)) {
+    for (std::size_t o = 0; o < network_.others.size(); ++o) {
+      if (left_.prescribe(network_.others[o], 0.0)) {
         state_.unloaded_others.push_back(static_cast<int>(o));
       }
     }
   }
 
-  // Rows of what bears an unknown torque, and what the known torques do in each motion.
-  void find_torques() {
-    const Eigen::Index motions = network_.net_freedom();
-    VecX work = VecX::Zero(motions);
-    std::vector<Eigen::RowVectorXd> unknown;
+  // Rows of what bears an unknown torque: engaged elements, inputs and outputs.
+  std::vector<const RateRow*> unknown_rows() const {
+    std::vector<const RateRow*> rows;
     for (const int element : engaged_) {
-      unknown.push_back(network_.elements.row(element));
+      rows.push_back(&row_of(element));
     }
-    for (Eigen::Index i = 0; i < network_.inputs.rows(); ++i) {
-      const std::optional<double> action = action_of(static_cast<std::size_t>(i));
-      if (action) {
-        work -= *action * network_.inputs.row(i).transpose();
-      } else {
-        unknown.push_back(network_.inputs.row(i));
+    for (std::size_t i = 0; i < network_.inputs.size(); ++i) {
+      if (!action_of(i)) {
+        rows.push_back(&network_.inputs[i]);
       }
     }
-    for (Eigen::Index o = 0; o < network_.outputs.rows(); ++o) {
-      unknown.push_back(network_.outputs.row(o));
+    for (const RateRow& output : network_.outputs) {
+      rows.push_back(&output);
     }
-    const auto count = static_cast<Eigen::Index>(unknown.size());
-    if (count == 0 || count > motions) {
-      return;
+    return rows;
+  }
+
+  // Virtual power: in the motion that moves one unknown torque alone, it gives what the known ones
+  // take. Empty where the motion of one follows from the others, so that the torque is open.
+  void find_torques() {
+    const std::vector<const RateRow*> rows = unknown_rows();
+    std::vector<double> torques;
+    for (std::size_t u = 0; u < rows.size(); ++u) {
+      RemainingMotion motion(network_.net_freedom());
+      for (std::size_t other = 0; other < rows.size(); ++other) {
+        if (other != u && !motion.prescribe(*rows[other], 0.0)) {
+          return;
+        }
+      }
+      if (!motion.prescribe(*rows[u], 1.0) || works_on_rest(motion)) {
+        return;
+      }
+      torques.push_back(-power_of_known(motion));
     }
-    MatX powers(motions, count);
-    for (Eigen::Index u = 0; u < count; ++u) {
-      powers.col(u) = unknown[static_cast<std::size_t>(u)].transpose();
-    }
-    // Idle motions have no torque that works on them, so that there are more equations.
-    const std::optional<VecX> torques =
-        count == motions
-            ? solve_dense(powers, work)
-            : solve_dense(powers.transpose() * powers, VecX(powers.transpose() * work));
-    if (torques && (powers * *torques - work).norm() <= kConsistency * work.norm()) {
-      fill_torques(*torques);
+    if (!rows.empty()) {
+      fill_torques(torques);
     }
   }
 
-  void fill_torques(const VecX& torques) {
-    Eigen::Index next = 0;
+  // Whether known torques would drive a motion that no unknown one works on.
+  bool works_on_rest(const RemainingMotion& motion) const {
+    for (std::size_t i = 0; i < network_.inputs.size(); ++i) {
+      if (action_of(i).value_or(0.0) != 0.0 && motion.changes(network_.inputs[i])) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  double power_of_known(const RemainingMotion& motion) const {
+    BoundedNumber sum;
+    for (std::size_t i = 0; i < network_.inputs.size(); ++i) {
+      if (const std::optional<double> action = action_of(i)) {
+        sum = sum + BoundedNumber{.value = *action, .bound = 0.0} * motion.rate(network_.inputs[i]);
+      }
+    }
+    return std::abs(sum.value) <= sum.bound ? 0.0 : sum.value;
+  }
+
+  void fill_torques(const std::vector<double>& torques) {
+    std::size_t next = 0;
     state_.torques.assign(plan_.elements.size(), 0.0);
     for (const int element : engaged_) {
       state_.torques[static_cast<std::size_t>(element)] = torques[next++];
@@ -195,34 +220,20 @@ class StateSolver {
     state_.output_torques.clear();
   }
 
-  // What is smaller than rounding of the largest has no sign.
-  static double sign_of(double value, double largest) {
-    return std::abs(value) <= kRankZero * largest ? 0.0 : (value > 0.0 ? 1.0 : -1.0);
-  }
-
   void check_freewheels() {
-    double most_torque = 0.0;
-    for (const double torque : state_.torques) {
-      most_torque = std::max(most_torque, std::abs(torque));
-    }
-    double most_slip = 0.0;
-    for (const std::optional<double>& slip : state_.slips) {
-      most_slip = std::max(most_slip, std::abs(slip.value_or(0.0)));
-    }
     for (std::size_t e = 0; e < plan_.elements.size(); ++e) {
       const int holds = plan_.elements[e].one_way;
       if (holds == 0 || state_.kind != ShiftClass::gear) {
         continue;
       }
-      const auto element = static_cast<Eigen::Index>(e);
-      if (!is_engaged(static_cast<int>(e))) {
-        if (state_.slips[e] && holds * sign_of(*state_.slips[e], most_slip) < 0.0) {
-          refuse(ShiftClass::tie_up, ShiftCause::freewheel_engages, element);
+      if (!is_engaged(e)) {
+        if (holds * state_.slips[e].value_or(0.0) < 0.0) {
+          refuse(ShiftClass::tie_up, ShiftCause::freewheel_engages, e);
         }
       } else if (state_.torques.empty()) {
         state_.open_freewheels.push_back(static_cast<int>(e));
-      } else if (holds * sign_of(state_.torques[e], most_torque) < 0.0) {
-        refuse(ShiftClass::neutral, ShiftCause::freewheel_lets_go, element);
+      } else if (holds * state_.torques[e] < 0.0) {
+        refuse(ShiftClass::neutral, ShiftCause::freewheel_lets_go, e);
       }
     }
   }

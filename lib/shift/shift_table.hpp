@@ -10,7 +10,8 @@ namespace kinestat {
 /// A gear as the table sees it.
 struct TableGear {
   int state = 0;                ///< index into ShiftSolution::states
-  std::optional<double> ratio;  ///< ω_in/ω_out of the first input and output
+  std::optional<double> ratio;  ///< ω_in/ω_out of the inputs, if they turn alike, and
+                                ///< the first output
   std::vector<int> engaged;     ///< ascending
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
+#include "mechanism/place_error.hpp"
 #include "statics/coupling_wrenches.hpp"
 #include "statics/equilibrium.hpp"
 
@@ -69,7 +70,7 @@ StaticSolution solve_action(const Mechanism& mechanism,
   solution.evidence = equilibrium.evidence();
   solution.counts = equilibrium.counts();
   solution.check = equilibrium.check(loads);
-  const EquilibriumActions actions =
+  EquilibriumActions actions =
       equilibrium.solve_to(request, determined_actions(mechanism, solution.check), known, loads);
   if (!actions.consistent) {
     solution.status = SolveStatus::inconsistent;
@@ -85,8 +86,11 @@ StaticSolution solve_action(const Mechanism& mechanism,
   solution.status = solution.check.missing > 0 ? SolveStatus::underdetermined : SolveStatus::solved;
   solution.residual = actions.residual;
   solution.answer = actions.answer;
+  if (place_error(mechanism) > 0.0) {
+    equilibrium.settle(mechanism, loads, actions.magnitudes);
+  }
   fill_magnitudes(actions.magnitudes, solution);
-  solution.wrenches = coupling_wrenches(mechanism, solution);
+  make_wrenches(mechanism, solution);
   if (!is_finite(solution)) {
     solution.status = SolveStatus::overflow;
     solution.magnitudes.clear();

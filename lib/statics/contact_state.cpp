@@ -3,32 +3,34 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/tolerance.hpp"
+#include "core/rounding.hpp"
+#include "kinematics/bounded_motion.hpp"
+#include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
 
 namespace {
 
-std::optional<double> tension(const Mechanism& mechanism,
-                              CouplingId segment,
-                              const StaticSolution& solution) {
+std::optional<BoundedNumber> tension(const Mechanism& mechanism,
+                                     CouplingId segment,
+                                     const StaticSolution& solution) {
   const int action = mechanism.topology.coupling(segment).first_action;
-  return solution.magnitudes[static_cast<std::size_t>(action)];
+  return solution.magnitudes[static_cast<std::size_t>(action)]
+             ? std::optional(bounded_action(solution, action))
+             : std::nullopt;
 }
 
-// The rate of the virtual link relative to the pulley; no slip without a virtual link. What is
-// rounding beside the fastest motion is none, as for friction.
-double slip_speed(const Mechanism& mechanism,
-                  const CableContact& contact,
-                  const KinematicSolution& motion) {
+// The rate of the virtual link relative to the pulley; no slip without a virtual link.
+BoundedNumber slip_speed(const Mechanism& mechanism,
+                         const CableContact& contact,
+                         const KinematicSolution& motion) {
   if (!contact.slips) {
-    return 0.0;
+    return {};
   }
-  const double length = mechanism.geometry.length;
   const CouplingTopology& coupling = mechanism.topology.coupling(*contact.slips);
-  const double rate = motion.rates[static_cast<std::size_t>(coupling.first_freedom)];
-  const bool is_rounding = std::abs(rate) * length <= kReportZero * fastest_motion(motion, length);
-  return is_rounding ? 0.0 : rate * contact.radius;
+  const double radius = contact.radius;
+  return bounded_rate(motion, coupling.first_freedom) *
+         BoundedNumber{.value = radius, .bound = kDataRounding * std::abs(radius)};
 }
 
 Grip grip_of(const ContactState& state) {
@@ -57,8 +59,10 @@ std::vector<ContactState> find_contact_states(const Mechanism& mechanism,
   }
   for (const CableContact& contact : mechanism.contacts) {
     ContactState state;
-    state.before = tension(mechanism, contact.arrives, solution);
-    state.after = tension(mechanism, contact.leaves, solution);
+    const auto before = tension(mechanism, contact.arrives, solution);
+    const auto after = tension(mechanism, contact.leaves, solution);
+    state.before = before ? std::optional(before->zeroed()) : std::nullopt;
+    state.after = after ? std::optional(after->zeroed()) : std::nullopt;
     if (state.before && state.after && *state.before > 0.0 && *state.after > 0.0) {
       const auto [low, high] = std::minmax(*state.before, *state.after);
       state.ratio = high / low;
@@ -67,9 +71,10 @@ std::vector<ContactState> find_contact_states(const Mechanism& mechanism,
       state.limit = std::exp(*contact.friction * *contact.wrap);
     }
     if (motion != nullptr) {
-      state.slip_speed = slip_speed(mechanism, contact, *motion);
-      if (state.before && state.after) {
-        state.slip_power = (*state.before - *state.after) * *state.slip_speed;
+      const BoundedNumber speed = slip_speed(mechanism, contact, *motion);
+      state.slip_speed = speed.zeroed();
+      if (before && after) {
+        state.slip_power = ((*before - *after) * speed).zeroed();
       }
     }
     state.grip = grip_of(state);

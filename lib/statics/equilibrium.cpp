@@ -7,8 +7,10 @@
 #include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
 #include "math/bounded_solve.hpp"
+#include "math/data_zero.hpp"
 #include "math/orthonormal.hpp"
 #include "math/readable_basis.hpp"
+#include "mechanism/place_error.hpp"
 #include "network/node_system.hpp"
 
 namespace kinestat {
@@ -102,6 +104,19 @@ EquilibriumActions Equilibrium::solve_to(const AccuracyRequest& request,
     result.answer.bounds.assign(bounds.begin(), bounds.end());
   }
   return result;
+}
+
+void Equilibrium::settle(const Mechanism& mechanism,
+                         std::span<const BodyWrench> loads,
+                         VecX& magnitudes) const {
+  const Eigen::Map<const VecX> units(units_.data(), static_cast<Eigen::Index>(units_.size()));
+  VecX x = magnitudes.cwiseQuotient(units);
+  settle_inexact(elimination_,
+                 action_system(mechanism.topology, mechanism.geometry, basis_),
+                 load_vector(body_count_, basis_, loads),
+                 {.rows = basis_.order(), .share = place_error(mechanism)},
+                 x);
+  magnitudes = units.cwiseProduct(x);
 }
 
 double Equilibrium::residual(const VecX& magnitudes, std::span<const BodyWrench> loads) const {

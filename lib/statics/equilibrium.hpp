@@ -48,6 +48,12 @@ class Equilibrium {
                               std::span<const double> known,
                               std::span<const BodyWrench> loads) const;
 
+  /// Makes those of its solution zero that a moved position does not tell from zero, for all that
+  /// it misses closure. `mechanism` is the one that it was made of.
+  void settle(const Mechanism& mechanism,
+              std::span<const BodyWrench> loads,
+              VecX& magnitudes) const;
+
   /// How well the actions [N·m or N] are in equilibrium with the loads: the largest sum on a body
   /// relative to the largest sum of sizes.
   double residual(const VecX& magnitudes, std::span<const BodyWrench> loads) const;

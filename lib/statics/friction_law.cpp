@@ -8,6 +8,7 @@
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
+#include "kinematics/bounded_motion.hpp"
 #include "math/dual_vector.hpp"
 
 namespace kinestat {
@@ -256,6 +257,17 @@ FrictionLawOf<Scalar> contact(const SlidingOf<Scalar>& s) {
   return law;
 }
 
+// Drag that grows with the speed has no friction at rest, and so needs no direction there.
+bool is_nothing_at_rest(const CouplingFriction& friction) {
+  return friction.mu == 0.0 && friction.tau == 0.0 && friction.ropes.empty();
+}
+
+FrictionLaw law_at_rest(FrictionLaw law) {
+  law.speed = 0.0;
+  law.constant = 0.0;
+  return law;
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -279,7 +291,6 @@ std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mech
                                                            const KinematicSolution& motion) {
   std::vector<std::optional<FrictionLaw>> laws;
   const Geometry& geometry = mechanism.geometry;
-  const double scale = fastest_motion(motion, geometry.length);
   for (const CouplingFriction& friction : mechanism.frictions) {
     const auto e = static_cast<std::size_t>(friction.coupling.value);
     const int freedom = mechanism.topology.couplings[e].first_freedom;
@@ -290,8 +301,16 @@ std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mech
         .twist = motion.couplings[e],
         .at = geometry.points[e] - geometry.origin,
         .unit_action = [&](int a) { return geometry.actions[static_cast<std::size_t>(a)]; }});
-    const double speed = law.speed * (law.is_couple ? geometry.length : 1.0);
-    laws.push_back(speed > kReportZero * scale ? std::optional(law) : std::nullopt);
+    const auto slides = [&] {
+      const BoundedTwist twist = bounded_coupling(mechanism, motion, friction.coupling);
+      return !velocity_at(twist, geometry.points[e] - geometry.origin).zeroed().isZero(0.0);
+    };
+    const bool moves = law.speed > 0.0 && (law.is_couple || slides());
+    if (moves) {
+      laws.push_back(law);
+    } else {
+      laws.push_back(is_nothing_at_rest(friction) ? std::optional(law_at_rest(law)) : std::nullopt);
+    }
   }
   return laws;
 }

@@ -77,7 +77,8 @@ template <class Scalar>
 FrictionLawOf<Scalar> make_friction_law(const SlidingOf<Scalar>& sliding);
 
 /// The laws in a case with that motion, in the order of mechanism.frictions. Empty for a coupling
-/// that does not move relative to its tail: its friction has no direction.
+/// that does not move relative to its tail, as its friction has no direction; that of viscous
+/// friction alone is zero there.
 std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mechanism,
                                                            const KinematicSolution& motion);
 

@@ -57,7 +57,7 @@ StaticSolution completed(const Mechanism& mechanism,
     solution.status = SolveStatus::solved;
   }
   solution.residual = equilibrium.residual(found.magnitudes, known.loads);
-  solution.wrenches = coupling_wrenches(mechanism, solution);
+  make_wrenches(mechanism, solution);
   return solution;
 }
 

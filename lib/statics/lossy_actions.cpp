@@ -61,22 +61,34 @@ class SenseSearch {
 
   LossSearch run() {
     const Senses ideal = ideal_senses();
+    const LossSearch result = search(ideal);
+    if (result == LossSearch::found && std::ssize(meshes_) <= kMostSearchedMeshes &&
+        !is_contraction(*best_)) {
+      (void)try_all(ideal, [&](ChosenFrictions one) { return take_other(std::move(one)); });
+    }
+    return result;
+  }
+
+  // Accepted, or the first that agrees with itself.
+  const std::optional<ChosenFrictions>& best() const { return best_; }
+
+  // Accepted as well, with other actions.
+  const std::optional<ChosenFrictions>& other() const { return other_; }
+
+ private:
+  LossSearch search(const Senses& ideal) {
     if (iterate(ideal)) {
       return LossSearch::found;
     }
     if (std::ssize(meshes_) > kMostSearchedMeshes) {
       return LossSearch::undecided;
     }
-    if (try_all(ideal)) {
+    if (try_all(ideal, [&](ChosenFrictions one) { return take(std::move(one)); })) {
       return LossSearch::found;
     }
     return best_ ? LossSearch::rejected : LossSearch::none;
   }
 
-  // Accepted, or the first that agrees with itself.
-  const std::optional<ChosenFrictions>& best() const { return best_; }
-
- private:
   std::size_t law_of(std::size_t mesh, bool head_is_driven) const {
     return given_.frictions.size() + 2 * mesh + (head_is_driven ? 0 : 1);
   }
@@ -106,7 +118,8 @@ class SenseSearch {
     return false;
   }
 
-  bool try_all(const Senses& ideal) {
+  // Until one that agrees with itself is taken.
+  bool try_all(const Senses& ideal, const std::function<bool(ChosenFrictions)>& take_one) {
     std::vector<std::uint32_t> masks(std::size_t{1} << meshes_.size());
     std::iota(masks.begin(), masks.end(), 0U);
     std::ranges::stable_sort(masks, {}, [](std::uint32_t mask) { return std::popcount(mask); });
@@ -116,8 +129,45 @@ class SenseSearch {
         senses[i] = senses[i] != (((mask >> i) & 1U) != 0U);
       }
       const std::optional<ChosenFrictions> found = solve(senses);
-      return found && turned(senses, *found) == senses && take(*found);
+      return found && turned(senses, *found) == senses && take_one(*found);
     });
+  }
+
+  // Whether losses change what is lost by less than they are, in whatever senses, so that there is
+  // one answer. They are compared as powers. Whichever gear of a mesh is held back, the others feel
+  // as much of it, for its teeth pass on a couple of either; its own power differs by the loss.
+  bool is_contraction(const ChosenFrictions& found) const {
+    const auto speed = [&](std::size_t i) {
+      return std::abs(system_.law(found.laws[frictions_.size() + i]).speed);
+    };
+    const auto first = static_cast<Eigen::Index>(frictions_.size());
+    for (std::size_t m = 0; m < meshes_.size(); ++m) {
+      const FrictionFunction function =
+          system_.function_of(found.laws[frictions_.size() + m], found.laws);
+      const PressingForce& force = function.forces.front();
+      double sum = force.part->weight;
+      for (std::size_t j = 0; j < meshes_.size(); ++j) {
+        sum +=
+            std::abs(force.part->weight * force.slopes(0, first + static_cast<Eigen::Index>(j))) *
+            speed(m) / speed(j);
+      }
+      if (!(sum < 1.0)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // The senses of what does not roll under load differ without a difference.
+  bool take_other(ChosenFrictions found) {
+    const VecX actions = system_.actions_with(found);
+    const VecX known = system_.actions_with(*best_);
+    if (!is_accepted_(actions) ||
+        (actions - known).norm() <= kConsistency * (actions.norm() + known.norm())) {
+      return false;
+    }
+    other_ = std::move(found);
+    return true;
   }
 
   bool take(ChosenFrictions found) {
@@ -222,6 +272,7 @@ class SenseSearch {
   std::vector<std::size_t> frictions_;  // laws of couplings that can be evaluated
   std::vector<std::size_t> meshes_;     // likewise
   std::optional<ChosenFrictions> best_;
+  std::optional<ChosenFrictions> other_;
 };
 
 }  // namespace
@@ -233,7 +284,7 @@ LossyActions solve_with_losses(const Mechanism& mechanism,
   StaticSolution frictionless = solve_action(mechanism, basis, given.primaries, given.loads);
   if (frictionless.status != SolveStatus::solved &&
       frictionless.status != SolveStatus::underdetermined) {
-    return {.search = LossSearch::none, .solution = std::move(frictionless)};
+    return {.search = LossSearch::none, .solution = std::move(frictionless), .other = {}};
   }
   const std::vector<FrictionLaw> laws = all_laws(given);
   FrictionSystem system(mechanism, basis, given.primaries, given.loads, laws);
@@ -241,12 +292,15 @@ LossyActions solve_with_losses(const Mechanism& mechanism,
   SenseSearch search(system, given, is_accepted);
   const LossSearch outcome = search.run();
   if (search.best()) {
-    return {.search = outcome, .solution = system.solution_with(*search.best())};
+    return {.search = outcome,
+            .solution = system.solution_with(*search.best()),
+            .other = search.other() ? std::optional(system.solution_with(*search.other()))
+                                    : std::nullopt};
   }
   frictionless.status = SolveStatus::locked;
   frictionless.magnitudes.clear();
   frictionless.wrenches.clear();
-  return {.search = outcome, .solution = std::move(frictionless)};
+  return {.search = outcome, .solution = std::move(frictionless), .other = {}};
 }
 
 }  // namespace kinestat

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "statics/mesh_loss.hpp"
@@ -27,6 +28,9 @@ enum class LossSearch {
 struct LossyActions {
   LossSearch search = LossSearch::found;
   StaticSolution solution;
+  std::optional<StaticSolution> other;  ///< of other senses that agree with their actions and were
+                                        ///< accepted too, and whose actions differ: large losses
+                                        ///< may have several answers
 };
 
 /// What acts in a case: known actions, loads, and the laws of what is lost.
@@ -41,6 +45,7 @@ struct LossyStatics {
 /// does; where that goes in circles, or what it finds is not accepted, all are tried, those that
 /// turn the fewest meshes first (at most kMostSearchedMeshes meshes). With the senses the losses
 /// are linear and solved at once; friction of couplings is followed as in solve_with_friction.
+/// Losses so large that they may have several answers are searched for another.
 /// `is_accepted` is given the magnitudes of all actions. `basis` must hold the wrenches of all
 /// laws.
 [[nodiscard]] LossyActions solve_with_losses(const Mechanism& mechanism,

@@ -1,37 +1,15 @@
 #include "statics/pretension.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "core/tolerance.hpp"
 #include "math/linear_programme.hpp"
 #include "math/orthonormal.hpp"
 #include "statics/equilibrium.hpp"
+#include "statics/one_sided_action.hpp"
 
 namespace kinestat {
 
 namespace {
-
-// The tensions of the segments, as the actions that they are.
-std::vector<int> find_tensions(const Topology& topology) {
-  std::vector<int> tensions;
-  for (const CouplingTopology& coupling : topology.couplings) {
-    if (coupling.bears_tension()) {
-      tensions.push_back(coupling.first_action);
-    }
-  }
-  return tensions;
-}
-
-// Forces below this are none.
-double rounding_force(const Mechanism& mechanism, const StaticSolution& solution) {
-  double largest = 0.0;
-  for (std::size_t a = 0; a < solution.magnitudes.size(); ++a) {
-    const bool is_force = !mechanism.topology.actions[a].is_couple;
-    largest = std::max(largest, is_force ? std::abs(solution.magnitudes[a].value_or(0.0)) : 0.0);
-  }
-  return kNoReaction * largest;
-}
 
 // The self-stresses that no actuator takes part in, one a column.
 MatX stresses_without_actuators(const Mechanism& mechanism, const CoordinateBasis& basis) {
@@ -60,21 +38,6 @@ std::optional<VecX> least_factors(const MatX& pulls, const VecX& least) {
 }
 
 }  // namespace
-
-std::vector<CouplingId> find_pushed_segments(const Mechanism& mechanism,
-                                             const StaticSolution& solution) {
-  std::vector<CouplingId> pushed;
-  if (solution.magnitudes.empty()) {
-    return pushed;
-  }
-  const double rounding = rounding_force(mechanism, solution);
-  for (const int a : find_tensions(mechanism.topology)) {
-    if (solution.magnitudes[static_cast<std::size_t>(a)].value_or(0.0) < -rounding) {
-      pushed.push_back(mechanism.topology.actions[static_cast<std::size_t>(a)].coupling);
-    }
-  }
-  return pushed;
-}
 
 std::optional<VecX> find_pretension(const Mechanism& mechanism,
                                     const CoordinateBasis& basis,

@@ -9,10 +9,6 @@
 
 namespace kinestat {
 
-/// The segments (couplings of type cable) whose force is negative, beyond rounding.
-std::vector<CouplingId> find_pushed_segments(const Mechanism& mechanism,
-                                             const StaticSolution& solution);
-
 /// The actions [N·m or N], one an action, that keep every segment from being pushed when they are
 /// added: the self-stress without an actuator that pulls or leaves alone every segment and whose
 /// sum of tensions is least. A segment is then just slack. Empty where no self-stress does, or if a

@@ -71,8 +71,10 @@ struct StaticSolution {
   std::vector<std::optional<double>> magnitudes;  ///< of each action [N·m or N]
   std::vector<std::optional<Wrench>> wrenches;    ///< of each coupling: tail on head, friction
                                                   ///< included; empty if one of its actions is
-  std::vector<FrictionAction> friction;           ///< of the couplings that have any
-  std::vector<CouplingId> at_rest;                ///< where friction has no direction
+  std::vector<Wrench> wrench_bounds;     ///< how far each component of them may be off, rounding of
+                                         ///< the drawing included
+  std::vector<FrictionAction> friction;  ///< of the couplings that have any
+  std::vector<CouplingId> at_rest;       ///< where friction has no direction
   std::vector<CouplingId> open_friction;  ///< that depends on actions which equilibrium leaves open
   std::vector<IgnoredReaction> ignored;   ///< in the order of mechanism.frictions
   std::vector<SelfStress> self_stresses;  ///< of an underdetermined case; empty also where

@@ -1,6 +1,7 @@
 #include "statics/typed_action.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "math/bounded_solve.hpp"
 #include "network/node_system.hpp"
@@ -40,7 +41,7 @@ void fill(const Mechanism& mechanism,
     }
   }
   solution.answer.error_bound = worst_relative_error(solved.x, solved.bound, counts);
-  solution.wrenches = coupling_wrenches(mechanism, solution);
+  make_wrenches(mechanism, solution);
 }
 
 }  // namespace
@@ -65,12 +66,17 @@ std::optional<StaticSolution> solve_action_as_typed(const Mechanism& mechanism,
   const TypedElimination elimination(std::move(system), columns);
   const auto right = typed_load_vector(topology.body_count(), basis, which.loads, typed.loads);
   const auto solved = agrees(elimination, rounded) ? elimination.solve(known, right) : std::nullopt;
-  if (!solved || !solved->consistent || !solved->x.allFinite()) {
+  if (!solved || !solved->x.allFinite()) {
     return std::nullopt;
   }
   StaticSolution solution;
   solution.counts = rounded.counts;
   solution.evidence = rounded.evidence;
+  if (!solved->consistent) {
+    solution.status = SolveStatus::inconsistent;
+    return rounded.status == SolveStatus::solved ? std::optional(std::move(solution))
+                                                 : std::nullopt;
+  }
   const bool is_open = !elimination.free_columns().empty();
   solution.status = is_open ? SolveStatus::underdetermined : SolveStatus::solved;
   if (is_open) {

@@ -10,8 +10,9 @@ namespace kinestat {
 
 /// solve_action without rounding and without friction: in fractions where all numbers are,
 /// otherwise in a hundred digits. Counts and evidence are those of `rounded`, the solution in
-/// doubles. Actions that it leaves open stay so, unless none is open as typed. Empty where the
-/// primaries are not right as typed, as many actions are not open, or a number has no digits.
+/// doubles. Actions that it leaves open stay so, unless none is open as typed. Inconsistent where
+/// loads that balance but for rounding do not as typed. Empty where the primaries are not right as
+/// typed, as many actions are not open, or a number has no digits.
 [[nodiscard]] std::optional<StaticSolution> solve_action_as_typed(
     const Mechanism& mechanism,
     const std::vector<TypedScrew>& actions,

@@ -1,6 +1,9 @@
 #include "synthesis/special_frame.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "core/tolerance.hpp"
 
 namespace kinestat {
 
@@ -22,6 +25,10 @@ PointOf<Scalar> turned_by(const Scalar& angle) {
   return PointOf<Scalar>(cos(angle), sin(angle));
 }
 
+bool is_within_reach(const Point& point) {
+  return std::abs(point) <= kLargestNumber;
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -40,8 +47,7 @@ std::optional<Point> find_pole(const PositionJets& position) {
   }
   // o' = i (o - P) γ'.
   const Point pole = origin(position) + kI * origin(position, 1) / position.angle[1];
-  return std::isfinite(pole.real()) && std::isfinite(pole.imag()) ? std::optional(pole)
-                                                                  : std::nullopt;
+  return is_within_reach(pole) ? std::optional(pole) : std::nullopt;
 }
 
 std::optional<SpecialFrame> find_special_frame(const PositionJets& position) {
@@ -64,7 +70,8 @@ std::optional<SpecialFrame> find_special_frame(const PositionJets& position) {
   // What holds by the choice of the frame holds exactly.
   frame.derivatives[1] = Point(0.0, 0.0);
   frame.derivatives[2] = Point(0.0, frame.diameter);
-  return frame;
+  return std::ranges::all_of(frame.derivatives, is_within_reach) ? std::optional(frame)
+                                                                 : std::nullopt;
 }
 
 template <class Scalar>

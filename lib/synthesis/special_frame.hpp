@@ -43,7 +43,7 @@ struct StationaryCurvature {
 };
 
 /// Needs three derivatives of the pose at least: the order is 3, 4 or 5. Empty if the plane does
-/// not turn there.
+/// not turn there, or so slowly that lengths above kLargestNumber follow.
 std::optional<SpecialFrame> find_special_frame(const PositionJets& position);
 
 /// The position whose moving frame has its origin at `at` and stands at `angle`, by the angle as
@@ -53,8 +53,8 @@ PositionJetsOf<Scalar> jets_of(const SpecialFrameOf<Scalar>& frame,
                                const PointOf<Scalar>& at,
                                const Scalar& angle);
 
-/// The point about which the plane turns at the instant; empty if it does not turn or the order is
-/// below 2.
+/// The point about which the plane turns at the instant; empty if it does not turn, the order is
+/// below 2, or the point lies beyond kLargestNumber.
 std::optional<Point> find_pole(const PositionJets& position);
 
 /// Points whose paths have an inflection there.

@@ -10,6 +10,7 @@ from __future__ import annotations
 import itertools
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 
 Row = dict[str, Fraction]
 HOUSING = "housing"
@@ -54,6 +55,28 @@ def solve(rows: list[list[Fraction]], right: list[Fraction]) -> list[Fraction | 
     return values
 
 
+def particular(rows: list[list[Fraction]], right: list[Fraction]) -> list[Fraction]:
+    """The solution with zeros where it is open."""
+    values = [Fraction(0)] * len(rows[0])
+    for row in echelon([[*row, b] for row, b in zip(rows, right)]):
+        values[next(i for i, x in enumerate(row) if x != 0)] = row[-1]
+    return values
+
+
+def null_space(rows: list[list[Fraction]], count: int) -> list[list[Fraction]]:
+    """One vector a free unknown, which is 1 there."""
+    reduced = echelon(rows)
+    leading = [next(i for i, x in enumerate(row) if x != 0) for row in reduced]
+    vectors = []
+    for free in (i for i in range(count) if i not in leading):
+        vector = [Fraction(0)] * count
+        vector[free] = Fraction(1)
+        for at, row in zip(leading, reduced):
+            vector[at] = -row[free]
+        vectors.append(vector)
+    return vectors
+
+
 @dataclass
 class State:
     """What becomes of one combination of engaged elements."""
@@ -91,28 +114,43 @@ class Train:
     def combinations(self, size: int) -> list[tuple[str, ...]]:
         return list(itertools.combinations(self.elements, size))
 
+    @cached_property
+    def motions(self) -> list[list[Fraction]]:
+        """What the open train can do: the speeds of all shafts in each motion."""
+        return null_space([self.row(one) for one in self.sets], len(self.shafts))
+
+    def rates(self, speeds: Row) -> list[Fraction]:
+        """A combination of speeds, in each motion of the open train."""
+        row = self.row(speeds)
+        return [sum((a * b for a, b in zip(row, motion)), Fraction(0)) for motion in self.motions]
+
     def state(self, engaged: tuple[str, ...], torque: Fraction = Fraction(1)) -> State:
-        rows = [*self.sets, *(self.slip(element) for element in engaged)]
-        turns: Row = {self.input: Fraction(1)}
-        if self.rank([*rows, turns]) == self.rank(rows):
+        rows = [self.rates(self.slip(element)) for element in engaged]
+        held = len(echelon(rows))
+        turns = self.rates({self.input: Fraction(1)})
+        driven = echelon([*rows, turns])
+        if len(driven) == held:
             return State("locked")
-        speeds = solve([self.row(row) for row in [*rows, turns]],
-                       [Fraction(0)] * len(rows) + [Fraction(1)])
-        assert speeds is not None
-        out = speeds[self.shafts.index(self.output)]
+        fixed = particular([*rows, turns], [Fraction(0)] * len(rows) + [Fraction(1)])
+
+        def rate(speeds: Row) -> Fraction | None:
+            """In the motion with the input at 1; None where it is open."""
+            row = self.rates(speeds)
+            if len(echelon([*driven, row])) > len(driven):
+                return None
+            return sum((a * b for a, b in zip(row, fixed)), Fraction(0))
+
+        out = rate({self.output: Fraction(1)})
         if out is None:
             return State("neutral")
         if out == 0:
             return State("locked")
-        surplus = len(engaged) - (self.rank(rows) - self.rank(self.sets))
-        if len(engaged) > self.net_freedom() - 1 and surplus > 0:
+        if len(engaged) > self.net_freedom() - 1 and len(engaged) > held:
             return State("tie-up")
         state = State("gear", 1 / out)
         for element in self.elements:
-            ends = [Fraction(0) if end == HOUSING else speeds[self.shafts.index(end)]
-                    for end in self.elements[element]]
             state.slips[element] = (Fraction(0) if element in engaged else
-                                    None if None in ends else ends[1] - ends[0])
+                                    rate(self.slip(element)))
         self.add_torques(engaged, torque, state)
         return state
 

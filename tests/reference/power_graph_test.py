@@ -70,22 +70,27 @@ class PowerGraph(unittest.TestCase):
             self.assertEqual(power["meshes"][name]["carrier"], "carrier")
             self.assertAlmostEqual(power["meshes"][name]["rolling"], float(expected), delta=1e-10)
 
-    def test_power_of_the_second_gear_goes_in_a_circle_that_rolls(self) -> None:
+    # The carrier is free in both: what goes from it to planet 6 comes back from planet 5 (arcs g and
+    # f, Cazangi's figures 5.18 and 5.22), by forces that depend on where the planets are drawn.
+    def test_planets_that_mesh_with_each_other_make_no_circle(self) -> None:
         cases = report_of(MECHANISMS / TRAIN)["cases"]
-        circle = {"bodies": ["carrier", "planet6", "planet5"], "couplings": ["g", "i", "f"]}
+        for label, power in (("M2", 4675 / 31), ("M3", 6930 / 31)):
+            arcs = cases[label]["power"]["arcs"]
+            self.assertAlmostEqual(arcs["g"]["power"], power, delta=1e-9)
+            self.assertAlmostEqual(arcs["f"]["power"], power, delta=1e-9)
+            self.assertEqual(cases[label]["power"]["recirculation"]["loops"], [], label)
+            self.assertAlmostEqual(cases[label]["power"]["recirculation"]["factor"], 1.0,
+                                   delta=1e-12)
 
-        self.assertEqual(cases["M1"]["power"]["recirculation"]["loops"], [])
-        self.assertEqual(cases["M2"]["power"]["recirculation"]["loops"], [circle | {"rolls": True}])
-        self.assertAlmostEqual(cases["M2"]["power"]["recirculation"]["factor"], 46.75 / 31,
-                               delta=1e-12)
+    # In the third gear clutch E joins sun 3 and sun 4, and the circle goes through sets 2 and 4. Its
+    # largest power is that of set 2's carrier: torque times speed of a shaft.
+    def test_power_of_a_clutched_set_goes_in_a_circle(self) -> None:
+        power = report_of(MECHANISMS / "transmissions/zf_8hp70.yaml")["cases"]["3"]["power"]
+        circle = power["recirculation"]["loops"][0]
 
-    def test_power_of_the_direct_gear_goes_in_a_circle_that_does_not_roll(self) -> None:
-        cases = report_of(MECHANISMS / TRAIN)["cases"]
-
-        self.assertEqual([loop["rolls"] for loop in cases["M3"]["power"]["recirculation"]["loops"]],
-                         [False])
-        self.assertAlmostEqual(cases["M3"]["power"]["recirculation"]["factor"], 69.3 / 31,
-                               delta=1e-12)
+        self.assertEqual(circle["couplings"], ["P2", "r2", "E", "C"])
+        self.assertAlmostEqual(max(circle["powers"]),
+                               power["recirculation"]["factor"] * power["input"], delta=1e-8)
 
 
 if __name__ == "__main__":

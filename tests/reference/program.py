@@ -20,6 +20,14 @@ def call(command: str, *arguments: str, text: str | None = None) -> subprocess.C
     )
 
 
+def plain(command: str, *arguments: str, text: str | None = None) -> subprocess.CompletedProcess:
+    """A call in the form that the command has by itself."""
+    return subprocess.run(
+        [_path, command, *arguments],
+        input=text, capture_output=True, text=True, check=False,
+    )
+
+
 def report(done: subprocess.CompletedProcess) -> dict:
     """The report of a call, which may have failed; empty if it wrote none."""
     return json.loads(done.stdout or "{}")

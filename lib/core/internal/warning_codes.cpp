@@ -122,6 +122,35 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "its own line. In each step it moves by as little as it must, so that how far it has turned "
      "depends on the number of steps, and is not what its velocities add up to. All other "
      "positions are determined. A case may give its rate: velocities meet that."},
+    {"W0507",
+     done,
+     "velocities or accelerations left out",
+     "A row of a motion has no velocities, although the case knows speeds: in this position the "
+     "drives do not determine them, or the known speeds do not tell how fast the drives run, as "
+     "at a dead point of what is known. Accelerations are left out a little earlier, where the "
+     "error of the position, some roundings, would be most of them. All other rows have theirs. "
+     "Give the speeds of the drives themselves, or take steps that miss the position."},
+    {"W0508",
+     done,
+     "friction turns round",
+     "Where a coupling with friction comes to rest and turns back, its friction does too: actions "
+     "jump from those of one direction to those of the other. At the dead point itself they may "
+     "be anything between the two, and a row that falls on it has none. The message names the "
+     "rows before and behind; take more steps to narrow them."},
+    {"W0509",
+     done,
+     "dead points may be missing",
+     "Dead points are looked for between the positions, as often as the fastest part asks for. The "
+     "motion has so many turns of it that this would take minutes: from some place on only the "
+     "positions themselves were looked at. Let the motion run through a shorter range."},
+    {"W0510",
+     done,
+     "positions that do not close",
+     "An overconstrained mechanism moves only if its dimensions fit exactly. With coordinates of a "
+     "few figures they do not: as typed it is a structure, and 'analyze' and 'mobility' say so. "
+     "The motion is followed all the same, each position as near to closed as it can be, if none "
+     "misses by more than 1e-5 of the size; what is missed is in the report. Type more figures, "
+     "or expressions; or let an uncertain link go, if one too many is drawn."},
     {"W0601",
      done,
      "actions are statically indeterminate",
@@ -184,6 +213,13 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "drive, the output, too, would have to give power. It is a result and no mistake: a train of "
      "high ratio may hold a load without a brake. The report has the efficiency of the other "
      "direction; 'kinestat help losses' has an example."},
+    {"W0703",
+     done,
+     "losses of meshes have two answers",
+     "Losses so large change which gear of a mesh drives, and here two choices agree with all the "
+     "powers that they cause: the train may run with either efficiency, as how it was started "
+     "decides. The report gives the answer that turns the fewest meshes against the lossless "
+     "train, and names the other. Losses of real teeth, some hundredths, have one answer."},
     {"W0711",
      done,
      "too few shift elements for a gear",

@@ -8,9 +8,19 @@ namespace kinestat {
 
 namespace {
 
-// mod(a, b) = a - b*floor(a/b), whose floor is constant between its jumps.
+bool is_near_whole(double value) {
+  return is_tie(value, std::round(value));
+}
+
+bool is_near_half(double value) {
+  return is_tie(value, std::round(value - 0.5) + 0.5);
+}
+
+// mod(a, b) = a - b*floor(a/b), whose floor is constant between its jumps; what moves a in
+// proportion to b does not come to one.
 Dual modulo(const Dual& a, const Dual& b) {
-  return chain(0.0, 1.0, a, -std::floor(a.value / b.value), b);
+  const Dual quotient = a / b;
+  return a - b * staircase(std::floor(quotient.value), is_near_whole(quotient.value), quotient);
 }
 
 Dual apply_function(Function function, const Dual& a, const Dual& b) {
@@ -50,11 +60,13 @@ Dual apply_function(Function function, const Dual& a, const Dual& b) {
       return modulo(a, b);
     case Function::floor:
     case Function::ceil:
+      return staircase(0.0, is_near_whole(a.value), a);
     case Function::round:
+      return staircase(0.0, is_near_half(a.value), a);
     case Function::gcd:
       break;
   }
-  return chain(0.0, 0.0, a, 0.0, b);  // steps
+  return staircase(0.0, true, a, b);  // of whole numbers alone
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,6 +12,7 @@
 #include <variant>
 
 #include "core/contract.hpp"
+#include "core/tolerance.hpp"
 #include "expression/evaluate.hpp"
 #include "expression/internal/evaluation.hpp"
 #include "expression/internal/regroup.hpp"
@@ -29,13 +31,30 @@ Number in_si(const Number& count, const UnitScale& unit) {
   }
 }
 
-/// The number in SI that a value has become, unless a unit of the file made it infinite or nothing.
+/// Whether answers are proportional to it: what is too large then shows in the answer.
+inline bool is_known_magnitude(QuantityKind kind) {
+  using enum QuantityKind;
+  return kind == force || kind == moment || kind == velocity || kind == angular_velocity;
+}
+
+/// The largest number of a kind that is computed with [SI].
+inline double largest_number(QuantityKind kind) {
+  return is_known_magnitude(kind) ? std::numeric_limits<double>::max() : kLargestNumber;
+}
+
+/// The number in SI that a value has become, unless it is too large to be computed with or a unit
+/// of the file made it infinite or nothing.
 template <class Number>
-std::variant<Number, ExpressionError> in_range(const Number& given, Number number) {
+std::variant<Number, ExpressionError> in_range(const Number& given,
+                                               Number number,
+                                               QuantityKind kind) {
   const double before = plain(BasicQuantity<Number>{given, {}}).value;
   const double after = plain(BasicQuantity<Number>{number, {}}).value;
   if (!std::isfinite(after)) {
     return too_large();
+  }
+  if (std::abs(after) > largest_number(kind)) {
+    return beyond_computing();
   }
   if (after == 0.0 && before != 0.0) {
     return too_small();
@@ -84,13 +103,13 @@ std::variant<Number, ExpressionError> fit(const std::type_identity_t<BasicQuanti
                                           const FileUnits& units) {
   constexpr UnitScale kTurn{2.0, 1.0, 1};  // [rad]
   if (is_bare(value.dimension)) {
-    return in_range(value.value, in_si(value.value, units.scale(kind)));
+    return in_range(value.value, in_si(value.value, units.scale(kind)), kind);
   }
   if (!fits(value.dimension, kind)) {
     return misfit(value.dimension, kind);
   }
   const bool is_per_radian = kind == QuantityKind::lead && value.dimension.angle == -1;
-  return in_range(value.value, is_per_radian ? in_si(value.value, kTurn) : value.value);
+  return in_range(value.value, is_per_radian ? in_si(value.value, kTurn) : value.value, kind);
 }
 
 template <class Number>

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/tolerance.hpp"
 #include "expression/internal/characters.hpp"
 #include "expression/internal/suggestion.hpp"
 
@@ -48,6 +49,14 @@ ExpressionError too_large() {
   return {.code = "E0316",
           .message = "the value is out of range in SI units",
           .hint = "write a smaller number"};
+}
+
+ExpressionError beyond_computing() {
+  return {.code = "E0320",
+          .message = "the value is beyond what can be computed with",
+          .hint = fmt::format("numbers of a mechanism reach to {:g} in SI units; for a point that "
+                              "is infinitely far write a direction",
+                              kLargestNumber)};
 }
 
 ExpressionError too_small() {

@@ -7,6 +7,13 @@
 
 namespace kinestat {
 
+namespace {
+
+// Choices that cannot be completed are found late: their number has no bound but the binomial.
+constexpr std::uint64_t kMostWork = 4'000'000'000;
+
+}  // namespace
+
 CobasisSearch::CobasisSearch(const MatX& rows, std::vector<int> required, std::vector<int> allowed)
     : columns_(std::move(required)),
       required_(columns_.size()),
@@ -32,6 +39,7 @@ CobasisSearch::CobasisSearch(const MatX& rows, std::vector<int> required, std::v
 bool CobasisSearch::run(const std::function<bool(const std::vector<int>&)>& found) {
   found_ = &found;
   chosen_.clear();
+  work_ = 0;
   if (required_ > height_) {
     return true;
   }
@@ -59,6 +67,7 @@ bool CobasisSearch::take(std::size_t depth, std::size_t column) {
       pivot = r;
     }
   }
+  work_ += rows * (width_ - column);
   const double value = from[pivot * width_ + column];
   if (is_zero(value, column)) {
     return false;
@@ -116,6 +125,9 @@ bool CobasisSearch::extend(std::size_t depth, std::size_t next) {
   for (std::size_t c = next; c + missing <= width_; ++c) {
     if (!can_be_completed(depth, c)) {
       return true;
+    }
+    if (work_ > kMostWork) {
+      return false;
     }
     if (!take(depth, c)) {
       continue;

@@ -18,7 +18,8 @@ class CobasisSearch {
   CobasisSearch(const MatX& rows, std::vector<int> required, std::vector<int> allowed);
 
   /// Calls `found` for each choice in lexicographic order of the columns that are not required,
-  /// those first, until it returns false. Whether all were found.
+  /// those first, until it returns false, or the search has taken as much work as some seconds
+  /// hold. Whether all were found.
   bool run(const std::function<bool(const std::vector<int>&)>& found);
 
  private:
@@ -39,6 +40,7 @@ class CobasisSearch {
   std::vector<double> least_;  ///< of each of columns_: the size that counts
   std::vector<Level> levels_;
   std::vector<int> chosen_;
+  std::uint64_t work_ = 0;  ///< entries that were worked on
   const std::function<bool(const std::vector<int>&)>* found_ = nullptr;
 };
 

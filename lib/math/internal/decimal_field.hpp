@@ -10,9 +10,17 @@ namespace kinestat {
 struct DecimalField {
   using Value = BigFloat;
 
-  static bool is_zero(const BigFloat& a) {
-    static const BigFloat least = pow(BigFloat(10), -60);
-    return abs(a) <= least;
+  static bool is_zero(const BigFloat& a) { return is_zero_among(a, BigFloat(1)); }
+
+  /// Of a sum of terms whose sizes sum to `size`.
+  static bool is_zero_among(const BigFloat& a, const BigFloat& size) {
+    return abs(a) <= rounding() * size;
+  }
+
+  /// What counts as zero, as share of the terms that it is a sum of.
+  static const BigFloat& rounding() {
+    static const BigFloat share = pow(BigFloat(10), -60);
+    return share;
   }
 
   static BigFloat quotient(const BigFloat& a, const BigFloat& b) { return a / b; }

@@ -11,10 +11,13 @@
 
 namespace kinestat {
 
-/// "w" along a vector, "wx" along a world axis.
+/// "wx" along a world axis, "w" along a vector or against a world axis: a positive wx of an axis -x
+/// would turn the other way about x.
 template <class Scalar>
 std::string name_along(char kind, const AxisOf<Scalar>& axis) {
-  return axis.keyword == 0 ? std::string(1, kind) : std::string{kind, axis.keyword};
+  const bool is_along_world =
+      axis.keyword != 0 && value_of(axis.direction[axis.keyword - 'x']) > 0.0;
+  return is_along_world ? std::string{kind, axis.keyword} : std::string(1, kind);
 }
 
 /// t1 = normalised(k - (k·a)a) with k the first of x, y, z of least |k·a|, and t2 = a x t1.

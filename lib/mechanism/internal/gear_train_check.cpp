@@ -42,6 +42,7 @@ class GearTrainCheck {
     }
     for (const CouplingDescription& coupling : context_.description.couplings) {
       check_bearing(layout, coupling);
+      check_clutch(layout, coupling);
     }
   }
 
@@ -187,6 +188,42 @@ class GearTrainCheck {
         is_planar ? "remove its 'at': 'gears' finds the axis"
                   : "write its position along the axis alone, for example at: 0: 'gears' finds the "
                     "axis");
+  }
+
+  bool bears(const Name& a, const Name& b) const {
+    return std::ranges::any_of(
+        context_.description.couplings, [&](const CouplingDescription& coupling) {
+          return coupling.type == CouplingType::revolute &&
+                 ((coupling.tail.text == a.text && coupling.head.text == b.text) ||
+                  (coupling.tail.text == b.text && coupling.head.text == a.text));
+        });
+  }
+
+  // What a clutch joins turns about one axis, unless one of the two bears the other.
+  void check_clutch(const GearLayout& layout, const CouplingDescription& coupling) {
+    const std::string& ground = context_.description.ground.text;
+    if (coupling.type != CouplingType::clutch || coupling.tail.text == ground ||
+        coupling.head.text == ground || bears(coupling.tail, coupling.head)) {
+      return;
+    }
+    const Vec3 tail = layout.axis_of(coupling.tail.text, coupling.tail.text);
+    const Vec3 head = layout.axis_of(coupling.head.text, coupling.head.text);
+    if ((tail - head).norm() <= kReportsAgree * std::max(tail.norm(), head.norm())) {
+      return;
+    }
+    context_.found.error(
+        "E0318",
+        coupling.name.where,
+        fmt::format("clutch '{}' joins bodies that turn about two axes: '{}' stands {} from the "
+                    "main axis, '{}' {}, with {} between them",
+                    coupling.name.text,
+                    coupling.tail.text,
+                    length(tail.norm()),
+                    coupling.head.text,
+                    length(head.norm()),
+                    length((tail - head).norm())),
+        "write the same 'centre_distance' for the gears of both, or correct the teeth; engaged "
+        "between two axes it would hold both still");
   }
 
   // What the mesh asks for against what others or the file have fixed.

@@ -19,6 +19,13 @@ bool are_coaxial(const Twist& one, const Twist& other, double length) {
   return turn.norm() <= kParallelAxes && slide.norm() <= kSameValue * length;
 }
 
+// Whether the coupling lets a rope slip on a pulley, which is no bar.
+bool slips(const Mechanism& mechanism, const CouplingTopology& coupling) {
+  return std::ranges::any_of(mechanism.contacts, [&](const CableContact& contact) {
+    return contact.slips && &mechanism.topology.coupling(*contact.slips) == &coupling;
+  });
+}
+
 }  // namespace
 
 void warn_of_links_without_length(const Mechanism& mechanism, Diagnostics& found) {
@@ -30,8 +37,8 @@ void warn_of_links_without_length(const Mechanism& mechanism, Diagnostics& found
   }
   for (std::size_t b = 1; b < joined.size(); ++b) {
     const bool is_bar =
-        joined[b].size() == 2 && std::ranges::all_of(joined[b], [](const CouplingTopology* one) {
-          return one->type == CouplingType::revolute;
+        joined[b].size() == 2 && std::ranges::all_of(joined[b], [&](const CouplingTopology* one) {
+          return one->type == CouplingType::revolute && !slips(mechanism, *one);
         });
     const auto motion = [&](std::size_t i) {
       return mechanism.geometry.motions[static_cast<std::size_t>(joined[b][i]->first_freedom)];

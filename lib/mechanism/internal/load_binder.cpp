@@ -7,6 +7,7 @@
 
 #include "core/contract.hpp"
 #include "core/text.hpp"
+#include "mechanism/internal/load_moment.hpp"
 #include "mechanism/internal/weight_binder.hpp"
 
 namespace kinestat {
@@ -51,7 +52,7 @@ std::optional<Load> bind_load(const LoadDescription& load,
   if (body <= 0 || !point || !force || !couple) {
     return std::nullopt;
   }
-  const Vec3 moment = load.at ? Vec3((*point - origin).cross(*force) + *couple) : *couple;
+  const Vec3 moment = load.at ? moment_of_load(*point, *force, *couple, origin) : *couple;
   return Load{.name = load.name.text,
               .acts = {.body = BodyId{body}, .wrench = {.moment = moment, .force = *force}},
               .point = load.at ? point : std::nullopt,

@@ -71,11 +71,19 @@ class PlanetMemberCheck {
     const std::string& body = member(index).body.text;
     const std::string& carrier = carrier_of(mesh, context_.description);
     const std::vector<std::string> holders = holders_of(body);
-    if (planet_of(index) < 0 || holders.empty() ||
-        std::ranges::find(holders, carrier) != holders.end()) {
+    if (planet_of(index) < 0 || holders.empty()) {
       return;
     }
-    if (mesh.carrier) {
+    if (is_idler_on_shaft(index, holders.front())) {
+      refuse_idler(mesh, index, holders.front());
+      return;
+    }
+    if (std::ranges::find(holders, carrier) != holders.end()) {
+      return;
+    }
+    if (mesh.carrier && holders == std::vector<std::string>{context_.description.ground.text}) {
+      refuse_second_axis(mesh, index);
+    } else if (mesh.carrier) {
       context_.found.error("E0314",
                            mesh.carrier->where,
                            fmt::format("the carrier of mesh '{}' is '{}', but its planet '{}' "
@@ -95,6 +103,63 @@ class PlanetMemberCheck {
                       holders.front()),
           fmt::format("add 'carrier: {}'", holders.front()));
     }
+  }
+
+  // A planet hands on what it takes from one gear to another, or to what its body drives. What
+  // meshes once, turns on a shaft and is clutched to it alone is an idler of a lay shaft.
+  bool is_idler_on_shaft(int index, const std::string& shaft) const {
+    const std::string& body = member(index).body.text;
+    const auto meshes = std::ranges::count_if(gears_.meshes, [&](const MeshDescription& mesh) {
+      return is_on(mesh.first, body) || is_on(mesh.second, body);
+    });
+    bool is_clutched = false;
+    for (const CouplingDescription& coupling : context_.description.couplings) {
+      const bool is_at = coupling.tail.text == body || coupling.head.text == body;
+      const Name& other = coupling.tail.text == body ? coupling.head : coupling.tail;
+      if (is_at && !coupling.is_mesh() && other.text != shaft) {
+        return false;
+      }
+      is_clutched = is_clutched || (is_at && coupling.type == CouplingType::clutch);
+    }
+    return shaft != context_.description.ground.text && is_clutched && meshes == 1;
+  }
+
+  bool is_on(const Name& name, const std::string& body) const {
+    const GearMember* one = find_member(gears_, name);
+    return one != nullptr && one->body.text == body;
+  }
+
+  void refuse_idler(const MeshDescription& mesh, int index, const std::string& shaft) {
+    const std::string& body = member(index).body.text;
+    const std::string& ground = context_.description.ground.text;
+    context_.found.error(
+        "E0319",
+        mesh.name.where,
+        fmt::format("gear '{}' turns on shaft '{}', meshes once and is clutched to the shaft: an "
+                    "idler, which 'gears' does not place by its shaft",
+                    member(index).name.text,
+                    shaft),
+        fmt::format("bear it on the ground, beside the shaft, bodies: [{}, {}], write its mesh{} "
+                    "and the same 'centre_distance' for the gears of '{}'",
+                    ground,
+                    body,
+                    mesh.carrier ? " without 'carrier'" : "",
+                    shaft));
+  }
+
+  // A sun on the housing that has to be a planet of the main axis, and meshes in a moving carrier.
+  void refuse_second_axis(const MeshDescription& mesh, int index) {
+    context_.found.error(
+        "E0314",
+        mesh.carrier->where,
+        fmt::format("mesh '{}' has the moving carrier '{}', but its gear '{}' turns on the ground "
+                    "beside the main axis: 'gears' has one main axis for all planetary sets",
+                    mesh.name.text,
+                    mesh.carrier->text,
+                    member(index).name.text),
+        "write the set beside it as couplings of type gear, with 'at' and 'line_of_action' for its "
+        "meshes and 'at' for its bearings: 'kinestat help couplings'; or name the body that bears "
+        "the planet");
   }
 
   // What only planets have, and only some of them.

@@ -15,10 +15,6 @@ constexpr NumberRule kPathRatio = {.kind = QuantityKind::dimensionless,
                                    .accepts = [](double x) { return x != 0.0; },
                                    .allowed = "a ratio other than zero"};
 
-constexpr NumberRule kAnyNumber = {.kind = QuantityKind::dimensionless,
-                                   .accepts = [](double) { return true; },
-                                   .allowed = "a number"};
-
 constexpr NumberRule kTransmissionAngle = {
     .kind = QuantityKind::angle,
     .accepts = [](double x) { return x >= 0.0 && x < std::numbers::pi / 2; },
@@ -77,7 +73,7 @@ class SynthesisCheck {
     context_.point(position.pole);
     for (const PoseDerivative& derivative : position.derivatives) {
       context_.point(derivative.at);
-      context_.number(derivative.angle, kAnyNumber, "'angle' of a derivative of " + what);
+      context_.number(derivative.angle, kAnyAngle, "'angle' of a derivative of " + what);
     }
     if (position.curvature) {
       check_curvature(*position.curvature, what);
@@ -192,12 +188,12 @@ class SynthesisCheck {
   }
 
   void check_range(const SynthesisRange& range) {
-    context_.components(range.from, kind_of(range.which));
-    context_.components(range.to, kind_of(range.which));
     if (range.which == FreeNumber::circle_points) {
       check_circle_points(range);
       return;
     }
+    context_.components(range.from, kind_of(range.which));
+    context_.components(range.to, kind_of(range.which));
     const bool has_curvature = std::ranges::any_of(
         task_.positions, [](const PositionDescription& one) { return one.curvature.has_value(); });
     if (!has_curvature) {
@@ -210,6 +206,14 @@ class SynthesisCheck {
   }
 
   void check_circle_points(const SynthesisRange& range) {
+    const std::optional<Vec3> from = context_.vector(range.from, QuantityKind::length);
+    const std::optional<Vec3> to = context_.vector(range.to, QuantityKind::length);
+    if (from && to && *from == *to) {
+      context_.found.error("E0321",
+                           range.name_where,
+                           "the range of the circle points is a single point",
+                           "write two opposite corners of the area in which they may lie");
+    }
     int count = 0;
     for (const PositionDescription& position : task_.positions) {
       count += position.order();

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "mechanism/internal/load_moment.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -76,7 +78,7 @@ std::vector<Load> bind_weights(const SectionContext& context, const Vec3& origin
     }
     if (mass && centre && acceleration) {
       const Vec3 force = *mass * *acceleration;
-      const Vec3 moment = (*centre - origin).cross(force);
+      const Vec3 moment = moment_of_load(*centre, force, Vec3::Zero(), origin);
       weights.push_back({.name = "gravity." + body.name.text,
                          .acts = {.body = BodyId{context.names.bodies.find(body.name.text)},
                                   .wrench = {.moment = moment, .force = force}},

@@ -30,20 +30,29 @@ double Surroundings::share_at(double place) const {
   return sum;
 }
 
-double Surroundings::determinant_at(double place) const {
+double Surroundings::determinant_at(std::size_t part, double place) const {
   double sum = 0.0;
-  for (std::size_t i = 0; i < determinants.size(); ++i) {
-    sum += cubic_weight(places, i, place) * determinants[i];
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    sum += cubic_weight(places, i, place) * parts[part].determinants[i];
   }
   return sum;
 }
 
-double Surroundings::uncertainty() const {
+double Surroundings::uncertainty(std::size_t part) const {
+  const auto& [which, determinants, flatness] = parts[part];
   const double bend =
       determinants[3] - 3.0 * determinants[2] + 3.0 * determinants[1] - determinants[0];
   const double length = places[3] - places[0];
   const double slope = (determinants[3] - determinants[0]) / length;
   return std::max(std::abs(bend / slope), kEpsilon * length / (flatness * flatness));
+}
+
+double Crossing::uncertainty() const {
+  double worst = 0.0;
+  for (const ChangePlace& one : places) {
+    worst = std::max(worst, one.uncertainty);
+  }
+  return worst;
 }
 
 ArcPoint Surroundings::point_at(double place) const {

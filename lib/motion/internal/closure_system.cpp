@@ -296,6 +296,35 @@ void ClosureSystem<Frames>::evaluate(std::span<const double> coordinates,
 }
 
 template <class Frames>
+std::vector<std::span<const int>> ClosureSystem<Frames>::rates_of_rows() const {
+  std::vector<std::span<const int>> result;
+  for (const Row& row : rows_) {
+    const int count = row.kind == ClosureKind::meet ? Frames::kDirections : 1;
+    result.insert(result.end(), at(count), row.rates);
+  }
+  for (const RollingRow& rolling : rollings_) {
+    result.emplace_back(rolling.rates);
+  }
+  return result;
+}
+
+template <class Frames>
+double ClosureSystem<Frames>::reach() const {
+  double reach = 1.0;
+  const auto include = [&](int frame, const Plain& point) {
+    reach = std::max(reach, frames_[at(frame)].point(point).norm());
+  };
+  for (const ClosureJoint& joint : joints_) {
+    include(joint.parent, Frames::vector(joint.point));
+  }
+  for (const Row& row : rows_) {
+    include(row.tail_frame, row.tail_point);
+    include(row.head_frame, row.head_point);
+  }
+  return reach;
+}
+
+template <class Frames>
 double ClosureSystem<Frames>::largest_residual() const {
   double largest = 0.0;
   for (const double one : residuals_) {

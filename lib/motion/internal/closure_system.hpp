@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "motion/internal/closure_joint.hpp"
+#include "motion/internal/framed_row.hpp"
 #include "motion/internal/planar_frames.hpp"
 #include "motion/internal/spatial_frames.hpp"
 #include "motion/internal/turns.hpp"
@@ -13,8 +14,7 @@
 namespace kinestat {
 
 /// Lengths in sizes of the mechanism, so that turns and slides are of one order. The rates of all
-/// joints are the unknowns; `Frames` is PlanarFrames or SpatialFrames. One a thread: it evaluates
-/// into buffers of its own.
+/// joints are the unknowns; `Frames` is PlanarFrames or SpatialFrames. Its buffers serve a thread.
 template <class Frames>
 class ClosureSystem {
  public:
@@ -29,8 +29,7 @@ class ClosureSystem {
 
   const std::vector<double>& drawn_angles() const { return first_angles_; }
 
-  /// Frames, residuals and their derivatives towards the rates; angles are those of a position near
-  /// by, from which full turns are counted.
+  /// Frames, residuals, derivatives towards the rates; full turns are counted from the angles.
   void evaluate(std::span<const double> coordinates, std::span<const double> angles);
 
   /// Of the last evaluation: one a row, and rows x rates, one column after the other.
@@ -42,6 +41,12 @@ class ClosureSystem {
 
   /// The coupling of each row.
   const std::vector<int>& row_couplings() const { return row_couplings_; }
+
+  /// The rates of the joints that a row depends on.
+  std::vector<std::span<const int>> rates_of_rows() const;
+
+  /// In sizes: no joint is farther from the origin, in the last evaluation; at least 1.
+  double reach() const;
 
   /// Which rows miss a length, the others an angle.
   const std::vector<bool>& is_length() const { return is_length_; }
@@ -89,22 +94,7 @@ class ClosureSystem {
   using Vector = typename Frames::template Vector<S>;
   using Plain = Vector<double>;
 
-  struct Row {
-    ClosureKind kind = ClosureKind::meet;
-    int tail_frame = 0;
-    int head_frame = 0;
-    Plain tail_point = Plain::Zero();
-    Plain head_point = Plain::Zero();
-    Plain tail = Plain::Zero();
-    Plain head = Plain::Zero();
-    double value = 0.0;
-    double tail_radius = 0.0;
-    double head_radius = 0.0;
-    int angle = -1;
-    int first = 0;              ///< row of the system
-    std::vector<int> rates;     ///< of the joints between the two frames
-    std::vector<double> signs;  ///< +1: the joint moves the head
-  };
+  using Row = FramedRow<Plain>;
 
   template <class S>
   struct Span {

@@ -27,6 +27,14 @@ inline constexpr double kStepToStart = 0.1;
 inline constexpr double kFirstArc = 0.01;
 inline constexpr double kLongestArc = 0.1;
 
+/// Where the shortest column of a closure is so short a share of the longest, two singular
+/// positions may lie in a long step: then it is no longer than this.
+inline constexpr double kNearSingularity = 0.1;
+inline constexpr double kNearSingularStep = 0.1;
+
+/// Ropes whose arcs are shorter than a step are looked at in shorter ones, down to this.
+inline constexpr double kLeastRopeStep = 0.01;
+
 /// So far of the drives the arc is followed past what stood in the way of a step of theirs.
 inline constexpr double kArcStretch = 0.5;
 

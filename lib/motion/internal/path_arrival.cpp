@@ -68,7 +68,7 @@ bool PathTracker<Frames>::arrive(const Destination& to, PathPoint& now) {
   }
   land(there, now);
   if ((now.is_singular || now.flatness <= kFlatClosure) && !to.crossing) {
-    const std::optional<Crossing> ahead = find_crossing(to.from, reached + 4.0 * kSurroundings);
+    const std::optional<Crossing> ahead = find_crossing_near(to.from, reached);
     if (ahead && ahead->is_around(to.share)) {
       return arrive_beside(to, *ahead, now);
     }
@@ -82,13 +82,27 @@ bool PathTracker<Frames>::arrive(const Destination& to, PathPoint& now) {
     }
     find_rates(now);
   }
-  if (to.crossing && reached > to.crossing->place) {
+  if (to.crossing && reached > to.crossing->last()) {
     note_crossing(*to.crossing);
   } else if (now.is_singular && there.tangent.back() > kFlatVelocity) {
     // Two motions cross at once, and the determinant keeps its sign; at a limit none does.
     note_special(SpecialKind::change_point, there, kChangePointBracket);
   }
   return true;
+}
+
+// Around a point of the arc at which the closure is flat.
+template <class Frames>
+std::optional<Crossing> PathTracker<Frames>::find_crossing_near(const ArcPoint& from,
+                                                                double reached) {
+  const double length = reached + 4.0 * kSurroundings;
+  if (blocks_.empty()) {
+    return find_crossing(from, length, {-1});
+  }
+  ArcPoint behind = from;
+  const std::vector<int> parts =
+      correct_arc(from, length, behind) ? turned_over(from, behind) : std::vector<int>();
+  return parts.empty() ? std::nullopt : find_crossing(from, length, parts);
 }
 
 // So near a change point that Newton would lose digits: the position follows from regular ones on
@@ -110,13 +124,13 @@ bool PathTracker<Frames>::arrive_beside(const Destination& to,
   land(there, now);
   now.share = to.share;
   set_drives(to.share, now.coordinates);
-  const bool has_passed = low >= crossing.place - kChangePointBracket;
+  const bool has_passed = low >= crossing.last() - kChangePointBracket;
   if (has_passed) {
     note_crossing(crossing);
   }
   resumption_ = {.before = to.from,
                  .behind = crossing.around.points.back(),
-                 .is_at = std::abs(low - crossing.place) <= kChangePointBracket,
+                 .is_at = std::abs(low - crossing.last()) <= kChangePointBracket,
                  .has_passed = crossing.is_noted || has_passed};
   return true;
 }
@@ -154,8 +168,8 @@ void PathTracker<Frames>::turn_resumption(const DriveLine& last) {
 // Where the drives leave their line beside a change point: a way from the regular point before it
 // to one that lies before it on the new line.
 template <class Frames>
-std::optional<typename PathTracker<Frames>::Resumption> PathTracker<Frames>::lead_around(
-    const Resumption& beside, const DriveLine& last) {
+std::optional<Resumption> PathTracker<Frames>::lead_around(const Resumption& beside,
+                                                           const DriveLine& last) {
   std::vector<double> from;
   double distance = kStepToStart;
   for (std::size_t d = 0; d < driven_.size(); ++d) {

@@ -9,22 +9,25 @@
 namespace kinestat {
 
 // False where the step leads to a branch that comes near and does not cross: the arc bends there,
-// and a shorter step follows it.
+// and a shorter step follows it; or where more crossings lie in it than share their surroundings.
 template <class Frames>
 bool PathTracker<Frames>::crosses_at_most(const ArcPoint& from,
                                           double length,
                                           const ArcPoint& to,
                                           std::optional<Crossing>& crossing) {
-  if (arc_orientation(from, to) > 0.0) {
+  const std::vector<int> parts = turned_over(from, to);
+  if (parts.empty()) {
     return true;
   }
-  crossing = find_crossing(from, length);
-  return crossing.has_value() && to.tangent.back() > 0.0;
+  crossing = find_crossing(from, length, parts);
+  return crossing.has_value() && crossing->places.size() == parts.size() && to.tangent.back() > 0.0;
 }
 
-// Between 0 and `length`, where the determinant changes its sign at a closed position.
+// Between 0 and `length`, where the first determinant changes its sign at a closed position.
 template <class Frames>
-std::optional<Crossing> PathTracker<Frames>::find_crossing(const ArcPoint& from, double length) {
+std::optional<Crossing> PathTracker<Frames>::find_crossing(const ArcPoint& from,
+                                                           double length,
+                                                           const std::vector<int>& parts) {
   ArcPoint point = from;
   double low = 0.0;
   double high = length;
@@ -34,18 +37,21 @@ std::optional<Crossing> PathTracker<Frames>::find_crossing(const ArcPoint& from,
       low = high = middle;
       break;
     }
-    (arc_orientation(from, point) > 0.0 ? low : high) = middle;
+    const bool is_before = std::ranges::all_of(
+        parts, [&](int part) { return part_orientation(from, point, part) > 0.0; });
+    (is_before ? low : high) = middle;
   }
   // Nearer where the arc bends; farther where a fast joint makes it long.
   std::optional<Crossing> best;
   for (const double share : {1.0, 0.1, 0.01, 10.0, 100.0, 1000.0}) {
-    auto crossing = find_crossing_in(from, 0.5 * (low + high), share * kSurroundings);
+    auto crossing = find_crossing_in(
+        from, {.place = 0.5 * (low + high), .spacing = share * kSurroundings}, parts);
     // Beside a crossing that lies behind, its surroundings reach beyond the step.
-    const bool is_on_way = crossing && crossing->place >= 0.0 && crossing->place <= length;
-    if (is_on_way && (!best || crossing->uncertainty < best->uncertainty)) {
+    const bool is_on_way = crossing && crossing->first() >= 0.0 && crossing->last() <= length;
+    if (is_on_way && (!best || crossing->uncertainty() < best->uncertainty())) {
       best = std::move(crossing);
     }
-    if (best && best->uncertainty <= kChangePointBracket) {
+    if (best && best->uncertainty() <= kChangePointBracket) {
       break;
     }
   }
@@ -54,60 +60,96 @@ std::optional<Crossing> PathTracker<Frames>::find_crossing(const ArcPoint& from,
 
 template <class Frames>
 std::optional<Crossing> PathTracker<Frames>::find_crossing_in(const ArcPoint& from,
-                                                              double place,
-                                                              double spacing) {
-  std::optional<Surroundings> around = surround(from, place, spacing);
-  if (!around || around->determinants.front() * around->determinants.back() >= 0.0) {
+                                                              Vicinity at,
+                                                              const Parts& parts) {
+  std::optional<Surroundings> around = surround(from, at, parts);
+  if (!around) {
     return std::nullopt;
   }
-  double low = around->places.front();
-  double high = around->places.back();
-  const double before = around->determinants.front();
+  Crossing crossing;
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const auto& determinants = around->parts[part].determinants;
+    if (determinants.front() * determinants.back() >= 0.0) {
+      continue;  // Farther away, if anywhere.
+    }
+    const std::optional<ChangePlace> found = find_change_place(from, *around, part);
+    if (!found) {
+      return std::nullopt;
+    }
+    crossing.places.push_back(*found);
+  }
+  if (crossing.places.empty()) {
+    return std::nullopt;
+  }
+  std::ranges::sort(crossing.places, {}, &ChangePlace::place);
+  crossing.around = *std::move(around);
+  return crossing;
+}
+
+template <class Frames>
+std::optional<ChangePlace> PathTracker<Frames>::find_change_place(const ArcPoint& from,
+                                                                  const Surroundings& around,
+                                                                  std::size_t part) {
+  double low = around.places.front();
+  double high = around.places.back();
+  const double before = around.parts[part].determinants.front();
   for (int round = 0; round < kMostBisections; ++round) {
     const double middle = 0.5 * (low + high);
-    (around->determinant_at(middle) * before > 0.0 ? low : high) = middle;
+    (around.determinant_at(part, middle) * before > 0.0 ? low : high) = middle;
   }
   // Branches that only come near each other leave a gap there, or a determinant that jumps.
-  ArcPoint point = around->point_at(low);
+  ArcPoint point = around.point_at(low);
   set_drives(point.share, point.coordinates);
   system_.evaluate(point.coordinates, point.angles);
   augmented_matrix(point.matrix);
-  (void)arc_orientation(from, point);
+  (void)part_orientation(from, point, around.parts[part].part);
   const double left = std::abs(qr_.relative_determinant());
-  if (!(system_.largest_residual() <= kSilentCorrection) ||
+  const double missed = system_.largest_residual();
+  const double rounding = std::max(kGapAtCrossing, rounding_of(point.coordinates));
+  if (!(missed <= (has_surplus_ ? kSilentCorrection : rounding)) ||
       left > kLeftAtCrossing * std::abs(before)) {
     return std::nullopt;
   }
-  return Crossing{.place = low,
-                  .uncertainty = std::max(
-                      {kChangePointBracket, around->uncertainty(), system_.largest_residual()}),
-                  .around = *std::move(around)};
+  return ChangePlace{
+      .place = low,
+      .uncertainty = std::max({kChangePointBracket, around.uncertainty(part), missed})};
 }
 
 template <class Frames>
 std::optional<Surroundings> PathTracker<Frames>::surround(const ArcPoint& from,
-                                                          double place,
-                                                          double spacing) {
+                                                          Vicinity at,
+                                                          const Parts& parts) {
   Surroundings around;
-  for (const double offset : {-1.5, -0.5, 0.5, 1.5}) {
+  for (const int part : parts) {
+    around.parts.push_back({.part = part});
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
     ArcPoint point = from;
-    if (!correct_arc(from, place + offset * spacing, point)) {
+    const double there = at.place + (static_cast<double>(i) - 1.5) * at.spacing;
+    if (!correct_arc(from, there, point)) {
       return std::nullopt;
     }
-    around.places.push_back(place + offset * spacing);
-    (void)arc_orientation(from, point);
-    around.determinants.push_back(qr_.relative_determinant());
-    around.flatness = qr_.flatness();
+    around.places.push_back(there);
+    for (Surroundings::Part& part : around.parts) {
+      (void)part_orientation(from, point, part.part);
+      part.determinants[i] = qr_.relative_determinant();
+      part.flatness = qr_.flatness();
+    }
     around.points.push_back(std::move(point));
   }
   return around;
 }
 
+// One event for parts that are singular in one position, as far as that can be told.
 template <class Frames>
 void PathTracker<Frames>::note_crossing(const Crossing& crossing) {
-  if (!crossing.is_noted) {
-    note_special(
-        SpecialKind::change_point, crossing.around.point_at(crossing.place), crossing.uncertainty);
+  std::optional<ChangePlace> last;
+  for (const ChangePlace& one : crossing.places) {
+    const bool is_same = last && one.place - last->place <= one.uncertainty + last->uncertainty;
+    if (!crossing.is_noted && !is_same) {
+      note_special(SpecialKind::change_point, crossing.around.point_at(one.place), one.uncertainty);
+    }
+    last = one;
   }
 }
 
@@ -115,13 +157,17 @@ template bool PathTracker<PlanarFrames>::crosses_at_most(const ArcPoint&,
                                                          double,
                                                          const ArcPoint&,
                                                          std::optional<Crossing>&);
-template std::optional<Crossing> PathTracker<PlanarFrames>::find_crossing(const ArcPoint&, double);
+template std::optional<Crossing> PathTracker<PlanarFrames>::find_crossing(const ArcPoint&,
+                                                                          double,
+                                                                          const std::vector<int>&);
 template void PathTracker<PlanarFrames>::note_crossing(const Crossing&);
 template bool PathTracker<SpatialFrames>::crosses_at_most(const ArcPoint&,
                                                           double,
                                                           const ArcPoint&,
                                                           std::optional<Crossing>&);
-template std::optional<Crossing> PathTracker<SpatialFrames>::find_crossing(const ArcPoint&, double);
+template std::optional<Crossing> PathTracker<SpatialFrames>::find_crossing(const ArcPoint&,
+                                                                           double,
+                                                                           const std::vector<int>&);
 template void PathTracker<SpatialFrames>::note_crossing(const Crossing&);
 
 }  // namespace kinestat

@@ -15,6 +15,8 @@ PathTracker<Frames>::PathTracker(const MotionNetwork& network)
     : system_(network),
       driven_(network.driven_rates),
       passive_count_(static_cast<int>(network.passive_motions.size())),
+      arcs_(network.arcs),
+      rolling_count_(static_cast<int>(network.rollings.size())),
       follows_turns_(network.angle_count > 0) {
   for (const int rate : driven_) {
     for (const MotionJoint& joint : network.joints) {
@@ -29,8 +31,8 @@ PathTracker<Frames>::PathTracker(const MotionNetwork& network)
     }
   }
   is_square_ = system_.row_count() == static_cast<int>(unknown_.size()) && passive_count_ == 0;
-  const bool has_surplus = system_.row_count() > static_cast<int>(unknown_.size()) - passive_count_;
-  accepted_ = has_surplus ? kAcceptedMisclosure : kTrialClosure;
+  has_surplus_ = system_.row_count() > static_cast<int>(unknown_.size()) - passive_count_;
+  accepted_ = has_surplus_ ? kAcceptedMisclosure : kTrialClosure;
   const std::vector<double> still(driven_.size(), 0.0);
   line_ = DriveLine::between(still, still);
   const std::size_t rates = at(network.rate_count);
@@ -41,6 +43,7 @@ PathTracker<Frames>::PathTracker(const MotionNetwork& network)
   correction_.resize(rates);
   matrix_.resize(rows * unknown_.size());
   trial_ = make_point();
+  find_blocks();
 }
 
 template <class Frames>
@@ -130,6 +133,7 @@ bool PathTracker<Frames>::close(PathPoint& point, double& moved) {
     }
   }
   point.sign = qr_.sign();
+  find_block_signs(point);
   point.flatness = qr_.flatness();
   if (!(point.misclosure <= accepted_ || point.misclosure <= rounding_of(point.coordinates))) {
     return false;
@@ -201,15 +205,15 @@ template <class Frames>
 bool PathTracker<Frames>::keeps_branch(const PathPoint& now, const PathPoint& next, double moved) {
   const bool jumps =
       moved > kMostCorrection * largest(next.arrival) && moved > rounding_of(next.coordinates);
-  if (next.is_singular || next.flatness < kFlatClosure || next.sign != now.sign || jumps) {
+  if (next.is_singular || next.flatness < kFlatClosure || next.sign != now.sign || jumps ||
+      next.block_signs != now.block_signs) {
     return false;
   }
   double change = 0.0;
   for (std::size_t i = 0; i < now.rates.size(); ++i) {
     change = std::max(change, std::abs(next.rates[i] - now.rates[i]));
   }
-  if (!is_square_ &&
-      orientation(now.matrix, next.matrix, static_cast<int>(unknown_.size())) < 0.0) {
+  if (!is_square_ && !keeps_orientation(now, next)) {
     return false;
   }
   return change <= kMostTangentChange * std::max(largest(now.rates), largest(next.rates));
@@ -224,8 +228,8 @@ bool PathTracker<Frames>::try_step(const PathPoint& now,
   for (std::size_t d = 0; d < driven_.size(); ++d) {
     step_[at(driven_[d])] = (share - now.share) * line_.reach[d];
   }
-  if (largest(step_) > kLongestStep ||
-      (follows_turns_ && system_.total_turn(step_) > kMostTurnInStep)) {
+  const double longest = largest(step_);
+  if (longest > kLongestStep || (follows_turns_ && system_.total_turn(step_) > kMostTurnInStep)) {
     return false;
   }
   next.share = share;
@@ -239,12 +243,21 @@ bool PathTracker<Frames>::try_step(const PathPoint& now,
   if (!close(next, moved)) {
     return false;
   }
+  // Two singular positions in a step would leave all signs.
+  if (longest > kNearSingularStep && std::min(now.flatness, next.flatness) < kNearSingularity) {
+    return false;
+  }
   find_rates(next);
   return keeps_branch(now, next, moved);
 }
 
 template <class Frames>
 Arrival PathTracker<Frames>::advance(PathPoint& now, PathPoint& before, double share) {
+  return arcs_.empty() ? follow(now, before, share) : follow_ropes(now, before, share);
+}
+
+template <class Frames>
+Arrival PathTracker<Frames>::follow(PathPoint& now, PathPoint& before, double share) {
   const double longest = kLongestStep / line_.scale;
   double step = std::min(share - now.share, longest);
   const double least = kFinestShare * step;
@@ -321,6 +334,7 @@ void PathTracker<Frames>::land(const ArcPoint& arc, PathPoint& now) {
   gather(unknown_, matrix_);
   qr_.factor(matrix_, system_.row_count(), static_cast<int>(unknown_.size()), kSize);
   now.sign = qr_.sign();
+  find_block_signs(now);
   now.flatness = qr_.flatness();
   now.is_singular = open_count() > passive_count_;
   now.matrix = matrix_;

@@ -1,37 +1,22 @@
 // Follows the closure of a network along its drives.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "motion/internal/arc_point.hpp"
+#include "core/motion_tolerance.hpp"
+#include "motion/internal/closure_blocks.hpp"
 #include "motion/internal/closure_system.hpp"
 #include "motion/internal/drive_line.hpp"
+#include "motion/internal/path_point.hpp"
 #include "motion/internal/pivoted_qr.hpp"
 #include "motion/internal/trail.hpp"
 #include "motion/motion_solution.hpp"
 
 namespace kinestat {
-
-/// A closed position on the way. Buffers are used again and again.
-struct PathPoint {
-  double share = 0.0;
-  std::vector<double> coordinates;
-  std::vector<double> angles;
-  std::vector<double> rates;    ///< of all joints, by the share
-  std::vector<double> matrix;   ///< of the closure towards the unknowns, where it is not square
-  std::vector<double> arrival;  ///< the step of all joints that led here
-  double arrival_share = 0.0;   ///< by how much the share grew with it; 0: none
-  double sign = 0.0;            ///< of the determinant of the closure, where it is square
-  double misclosure = 0.0;
-  double flatness = 0.0;
-  bool is_singular = false;  ///< the drives do not determine the rates
-};
-
-/// How a way to the next position ended.
-enum class Arrival { reached, limit, lost };
 
 template <class Frames>
 class PathTracker {
@@ -58,8 +43,8 @@ class PathTracker {
   /// above rounding, the drives cannot move.
   double missed_rate(const PathPoint& point) const;
 
-  /// From `now`, which `before` led to, to the share; `now` becomes the point there or, at a limit,
-  /// the limit. `before` may be without rates.
+  /// From `now`, which `before` led to, to the share; `now` becomes the point there or, where the
+  /// way ends before, its end. `before` may be without rates.
   Arrival advance(PathPoint& now, PathPoint& before, double share);
 
   /// The least-squares minimum of what is missed; moves the drives too if they are let go.
@@ -67,6 +52,12 @@ class PathTracker {
 
   /// Directions in which the joints may move with the drives held, of the point closed last.
   std::vector<VecX> open_directions();
+
+  /// Whether it misses by more than rounding: more equations than unknowns do not fit.
+  bool closes_by_least_squares(const PathPoint& point) const {
+    return has_surplus_ &&
+           point.misclosure > std::max(kTrialClosure, rounding_of(point.coordinates));
+  }
 
   int open_count() const { return static_cast<int>(unknown_.size()) - qr_.rank(); }
 
@@ -82,14 +73,13 @@ class PathTracker {
   ClosureSystem<Frames>& system() { return system_; }
 
  private:
-  // Of a point beside a change point: the regular ones before and behind both on the arc.
-  struct Resumption {
-    ArcPoint before;
-    std::optional<ArcPoint> behind;  // unknown after the drives have left their line
-    bool is_at = false;              // the change point itself
-    bool has_passed = false;         // the way has passed it, or it is told
-  };
+  using Parts = std::vector<int>;  // indices of blocks; -1: the whole closure
 
+  Arrival follow(PathPoint& now, PathPoint& before, double share);
+  Arrival follow_ropes(PathPoint& now, PathPoint& before, double share);
+  LeastArc least_arc(const PathPoint& point) const;
+  void return_to(const Beginning& beginning, PathPoint& now);
+  void end_at_lift_off(const Beginning& beginning, PathPoint& now);
   void turn_resumption(const DriveLine& last);
   std::optional<Resumption> lead_around(const Resumption& beside, const DriveLine& last);
   void gather(std::span<const int> columns, std::vector<double>& matrix) const;
@@ -97,6 +87,11 @@ class PathTracker {
   void predict(const PathPoint& now, const PathPoint& before, double step);
   static double rounding_of(std::span<const double> coordinates);
   bool keeps_branch(const PathPoint& now, const PathPoint& next, double moved);
+  void find_blocks();
+  void find_block_signs(PathPoint& point);
+  bool keeps_orientation(const PathPoint& now, const PathPoint& next);
+  Parts turned_over(const ArcPoint& a, const ArcPoint& b);
+  double part_orientation(const ArcPoint& a, const ArcPoint& b, int part);
   Arrival walk_arc(PathPoint& now, double share);
   bool try_arc(const ArcPoint& from, double length, ArcPoint& to);
   void move_arc(std::span<const double> by, ArcPoint& point);
@@ -116,9 +111,13 @@ class PathTracker {
                        double length,
                        const ArcPoint& to,
                        std::optional<Crossing>& crossing);
-  std::optional<Crossing> find_crossing(const ArcPoint& from, double length);
-  std::optional<Crossing> find_crossing_in(const ArcPoint& from, double place, double spacing);
-  std::optional<Surroundings> surround(const ArcPoint& from, double place, double spacing);
+  std::optional<Crossing> find_crossing(const ArcPoint& from, double length, const Parts& parts);
+  std::optional<Crossing> find_crossing_near(const ArcPoint& from, double reached);
+  std::optional<Crossing> find_crossing_in(const ArcPoint& from, Vicinity at, const Parts& parts);
+  std::optional<Surroundings> surround(const ArcPoint& from, Vicinity at, const Parts& parts);
+  std::optional<ChangePlace> find_change_place(const ArcPoint& from,
+                                               const Surroundings& around,
+                                               std::size_t part);
   void note_crossing(const Crossing& crossing);
   void note_special(SpecialKind kind, const ArcPoint& point, double uncertainty);
 
@@ -129,9 +128,13 @@ class PathTracker {
   std::vector<int> unknown_;  ///< the other rates
   int passive_count_ = 0;
   double accepted_ = 0.0;  ///< misclosure that may be left where Newton ends
+  std::vector<ContactArc> arcs_;
+  int rolling_count_ = 0;  ///< of the last rows
   DriveLine line_;
   bool follows_turns_ = false;
-  bool is_square_ = false;  ///< as many conditions as unknowns, and none is passive
+  bool has_surplus_ = false;
+  bool is_square_ = false;            ///< as many conditions as unknowns, and none is passive
+  std::vector<ClosureBlock> blocks_;  ///< empty where the closure is one
   Trail trail_;
   std::vector<SpecialPosition> special_;
   std::optional<Resumption> resumption_;

@@ -11,16 +11,17 @@
 #include "run/internal/cable_findings.hpp"
 #include "run/internal/known_side.hpp"
 #include "screw/screw_axis.hpp"
+#include "statics/one_sided_action.hpp"
 
 namespace kinestat {
 
 namespace {
 
 // "body 'planet5' can turn about the axis (0, 0, 1) through (0, 17, 0) mm", lengths in file units.
-std::string unheld_text(const Analysis& analysis, const UnheldMotion& unheld) {
-  const auto axis = find_axis(unheld.twist, analysis.mechanism.geometry.length);
-  const std::string body = analysis.mechanism.topology.body(unheld.body).name;
-  const bool is_planar = analysis.mechanism.space == Space::planar;
+std::string unheld_text(const JudgedFile& file, const UnheldMotion& unheld) {
+  const auto axis = find_axis(unheld.twist, file.mechanism.geometry.length);
+  const std::string body = file.mechanism.topology.body(unheld.body).name;
+  const bool is_planar = file.mechanism.space == Space::planar;
   const auto list = [&](const Vec3& v) {
     const auto tidy = [](double x) { return std::abs(x) <= kRankZero ? 0.0 : x; };
     const std::string first = fmt::format("({:.6g}, {:.6g}", tidy(v.x()), tidy(v.y()));
@@ -32,14 +33,14 @@ std::string unheld_text(const Analysis& analysis, const UnheldMotion& unheld) {
   if (!axis->point) {
     return fmt::format("body '{}' can slide along {}", body, list(axis->direction));
   }
-  const FileUnits& units = analysis.description.units;
+  const FileUnits& units = file.description.units;
   const double metre = units.factor(QuantityKind::length);
-  const Vec3 point = (*axis->point + analysis.mechanism.geometry.origin) / metre;
+  const Vec3 point = (*axis->point + file.mechanism.geometry.origin) / metre;
   const std::string& unit = units.text(QuantityKind::length);
   if (is_planar) {
     return fmt::format("body '{}' can turn about the point {} {}", body, list(point), unit);
   }
-  const bool is_screw = std::abs(*axis->pitch) > kRankZero * analysis.mechanism.geometry.length;
+  const bool is_screw = std::abs(*axis->pitch) > kRankZero * file.mechanism.geometry.length;
   return fmt::format(
       "body '{}' can turn about the axis {} through {} {}{}",
       body,
@@ -59,39 +60,39 @@ std::string loads_text(const std::vector<Load>& loads, const std::vector<int>& w
 }
 
 // Loads act on a motion that nothing resists, whatever the primaries are.
-void add_unheld_loads(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
+void add_unheld_loads(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const std::optional<UnheldMotion>& unheld = one.action->unheld;
   const bool is_named = unheld && !unheld->loads.empty();
   const auto& loads = one.which.loads;
   const std::string nameless =
-      analysis.mechanism.frictions.empty() ? "the loads" : "what friction causes";
+      file.mechanism.frictions.empty() ? "the loads" : "what friction causes";
   found.error(
       "E0602",
       is_named ? loads[static_cast<std::size_t>(unheld->loads.front())].where : one.which.where,
       fmt::format("case '{}' has no equilibrium: nothing holds {}{}",
                   one.which.label,
                   is_named ? loads_text(loads, unheld->loads) : nameless,
-                  unheld ? ": " + unheld_text(analysis, *unheld) : ""),
+                  unheld ? ": " + unheld_text(file, *unheld) : ""),
       "add an actuator or a coupling that holds this motion, or remove the load");
 }
 
-void add_contradiction(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
+void add_contradiction(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const StaticSolution& action = *one.action;
   if (action.check.dependences.empty()) {
-    add_unheld_loads(analysis, one, found);
+    add_unheld_loads(file, one, found);
     return;
   }
-  const KnownSide side = action_side(analysis, one.which);
+  const KnownSide side = action_side(file, one.which);
   found.error(
       "E0602",
       place_of_surplus(one.which.actions, action.check, one.which.where),
       fmt::format("case '{}' has no equilibrium: {}{}{}",
                   one.which.label,
-                  cutsets_text(analysis, action, side),
+                  cutsets_text(file, action, side),
                   !action.unheld            ? ""
                   : one.which.loads.empty() ? "; nothing resists the motion: "
                                             : "; nothing holds the load: ",
-                  action.unheld ? unheld_text(analysis, *action.unheld) : ""),
+                  action.unheld ? unheld_text(file, *action.unheld) : ""),
       removal_text(action.check, side) + " so that it is solved, or add what holds this motion");
 }
 
@@ -111,9 +112,7 @@ bool is_of_rope(const StaticSolution& action, const Mechanism& mechanism) {
   });
 }
 
-void add_undirected_friction(const Analysis& analysis,
-                             const CaseAnalysis& one,
-                             Diagnostics& found) {
+void add_undirected_friction(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const bool has_motion = one.motion.has_value();
   if (has_motion && one.motion->status != SolveStatus::solved) {
     return;  // why it has no answer is said of the motion
@@ -122,10 +121,10 @@ void add_undirected_friction(const Analysis& analysis,
               one.which.where,
               fmt::format("case '{}': the friction of {} has no direction, because {}",
                           one.which.label,
-                          names_of(one.action->at_rest, analysis.mechanism.topology),
+                          names_of(one.action->at_rest, file.mechanism.topology),
                           has_motion ? "nothing moves there" : "the case gives no motion"),
               has_motion
-                  ? is_of_rope(*one.action, analysis.mechanism)
+                  ? is_of_rope(*one.action, file.mechanism)
                         ? "friction at rest may have any size up to its limit: declare an actuator "
                           "on this coupling, which then holds the rope, or let the rope slip"
                         : "friction at rest may have any size up to its limit: remove it from this "
@@ -135,18 +134,18 @@ void add_undirected_friction(const Analysis& analysis,
 }
 
 // What has no value, neither from equilibrium nor from what completes it.
-std::vector<std::string> names_of_open(const StaticSolution& action, const KnownSide& side) {
+std::vector<int> find_open(const StaticSolution& action) {
   std::vector<int> open;
   std::ranges::copy_if(action.check.undetermined, std::back_inserter(open), [&](int a) {
     return !is_completed(action, a);
   });
-  return names_of(open, side);
+  return open;
 }
 
 // What to type where the known actions are too few: more of them, or what completes them.
-std::string ways_out(const Analysis& analysis, const PrimaryCheck& check, const KnownSide& side) {
+std::string ways_out(const JudgedFile& file, const PrimaryCheck& check, const KnownSide& side) {
   const std::string more = completions_text(check, side);
-  if (analysis.mechanism.indeterminate == IndeterminateChoice::stiffness) {
+  if (file.mechanism.indeterminate == IndeterminateChoice::stiffness) {
     return "give a 'stiffness:' to those of them that are not rigid" +
            (more.empty() ? "" : "; or " + more);
   }
@@ -155,13 +154,17 @@ std::string ways_out(const Analysis& analysis, const PrimaryCheck& check, const 
          "'statics: {indeterminate: stiffness}'";
 }
 
-void add_indeterminacy(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
+void add_indeterminacy(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const StaticSolution& action = *one.action;
-  const KnownSide side = action_side(analysis, one.which);
-  const std::vector<std::string> open = names_of_open(action, side);
+  const std::vector<int> open = find_open(action);
   if (open.empty()) {
     return;  // completed as the file asks for
   }
+  if (found.is_told("W0601", one.which.where)) {
+    found.warning("W0601", one.which.where, {});
+    return;
+  }
+  const KnownSide side = action_side(file, one.which);
   const bool has_completion = action.completion.by != IndeterminateChoice::report;
   const bool waits_for_friction = !action.open_friction.empty();
   found.warning(
@@ -173,14 +176,14 @@ void add_indeterminacy(const Analysis& analysis, const CaseAnalysis& one, Diagno
                   action.counts.net_constraint,
                   has_completion ? "neither equilibrium nor stiffness determines"
                                  : "equilibrium does not determine",
-                  plain_list(open),
+                  plain_list(names_of(open, side)),
                   waits_for_friction
                       ? fmt::format(", on which the friction of {} depends",
-                                    names_of(action.open_friction, analysis.mechanism.topology))
+                                    names_of(action.open_friction, file.mechanism.topology))
                       : ""),
       waits_for_friction ? "leave out with 'passive:' what a bearing does not take; or " +
                                completions_text(action.check, side)
-                         : ways_out(analysis, action.check, side));
+                         : ways_out(file, action.check, side));
 }
 
 struct ReactionWords {
@@ -200,72 +203,68 @@ ReactionWords words_of(Reaction reaction) {
   return {};
 }
 
-void add_ignored_reactions(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
-  const FileUnits& units = analysis.description.units;
+void add_ignored_reactions(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const FileUnits& units = file.description.units;
   for (const IgnoredReaction& ignored : one.action->ignored) {
     const QuantityKind kind =
         ignored.reaction == Reaction::axial ? QuantityKind::force : QuantityKind::moment;
-    const CouplingTopology& coupling = analysis.mechanism.topology.coupling(ignored.coupling);
+    const CouplingTopology& coupling = file.mechanism.topology.coupling(ignored.coupling);
     const ReactionWords words = words_of(ignored.reaction);
-    found.warning("W0604",
-                  coupling.where,
-                  fmt::format("case '{}': the friction of '{}' does not count its {} of {:.6g} {}",
-                              one.which.label,
-                              coupling.name,
-                              words.what,
-                              ignored.size / units.factor(kind),
-                              units.text(kind)),
-                  fmt::format("add to its friction {}", words.key));
+    CaseFinding& added = found.warning(
+        "W0604",
+        coupling.where,
+        fmt::format("case '{}': the friction of '{}' does not count its {} of {:.6g} {}",
+                    one.which.label,
+                    coupling.name,
+                    words.what,
+                    ignored.size / units.factor(kind),
+                    units.text(kind)),
+        fmt::format("add to its friction {}", words.key));
+    added.element = words.what;
+    added.size = ignored.size;
   }
 }
 
 // A contact of two surfaces can only push; positive is along its normal, from tail to head.
-void add_pulling_contacts(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
-  const Topology& topology = analysis.mechanism.topology;
-  const FileUnits& units = analysis.description.units;
-  double largest = 0.0;
-  for (std::size_t a = 0; a < one.action->magnitudes.size(); ++a) {
-    const double size = std::abs(one.action->magnitudes[a].value_or(0.0));
-    largest = topology.actions[a].is_couple ? largest : std::max(largest, size);
-  }
-  for (std::size_t a = 0; a < one.action->magnitudes.size(); ++a) {
-    const ActionLabel& label = topology.actions[a];
-    const CouplingTopology& coupling = topology.coupling(label.coupling);
-    const bool only_pushes = coupling.type == CouplingType::point_contact ||
-                             coupling.type == CouplingType::cam ||
-                             coupling.type == CouplingType::line_contact;
-    const double force = one.action->magnitudes[a].value_or(0.0);
-    if (!only_pushes || label.is_couple || label.actuator >= 0 ||
-        !(force < -kNoReaction * largest)) {
-      continue;
-    }
-    found.warning("W0605",
-                  coupling.where,
-                  fmt::format("case '{}': the surfaces of '{}' would have to pull on each other "
-                              "with {:.6g} {}",
-                              one.which.label,
-                              coupling.name,
-                              -force / units.factor(QuantityKind::force),
-                              units.text(QuantityKind::force)),
-                  "they part; or turn the normal round: it points from the first of the bodies to "
-                  "the second");
+void add_pulling_contacts(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const Topology& topology = file.mechanism.topology;
+  const FileUnits& units = file.description.units;
+  for (const int a : find_pulling_contacts(file.mechanism, *one.action)) {
+    const auto action = static_cast<std::size_t>(a);
+    const CouplingTopology& coupling = topology.coupling(topology.actions[action].coupling);
+    const double pull = -one.action->magnitudes[action].value_or(0.0);
+    CaseFinding& added = found.warning(
+        "W0605",
+        coupling.where,
+        fmt::format("case '{}': the surfaces of '{}' would have to pull on each other "
+                    "with {:.6g} {}",
+                    one.which.label,
+                    coupling.name,
+                    pull / units.factor(QuantityKind::force),
+                    units.text(QuantityKind::force)),
+        "they part; or turn the normal round: it points from the first of the bodies "
+        "to the second");
+    added.element = coupling.name;
+    added.size = pull;
   }
 }
 
 }  // namespace
 
-void add_action_findings(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
+void add_action_status_findings(const JudgedFile& file,
+                                const CaseAnalysis& one,
+                                CaseFindings& found) {
   const StaticSolution& action = *one.action;
-  const KnownSide side = action_side(analysis, one.which);
+  const KnownSide side = action_side(file, one.which);
   if (action.status == SolveStatus::inconsistent) {
-    add_contradiction(analysis, one, found);
+    add_contradiction(file, one, found);
   } else if (action.status == SolveStatus::dependent) {
     found.error("E0601",
                 place_of_surplus(one.which.actions, action.check, one.which.where),
                 fmt::format("case '{}' gives actions that depend on each other{}: {}",
                             one.which.label,
                             one.which.loads.empty() ? "" : " and on the loads",
-                            cutsets_text(analysis, action, side)),
+                            cutsets_text(file, action, side)),
                 removal_text(action.check, side));
   } else if (action.status == SolveStatus::overflow) {
     found.error("E0603",
@@ -275,7 +274,7 @@ void add_action_findings(const Analysis& analysis, const CaseAnalysis& one, Diag
                     ? "give smaller actions; the answer is proportional to them"
                     : "give smaller actions and loads; the answer is proportional to them");
   } else if (action.status == SolveStatus::undirected) {
-    add_undirected_friction(analysis, one, found);
+    add_undirected_friction(file, one, found);
   } else if (action.status == SolveStatus::locked) {
     found.warning("W0603",
                   one.which.where,
@@ -285,11 +284,16 @@ void add_action_findings(const Analysis& analysis, const CaseAnalysis& one, Diag
                   "nothing moves so, however strong the drive; known actions of another member, a "
                   "smaller coefficient of friction or another direction of motion have an answer");
   } else if (action.status == SolveStatus::underdetermined) {
-    add_indeterminacy(analysis, one, found);
+    add_indeterminacy(file, one, found);
   }
-  add_ignored_reactions(analysis, one, found);
-  add_pulling_contacts(analysis, one, found);
-  add_cable_findings(analysis, one, found);
+}
+
+void add_action_value_findings(const JudgedFile& file,
+                               const CaseAnalysis& one,
+                               CaseFindings& found) {
+  add_ignored_reactions(file, one, found);
+  add_pulling_contacts(file, one, found);
+  add_cable_findings(file, one, found);
 }
 
 }  // namespace kinestat

@@ -1,12 +1,19 @@
 // What is to be said of the statics of a case.
 #pragma once
 
-#include "core/diagnostic.hpp"
-#include "report/analysis.hpp"
+#include "run/internal/case_findings.hpp"
 
 namespace kinestat {
 
-/// The case must have an action solution.
-void add_action_findings(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found);
+/// Why a case has no actions, or not all of them. It must have an action solution.
+void add_action_status_findings(const JudgedFile& file,
+                                const CaseAnalysis& one,
+                                CaseFindings& found);
+
+/// What the actions that it has cannot be: what does not rub, contacts that pull, ropes that push
+/// or slip. Likewise.
+void add_action_value_findings(const JudgedFile& file,
+                               const CaseAnalysis& one,
+                               CaseFindings& found);
 
 }  // namespace kinestat

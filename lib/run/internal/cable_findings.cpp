@@ -1,20 +1,21 @@
 #include "run/internal/cable_findings.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
 #include "core/text.hpp"
-#include "statics/pretension.hpp"
+#include "statics/one_sided_action.hpp"
 
 namespace kinestat {
 
 namespace {
 
 // "belt_1.F = 12 N and belt_2.F = 12 N", what the pretension adds to the segments.
-std::string pretension_text(const Analysis& analysis, const VecX& pretension) {
-  const Topology& topology = analysis.mechanism.topology;
-  const FileUnits& units = analysis.description.units;
+std::string pretension_text(const JudgedFile& file, const VecX& pretension) {
+  const Topology& topology = file.mechanism.topology;
+  const FileUnits& units = file.description.units;
   std::vector<std::string> names;
   for (const CouplingTopology& coupling : topology.couplings) {
     const double force =
@@ -29,16 +30,16 @@ std::string pretension_text(const Analysis& analysis, const VecX& pretension) {
   return plain_list(names);
 }
 
-void add_pushed_segments(const Analysis& analysis,
+void add_pushed_segments(const JudgedFile& file,
                          const CaseAnalysis& one,
                          const std::vector<CouplingId>& pushed,
-                         Diagnostics& found) {
-  const Topology& topology = analysis.mechanism.topology;
-  const FileUnits& units = analysis.description.units;
+                         CaseFindings& found) {
+  const Topology& topology = file.mechanism.topology;
+  const FileUnits& units = file.description.units;
   const std::string hint =
       one.pretension
           ? fmt::format("a pretension keeps the ropes taut: add at least {}",
-                        pretension_text(analysis, *one.pretension))
+                        pretension_text(file, *one.pretension))
           : "a rope only pulls, and no self-stress beside the known actions pulls at this one: "
             "raise a known action, turn round the load or the motion, or hold the rope by another "
             "actuator";
@@ -46,32 +47,35 @@ void add_pushed_segments(const Analysis& analysis,
     const CouplingTopology& segment = topology.coupling(id);
     const double force =
         one.action->magnitudes[static_cast<std::size_t>(segment.first_action)].value_or(0.0);
-    found.warning("W0606",
-                  segment.where,
-                  fmt::format("case '{}': segment '{}' would be pushed with {:.6g} {}",
-                              one.which.label,
-                              segment.name,
-                              units.from_si(QuantityKind::force, -force),
-                              units.text(QuantityKind::force)),
-                  hint);
+    CaseFinding& added =
+        found.warning("W0606",
+                      segment.where,
+                      fmt::format("case '{}': segment '{}' would be pushed with {:.6g} {}",
+                                  one.which.label,
+                                  segment.name,
+                                  units.from_si(QuantityKind::force, -force),
+                                  units.text(QuantityKind::force)),
+                      hint);
+    added.element = segment.name;
+    added.size = -force;
   }
 }
 
 // A contact with a slack side slips for want of tension, which that side's finding says.
-void add_slipping_ropes(const Analysis& analysis,
+void add_slipping_ropes(const JudgedFile& file,
                         const CaseAnalysis& one,
                         const std::vector<CouplingId>& pushed,
-                        Diagnostics& found) {
+                        CaseFindings& found) {
   for (std::size_t i = 0; i < one.contacts.size(); ++i) {
     const ContactState& state = one.contacts[i];
-    const CableContact& contact = analysis.mechanism.contacts[i];
+    const CableContact& contact = file.mechanism.contacts[i];
     const auto is_slack = [&](CouplingId side) {
       return std::ranges::find(pushed, side) != pushed.end();
     };
     if (state.grip != Grip::would_slip || is_slack(contact.arrives) || is_slack(contact.leaves)) {
       continue;
     }
-    found.warning(
+    CaseFinding& added = found.warning(
         "W0607",
         contact.where,
         fmt::format("case '{}': the rope would slip in '{}': friction holds tensions of a ratio of "
@@ -85,15 +89,17 @@ void add_slipping_ropes(const Analysis& analysis,
               "virtual link a motion, with which it slips"
             : "more pretension, a larger contact angle or more friction hold it; or let it slip: "
               "'slip: true', and a motion of the virtual link");
+    added.element = contact.name;
+    added.size = state.ratio.value_or(std::numeric_limits<double>::infinity());
   }
 }
 
 }  // namespace
 
-void add_cable_findings(const Analysis& analysis, const CaseAnalysis& one, Diagnostics& found) {
-  const std::vector<CouplingId> pushed = find_pushed_segments(analysis.mechanism, *one.action);
-  add_pushed_segments(analysis, one, pushed, found);
-  add_slipping_ropes(analysis, one, pushed, found);
+void add_cable_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const std::vector<CouplingId> pushed = find_pushed_segments(file.mechanism, *one.action);
+  add_pushed_segments(file, one, pushed, found);
+  add_slipping_ropes(file, one, pushed, found);
 }
 
 }  // namespace kinestat

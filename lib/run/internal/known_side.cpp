@@ -76,8 +76,8 @@ std::vector<int> blocks_of(const std::vector<int>& equations, int order) {
 
 }  // namespace
 
-KnownSide motion_side(const Analysis& analysis, const Case& which) {
-  const Topology& topology = analysis.mechanism.topology;
+KnownSide motion_side(const JudgedFile& file, const Case& which) {
+  const Topology& topology = file.mechanism.topology;
   return {.name = [&](int i) { return name_in(which.motions, i, topology.freedom_name(i)); },
           .kind =
               [&](int i) {
@@ -87,11 +87,11 @@ KnownSide motion_side(const Analysis& analysis, const Case& which) {
               },
           .key = "motion",
           .actuator = [&](int i) { return actuator_of(topology, &ActuatorTopology::freedom, i); },
-          .units = analysis.description.units};
+          .units = file.description.units};
 }
 
-KnownSide action_side(const Analysis& analysis, const Case& which) {
-  const Topology& topology = analysis.mechanism.topology;
+KnownSide action_side(const JudgedFile& file, const Case& which) {
+  const Topology& topology = file.mechanism.topology;
   return {.name = [&](int i) { return name_in(which.actions, i, topology.action_name(i)); },
           .kind =
               [&](int i) {
@@ -101,7 +101,7 @@ KnownSide action_side(const Analysis& analysis, const Case& which) {
               },
           .key = "action",
           .actuator = [&](int i) { return actuator_of(topology, &ActuatorTopology::action, i); },
-          .units = analysis.description.units};
+          .units = file.description.units};
 }
 
 std::vector<std::string> names_of(const std::vector<int>& indices, const KnownSide& side) {
@@ -136,14 +136,14 @@ std::string completions_text(const PrimaryCheck& check, const KnownSide& side) {
                      fmt::join(sets, " or "));
 }
 
-std::string circuits_text(const Analysis& analysis,
+std::string circuits_text(const JudgedFile& file,
                           const KinematicSolution& motion,
                           const KnownSide& side) {
   std::vector<std::string> parts;
   for (const Dependence& dependence : motion.check.dependences) {
     std::vector<std::string> names;
     for (const int e : blocks_of(dependence.equations, motion.counts.order)) {
-      names.push_back(analysis.mechanism.topology.couplings[static_cast<std::size_t>(e)].name);
+      names.push_back(file.mechanism.topology.couplings[static_cast<std::size_t>(e)].name);
     }
     parts.push_back(fmt::format(
         "the circuit {} demands {}", plain_list(names), relation_text(dependence, side)));
@@ -151,10 +151,10 @@ std::string circuits_text(const Analysis& analysis,
   return fmt::format("{}", fmt::join(parts, " and "));
 }
 
-std::string cutsets_text(const Analysis& analysis,
+std::string cutsets_text(const JudgedFile& file,
                          const StaticSolution& action,
                          const KnownSide& side) {
-  const Topology& topology = analysis.mechanism.topology;
+  const Topology& topology = file.mechanism.topology;
   std::vector<std::string> parts;
   for (const Dependence& dependence : action.check.dependences) {
     std::vector<bool> is_inside(topology.bodies.size(), false);

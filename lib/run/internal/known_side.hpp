@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "report/analysis.hpp"
+#include "run/internal/case_findings.hpp"
 
 namespace kinestat {
 
@@ -23,8 +23,8 @@ struct KnownSide {
   double unit(int index) const { return units.factor(kind(index)); }
 };
 
-KnownSide motion_side(const Analysis& analysis, const Case& which);
-KnownSide action_side(const Analysis& analysis, const Case& which);
+KnownSide motion_side(const JudgedFile& file, const Case& which);
+KnownSide action_side(const JudgedFile& file, const Case& which);
 
 std::vector<std::string> names_of(const std::vector<int>& indices, const KnownSide& side);
 
@@ -33,12 +33,12 @@ std::vector<std::string> names_of(const std::vector<int>& indices, const KnownSi
 std::string completions_text(const PrimaryCheck& check, const KnownSide& side);
 
 /// "the circuit a, b, c, d demands drive = 2.5 load", a part for each relation.
-std::string circuits_text(const Analysis& analysis,
+std::string circuits_text(const JudgedFile& file,
                           const KinematicSolution& motion,
                           const KnownSide& side);
 
 /// "equilibrium of crank, rod (cut-set a, d) demands a.Rx = 2.5 b.Rx + 12 N".
-std::string cutsets_text(const Analysis& analysis,
+std::string cutsets_text(const JudgedFile& file,
                          const StaticSolution& action,
                          const KnownSide& side);
 

@@ -13,6 +13,7 @@
 #include "report/in_units.hpp"
 #include "report/linkage_text.hpp"
 #include "report/numbers.hpp"
+#include "report/plane_zero.hpp"
 
 namespace kinestat {
 
@@ -50,7 +51,7 @@ CouplingDescription coupling_of(std::string_view name,
 class LinkDrawing {
  public:
   LinkDrawing(const Dyad& dyad, const Pose& pose, const FileUnits& units, double zero)
-      : dyad_(dyad), pose_(pose), in_(units, {}), zero_(zero) {}
+      : dyad_(dyad), pose_(pose), in_(units), zero_(zero) {}
 
   // Between frame and link.
   CouplingDescription outer(std::string_view name, std::string_view link) const {
@@ -135,7 +136,7 @@ std::optional<MotionDescription> motion_of(const LinkageCandidate& candidate,
   }
   constexpr const char* kSteps = "60";
   const bool is_length = is_linear(input_of(candidate.linkage, candidate.best_drive));
-  const InUnits in(units, {});
+  const InUnits in(units);
   const double arc = drive_travel(candidate).back();
   const double to = is_length ? in.length(arc) : in.angle(arc);
   if (to == 0.0) {
@@ -169,7 +170,7 @@ std::string_view link_of(const Dyad& dyad) {
 // What the comment says in numbers.
 class CommentNumbers {
  public:
-  CommentNumbers(const FileUnits& units, double zero) : in_(units, {}), zero_(zero) {}
+  CommentNumbers(const FileUnits& units, double zero) : in_(units), zero_(zero) {}
 
   std::string length(double value) const {
     return fmt::format("{} {}",

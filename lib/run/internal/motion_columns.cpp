@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "report/ratio_in_units.hpp"
+#include "math/settled.hpp"
 
 namespace kinestat {
 
@@ -20,11 +20,6 @@ std::optional<double> entry(const std::vector<std::optional<double>>& list, std:
   return i < list.size() ? list[i] : std::nullopt;
 }
 
-// Empty where the velocities are not known.
-bool has_motion(const MotionPosition& position) {
-  return position.has_speeds && !position.state.is_singular;
-}
-
 // Empty too where the position is so near a singular one that they would be rounding.
 bool has_acceleration(const MotionPosition& position) {
   return has_motion(position) && !position.state.twist_rates.empty();
@@ -36,17 +31,42 @@ Vec3 rotation_vector(const Mat3& rotation) {
   return turn.angle() * turn.axis();
 }
 
-// Action of the output over that of the input, without statics the reverse of their rates.
-RatioInUnits mechanical_advantage(const CaseAnalysis& one,
-                                  const Mechanism& mechanism,
-                                  const FileUnits& units) {
-  const std::optional<double> inverse = torque_ratio_in_units(one, mechanism, units).value;
+bool turns_actuator(const Mechanism& mechanism, int actuator) {
+  const int freedom = mechanism.topology.actuators[static_cast<std::size_t>(actuator)].freedom;
+  return mechanism.topology.freedoms[static_cast<std::size_t>(freedom)].is_rotation;
+}
+
+// The kinds of an action of the input and the output, and of their rates.
+struct EndKinds {
+  QuantityKind input_rate;
+  QuantityKind output_rate;
+  QuantityKind input_action;
+  QuantityKind output_action;
+};
+
+EndKinds kinds_of_ends(const Case& which, const Mechanism& mechanism) {
+  const bool in = turns_actuator(mechanism, which.inputs.front());
+  const bool out = turns_actuator(mechanism, which.outputs.front());
+  using enum QuantityKind;
+  return {.input_rate = in ? angular_velocity : velocity,
+          .output_rate = out ? angular_velocity : velocity,
+          .input_action = in ? moment : force,
+          .output_action = out ? moment : force};
+}
+
+std::string unit_of_quotient(const FileUnits& units, QuantityKind above, QuantityKind below) {
+  return above == below ? "" : units.text(above) + " per " + units.text(below);
+}
+
+// Action of the output over that of the input, without statics the reverse of their rates: in SI
+// both are the same number.
+std::optional<double> mechanical_advantage(const CaseAnalysis& one) {
+  const std::optional<double> inverse = one.ratios->torque_ratio;
   if (inverse) {
-    return {.value = *inverse == 0.0 ? std::nullopt : std::optional(1.0 / std::abs(*inverse)),
-            .unit = ""};
+    return *inverse == 0.0 ? std::nullopt : std::optional(1.0 / std::abs(*inverse));
   }
-  const std::optional<double> ratio = ratio_in_units(one, mechanism, units).value;
-  return {.value = ratio ? std::optional(std::abs(*ratio)) : std::nullopt, .unit = ""};
+  const std::optional<double> ratio = one.ratios->ratio;
+  return ratio ? std::optional(std::abs(*ratio)) : std::nullopt;
 }
 
 class ReadingList {
@@ -54,12 +74,14 @@ class ReadingList {
   ReadingList(const MechanismDescription& description,
               const Mechanism& mechanism,
               const MotionPlan& plan,
-              const MotionPosition& first)
+              const MotionPosition& first,
+              const Vec3& origin)
       : units_(description.units),
         mechanism_(mechanism),
         topology_(mechanism.topology),
         plan_(plan),
         first_(first),
+        origin_(origin),
         detail_(detail_of(plan, mechanism)) {}
 
   std::vector<MotionReading> run() {
@@ -119,9 +141,7 @@ class ReadingList {
     const auto b = static_cast<std::size_t>(body);
     const std::string& name = topology_.bodies[b].name;
     const Vec3 reference = mechanism_.geometry.references[b];
-    add_vector(name, "at", MotionKind::length, [b, reference](const MotionPosition& at) {
-      return std::optional(point_motion(at.state, {static_cast<int>(b)}, reference).position);
-    });
+    add_place(name, BodyId{body}, reference);
     if (mechanism_.space == Space::planar) {
       add(name, "rotation/z", MotionKind::angle, [b](const MotionPosition& at) {
         return std::optional(at.turns[b]);
@@ -133,9 +153,19 @@ class ReadingList {
           std::string("rotation/") + kAxes[static_cast<std::size_t>(i)],
           MotionKind::angle,
           [b, i](const MotionPosition& at) {
-            return std::optional(rotation_vector(at.state.poses[b].rotation)[i]);
+            return std::optional(settled(rotation_vector(at.state.poses[b].rotation)[i],
+                                         at.state.bounds.bodies[b].turn));
           });
     }
+  }
+
+  void add_place(const std::string& element, BodyId body, const Vec3& drawn) {
+    add_vector(element,
+               "at",
+               MotionKind::length,
+               [body, drawn, origin = origin_](const MotionPosition& at) -> std::optional<Vec3> {
+                 return origin + point_motion(at.state, body, drawn).position;
+               });
   }
 
   void add_vector(const std::string& element,
@@ -157,9 +187,7 @@ class ReadingList {
     for (std::size_t t = 0; t < plan_.trace.size(); ++t) {
       const TracedPoint point = plan_.trace[t];
       const std::string name = topology_.body(point.body).name + "." + std::to_string(t + 1);
-      add_vector(name, "at", MotionKind::length, [point](const MotionPosition& at) {
-        return point_motion(at.state, point.body, point.at).position;
-      });
+      add_place(name, point.body, point.at);
       if (detail_.velocity) {
         add_vector(
             name,
@@ -323,27 +351,37 @@ class ReadingList {
         return at.transmission_angle;
       });
     }
+    if (!report().ratio && !report().mechanical_advantage) {
+      return;
+    }
+    const EndKinds kinds =
+        kinds_of_ends(mechanism_.cases[static_cast<std::size_t>(plan_.which)], mechanism_);
     if (report().ratio) {
-      add_ratio("ratio", [&mechanism = mechanism_, &units = units_](const CaseAnalysis& one) {
-        return ratio_in_units(one, mechanism, units);
+      add_quotient("ratio", kinds.input_rate, kinds.output_rate, [](const CaseAnalysis& one) {
+        return one.ratios->ratio;
       });
     }
     if (report().mechanical_advantage) {
-      add_ratio("mechanical_advantage",
-                [&mechanism = mechanism_, &units = units_](const CaseAnalysis& one) {
-                  return mechanical_advantage(one, mechanism, units);
-                });
+      add_quotient(
+          "mechanical_advantage", kinds.output_action, kinds.input_action, mechanical_advantage);
     }
   }
 
-  void add_ratio(const std::string& quantity,
-                 const std::function<RatioInUnits(const CaseAnalysis&)>& ratio) {
-    readings_.push_back({.column = {.element = output_name(), .quantity = quantity, .unit = ""},
-                         .kind = MotionKind::number,
-                         .value = [ratio](const MotionPosition& at) -> std::optional<double> {
-                           return at.solved && at.solved->ratios ? ratio(*at.solved).value
-                                                                 : std::nullopt;
-                         }});
+  void add_quotient(const std::string& quantity,
+                    QuantityKind above,
+                    QuantityKind below,
+                    const std::function<std::optional<double>(const CaseAnalysis&)>& quotient) {
+    const double factor = above == below ? 1.0 : units_.factor(below) / units_.factor(above);
+    readings_.push_back(
+        {.column = {.element = output_name(),
+                    .quantity = quantity,
+                    .unit = unit_of_quotient(units_, above, below)},
+         .kind = MotionKind::number,
+         .value = [quotient, factor](const MotionPosition& at) -> std::optional<double> {
+           const std::optional<double> value =
+               at.solved && at.solved->ratios ? quotient(*at.solved) : std::nullopt;
+           return value ? std::optional(*value * factor) : std::nullopt;
+         }});
   }
 
   const FileUnits& units_;
@@ -351,6 +389,7 @@ class ReadingList {
   const Topology& topology_;
   const MotionPlan& plan_;
   const MotionPosition& first_;
+  Vec3 origin_;
   MotionDetail detail_;
   std::vector<MotionReading> readings_;
 };
@@ -378,8 +417,9 @@ MotionDetail detail_of(const MotionPlan& plan, const Mechanism& mechanism) {
 std::vector<MotionReading> motion_readings(const MechanismDescription& description,
                                            const Mechanism& mechanism,
                                            const MotionPlan& plan,
-                                           const MotionPosition& first) {
-  return ReadingList(description, mechanism, plan, first).run();
+                                           const MotionPosition& first,
+                                           const Vec3& origin) {
+  return ReadingList(description, mechanism, plan, first, origin).run();
 }
 
 }  // namespace kinestat

@@ -22,10 +22,11 @@ struct MotionReading {
 MotionDetail detail_of(const MotionPlan& plan, const Mechanism& mechanism);
 
 /// All columns but those of the drives. `first` is the first position: freedoms without a position
-/// there have no column for it.
+/// there have no column for it. Points are from `origin` [m].
 std::vector<MotionReading> motion_readings(const MechanismDescription& description,
                                            const Mechanism& mechanism,
                                            const MotionPlan& plan,
-                                           const MotionPosition& first);
+                                           const MotionPosition& first,
+                                           const Vec3& origin);
 
 }  // namespace kinestat

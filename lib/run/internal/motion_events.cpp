@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
@@ -14,11 +15,69 @@ namespace kinestat {
 
 namespace {
 
-// A freedom may turn back twice in a long step: rates are looked at this often [rad, or sizes of
-// the mechanism], and nearer and nearer to a limit, where the drive stands still.
+// Rates are looked at so often that the fastest freedom turns or shifts no farther between two
+// looks [rad, or sizes of the mechanism], and nearer and nearer to where they are not determined.
 constexpr double kLongestStretch = 0.1;
-constexpr int kStretchesToLimit = 13;
-constexpr double kTowardsLimit = 0.25;
+constexpr int kStretchesToSingular = 13;
+constexpr double kTowardsSingular = 0.25;
+
+// Between two looks a rate is a cubic, to this share of its size by the fourth power of the
+// stretch: of harmonics up to the third.
+constexpr double kCubicError = 0.3;
+constexpr int kCubicParts = 16;
+
+// A cubic that falls by less than so many of its errors along a stretch may as well rise.
+constexpr double kFlatSlope = 8.0;
+
+// The largest of t (1 - t)², by which a slope at one end moves a cubic.
+constexpr double kMostBySlope = 4.0 / 27.0;
+
+// Looks between the positions: more would take longer than anybody waits.
+constexpr int kMostLooks = 500'000;
+
+// How a rate changes along a stretch, its ends at 0 and 1.
+struct RateCubic {
+  double low = 0.0;
+  double high = 0.0;
+  double low_slope = 0.0;
+  double high_slope = 0.0;
+
+  double at(double t) const {
+    const double s = 1.0 - t;
+    return s * s * ((1.0 + 2.0 * t) * low + t * low_slope) +
+           t * t * ((1.0 + 2.0 * s) * high - s * high_slope);
+  }
+
+  double slope_at(double t) const {
+    const double s = 1.0 - t;
+    return 6.0 * s * t * (high - low) + s * (s - 2.0 * t) * low_slope +
+           t * (t - 2.0 * s) * high_slope;
+  }
+
+  // Whether it falls from a positive to a negative end with one zero, known to `error`: wherever it
+  // may stay or rise, it is farther from zero than that, and always on the same side.
+  bool falls_once(double error) const {
+    const double curve = 2.0 * (low_slope + high_slope) - 4.0 * slope_at(0.5);  // of the slope
+    const double start = high_slope - low_slope - curve;
+    std::vector<double> doubtful;
+    const auto add = [&](double t) {
+      if (t > 0.0 && t < 1.0 && slope_at(t) > -kFlatSlope * error) {
+        doubtful.push_back(at(t));
+      }
+    };
+    if (curve != 0.0) {
+      const double middle = -start / (2.0 * curve);
+      const double half_width_squared = middle * middle - low_slope / curve;
+      add(middle);
+      if (half_width_squared > 0.0) {
+        add(middle - std::sqrt(half_width_squared));
+        add(middle + std::sqrt(half_width_squared));
+      }
+    }
+    return std::ranges::all_of(doubtful, [&](double value) { return value > error; }) ||
+           std::ranges::all_of(doubtful, [&](double value) { return value < -error; });
+  }
+};
 
 class DeadPointFinder {
  public:
@@ -33,19 +92,32 @@ class DeadPointFinder {
     }
   }
 
-  std::vector<DeadPoint> run() {
+  DeadPoints run() {
     if (watched_.empty()) {
       return {};
     }
     std::optional<Place> before;
+    std::optional<double> singular;  // the share of a position behind which nothing is known yet
     for (int p = 0; p < motion_.solution.position_count(); ++p) {
-      for (const double share : shares_until(p)) {
-        before = before ? go_on(*before, share, p - 1) : std::nullopt;
+      std::optional<Place> here = place_at(p);
+      const double share = motion_.solution.shares[static_cast<std::size_t>(p)];
+      if (!here) {
+        if (before) {
+          before = approach(*std::move(before), share);
+        }
+        singular = before ? std::nullopt : std::optional(share);
+        continue;
       }
-      before = pass(before, place_at(p), p - 1);
+      if (singular) {
+        leave(*singular, *here);
+        singular.reset();
+      } else if (before) {
+        look(*before, *here);
+      }
+      before = std::move(here);
     }
     std::ranges::stable_sort(found_, {}, &DeadPoint::share);
-    return std::move(found_);
+    return {.points = std::move(found_), .may_lack_some = may_lack_some_};
   }
 
  private:
@@ -77,52 +149,57 @@ class DeadPointFinder {
     double share = 0.0;
     Configuration configuration;
     std::vector<double> rates;
-    double fastest = 0.0;  // of the rates [rad, or sizes of the mechanism]
+    std::vector<double> bends;  // their derivatives; empty where they would be rounding
+    std::vector<bool> rests;    // by the bound of each rate; empty where all are far above it
+    double fastest = 0.0;       // of the rates [rad, or sizes of the mechanism]
   };
-
-  // Between the position before and this one.
-  std::vector<double> shares_until(int position) const {
-    if (position == 0) {
-      return {};
-    }
-    const std::vector<double>& all = motion_.solution.shares;
-    const double from = all[static_cast<std::size_t>(position - 1)];
-    const double way = all[static_cast<std::size_t>(position)] - from;
-    const int count = static_cast<int>(std::ceil(way * reach_ / kLongestStretch));
-    std::vector<double> shares;
-    for (int k = 1; k < count; ++k) {
-      shares.push_back(from + way * k / count);
-    }
-    const bool is_limit = motion_.solution.status == MotionStatus::limit &&
-                          position + 1 == motion_.solution.position_count();
-    double left = shares.empty() ? way : from + way - shares.back();
-    for (int k = 0; is_limit && k < kStretchesToLimit; ++k) {
-      left *= kTowardsLimit;
-      shares.push_back(from + way - left);
-    }
-    return shares;
-  }
 
   // Empty where the rates are not determined.
   std::optional<Place> place(double share, Configuration configuration) const {
-    const MotionState state =
-        solve_state(motion_.network, mechanism_, configuration, per_share_, StateDetail::velocity);
+    const MotionState state = solve_state(
+        motion_.network, mechanism_, configuration, per_share_, StateDetail::acceleration);
     if (state.is_singular) {
       return std::nullopt;
     }
-    Place result{.share = share, .configuration = std::move(configuration), .rates = {}};
+    Place result{.share = share,
+                 .configuration = std::move(configuration),
+                 .rates = {},
+                 .bends = {},
+                 .rests = {}};
     for (std::size_t f = 0; f < state.rates.size(); ++f) {
       result.rates.push_back(state.rates[f].value_or(0.0));
       result.fastest = std::max(result.fastest, std::abs(result.rates.back()) / unit_of(f));
     }
+    for (const std::optional<double>& bend : state.rate_rates) {
+      result.bends.push_back(bend.value_or(0.0));
+    }
     return result;
   }
 
-  // -1, 0 or 1; what is rounding is zero.
-  int sense(const Place& place, std::size_t freedom) const {
-    const double rate = place.rates[freedom];
-    const bool rests = std::abs(rate) <= kNoReaction * place.fastest * unit_of(freedom);
-    return rests ? 0 : rate < 0.0 ? -1 : 1;
+  // The same, with what rests by the bounds of its rates.
+  std::optional<Place> judged(std::optional<Place> place) const {
+    if (place && may_rest(*place)) {
+      const MotionState state = solve_bounded_state(
+          motion_.network, mechanism_, place->configuration, per_share_, StateDetail::velocity);
+      for (const std::optional<double>& rate : state.rates) {
+        place->rests.push_back(rate.value_or(0.0) == 0.0);
+      }
+    }
+    return place;
+  }
+
+  // Whether a rate is so slow that its bound has to say if it is zero.
+  bool may_rest(const Place& place) const {
+    return std::ranges::any_of(watched_, [&](int freedom) {
+      const auto f = static_cast<std::size_t>(freedom);
+      return std::abs(place.rates[f]) <= kDoubtfulRate * place.fastest * unit_of(f);
+    });
+  }
+
+  // -1, 0 or 1.
+  static int sense(const Place& place, std::size_t freedom) {
+    const bool rests = !place.rests.empty() && place.rests[freedom];
+    return rests ? 0 : place.rates[freedom] < 0.0 ? -1 : 1;
   }
 
   double unit_of(std::size_t freedom) const {
@@ -130,8 +207,8 @@ class DeadPointFinder {
   }
 
   std::optional<Place> place_at(int position) const {
-    return place(motion_.solution.shares[static_cast<std::size_t>(position)],
-                 motion_.solution.configuration_at(position));
+    return judged(place(motion_.solution.shares[static_cast<std::size_t>(position)],
+                        motion_.solution.configuration_at(position)));
   }
 
   std::optional<Place> place_after(const Place& from, double share) const {
@@ -140,19 +217,116 @@ class DeadPointFinder {
     return there ? place(share, *std::move(there)) : std::nullopt;
   }
 
-  std::optional<Place> go_on(const Place& from, double share, int step) {
-    return pass(from, place_after(from, share), step);
-  }
-
-  std::optional<Place> pass(const std::optional<Place>& from, std::optional<Place> to, int step) {
-    for (const int freedom : watched_) {
-      const auto f = static_cast<std::size_t>(freedom);
-      // A rate that is zero at a place itself counts there once.
-      if (from && to && sense(*from, f) != 0 && sense(*to, f) != sense(*from, f)) {
-        add(freedom, step, *from, *to);
+  // The last regular place on the way to a singular position.
+  Place approach(Place from, double share) {
+    double left = share - from.share;
+    for (int k = 0; k < kStretchesToSingular; ++k) {
+      left *= kTowardsSingular;
+      if (std::optional<Place> to = judged(place_after(from, share - left))) {
+        look(from, *to);
+        from = *std::move(to);
       }
     }
-    return to;
+    return from;
+  }
+
+  // Backwards, from a regular place to a singular position at which the motion begins.
+  void leave(double share, Place to) {
+    MotionSolution backwards;
+    backwards.drives = motion_.solution.drives;
+    for (MotionDrive& drive : backwards.drives) {
+      std::swap(drive.from, drive.to);
+    }
+    double left = to.share - share;
+    for (int k = 0; k < kStretchesToSingular; ++k) {
+      left *= kTowardsSingular;
+      std::optional<Configuration> there = configuration_between(
+          motion_.network, backwards, to.configuration, 1.0 - to.share, 1.0 - (share + left));
+      std::optional<Place> from =
+          there ? judged(place(share + left, *std::move(there))) : std::nullopt;
+      if (from) {
+        look(*from, to);
+        to = *std::move(from);
+      }
+    }
+  }
+
+  // Between two regular places, in stretches within which every rate is a cubic.
+  void look(const Place& from, const Place& to) {
+    const double stretch = std::max(from.fastest, to.fastest) * (to.share - from.share);
+    std::optional<double> part = stretch > kLongestStretch ? std::optional(0.5) : std::nullopt;
+    for (std::size_t i = 0; i < watched_.size() && !part && stretch > kLeastLook; ++i) {
+      part = doubtful_part(from, to, static_cast<std::size_t>(watched_[i]), stretch);
+    }
+    const bool is_too_much = looks_ + stretch / kLongestStretch > kMostLooks;
+    may_lack_some_ = may_lack_some_ || (part && is_too_much);
+    if (part && !is_too_much) {
+      for (const double beside : {0.0, 0.07, -0.07}) {
+        const double share = from.share + (*part + beside) * (to.share - from.share);
+        if (share <= from.share || share >= to.share) {
+          break;
+        }
+        ++looks_;
+        if (const std::optional<Place> middle = judged(place_after(from, share))) {
+          look(from, *middle);
+          look(*middle, to);
+          return;
+        }
+      }
+    }
+    for (const int freedom : watched_) {
+      const auto f = static_cast<std::size_t>(freedom);
+      const int before = sense(from, f);
+      const int after = sense(to, f);
+      // A rate that is zero at a place itself counts there once, where it comes to rest.
+      if (before != 0 && after != before) {
+        add(freedom, from, to);
+      }
+    }
+  }
+
+  // The part of a stretch at which a rate may turn back and turn back again.
+  std::optional<double> doubtful_part(const Place& from,
+                                      const Place& to,
+                                      std::size_t freedom,
+                                      double stretch) const {
+    const int before = sense(from, freedom);
+    const int after = sense(to, freedom);
+    if (from.bends.empty() || to.bends.empty()) {
+      return std::nullopt;
+    }
+    if (before == 0 && from.bends[freedom] * after < 0.0) {
+      return 0.5;  // It sets out in one sense and has the other later.
+    }
+    if (before != 0 && after == 0 && to.bends[freedom] * before > 0.0) {
+      return 0.5;  // It comes to rest from the other sense.
+    }
+    if (before == 0 || after == 0) {
+      return std::nullopt;
+    }
+    const double way = before * (to.share - from.share);
+    const RateCubic rate{.low = before * from.rates[freedom],
+                         .high = before * to.rates[freedom],
+                         .low_slope = way * from.bends[freedom],
+                         .high_slope = way * to.bends[freedom]};
+    const double slopes = std::abs(rate.low_slope) + std::abs(rate.high_slope);
+    const double size = std::max(std::abs(rate.low), std::abs(rate.high)) + slopes / stretch;
+    const double error = kCubicError * size * std::pow(stretch, 4);
+    if (before != after) {
+      return rate.falls_once(error) ? std::nullopt : std::optional(0.5);
+    }
+    if (std::min(rate.low, rate.high) > kMostBySlope * slopes + error) {
+      return std::nullopt;
+    }
+    const auto part_of = [](int k) { return static_cast<double>(k) / kCubicParts; };
+    int lowest = 0;
+    for (int k = 1; k <= kCubicParts; ++k) {
+      lowest = rate.at(part_of(k)) < rate.at(part_of(lowest)) ? k : lowest;
+    }
+    // Where an end is lowest the rate may be zero right beside it, and turns back there once.
+    const bool is_inside = lowest > 0 && lowest < kCubicParts;
+    return is_inside && rate.at(part_of(lowest)) <= error ? std::optional(part_of(lowest))
+                                                          : std::nullopt;
   }
 
   // Where to look next: at the zero of the line through the ends, a little beyond it, so that the
@@ -170,24 +344,44 @@ class DeadPointFinder {
     return std::clamp(is_near_low ? zero + edge : zero - edge, low.share + edge, high.share - edge);
   }
 
-  void add(int freedom, int step, Place low, Place high) {
+  // At that share or, where nothing is known of it, at another one between the two.
+  std::optional<Place> place_within(const Place& low, const Place& high, double share) const {
+    for (const double part : {0.0, 0.5, 0.25, 0.75}) {
+      const double here = part == 0.0 ? share : low.share + part * (high.share - low.share);
+      if (here > low.share && here < high.share) {
+        if (std::optional<Place> found = place_after(low, here)) {
+          return found;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  void add(int freedom, Place low, Place high) {
     const auto f = static_cast<std::size_t>(freedom);
     const bool is_low_negative = std::signbit(low.rates[f]);
     if (std::signbit(high.rates[f]) == is_low_negative) {
       low = high;  // It rests there to rounding.
     }
     for (int round = 0; (high.share - low.share) * reach_ > kDeadPointBracket; ++round) {
-      const double share = next_share(low, high, f, round);
-      std::optional<Place> middle = place_after(low, share);
-      if (!middle || share <= low.share || share >= high.share) {
+      std::optional<Place> middle = place_within(low, high, next_share(low, high, f, round));
+      if (!middle) {
         break;  // The bracket that was reached is what is known.
       }
       (std::signbit(middle->rates[f]) == is_low_negative ? low : high) = *std::move(middle);
     }
+    const double share = (low.share + high.share) / 2.0;
     found_.push_back({.freedom = freedom,
-                      .step = step,
-                      .share = (low.share + high.share) / 2.0,
-                      .uncertainty = (high.share - low.share) / 2.0});
+                      .step = last_position_before(share),
+                      .share = share,
+                      .uncertainty = (high.share - low.share) / 2.0,
+                      .configuration = std::move(low.configuration)});
+  }
+
+  int last_position_before(double share) const {
+    const std::vector<double>& all = motion_.solution.shares;
+    const auto behind = std::ranges::lower_bound(all, share);
+    return std::max(static_cast<int>(behind - all.begin()) - 1, 0);
   }
 
   const Mechanism& mechanism_;
@@ -195,12 +389,14 @@ class DeadPointFinder {
   std::vector<int> watched_;
   GivenSpeeds per_share_;
   double reach_ = 0.0;  ///< of the fastest drive [rad, or sizes of the mechanism]
+  int looks_ = 0;       ///< between the positions
+  bool may_lack_some_ = false;
   std::vector<DeadPoint> found_;
 };
 
 }  // namespace
 
-std::vector<DeadPoint> find_dead_points(const Mechanism& mechanism, const FoundMotion& motion) {
+DeadPoints find_dead_points(const Mechanism& mechanism, const FoundMotion& motion) {
   return DeadPointFinder(mechanism, motion).run();
 }
 

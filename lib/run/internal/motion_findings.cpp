@@ -45,6 +45,8 @@ class Findings {
   void add_all() {
     add_correction();
     add_singularities();
+    add_missing_dead_points();
+    add_misclosure();
     switch (motion_.solution.status) {
       case MotionStatus::completed:
       case MotionStatus::not_movable:
@@ -53,6 +55,8 @@ class Findings {
         return add_not_assembled();
       case MotionStatus::limit:
         return add_limit();
+      case MotionStatus::lift_off:
+        return add_lift_off();
       case MotionStatus::locked:
         return add_locked();
       case MotionStatus::undetermined:
@@ -171,7 +175,8 @@ class Findings {
   std::string point_text(const Vec3& point) const {
     std::vector<std::string> coordinates;
     for (int i = 0; i < (is_planar() ? 2 : 3); ++i) {
-      coordinates.push_back(format_exact(in_file_unit(units_, MotionKind::length, point[i])));
+      coordinates.push_back(
+          format_exact(in_file_unit(units_, MotionKind::length, motion_.origin[i] + point[i])));
     }
     return fmt::format("[{}]", fmt::join(coordinates, ", "));
   }
@@ -195,6 +200,44 @@ class Findings {
         "there another motion crosses; this one goes straight on, as a flywheel would carry it");
   }
 
+  void add_missing_dead_points() const {
+    if (table_.may_lack_dead_points) {
+      found_.warning(
+          "W0509",
+          place_of_drive(),
+          "dead points may be missing from the events: the motion has too many turns to "
+          "look at all of it",
+          "let it run through a shorter range; rows and singular positions are complete");
+    }
+  }
+
+  // Of what has more equations than unknowns and was drawn with few figures.
+  void add_misclosure() const {
+    const double share = table_.worst_closure;
+    if (!motion_.solution.closes_by_least_squares) {
+      return;
+    }
+    const auto worst = static_cast<std::size_t>(table_.worst_step);
+    std::vector<double> positions;
+    for (std::size_t d = 0; d < table_.drives.size(); ++d) {
+      positions.push_back(table_.rows[worst].values[d].value_or(0.0));
+    }
+    const double length =
+        in_file_unit(units_, MotionKind::length, share * mechanism_.geometry.length);
+    found_.warning(
+        "W0510",
+        place_of_drive(),
+        fmt::format("the positions do not close: at {} they miss up to {}, {} of the size. As "
+                    "typed, the mechanism is overconstrained and has no such motion",
+                    drives_text(positions),
+                    with_unit(length, table_.length_unit),
+                    format_short(share)),
+        "every position is the least-squares fit, so forces and velocities are those of a "
+        "mechanism "
+        "that differs by so much; type more figures, or expressions such as 50*sqrt(3), if it is "
+        "to move");
+  }
+
   void add_not_assembled() const {
     const std::vector<CouplingGap>& gaps = table_.nearest_gaps;
     found_.error("E0504",
@@ -205,7 +248,18 @@ class Findings {
                  "link shorter than the other three together");
   }
 
+  // Whoever types a limit that a report gave asks for it.
+  bool ends_where_asked() const {
+    return std::ranges::all_of(table_.drives, [](const DriveTravel& drive) {
+      return drive.reached &&
+             std::abs(drive.to - *drive.reached) <= kAskedLimit * std::abs(drive.to - drive.from);
+    });
+  }
+
   void add_limit() const {
+    if (ends_where_asked()) {
+      return;
+    }
     const DriveTravel& drive = table_.drives.front();
     const bool has_way_to_start =
         std::ranges::any_of(table_.drives, [](const DriveTravel& one) { return one.from != 0.0; });
@@ -222,6 +276,19 @@ class Findings {
                      ? "the report goes up to there; end the motion before, or drive another "
                        "coupling"
                      : "let the motion begin and end before that, or drive another coupling");
+  }
+
+  void add_lift_off() const {
+    const int contact = motion_.solution.special.back().contact;
+    const CableContact& rope = mechanism_.contacts[static_cast<std::size_t>(contact)];
+    const CouplingTopology& leaves = topology_.coupling(rope.leaves);
+    found_.error("E0510",
+                 rope.where,
+                 fmt::format("the rope lifts off '{}' at {}: there its arc is zero",
+                             topology_.body(leaves.tail).name,
+                             drives_text(table_.events.back().drive)),
+                 "the report goes up to there; end the motion before, or draw the rope beyond "
+                 "without this pulley");
   }
 
   void add_locked() const {

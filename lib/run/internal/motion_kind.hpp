@@ -7,7 +7,7 @@
 
 namespace kinestat {
 
-/// Values of one kind, in SI; those that are rounding beside the largest of their kind are zero.
+/// Values of one kind, in SI.
 enum class MotionKind {
   angle,
   length,

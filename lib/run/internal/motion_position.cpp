@@ -6,6 +6,7 @@
 
 #include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
+#include "math/settled.hpp"
 #include "motion/moved_mechanism.hpp"
 #include "power/transmission_angle.hpp"
 #include "run/solve_cases.hpp"
@@ -14,21 +15,14 @@ namespace kinestat {
 
 namespace {
 
-const Primary* find_primary(const Case& which, int freedom) {
-  const auto at = std::ranges::find(which.motions, freedom, &Primary::index);
-  return at == which.motions.end() ? nullptr : &*at;
-}
-
-// False where known rates contradict each other.
+// False where known rates contradict each other, beyond what the state and rounding leave open.
 bool meets(const Case& which, const MotionState& state) {
-  double fastest = 0.0;
-  for (const std::optional<double>& rate : state.rates) {
-    fastest = std::max(fastest, std::abs(rate.value_or(0.0)));
-  }
   return std::ranges::all_of(which.motions, [&](const Primary& known) {
-    const double missed = std::abs(
-        state.rates[static_cast<std::size_t>(known.index)].value_or(known.value) - known.value);
-    return missed <= kMostVelocityError * std::abs(known.value) + kNoReaction * fastest;
+    const auto freedom = static_cast<std::size_t>(known.index);
+    const double rate = state.rates[freedom].value_or(known.value);
+    const double bound =
+        kConsistency * (std::abs(rate) + std::abs(known.value)) + state.bounds.rates[freedom];
+    return std::abs(rate - known.value) <= bound;
   });
 }
 
@@ -57,115 +51,51 @@ MotionPositions::MotionPositions(const Mechanism& mechanism,
 
 MotionPosition MotionPositions::at(const Configuration& configuration) {
   MotionPosition position;
-  position.freedoms = freedom_positions(network_, mechanism_, configuration);
-  if (mechanism_.space == Space::planar) {
-    position.turns = body_turns(network_, configuration);
-  }
-  const bool needs_speeds = detail_.velocity || detail_.acceleration;
-  const auto speeds = needs_speeds ? speeds_of_case(configuration) : std::nullopt;
+  const bool needs_speeds = which_ != nullptr && (detail_.velocity || detail_.acceleration);
   const StateDetail detail =
       detail_.acceleration ? StateDetail::acceleration : StateDetail::velocity;
-  position.has_speeds = speeds.has_value();
-  const GivenSpeeds rest{.drives = std::vector<DriveSpeed>(plan_.drives.size()), .passive = {}};
-  position.state =
-      solve_state(network_, mechanism_, configuration, speeds ? *speeds : rest, detail);
-  if (position.has_speeds && !position.state.is_singular) {
-    position.has_speeds = meets(*which_, position.state);
+  CaseSpeeds found{.known = SpeedsKnown::not_by_state, .speeds = {}};
+  if (needs_speeds) {
+    found = CaseSpeedSolver(network_, mechanism_, plan_, *which_).find(configuration, detail);
   }
+  position.speeds = found.known;
+  const GivenSpeeds rest{.drives = std::vector<DriveSpeed>(plan_.drives.size()), .passive = {}};
+  position.state = solve_bounded_state(network_,
+                                       mechanism_,
+                                       configuration,
+                                       found.known == SpeedsKnown::all ? found.speeds : rest,
+                                       detail);
+  if (position.has_speeds() && !position.state.is_singular && !meets(*which_, position.state)) {
+    position.speeds = SpeedsKnown::dependent;
+  }
+  place(configuration, position);
   if (!position.state.is_singular && (detail_.statics || detail_.transmission_angle)) {
-    move_mechanism(network_, drawn_, position.state.poses, mechanism_, moved_);
-    moved_.misclosure = detail_.misclosure;
+    move(position);
     solve_passes(position);
   }
   return position;
 }
 
-// The only known motion that is not zero, of those that the drive determines.
-const Primary* MotionPositions::find_moving(const Configuration& configuration) const {
-  const Primary* result = nullptr;
-  for (const Primary& one : which_->motions) {
-    if (one.value == 0.0 || is_open(one.index, configuration)) {
-      continue;
+// Where freedoms and bodies stand, zero where nothing tells it from that.
+void MotionPositions::place(const Configuration& configuration, MotionPosition& position) const {
+  position.freedoms = freedom_positions(network_, mechanism_, configuration);
+  for (std::size_t f = 0; f < position.freedoms.size(); ++f) {
+    std::optional<double>& freedom = position.freedoms[f];
+    if (freedom) {
+      freedom = settled(*freedom, position.state.bounds.positions[f]);
     }
-    if (result != nullptr) {
-      return nullptr;
-    }
-    result = &one;
   }
-  return result;
+  if (mechanism_.space == Space::planar) {
+    position.turns = body_turns(network_, configuration);
+    for (std::size_t b = 0; b < position.turns.size(); ++b) {
+      position.turns[b] = settled(position.turns[b], position.state.bounds.bodies[b].turn);
+    }
+  }
 }
 
-// Whether the drive leaves it to itself, so that a case may give it any rate.
-bool MotionPositions::is_open(int freedom, const Configuration& configuration) const {
-  if (network_.passive_motions.empty()) {
-    return false;
-  }
-  const auto rate_given = [&](double speed) {
-    const GivenSpeeds speeds{.drives = {{.speed = 1.0, .acceleration = 0.0}},
-                             .passive = {{.freedom = freedom, .speed = speed}}};
-    const MotionState state =
-        solve_state(network_, mechanism_, configuration, speeds, StateDetail::velocity);
-    return state.is_singular ? 0.0 : state.rates[static_cast<std::size_t>(freedom)].value_or(0.0);
-  };
-  return std::abs(rate_given(1.0) - rate_given(0.0)) > 0.5;
-}
-
-// Those that the case gives or, of one drive, that follow from the motion which it gives.
-std::optional<GivenSpeeds> MotionPositions::speeds_of_case(const Configuration& configuration) {
-  if (which_ == nullptr) {
-    return std::nullopt;
-  }
-  GivenSpeeds speeds;
-  for (const PlannedDrive& drive : plan_.drives) {
-    if (const Primary* known = find_primary(*which_, drive.freedom)) {
-      speeds.drives.push_back({.speed = known->value, .acceleration = 0.0});
-    }
-  }
-  speeds.passive = undriven_speeds();
-  if (speeds.drives.size() == plan_.drives.size()) {
-    return speeds;
-  }
-  const Primary* moving = plan_.drives.size() == 1 ? find_moving(configuration) : nullptr;
-  if (moving == nullptr) {
-    return std::nullopt;
-  }
-  // With f the given freedom as a function of the drive s: f' s. = given, f' s.. = -f'' s.^2.
-  const auto freedom = static_cast<std::size_t>(moving->index);
-  std::erase_if(speeds.passive,
-                [&](const PassiveSpeed& one) { return one.freedom == moving->index; });
-  speeds.drives = {{.speed = 1.0, .acceleration = 0.0}};
-  const MotionState state =
-      solve_state(network_,
-                  mechanism_,
-                  configuration,
-                  speeds,
-                  detail_.acceleration ? StateDetail::acceleration : StateDetail::velocity);
-  if (state.is_singular) {
-    return std::nullopt;
-  }
-  double fastest = 0.0;
-  for (const std::optional<double>& rate : state.rates) {
-    fastest = std::max(fastest, std::abs(rate.value_or(0.0)));
-  }
-  const double slope = state.rates[freedom].value_or(0.0);
-  if (std::abs(slope) <= kNoReaction * fastest) {
-    return std::nullopt;
-  }
-  const double speed = moving->value / slope;
-  const double bend = state.rate_rates.empty() ? 0.0 : state.rate_rates[freedom].value_or(0.0);
-  speeds.drives = {{.speed = speed, .acceleration = -bend * speed * speed / slope}};
-  return speeds;
-}
-
-std::vector<PassiveSpeed> MotionPositions::undriven_speeds() const {
-  std::vector<PassiveSpeed> speeds;
-  for (const Primary& known : which_->motions) {
-    if (std::ranges::find(plan_.drives, known.index, &PlannedDrive::freedom) ==
-        plan_.drives.end()) {
-      speeds.push_back({.freedom = known.index, .speed = known.value});
-    }
-  }
-  return speeds;
+void MotionPositions::move(const MotionPosition& position) {
+  move_mechanism(network_, drawn_, position.state.poses, mechanism_, moved_);
+  moved_.misclosure = std::max(detail_.misclosure, position.state.bounds.place);
 }
 
 void MotionPositions::solve_passes(MotionPosition& position) {

@@ -7,6 +7,7 @@
 #include "core/motion_tolerance.hpp"
 #include "motion/motion_state.hpp"
 #include "report/analysis.hpp"
+#include "run/internal/case_speeds.hpp"
 #include "run/motion.hpp"
 
 namespace kinestat {
@@ -26,13 +27,21 @@ double worst_misclosure(const MotionSolution& solution);
 
 /// World frame, SI. Lists are parallel to those of the topology.
 struct MotionPosition {
-  std::vector<std::optional<double>> freedoms;  ///< positions [rad or m]
-  std::vector<double> turns;                    ///< of the bodies in the plane, counted [rad]
-  MotionState state;                            ///< with the speeds of the case, or per share
-  bool has_speeds = false;                      ///< the state has those of the case
-  std::optional<CaseAnalysis> solved;           ///< the passes of the case
-  std::optional<double> transmission_angle;     ///< [rad]
+  std::vector<std::optional<double>> freedoms;     ///< positions [rad or m]
+  std::vector<double> turns;                       ///< of the bodies in the plane, counted [rad]
+  MotionState state;                               ///< with the speeds of the case, or per share
+  SpeedsKnown speeds = SpeedsKnown::not_by_state;  ///< what the case says of them
+  std::optional<CaseAnalysis> solved;              ///< the passes of the case
+  std::optional<double> transmission_angle;        ///< [rad]
+
+  /// The state has those of the case.
+  bool has_speeds() const { return speeds == SpeedsKnown::all; }
 };
+
+/// Empty otherwise are its velocities.
+inline bool has_motion(const MotionPosition& position) {
+  return position.has_speeds() && !position.state.is_singular;
+}
 
 /// Works them out one after the other.
 class MotionPositions {
@@ -49,10 +58,8 @@ class MotionPositions {
   const Mechanism& moved() const { return moved_; }
 
  private:
-  std::optional<GivenSpeeds> speeds_of_case(const Configuration& configuration);
-  const Primary* find_moving(const Configuration& configuration) const;
-  bool is_open(int freedom, const Configuration& configuration) const;
-  std::vector<PassiveSpeed> undriven_speeds() const;
+  void place(const Configuration& configuration, MotionPosition& position) const;
+  void move(const MotionPosition& position);
   void solve_passes(MotionPosition& position);
 
   const Mechanism& mechanism_;

@@ -1,11 +1,11 @@
 #include "run/internal/motion_table_maker.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
-#include "core/tolerance.hpp"
+#include "motion/motion.hpp"
+#include "run/internal/case_word.hpp"
 #include "run/internal/motion_columns.hpp"
 #include "run/internal/motion_events.hpp"
 
@@ -13,13 +13,15 @@ namespace kinestat {
 
 namespace {
 
-constexpr std::size_t kKinds = static_cast<std::size_t>(MotionKind::number) + 1;
+// The status of a row whose actions nothing but the turn of a friction leaves open.
+constexpr std::string_view kAtDeadPoint = "dead_point";
 
 MotionEnd end_of(MotionStatus status) {
   switch (status) {
     case MotionStatus::completed:
       return MotionEnd::complete;
     case MotionStatus::limit:
+    case MotionStatus::lift_off:
       return MotionEnd::limited;
     case MotionStatus::locked:
       return MotionEnd::locked;
@@ -38,14 +40,16 @@ class TableMaker {
  public:
   TableMaker(const MechanismDescription& description,
              const Mechanism& mechanism,
-             const FoundMotion& motion)
+             const FoundMotion& motion,
+             PositionFindings& found)
       : description_(description),
         units_(description.units),
         mechanism_(mechanism),
         topology_(mechanism.topology),
         motion_(motion),
         solution_(motion.solution),
-        plan_(motion.plan) {}
+        plan_(motion.plan),
+        found_(found) {}
 
   MotionTable run() {
     table_.end = end_of(solution_.status);
@@ -98,19 +102,26 @@ class TableMaker {
     if (solution_.position_count() == 0) {
       return;
     }
-    MotionDetail detail = detail_of(plan_, mechanism_);
-    detail.misclosure = worst_misclosure(solution_);
-    MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail);
-    const std::vector<MotionReading> readings = motion_readings(
-        description_, mechanism_, plan_, positions.at(solution_.configuration_at(0)));
-    for (const MotionReading& reading : readings) {
+    detail_ = detail_of(plan_, mechanism_);
+    detail_.misclosure = worst_misclosure(solution_);
+    MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
+    readings_ = motion_readings(description_,
+                                mechanism_,
+                                plan_,
+                                positions.at(solution_.configuration_at(0)),
+                                motion_.origin);
+    for (const MotionReading& reading : readings_) {
       table_.columns.push_back(reading.column);
     }
     for (int p = 0; p < solution_.position_count(); ++p) {
-      add_row(p, positions.at(solution_.configuration_at(p)), readings);
+      const MotionPosition position = positions.at(solution_.configuration_at(p));
+      judge(position, positions.moved());
+      add_row(p, position);
+      table_.rows.back().status = status_of(p, position, positions.moved());
     }
+    find_friction_turns();
+    tell_findings();
     table_.columns.push_back({.element = "", .quantity = "misclosure", .unit = ""});
-    write_in_units(readings);
     for (std::size_t r = 0; r < table_.rows.size(); ++r) {
       const double closure = solution_.misclosures[r];
       table_.rows[r].values.emplace_back(closure);
@@ -121,23 +132,105 @@ class TableMaker {
     }
   }
 
-  // Values in SI until the largest of each kind is known.
-  void add_row(int p, const MotionPosition& position, const std::vector<MotionReading>& readings) {
-    MotionRow row{.step = p, .values = {}, .status = status_of(p, position)};
+  void judge(const MotionPosition& position, const Mechanism& moved) {
+    if (!position.solved) {
+      said_.emplace_back();
+      return;
+    }
+    const std::optional<ShiftAnalysis> no_shift;
+    const JudgedFile file = {.description = description_, .mechanism = moved, .shift = no_shift};
+    const auto is_told = [this](std::string_view code, SourceRange where) {
+      return !said_.empty() &&
+             std::ranges::any_of(said_.back().items(), [&](const CaseFinding& one) {
+               return one.code == code && one.where == where;
+             });
+    };
+    said_.push_back(find_case_findings(file, *position.solved, is_told));
+  }
+
+  // That a friction has no direction is said of its turn, wherever the steps fall.
+  void tell_findings() {
+    for (std::size_t r = 0; r < said_.size(); ++r) {
+      CaseFindings kept;
+      for (const CaseFinding& one : said_[r].items()) {
+        if (table_.rows[r].status != kAtDeadPoint || one.code != "E0604") {
+          kept.add(one);
+        }
+      }
+      found_.add(r, kept);
+    }
+  }
+
+  void add_row(int p, const MotionPosition& position) {
+    MotionRow row{.step = p, .values = {}, .status = {}};
+    row.lacks_velocities = detail_.velocity && !has_motion(position);
+    row.lacks_accelerations =
+        detail_.acceleration && has_motion(position) && position.state.twist_rates.empty();
     for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
       row.values.emplace_back(in_unit(kind_of(plan_.drives[d]), solution_.drive_value(d, p)));
     }
-    for (const MotionReading& reading : readings) {
-      std::optional<double> value = reading.value(position);
-      value = value && std::isfinite(*value) ? value : std::nullopt;
-      row.values.push_back(value);
-      double& largest = largest_[static_cast<std::size_t>(reading.kind)];
-      largest = std::max(largest, std::abs(value.value_or(0.0)));
+    for (const MotionReading& reading : readings_) {
+      const std::optional<double> value = reading.value(position);
+      row.values.push_back(value && std::isfinite(*value)
+                               ? std::optional(in_unit(reading.kind, *value))
+                               : std::nullopt);
     }
     table_.rows.push_back(std::move(row));
+    sliding_.push_back(sliding_at(position));
   }
 
-  std::string status_of(int p, const MotionPosition& position) const {
+  // The rate of each coupling with friction; empty where none is known.
+  std::vector<double> sliding_at(const MotionPosition& position) const {
+    std::vector<double> rates;
+    if (!position.solved || !position.solved->motion || position.solved->motion->rates.empty()) {
+      return rates;
+    }
+    for (const CouplingFriction& friction : mechanism_.frictions) {
+      const int freedom = topology_.coupling(friction.coupling).first_freedom;
+      rates.push_back(position.solved->motion->rates[static_cast<std::size_t>(freedom)]);
+    }
+    return rates;
+  }
+
+  // Between the nearest rows in which a coupling slides one way and the other; rows between them
+  // are at its dead point, wherever the steps fall.
+  void find_friction_turns() {
+    for (std::size_t f = 0; f < mechanism_.frictions.size(); ++f) {
+      FrictionTurn turn{.coupling = topology_.coupling(mechanism_.frictions[f].coupling).name};
+      std::optional<std::size_t> before;
+      for (std::size_t r = 0; r < sliding_.size(); ++r) {
+        if (sliding_[r].empty()) {
+          before.reset();
+          continue;
+        }
+        if (sliding_[r][f] == 0.0) {
+          continue;
+        }
+        if (before && (sliding_[*before][f] < 0.0) != (sliding_[r][f] < 0.0)) {
+          if (turn.count++ == 0) {
+            turn.before = *before;
+            turn.after = r;
+          }
+          mark_dead_points(*before + 1, r);
+        }
+        before = r;
+      }
+      if (turn.count > 0) {
+        table_.friction_turns.push_back(std::move(turn));
+      }
+    }
+  }
+
+  // What nothing but the turn of a friction leaves open.
+  void mark_dead_points(std::size_t first, std::size_t last) {
+    for (std::size_t r = first; r < last; ++r) {
+      if (table_.rows[r].status == word_of(SolveStatus::undirected)) {
+        table_.rows[r].status = kAtDeadPoint;
+      }
+    }
+  }
+
+  std::string status_of(int p, const MotionPosition& position, const Mechanism& moved) const {
     const bool is_last = p + 1 == solution_.position_count();
     if (is_last && solution_.status == MotionStatus::limit) {
       return "limit";
@@ -145,42 +238,14 @@ class TableMaker {
     if (position.state.is_singular) {
       return "singular";
     }
-    if (position.solved && position.solved->action) {
-      return std::string(word_of(position.solved->action->status));
+    if (detail_.velocity && position.speeds == SpeedsKnown::dependent) {
+      return std::string(word_of(SolveStatus::dependent));
     }
-    return "solved";
-  }
-
-  double& largest(MotionKind kind) { return largest_[static_cast<std::size_t>(kind)]; }
-
-  // What turns fast moves points fast, and turning steadily accelerates them: a motion in which all
-  // points rest has no velocities but rounding.
-  void compare_turns_with_speeds() {
-    using enum MotionKind;
-    const double size = mechanism_.geometry.length;
-    const double turns = std::max(largest(angular_velocity), largest(velocity) / size);
-    const double bends =
-        std::max({largest(angular_acceleration), largest(acceleration) / size, turns * turns});
-    largest(angular_velocity) = turns;
-    largest(velocity) = turns * size;
-    largest(angular_acceleration) = bends;
-    largest(acceleration) = bends * size;
-  }
-
-  void write_in_units(const std::vector<MotionReading>& readings) {
-    compare_turns_with_speeds();
-    const std::size_t first = plan_.drives.size();
-    for (MotionRow& row : table_.rows) {
-      for (std::size_t c = 0; c < readings.size(); ++c) {
-        std::optional<double>& value = row.values[first + c];
-        if (!value) {
-          continue;
-        }
-        const MotionKind kind = readings[c].kind;
-        const double least = kReportsAgreeInZero * largest_[static_cast<std::size_t>(kind)];
-        value = std::abs(*value) <= least ? 0.0 : in_unit(kind, *value);
-      }
+    if (detail_.velocity && position.speeds == SpeedsKnown::too_few) {
+      return std::string(word_of(SolveStatus::underdetermined));
     }
+    return position.solved ? std::string(case_word(moved, *position.solved, plan_.report.power))
+                           : "solved";
   }
 
   std::vector<double> drives_at(double share) const {
@@ -199,6 +264,53 @@ class TableMaker {
     return in_unit(kind_of(drive), std::abs(share * way));
   }
 
+  static std::string kind_of(const SpecialPosition& special) {
+    switch (special.kind) {
+      case SpecialKind::limit:
+        return "limit";
+      case SpecialKind::lift_off:
+        return "lift_off";
+      case SpecialKind::change_point:
+        return "singular";
+    }
+    return "";
+  }
+
+  std::string element_of(const SpecialPosition& special) const {
+    switch (special.kind) {
+      case SpecialKind::limit:
+        return table_.drives.front().name;
+      case SpecialKind::lift_off:
+        return mechanism_.contacts[static_cast<std::size_t>(special.contact)].name;
+      case SpecialKind::change_point:
+        return "";
+    }
+    return "";
+  }
+
+  static bool is_place(const MotionColumn& column) {
+    return column.quantity == "position" || column.quantity.starts_with("at/") ||
+           column.quantity.starts_with("rotation/");
+  }
+
+  // Extremes of positions lie where a freedom turns back.
+  std::vector<std::optional<double>> places_at(const DeadPoint& point) const {
+    if (point.step < 0 || readings_.empty()) {
+      return {};
+    }
+    MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, {});
+    const MotionPosition position = positions.at(point.configuration);
+    const std::vector<double> drives = drives_at(point.share);
+    std::vector<std::optional<double>> places(drives.begin(), drives.end());
+    for (const MotionReading& reading : readings_) {
+      const std::optional<double> value =
+          is_place(reading.column) ? reading.value(position) : std::nullopt;
+      places.push_back(value ? std::optional(in_unit(reading.kind, *value)) : std::nullopt);
+    }
+    places.emplace_back();  // the misclosure
+    return places;
+  }
+
   void add_events() {
     struct Placed {
       double share = 0.0;
@@ -206,26 +318,29 @@ class TableMaker {
     };
 
     std::vector<Placed> placed;
-    for (const DeadPoint& point : find_dead_points(mechanism_, motion_)) {
+    const DeadPoints dead_points = find_dead_points(mechanism_, motion_);
+    table_.may_lack_dead_points = dead_points.may_lack_some;
+    for (const DeadPoint& point : dead_points.points) {
       placed.push_back({.share = point.share,
                         .event = {.kind = "dead_point",
                                   .element = topology_.freedom_name(point.freedom),
                                   .step = point.step,
                                   .drive = drives_at(point.share),
-                                  .uncertainty = uncertainty(point.uncertainty, point.step)}});
+                                  .uncertainty = uncertainty(point.uncertainty, point.step),
+                                  .places = places_at(point)}});
     }
     for (const SpecialPosition& special : solution_.special) {
-      const bool is_limit = special.kind == SpecialKind::limit;
       std::vector<double> drive;
       for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
         drive.push_back(in_unit(kind_of(plan_.drives[d]), special.drive_values[d]));
       }
       placed.push_back({.share = special.share,
-                        .event = {.kind = is_limit ? "limit" : "singular",
-                                  .element = is_limit ? table_.drives.front().name : "",
+                        .event = {.kind = kind_of(special),
+                                  .element = element_of(special),
                                   .step = special.step,
                                   .drive = std::move(drive),
-                                  .uncertainty = uncertainty(special.uncertainty, special.step)}});
+                                  .uncertainty = uncertainty(special.uncertainty, special.step),
+                                  .places = {}}});
     }
     std::ranges::stable_sort(
         placed, {}, [](const Placed& one) { return std::pair(one.event.step >= 0, one.share); });
@@ -267,7 +382,11 @@ class TableMaker {
   const FoundMotion& motion_;
   const MotionSolution& solution_;
   const MotionPlan& plan_;
-  std::array<double, kKinds> largest_ = {};  ///< of each kind [SI]
+  PositionFindings& found_;
+  MotionDetail detail_;
+  std::vector<MotionReading> readings_;
+  std::vector<std::vector<double>> sliding_;  // of each row
+  std::vector<CaseFindings> said_;            // likewise
   MotionTable table_;
 };
 
@@ -275,8 +394,9 @@ class TableMaker {
 
 MotionTable make_motion_table(const MechanismDescription& description,
                               const Mechanism& mechanism,
-                              const FoundMotion& motion) {
-  return TableMaker(description, mechanism, motion).run();
+                              const FoundMotion& motion,
+                              PositionFindings& found) {
+  return TableMaker(description, mechanism, motion, found).run();
 }
 
 }  // namespace kinestat

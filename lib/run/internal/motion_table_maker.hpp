@@ -2,13 +2,15 @@
 #pragma once
 
 #include "report/motion_table.hpp"
+#include "run/internal/position_findings.hpp"
 #include "run/motion.hpp"
 
 namespace kinestat {
 
-/// The table of what was found.
+/// The table of what was found. What there is to say of its rows is added to `found`.
 MotionTable make_motion_table(const MechanismDescription& description,
                               const Mechanism& mechanism,
-                              const FoundMotion& motion);
+                              const FoundMotion& motion,
+                              PositionFindings& found);
 
 }  // namespace kinestat

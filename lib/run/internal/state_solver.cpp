@@ -10,6 +10,7 @@
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "mechanism/bind.hpp"
+#include "run/internal/case_word.hpp"
 #include "run/solve_cases.hpp"
 
 namespace kinestat {
@@ -59,18 +60,15 @@ std::string_view row_status(const CaseAnalysis& one,
                ? "locked"
                : status_word(one.motion->status, is_usually_solved);
   }
-  if (one.action && one.action->status != SolveStatus::solved) {
+  const bool has_actions = !one.action || one.action->status == SolveStatus::solved;
+  if (!has_actions && is_usually_solved) {
     return status_word(one.action->status, is_usually_solved);
   }
   const bool asks_power = std::ranges::any_of(
       task.quantities, [](const SweepQuantity& quantity) { return needs_power(quantity.kind); });
-  if (asks_power && one.power && !one.power->is_balanced) {
-    return "unbalanced";
-  }
-  const bool is_self_locking = one.efficiency ? one.efficiency->carrier.is_self_locking
-                                              : one.power && one.power->is_self_locking;
-  if (asks_power && is_self_locking) {
-    return "self_locking";
+  const std::string_view word = case_word(task.mechanism, one, asks_power);
+  if (word != word_of(SolveStatus::solved)) {
+    return word;
   }
   const bool asks_ratio = std::ranges::any_of(task.quantities, [](const SweepQuantity& quantity) {
     return quantity.kind == SweepQuantityKind::ratio;

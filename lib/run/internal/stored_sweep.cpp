@@ -10,8 +10,15 @@ namespace kinestat {
 
 namespace {
 
+constexpr std::string_view kChunkPrefix = "chunk-";
+
 std::string chunk_name(std::uint64_t chunk) {
-  return fmt::format("chunk-{:08}", chunk);
+  return fmt::format("{}{:08}", kChunkPrefix, chunk);
+}
+
+bool is_chunk_name(std::string_view name) {
+  return name.starts_with(kChunkPrefix) && name.size() >= chunk_name(0).size() &&
+         name.find_first_not_of("0123456789", kChunkPrefix.size()) == std::string_view::npos;
 }
 
 }  // namespace
@@ -28,7 +35,7 @@ bool StoredSweep::prepare() {
     was_finished_ = true;
     return true;
   }
-  std::optional<WorkFolder> work = WorkFolder::open(path, found_);
+  std::optional<WorkFolder> work = WorkFolder::open(path, is_chunk_name, found_);
   if (!work) {
     return false;
   }

@@ -1,10 +1,12 @@
 #include "run/internal/taped_case.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "network/bases.hpp"
 #include "run/internal/sweep_task.hpp"
+#include "statics/one_sided_action.hpp"
 #include "sweep/taped_network.hpp"
 
 namespace kinestat {
@@ -57,6 +59,9 @@ class CaseRecorder {
     }
     if (action) {
       add_columns(*action, SweepQuantityKind::action);
+      for (const int one_sided : one_sided_actions()) {
+        taped_.one_sided.push_back(notes_.add_output(action->number(one_sided)));
+      }
     }
     const bool asks_ratios = asks(SweepQuantityKind::ratio) || asks(SweepQuantityKind::step) ||
                              asks(SweepQuantityKind::torque_ratio);
@@ -88,8 +93,15 @@ class CaseRecorder {
     return side == NetworkSide::motion ? one.freedom : one.action;
   }
 
+  std::vector<int> one_sided_actions() const {
+    std::vector<int> actions = find_tensions(topology_);
+    std::ranges::copy(find_contact_forces(topology_), std::back_inserter(actions));
+    return actions;
+  }
+
   std::vector<int> wanted_of(NetworkSide side) const {
-    std::vector<int> wanted;
+    std::vector<int> wanted =
+        side == NetworkSide::action ? one_sided_actions() : std::vector<int>();
     for (const SweepQuantity& quantity : task_.quantities) {
       if (quantity.kind ==
           (side == NetworkSide::motion ? SweepQuantityKind::rate : SweepQuantityKind::action)) {
@@ -260,8 +272,11 @@ void find_cells(const LaneTape& tape, TapedCase& taped) {
       one.cell = tape.output_cell(one.cell);
     }
   }
-  for (auto* ends :
-       {&taped.input_rates, &taped.output_rates, &taped.input_actions, &taped.output_actions}) {
+  for (auto* ends : {&taped.input_rates,
+                     &taped.output_rates,
+                     &taped.input_actions,
+                     &taped.output_actions,
+                     &taped.one_sided}) {
     for (std::size_t& one : *ends) {
       one = tape.output_cell(one);
     }

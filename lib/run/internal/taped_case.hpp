@@ -27,6 +27,8 @@ struct TapedCase {
   std::vector<std::size_t> output_rates;
   std::vector<std::size_t> input_actions;
   std::vector<std::size_t> output_actions;
+  /// Tensions and forces of contacts [SI]: where one is negative, the whole analysis judges.
+  std::vector<std::size_t> one_sided;
   bool has_ratios = false;          ///< and a quantity asks for them
   std::vector<TapedColumn> ratios;  ///< where one input drives: right if they are finite
   double ratio_unit = 1.0;          ///< of the output's rate [SI], over:

@@ -68,10 +68,11 @@ TapedSolver::TapedSolver(const SweepTask& task, const SweepTapes& tapes, std::si
   }
   binds_states_ =
       tapes.needs_geometry || tapes.needs_primaries || has_combinations_ || !others_.empty();
-  asks_nothing_else_ = std::ranges::none_of(task.gears, &std::optional<SweptGear>::has_value) &&
-                       std::ranges::all_of(tapes.cases, [&](const TapedCase& taped) {
-                         return taped.columns.size() == task.quantities.size();
-                       });
+  asks_nothing_else_ =
+      std::ranges::none_of(task.gears, &std::optional<SweptGear>::has_value) &&
+      std::ranges::all_of(tapes.cases, [&](const TapedCase& taped) {
+        return taped.columns.size() == task.quantities.size() && taped.one_sided.empty();
+      });
 }
 
 bool TapedSolver::rebind(const StateWalk& walk) {
@@ -275,10 +276,16 @@ bool TapedSolver::fill_columns(std::span<const TapedColumn> columns,
   return infinite == 0;
 }
 
-// False where a number is not finite, or the case is no gear in this state.
+// Whether no rope pushes and no contact pulls.
+bool TapedSolver::is_possible(const TapedCase& taped, std::size_t lane) const {
+  return std::ranges::all_of(
+      taped.one_sided, [&](std::size_t cell) { return workspace_.number(cell, lane) >= 0.0; });
+}
+
+// False where a number is not finite, or the case is no gear or not possible in this state.
 bool TapedSolver::fill_case(std::size_t i, std::size_t lane, SweepRow& row) {
   const TapedCase& taped = tapes_.cases[i];
-  if (task_.gears[i] && !drives_output(taped, lane)) {
+  if ((task_.gears[i] && !drives_output(taped, lane)) || !is_possible(taped, lane)) {
     return false;
   }
   if (taped.columns.size() + taped.ratios.size() < row.values.size()) {

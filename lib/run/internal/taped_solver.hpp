@@ -63,6 +63,7 @@ class TapedSolver {
   void fill_columns(std::size_t count, std::span<SweepRow> rows);
   bool fill_cases(std::size_t lane, std::span<SweepRow> rows);
   bool fill_case(std::size_t i, std::size_t lane, SweepRow& row);
+  bool is_possible(const TapedCase& taped, std::size_t lane) const;
   bool drives_output(const TapedCase& taped, std::size_t lane);
   TapedRatios find_ratios(const TapedCase& taped, std::size_t lane);
   std::string_view status_of(const TapedCase& taped, const TapedRatios& ratios, std::size_t lane);

@@ -135,9 +135,8 @@ auto TaskPositions<Number>::with_derivatives(const PositionDescription& position
     jets.x.push_back(moved.real());
     jets.y.push_back(moved.imag());
     const Scalar by_angle(jets.angle.size() == 1 ? 1 : 0);
-    jets.angle.push_back(derivative.angle
-                             ? number(*derivative.angle, QuantityKind::dimensionless, found)
-                             : by_angle);
+    jets.angle.push_back(derivative.angle ? number(*derivative.angle, QuantityKind::angle, found)
+                                          : by_angle);
   }
   return jets;
 }

@@ -71,7 +71,9 @@ bool Change::is_nothing() const {
 
 void add(const AdjointSolution& adjoint, const Change& change, Sum& sum) {
   for (const auto& [row, value] : change.rows) {
-    sum.add(adjoint.rows[row] * value);
+    if (adjoint.rows[row] != 0.0) {  // a value that a row does not reach feels no corner there
+      sum.add(adjoint.rows[row] * value);
+    }
   }
   for (std::size_t i = 0; i < change.known.size(); ++i) {
     sum.add(adjoint.known[static_cast<Eigen::Index>(i)] * change.known[i]);
@@ -91,7 +93,7 @@ bool moves(const AdjointSolution& adjoint, const Change& change, double directly
     sum += term;
     size += std::abs(term);
   }
-  return std::abs(sum) > kConsistency * size;
+  return !(std::abs(sum) <= kConsistency * size);
 }
 
 // Moving a unit motion moves its coupling's twist by rate · d$: + Σ φ d$ on the right of

@@ -1,83 +1,76 @@
 #include "shift/internal/remaining_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include "core/tolerance.hpp"
 
 namespace kinestat {
 
 namespace {
 
-// A sum of products, and the sum of their sizes, against which it may be rounding.
-struct Product {
-  double value = 0.0;
-  double size = 0.0;
-};
-
-Product product(const Eigen::Ref<const Eigen::RowVectorXd>& row,
-                const Eigen::Ref<const VecX>& column) {
-  Product result;
-  for (Eigen::Index i = 0; i < row.size(); ++i) {
-    const double term = row[i] * column[i];
-    result.value += term;
-    result.size += std::abs(term);
-  }
-  return result;
+// Zero where its own bound does not tell it from zero.
+BoundedNumber settled(const BoundedNumber& number) {
+  return std::abs(number.value) <= number.bound ? BoundedNumber{} : number;
 }
 
-bool counts(const Product& one) {
-  return std::abs(one.value) > kRankZero * one.size;
+BoundedNumber minus(const BoundedNumber& number) {
+  return {.value = -number.value, .bound = number.bound};
+}
+
+BoundedNumber rate_in(const RateRow& row, const std::vector<BoundedNumber>& motion) {
+  BoundedNumber sum;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    sum = sum + row[i] * motion[i];
+  }
+  return settled(sum);
 }
 
 }  // namespace
 
-Eigen::Index RemainingMotion::strongest(const Eigen::Ref<const Eigen::RowVectorXd>& row) const {
-  Eigen::Index best = -1;
-  double most = 0.0;
-  for (Eigen::Index j = 0; j < basis_.cols(); ++j) {
-    const Product change = product(row, basis_.col(j));
-    if (counts(change) && std::abs(change.value) > most) {
-      most = std::abs(change.value);
-      best = j;
-    }
+RemainingMotion::RemainingMotion(int motions)
+    : basis_(static_cast<std::size_t>(motions), Motion(static_cast<std::size_t>(motions))),
+      value_(static_cast<std::size_t>(motions)) {
+  for (std::size_t i = 0; i < basis_.size(); ++i) {
+    basis_[i][i].value = 1.0;
   }
-  return best;
 }
 
-bool RemainingMotion::changes(const Eigen::Ref<const Eigen::RowVectorXd>& row) const {
-  return strongest(row) >= 0;
+bool RemainingMotion::changes(const RateRow& row) const {
+  return std::ranges::any_of(
+      basis_, [&](const Motion& motion) { return rate_in(row, motion).value != 0.0; });
 }
 
 // The motion that changes the rate most brings it to its value and takes its change out of the
 // others; multipliers are at most 1.
-bool RemainingMotion::prescribe(const Eigen::Ref<const Eigen::RowVectorXd>& row, double rate) {
-  const Eigen::Index pivot = strongest(row);
-  if (pivot < 0) {
+bool RemainingMotion::prescribe(const RateRow& row, double rate) {
+  std::vector<BoundedNumber> rates;
+  std::size_t pivot = 0;
+  for (const Motion& motion : basis_) {
+    rates.push_back(rate_in(row, motion));
+    pivot = std::abs(rates.back().value) > std::abs(rates[pivot].value) ? rates.size() - 1 : pivot;
+  }
+  if (rates.empty() || rates[pivot].value == 0.0) {
     return false;
   }
-  const VecX motion = basis_.col(pivot) / product(row, basis_.col(pivot)).value;
-  value_ += (rate - product(row, value_).value) * motion;
-  MatX rest(basis_.rows(), basis_.cols() - 1);
-  for (Eigen::Index j = 0; j < basis_.cols(); ++j) {
-    if (j != pivot) {
-      const double change = product(row, basis_.col(j)).value;
-      const VecX before = basis_.col(j);
-      VecX after = before - change * motion;
-      for (Eigen::Index i = 0; i < after.size(); ++i) {
-        const double size = std::abs(before[i]) + std::abs(change * motion[i]);
-        after[i] = std::abs(after[i]) <= kCancellation * size ? 0.0 : after[i];
-      }
-      rest.col(j < pivot ? j : j - 1) = after;
+  const Motion motion = std::move(basis_[pivot]);
+  const auto add = [&](const BoundedNumber& share, Motion& sum) {
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      sum[i] = settled(sum[i] + share * motion[i]);
+    }
+  };
+  add((BoundedNumber{.value = rate, .bound = 0.0} + minus(rate_in(row, value_))) / rates[pivot],
+      value_);
+  for (std::size_t j = 0; j < basis_.size(); ++j) {
+    if (j != pivot && rates[j].value != 0.0) {
+      add(minus(rates[j] / rates[pivot]), basis_[j]);
     }
   }
-  basis_ = std::move(rest);
+  basis_.erase(basis_.begin() + static_cast<std::ptrdiff_t>(pivot));
   return true;
 }
 
-double RemainingMotion::rate(const Eigen::Ref<const Eigen::RowVectorXd>& row) const {
-  const Product result = product(row, value_);
-  return counts(result) ? result.value : 0.0;
+BoundedNumber RemainingMotion::rate(const RateRow& row) const {
+  return rate_in(row, value_);
 }
 
 }  // namespace kinestat

@@ -1,40 +1,39 @@
 // Which motions are left while rates are prescribed one after the other.
 #pragma once
 
-#include "core/types.hpp"
+#include <vector>
+
+#include "math/bounded_number.hpp"
+#include "shift/shift_network.hpp"
 
 namespace kinestat {
 
 /// Begins with all motions; each rate that is prescribed takes one away, or follows from those
-/// before it.
+/// before it. Every sum carries what it may be off by, from the rates of the open train on; what
+/// its own bound does not tell from zero is made zero at once, so that it cannot pass for a motion
+/// later, when nothing else is left beside it.
 class RemainingMotion {
  public:
-  explicit RemainingMotion(Eigen::Index motions)
-      : basis_(MatX::Identity(motions, motions)), value_(VecX::Zero(motions)) {}
+  explicit RemainingMotion(int motions);
 
   /// How many motions are left that change no rate prescribed so far.
-  int count() const { return static_cast<int>(basis_.cols()); }
-
-  /// Their combinations of the motions at the beginning, one column each.
-  const MatX& basis() const { return basis_; }
+  int count() const { return static_cast<int>(basis_.size()); }
 
   /// Whether the rate of this row changes in any motion that is left.
-  bool changes(const Eigen::Ref<const Eigen::RowVectorXd>& row) const;
+  bool changes(const RateRow& row) const;
 
   /// Gives the rate of this row a value. Answers false, and changes nothing, if it follows from
   /// those before it.
-  bool prescribe(const Eigen::Ref<const Eigen::RowVectorXd>& row, double rate);
+  bool prescribe(const RateRow& row, double rate);
 
-  /// The rate of this row in the motion that has all rates prescribed and none else; zero where it
-  /// is but rounding.
-  double rate(const Eigen::Ref<const Eigen::RowVectorXd>& row) const;
+  /// The rate of this row in the motion that has all rates prescribed and none else.
+  BoundedNumber rate(const RateRow& row) const;
 
  private:
-  // The column in which the row changes most, or -1 if all changes are rounding.
-  Eigen::Index strongest(const Eigen::Ref<const Eigen::RowVectorXd>& row) const;
+  using Motion = std::vector<BoundedNumber>;  ///< share of each motion at the beginning
 
-  MatX basis_;
-  VecX value_;
+  std::vector<Motion> basis_;
+  Motion value_;
 };
 
 }  // namespace kinestat

@@ -85,8 +85,10 @@ class Continuation {
         return std::nullopt;
       }
       f -= *correction;
-      if (correction->cwiseAbs().sum() <= kCancellation * (f.cwiseAbs().sum() + size_)) {
-        return (f.array() >= -kReportZero * size_).all() ? std::optional(f) : std::nullopt;
+      // No friction is negative by more than what the search leaves open.
+      const double left_open = kCancellation * (f.cwiseAbs().sum() + size_);
+      if (correction->cwiseAbs().sum() <= left_open) {
+        return (f.array() >= -left_open).all() ? std::optional(f) : std::nullopt;
       }
     }
     return std::nullopt;

@@ -145,7 +145,7 @@ void FrictionSystem::leave_open(StaticSolution& solution) const {
   for (const int a : open_actions_) {
     solution.magnitudes[static_cast<std::size_t>(a)].reset();
   }
-  solution.wrenches = coupling_wrenches(mechanism_, solution);
+  make_wrenches(mechanism_, solution);
 }
 
 void FrictionSystem::add_friction(const ChosenFrictions& frictions,
@@ -153,15 +153,14 @@ void FrictionSystem::add_friction(const ChosenFrictions& frictions,
   for (std::size_t i = 0; i < frictions.laws.size(); ++i) {
     const FrictionLaw& law = laws_[frictions.laws[i]];
     const double magnitude = frictions.magnitudes[static_cast<Eigen::Index>(i)];
-    const auto e = static_cast<std::size_t>(law.coupling.value);
     solution.friction.push_back({.coupling = law.coupling,
                                  .between = law.between,
                                  .magnitude = magnitude,
                                  .is_couple = law.is_couple,
                                  .wrench = magnitude * law.unit});
-    if (!law.between && e < solution.wrenches.size() && solution.wrenches[e]) {
-      solution.wrenches[e] = *solution.wrenches[e] + solution.friction.back().wrench;
-    }
+  }
+  if (!solution.wrenches.empty()) {
+    make_wrenches(mechanism_, solution);
   }
 }
 

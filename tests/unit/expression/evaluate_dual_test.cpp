@@ -81,13 +81,40 @@ INSTANTIATE_TEST_SUITE_P(
                     DerivativeCase{"remainder_of_the_variable", "mod(y, 3 m)", 0, 1}),
     [](const auto& row) { return std::string(row.param.name); });
 
-INSTANTIATE_TEST_SUITE_P(Kinks,
-                         Derivatives,
-                         testing::Values(DerivativeCase{"abs_at_zero", "abs(x - 3)", 0, 0},
-                                         DerivativeCase{"equal_values", "min(x, 3)", 0.5, 0},
-                                         DerivativeCase{"floor", "floor(x)", 0, 0},
-                                         DerivativeCase{"ceil", "ceil(x + 0.5)", 0, 0},
-                                         DerivativeCase{"round", "round(x)", 0, 0},
+INSTANTIATE_TEST_SUITE_P(
+    BetweenKinks,
+    Derivatives,
+    testing::Values(DerivativeCase{"floor", "floor(x + 0.25)", 0, 0},
+                    DerivativeCase{"ceil", "ceil(x + 0.5)", 0, 0},
+                    DerivativeCase{"round", "round(x)", 0, 0},
+                    DerivativeCase{"gcd_of_constants", "x*gcd(4, 6)", 2, 0},
+                    DerivativeCase{"corner_of_a_constant", "x*abs(3 - 3) + hypot(0, 0)", 0, 0},
+                    DerivativeCase{"jump_of_a_constant", "x*floor(3)", 3, 0},
+                    DerivativeCase{"both_sides_move_alike", "max(x, 2*x - 3 + 0*x - x + 3)", 1, 0}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+class Corners : public testing::TestWithParam<DerivativeCase> {};
+
+// By the text, the slope on the left and that on the right differ, or the value jumps.
+TEST_P(Corners, LeaveNoDerivativeButThatOfOtherVariables) {
+  const Dual number = with_derivatives(GetParam().text).value;
+
+  EXPECT_TRUE(std::isnan(derivative(number, 0)));
+  EXPECT_EQ(derivative(number, 1), GetParam().by_y);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table,
+                         Corners,
+                         testing::Values(DerivativeCase{"abs", "y + abs(x - 3)*1 m", 0, 1},
+                                         DerivativeCase{"min", "y + min(x, 3)*1 m", 0, 1},
+                                         DerivativeCase{"max", "max(x, 3, 2)", 0, 0},
+                                         DerivativeCase{"hypot", "hypot(x - 3, 0)", 0, 0},
+                                         DerivativeCase{"floor", "y + floor(x)*1 m", 0, 1},
+                                         DerivativeCase{"ceil", "ceil(x)", 0, 0},
+                                         DerivativeCase{"round", "round(x - 0.5)", 0, 0},
+                                         DerivativeCase{"round_below", "round(x - 5.5)", 0, 0},
+                                         DerivativeCase{"mod", "mod(x, 1)", 0, 0},
+                                         DerivativeCase{"mod_by", "mod(6, x)", 0, 0},
                                          DerivativeCase{"gcd", "gcd(x, 6)", 0, 0}),
                          [](const auto& row) { return std::string(row.param.name); });
 

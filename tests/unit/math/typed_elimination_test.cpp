@@ -1,5 +1,6 @@
 #include "math/typed_elimination.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -142,6 +143,22 @@ TEST(TypedElimination, SeesContradictions) {
 
   EXPECT_TRUE(elimination.solve({}, std::vector<Typed>{Typed(1.0), Typed(1.0)})->consistent);
   EXPECT_FALSE(elimination.solve({}, std::vector<Typed>{Typed(1.0), Typed(2.0)})->consistent);
+}
+
+// x0 = √19 · √23 and x1 = x0 - √437, which is zero in all digits but the last.
+TEST(TypedElimination, MakesADifferenceOfEqualNumbersZero) {
+  const Typed one(1.0);
+  const TypedElimination elimination(
+      matrix_of({{one, Typed(0.0), -sqrt(Typed(19.0)), Typed(0.0)}, {-one, one, Typed(0.0), one}}),
+      std::vector<int>{2, 3});
+
+  const auto solved =
+      elimination.solve(std::vector<Typed>{sqrt(Typed(23.0)), sqrt(Typed(437.0))}, {});
+
+  ASSERT_TRUE(solved.has_value());
+  EXPECT_EQ(solved->x[1], 0.0);
+  EXPECT_LT(solved->bound[1], 1e-58);
+  EXPECT_NEAR(solved->x[0], std::sqrt(437.0), 1e-14);
 }
 
 }  // namespace

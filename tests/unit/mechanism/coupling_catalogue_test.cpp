@@ -219,12 +219,23 @@ TEST(CatalogueNames, FollowAKeywordAxis) {
   EXPECT_EQ(names_of(screws.constraints), Names({"Rx", "Ry", "Rz", "Ty", "Tz"}));
 }
 
-TEST(CatalogueNames, OfANegativeAxisAreThoseOfThePositiveOne) {
-  const CouplingScrews screws =
+// A positive d.vx that moved towards -x would say the opposite of its name.
+TEST(CatalogueNames, OfANegativeAxisHaveNoLetterAlongIt) {
+  const CouplingScrews revolute =
       coupling_screws(CouplingType::revolute, Space::spatial, along(keyword('z', -1.0)));
+  const CouplingScrews prismatic =
+      coupling_screws(CouplingType::prismatic, Space::planar, along(keyword('x', -1.0)));
+  const CouplingScrews contact =
+      coupling_screws(CouplingType::point_contact, Space::planar, along(keyword('y', -1.0)));
 
-  EXPECT_EQ(names_of(screws.freedoms), Names({"wz"}));
-  EXPECT_EQ(screws.freedoms.front().screw.angular, Vec3(0.0, 0.0, -1.0));
+  EXPECT_EQ(names_of(revolute.freedoms), Names({"w"}));
+  EXPECT_EQ(revolute.freedoms.front().screw.angular, Vec3(0.0, 0.0, -1.0));
+  EXPECT_EQ(names_of(revolute.constraints), Names({"Rx", "Ry", "Rz", "Tx", "Ty"}));
+  EXPECT_EQ(names_of(prismatic.freedoms), Names({"v"}));
+  EXPECT_EQ(names_of(prismatic.constraints), Names({"Ry", "Tz"}));
+  EXPECT_EQ(prismatic.constraints.front().screw.force, Vec3(0.0, 1.0, 0.0));
+  EXPECT_EQ(names_of(contact.freedoms), Names({"wz", "vx"}));
+  EXPECT_EQ(names_of(contact.constraints), Names({"R"}));
 }
 
 TEST(CatalogueNames, OfAVectorAxisAreNumbered) {

@@ -35,6 +35,28 @@ TEST(FittingText, CutsBetweenCharacters) {
   EXPECT_EQ(fitting_text("ωωωω", 10.0, 2.5 * text_width("ω", 10.0)).substr(0, 2), "ω");
 }
 
+// Of any width it is the longest beginning that fits.
+TEST(FittingText, KeepsAsMuchAsFits) {
+  const std::string word = "aωb→c d";
+  for (double width = 8.0; width < 60.0; width += 0.5) {
+    const std::string text = fitting_text(word, 10.0, width);
+    std::string longest = "…";
+    for (std::size_t end = 1; end < word.size(); ++end) {
+      const bool is_between = (static_cast<unsigned char>(word[end]) & 0xC0U) != 0x80U;
+      const std::string cut = word.substr(0, end) + "…";
+      longest = is_between && text_width(cut, 10.0) <= width ? cut : longest;
+    }
+    EXPECT_EQ(text, text_width(word, 10.0) <= width ? word : longest) << width;
+  }
+}
+
+// Measuring each beginning anew would take 10^12 steps.
+TEST(FittingText, OfAMillionLettersIsQuick) {
+  const std::string text = fitting_text(std::string(1'000'000, 'a'), 12.0, 80.0);
+
+  EXPECT_EQ(text, fitting_text(std::string(100, 'a'), 12.0, 80.0));
+}
+
 TEST(WrappedText, BreaksAtSpaces) {
   const auto lines = wrapped_text("one two three four", 10.0, text_width("one two", 10.0) + 1.0);
 

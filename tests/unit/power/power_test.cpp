@@ -51,13 +51,17 @@ struct TwoShafts {
                                   .tail = BodyId{1},
                                   .head = BodyId{2},
                                   .first_freedom = 2,
-                                  .freedom_count = 0,
+                                  .freedom_count = 1,
                                   .first_action = 2,
                                   .action_count = 0,
                                   .where = {}});
+    topology.freedoms.push_back({.coupling = CouplingId{2}, .name = "roll", .is_rotation = true});
     const Twist in = unit_rotation(Vec3::UnitZ(), Vec3::Zero());
-    const Twist out = -0.5 * unit_rotation(Vec3::UnitZ(), Vec3(0.0, 3.0, 0.0));
-    motion.rates = {1.0, -0.5};
+    const Twist turn_of_out = unit_rotation(Vec3::UnitZ(), Vec3(0.0, 3.0, 0.0));
+    const Twist out = -0.5 * turn_of_out;
+    mechanism.geometry.points = {Vec3::Zero(), Vec3(0.0, 3.0, 0.0), Vec3(0.0, 1.0, 0.0)};
+    mechanism.geometry.motions = {in, turn_of_out, out - in};
+    motion.rates = {1.0, -0.5, 1.0};
     motion.bodies = {{}, in, out};
     motion.couplings = {in, out, out - in};
     action.magnitudes = {100.0, 200.0};
@@ -152,7 +156,8 @@ TEST(PowerFlow, OfABrokenBalanceSaysSo) {
 TEST(PowerFlow, FarFromTheOriginMayRoundBeyondTheBalance) {
   TwoShafts shafts;
   const Vec3 far(0.0, 1e9, 0.0);
-  for (auto* twists : {&shafts.motion.bodies, &shafts.motion.couplings}) {
+  for (auto* twists :
+       {&shafts.motion.bodies, &shafts.motion.couplings, &shafts.mechanism.geometry.motions}) {
     for (Twist& twist : *twists) {
       twist.linear += far.cross(twist.angular);
     }
@@ -176,7 +181,7 @@ TEST(PowerFlow, HasABoundWhereRatesAndActionsHave) {
   };
   EXPECT_FALSE(bound());
 
-  shafts.motion.answer.bounds = {0.0, 1e-6};
+  shafts.motion.answer.bounds = {0.0, 1e-6, 0.0};
   EXPECT_FALSE(bound());
 
   shafts.action.answer.bounds = {1e-4, 2e-4};
@@ -186,7 +191,7 @@ TEST(PowerFlow, HasABoundWhereRatesAndActionsHave) {
 
 TEST(Ratios, HaveBoundsWhereRatesAndActionsHave) {
   TwoShafts shafts;
-  shafts.motion.answer.bounds = {0.0, 1e-6};
+  shafts.motion.answer.bounds = {0.0, 1e-6, 0.0};
   shafts.action.answer.bounds = {1e-4, 2e-4};
 
   const Ratios ratios = find_ratios(shafts.mechanism, shafts.which, shafts.motion, &shafts.action);

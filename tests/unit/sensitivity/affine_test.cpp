@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -33,11 +34,11 @@ const std::vector<FreeParameter> kTwo = {{.value = 3.0, .step = 1.0}, {.value = 
 TEST(Affine, ProbesEachParameterAloneAndThenAllTogether) {
   const auto probes = affine_probes(kTwo);
 
-  ASSERT_EQ(probes.size(), 5U);
+  ASSERT_EQ(probes.size(), 6U);
   EXPECT_EQ(probes[0], (std::vector<double>{3.0, -2.0}));
   EXPECT_EQ(probes[1], (std::vector<double>{4.0, -2.0}));
   EXPECT_EQ(probes[2], (std::vector<double>{3.0, 2.0}));
-  for (std::size_t p = 3; p < 5; ++p) {
+  for (std::size_t p = 3; p < 6; ++p) {
     EXPECT_NE(probes[p][0], 3.0);
     EXPECT_NE(probes[p][1], -2.0);
   }
@@ -70,6 +71,25 @@ TEST(Affine, RefusesWhatIsNotAffine) {
 
   for (std::size_t m = 0; m < fits.size(); ++m) {
     EXPECT_FALSE(fits[m]) << m;
+  }
+}
+
+// From round values in round steps, as files have them.
+TEST(Affine, RefusesStaircasesAndWavesOfAnyRoundPeriod) {
+  const std::vector<FreeParameter> parameters = {{.value = 10.5, .step = 1000.0},
+                                                 {.value = 10.0, .step = 10.0}};
+  for (const double period : {1.0, 10.0, 0.5, 0.25, 0.01, 1e-3, 1e-5}) {
+    const auto fits =
+        fit(parameters,
+            {[&](const auto& p) { return period * std::floor(p[0] / period); },
+             [&](const auto& p) { return period * std::round(p[1] / period); },
+             [&](const auto& p) {
+               return p[0] + 3.0 * std::sin(2.0 * std::numbers::pi * p[1] / period);
+             },
+             [&](const auto& p) { return std::floor(p[0] / period) - std::floor(p[1] / period); }});
+    for (std::size_t m = 0; m < fits.size(); ++m) {
+      EXPECT_FALSE(fits[m]) << m << " with period " << period;
+    }
   }
 }
 

@@ -235,7 +235,8 @@ TEST(LoadedAction, BesideTheMinimalOrderMayCancel) {
 TEST(LoadedAction, TooLargeForANumberIsSaidSo) {
   const Mechanism mechanism =
       mechanism_of(beam("",
-                        "loads: {push: {body: beam, at: [1e200, 0], force: [0, 1e200]}}\n"
+                        "loads: {push: {body: beam, at: [1, 0], force: [0, 1e308]},\n"
+                        "        more: {body: beam, at: [1, 0], force: [0, 1e308]}}\n"
                         "cases: {one: {action: {}}}\n"));
 
   EXPECT_EQ(solve_loaded(mechanism).status, SolveStatus::overflow);

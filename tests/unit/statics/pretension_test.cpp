@@ -6,6 +6,7 @@
 
 #include "network/bases.hpp"
 #include "statics/action.hpp"
+#include "statics/one_sided_action.hpp"
 #include "support/mechanism_text.hpp"
 
 namespace kinestat {

@@ -94,6 +94,20 @@ TEST(SpecialFrame, NeedsATurn) {
   EXPECT_FALSE(find_special_frame(jets));
 }
 
+// The pole is at o + i o'/γ', the diameter of the inflection circle grows with 1/γ'^3.
+TEST(SpecialFrame, EndsWhereLengthsCannotBeComputedWith) {
+  const auto with_turn = [](double turn) {
+    return PositionJets{.x = {0.0, 1.0, 0.0}, .y = {0.0, 0.0, 1.0}, .angle = {0.0, turn, 1.0}};
+  };
+
+  EXPECT_EQ(find_pole(with_turn(1e-10)), Point(0.0, 1e10));
+  EXPECT_TRUE(find_special_frame(with_turn(1e-10)));
+  EXPECT_TRUE(find_pole(with_turn(1e-50)));
+  EXPECT_FALSE(find_special_frame(with_turn(1e-50)));
+  EXPECT_FALSE(find_pole(with_turn(1e-62)));
+  EXPECT_FALSE(find_pole(with_turn(1e-310)));
+}
+
 TEST(PathCurvature, OfBallsPointAndItsDerivativeVanish) {
   const PositionJets jets = table_5(4);
   const Point ball = *find_ball_point(*find_special_frame(jets));

@@ -1,0 +1,42 @@
+// How far the positions, velocities and accelerations of a state may be off.
+#pragma once
+
+#include <vector>
+
+#include "screw/twist.hpp"
+
+namespace kinestat {
+
+/// Of any component of the motion of a body, its twists being about the origin of the network.
+struct BodyBounds {
+  double turn = 0.0;          ///< [rad]
+  double shift = 0.0;         ///< of the point at the origin [m]
+  double angular = 0.0;       ///< [rad/s]
+  double linear = 0.0;        ///< [m/s]
+  double angular_rate = 0.0;  ///< [rad/s²]
+  double linear_rate = 0.0;   ///< [m/s²]
+};
+
+/// SI; lists are parallel to the topology.
+struct StateBounds {
+  std::vector<double> positions;   ///< of the freedoms
+  std::vector<double> rates;       ///< likewise
+  std::vector<double> rate_rates;  ///< likewise
+  std::vector<BodyBounds> bodies;  ///< empty: no bounds were asked for
+  double place = 0.0;              ///< of any body, in sizes of the mechanism
+};
+
+/// Of a point of a body, at `arm` from the origin of the network.
+struct PointBounds {
+  double position = 0.0;
+  double velocity = 0.0;
+  double acceleration = 0.0;
+};
+
+PointBounds point_bounds(const BodyBounds& body,
+                         const Vec3& arm,
+                         const Vec3& position,
+                         const Twist& twist,
+                         const Twist& twist_rate);
+
+}  // namespace kinestat

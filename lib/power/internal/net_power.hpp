@@ -1,0 +1,16 @@
+// Power from shaft to shaft, whatever the drawing of planets and belts.
+#pragma once
+
+#include <vector>
+
+#include "power/power_graph.hpp"
+
+namespace kinestat {
+
+/// PowerGraph::net of the arcs of all couplings.
+std::vector<PowerArc> find_net_powers(const Mechanism& mechanism,
+                                      const KinematicSolution& motion,
+                                      const StaticSolution& action,
+                                      const std::vector<PowerArc>& arcs);
+
+}  // namespace kinestat

@@ -1,0 +1,24 @@
+// The status of a row: what became of one case in one state or position.
+#pragma once
+
+#include <string_view>
+
+#include "report/analysis.hpp"
+
+namespace kinestat {
+
+/// Whether the rank of its motions is that of the mechanism itself: false of a position of a motion
+/// that closes by least squares alone, where what is left open decides on the rank. There the
+/// motion has found its own speeds.
+bool has_own_rank(const Mechanism& mechanism);
+
+/// Whether the answer is one that the mechanism can have: "rope_pushes", "contact_pulls" or
+/// "rope_slips" where a rope would have to push, surfaces to pull on each other or a rope to hold
+/// by more friction than there is; otherwise empty.
+std::string_view impossible_word(const Mechanism& mechanism, const CaseAnalysis& one);
+
+/// The status of the motion or of the actions where they have no answer, or an impossible one; then
+/// what else is wrong with the power, if that is asked for; "solved" where nothing is.
+std::string_view case_word(const Mechanism& mechanism, const CaseAnalysis& one, bool asks_power);
+
+}  // namespace kinestat

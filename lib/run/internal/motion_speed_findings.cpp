@@ -1,0 +1,193 @@
+#include "run/internal/motion_speed_findings.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "motion/moved_mechanism.hpp"
+#include "report/numbers.hpp"
+#include "run/findings.hpp"
+#include "run/internal/motion_position.hpp"
+#include "run/solve_cases.hpp"
+
+namespace kinestat {
+
+namespace {
+
+class SpeedFindings {
+ public:
+  SpeedFindings(const FoundMotion& motion,
+                const MechanismDescription& description,
+                const Mechanism& mechanism,
+                Diagnostics& found)
+      : motion_(motion), description_(description), mechanism_(mechanism), found_(found) {}
+
+  void add_all() {
+    add_contradictions();
+    add_singular_rows();
+    add_flat_rows();
+    add_friction_turns();
+  }
+
+ private:
+  using Condition = std::function<bool(const MotionRow&)>;
+
+  const MotionRow* first_of(const Condition& holds) const {
+    const auto row = std::ranges::find_if(motion_.table.rows, holds);
+    return row == motion_.table.rows.end() ? nullptr : &*row;
+  }
+
+  std::string place_text(const MotionRow& row) const {
+    std::string text;
+    for (std::size_t d = 0; d < motion_.table.drives.size(); ++d) {
+      const DriveTravel& drive = motion_.table.drives[d];
+      text += fmt::format("{}{} = {}{}{}",
+                          d == 0 ? "" : ", ",
+                          drive.name,
+                          format_short(row.values[d].value_or(0.0)),
+                          drive.unit.empty() ? "" : " ",
+                          drive.unit);
+    }
+    return text;
+  }
+
+  // "m = 5 deg and 2 more positions of 3"
+  std::string places_text(const MotionRow& first, const Condition& holds) const {
+    const std::string text = place_text(first);
+    const std::vector<MotionRow>& rows = motion_.table.rows;
+    const auto count = std::ranges::count_if(rows, holds);
+    return count == 1 ? text
+                      : text + fmt::format(" and {} more positions of {}", count - 1, rows.size());
+  }
+
+  static bool is_regular(const MotionRow& row) {
+    return row.lacks_velocities && row.status != "singular" && row.status != "limit";
+  }
+
+  static bool is_known(const MotionRow& row) { return !row.lacks_velocities; }
+
+  // The judge of known motions is the analysis of that position; where others have velocities, it
+  // is the position alone that is singular for them.
+  void add_contradictions() {
+    const MotionRow* first = first_of(is_regular);
+    if (first == nullptr) {
+      return;
+    }
+    const std::string where = places_text(*first, is_regular);
+    const Diagnostics said = first_of(is_known) == nullptr ? analysed(first->step) : Diagnostics();
+    for (const Diagnostic& one : said.items()) {
+      const std::string message = fmt::format("{} (at {})", one.message, where);
+      if (!is_told(one.code)) {
+        one.severity == Severity::error ? found_.error(one.code, one.where, message, one.hint)
+                                        : found_.warning(one.code, one.where, message, one.hint);
+      }
+    }
+    if (said.items().empty()) {
+      found_.warning(
+          "W0507",
+          motion_.plan.where,
+          fmt::format("velocities are left out at {}: what case '{}' knows does not move "
+                      "the drives there",
+                      where,
+                      which().label),
+          "give the speed of the drives themselves in 'motion:' of the case");
+    }
+  }
+
+  bool is_told(std::string_view code) const {
+    return std::ranges::any_of(found_.items(),
+                               [&](const Diagnostic& other) { return other.code == code; });
+  }
+
+  const Case& which() const {
+    return mechanism_.cases[static_cast<std::size_t>(motion_.plan.which)];
+  }
+
+  // The motion of the case alone, in that position.
+  Diagnostics analysed(int step) const {
+    Analysis analysis;
+    analysis.description = description_;
+    analysis.mechanism = mechanism_;
+    move_mechanism(motion_.network,
+                   motion_.drawn,
+                   body_poses(motion_.network, motion_.solution.configuration_at(step)),
+                   mechanism_,
+                   analysis.mechanism);
+    Case moving = which();
+    moving.asks_actions = false;
+    analysis.cases = solve_some_cases(analysis.mechanism, {&moving, 1});
+    Diagnostics said;
+    add_findings(analysis, said);
+    return said;
+  }
+
+  // Where the motion goes on, its events name singular positions; otherwise its end does.
+  void add_singular_rows() {
+    const Condition holds = [](const MotionRow& row) {
+      return row.lacks_velocities && row.status == "singular";
+    };
+    const MotionRow* first = first_of(holds);
+    const bool is_named = is_told("W0503") || is_told("E0505") || is_told("E0506");
+    if (first != nullptr && !is_named) {
+      found_.warning("W0507",
+                     motion_.plan.where,
+                     fmt::format("velocities are left out at {}: the drives do not determine them "
+                                 "there, or hardly",
+                                 places_text(*first, holds)),
+                     "the position is singular, or so near to it that nothing but rounding would "
+                     "be left; take other steps, or another drive");
+    }
+  }
+
+  void add_flat_rows() {
+    const Condition holds = [](const MotionRow& row) { return row.lacks_accelerations; };
+    if (const MotionRow* first = first_of(holds)) {
+      found_.warning("W0507",
+                     motion_.plan.where,
+                     fmt::format("accelerations are left out at {}: a singular position is so near "
+                                 "that they would be rounding",
+                                 places_text(*first, holds)),
+                     "velocities are right there; take other steps, or another drive");
+    }
+  }
+
+  // At a dead point a friction has no direction, and just before and behind it two.
+  void add_friction_turns() {
+    for (const FrictionTurn& turn : motion_.table.friction_turns) {
+      const auto& couplings = mechanism_.topology.couplings;
+      const auto at = std::ranges::find(couplings, turn.coupling, &CouplingTopology::name);
+      const std::vector<MotionRow>& rows = motion_.table.rows;
+      found_.warning("W0508",
+                     at->where,
+                     fmt::format("friction of '{}' turns round between {} and {}{}",
+                                 turn.coupling,
+                                 place_text(rows[turn.before]),
+                                 place_text(rows[turn.after]),
+                                 turn.count == 1 ? std::string()
+                                                 : fmt::format(", and {} more time{}",
+                                                               turn.count - 1,
+                                                               turn.count == 2 ? "" : "s")),
+                     "there actions jump from those of one direction to those of the other, and at "
+                     "rest they may be anything between; rows at the dead point have none");
+    }
+  }
+
+  const FoundMotion& motion_;
+  const MechanismDescription& description_;
+  const Mechanism& mechanism_;
+  Diagnostics& found_;
+};
+
+}  // namespace
+
+void add_motion_speed_findings(const FoundMotion& motion,
+                               const MechanismDescription& description,
+                               const Mechanism& mechanism,
+                               Diagnostics& found) {
+  SpeedFindings(motion, description, mechanism, found).add_all();
+}
+
+}  // namespace kinestat

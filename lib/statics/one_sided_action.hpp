@@ -1,0 +1,24 @@
+// Actions that bodies bear in one direction only: ropes pull, and surfaces that touch push.
+#pragma once
+
+#include <vector>
+
+#include "mechanism/mechanism.hpp"
+#include "statics/static_solution.hpp"
+
+namespace kinestat {
+
+/// The tensions of segments (couplings of type cable): negative, the rope would push.
+std::vector<int> find_tensions(const Topology& topology);
+
+/// The normal forces of contacts without an actuator: negative, the surfaces would pull.
+std::vector<int> find_contact_forces(const Topology& topology);
+
+/// The segments whose force is negative, beyond rounding.
+std::vector<CouplingId> find_pushed_segments(const Mechanism& mechanism,
+                                             const StaticSolution& solution);
+
+/// The actions of contacts that are negative, beyond rounding.
+std::vector<int> find_pulling_contacts(const Mechanism& mechanism, const StaticSolution& solution);
+
+}  // namespace kinestat

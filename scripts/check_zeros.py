@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""Checks that nothing in lib/ decides on zero relative to the largest of its kind.
+
+A value is zero where it is made: exactly, or because its own error bound does not tell it from
+zero (lib/README.md, Zeros). Outside lib/math no value may be compared with a share of something
+else for that. Decisions of other kinds (on ranks, consistency, drawing, search) are listed below
+with their reasons.
+
+Usage: check_zeros.py [--root FOLDER]   Prints `file:line: message` per violation; exit status 1
+if there is any, or if a row of a table below has nothing to allow any more.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+from pathlib import Path
+from typing import Iterator
+
+from check_layers import Violation, line_of, read_files, without_strings
+
+RELATIVE_ZERO = re.compile(
+    r"\b(?:kReportZero|kReportsAgreeInZero|find_zero_snap)\b|\bsnap\s*\("
+    r"|(?:[<>]=?)\s*\(?-?\s*k[A-Z]\w*\s*\*[^;{}?]*?"
+    r"(?:\w*(?:largest|greatest|fastest|steepest)\w*|maxCoeff)"
+)
+
+# Where that is another decision than whether a value is zero: file, and why.
+DECISIONS = {
+    "lib/inputs/solution_space.cpp": "rank: which freedoms a motion of the null space moves",
+    "lib/mechanism/internal/cable_contact_check.cpp": "drawing: contacts lie on the rim",
+    "lib/mechanism/internal/rounding_slopes.cpp": "rank: parameters that move a screw by rounding",
+    "lib/mobility/passive_freedom.cpp": "rank: what a passive freedom moves",
+    "lib/mobility/redundancy.cpp": "rank: what a self-stress of a circuit loads",
+    "lib/motion/internal/path_tracker.cpp": "search: steps of a branch are near each other",
+    "lib/network/primary_check.cpp": "rank: which magnitudes a relation holds",
+    "lib/plot/internal/drawn_case.cpp": "drawing: an arrow shorter than a hair is none",
+    "lib/power/efficiency.cpp": "consistency: the powers of a case balance within kPowerBalance",
+    "lib/power/transmission_efficiency.cpp": "search: which assumed senses are accepted",
+    "lib/report/compare_tolerance.cpp": "comparison of two reports, not a zero of a value",
+    "lib/report/motion_text.cpp": "words: a range whose ends are the same number is constant",
+    "lib/run/internal/motion_passive_findings.cpp": "rank: what a passive freedom moves",
+    "lib/run/internal/state_solver.cpp": "comparison of two ways to the same state",
+    "lib/sensitivity/internal/power_value.cpp": "consistency: as of power/efficiency",
+    "lib/statics/completed_actions.cpp": "rank: what a self-stress loads",
+    "lib/statics/internal/friction_system.cpp": "rank: which actions a friction reaches",
+    "lib/statics/lossy_actions.cpp": "search: which gear of a mesh drives",
+}
+
+# Relative zeros that are still to be replaced by bounds: file, and what is missing.
+OPEN = {
+    "lib/inputs/taut_ropes.cpp": "a bound of the solution of a linear programme",
+    "lib/plot/graph_model.cpp": "powers of arcs with bounds",
+    "lib/power/power_graph.cpp": "powers of arcs and of what rolls with bounds",
+    "lib/power/transmission_angle.cpp": "bounds of force and velocity at the driven link",
+    "lib/report/linkage_text.cpp": "dyads with bounds instead of estimated digits",
+    "lib/report/mobility_words.cpp": "bounds of the vectors of a null space",
+    "lib/report/plane_cubic_json.cpp": "bounds of the coefficients of a cubic",
+    "lib/report/plane_json.hpp": "places of a synthesis with bounds",
+    "lib/report/plane_text.hpp": "places of a synthesis with bounds",
+    "lib/report/plane_zero.hpp": "places of a synthesis with bounds",
+    "lib/report/position_json.cpp": "curvatures of a path with bounds",
+    "lib/report/position_text.cpp": "curvatures of a path with bounds",
+    "lib/report/synthesis_report.cpp": "places of a synthesis with bounds",
+    "lib/run/internal/linkage_description.cpp": "places of a synthesis with bounds",
+    "lib/run/internal/motion_events.cpp": "bounds of the rates of a finite motion",
+    "lib/run/internal/taped_solver.cpp": "bounds of the rates of a tape",
+    "lib/run/solve_cases.cpp": "flanks turned by the bounds of their forces",
+    "lib/sensitivity/affine.cpp": "bounds of the differences between probes",
+    "lib/sensitivity/internal/rubbing.cpp": "bounds of pressing forces as duals",
+    "lib/sensitivity/reported_value.cpp": "bounds of slopes",
+    "lib/statics/mesh_loss.cpp": "rolling judged by the bounds of the motions",
+}
+
+
+def find_violations(root: Path) -> Iterator[Violation]:
+    unused = dict(DECISIONS | OPEN)
+    for file in read_files(root):
+        if file.module in ("app", "math") or file.path.startswith("lib/core/"):
+            continue
+        code = without_strings(file.text)
+        for match in RELATIVE_ZERO.finditer(code):
+            unused.pop(file.path, None)
+            if file.path not in DECISIONS and file.path not in OPEN:
+                found = " ".join(match[0].split())
+                yield Violation(
+                    file.path,
+                    line_of(code, match.start()),
+                    f"zero is decided relative to something else: {found}",
+                )
+    for path in unused:
+        if (root / path).exists():
+            yield Violation(path, 1, "the row of check_zeros.py has nothing to allow any more")
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description="Check how lib/ decides on zero.")
+    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parents[1])
+    violations = list(find_violations(parser.parse_args().root))
+    print("\n".join(map(str, violations)) or "no zeros but those of bounds, and those listed")
+    return 1 if violations else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,56 @@
+"""Disagreements that are known and still open, each by what a test says of it.
+
+A known defect must show: as soon as nothing of a whole run matches it, its test fails until the line
+is gone.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Defect:
+    test: str      # the method that shows it
+    pattern: str   # of its complaint, 'planar-12: motion: …'
+    reason: str
+
+
+PLANAR_MOTION = "test_planar_motions_begin_as_analysed"
+SPATIAL_MOTION = "test_spatial_motions_begin_as_analysed"
+SPATIAL_SWEEP = "test_spatial_sweeps_have_the_values_of_analyses"
+STEPS = "test_the_number_of_steps_does_not_matter"
+MILLION = "test_the_origin_a_million_sizes_away_does_not_matter"
+
+KNOWN = [
+    Defect(SPATIAL_SWEEP, r"^spatial-(607|1025): no sweep: 70 .*E0155",
+           "a tape divides the noise of two actions that are zero"),
+    Defect(PLANAR_MOTION, r"mechanical_advantage is",
+           "where the output bears nothing the ratio of the rates stands in its place"),
+    Defect(SPATIAL_MOTION, r"mechanical_advantage is",
+           "where the output bears nothing the ratio of the rates stands in its place"),
+    Defect(STEPS, r"^swash_plate_pump: plate\.w/position",
+           "what a body turns by itself grows from step to step instead of resting"),
+    *(Defect(MILLION, f"^{name}: ", "powers, or what stands on contact points, friction or losses, "
+             "lose their digits far from the origin") for name in
+      ("cables_block_and_tackle_with_losses", "cables_capstan", "cables_finger_rehabilitation",
+       "cables_weston_hoist", "gears_self_locking_planetary", "planar_cam_and_follower",
+       "planar_toggle_press", "spatial_four_legged_table")),
+    Defect(MILLION, "^transmissions_bevel_differential: ",
+           "a rank of irrational numbers is decided by doubles"),
+    Defect(PLANAR_MOTION, r"rate c\d\.w[12] is None",
+           "motions have no turns of the ends of ropes"),
+]
+
+
+def sort_out(test: str, complaints: list[str], is_whole_run: bool) -> list[str]:
+    """Complaints that nobody knows of, and known ones that are no longer heard."""
+    of_test = [one for one in KNOWN if one.test == test]
+    known = {one: [c for c in complaints if re.search(one.pattern, c)] for one in of_test}
+    excused = {c for heard in known.values() for c in heard}
+    said = [c for c in complaints if c not in excused]
+    if is_whole_run:
+        said += [f"'{one.pattern}' is mended; take it from the known defects ({one.reason})"
+                 for one, heard in known.items() if not heard]
+    return said

@@ -1,0 +1,273 @@
+#!/usr/bin/env python3
+"""Holds the rows of motions against closed forms where they come to rest, or nearly.
+
+Usage: motion_rows_test.py PROGRAM MECHANISMS [unittest arguments]
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+import motion_case
+import program
+from motion_case import Motion, MotionTest, run
+
+CRANK = 40.0
+ROD2 = 16000.0
+
+SLIDER_CRANK = """\
+kinestat: 1
+space: planar
+units: {{length: mm, angle: deg}}
+parameters: {{t: {turn} deg}}
+ground: g
+bodies: [crank, rod, ram]
+couplings:
+  a: {{type: revolute, bodies: [g, crank], at: [0, 0]}}
+  b: {{type: revolute, bodies: [crank, rod], at: [-40*sin(t), 40*cos(t)]}}
+  c: {{type: revolute, bodies: [rod, ram], at: [120*cos(t), 120*sin(t)]}}
+  d: {{type: prismatic, bodies: [g, ram], at: [120*cos(t), 120*sin(t)], axis: [cos(t), sin(t)]}}
+actuators: {{m: {{coupling: a}}, o: {{coupling: d}}}}
+cases: {{c: {{{case}}}}}
+motion: {{{motion}}}
+"""
+
+
+def slope(angle: float) -> float:
+    """Of the ram by the crank [mm], which is drawn upright."""
+    s, c = math.sin(angle + math.pi / 2), math.cos(angle + math.pi / 2)
+    return -CRANK * s - CRANK * CRANK * s * c / math.sqrt(ROD2 - CRANK * CRANK * s * s)
+
+
+class AtDeadPoints(MotionTest):
+    def columns(self, turn: float, steps: int) -> tuple[Motion, list[float]]:
+        motion = run(SLIDER_CRANK.format(
+            turn=turn,
+            case="motion: {m: 10 rad/s}, action: {o: 900 N}, input: m, output: o",
+            motion=f"drive: m, to: 360 deg, steps: {steps}, case: c, "
+                   "report: [m, o, ratio, mechanical_advantage]"))
+        return motion, [math.radians(one) for one in motion["m/drive"]]
+
+    def test_nothing_else_loses_its_ratio_or_advantage(self) -> None:
+        for turn, steps in ((0, 8), (33, 8), (0, 36), (71.3, 40)):
+            motion, drive = self.columns(turn, steps)
+            speed = next(name for name in motion.names if name.startswith("d.")
+                         and name.endswith("/velocity"))
+            dead = {steps // 4, 3 * steps // 4}
+            for step, angle in enumerate(drive):
+                row = f"turned by {turn}, {angle} rad"
+                ratio = motion["o/ratio"][step]
+                advantage = motion["o/mechanical_advantage"][step]
+                if step in dead:
+                    self.assertIsNone(ratio, row)
+                    self.assertIsNone(advantage, row)
+                    self.assertEqual(motion[speed][step], 0.0, row)
+                    self.assertEqual(motion["m/action"][step], 0.0, row)
+                    self.assertEqual(motion["o/power"][step], 0.0, row)
+                    self.assertEqual(motion["m/power"][step], 0.0, row)
+                else:
+                    expected = slope(angle)
+                    self.close(ratio * expected, 1.0, 1e-10, row)
+                    self.close(motion[speed][step] / (10 * expected), 1.0, 1e-10, row)
+                    self.close(advantage * abs(expected) / 1000.0, 1.0, 1e-10, row)
+
+    def test_ratios_and_advantages_have_units(self) -> None:
+        motion, _ = self.columns(0, 8)
+        units = {column["name"]: column["unit"] for column in motion.report["columns"]}
+        self.assertEqual(units["o/ratio"], "rad/s per mm/s")
+        self.assertEqual(units["o/mechanical_advantage"], "N per N*m")
+
+    def test_an_advantage_without_statics_has_the_same_unit_and_value(self) -> None:
+        motion = run(SLIDER_CRANK.format(
+            turn=0, case="motion: {m: 10 rad/s}, input: m, output: o",
+            motion="drive: m, to: 360 deg, steps: 8, case: c, report: [mechanical_advantage]"))
+        for angle, advantage in zip(motion["m/drive"], motion["o/mechanical_advantage"]):
+            if advantage is not None:
+                self.close(advantage * abs(slope(math.radians(angle))) / 1000.0, 1.0, 1e-10, f"{angle} rad")
+        self.assertEqual([step for step, one in enumerate(motion["o/mechanical_advantage"])
+                          if one is None], [2, 6])
+
+
+class BetweenSteps(MotionTest):
+    def test_the_stroke_does_not_depend_on_the_steps(self) -> None:
+        """Twice the crank, wherever the steps fall."""
+        rod = math.sqrt(ROD2)
+        for steps in (7, 8, 50, 71):
+            text = SLIDER_CRANK.format(
+                turn=0, case="motion: {m: 10 rad/s}",
+                motion=f"drive: m, to: 360 deg, steps: {steps}, case: c, report: [d.v]")
+            done = program.plain("motion", "-", text=text)
+            line = next(line for line in done.stdout.splitlines()
+                        if line.strip().startswith("d.v/position"))
+            least, at_least, greatest, at_greatest = map(float, line.split()[2:])
+            self.close(least, rod - 40 - 120, 1e-4, f"{steps} steps")
+            self.close(greatest, rod + 40 - 120, 1e-4, f"{steps} steps")
+            self.close(at_least, 90, 1e-3, f"{steps} steps")
+            self.close(at_greatest, 270, 1e-3, f"{steps} steps")
+
+    FRICTION = SLIDER_CRANK.replace("axis: [cos(t), sin(t)]}}",
+                                    "axis: [cos(t), sin(t)], friction: 0.1}}")
+
+    def test_friction_turns_round_at_dead_points_whatever_the_steps(self) -> None:
+        for steps in (36, 50, 71, 72):
+            done = program.call("motion", "-", text=self.FRICTION.format(
+                turn=0, case="motion: {m: 10 rad/s}, action: {o: 900 N}",
+                motion=f"drive: m, to: 360 deg, steps: {steps}, case: c, report: [action]"))
+            self.assertEqual(done.returncode, 0, f"{steps} steps: {done.stderr}")
+            self.assertNotIn("E0604", done.stderr, f"{steps} steps")
+            self.assertIn("friction of 'd' turns round", done.stderr, f"{steps} steps")
+            self.assertIn("and 1 more time", done.stderr, f"{steps} steps")
+
+    def test_a_limit_that_is_asked_for_is_no_error(self) -> None:
+        for end, status in (("46.491106406735", 0), ("46.5", 5)):
+            done = program.call("motion", "-", text=SLIDER_CRANK.format(
+                turn=0, case="motion: {o: 1 mm/s}",
+                motion=f"drive: o, to: {end} mm, steps: 4, case: c, report: [a.wz]"))
+            self.assertEqual(done.returncode, status, done.stderr)
+
+
+class NearALimit(MotionTest):
+    def test_the_last_row_hides_no_acceleration_of_the_others(self) -> None:
+        """cos a = (x² + r² - l²)/(2 r x), the ram running steadily."""
+        motion = run(SLIDER_CRANK.format(
+            turn=0, case="motion: {o: 1 mm/s}",
+            motion="drive: o, to: 46.491106 mm, steps: 10, case: c, report: [a.wz, b.wz]"))
+        r, k = CRANK, (CRANK * CRANK - ROD2) / (2 * CRANK)
+        for way, actual in list(zip(motion["o/drive"], motion["a.wz/acceleration"]))[:-1]:
+            x = 120.0 + way
+            c, slope_of_c, bend = x / (2 * r) + k / x, 1 / (2 * r) - k / x ** 2, 2 * k / x ** 3
+            s = math.sqrt(1 - c * c)
+            expected = -bend / s - c * slope_of_c ** 2 / s ** 3
+            self.assertNotEqual(actual, 0.0)
+            self.close(actual / expected, 1.0, 1e-9, f"at {way} mm")
+        self.assertGreater(abs(motion["a.wz/acceleration"][-1]), 1e6)
+
+
+GEARS = """\
+kinestat: 1
+space: planar
+units: {angle: deg}
+ground: g
+bodies: [w, s]
+couplings:
+  a: {type: revolute, bodies: [g, w], at: [0, 0]}
+  b: {type: gear, bodies: [w, s], at: [1, 0], line_of_action: y}
+  d: {type: revolute, bodies: [g, s], at: [3, 0]}
+actuators: {m: {coupling: a}}
+cases: {k: {motion: {m: 2 rad/s, d.wz: %s rad/s}}}
+motion: {drive: m, to: 10 deg, steps: 2, case: k, report: [a.wz, d.wz]}
+"""
+
+FIVE_BAR = """\
+kinestat: 1
+space: planar
+units: {angle: deg}
+ground: g
+bodies: [k1, k2, k3, k4]
+couplings:
+  a: {type: revolute, bodies: [g, k1], at: [0, 0]}
+  b: {type: revolute, bodies: [k1, k2], at: [0, 1]}
+  c: {type: revolute, bodies: [k2, k3], at: [1, 2]}
+  d: {type: revolute, bodies: [k3, k4], at: [2, 1]}
+  e: {type: revolute, bodies: [g, k4], at: [2, 0]}
+actuators: {A: {coupling: a}, E: {coupling: e}}
+cases:
+  one: {motion: {%s}}
+motion: {drives: [{drive: A, to: 10 deg}, {drive: E, to: -5 deg}], steps: 2, case: one,
+         report: [a.wz, b.wz, e.wz]}
+"""
+
+
+def cross(rate: float, arm: complex) -> complex:
+    return 1j * rate * arm
+
+
+def solve(first: complex, second: complex, right: complex) -> tuple[float, float]:
+    """x first + y second = right."""
+    det = (first.conjugate() * second).imag
+    return (right.conjugate() * second).imag / det, (first.conjugate() * right).imag / det
+
+
+class KnownRates(MotionTest):
+    def test_that_contradict_the_moved_mechanism_are_refused_as_by_analysis(self) -> None:
+        for rate in ("-1.0005", "-1.01", "-1", "-0.9999999"):
+            text = GEARS % rate
+            analysed = program.call("analyze", "-", text=text)
+            moved = program.call("motion", "-", text=text)
+            self.assertIn("E0502", analysed.stderr, rate)
+            self.assertIn("E0502", moved.stderr, rate)
+            self.assertIn("and 2 more positions of 3", moved.stderr, rate)
+            self.assertEqual(moved.returncode, analysed.returncode, rate)
+            motion = Motion(program.report(moved))
+            self.assertEqual(set(motion["d.wz/velocity"]), {None}, rate)
+            self.assertEqual(set(motion["status"]), {"dependent"}, rate)
+
+    def test_of_other_couplings_than_the_drives_give_the_speeds_of_both(self) -> None:
+        motion = run(FIVE_BAR % "a.wz: 2 rad/s, b.wz: 1 rad/s")
+        e = 2 + 0j
+        for step in range(3):
+            alpha, beta, epsilon = (math.radians(motion[f"{name}.wz/position"][step])
+                                    for name in "abe")
+            ab = 1j * cmath.exp(1j * alpha)
+            bc = (1 + 1j) * cmath.exp(1j * (alpha + beta))
+            ed = 1j * cmath.exp(1j * epsilon)
+            cd = e + ed - ab - bc
+            w3, w4 = solve(-1j * cd, 1j * ed, cross(2, ab) + cross(3, bc))
+            bend = -4 * ab - 9 * bc - w3 * w3 * cd + w4 * w4 * ed
+            _, bend4 = solve(-1j * cd, 1j * ed, bend)
+            self.close(motion["e.wz/velocity"][step], w4, 1e-11 * abs(w4), f"step {step}")
+            self.close(motion["e.wz/acceleration"][step], bend4, 1e-9 * abs(bend4), f"step {step}")
+            self.close(motion["b.wz/velocity"][step], 1.0, 1e-12, f"step {step}")
+            self.assertEqual(motion["a.wz/velocity"][step], 2.0)
+            self.close(motion["b.wz/acceleration"][step], 0.0, 1e-9, f"step {step}")
+        self.close(motion["e.wz/velocity"][0], 8.0, 1e-12, "drawn")
+
+    def test_that_are_too_few_are_named(self) -> None:
+        done = program.call("motion", "-", text=FIVE_BAR % "b.wz: 1 rad/s")
+        self.assertIn("E0501", done.stderr)
+        self.assertEqual(done.returncode, 3)
+
+
+FAR = """\
+kinestat: 1
+space: planar
+ground: g
+bodies: [k2, k3, k4]
+parameters: {ox: %s, oy: %s}
+couplings:
+  a: {type: revolute, bodies: [g, k2], at: [ox, oy]}
+  b: {type: revolute, bodies: [k2, k3], at: [ox + 0.3, oy + 0.4]}
+  c: {type: revolute, bodies: [k3, k4], at: [ox + 1.5, oy + 1]}
+  d: {type: revolute, bodies: [g, k4], at: [ox + 1.6, oy + 0]}
+actuators: {m: {coupling: a}, o: {coupling: d}}
+loads: {W: {body: k3, at: [ox+1, oy+1], force: [3, -40]}}
+cases: {c: {motion: {m: 1e-3}, action: {o: -5}, input: m, output: o}}
+motion: {drive: m, to: 1.5 rad, steps: 5, case: c,
+         report: [position, velocity, acceleration, action],
+         trace: [{body: k3, at: [ox+1, oy+1]}]}
+"""
+
+
+class FarFromTheOrigin(MotionTest):
+    def test_all_rows_are_those_beside_it(self) -> None:
+        near = run(FAR % ("0", "0"))
+        for ox, oy in (("4.5e6", "1e6"), ("1e8", "-2e8"), ("1e10", "-2e10"), ("1e12", "1e12")):
+            far = run(FAR % (ox, oy))
+            self.assertEqual(far.names, near.names)
+            for name in near.names:
+                if name in ("misclosure", "status"):
+                    continue
+                place = {"x": float(ox), "y": float(oy)}.get(name[-1], 0.0) if "/at/" in name else 0
+                for step, (one, other) in enumerate(zip(near[name], far[name])):
+                    tolerance = 1e-12 * (1 + abs(one)) + 4e-16 * abs(place)
+                    self.close(other - place, one, tolerance, f"{name} at {ox}, step {step}")
+
+    def test_the_drawn_position_is_that_of_analysis(self) -> None:
+        text = FAR % ("1e10", "-2e10")
+        actions = run(text)
+        self.close(actions["a.Rx/action"][0], -5.396825396825397, 1e-12, "a.Rx")
+
+
+if __name__ == "__main__":
+    motion_case.main()

@@ -1,0 +1,70 @@
+"""check_zeros.py finds comparisons with a relative zero, and rows that allow nothing any more."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SCRIPT = Path(__file__).resolve().parents[2] / "scripts" / "check_zeros.py"
+
+
+def check(files: dict[str, str]) -> tuple[int, list[str]]:
+    with tempfile.TemporaryDirectory() as root:
+        for name, text in files.items():
+            path = Path(root) / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        command = [sys.executable, "-B", str(SCRIPT), "--root", root]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+    return done.returncode, (done.stdout + done.stderr).splitlines()
+
+
+class CheckZeros(unittest.TestCase):
+    def assert_found(self, code: str) -> None:
+        status, lines = check({"lib/power/some_flow.cpp": f"// Powers.\n{code}\n"})
+        self.assertEqual(status, 1)
+        self.assertEqual(len(lines), 1)
+        self.assertTrue(lines[0].startswith("lib/power/some_flow.cpp:2: zero is decided"), lines)
+
+    def assert_allowed(self, path: str, code: str) -> None:
+        self.assertEqual(check({path: code}), (0, ["no zeros but those of bounds, and those listed"]))
+
+    def test_a_share_of_the_largest_is_found(self) -> None:
+        self.assert_found("bool b = std::abs(x) <= kRankZero * largest;")
+
+    def test_a_share_of_a_computed_largest_is_found(self) -> None:
+        self.assert_found("bool b = x > kNoReaction * v.cwiseAbs().maxCoeff();")
+
+    def test_a_comparison_over_two_lines_is_one(self) -> None:
+        status, lines = check({"lib/run/a.cpp": "bool b = x <\n  kSmall *\n  flow.largest;"})
+        self.assertEqual((status, len(lines)), (1, 1))
+
+    def test_the_zero_of_reports_is_found_by_its_name(self) -> None:
+        self.assert_found("const double zero = kReportZero;")
+
+    def test_a_snap_is_found(self) -> None:
+        self.assert_found("return snap(value, zero);")
+
+    def test_a_bound_of_its_own_is_allowed(self) -> None:
+        self.assert_allowed("lib/power/flow.cpp", "return std::abs(x) <= bound ? 0.0 : x;")
+
+    def test_arithmetic_may_use_shares(self) -> None:
+        self.assert_allowed("lib/math/sum.cpp", "bool b = std::abs(x) <= kCancellation * largest;")
+
+    def test_words_and_texts_are_no_code(self) -> None:
+        self.assert_allowed("lib/run/a.cpp", '// snap(x)\nconst char* a = "snap(x)";')
+
+    def test_a_listed_decision_is_allowed(self) -> None:
+        self.assert_allowed("lib/statics/lossy_actions.cpp", "bool b = p < -kSmall * largest;")
+
+    def test_a_row_that_allows_nothing_is_found(self) -> None:
+        status, lines = check({"lib/statics/lossy_actions.cpp": "int none = 0;"})
+        self.assertEqual(status, 1)
+        self.assertIn("nothing to allow", lines[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
