@@ -113,6 +113,8 @@ Ratios find_ratios(const Mechanism& mechanism,
   const std::optional<double> out = action->magnitudes[static_cast<std::size_t>(output.action)];
   if (!is_by_convention(*action, output.action)) {
     ratios.torque_ratio = share_of(in, out);
+    const std::optional<double> advantage = share_of(out, in);
+    ratios.advantage = advantage ? std::optional(std::abs(*advantage)) : std::nullopt;
   }
   if (ratios.torque_ratio) {
     ratios.torque_ratio_bound = bound_of_torque_ratio(mechanism, which, *action);

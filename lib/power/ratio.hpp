@@ -14,6 +14,7 @@ namespace kinestat {
 struct Ratios {
   std::optional<double> ratio;         ///< i = rate of the input / rate of the output (eq. 5.1)
   std::optional<double> torque_ratio;  ///< Γ = action of the input / of the output (eq. 5.2)
+  std::optional<double> advantage;     ///< |action of the output / of the input|
   std::string reason;                  ///< why `ratio` is empty
 
   /// Relative errors that they may have at most, 1 where not one digit is sure; empty where rates

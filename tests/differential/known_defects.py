@@ -18,7 +18,6 @@ class Defect:
 
 
 PLANAR_MOTION = "test_planar_motions_begin_as_analysed"
-SPATIAL_MOTION = "test_spatial_motions_begin_as_analysed"
 SPATIAL_SWEEP = "test_spatial_sweeps_have_the_values_of_analyses"
 STEPS = "test_the_number_of_steps_does_not_matter"
 MILLION = "test_the_origin_a_million_sizes_away_does_not_matter"
@@ -26,10 +25,6 @@ MILLION = "test_the_origin_a_million_sizes_away_does_not_matter"
 KNOWN = [
     Defect(SPATIAL_SWEEP, r"^spatial-(607|1025): no sweep: 70 .*E0155",
            "a tape divides the noise of two actions that are zero"),
-    Defect(PLANAR_MOTION, r"mechanical_advantage is",
-           "where the output bears nothing the ratio of the rates stands in its place"),
-    Defect(SPATIAL_MOTION, r"mechanical_advantage is",
-           "where the output bears nothing the ratio of the rates stands in its place"),
     Defect(STEPS, r"^swash_plate_pump: plate\.w/position",
            "what a body turns by itself grows from step to step instead of resting"),
     *(Defect(MILLION, f"^{name}: ", "powers, or what stands on contact points, friction or losses, "

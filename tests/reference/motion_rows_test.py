@@ -88,6 +88,22 @@ class AtDeadPoints(MotionTest):
         self.assertEqual([step for step, one in enumerate(motion["o/mechanical_advantage"])
                           if one is None], [2, 6])
 
+    def test_an_output_that_bears_nothing_has_no_ratio_of_rates_for_an_advantage(self) -> None:
+        """0/0 has no value, and 0 over the torque that holds a weight on the rod is 0. The pin of
+        the crank bears a part of it upwards, which has no torque where the crank is upright."""
+        weight = ", loads: {weight: {body: rod, at: [10, 30], force: [0, -50 N]}}"
+        for load, step_without in (("", None), (weight, 0)):
+            motion = run(SLIDER_CRANK.format(
+                turn=0, case="motion: {m: 10 rad/s}, action: {o: 0 N}, input: m, output: o" + load,
+                motion="drive: m, to: 60 deg, steps: 6, case: c, "
+                       "report: [m, o, ratio, mechanical_advantage]"))
+            for step in range(7):
+                rests = step_without in (None, step)
+                self.assertEqual(motion["o/action"][step], 0.0)
+                self.assertEqual(motion["m/action"][step] == 0.0, rests)
+                self.assertEqual(motion["o/mechanical_advantage"][step], None if rests else 0.0)
+                self.assertIsNotNone(motion["o/ratio"][step])
+
 
 class BetweenSteps(MotionTest):
     def test_the_stroke_does_not_depend_on_the_steps(self) -> None:

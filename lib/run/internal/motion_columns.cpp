@@ -58,12 +58,11 @@ std::string unit_of_quotient(const FileUnits& units, QuantityKind above, Quantit
   return above == below ? "" : units.text(above) + " per " + units.text(below);
 }
 
-// Action of the output over that of the input, without statics the reverse of their rates: in SI
-// both are the same number.
+// Action of the output over that of the input; in a case without actions the ratio of their rates,
+// which in SI is the same number by virtual power.
 std::optional<double> mechanical_advantage(const CaseAnalysis& one) {
-  const std::optional<double> inverse = one.ratios->torque_ratio;
-  if (inverse) {
-    return *inverse == 0.0 ? std::nullopt : std::optional(1.0 / std::abs(*inverse));
+  if (one.action) {
+    return one.ratios->advantage;
   }
   const std::optional<double> ratio = one.ratios->ratio;
   return ratio ? std::optional(std::abs(*ratio)) : std::nullopt;
