@@ -103,6 +103,19 @@ std::vector<std::optional<double>> freedom_positions(const MotionNetwork& networ
   return result;
 }
 
+std::vector<double> contact_arcs(const MotionNetwork& network, const Configuration& configuration) {
+  if (network.arcs.empty()) {
+    return {};
+  }
+  return with_system(network, [&](const auto& system) {
+    std::vector<double> result;
+    for (const ContactArc& one : network.arcs) {
+      result.push_back(one.at(configuration.angles, system.drawn_angles()));
+    }
+    return result;
+  });
+}
+
 std::vector<CouplingMiss> find_misses(const MotionNetwork& network,
                                       const Configuration& configuration,
                                       double least) {

@@ -24,6 +24,10 @@ std::vector<std::optional<double>> freedom_positions(const MotionNetwork& networ
                                                      const Mechanism& mechanism,
                                                      const Configuration& configuration);
 
+/// How far each rope bends around its pulley [rad], full turns counted; parallel to the arcs of the
+/// network.
+std::vector<double> contact_arcs(const MotionNetwork& network, const Configuration& configuration);
+
 /// How far each coupling outside the tree misses closure; those above `least` as share of the
 /// mechanism's size.
 std::vector<CouplingMiss> find_misses(const MotionNetwork& network,

@@ -80,6 +80,15 @@ struct ContactArc {
   int leaves = 0;      ///< that of the segment behind it
   double sense = 1.0;  ///< -1: the rope turns about -z
   double drawn = 0.0;  ///< the arc in the drawn position, with full turns [rad]
+
+  /// The arc with these followed angles; `first` are those of the drawn position.
+  double at(std::span<const double> angles, std::span<const double> first) const {
+    const auto turned = [&](int angle) {
+      const auto i = static_cast<std::size_t>(angle);
+      return angles[i] - first[i];
+    };
+    return drawn + sense * (turned(leaves) - turned(arrives));
+  }
 };
 
 /// Turns freely about a point; its three freedoms are turns about the world axes.

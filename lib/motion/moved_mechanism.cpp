@@ -1,11 +1,10 @@
 #include "motion/moved_mechanism.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "core/contract.hpp"
 #include "core/index.hpp"
-#include "mechanism/moved_coupling.hpp"
+#include "motion/internal/coupling_poses.hpp"
 
 namespace kinestat {
 
@@ -15,9 +14,14 @@ class MechanismMover {
  public:
   MechanismMover(const MotionNetwork& network,
                  std::span<const DrawnCoupling> drawn,
+                 const Configuration& configuration,
                  std::span<const BodyPose> poses,
                  const Mechanism& mechanism)
-      : network_(network), drawn_(drawn), poses_(poses), mechanism_(mechanism) {}
+      : network_(network),
+        drawn_(drawn),
+        poses_(poses),
+        arcs_(contact_arcs(network, configuration)),
+        mechanism_(mechanism) {}
 
   void move(Mechanism& moved) const {
     for (int e = 0; e < mechanism_.topology.coupling_count(); ++e) {
@@ -29,8 +33,8 @@ class MechanismMover {
     for (std::size_t b = 0; b < poses_.size(); ++b) {
       moved.geometry.references[b] = poses_[b].point(mechanism_.geometry.references[b]);
     }
-    for (std::size_t i = 0; i < moved.contacts.size(); ++i) {
-      move_contact(i, moved);
+    for (std::size_t i = 0; i < arcs_.size(); ++i) {
+      move_contact(network_.arcs[i].contact, arcs_[i], moved);
     }
     for (std::size_t c = 0; c < moved.cases.size(); ++c) {
       for (std::size_t l = 0; l < moved.cases[c].loads.size(); ++l) {
@@ -43,15 +47,7 @@ class MechanismMover {
   const BodyPose& pose(BodyId body) const { return poses_[at(body.value)]; }
 
   CouplingPoses poses_of(int e) const {
-    const CouplingTopology& coupling = mechanism_.topology.coupling({e});
-    CouplingPoses result = {
-        .tail = pose(coupling.tail), .head = pose(coupling.head), .carrier = {}};
-    for (const RollingRow& rolling : network_.rollings) {
-      if (rolling.coupling.value == e) {
-        result.carrier = pose(rolling.carrier);
-      }
-    }
-    return result;
+    return kinestat::poses_of(network_, mechanism_.topology, poses_, CouplingId{e});
   }
 
   void move_coupling(int e, Geometry& geometry) const {
@@ -75,41 +71,21 @@ class MechanismMover {
     geometry.other_flanks[i].screw = carrier.moved(drawn.screw);
   }
 
-  // Full turns of the rope stay; so does which side of a straight rope the pulley is on.
-  void move_contact(std::size_t i, Mechanism& moved) const {
-    const CableContact& drawn = mechanism_.contacts[i];
-    if (!drawn.wrap) {
+  void move_contact(int contact, double arc, Mechanism& moved) const {
+    const CableContact& drawn = mechanism_.contacts[at(contact)];
+    moved.contacts[at(contact)].wrap = arc;
+    if (!drawn.slips || !drawn.friction) {
       return;
     }
-    const auto wrap = [&](const Geometry& geometry) {
-      const CableStationGeometry& station = *drawn_[at(drawn.leaves.value)].from;
-      const BodyId body = mechanism_.topology.coupling(drawn.leaves).tail;
-      const CableStationGeometry pulley =
-          &geometry == &mechanism_.geometry ? station : moved_station(station, pose(body));
-      return wrap_angle<double>(
-          pulley, span_of(drawn.arrives, geometry), span_of(drawn.leaves, geometry));
-    };
-    const double change = wrap(moved.geometry) - wrap(mechanism_.geometry);
-    moved.contacts[i].wrap = *drawn.wrap + change;
     for (std::size_t f = 0; f < moved.frictions.size(); ++f) {
       for (std::size_t r = 0; r < moved.frictions[f].ropes.size(); ++r) {
         RopeFriction& rope = moved.frictions[f].ropes[r];
-        if (drawn.slips && drawn.friction && rope.arrives == drawn.arrives &&
-            rope.leaves == drawn.leaves) {
-          rope.ratio = mechanism_.frictions[f].ropes[r].ratio * std::exp(*drawn.friction * change);
+        if (rope.arrives == drawn.arrives && rope.leaves == drawn.leaves) {
+          rope.ratio = mechanism_.frictions[f].ropes[r].ratio *
+                       std::exp(*drawn.friction * (arc - *drawn.wrap));
         }
       }
     }
-  }
-
-  CableSpan span_of(CouplingId segment, const Geometry& geometry) const {
-    const DrawnCoupling& drawn = drawn_[at(segment.value)];
-    const CouplingTopology& coupling = mechanism_.topology.coupling(segment);
-    if (&geometry == &mechanism_.geometry) {
-      return {.from = drawn.geometry.from, .to = drawn.geometry.to};
-    }
-    return tangent_span<double>(moved_station(*drawn.from, pose(coupling.tail)),
-                                moved_station(*drawn.to, pose(coupling.head)));
   }
 
   void move_load(const Load& drawn, Load& moved) const {
@@ -126,6 +102,7 @@ class MechanismMover {
   const MotionNetwork& network_;
   std::span<const DrawnCoupling> drawn_;
   std::span<const BodyPose> poses_;
+  std::vector<double> arcs_;
   const Mechanism& mechanism_;
 };
 
@@ -133,11 +110,12 @@ class MechanismMover {
 
 void move_mechanism(const MotionNetwork& network,
                     std::span<const DrawnCoupling> drawn,
+                    const Configuration& configuration,
                     std::span<const BodyPose> poses,
                     const Mechanism& mechanism,
                     Mechanism& moved) {
   KINESTAT_EXPECTS(poses.size() == mechanism.topology.bodies.size());
-  MechanismMover(network, drawn, poses, mechanism).move(moved);
+  MechanismMover(network, drawn, configuration, poses, mechanism).move(moved);
 }
 
 }  // namespace kinestat

@@ -9,11 +9,13 @@
 namespace kinestat {
 
 /// Moves the geometry, the loads and the contacts of ropes of `moved`, a copy of the drawn
-/// mechanism, to these poses; names, cases and primaries stay. What a coupling frees and bears
-/// follows the body in which it is fixed; forces at a point (Rx, Ry, Rz) and the freedoms of a ball
-/// keep their world directions. Loads keep theirs and act at the moved point of their body.
+/// mechanism, to a configuration with these poses; names, cases and primaries stay. What a coupling
+/// frees and bears follows the body in which it is fixed; forces at a point (Rx, Ry, Rz) and the
+/// freedoms of a ball keep their world directions. Loads keep theirs and act at the moved point of
+/// their body.
 void move_mechanism(const MotionNetwork& network,
                     std::span<const DrawnCoupling> drawn,
+                    const Configuration& configuration,
                     std::span<const BodyPose> poses,
                     const Mechanism& mechanism,
                     Mechanism& moved);

@@ -45,8 +45,8 @@ PageMotion page_motion(const FoundMotion& motion,
   const std::vector<DrawnCoupling> drawn = bind_drawn_couplings(description, mechanism);
   Mechanism moved = mechanism;
   for (std::size_t i = 0; i < count; ++i) {
-    std::vector<BodyPose> poses =
-        body_poses(motion.network, motion.solution.configuration_at(static_cast<int>(i)));
+    const Configuration configuration = motion.solution.configuration_at(static_cast<int>(i));
+    std::vector<BodyPose> poses = body_poses(motion.network, configuration);
     for (BodyPose& pose : poses) {
       pose.shift += motion.origin - pose.rotation * motion.origin;
     }
@@ -55,7 +55,7 @@ PageMotion page_motion(const FoundMotion& motion,
       path.points.push_back(poses[body].point(path.drawn));
     }
     if (page.shown[page.positions.size()] == i) {
-      move_mechanism(motion.network, drawn, poses, mechanism, moved);
+      move_mechanism(motion.network, drawn, configuration, poses, mechanism, moved);
       page.positions.push_back({.poses = std::move(poses), .geometry = moved.geometry});
     }
   }

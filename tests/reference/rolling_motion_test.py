@@ -65,6 +65,41 @@ class Cables(MotionTest):
             # The rope runs over the sheave, which does not slip.
             self.close(motion["B1.wz/position"][step], -hand / 50, 1e-9, "first sheave")
 
+    CAPSTAN = """kinestat: 1
+space: planar
+units: {{length: mm, angle: deg}}
+ground: drum
+bodies: [load, arm]
+couplings:
+  L: {{type: prismatic, bodies: [drum, load], at: [-100, -2000], axis: y}}
+  A: {{type: revolute, bodies: [drum, arm], at: [0, 0]}}
+cables:
+  rope:
+    over:
+      - {{body: load, at: [-100, -2000]}}
+      - {{pulley: drum, at: [0, 0], radius: 100, wrap: clockwise, slip: true, friction: 0.15{turns}}}
+      - {{body: arm, at: [100, -500]}}
+actuators: {{weight: {{coupling: L}}, crank: {{coupling: A}}}}
+cases:
+  hoist: {{motion: {{crank: -1 rad/s}}, action: {{weight: -1000 N}}, input: crank, output: weight}}
+motion: {{drive: crank, to: -{to}, steps: {steps}, case: hoist,
+          report: [weight, crank, L.vy, mechanical_advantage]}}
+"""
+
+    def test_of_a_capstan_hold_by_every_turn_that_an_arm_winds_on(self) -> None:
+        """Half a turn as drawn and as much more as the arm turns: T2 = T1 exp(mu theta)."""
+        for turns, more in (("", 0), (", turns: 2", 4 * math.pi)):
+            motion = run(self.CAPSTAN.format(to=900, steps=20, turns=turns))
+            self.check_complete(motion, 20)
+            for step, degrees in enumerate(motion["crank/drive"]):
+                angle = math.radians(degrees)
+                theta = math.pi + more - angle
+                torque = 100 * math.exp(0.15 * theta)  # 1000 N at 0.1 m
+                self.close(motion["L.vy/position"][step], -100 * angle, 1e-9, "lift")
+                self.close(motion["crank/action"][step], -torque, 1e-11 * torque, f"at {angle}")
+                self.close(motion["weight/mechanical_advantage"][step] * torque, 1000,
+                           1e-8, "advantage")
+
 
 if __name__ == "__main__":
     motion_case.main()

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/index.hpp"
 #include "motion/internal/largest.hpp"
 #include "motion/internal/motion_limits.hpp"
 #include "motion/internal/path_tracker.hpp"
@@ -10,11 +9,9 @@ namespace kinestat {
 
 template <class Frames>
 LeastArc PathTracker<Frames>::least_arc(const PathPoint& point) const {
-  const std::vector<double>& drawn = system_.drawn_angles();
-  const auto turned = [&](int angle) { return point.angles[at(angle)] - drawn[at(angle)]; };
   LeastArc least;
   for (const ContactArc& one : arcs_) {
-    const double arc = one.drawn + one.sense * (turned(one.leaves) - turned(one.arrives));
+    const double arc = one.at(point.angles, system_.drawn_angles());
     if (least.contact < 0 || arc < least.arc) {
       least = {.arc = arc, .contact = one.contact};
     }

@@ -70,7 +70,7 @@ MotionPosition MotionPositions::at(const Configuration& configuration) {
   }
   place(configuration, position);
   if (!position.state.is_singular && (detail_.statics || detail_.transmission_angle)) {
-    move(position);
+    move(configuration, position);
     solve_passes(position);
   }
   return position;
@@ -93,8 +93,8 @@ void MotionPositions::place(const Configuration& configuration, MotionPosition& 
   }
 }
 
-void MotionPositions::move(const MotionPosition& position) {
-  move_mechanism(network_, drawn_, position.state.poses, mechanism_, moved_);
+void MotionPositions::move(const Configuration& configuration, const MotionPosition& position) {
+  move_mechanism(network_, drawn_, configuration, position.state.poses, mechanism_, moved_);
   moved_.misclosure = std::max(detail_.misclosure, position.state.bounds.place);
 }
 

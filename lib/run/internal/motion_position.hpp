@@ -59,7 +59,7 @@ class MotionPositions {
 
  private:
   void place(const Configuration& configuration, MotionPosition& position) const;
-  void move(const MotionPosition& position);
+  void move(const Configuration& configuration, const MotionPosition& position);
   void solve_passes(MotionPosition& position);
 
   const Mechanism& mechanism_;

@@ -111,9 +111,11 @@ class SpeedFindings {
     Analysis analysis;
     analysis.description = description_;
     analysis.mechanism = mechanism_;
+    const Configuration configuration = motion_.solution.configuration_at(step);
     move_mechanism(motion_.network,
                    motion_.drawn,
-                   body_poses(motion_.network, motion_.solution.configuration_at(step)),
+                   configuration,
+                   body_poses(motion_.network, configuration),
                    mechanism_,
                    analysis.mechanism);
     Case moving = which();

@@ -69,7 +69,8 @@ TEST_P(Library, GivesTheMovedMechanismToOtherPasses) {
   for (int k = 0; k <= 2000; k += 111) {
     const Configuration configuration = solution_.configuration_at(k);
     const MotionState state = state_at(subject_, configuration, 1.0);
-    move_mechanism(subject_.network, subject_.drawn, state.poses, subject_.mechanism, moved);
+    move_mechanism(
+        subject_.network, subject_.drawn, configuration, state.poses, subject_.mechanism, moved);
     const KinematicSolution velocity = solve_velocity(
         moved, motion_basis(moved.geometry, OrderChoice::minimal), std::vector<Primary>{drive});
     ASSERT_EQ(velocity.status, SolveStatus::solved) << k;
@@ -95,8 +96,9 @@ TEST_P(Library, GivesTheMovedMechanismToOtherPasses) {
 TEST_P(Library, KeepsItsCouplingsReciprocal) {
   ASSERT_EQ(solution_.status, MotionStatus::completed);
   Mechanism moved = subject_.mechanism;
-  const auto poses = body_poses(subject_.network, solution_.configuration_at(1234));
-  move_mechanism(subject_.network, subject_.drawn, poses, subject_.mechanism, moved);
+  const Configuration configuration = solution_.configuration_at(1234);
+  const auto poses = body_poses(subject_.network, configuration);
+  move_mechanism(subject_.network, subject_.drawn, configuration, poses, subject_.mechanism, moved);
   for (const CouplingTopology& coupling : moved.topology.couplings) {
     for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
       if (moved.topology.actions[static_cast<std::size_t>(a)].actuator >= 0) {
