@@ -117,6 +117,12 @@ Scalar wrap_angle(const Station<Scalar>& pulley,
   return is_straight ? theta - Scalar(value_of(theta)) : theta + Scalar(2.0 * std::numbers::pi);
 }
 
+bool crosses_itself(double radius, double angle, double shorter) {
+  constexpr double kHalfTurn = std::numbers::pi;
+  return angle >= 2.0 * kHalfTurn ||
+         (angle > kHalfTurn && std::abs(radius * std::tan(angle / 2.0)) < shorter);
+}
+
 bool passes_through(const CableSpan& span, const CableStationGeometry& pulley, double margin) {
   const Vec3 along = span.to - span.from;
   const Vec3 arm = pulley.centre - span.from;

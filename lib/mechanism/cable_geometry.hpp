@@ -57,6 +57,11 @@ Scalar wrap_angle(const CableStationGeometryOf<Scalar>& pulley,
                   const CableSpanOf<Scalar>& arrives,
                   const CableSpanOf<Scalar>& leaves);
 
+/// Whether a rope with an arc of this angle, full turns counted, meets itself: the tangents of more
+/// than half a turn meet at r |tan(θ/2)| from its ends. `shorter` is the length of the shorter of
+/// its two segments [m].
+bool crosses_itself(double radius, double angle, double shorter);
+
 /// Whether a segment passes through the disc of a pulley in whose plane it lies. What lies within
 /// the share `margin` of the radius inside the rim still passes by.
 bool passes_through(const CableSpan& span, const CableStationGeometry& pulley, double margin);

@@ -9,7 +9,12 @@ from __future__ import annotations
 import math
 
 import motion_case
+import program
 from motion_case import MotionTest, derivative, in_library, run, turned
+
+
+def findings(text: str) -> str:
+    return program.call("motion", "-", text=text).stderr
 
 
 class Cams(MotionTest):
@@ -99,6 +104,18 @@ motion: {{drive: crank, to: -{to}, steps: {steps}, case: hoist,
                 self.close(motion["crank/action"][step], -torque, 1e-11 * torque, f"at {angle}")
                 self.close(motion["weight/mechanical_advantage"][step] * torque, 1000,
                            1e-8, "advantage")
+
+    def test_that_wind_over_themselves_on_the_way_are_told(self) -> None:
+        """The tangents at -100 and at the arm meet at 100 tan(theta/2) below the ends of the arc."""
+        text = self.CAPSTAN.format(to=80, steps=8, turns="")
+        said = findings(text)
+        self.assertIn("warning[W0308]: cable 'rope' turns by 260 deg about pulley 'drum' and "
+                      "crosses itself (crank from -", said)
+        # The shorter segment is 500 long: from 180 deg on they meet where 100 |tan| < 500.
+        first = 10 * math.ceil((math.degrees(2 * (math.pi - math.atan(5))) - 180) / 10)
+        self.assertIn(f"crank from -{first} to -80 deg, {(80 - first) // 10 + 1} of 9 positions, "
+                      "the worst at -80", said)
+        self.assertNotIn("W0308", findings(self.CAPSTAN.format(to=80, steps=8, turns=", turns: 0")))
 
 
 if __name__ == "__main__":

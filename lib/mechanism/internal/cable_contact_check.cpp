@@ -63,13 +63,6 @@ std::string short_way(const CableStation& station, double radius) {
                       : "exchange the two points";
 }
 
-// The tangents of an arc of more than half a turn meet at r |tan(θ/2)| from its ends.
-bool crosses_itself(const DrawnContact& contact, double radius, double wrap) {
-  const double shorter = std::min((contact.arrives.to - contact.arrives.from).norm(),
-                                  (contact.leaves.to - contact.leaves.from).norm());
-  return wrap > std::numbers::pi && std::abs(radius * std::tan(wrap / 2.0)) < shorter;
-}
-
 }  // namespace
 
 void check_contact(const DrawnContact& contact, const FileUnits& units, Diagnostics& found) {
@@ -87,7 +80,9 @@ void check_contact(const DrawnContact& contact, const FileUnits& units, Diagnost
   }
   const double wrap = wrap_angle<double>(pulley, contact.arrives, contact.leaves);
   const bool is_on_purpose = station.turns || contact.cable->over.size() == 2;
-  if (is_on_purpose || !crosses_itself(contact, pulley.radius, wrap)) {
+  const double shorter = std::min((contact.arrives.to - contact.arrives.from).norm(),
+                                  (contact.leaves.to - contact.leaves.from).norm());
+  if (is_on_purpose || !crosses_itself(pulley.radius, wrap, shorter)) {
     return;
   }
   found.warning("W0308",

@@ -8,6 +8,7 @@
 #include "run/internal/case_word.hpp"
 #include "run/internal/motion_columns.hpp"
 #include "run/internal/motion_events.hpp"
+#include "run/internal/rope_findings.hpp"
 
 namespace kinestat {
 
@@ -114,8 +115,11 @@ class TableMaker {
       table_.columns.push_back(reading.column);
     }
     for (int p = 0; p < solution_.position_count(); ++p) {
-      const MotionPosition position = positions.at(solution_.configuration_at(p));
+      const Configuration configuration = solution_.configuration_at(p);
+      const MotionPosition position = positions.at(configuration);
       judge(position, positions.moved());
+      add_crossing_ropes(
+          description_, mechanism_, motion_, configuration, position.state.poses, said_.back());
       add_row(p, position);
       table_.rows.back().status = status_of(p, position, positions.moved());
     }
