@@ -17,7 +17,6 @@ class Defect:
     reason: str
 
 
-PLANAR_MOTION = "test_planar_motions_begin_as_analysed"
 SPATIAL_SWEEP = "test_spatial_sweeps_have_the_values_of_analyses"
 STEPS = "test_the_number_of_steps_does_not_matter"
 MILLION = "test_the_origin_a_million_sizes_away_does_not_matter"
@@ -34,8 +33,6 @@ KNOWN = [
        "planar_toggle_press", "spatial_four_legged_table")),
     Defect(MILLION, "^transmissions_bevel_differential: ",
            "a rank of irrational numbers is decided by doubles"),
-    Defect(PLANAR_MOTION, r"rate c\d\.w[12] is None",
-           "motions have no turns of the ends of ropes"),
 ]
 
 

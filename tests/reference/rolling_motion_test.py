@@ -6,11 +6,12 @@ Usage: rolling_motion_test.py PROGRAM MECHANISMS [unittest arguments]
 
 from __future__ import annotations
 
+import cmath
 import math
 
 import motion_case
 import program
-from motion_case import MotionTest, derivative, in_library, run, turned
+from motion_case import MotionTest, derivative, dyad, in_library, run, turned
 
 
 def findings(text: str) -> str:
@@ -116,6 +117,34 @@ motion: {{drive: crank, to: -{to}, steps: {steps}, case: hoist,
         self.assertIn(f"crank from -{first} to -80 deg, {(80 - first) // 10 + 1} of 9 positions, "
                       "the worst at -80", said)
         self.assertNotIn("W0308", findings(self.CAPSTAN.format(to=80, steps=8, turns=", turns: 0")))
+
+    def test_turn_at_both_ends_as_the_line_between_two_cranks_does(self) -> None:
+        """A rope from (1, 3) on a crank about (0, 0) to (6, 5) on a rocker about (7, 0)."""
+        motion = run("""kinestat: 1
+space: planar
+ground: frame
+bodies: [crank, rocker]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  c: {type: cable, bodies: [crank, rocker], from: [1, 3], to: [6, 5]}
+  d: {type: revolute, bodies: [frame, rocker], at: [7, 0]}
+actuators: {motor: {coupling: a}}
+cases: {turning: {motion: {motor: 2 rad/s}}}
+motion: {drive: motor, to: 1 rad, steps: 10, case: turning, report: [velocity]}
+""")
+        self.check_complete(motion, 10)
+
+        def line(angle: float) -> complex:
+            b = turned(1 + 3j, angle)
+            return dyad(b, 7, abs(5 + 2j), abs(1 - 5j), (1 + 3j, 7, 6 + 5j)) - b
+
+        def rocker(angle: float) -> float:
+            return cmath.phase((turned(1 + 3j, angle) + line(angle) - 7) / (-1 + 5j))
+        for step, angle in enumerate(motion["motor/drive"]):
+            turn = 2 * derivative(lambda t: cmath.phase(line(t)), angle, 1).real
+            self.close(motion["c.w1/velocity"][step], turn - 2, 1e-8, f"at the crank at {angle}")
+            self.close(motion["c.w2/velocity"][step], 2 * derivative(rocker, angle, 1).real - turn,
+                       1e-8, f"at the rocker at {angle}")
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@
 #include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
 #include "math/settled.hpp"
+#include "motion/contact_rates.hpp"
 #include "motion/moved_mechanism.hpp"
 #include "power/transmission_angle.hpp"
 #include "run/solve_cases.hpp"
@@ -67,6 +68,13 @@ MotionPosition MotionPositions::at(const Configuration& configuration) {
                                        detail);
   if (position.has_speeds() && !position.state.is_singular && !meets(*which_, position.state)) {
     position.speeds = SpeedsKnown::dependent;
+  }
+  if (position.has_speeds()) {
+    add_contact_rates(network_, drawn_, mechanism_, position.state);
+    // The spin that a case gives a contact has no part in the state.
+    if (!position.state.is_singular && !meets(*which_, position.state)) {
+      position.speeds = SpeedsKnown::not_by_state;
+    }
   }
   place(configuration, position);
   if (!position.state.is_singular && (detail_.statics || detail_.transmission_angle)) {
