@@ -86,6 +86,15 @@ class SpatialLinkages(MotionTest):
         self.assertEqual(set(speeds("{b.wx: 3 rad/s}", "a.wz", 3)), {None})
         self.assertEqual(set(speeds("{motor: 10 rad/s, work: 99 rad/s}", "a.wz", 3)), {None})
 
+    def test_what_spins_by_itself_rests_in_any_number_of_steps(self) -> None:
+        """The slipper of a pump may turn on its plate, which nothing drives."""
+        for steps in (4, 24, 50, 720):
+            motion = run(in_library("spatial/swash_plate_pump.yaml"), "--drive", "motor", "--to",
+                         "360 deg", "--steps", str(steps))
+            for name in ("plate.w/position", "bore.wz/position"):
+                for value in motion[name]:
+                    self.close(value, 0.0, 1e-11, f"{name} in {steps} steps")
+
     def test_rssr_stops_where_its_balls_cannot_reach_further(self) -> None:
         for to in (3.0, -3.0):
             motion = run(in_library("spatial/rssr.yaml"), "--from", "0", "--to", f"{to} rad",

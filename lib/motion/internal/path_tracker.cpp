@@ -248,7 +248,40 @@ bool PathTracker<Frames>::try_step(const PathPoint& now,
     return false;
   }
   find_rates(next);
+  if (passive_count_ > 0 && !next.is_singular && !rest_passive(now, next)) {
+    return false;
+  }
   return keeps_branch(now, next, moved);
+}
+
+// What no condition holds goes as far as the rates of both points say, by the trapezoidal rule: a
+// prediction that nothing corrects would add its errors to those of the steps before. The rates of
+// the least motion have no part in what is open where they are found.
+template <class Frames>
+bool PathTracker<Frames>::rest_passive(const PathPoint& now, PathPoint& next) {
+  const double half = 0.5 * next.arrival_share;
+  const std::vector<double>& null = qr_.null_vectors();
+  std::ranges::fill(correction_, 0.0);
+  for (std::size_t z = 0; z < null.size(); z += unknown_.size()) {
+    double beyond = 0.0;
+    for (std::size_t i = 0; i < unknown_.size(); ++i) {
+      const std::size_t rate = at(unknown_[i]);
+      beyond += null[z + i] * (next.arrival[rate] - half * now.rates[rate]);
+    }
+    for (std::size_t i = 0; i < unknown_.size(); ++i) {
+      correction_[at(unknown_[i])] -= beyond * null[z + i];
+    }
+  }
+  system_.move(correction_, next.coordinates);
+  for (std::size_t i = 0; i < next.arrival.size(); ++i) {
+    next.arrival[i] += correction_[i];
+  }
+  double moved = 0.0;
+  if (!close(next, moved)) {
+    return false;
+  }
+  find_rates(next);
+  return true;
 }
 
 template <class Frames>
@@ -278,7 +311,7 @@ Arrival PathTracker<Frames>::follow(PathPoint& now, PathPoint& before, double sh
     const double stretch = now.share + kArcStretch / line_.scale;
     const Arrival arrival = walk_arc(now, stretch >= share - least ? share : stretch);
     trail_.clear();
-    now.arrival_share = 0.0;
+      now.arrival_share = 0.0;
     step = longest;
     if (arrival != Arrival::reached) {
       return arrival;

@@ -39,8 +39,7 @@ class PathTracker {
   /// Rates of a point that was closed last.
   void find_rates(PathPoint& point);
 
-  /// What the rates of the point that was closed last leave of the closure, by the fastest drive:
-  /// above rounding, the drives cannot move.
+  /// What the rates of it miss of closure, by the fastest drive: above rounding, it cannot move.
   double missed_rate(const PathPoint& point) const;
 
   /// From `now`, which `before` led to, to the share; `now` becomes the point there or, where the
@@ -85,6 +84,7 @@ class PathTracker {
   void gather(std::span<const int> columns, std::vector<double>& matrix) const;
   bool try_step(const PathPoint& now, const PathPoint& before, double share, PathPoint& next);
   void predict(const PathPoint& now, const PathPoint& before, double step);
+  bool rest_passive(const PathPoint& now, PathPoint& next);
   static double rounding_of(std::span<const double> coordinates);
   bool keeps_branch(const PathPoint& now, const PathPoint& next, double moved);
   void find_blocks();
