@@ -52,17 +52,20 @@ class MotionWriter {
     return text += positions();
   }
 
-  // Of every quantity but the positions of the drives, which the file gives.
+  // Of every quantity but the positions of the drives, which the file gives. What lies between the
+  // steps is known of positions where a freedom turns back, and of nothing else.
   TextBlocks extremes() const {
     if (motion_.rows.empty()) {
       return {};
     }
-    std::vector<TextColumn> table = {{"Extremes", {}},
-                                     {"least", {}},
-                                     {"at " + motion_.drives.front().name, {}},
-                                     {"greatest", {}},
-                                     {"at " + motion_.drives.front().name, {}}};
     const std::vector<const Values*> all = all_values();
+    const bool has_dead_points = all.size() > motion_.rows.size();
+    std::vector<TextColumn> table = {
+        {has_dead_points ? "Extremes at steps and dead points" : "Extremes at steps", {}},
+        {"least", {}},
+        {"at " + motion_.drives.front().name, {}},
+        {"greatest", {}},
+        {"at " + motion_.drives.front().name, {}}};
     for (std::size_t c = motion_.drives.size(); c < column_count(); ++c) {
       const Values* least = nullptr;
       const Values* greatest = nullptr;

@@ -121,6 +121,7 @@ class BetweenSteps(MotionTest):
             self.close(greatest, rod + 40 - 120, 1e-4, f"{steps} steps")
             self.close(at_least, 90, 1e-3, f"{steps} steps")
             self.close(at_greatest, 270, 1e-3, f"{steps} steps")
+            self.assertIn("Extremes at steps and dead points  ", done.stdout)
 
     FRICTION = SLIDER_CRANK.replace("axis: [cos(t), sin(t)]}}",
                                     "axis: [cos(t), sin(t)], friction: 0.1}}")
