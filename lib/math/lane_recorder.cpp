@@ -136,8 +136,9 @@ TapeNumber LaneRecorder::multiply(TapeNumber a, TapeNumber b) {
                    Kind::multiply, value(a) * value(b), range(a) * range(b), {a.node, b.node, -1});
 }
 
+// Zero by what may be zero has no value there.
 TapeNumber LaneRecorder::divide(TapeNumber a, TapeNumber b) {
-  if (is_zero(a) && !is_zero(b)) {
+  if (is_zero(a) && range(b).least() > 0.0) {
     return a;
   }
   if (is_constant(b) && !is_constant(a) && is_power_of_two(value(b))) {

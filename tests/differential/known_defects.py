@@ -17,13 +17,9 @@ class Defect:
     reason: str
 
 
-SPATIAL_SWEEP = "test_spatial_sweeps_have_the_values_of_analyses"
-STEPS = "test_the_number_of_steps_does_not_matter"
 MILLION = "test_the_origin_a_million_sizes_away_does_not_matter"
 
 KNOWN = [
-    Defect(SPATIAL_SWEEP, r"^spatial-(607|1025): no sweep: 70 .*E0155",
-           "a tape divides the noise of two actions that are zero"),
     *(Defect(MILLION, f"^{name}: ", "powers, or what stands on contact points, friction or losses, "
              "lose their digits far from the origin") for name in
       ("cables_block_and_tackle_with_losses", "cables_capstan", "cables_finger_rehabilitation",

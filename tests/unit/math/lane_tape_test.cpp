@@ -102,6 +102,22 @@ TEST(LaneTape, GivesTheSameBitsForAnyNumberOfLanes) {
   }
 }
 
+TEST(LaneTape, HasNoQuotientOfZeros) {
+  LaneRecorder recorder;
+  const TapeNumber zero = recorder.constant(0.0);
+  const TapeNumber any = recorder.input(1.0);
+  const TapeNumber positive = recorder.input(1.0, {.low = 0.5, .high = 2.0});
+  const TapeNumber outputs[] = {recorder.divide(zero, any), recorder.divide(zero, positive)};
+  EXPECT_TRUE(recorder.is_zero(outputs[1]));
+  const LaneTape tape = recorder.make_tape(outputs);
+  LaneTape::Workspace workspace = tape.make_workspace(1);
+  for (const double divisor : {3.0, 0.0}) {
+    tape.set_input(workspace, 0, 0, divisor);
+    tape.play(workspace);
+    EXPECT_EQ(std::isnan(tape.output(workspace, 0, 0)), divisor == 0.0);
+  }
+}
+
 TEST(LaneTape, StaysWithinTheRangesOfItsNumbers) {
   constexpr unsigned kSeed = 20261123;
   constexpr std::size_t kInputs = 4;
