@@ -61,6 +61,10 @@ inline constexpr double kArrivedShare = 1e-7;
 /// How narrow a change point is bracketed, along the arc.
 inline constexpr double kChangePointBracket = 1e-9;
 
+/// Where the determinant touches zero, the points on both sides are brought as near to each other
+/// [rad or shares of the size, of the drives]: there a cubic leaves less than rounding.
+inline constexpr double kTouchSurroundings = 1e-4;
+
 /// Between its surroundings a change point misses closure by no more than this: what cubics leave,
 /// and rounding. Branches that miss each other by more do not cross.
 inline constexpr double kGapAtCrossing = 3e-13;

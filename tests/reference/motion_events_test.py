@@ -246,6 +246,42 @@ motion: {drive: m, to: 360 deg, steps: %s, report: [position]}
                     self.close(first, crank, 1e-6, f"{what}: first rocker at {crank}")
                     self.close(second, crank, 1e-6, f"{what}: second rocker at {crank}")
 
+    THREE_CRANKS = """\
+kinestat: 1
+space: planar
+units: {length: mm, angle: deg}
+ground: g
+bodies: [c1, k, c2, e, c3]
+parameters: {t: 60 deg}
+couplings:
+  A: {type: revolute, bodies: [g, c1], at: [0, 0]}
+  B: {type: revolute, bodies: [c1, k], at: [40*cos(t), 40*sin(t)]}
+  C: {type: revolute, bodies: [k, c2], at: [100+40*cos(t), 40*sin(t)]}
+  D: {type: revolute, bodies: [g, c2], at: [100, 0]}
+  E: {type: revolute, bodies: [k, e], at: [30+40*cos(t), 40*sin(t)]}
+  G: {type: revolute, bodies: [e, c3], at: [160+40*cos(t), 40*sin(t)]}
+  F: {type: revolute, bodies: [g, c3], at: [160, 0]}
+actuators: {m: {coupling: F}}
+motion: {drive: m, to: %s deg, steps: %s, report: [position]}
+"""
+
+    def test_that_leave_the_determinant_its_sign_are_found(self) -> None:
+        """Both circuits of three parallel cranks are in line at once, and neither moves alone."""
+        for to in (360, 240, 320.0005, -360):
+            expected = [place for place in ((120, 300) if to > 0 else (-60, -240))
+                        if abs(place) < abs(to)]
+            for steps in (1, 2, 3, 5, 7, 11, 36, 50, 100, 360):
+                text = self.THREE_CRANKS % (to, steps)
+                motion = run(text)
+                what = f"to {to} in {steps}"
+                places = motion.events("singular")
+                self.assertEqual(len(places), len(expected), f"{what}: {places}")
+                for place, one in zip(places, expected):
+                    self.close(place, one, 1e-6, what)
+                self.assertIn("W0503", findings(text), what)
+                for crank, other in zip(motion["m/drive"], motion["A.wz/position"]):
+                    self.close(other, crank, 1e-6, f"{what}: at {crank}")
+
     FOUR_BAR = """\
 kinestat: 1
 space: planar

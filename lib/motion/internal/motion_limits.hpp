@@ -1,6 +1,8 @@
 // How far a step of a motion may go. What counts as closed is in core/motion_tolerance.hpp.
 #pragma once
 
+#include <limits>
+
 #include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
 
@@ -66,6 +68,16 @@ inline constexpr double kSurroundings = 0.001;
 
 /// At a change point the determinant is this share at most of what it is beside it.
 inline constexpr double kLeftAtCrossing = 0.01;
+
+/// In a step at whose ends the flatness is together so many times what it may fall and rise again
+/// on the way, it may come down to zero between them: it does not fall evenly.
+inline constexpr double kMostTouch = 1.5;
+
+/// Where no step lies before: the flatness may fall as fast as it likes.
+inline constexpr double kUnknownFall = std::numeric_limits<double>::infinity();
+
+/// Such a place is looked at in parts, each so many times as short as the one before.
+inline constexpr double kNarrows = 0.1;
 
 inline constexpr int kMostRounds = 8;
 inline constexpr int kMostBisections = 100;

@@ -57,6 +57,7 @@ void PathTracker<Frames>::return_to(const Beginning& beginning, PathPoint& now) 
   resumption_ = beginning.resumption;
   special_.resize(beginning.passed);
   trail_.clear();
+  flattening_ = kUnknownFall;
 }
 
 // Between the beginning of a stretch and its end, where the arc of a rope is zero.

@@ -63,6 +63,7 @@ void PathTracker<Frames>::set_range(std::span<const double> from, std::span<cons
     turn_resumption(last);
   }
   trail_.clear();
+  flattening_ = kUnknownFall;
 }
 
 template <class Frames>
@@ -301,6 +302,9 @@ Arrival PathTracker<Frames>::follow(PathPoint& now, PathPoint& before, double sh
       std::swap(before, now);
       std::swap(now, trial_);
       trail_.leave(now.rates, now.arrival, now.arrival_share);
+      if (is_square_) {
+        look_for_touch(before, now);
+      }
       step = std::min(2.0 * step, longest);
       continue;
     }
@@ -309,9 +313,23 @@ Arrival PathTracker<Frames>::follow(PathPoint& now, PathPoint& before, double sh
       continue;
     }
     const double stretch = now.share + kArcStretch / line_.scale;
+    const PathPoint start = now;
+    const std::size_t passed = special_.size();
     const Arrival arrival = walk_arc(now, stretch >= share - least ? share : stretch);
+    if (is_square_ && !resumption_ && special_.size() == passed) {
+      // Past a position that is flat itself, and back.
+      const double way = now.share - start.share;
+      const double end = now.flatness > kFlatClosure ? now.share : now.share + way;
+      flattening_ = kUnknownFall;
+      if (is_regular && try_step(start, before, end, trial_)) {
+        look_for_touch(start, trial_);
+      }
+      const bool is_behind = special_.size() > passed && special_.back().share > now.share;
+      special_.resize(is_behind ? passed : special_.size());
+    }
     trail_.clear();
-      now.arrival_share = 0.0;
+    flattening_ = kUnknownFall;
+    now.arrival_share = 0.0;
     step = longest;
     if (arrival != Arrival::reached) {
       return arrival;

@@ -65,15 +65,13 @@ class PathTracker {
 
   bool has_special() const { return !special_.empty(); }
 
-  /// Whether the last way arrived so near a change point that Newton would lose digits there, and
-  /// the next one can go on all the same.
+  /// Whether the last way arrived so near a change point that the next one begins before it.
   bool is_beside_change_point() const { return resumption_.has_value(); }
 
   ClosureSystem<Frames>& system() { return system_; }
 
  private:
   using Parts = std::vector<int>;  // indices of blocks; -1: the whole closure
-
   Arrival follow(PathPoint& now, PathPoint& before, double share);
   Arrival follow_ropes(PathPoint& now, PathPoint& before, double share);
   LeastArc least_arc(const PathPoint& point) const;
@@ -85,6 +83,7 @@ class PathTracker {
   bool try_step(const PathPoint& now, const PathPoint& before, double share, PathPoint& next);
   void predict(const PathPoint& now, const PathPoint& before, double step);
   bool rest_passive(const PathPoint& now, PathPoint& next);
+  void look_for_touch(const PathPoint& before, const PathPoint& now);
   static double rounding_of(std::span<const double> coordinates);
   bool keeps_branch(const PathPoint& now, const PathPoint& next, double moved);
   void find_blocks();
@@ -136,6 +135,7 @@ class PathTracker {
   bool is_square_ = false;            ///< as many conditions as unknowns, and none is passive
   std::vector<ClosureBlock> blocks_;  ///< empty where the closure is one
   Trail trail_;
+  double flattening_ = 0.0;  ///< how fast the flatness fell in the step before, by the share
   std::vector<SpecialPosition> special_;
   std::optional<Resumption> resumption_;
   std::vector<double> matrix_;
