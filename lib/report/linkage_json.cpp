@@ -44,9 +44,7 @@ Json lengths_json(const FourBarLengths& lengths, const PlaneJson& plane) {
   return result;
 }
 
-Json cognates_json(const Cognates& cognates, const Linkage& linkage, const PlaneJson& task_plane) {
-  const PlaneJson plane =
-      task_plane.with_zero(std::max(zero_length(linkage.one), zero_length(linkage.other)));
+Json cognates_json(const Cognates& cognates, const PlaneJson& plane) {
   Json result = Json::array();
   for (const FourBarPlaces& one : cognates.linkages) {
     Json entry = object_of(3);
@@ -90,9 +88,8 @@ Json verdict_json(const DriveVerdict& verdict,
 
 }  // namespace
 
-Json dyad_json(const Dyad& dyad, const PlaneJson& task_plane) {
+Json dyad_json(const Dyad& dyad, const PlaneJson& plane) {
   const bool is_crank = dyad.kind == DyadKind::crank;
-  const PlaneJson plane = task_plane.with_zero(zero_length(dyad));
   Json result = object_of(10);
   result["type"] = word_of(dyad.kind);
   result["circle_point"] = plane.point(dyad.circle_point);
@@ -103,8 +100,8 @@ Json dyad_json(const Dyad& dyad, const PlaneJson& task_plane) {
   result["digits"] = number(dyad.digits);
   result["residual"] = number(dyad.residual);
   if (dyad.crank_length > 0.0) {
-    result["crank_length"] = task_plane.length(dyad.crank_length);
-    result["deviation"] = task_plane.difference(dyad.deviation);
+    result["crank_length"] = plane.length(dyad.crank_length);
+    result["deviation"] = plane.length(dyad.deviation);
   }
   return result;
 }
@@ -126,9 +123,8 @@ Json linkage_json(const LinkageCandidate& candidate, const PlaneJson& plane) {
     result["grashof"]["class"] = word_of(candidate.grashof->kind);
     result["grashof"]["link"] = word_of(candidate.grashof->which);
   }
-  result["cognates"] = candidate.cognates
-                           ? cognates_json(*candidate.cognates, candidate.linkage, plane)
-                           : Json(nullptr);
+  result["cognates"] =
+      candidate.cognates ? cognates_json(*candidate.cognates, plane) : Json(nullptr);
   result["drives"] = Json::array();
   for (const DriveVerdict& verdict : candidate.verdicts) {
     result["drives"].push_back(verdict_json(verdict, candidate, plane));

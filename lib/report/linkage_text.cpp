@@ -77,15 +77,13 @@ std::string_view phrase_of_rest(std::span<const PositionJets> positions) {
   }
 }
 
-void add_dyad(const Dyad& dyad, std::size_t index, const PlaneText& task_plane, Table& table) {
-  const PlaneText plane = task_plane.with_zero(zero_length(dyad));
+void add_dyad(const Dyad& dyad, std::size_t index, const PlaneText& plane, Table& table) {
   std::string kind = dyad.multiplicity > 1 ? " double" : "";
   std::string length_text = plane.length(dyad.length);
   if (dyad.kind != DyadKind::crank) {
     kind += dyad.kind == DyadKind::slider ? " slider" : " inverted slider";
-    length_text = fmt::format("along ({}, {})",
-                              format_short(snap(dyad.direction.real(), kReportsAgreeInZero)),
-                              format_short(snap(dyad.direction.imag(), kReportsAgreeInZero)));
+    length_text = fmt::format(
+        "along ({}, {})", format_short(dyad.direction.real()), format_short(dyad.direction.imag()));
   }
   table.add({fmt::format("{}{}", index, kind),
              plane.point(dyad.circle_point),
@@ -103,7 +101,7 @@ std::string straight_text(std::span<const Dyad> dyads, const PlaneText& plane) {
           "dyad {} slides within the decimals of the positions, which miss it by {}; as written "
           "they have a crank of length {}\n",
           i,
-          plane.difference(dyads[i].deviation),
+          plane.length(dyads[i].deviation),
           plane.length(dyads[i].crank_length));
     }
   }

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "core/tolerance.hpp"
 #include "synthesis/cubic_branches.hpp"
 
 namespace kinestat {
@@ -12,14 +11,14 @@ namespace {
 // The largest is 1.
 Json coefficients_json(const PlaneCubic& fixed) {
   Json result = object_of(8);
-  result["k1"] = number(snap(fixed.k[0], kReportsAgreeInZero));
-  result["k2"] = number(snap(fixed.k[1], kReportsAgreeInZero));
-  result["q11"] = number(snap(fixed.q[0], kReportsAgreeInZero));
-  result["q12"] = number(snap(fixed.q[1], kReportsAgreeInZero));
-  result["q22"] = number(snap(fixed.q[2], kReportsAgreeInZero));
-  result["l1"] = number(snap(fixed.l[0], kReportsAgreeInZero));
-  result["l2"] = number(snap(fixed.l[1], kReportsAgreeInZero));
-  result["c"] = number(snap(fixed.c, kReportsAgreeInZero));
+  result["k1"] = number(fixed.k[0]);
+  result["k2"] = number(fixed.k[1]);
+  result["q11"] = number(fixed.q[0]);
+  result["q12"] = number(fixed.q[1]);
+  result["q22"] = number(fixed.q[2]);
+  result["l1"] = number(fixed.l[0]);
+  result["l2"] = number(fixed.l[1]);
+  result["c"] = number(fixed.c);
   return result;
 }
 
@@ -51,7 +50,7 @@ Json cubic_json(const PlaneCubic& cubic,
                 const CurveWindow& window,
                 const PlaneJson& plane,
                 std::span<const PositionJets> positions) {
-  const PlaneCubic fixed = cubic.about({0.0, 0.0}, plane.unit_of_length());
+  const PlaneCubic fixed = cubic.settled_about({0.0, 0.0}, plane.unit_of_length());
   Json result = object_of(8);
   result["coefficients"] = coefficients_json(fixed);
   const auto focus = cubic.focus();

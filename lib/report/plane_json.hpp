@@ -1,13 +1,10 @@
 // Points, lengths and angles of the plane of a synthesis task as JSON.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 
-#include "core/tolerance.hpp"
 #include "report/in_units.hpp"
 #include "report/json_values.hpp"
-#include "report/plane_zero.hpp"
 #include "synthesis/special_frame.hpp"
 
 namespace kinestat {
@@ -15,16 +12,9 @@ namespace kinestat {
 /// Values of one task in the units of its file.
 class PlaneJson {
  public:
-  /// Lengths below `zero` [m] are rounding and written as zero.
-  PlaneJson(const FileUnits& units, double zero) : in_(units), zero_(zero) {}
+  explicit PlaneJson(const FileUnits& units) : in_(units) {}
 
-  /// The same with lengths below `zero` [m] written as zero, if that is more.
-  PlaneJson with_zero(double zero) const { return {in_.units(), std::max(zero_, zero)}; }
-
-  Json length(double value) const { return number(in_.length(snap(value, zero_))); }
-
-  /// A difference of places, which may be smaller than the zero of a place.
-  Json difference(double value) const { return number(in_.length(value)); }
+  Json length(double value) const { return number(in_.length(value)); }
 
   Json angle(double value) const { return number(in_.angle(value)); }
 
@@ -32,8 +22,7 @@ class PlaneJson {
 
   /// A unit vector.
   static Json direction(const Point& p) {
-    return Json::array(
-        {number(snap(p.real(), kReportsAgreeInZero)), number(snap(p.imag(), kReportsAgreeInZero))});
+    return Json::array({number(p.real()), number(p.imag())});
   }
 
   Json per_length(const std::optional<double>& value) const {
@@ -47,7 +36,6 @@ class PlaneJson {
 
  private:
   InUnits in_;
-  double zero_ = 0.0;
 };
 
 }  // namespace kinestat

@@ -1,14 +1,12 @@
 // Points, lengths and angles of the plane of a synthesis task for people.
 #pragma once
 
-#include <algorithm>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "report/in_units.hpp"
 #include "report/numbers.hpp"
-#include "report/plane_zero.hpp"
 #include "synthesis/plane.hpp"
 
 namespace kinestat {
@@ -16,16 +14,9 @@ namespace kinestat {
 /// Values of one task in the units of its file.
 class PlaneText {
  public:
-  /// Lengths below `zero` [m] are rounding and written as zero.
-  PlaneText(const FileUnits& units, double zero) : in_(units), zero_(zero) {}
+  explicit PlaneText(const FileUnits& units) : in_(units) {}
 
-  /// The same with lengths below `zero` [m] written as zero, if that is more.
-  PlaneText with_zero(double zero) const { return {in_.units(), std::max(zero_, zero)}; }
-
-  std::string length(double value) const { return format_short(in_.length(snap(value, zero_))); }
-
-  /// A difference of places, which may be smaller than the zero of a place.
-  std::string difference(double value) const { return format_short(in_.length(value)); }
+  std::string length(double value) const { return format_short(in_.length(value)); }
 
   std::string angle(double value) const { return format_short(in_.angle(value)); }
 
@@ -41,7 +32,6 @@ class PlaneText {
 
  private:
   InUnits in_;
-  double zero_ = 0.0;
 };
 
 }  // namespace kinestat

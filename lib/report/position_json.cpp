@@ -1,6 +1,5 @@
 #include "report/position_json.hpp"
 
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -21,12 +20,10 @@ Json derivatives_json(const PositionJets& position, const PlaneJson& plane) {
   return result;
 }
 
-// Of a path, by the parameter; what is rounding beside K is zero.
+// Of a path, by the parameter.
 Json curvature_json(const PathCurvature& curvature, const PlaneJson& plane) {
-  const double zero = kReportsAgreeInZero * std::abs(curvature.k.value_or(0.0));
   Json result = Json::array();
-  for (std::optional<double> value : {curvature.k, curvature.k_prime, curvature.k_second}) {
-    value = value ? std::optional(snap(*value, zero)) : value;
+  for (const std::optional<double>& value : {curvature.k, curvature.k_prime, curvature.k_second}) {
     result.push_back(plane.per_length(value));
   }
   return result;

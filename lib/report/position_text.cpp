@@ -4,31 +4,28 @@
 #include <span>
 #include <string_view>
 
-#include "core/tolerance.hpp"
 #include "synthesis/path_curvature.hpp"
 
 namespace kinestat {
 
 namespace {
 
-// Such as ", K' 0.5", if there is a value; below rounding of K it is zero.
+// Such as ", K' 0.5", if there is a value.
 std::string curvature_text(std::string_view symbol,
                            const std::optional<double>& value,
-                           double zero,
                            double unit) {
-  return value ? fmt::format(", {} {}", symbol, format_short(snap(*value, zero) * unit)) : "";
+  return value ? fmt::format(", {} {}", symbol, format_short(*value * unit)) : "";
 }
 
 std::string path_text(const PositionJets& position, const PlaneText& plane) {
   const PathCurvature curvature = find_path_curvature(position, {0.0, 0.0});
-  const double zero = kReportsAgreeInZero * std::abs(curvature.k.value_or(0.0));
   const double unit = plane.unit_of_length();
   const std::string_view parameter = !curvature.k_prime     ? ""
                                      : position.is_directed ? " by the parameter of 'derivatives'"
                                                             : " by the angle in radians";
-  const std::string text = curvature_text("K", curvature.k, zero, unit) +
-                           curvature_text("K'", curvature.k_prime, zero, unit) +
-                           curvature_text("K''", curvature.k_second, zero, unit);
+  const std::string text = curvature_text("K", curvature.k, unit) +
+                           curvature_text("K'", curvature.k_prime, unit) +
+                           curvature_text("K''", curvature.k_second, unit);
   return text.empty() ? "" : fmt::format("; path of E:{}{}", text.substr(1), parameter);
 }
 

@@ -50,7 +50,7 @@ void add_counts(const SelectionCounts& counts, Json& result) {
 
 // Which of the listed angles; empty where a file has no lists.
 Json listed_angles_json(const std::vector<double>& angles, const SynthesisAnalysis& analysis) {
-  const PlaneJson plane(analysis.description.units, 0.0);
+  const PlaneJson plane(analysis.description.units);
   Json result = Json::array();
   for (const std::size_t place : positions_with_lists(*analysis.description.synthesis)) {
     Json entry = object_of(2);
@@ -104,7 +104,7 @@ class TaskJson {
   TaskJson(const SynthesisAnalysis& analysis, const SynthesisTask& task)
       : analysis_(analysis),
         task_(task),
-        plane_(analysis.description.units, zero_length(task)),
+        plane_(analysis.description.units),
         window_(window_of(task, analysis.curve_count)),
         has_coupler_curves_(analysis.description.synthesis->curve_count.has_value()) {}
 

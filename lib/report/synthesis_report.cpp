@@ -12,22 +12,6 @@
 
 namespace kinestat {
 
-double zero_length(const SynthesisTask& task) {
-  double size = 0.0;
-  for (const PositionJets& position : task.positions) {
-    size = std::max(size, std::abs(origin(position)));
-    const auto pole = find_pole(position);
-    size = pole ? std::max(size, std::abs(*pole)) : size;
-  }
-  return kReportZero * size;
-}
-
-double zero_length(const Dyad& dyad) {
-  const double size =
-      std::max({std::abs(dyad.circle_point), std::abs(dyad.centre_point), dyad.length});
-  return kReportsAgreeInZero * size;
-}
-
 std::vector<std::size_t> positions_with_lists(const SynthesisDescription& task) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < task.positions.size(); ++i) {

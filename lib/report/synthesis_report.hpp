@@ -99,12 +99,6 @@ struct LimitsNeeded {
 std::optional<LimitsNeeded> find_limits_needed(const LinkageCandidate& candidate,
                                                const LinkageLimits& limits);
 
-/// Lengths below this are rounding of the positions and reported as zero [m].
-double zero_length(const SynthesisTask& task);
-
-/// The same for the places of a dyad, which have fewer digits than the positions.
-double zero_length(const Dyad& dyad);
-
 FileReport make_synthesis_report(const SynthesisAnalysis& analysis,
                                  const ReportForms& forms,
                                  const Diagnostics& found);

@@ -72,7 +72,7 @@ std::string listed_angles_text(const std::vector<double>& angles,
 class TaskText {
  public:
   TaskText(const SynthesisAnalysis& analysis, const SynthesisTask& task)
-      : analysis_(analysis), task_(task), plane_(analysis.description.units, zero_length(task)) {}
+      : analysis_(analysis), task_(task), plane_(analysis.description.units) {}
 
   TextBlocks run() const {
     TextBlocks text("\n" + choice_text() + positions_text(task_, plane_));
@@ -179,7 +179,7 @@ TextBlocks synthesis_blocks(const SynthesisAnalysis& analysis) {
                               units.text(QuantityKind::length),
                               units.text(QuantityKind::angle),
                               analysis.digits ? fmt::format(", {} digits", *analysis.digits) : ""));
-  const PlaneText plane(units, 0.0);
+  const PlaneText plane(units);
   const auto add_tasks = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       text += TaskText(analysis, analysis.tasks[i]).run();

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "synthesis/bounded_point.hpp"
 #include "synthesis/position_jets.hpp"
 
 namespace kinestat {
@@ -26,6 +27,12 @@ struct Dyad {
   /// Unit vector. Of a slider: along its path, fixed frame. Of an inverted slider: along the line,
   /// moving frame; its foot is where the perpendicular from the origin of the frame meets it.
   Point direction = {1.0, 0.0};
+
+  /// By how much each coordinate of circle point, centre and direction may be changed before the
+  /// positions tell it from their rounding.
+  Point circle_bound = {0.0, 0.0};
+  Point centre_bound = {0.0, 0.0};
+  Point direction_bound = {0.0, 0.0};
   double length = 0.0;    ///< of a crank
   int multiplicity = 1;   ///< 2: two dyads that coincide
   double digits = 16.0;   ///< decimal digits that the data and the method leave, estimated
@@ -36,6 +43,14 @@ struct Dyad {
   /// Zero of others.
   double crank_length = 0.0;
   double deviation = 0.0;
+
+  BoundedPoint bounded_circle_point() const {
+    return BoundedPoint::within(circle_point, circle_bound);
+  }
+
+  BoundedPoint bounded_centre_point() const {
+    return BoundedPoint::within(centre_point, centre_bound);
+  }
 };
 
 /// How far a dyad misses the positions: the largest change, from the first position, of what it

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "core/contract.hpp"
+#include "core/rounding.hpp"
 #include "core/tolerance.hpp"
 #include "core/types.hpp"
+#include "synthesis/bounded_point.hpp"
 #include "synthesis/internal/condition_rows.hpp"
 #include "synthesis/internal/condition_space.hpp"
 #include "synthesis/internal/dyad_point.hpp"
@@ -71,30 +73,61 @@ Polynomial polynomial_of(const std::array<double, 3>& c) {
   return Polynomial::linear(c[0], c[1], c[2]);
 }
 
-Polynomial determinant(const std::array<LinearRow, 3>& rows) {
+// With the sign of its odd permutations.
+Polynomial determinant(const std::array<LinearRow, 3>& rows, double odd) {
   Polynomial sum;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
     const Polynomial first = polynomial_of(rows[0][i]);
     sum.add(first * (polynomial_of(rows[1][j]) * polynomial_of(rows[2][k])), 1.0);
-    sum.add(first * (polynomial_of(rows[1][k]) * polynomial_of(rows[2][j])), -1.0);
+    sum.add(first * (polynomial_of(rows[1][k]) * polynomial_of(rows[2][j])), odd);
   }
   return sum;
 }
 
+// The entries by their sizes, each larger by as much as it may be off.
+LinearRow majorant(LinearRow row, double error) {
+  for (auto& polynomial : row) {
+    for (double& entry : polynomial) {
+      entry = std::abs(entry) + error;
+    }
+  }
+  return row;
+}
+
+// How far the coefficients of a sum of products of rows may be off, given what that sum is of rows
+// whose entries and signs are all positive: without their errors and with them.
+Polynomial bounds_of(const Polynomial& sizes, Polynomial with_errors) {
+  constexpr double kRoundings = 32.0;
+  with_errors.add(sizes, -1.0);
+  return with_errors.add(sizes, kRoundings * kEpsilon);
+}
+
+// What rounding may have done to each entry of a condition.
+double error_of(const ConditionRows& system, std::size_t row) {
+  return kDataRounding / kEpsilon * system.noise[row];
+}
+
 PlaneCubic cubic_of(const std::array<LinearRow, 3>& rows, const ConditionRows& system) {
-  const auto& p = determinant(rows).of;
+  std::array<LinearRow, 3> sizes{};
+  std::array<LinearRow, 3> with_errors{};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    sizes[i] = majorant(rows[i], 0.0);
+    with_errors[i] = majorant(rows[i], error_of(system, i));
+  }
+  const auto& p = determinant(rows, -1.0).of;
+  const auto& off = bounds_of(determinant(sizes, 1.0), determinant(with_errors, 1.0)).of;
   PlaneCubic cubic{.centre = Point(system.x, system.y), .length = system.length};
   cubic.k = {0.5 * (p[3][0] + p[1][2]), 0.5 * (p[0][3] + p[2][1])};
   cubic.q = {p[2][0], p[1][1], p[0][2]};
   cubic.l = {p[1][0], p[0][1]};
   cubic.c = p[0][0];
-  cubic = cubic.about(cubic.centre, cubic.length);  // divides by the largest coefficient
-  if (std::hypot(cubic.k[0], cubic.k[1]) < kSameValue) {
-    cubic.k = {0.0, 0.0};
-  }
-  return cubic;
+  cubic.bounds = {.k = {0.5 * (off[3][0] + off[1][2]), 0.5 * (off[0][3] + off[2][1])},
+                  .q = {off[2][0], off[1][1], off[0][2]},
+                  .l = {off[1][0], off[0][1]},
+                  .c = off[0][0]};
+  return cubic.settled_about(cubic.centre, cubic.length);  // divides by the largest coefficient
 }
 
 Vec3 values_at(const LinearRow& row, const Point& z) {
@@ -272,16 +305,32 @@ std::optional<Circle> find_straight_path_circle(std::span<const PositionJets> po
   const LinearRow one = row_for_circle_point(system.rows[0]);
   const LinearRow other = row_for_circle_point(system.rows[1]);
   // The centre is at infinity: the coefficients of a and b are proportional.
-  Polynomial p = polynomial_of(one[0]) * polynomial_of(other[1]);
-  p.add(polynomial_of(one[1]) * polynomial_of(other[0]), -1.0);
-  const double leading = 0.5 * (p.of[2][0] + p.of[0][2]);
+  const auto product = [](const LinearRow& r, const LinearRow& t, double sign) {
+    Polynomial sum = polynomial_of(r[0]) * polynomial_of(t[1]);
+    return sum.add(polynomial_of(r[1]) * polynomial_of(t[0]), sign);
+  };
+  const auto with_error = [&](const LinearRow& row, std::size_t i) {
+    return majorant(row, error_of(system, i));
+  };
+  const auto& p = product(one, other, -1.0).of;
+  const auto& off = bounds_of(product(majorant(one, 0.0), majorant(other, 0.0), 1.0),
+                              product(with_error(one, 0), with_error(other, 1), 1.0))
+                        .of;
+  const double leading = 0.5 * (p[2][0] + p[0][2]);
   if (!(std::abs(leading) > kRankZero)) {
     return std::nullopt;
   }
-  const Point middle = Point(p.of[1][0], p.of[0][1]) / (-2.0 * leading);
-  const double square = std::norm(middle) - p.of[0][0] / leading;
-  return Circle{.centre = Point(system.x, system.y) + system.length * middle,
-                .radius = system.length * std::sqrt(std::max(square, 0.0))};
+  const auto coefficient = [&](std::size_t i, std::size_t j) {
+    return BoundedNumber{.value = p[i][j], .bound = off[i][j]};
+  };
+  const BoundedNumber whole = coefficient(2, 0) + coefficient(0, 2);  // twice the leading one
+  const BoundedPoint middle = {.x = exactly(0.0) - coefficient(1, 0) / whole,
+                               .y = exactly(0.0) - coefficient(0, 1) / whole};
+  const BoundedNumber square = dot(middle, middle) - exactly(2.0) * coefficient(0, 0) / whole;
+  const BoundedPoint centre =
+      BoundedPoint::within({system.x, system.y}, {0.0, 0.0}) + exactly(system.length) * middle;
+  return Circle{.centre = centre.zeroed(),
+                .radius = system.length * std::sqrt(std::max(square.zeroed(), 0.0))};
 }
 
 }  // namespace kinestat

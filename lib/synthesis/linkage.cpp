@@ -66,6 +66,10 @@ Point Pose::place(const Point& moving) const {
   return origin + unit_vector(angle) * moving;
 }
 
+BoundedPoint Pose::bounded_place(const BoundedPoint& moving) const {
+  return BoundedPoint::written(origin) + bounded_unit_vector(angle) * moving;
+}
+
 Pose pose_of(const PositionJets& position) {
   return {.origin = origin(position), .angle = position.angle[0]};
 }

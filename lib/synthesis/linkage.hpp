@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "synthesis/bounded_point.hpp"
 #include "synthesis/dyad.hpp"
 
 namespace kinestat {
@@ -43,6 +44,9 @@ struct Pose {
   double angle = 0.0;
 
   Point place(const Point& moving) const;
+
+  /// With what rounding does to the pose.
+  BoundedPoint bounded_place(const BoundedPoint& moving) const;
 };
 
 Pose pose_of(const PositionJets& position);

@@ -15,6 +15,14 @@ struct PlaneLine {
   double offset = 0.0;  ///< [length]
 };
 
+/// How far the coefficients of a cubic may be off, in their order.
+struct CubicBounds {
+  std::array<double, 2> k{};
+  std::array<double, 3> q{};
+  std::array<double, 2> l{};
+  double c = 0.0;
+};
+
 /// (u² + v²)(k1 u + k2 v) + q11 u² + q12 uv + q22 v² + l1 u + l2 v + c = 0 for the points
 /// Z = centre + length (u + iv); the largest coefficient is 1.
 struct PlaneCubic {
@@ -24,6 +32,7 @@ struct PlaneCubic {
   double c = 0.0;
   Point centre = {0.0, 0.0};  ///< [length], fixed frame
   double length = 1.0;        ///< the unit of u and v
+  CubicBounds bounds = {};    ///< zero where nothing is known
 
   /// The left side at Z, by the sum of the sizes of its terms: rounding on the curve.
   double miss(const Point& point) const;
@@ -48,8 +57,12 @@ struct PlaneCubic {
   /// The terms with q11, q12 and q22 at a vector of u and v.
   double quadratic(const Point& e) const;
 
-  /// The same curve in u, v about another centre and in another unit, such as 0 and 1.
+  /// The same curve in u, v about another centre and in another unit, such as 0 and 1. Its
+  /// coefficients have no bounds.
   PlaneCubic about(const Point& new_centre, double new_length) const;
+
+  /// The same with bounds, and zero where these do not tell a coefficient from zero.
+  PlaneCubic settled_about(const Point& new_centre, double new_length) const;
 };
 
 }  // namespace kinestat

@@ -9,6 +9,7 @@
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "math/conic_intersection.hpp"
+#include "synthesis/bounded_point.hpp"
 #include "synthesis/internal/condition_rows.hpp"
 #include "synthesis/internal/condition_space.hpp"
 #include "synthesis/internal/dyad_point.hpp"
@@ -188,7 +189,11 @@ class PreciseSolver {
       dyad = find_straight(values, straight_conditions(system_), decimal_, frame, first_)
                  .value_or(*dyad);
     }
-    dyad->centre_point += Point(to_double(system_.x), to_double(system_.y));
+    const BoundedPoint centre =
+        dyad->bounded_centre_point() +
+        BoundedPoint::within({to_double(system_.x), to_double(system_.y)}, {0.0, 0.0});
+    dyad->centre_point = centre.zeroed();
+    dyad->centre_bound = centre.bound();
     dyad->multiplicity = point.multiplicity;
     dyad->residual =
         dyad->deviation > 0.0 ? find_residual(*dyad, positions_) : residual_of(x, system_.rows);

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "core/tolerance.hpp"
+#include "synthesis/bounded_point.hpp"
+#include "synthesis/internal/jets_by_angle.hpp"
 
 namespace kinestat {
 
 namespace {
-
-constexpr Point kI{0.0, 1.0};
 
 // i^k.
 template <class Scalar = double>
@@ -29,6 +31,73 @@ bool is_within_reach(const Point& point) {
   return std::abs(point) <= kLargestNumber;
 }
 
+// o' = i (o - P) γ'.
+BoundedPoint bounded_pole(const PositionJets& position) {
+  const BoundedPoint slope = BoundedPoint::written(origin(position, 1));
+  const BoundedNumber turn = written(position.angle[1]);
+  return BoundedPoint::written(origin(position)) +
+         BoundedPoint{.x = exactly(0.0) - slope.y / turn, .y = slope.x / turn};
+}
+
+// The place and its derivatives by the angle.
+std::vector<BoundedPoint> bounded_jets_by_angle(const PositionJets& position) {
+  std::vector<BoundedNumber> x;
+  std::vector<BoundedNumber> y;
+  std::vector<BoundedNumber> speed;
+  for (int k = 0; k < position.order(); ++k) {
+    const BoundedPoint one = BoundedPoint::written(origin(position, k));
+    x.push_back(one.x);
+    y.push_back(one.y);
+    if (k > 0) {
+      speed.push_back(written(position.angle[static_cast<std::size_t>(k)]));
+    }
+  }
+  x = jets_by_angle(std::move(x), speed);
+  y = jets_by_angle(std::move(y), speed);
+  std::vector<BoundedPoint> jets;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    jets.push_back({.x = x[k], .y = y[k]});
+  }
+  return jets;
+}
+
+// From the pole to the inflection pole, i d e^{iθ}.
+BoundedPoint turned_diameter(const SpecialFrame& frame) {
+  const Point turned = unit_vector(frame.angle) * Point(0.0, frame.diameter);
+  return BoundedPoint::within(turned, frame.bounds.turned_diameter) +
+         BoundedPoint::within({0.0, 0.0}, BoundedPoint::written(turned).bound());
+}
+
+// e^{iθ}.
+BoundedPoint turn_of(const SpecialFrame& frame) {
+  const Point bound = frame.bounds.turned_diameter;
+  const double share = frame.diameter > 0.0
+                           ? std::max(bound.real(), bound.imag()) / frame.diameter + kDataRounding
+                           : 0.0;
+  return BoundedPoint::within(unit_vector(frame.angle), {share, share});
+}
+
+BoundedPoint derivative_of(const SpecialFrame& frame, std::size_t k) {
+  return k < frame.bounds.derivatives.size()
+             ? BoundedPoint::within(frame.derivatives[k], frame.bounds.derivatives[k])
+             : BoundedPoint::written(frame.derivatives[k]);
+}
+
+// Of what the special frame places `along` diameters from the pole along the pole normal.
+Circle circle_of(const SpecialFrame& frame, double along) {
+  const BoundedPoint centre =
+      BoundedPoint::within(frame.pole, frame.bounds.pole) + exactly(along) * turned_diameter(frame);
+  return {.centre = centre.zeroed(), .radius = frame.diameter / 2};
+}
+
+// What rounding leaves where a sum of terms of that size should be zero is zero.
+template <class Scalar>
+Scalar settled_sum(const Scalar& sum, const Scalar& size) {
+  using std::abs;
+  constexpr double kRoundings = kDataRounding / kEpsilon;
+  return abs(sum) <= kRoundings * std::numeric_limits<Scalar>::epsilon() * size ? Scalar(0) : sum;
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -45,8 +114,7 @@ std::optional<Point> find_pole(const PositionJets& position) {
   if (position.order() < 2 || position.angle[1] == 0.0) {
     return std::nullopt;
   }
-  // o' = i (o - P) γ'.
-  const Point pole = origin(position) + kI * origin(position, 1) / position.angle[1];
+  const Point pole = bounded_pole(position).zeroed();
   return is_within_reach(pole) ? std::optional(pole) : std::nullopt;
 }
 
@@ -55,19 +123,26 @@ std::optional<SpecialFrame> find_special_frame(const PositionJets& position) {
   if (!pole || position.order() < 3) {
     return std::nullopt;
   }
-  const PositionJets jets = by_angle(position);
+  const BoundedPoint sure_pole = bounded_pole(position);
+  const std::vector<BoundedPoint> jets = bounded_jets_by_angle(position);
   // The inflection pole is J = o + o''.
-  const Point diameter = origin(jets) + origin(jets, 2) - *pole;
-  SpecialFrame frame{.pole = *pole, .diameter = std::abs(diameter), .derivatives = {}};
+  const BoundedPoint to_inflection = jets[0] + jets[2] - sure_pole;
+  const Point diameter = to_inflection.zeroed();
+  SpecialFrame frame{.pole = *pole, .diameter = std::abs(diameter)};
+  frame.bounds.pole = sure_pole.bound();
+  frame.bounds.turned_diameter = to_inflection.bound();
   frame.angle = frame.diameter > 0.0 ? std::atan2(-diameter.real(), diameter.imag()) : 0.0;
-  const Point arm = origin(jets) - *pole;
-  for (int k = 0; k < jets.order(); ++k) {
-    const Point of_pole = k == 0
-                              ? Point(0.0, 0.0)
-                              : origin(jets, k) - quarter_turns(static_cast<std::size_t>(k)) * arm;
-    frame.derivatives.push_back(unit_vector(-frame.angle) * of_pole);
+  const BoundedPoint turn_back = conj(turn_of(frame));
+  const BoundedPoint arm = jets[0] - sure_pole;
+  for (std::size_t k = 0; k < jets.size(); ++k) {
+    const Point quarter = quarter_turns(k);
+    const BoundedPoint of_pole = jets[k] - BoundedPoint::within(quarter, {0.0, 0.0}) * arm;
+    const BoundedPoint in_frame = turn_back * of_pole;
+    frame.derivatives.push_back(in_frame.zeroed());
+    frame.bounds.derivatives.push_back(in_frame.bound());
   }
   // What holds by the choice of the frame holds exactly.
+  frame.derivatives[0] = Point(0.0, 0.0);
   frame.derivatives[1] = Point(0.0, 0.0);
   frame.derivatives[2] = Point(0.0, frame.diameter);
   return std::ranges::all_of(frame.derivatives, is_within_reach) ? std::optional(frame)
@@ -84,8 +159,9 @@ PositionJetsOf<Scalar> jets_of(const SpecialFrameOf<Scalar>& frame,
   for (std::size_t k = 1; k < order; ++k) {
     const PointOf<Scalar> jet = turned_by(frame.angle) * frame.derivatives[k] +
                                 quarter_turns<Scalar>(k) * (at - frame.pole);
-    position.x.push_back(jet.real());
-    position.y.push_back(jet.imag());
+    const Scalar size = Scalar(abs(frame.derivatives[k])) + abs(at) + abs(frame.pole);
+    position.x.push_back(settled_sum<Scalar>(jet.real(), size));
+    position.y.push_back(settled_sum<Scalar>(jet.imag(), size));
   }
   position.angle[0] = angle;
   position.angle[1] = Scalar(1);
@@ -100,11 +176,11 @@ template PositionJetsOf<BigFloat> jets_of(const SpecialFrameOf<BigFloat>&,
                                           const BigFloat&);
 
 Circle inflection_circle(const SpecialFrame& frame) {
-  return {.centre = frame.to_fixed({0.0, frame.diameter / 2}), .radius = frame.diameter / 2};
+  return circle_of(frame, 0.5);
 }
 
 Circle cuspidal_circle(const SpecialFrame& frame) {
-  return {.centre = frame.to_fixed({0.0, -frame.diameter / 2}), .radius = frame.diameter / 2};
+  return circle_of(frame, -0.5);
 }
 
 std::optional<StationaryCurvature> find_stationary_curvature(const SpecialFrame& frame) {
@@ -113,22 +189,28 @@ std::optional<StationaryCurvature> find_stationary_curvature(const SpecialFrame&
     return std::nullopt;
   }
   // α3 = 3 d²/M - 3 d, β3 = 3 d²/N; do Valle 1983, eqs. 2.41 to 2.45.
-  return StationaryCurvature{.inverse_m = (frame.derivatives[3].real() / d + 3.0) / (3.0 * d),
-                             .inverse_n = frame.derivatives[3].imag() / d / (3.0 * d)};
+  const Point off = frame.bounds.turned_diameter;
+  const BoundedNumber sure_d = {.value = d, .bound = std::hypot(off.real(), off.imag())};
+  const BoundedPoint third = derivative_of(frame, 3);
+  const BoundedNumber triple = exactly(3.0) * sure_d;
+  return StationaryCurvature{.inverse_m = ((third.x / sure_d + exactly(3.0)) / triple).zeroed(),
+                             .inverse_n = (third.y / sure_d / triple).zeroed()};
 }
 
 std::optional<Point> find_ball_point(const SpecialFrame& frame) {
   if (frame.derivatives.size() < 4) {
     return std::nullopt;
   }
-  const double a3 = frame.derivatives[3].real();
-  const double b3 = frame.derivatives[3].imag();
-  const double square = a3 * a3 + b3 * b3;
-  if (!(square > 0.0)) {
+  const BoundedPoint third = derivative_of(frame, 3);
+  const BoundedNumber square = dot(third, third);
+  if (third.zeroed() == Point(0.0, 0.0)) {
     return std::nullopt;
   }
   // On the inflection circle in the direction tan φ = -α3/β3.
-  return frame.to_fixed(frame.diameter / square * Point(-a3 * b3, a3 * a3));
+  const BoundedNumber share = third.x / square;
+  const BoundedPoint along = {.x = share * third.x, .y = share * third.y};
+  return (BoundedPoint::within(frame.pole, frame.bounds.pole) + along * turned_diameter(frame))
+      .zeroed();
 }
 
 }  // namespace kinestat

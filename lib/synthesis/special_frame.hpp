@@ -9,6 +9,13 @@
 
 namespace kinestat {
 
+/// How far what a special frame holds may be off, coordinate by coordinate [length].
+struct FrameBounds {
+  Point pole = {0.0, 0.0};
+  Point turned_diameter = {0.0, 0.0};  ///< of i d e^{iθ}, from the pole to the inflection pole
+  std::vector<Point> derivatives = {};
+};
+
 /// The special reference frame (pt: sistema especial de referência) has its origin in the pole, x
 /// along the pole tangent and y along the pole normal towards the inflection circle; both the fixed
 /// and the moving frame lie in it at that instant. do Valle 1983, section 2.3.
@@ -20,7 +27,10 @@ struct SpecialFrameOf {
 
   /// a_k + i b_k: derivative k by the angle of the pole point of the plane, k = 0 to n - 1, in this
   /// frame [length]. The first three are 0, 0, i d.
-  std::vector<PointOf<Scalar>> derivatives;
+  std::vector<PointOf<Scalar>> derivatives = {};
+
+  /// How far they may be off, coordinate by coordinate; none where nothing is known.
+  FrameBounds bounds = {};
 
   /// A point given in this frame, in the fixed one; and back.
   PointOf<Scalar> to_fixed(const PointOf<Scalar>& point) const;

@@ -9,11 +9,9 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
-#include "core/tolerance.hpp"
 #include "report/in_units.hpp"
 #include "report/linkage_text.hpp"
 #include "report/numbers.hpp"
-#include "report/plane_zero.hpp"
 
 namespace kinestat {
 
@@ -32,7 +30,7 @@ Name name_of(std::string_view text) {
 AxisDescription axis_of(const Point& direction) {
   AxisDescription axis;
   for (const double component : {direction.real(), direction.imag()}) {
-    axis.components.push_back(value_of(format_exact(snap(component, kReportsAgreeInZero))));
+    axis.components.push_back(value_of(format_exact(component)));
   }
   return axis;
 }
@@ -50,8 +48,8 @@ CouplingDescription coupling_of(std::string_view name,
 // The couplings of one link of the linkage, drawn in a pose of the moving plane.
 class LinkDrawing {
  public:
-  LinkDrawing(const Dyad& dyad, const Pose& pose, const FileUnits& units, double zero)
-      : dyad_(dyad), pose_(pose), in_(units), zero_(zero) {}
+  LinkDrawing(const Dyad& dyad, const Pose& pose, const FileUnits& units)
+      : dyad_(dyad), pose_(pose), in_(units) {}
 
   // Between frame and link.
   CouplingDescription outer(std::string_view name, std::string_view link) const {
@@ -71,7 +69,8 @@ class LinkDrawing {
     const bool is_guide = dyad_.kind == DyadKind::inverted_slider;
     place(coupling, is_guide ? dyad_.centre_point : moving_place());
     if (is_guide) {
-      make_prismatic(coupling, unit_vector(pose_.angle) * dyad_.direction);
+      const BoundedPoint along = BoundedPoint::within(dyad_.direction, dyad_.direction_bound);
+      make_prismatic(coupling, (bounded_unit_vector(pose_.angle) * along).zeroed());
     }
     return coupling;
   }
@@ -79,13 +78,13 @@ class LinkDrawing {
   PointDescription point(const Point& p) const {
     PointDescription result;
     for (const double coordinate : {p.real(), p.imag()}) {
-      result.coordinates.push_back(value_of(format_exact(in_.length(snap(coordinate, zero_)))));
+      result.coordinates.push_back(value_of(format_exact(in_.length(coordinate))));
     }
     return result;
   }
 
  private:
-  Point moving_place() const { return pose_.place(dyad_.circle_point); }
+  Point moving_place() const { return pose_.bounded_place(dyad_.bounded_circle_point()).zeroed(); }
 
   void place(CouplingDescription& coupling, const Point& at) const {
     coupling.at = CouplingPoint{.point = point(at), .of_bodies = {}, .along_axis = {}, .where = {}};
@@ -99,7 +98,6 @@ class LinkDrawing {
   const Dyad& dyad_;
   Pose pose_;
   InUnits in_;
-  double zero_ = 0.0;
 };
 
 bool is_linear(const Dyad& dyad) {
@@ -170,12 +168,11 @@ std::string_view link_of(const Dyad& dyad) {
 // What the comment says in numbers.
 class CommentNumbers {
  public:
-  CommentNumbers(const FileUnits& units, double zero) : in_(units), zero_(zero) {}
+  explicit CommentNumbers(const FileUnits& units) : in_(units) {}
 
   std::string length(double value) const {
-    return fmt::format("{} {}",
-                       format_short(in_.length(snap(value, zero_))),
-                       in_.units().text(QuantityKind::length));
+    return fmt::format(
+        "{} {}", format_short(in_.length(value)), in_.units().text(QuantityKind::length));
   }
 
   std::string angle(double value) const {
@@ -186,14 +183,13 @@ class CommentNumbers {
   std::string pose(const PositionJets& position) const {
     const Point at = origin(position);
     return fmt::format("({}, {}), {}",
-                       format_short(in_.length(snap(at.real(), zero_))),
-                       format_short(in_.length(snap(at.imag(), zero_))),
+                       format_short(in_.length(at.real())),
+                       format_short(in_.length(at.imag())),
                        angle(position.angle[0]));
   }
 
  private:
   InUnits in_;
-  double zero_ = 0.0;
 };
 
 void add_passage(const SynthesisTask& task,
@@ -221,10 +217,9 @@ MechanismDescription describe_linkage(const SynthesisAnalysis& analysis,
                                       const LinkageCandidate& candidate) {
   const FileUnits& units = analysis.description.units;
   const Pose pose = pose_of(task.positions[0]);
-  const double zero = zero_length(task);
   const Drive drive = candidate.best_drive;
-  const LinkDrawing driver(input_of(candidate.linkage, drive), pose, units, zero);
-  const LinkDrawing follower(output_of(candidate.linkage, drive), pose, units, zero);
+  const LinkDrawing driver(input_of(candidate.linkage, drive), pose, units);
+  const LinkDrawing follower(output_of(candidate.linkage, drive), pose, units);
 
   MechanismDescription result;
   result.name = title_of(analysis) + ", linkage";
@@ -266,7 +261,7 @@ std::vector<std::string> linkage_comment(const SynthesisAnalysis& analysis,
                                          const SynthesisTask& task,
                                          std::size_t number) {
   const LinkageCandidate& candidate = task.linkages[number];
-  const CommentNumbers in(analysis.description.units, zero_length(task));
+  const CommentNumbers in(analysis.description.units);
   const Drive drive = candidate.best_drive;
   const std::size_t driven = candidate.dyads[drive == Drive::one ? 0 : 1];
   const std::size_t other = candidate.dyads[drive == Drive::one ? 1 : 0];

@@ -4,17 +4,26 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <vector>
 
+#include "core/rounding.hpp"
 #include "core/tolerance.hpp"
 #include "math/dense_solve.hpp"
+#include "synthesis/bounded_point.hpp"
 #include "synthesis/internal/condition_space.hpp"
 #include "synthesis/internal/straight_fit.hpp"
 
 namespace kinestat {
 
 namespace {
+
+// The rounding of data by that of a double, in which the noise of conditions is counted.
+constexpr double kDataShare = kDataRounding / kEpsilon;
+
+// Both coordinates by the same.
+constexpr Point kBoth = {1.0, 1.0};
 
 // Numerator by denominator; `is_far` where the denominator is zero as far as one can tell.
 struct Quotient {
@@ -154,59 +163,143 @@ std::vector<double> allowances_of(const StraightConditions& conditions,
   return allowances;
 }
 
+// Circle point and centre as (x, y, h), h = 0 at infinity, and by how much each coordinate may be
+// changed before a condition tells that from rounding of the positions. Where errors of
+// coordinates hang together, that is far less than what they may be off by, and a dyad keeps to
+// the positions whichever of its coordinates become zero.
+class DyadPoints {
+ public:
+  DyadPoints(const ConditionRows& system, const Point& z, double h_z, const Point& w, double h_w)
+      : z_(z), w_(w), h_z_(h_z), h_w_(h_w), terms_(terms()) {
+    for (std::size_t i = 0; i < system.rows.size(); ++i) {
+      add_condition(system.rows[i], kDataShare * system.noise[i] * terms_);
+    }
+    if (system.rows.empty()) {  // which were solved with more digits than the dyad is told in
+      circle_bound_ = kDataRounding * std::abs(z) * kBoth;
+      centre_bound_ = kDataRounding * std::abs(w) * kBoth;
+    }
+  }
+
+  BoundedPoint circle_point() const { return BoundedPoint::within(z_, circle_bound_); }
+
+  BoundedPoint centre() const { return BoundedPoint::within(w_, centre_bound_); }
+
+ private:
+  double terms() const {
+    return h_w_ * (std::abs(z_.real()) + std::abs(z_.imag())) +
+           h_z_ * (std::abs(w_.real()) + std::abs(w_.imag())) +
+           (std::abs(z_.real()) + std::abs(z_.imag())) *
+               (std::abs(w_.real()) + std::abs(w_.imag())) +
+           h_z_ * h_w_;
+  }
+
+  // The slopes of its sum, which is bilinear in the two points.
+  void add_condition(const std::array<double, 7>& r, double error) {
+    const Point of_circle = {r[0] * h_w_ + r[4] * w_.real() + r[5] * w_.imag(),
+                             r[1] * h_w_ + r[4] * w_.imag() - r[5] * w_.real()};
+    const Point of_centre = {r[2] * h_z_ + r[4] * z_.real() - r[5] * z_.imag(),
+                             r[3] * h_z_ + r[4] * z_.imag() + r[5] * z_.real()};
+    circle_bound_ = least(circle_bound_, error, of_circle);
+    centre_bound_ = least(centre_bound_, error, of_centre);
+  }
+
+  static Point least(const Point& bound, double error, const Point& slopes) {
+    return {std::min(bound.real(), error / std::abs(slopes.real())),
+            std::min(bound.imag(), error / std::abs(slopes.imag()))};
+  }
+
+  static constexpr double kOpen = std::numeric_limits<double>::infinity();
+
+  Point z_;
+  Point w_;
+  double h_z_;
+  double h_w_;
+  double terms_;
+  Point circle_bound_ = {kOpen, kOpen};
+  Point centre_bound_ = {kOpen, kOpen};
+};
+
+// From the units of a system to those of the task.
 class DyadMaker {
  public:
   DyadMaker(const ConditionRows& system, const PositionJets& first)
-      : length_(system.length),
-        origin_(system.x, system.y),
-        frame_origin_(origin(first)),
-        to_moving_(unit_vector(-first.angle[0])) {}
+      : system_(system),
+        length_(exactly(system.length)),
+        origin_(BoundedPoint::within({system.x, system.y}, {0.0, 0.0})),
+        frame_origin_(BoundedPoint::within(origin(first), {0.0, 0.0})),
+        to_moving_(bounded_unit_vector(-first.angle[0])) {}
 
   Dyad crank(const Point& z, const Point& w) const {
-    Dyad dyad{.kind = DyadKind::crank, .circle_point = moving(z), .centre_point = fixed(w)};
-    dyad.length = length_ * std::abs(z - w);
+    const DyadPoints points(system_, z, 1.0, w, 1.0);
+    Dyad dyad{.kind = DyadKind::crank};
+    set_circle_point(moving(points.circle_point()), dyad);
+    set_centre(fixed(points.centre()), dyad);
+    dyad.length = length_.value * std::abs(z - w);
     return dyad;
   }
 
   Dyad straight(const StraightDyad& dyad, FarPoint far) const {
-    return far == FarPoint::centre ? slider(dyad.finite, dyad.normal)
-                                   : inverted_slider(dyad.finite, dyad.normal);
+    if (far == FarPoint::centre) {
+      const DyadPoints points(system_, dyad.finite, 1.0, dyad.normal, 0.0);
+      return slider(points.circle_point(), points.centre());
+    }
+    const DyadPoints points(system_, dyad.normal, 0.0, dyad.finite, 1.0);
+    return inverted_slider(points.centre(), points.circle_point());
   }
 
  private:
-  Dyad slider(const Point& z, const Point& normal) const {
-    return {.kind = DyadKind::slider,
-            .circle_point = moving(z),
-            .centre_point = fixed(z),
-            .direction = upward(left_of(normal) / std::abs(normal))};
+  Dyad slider(const BoundedPoint& z, const BoundedPoint& normal) const {
+    Dyad dyad{.kind = DyadKind::slider};
+    set_circle_point(moving(z), dyad);
+    set_centre(fixed(z), dyad);
+    set_direction(turned_left(normal), dyad);
+    return dyad;
   }
 
-  Dyad inverted_slider(const Point& w, const Point& normal) const {
-    const Point along = upward(to_moving_ * left_of(normal) / std::abs(normal));
-    const Point foot = moving(w) - along * dot(moving(w), along);
-    return {.kind = DyadKind::inverted_slider,
-            .circle_point = foot,
-            .centre_point = fixed(w),
-            .direction = along};
+  Dyad inverted_slider(const BoundedPoint& w, const BoundedPoint& normal) const {
+    Dyad dyad{.kind = DyadKind::inverted_slider};
+    const BoundedPoint along = to_moving_ * turned_left(normal);
+    const BoundedPoint point = moving(w);
+    set_circle_point(point - dot(point, along) * along, dyad);
+    set_centre(fixed(w), dyad);
+    set_direction(along, dyad);
+    return dyad;
   }
 
-  Point fixed(const Point& z) const { return origin_ + length_ * z; }
+  static BoundedPoint turned_left(const BoundedPoint& a) {
+    return {.x = exactly(0.0) - a.y, .y = a.x};
+  }
 
-  Point moving(const Point& z) const {
+  BoundedPoint fixed(const BoundedPoint& z) const { return origin_ + length_ * z; }
+
+  BoundedPoint moving(const BoundedPoint& z) const {
     return to_moving_ * ((origin_ - frame_origin_) + length_ * z);
   }
 
-  // Of the two directions of a line the one to the right, and of a vertical one upwards.
-  static Point upward(const Point& direction) {
-    const bool flips =
-        direction.real() < 0.0 || (direction.real() == 0.0 && direction.imag() < 0.0);
-    return flips ? -direction : direction;
+  static void set_circle_point(const BoundedPoint& point, Dyad& dyad) {
+    dyad.circle_point = point.zeroed();
+    dyad.circle_bound = point.bound();
   }
 
-  double length_;
-  Point origin_;
-  Point frame_origin_;
-  Point to_moving_;
+  static void set_centre(const BoundedPoint& point, Dyad& dyad) {
+    dyad.centre_point = point.zeroed();
+    dyad.centre_bound = point.bound();
+  }
+
+  // Of the two directions of a line the one to the right, and of a vertical one upwards.
+  static void set_direction(const BoundedPoint& along, Dyad& dyad) {
+    const Point direction = along.zeroed();
+    const bool flips =
+        direction.real() < 0.0 || (direction.real() == 0.0 && direction.imag() < 0.0);
+    dyad.direction = (flips ? -direction : direction) / std::abs(direction) + Point(0.0, 0.0);
+    dyad.direction_bound = along.bound();
+  }
+
+  const ConditionRows& system_;
+  BoundedNumber length_;
+  BoundedPoint origin_;
+  BoundedPoint frame_origin_;
+  BoundedPoint to_moving_;
 };
 
 }  // namespace
@@ -230,8 +323,8 @@ std::optional<Dyad> dyad_of(const Eigen::Matrix<double, 7, 1>& x,
   if (far_centre || far_circle) {
     const FarPoint far = far_centre ? FarPoint::centre : FarPoint::circle_point;
     const Quotient& near = far_centre ? z : w;
-    const StraightDyad straight =
-        improved(system, far, near.value(), far_centre ? point.centre : point.circle);
+    const Point& normal = far_centre ? point.centre : point.circle;
+    const StraightDyad straight = improved(system, far, near.value(), normal);
     if (is_close(straight.finite, near, std::max(error, kCancellation))) {
       return make.straight(straight, far);
     }

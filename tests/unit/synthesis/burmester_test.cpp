@@ -37,6 +37,32 @@ INSTANTIATE_TEST_SUITE_P(Burmester,
                          testing::ValuesIn(reference_tasks()),
                          [](const auto& one) { return one.param.name; });
 
+// A four-bar with A0 in the origin, or beside it on x: A0A = 1, B0 = (3, 0), B0B = 2.5, AB = 2.8.
+// The coupler stands at an angle to which the crank follows by the law of cosines.
+TEST(Burmester, TellsACentreBesideTheOriginFromOneInIt) {
+  const auto centre_of = [](double x) {
+    std::vector<PositionJets> positions;
+    for (const double crank : {0.4, 1.3, 2.2, 3.1, 4.0}) {
+      const Point a = Point(x, 0.0) + unit_vector(crank);
+      const Point to_b0 = Point(3.0, 0.0) - a;
+      const double distance = std::abs(to_b0);
+      const double away =
+          std::acos((distance * distance + 2.8 * 2.8 - 2.5 * 2.5) / (2.0 * distance * 2.8));
+      positions.push_back(finite_position(a, std::arg(to_b0) + away));
+    }
+    const BurmesterSolution solution = solve_burmester(positions);
+    return std::ranges::min(solution.dyads,
+                            {},
+                            [](const Dyad& dyad) {
+                              return std::abs(dyad.circle_point) + std::abs(dyad.centre_point);
+                            })
+        .centre_point;
+  };
+
+  EXPECT_EQ(centre_of(0.0), Point(0.0, 0.0));
+  EXPECT_NEAR(centre_of(5e-13).real(), 5e-13, 5e-14);
+}
+
 // A crank-rocker whose crank moves by a millionth of a radian from position to position.
 TEST(Burmester, RefusesPositionsThatAreTooClose) {
   const std::vector<PositionJets> positions = {

@@ -239,6 +239,21 @@ TEST(ThreePositions, GiveEachPointTheCentreOfItsCircle) {
   }
 }
 
+// The plane turns about a fixed point, which is the centre of all its points.
+TEST(ThreePositions, TellACentreBesideTheOriginFromOneInIt) {
+  const auto centre_of = [](double x) {
+    std::vector<PositionJets> positions;
+    for (const double angle : {0.0, 1.0, 2.5}) {
+      positions.push_back(finite_position(Point(x, 0.0) + 2.0 * unit_vector(angle + 0.3), angle));
+    }
+    return find_dyad(positions, {1.2, 1.7})->centre_point;
+  };
+
+  EXPECT_EQ(centre_of(0.0), Point(0.0, 0.0));
+  EXPECT_NEAR(centre_of(1e-13).real(), 1e-13, 2e-15);
+  EXPECT_EQ(centre_of(1e-13).imag(), 0.0);
+}
+
 TEST(ThreePositions, OfTheSamePlaneHaveTheInflectionCircle) {
   const auto position =
       find_jets({.at = {0.0, 0.0},

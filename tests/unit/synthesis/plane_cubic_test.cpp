@@ -34,5 +34,18 @@ TEST(PlaneCubic, MayBeWrittenAboutAnotherCentre) {
   EXPECT_LT(std::abs(*moved.focus() - *kCrossing.focus()), 1e-15);
 }
 
+TEST(PlaneCubic, HasZeroCoefficientsWhereRoundingLeavesThem) {
+  PlaneCubic small = kCrossing;
+  small.l[1] = 1e-13;
+
+  const PlaneCubic back = kCrossing.settled_about({-1.5, 0.7}, 4.0).settled_about({0.0, 0.0}, 1.0);
+
+  EXPECT_EQ(back.q[0], 0.0);
+  EXPECT_EQ(back.q[2], 0.0);
+  EXPECT_EQ(back.l[0], 0.0);
+  EXPECT_EQ(back.c, 0.0);
+  EXPECT_DOUBLE_EQ(small.settled_about({0.0, 0.0}, 1.0).l[1], 1e-13 / 3.0);
+}
+
 }  // namespace
 }  // namespace kinestat

@@ -87,6 +87,38 @@ TEST(SpecialFrame, DoesNotDependOnTheParameter) {
   EXPECT_LT(std::abs(found->derivatives[3] - reference->derivatives[3]), 1e-13);
 }
 
+// P = o + i o'/γ'. 0.3 - (0.1 + 0.2) is rounding of its terms; 1e-13 is a place.
+TEST(SpecialFrame, HasAZeroInItsPoleOnlyWhereRoundingLeavesIt) {
+  const PositionJets jets = {.x = {0.3, 3.0}, .y = {0.0, 0.1 + 0.2}, .angle = {0.0, 1.0}};
+  PositionJets beside = jets;
+  beside.x[0] = 1e-13;
+  beside.y[1] = 0.0;
+
+  EXPECT_EQ(find_pole(jets), Point(0.0, 3.0));
+  EXPECT_EQ(find_pole(beside), Point(1e-13, 3.0));
+}
+
+// A wheel of radius 2 rolls on a line. Its point of contact, E, has o' = 0, o'' = 2i and o''' = -2
+// in the frame of the line, so that α3 = -2, β3 = 0, and by 3 d²/M - 3 d = -2 M is 3.
+TEST(SpecialFrame, OfARollingWheelIsEvenHoweverTheLineIsTurned) {
+  PositionJets jets{
+      .x = {0.3, 0.0, 0.0, -2.0}, .y = {0.4, 0.0, 2.0, 0.0}, .angle = {0.0, 1.0, 0.0, 0.0}};
+  for (std::size_t k = 1; k < 4; ++k) {
+    const Point jet = unit_vector(0.7) * Point(jets.x[k], jets.y[k]);
+    jets.x[k] = jet.real();
+    jets.y[k] = jet.imag();
+  }
+
+  const auto frame = find_special_frame(jets);
+  ASSERT_TRUE(frame);
+  const auto cubic = find_stationary_curvature(*frame);
+
+  EXPECT_NEAR(frame->diameter, 2.0, 1e-15);
+  ASSERT_TRUE(cubic);
+  EXPECT_NEAR(cubic->inverse_m, 1.0 / 3.0, 1e-15);
+  EXPECT_EQ(cubic->inverse_n, 0.0);
+}
+
 TEST(SpecialFrame, NeedsATurn) {
   PositionJets jets = table_5(3);
   jets.angle[1] = 0.0;
@@ -106,6 +138,26 @@ TEST(SpecialFrame, EndsWhereLengthsCannotBeComputedWith) {
   EXPECT_FALSE(find_special_frame(with_turn(1e-50)));
   EXPECT_FALSE(find_pole(with_turn(1e-62)));
   EXPECT_FALSE(find_pole(with_turn(1e-310)));
+}
+
+// Z' = 1 and Z'' = i: K' = Z' x Z'''.
+TEST(PathCurvature, ChangesByLittleOrNotAtAll) {
+  const PositionJets little = {
+      .x = {0.0, 1.0, 0.0, 0.0}, .y = {0.0, 0.0, 1.0, 1e-13}, .angle = {0.0, 1.0, 0.0, 0.0}};
+  PositionJets turned = little;
+  turned.y[3] = 0.0;
+  for (std::size_t k = 1; k < 4; ++k) {
+    const Point jet = unit_vector(0.7) * Point(turned.x[k], turned.y[k]);
+    turned.x[k] = jet.real();
+    turned.y[k] = jet.imag();
+  }
+
+  const PathCurvature found = find_path_curvature(little, {0.0, 0.0});
+  const PathCurvature even = find_path_curvature(turned, {0.0, 0.0});
+
+  EXPECT_DOUBLE_EQ(found.k_prime.value(), 1e-13);
+  EXPECT_NEAR(even.k.value(), 1.0, 1e-15);
+  EXPECT_EQ(even.k_prime, 0.0);
 }
 
 TEST(PathCurvature, OfBallsPointAndItsDerivativeVanish) {
