@@ -51,17 +51,12 @@ DECISIONS = {
 # Relative zeros that are still to be replaced by bounds: file, and what is missing.
 OPEN = {
     "lib/inputs/taut_ropes.cpp": "a bound of the solution of a linear programme",
-    "lib/plot/graph_model.cpp": "powers of arcs with bounds",
-    "lib/power/power_graph.cpp": "powers of arcs and of what rolls with bounds",
-    "lib/power/transmission_angle.cpp": "bounds of force and velocity at the driven link",
     "lib/report/mobility_words.cpp": "bounds of the vectors of a null space",
     "lib/run/internal/motion_events.cpp": "bounds of the rates of a finite motion",
     "lib/run/internal/taped_solver.cpp": "bounds of the rates of a tape",
-    "lib/run/solve_cases.cpp": "flanks turned by the bounds of their forces",
     "lib/sensitivity/affine.cpp": "bounds of the differences between probes",
     "lib/sensitivity/internal/rubbing.cpp": "bounds of pressing forces as duals",
     "lib/sensitivity/reported_value.cpp": "bounds of slopes",
-    "lib/statics/mesh_loss.cpp": "rolling judged by the bounds of the motions",
 }
 
 

@@ -76,7 +76,7 @@ class PowerModeller {
     const PowerFlow& flow = *one_.power;
     for (std::size_t e = 0; e < model_.edges.size(); ++e) {
       if (flow.into_head[e]) {
-        add_edge(e, *flow.into_head[e], *flow.into_head[e] - flow.supplied[e]);
+        add_edge(e, *flow.into_head[e], *flow.out_of_tail[e]);
       }
     }
     mark_circles();
@@ -90,17 +90,13 @@ class PowerModeller {
                        units_.text(QuantityKind::power));
   }
 
-  bool is_nothing(double power) const {
-    return std::abs(power) <= kReportsAgree * one_.power->largest;
-  }
-
   // `into_head` reaches the head, `out_of_tail` leaves the tail; the ground, which rests, has none.
   void add_edge(std::size_t e, double into_head, double out_of_tail) {
     const bool is_at_ground = model_.edges[e].tail == 0 || model_.edges[e].head == 0;
     const double along = model_.edges[e].tail == 0   ? into_head
                          : model_.edges[e].head == 0 ? out_of_tail
                                                      : smaller(into_head, out_of_tail);
-    if (is_nothing(along)) {
+    if (along == 0.0) {
       return;
     }
     ModelPower& power = model_.power[e];
@@ -110,7 +106,7 @@ class PowerModeller {
     const double lost = -one_.power->supplied[e];
     if (is_at_ground) {
       power.text += role_of(e);
-    } else if (lost > 0.0 && !is_nothing(lost)) {
+    } else if (lost > 0.0) {
       power.text += fmt::format(", {} lost", in_unit(lost));
     }
   }
@@ -129,7 +125,7 @@ class PowerModeller {
       const ActuatorTopology& actuator = topology_.actuators[i];
       const auto f = static_cast<std::size_t>(actuator.freedom);
       if (topology_.freedoms[f].coupling.value != static_cast<int>(e) ||
-          is_nothing(one_.power->actuators[i])) {
+          one_.power->actuators[i] == 0.0) {
         continue;
       }
       const auto holds = [&](const std::vector<int>& list) {
@@ -158,7 +154,7 @@ class PowerModeller {
   void add_loads() {
     for (std::size_t i = 0; i < one_.which.loads.size(); ++i) {
       const double power = one_.power->loads[i];
-      if (!is_nothing(power)) {
+      if (power != 0.0) {
         model_.ports.push_back(
             {.node = one_.which.loads[i].acts.body.value,
              .enters = power > 0.0,

@@ -143,9 +143,12 @@ PowerFlow find_power(const Mechanism& mechanism,
     const CouplingTopology& coupling = mechanism.topology.couplings[e];
     const std::optional<BoundedWrench> wrench =
         is_by_convention(action, coupling) ? std::nullopt : bounded_wrench(action, id);
-    flow.into_head.push_back(
-        wrench ? std::optional(power(*wrench, bounded_body(motion, coupling.head)).zeroed())
-               : std::nullopt);
+    const auto power_on = [&](BodyId body) {
+      return wrench ? std::optional(power(*wrench, bounded_body(motion, body)).zeroed())
+                    : std::nullopt;
+    };
+    flow.into_head.push_back(power_on(coupling.head));
+    flow.out_of_tail.push_back(power_on(coupling.tail));
     flow.supplied.push_back((wrench ? power(*wrench, bounded_coupling(mechanism, motion, id))
                                     : power_of_actuators_and_friction(mechanism, e, motion, action))
                                 .zeroed());

@@ -16,6 +16,9 @@ struct PowerFlow {
   /// Of each coupling: its wrench on the motion of its head body (Cazangi 2008, section 4.4.3,
   /// virtual power); empty where the wrench is open, or a convention makes it (minimum norm).
   std::vector<std::optional<double>> into_head;
+
+  /// Likewise on the motion of its tail body: what leaves the tail.
+  std::vector<std::optional<double>> out_of_tail;
   std::vector<double> supplied;  ///< of each coupling: its wrench on its own motion; positive where
                                  ///< an actuator drives, negative where it brakes
   std::vector<double> actuators;  ///< of each actuator: its action times its rate

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/tolerance.hpp"
 #include "graph/strong_components.hpp"
 #include "kinematics/bounded_motion.hpp"
 #include "power/internal/net_power.hpp"
@@ -35,10 +34,8 @@ class GraphBuilder {
     for (std::size_t i = 0; i < flow_.loads.size(); ++i) {
       add_to(which_.loads[i].acts.body, flow_.loads[i]);
     }
-    drop_rounding();
     find_mesh_powers();
     graph_.net = find_net_powers(mechanism_, motion_, action_, graph_.arcs);
-    std::erase_if(graph_.net, [&](const PowerArc& arc) { return is_rounding(arc.power); });
     find_loops();
     if (flow_.input > 0.0) {
       double largest = 0.0;
@@ -60,19 +57,22 @@ class GraphBuilder {
       return;
     }
     const double into_head = *flow_.into_head[e];
-    const double out_of_tail =
-        power(*bounded_wrench(action_, id), bounded_body(motion_, coupling.tail)).zeroed();
+    const double out_of_tail = *flow_.out_of_tail[e];
     add_to(coupling.head, into_head);
     add_to(coupling.tail, -out_of_tail);
-    largest_ = std::max({largest_, std::abs(into_head), std::abs(out_of_tail)});
-    const double through = std::min(std::abs(into_head), std::abs(out_of_tail));
-    if (into_head > 0.0 && out_of_tail > 0.0) {
-      graph_.arcs.push_back(
-          {.coupling = id, .from = coupling.tail, .to = coupling.head, .power = through});
-    } else if (into_head < 0.0 && out_of_tail < 0.0) {
-      graph_.arcs.push_back(
-          {.coupling = id, .from = coupling.head, .to = coupling.tail, .power = through});
+    if (into_head * out_of_tail <= 0.0) {
+      return;
     }
+    const bool is_forward = into_head > 0.0;
+    const bool is_less_at_head = std::abs(into_head) < std::abs(out_of_tail);
+    const BoundedNumber through =
+        power(*bounded_wrench(action_, id),
+              bounded_body(motion_, is_less_at_head ? coupling.head : coupling.tail));
+    graph_.arcs.push_back({.coupling = id,
+                           .from = is_forward ? coupling.tail : coupling.head,
+                           .to = is_forward ? coupling.head : coupling.tail,
+                           .power = std::abs(through.value),
+                           .bound = through.bound});
   }
 
   void add_to(BodyId body, double power) {
@@ -83,23 +83,15 @@ class GraphBuilder {
     }
   }
 
-  bool is_rounding(double power) const { return std::abs(power) <= kPowerBalance * largest_; }
-
-  void drop_rounding() {
-    std::erase_if(graph_.arcs, [&](const PowerArc& arc) { return is_rounding(arc.power); });
-  }
-
   void find_mesh_powers() {
     for (const Mesh& mesh : find_meshes(topology_, mechanism_.geometry)) {
       const auto e = static_cast<std::size_t>(mesh.coupling.value);
       if (mesh.carrier && flow_.into_head[e]) {
-        const auto head = static_cast<std::size_t>(topology_.couplings[e].head.value);
-        const auto carrier = static_cast<std::size_t>(mesh.carrier->value);
-        const double rolling =
-            power(*action_.wrenches[e], motion_.bodies[head] - motion_.bodies[carrier]);
-        graph_.meshes.push_back({.coupling = mesh.coupling,
-                                 .carrier = *mesh.carrier,
-                                 .rolling = is_rounding(rolling) ? 0.0 : rolling});
+        const BoundedTwist on_carrier = bounded_body(motion_, topology_.couplings[e].head) -
+                                        bounded_body(motion_, *mesh.carrier);
+        const BoundedNumber rolling = power(*bounded_wrench(action_, mesh.coupling), on_carrier);
+        graph_.meshes.push_back(
+            {.coupling = mesh.coupling, .carrier = *mesh.carrier, .rolling = rolling.zeroed()});
       }
     }
   }
@@ -158,7 +150,6 @@ class GraphBuilder {
   const StaticSolution& action_;
   const PowerFlow& flow_;
   PowerGraph graph_;
-  double largest_ = 0.0;
 };
 
 }  // namespace

@@ -19,6 +19,7 @@ struct PowerArc {
   BodyId to;
   double power =
       0.0;  ///< [W], positive: what leaves `from` and what reaches `to`, whichever is less
+  double bound = 0.0;  ///< by how much it may be off [W]
 };
 
 /// What a body gets and gives through its couplings and loads [W]; in balance they are equal.

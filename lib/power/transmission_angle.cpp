@@ -1,25 +1,19 @@
 #include "power/transmission_angle.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <variant>
 #include <vector>
 
-#include "core/tolerance.hpp"
+#include "mechanism/place_error.hpp"
 #include "network/bases.hpp"
 #include "statics/action.hpp"
+#include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
 
 namespace {
 
 using AngleOrObstacle = std::variant<double, TransmissionObstacle>;
-
-// The coupling through which the output is driven, and how its wrench counts on the driven body.
-struct DrivingCoupling {
-  CouplingId coupling;
-  double sign = 1.0;  ///< -1: the driven body is the tail
-};
 
 // The body that the output moves: of two moving ones the head.
 BodyId driven_body(const CouplingTopology& output) {
@@ -30,11 +24,11 @@ BodyId holding_body(const CouplingTopology& output) {
   return output.head.value != 0 ? output.tail : output.head;
 }
 
-std::optional<DrivingCoupling> find_driving_coupling(const Topology& topology,
-                                                     const CouplingTopology& output) {
+std::optional<CouplingId> find_driving_coupling(const Topology& topology,
+                                                const CouplingTopology& output) {
   const BodyId driven = driven_body(output);
   const BodyId holding = holding_body(output);
-  std::optional<DrivingCoupling> result;
+  std::optional<CouplingId> result;
   for (int c = 0; c < topology.coupling_count(); ++c) {
     const CouplingTopology& one = topology.coupling({c});
     const bool is_head = one.head == driven;
@@ -46,18 +40,18 @@ std::optional<DrivingCoupling> find_driving_coupling(const Topology& topology,
     if (result) {
       return std::nullopt;
     }
-    result = DrivingCoupling{.coupling = {c}, .sign = is_head ? 1.0 : -1.0};
+    result = CouplingId{c};
   }
   return result;
 }
 
 // The wrench of the driving coupling while one actuator bears 1, one follows from it and the others
 // bear nothing.
-std::optional<Wrench> find_driving_wrench(const Mechanism& mechanism,
-                                          const CoordinateBasis& basis,
-                                          const DrivingCoupling& driving,
-                                          int loaded,
-                                          int following) {
+std::optional<BoundedWrench> find_driving_wrench(const Mechanism& mechanism,
+                                                 const CoordinateBasis& basis,
+                                                 CouplingId driving,
+                                                 int loaded,
+                                                 int following) {
   const std::vector<ActuatorTopology>& actuators = mechanism.topology.actuators;
   std::vector<Primary> known;
   for (int i = 0; i < static_cast<int>(actuators.size()); ++i) {
@@ -69,31 +63,31 @@ std::optional<Wrench> find_driving_wrench(const Mechanism& mechanism,
     }
   }
   const StaticSolution solution = solve_action(mechanism, basis, known);
-  const auto at = static_cast<std::size_t>(driving.coupling.value);
-  return solution.wrenches.empty() || !solution.wrenches[at]
-             ? std::nullopt
-             : std::optional(driving.sign * *solution.wrenches[at]);
+  return solution.wrenches.empty() ? std::nullopt : bounded_wrench(solution, driving);
 }
 
-// Of a force and the motion of the body on which it acts; `near` is the point of the coupling.
-AngleOrObstacle angle_between(const Wrench& wrench,
+// Of a force and the motion of the body on which it acts, in whatever sense; `near` is the point of
+// the coupling, and `misplaced` is how far points may be off.
+AngleOrObstacle angle_between(const BoundedWrench& wrench,
                               const Twist& motion,
                               const Vec3& near,
-                              double length) {
-  const double force = wrench.force.norm();
-  const Vec3 moment = moment_at(wrench, near);
-  if (force * length <= kNoReaction * moment.norm()) {
+                              double misplaced) {
+  const BoundedVector& force = wrench.force;
+  const BoundedVector moment = moment_at(wrench, near);
+  if (force.zeroed().isZero(0.0)) {
     return TransmissionObstacle::couple;  // It has no line.
   }
   // The point of the line of F next to the coupling.
-  const Vec3 point = near + wrench.force.cross(moment) / (force * force);
-  const Vec3 velocity = velocity_at(motion, point);
-  const double fastest = std::max(motion.linear.norm(), motion.angular.norm() * length);
-  if (velocity.norm() <= kNoReaction * fastest) {
+  const BoundedNumber one = {.value = 1.0, .bound = 0.0};
+  const BoundedVector arm = (one / dot(force, force)) * cross(force, moment);
+  const BoundedVector place = {.value = Vec3::Zero(), .bound = Vec3::Constant(misplaced)};
+  const BoundedTwist turning = written(motion);
+  const BoundedVector velocity = velocity_at(turning, near) + cross(turning.angular, arm + place);
+  if (velocity.zeroed().isZero(0.0)) {
     return TransmissionObstacle::rest;
   }
-  const double along = std::abs(wrench.force.dot(velocity));
-  return std::atan2(along, wrench.force.cross(velocity).norm());
+  const double along = std::abs(force.value.dot(velocity.value));
+  return std::atan2(along, force.value.cross(velocity.value).norm());
 }
 
 AngleOrObstacle find_angle(const Mechanism& mechanism, int input, int output) {
@@ -104,23 +98,24 @@ AngleOrObstacle find_angle(const Mechanism& mechanism, int input, int output) {
   const ActuatorTopology& driven = topology.actuators[static_cast<std::size_t>(output)];
   const auto freedom = static_cast<std::size_t>(driven.freedom);
   const CouplingTopology& coupling = topology.coupling(topology.freedoms[freedom].coupling);
-  const std::optional<DrivingCoupling> driving = find_driving_coupling(topology, coupling);
+  const std::optional<CouplingId> driving = find_driving_coupling(topology, coupling);
   if (!driving) {
     return TransmissionObstacle::no_one_coupling;
   }
   const CoordinateBasis basis = action_basis(mechanism.geometry, mechanism.static_order);
-  std::optional<Wrench> wrench = find_driving_wrench(mechanism, basis, *driving, output, input);
+  std::optional<BoundedWrench> wrench =
+      find_driving_wrench(mechanism, basis, *driving, output, input);
   if (!wrench) {  // At a dead point of the input only the input can load the chain.
     wrench = find_driving_wrench(mechanism, basis, *driving, input, output);
   }
   if (!wrench) {
     return TransmissionObstacle::open_force;
   }
-  const auto at = static_cast<std::size_t>(driving->coupling.value);
+  const auto at = static_cast<std::size_t>(driving->value);
   return angle_between(*wrench,
                        mechanism.geometry.motions[freedom],
                        mechanism.geometry.points[at] - mechanism.geometry.origin,
-                       mechanism.geometry.length);
+                       place_error(mechanism) * mechanism.geometry.length);
 }
 
 }  // namespace

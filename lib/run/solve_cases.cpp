@@ -180,20 +180,15 @@ struct LoadedFlanks {
 };
 
 // Teeth press with their other flank where their force is negative; a force that is not known, or
-// zero but for rounding, leaves them as they are.
+// zero, leaves them as they are.
 std::vector<int> find_turned_flanks(const Geometry& geometry, const LoadedFlanks& now) {
-  const std::vector<std::optional<double>>& magnitudes = now.action.magnitudes;
-  double largest = 0.0;
-  for (const OtherFlankOf<double>& flank : geometry.other_flanks) {
-    const auto action = static_cast<std::size_t>(flank.action);
-    largest = std::max(largest, std::abs(magnitudes[action].value_or(0.0)));
-  }
   std::vector<int> turned;
   for (std::size_t i = 0; i < geometry.other_flanks.size(); ++i) {
-    const auto action = static_cast<std::size_t>(geometry.other_flanks[i].action);
-    const double force = magnitudes[action].value_or(0.0);
+    const int action = geometry.other_flanks[i].action;
+    const bool is_known = now.action.magnitudes[static_cast<std::size_t>(action)].has_value();
+    const double force = is_known ? bounded_action(now.action, action).zeroed() : 0.0;
     const bool was_turned = std::ranges::find(now.turned, static_cast<int>(i)) != now.turned.end();
-    if (std::abs(force) <= kCancellation * largest ? was_turned : force < 0.0) {
+    if (force == 0.0 ? was_turned : force < 0.0) {
       turned.push_back(static_cast<int>(i));
     }
   }

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/contract.hpp"
-#include "core/tolerance.hpp"
+#include "kinematics/bounded_motion.hpp"
 #include "mechanism/mesh.hpp"
 
 namespace kinestat {
@@ -21,17 +21,12 @@ Eigen::Matrix<double, 1, 6> power_on(const Twist& twist) {
 class LawMaker {
  public:
   LawMaker(const Mechanism& mechanism, const KinematicSolution& motion)
-      : mechanism_(mechanism), motion_(motion) {
-    for (const Twist& twist : motion.bodies) {
-      fastest_ = std::max(fastest_, twist.angular.norm());
-    }
-  }
+      : mechanism_(mechanism), motion_(motion) {}
 
-  // Empty if it does not roll: what is rounding of the power is that of the speed.
+  // Empty if it does not roll.
   std::optional<MeshLossLaw> law_of(const LossyMesh& mesh, BodyId carrier) const {
     const CouplingTopology& coupling = mechanism_.topology.coupling(mesh.coupling);
-    if (speed_of(coupling.head, carrier) <= kPowerBalance * fastest_ ||
-        speed_of(coupling.tail, carrier) <= kPowerBalance * fastest_) {
+    if (!turns(coupling.head, carrier) || !turns(coupling.tail, carrier)) {
       return std::nullopt;
     }
     return MeshLossLaw{.head_driven = law_where_driven(mesh, carrier, coupling.head, 1.0),
@@ -39,6 +34,11 @@ class LawMaker {
   }
 
  private:
+  bool turns(BodyId gear, BodyId carrier) const {
+    const BoundedTwist relative = bounded_body(motion_, gear) - bounded_body(motion_, carrier);
+    return !relative.angular.zeroed().isZero(0.0);
+  }
+
   Vec3 turning_of(BodyId gear, BodyId carrier) const {
     return (twist_of(gear) - twist_of(carrier)).angular;
   }
@@ -69,7 +69,6 @@ class LawMaker {
 
   const Mechanism& mechanism_;
   const KinematicSolution& motion_;
-  double fastest_ = 0.0;
 };
 
 }  // namespace

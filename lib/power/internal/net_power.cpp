@@ -4,6 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "kinematics/bounded_motion.hpp"
+#include "statics/coupling_wrenches.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -87,7 +90,8 @@ class NetFinder {
         add({.coupling = arc.coupling,
              .from = planets_.shaft_of(arc.from),
              .to = planets_.shaft_of(arc.to),
-             .power = arc.power});
+             .power = arc.power,
+             .bound = arc.bound});
       }
     }
     for (int e = 0; e < topology_.coupling_count(); ++e) {
@@ -111,12 +115,13 @@ class NetFinder {
     const CouplingTopology& coupling = topology_.coupling(id);
     const bool is_tail = planets_.carrier_of(coupling.head) == coupling.tail;
     const BodyId carrier = is_tail ? coupling.tail : coupling.head;
-    const double on_carrier = power(*action_.wrenches[static_cast<std::size_t>(id.value)],
-                                    motion_.bodies[static_cast<std::size_t>(carrier.value)]);
+    const BoundedNumber on_carrier =
+        power(*bounded_wrench(action_, id), bounded_body(motion_, carrier));
     return {.coupling = id,
             .from = carrier,
             .to = planets_.shaft_of(is_tail ? coupling.head : coupling.tail),
-            .power = is_tail ? on_carrier : -on_carrier};
+            .power = is_tail ? on_carrier.value : -on_carrier.value,
+            .bound = on_carrier.bound};
   }
 
   // Whether a coupling counts together with others between the same two.
@@ -130,7 +135,8 @@ class NetFinder {
     }
   }
 
-  // Of each pair what one side gives more than the other, in the place of its first part.
+  // Of each pair what one side gives more than the other, in the place of its first part; those
+  // that give as much as they take hand on nothing.
   std::vector<PowerArc> sums() const {
     std::vector<PowerArc> result;
     std::vector<bool> is_done(parts_.size(), false);
@@ -138,18 +144,20 @@ class NetFinder {
       if (is_done[i]) {
         continue;
       }
-      double sum = parts_[i].power;
+      BoundedNumber sum = bounded(parts_[i], 1.0);
       std::vector<PowerArc> alike = {parts_[i]};
       for (std::size_t j = i + 1; j < parts_.size() && is_summed(parts_[i].coupling); ++j) {
         const double sense = sense_between(parts_[i], parts_[j]);
         if (sense != 0.0) {
           is_done[j] = true;
-          sum += sense * parts_[j].power;
+          sum = sum + bounded(parts_[j], sense);
           alike.push_back(parts_[j]);
           alike.back().power *= sense;
         }
       }
-      result.push_back(strongest(parts_[i], alike, sum));
+      if (sum.zeroed() != 0.0) {
+        result.push_back(strongest(parts_[i], alike, sum));
+      }
     }
     std::ranges::stable_sort(result, {}, &PowerArc::coupling);
     return result;
@@ -165,13 +173,21 @@ class NetFinder {
     return a.from == b.from && a.to == b.to ? 1.0 : a.from == b.to && a.to == b.from ? -1.0 : 0.0;
   }
 
-  static PowerArc strongest(const PowerArc& first, const std::vector<PowerArc>& alike, double sum) {
-    const double sign = sum < 0.0 ? -1.0 : 1.0;
+  static BoundedNumber bounded(const PowerArc& arc, double sense) {
+    return {.value = sense * arc.power, .bound = arc.bound};
+  }
+
+  static PowerArc strongest(const PowerArc& first,
+                            const std::vector<PowerArc>& alike,
+                            const BoundedNumber& sum) {
+    const bool is_back = sum.value < 0.0;
+    const double sign = is_back ? -1.0 : 1.0;
     PowerArc result =
         *std::ranges::max_element(alike, {}, [&](const PowerArc& arc) { return sign * arc.power; });
-    result.from = sum < 0.0 ? first.to : first.from;
-    result.to = sum < 0.0 ? first.from : first.to;
-    result.power = std::abs(sum);
+    result.from = is_back ? first.to : first.from;
+    result.to = is_back ? first.from : first.to;
+    result.power = std::abs(sum.value);
+    result.bound = sum.bound;
     return result;
   }
 

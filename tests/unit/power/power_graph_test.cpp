@@ -33,6 +33,7 @@ class Ring : public ::testing::Test {
     const Wrench wrench = force * unit_force(Vec3::UnitX(), Vec3::Zero());
     action_.wrenches.emplace_back(wrench);
     flow_.into_head.emplace_back(power(wrench, motion_.bodies[static_cast<std::size_t>(head)]));
+    flow_.out_of_tail.emplace_back(power(wrench, motion_.bodies[static_cast<std::size_t>(tail)]));
   }
 
   PowerGraph graph() const { return find_power_graph(mechanism_, which_, motion_, action_, flow_); }
@@ -74,6 +75,7 @@ TEST_F(Ring, IsALoopInTheSenseOfTheFlow) {
 TEST_F(Ring, IsNoLoopWhereACouplingPullsTheOtherWay) {
   action_.wrenches[2] = -1.0 * *action_.wrenches[2];
   flow_.into_head[2] = -*flow_.into_head[2];
+  flow_.out_of_tail[2] = -*flow_.out_of_tail[2];
 
   const PowerGraph result = graph();
 
@@ -85,6 +87,7 @@ TEST_F(Ring, IsNoLoopWhereACouplingPullsTheOtherWay) {
 TEST_F(Ring, HasNoArcThroughACouplingThatFeedsBothSidesOrNeither) {
   motion_.bodies[3] = moving(-4.0);
   flow_.into_head[1] = -80.0;
+  flow_.out_of_tail[2] = -30.0;
 
   const PowerGraph result = graph();
 
@@ -102,7 +105,9 @@ TEST_F(Ring, CountsTheStrandsOfABeltAsOne) {
   mechanism_.topology.couplings.erase(mechanism_.topology.couplings.begin() + 1,
                                       mechanism_.topology.couplings.begin() + 3);
   action_.wrenches.erase(action_.wrenches.begin() + 1, action_.wrenches.begin() + 3);
-  flow_.into_head.erase(flow_.into_head.begin() + 1, flow_.into_head.begin() + 3);
+  for (auto* powers : {&flow_.into_head, &flow_.out_of_tail}) {
+    powers->erase(powers->begin() + 1, powers->begin() + 3);
+  }
   flow_.input = 6.0;
 
   const PowerGraph result = graph();
@@ -128,6 +133,34 @@ TEST_F(Ring, LeavesOpenWhatAnOpenWrenchTouches) {
   EXPECT_TRUE(result.bodies[1].has_value());
   EXPECT_FALSE(result.bodies[2].has_value());
   EXPECT_FALSE(result.bodies[3].has_value());
+}
+
+// A millionth of a millionth of the power of the others is power, too.
+TEST_F(Ring, HandsOnSmallPowers) {
+  join("d", 1, 3, 1e-12);
+
+  const PowerGraph result = graph();
+
+  ASSERT_EQ(result.arcs.size(), 4U);
+  EXPECT_DOUBLE_EQ(result.arcs[3].power, 1e-12);
+  EXPECT_EQ(result.net.size(), 4U);
+}
+
+// Strands that give back what they take, but for rounding: 0.1 + 0.2 and 0.3 N.
+TEST_F(Ring, HasNoNetPowerWhereStrandsBalance) {
+  mechanism_.topology.couplings.clear();
+  action_.wrenches.clear();
+  flow_.into_head.clear();
+  flow_.out_of_tail.clear();
+  motion_.bodies[2] = moving(1.0);
+  join("there", 1, 2, 0.1 + 0.2);
+  join("back", 2, 1, 0.3);
+  for (CouplingTopology& strand : mechanism_.topology.couplings) {
+    strand.type = CouplingType::cable;
+  }
+
+  EXPECT_EQ(graph().arcs.size(), 2U);
+  EXPECT_TRUE(graph().net.empty());
 }
 
 }  // namespace

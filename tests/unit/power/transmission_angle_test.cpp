@@ -46,6 +46,20 @@ TEST(TransmissionAngle, IsZeroWhereCouplerAndRockerAreInLine) {
   EXPECT_NEAR(find_transmission_angle(mechanism, 0, 1).value(), 0.0, kTight);
 }
 
+// A rocker a billionth as long as the other links moves its end all the same: d - c = (0, -1),
+// c - b = (6, -3).
+TEST(TransmissionAngle, ExistsHoweverShortTheRocker) {
+  const Mechanism mechanism = mechanism_of(four_bar("7, 5e-9"));
+
+  EXPECT_NEAR(find_transmission_angle(mechanism, 0, 1).value(), std::atan2(6.0, 3.0), 1e-5);
+}
+
+TEST(TransmissionAngle, DoesNotExistWhereTheForceGoesThroughTheAxis) {
+  const Mechanism mechanism = mechanism_of(four_bar("7, 0"));
+
+  EXPECT_EQ(find_transmission_obstacle(mechanism, 0, 1), TransmissionObstacle::rest);
+}
+
 TEST(TransmissionAngle, IsThatOfTheRodToTheNormalOfTheSlide) {
   // The rod from (9, 12) to (14, 0): its angle to the slide's x has the tangent 12/5.
   const Mechanism mechanism = mechanism_of(kSliderCrank);

@@ -91,6 +91,26 @@ TEST(LossyActions, HoldTheDrivenGearBack) {
   EXPECT_NEAR(std::abs(pair.action("out")), 49.0, 1e-12);
 }
 
+// Whatever else turns in the mechanism, and however fast.
+TEST(LossyActions, HoldSlowGearsBackBesideAFastShaft) {
+  std::string text = pair_of_gears(100.0);
+  const auto put = [&](const std::string& before, const std::string& more) {
+    text.insert(text.find(before), more);
+  };
+  put("wheel, pinion]\ncouplings", "shaft, ");
+  put("  a: {type", "  f: {type: revolute, bodies: [frame, shaft], at: [9, 9]}\n");
+  put("in: {coupling", "fast: {coupling: f}, ");
+  put("in: 1}", "fast: 1e10, ");
+
+  const Lossy pair(text);
+
+  ASSERT_EQ(pair.losses.laws.size(), 1U);
+  EXPECT_EQ(pair.found.search, LossSearch::found);
+  ASSERT_EQ(pair.found.solution.friction.size(), 1U);
+  EXPECT_NEAR(pair.found.solution.friction[0].magnitude, 1.0, 1e-12);
+  EXPECT_NEAR(std::abs(pair.action("out")), 49.0, 1e-12);
+}
+
 // What the pinion gives is 100/0.98 W, of which 2 % are lost on the wheel at 1 rad/s.
 TEST(LossyActions, FollowTheDirectionOfThePower) {
   const Lossy pair(pair_of_gears(-100.0));
