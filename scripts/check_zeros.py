@@ -43,6 +43,7 @@ DECISIONS = {
     "lib/run/internal/motion_passive_findings.cpp": "rank: what a passive freedom moves",
     "lib/run/internal/state_solver.cpp": "comparison of two ways to the same state",
     "lib/sensitivity/internal/power_value.cpp": "consistency: as of power/efficiency",
+    "lib/sensitivity/reported_value.cpp": "rank: on which actions a value depends",
     "lib/statics/completed_actions.cpp": "rank: what a self-stress loads",
     "lib/statics/internal/friction_system.cpp": "rank: which actions a friction reaches",
     "lib/statics/lossy_actions.cpp": "search: which gear of a mesh drives",
@@ -54,9 +55,6 @@ OPEN = {
     "lib/report/mobility_words.cpp": "bounds of the vectors of a null space",
     "lib/run/internal/motion_events.cpp": "bounds of the rates of a finite motion",
     "lib/run/internal/taped_solver.cpp": "bounds of the rates of a tape",
-    "lib/sensitivity/affine.cpp": "bounds of the differences between probes",
-    "lib/sensitivity/internal/rubbing.cpp": "bounds of pressing forces as duals",
-    "lib/sensitivity/reported_value.cpp": "bounds of slopes",
 }
 
 

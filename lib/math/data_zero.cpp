@@ -9,13 +9,10 @@
 
 namespace kinestat {
 
-namespace {
-
-// How far each equation may be off.
-VecX errors_of_rows(const SparseMatrix& matrix,
-                    std::span<const double> rhs,
-                    const InexactBlocks& blocks,
-                    const VecX& x) {
+VecX row_errors(const SparseMatrix& matrix,
+                std::span<const double> rhs,
+                const InexactBlocks& blocks,
+                const VecX& x) {
   VecX of_blocks = VecX::Zero(matrix.rows / blocks.rows + 1);
   for (const SparseEntry& entry : matrix.entries) {
     if (entry.column >= blocks.first_column) {
@@ -32,14 +29,12 @@ VecX errors_of_rows(const SparseMatrix& matrix,
   return errors;
 }
 
-}  // namespace
-
 void settle_inexact(const Elimination& factors,
                     const SparseMatrix& matrix,
                     std::span<const double> rhs,
                     const InexactBlocks& blocks,
                     VecX& x) {
-  const VecX errors = errors_of_rows(matrix, rhs, blocks, x);
+  const VecX errors = row_errors(matrix, rhs, blocks, x);
   // No row of the inverse enlarges an error by more, or its column would not have had a pivot.
   const double most = errors.cwiseAbs().sum() / kRankZero;
   const std::vector<int>& open = factors.free_columns();

@@ -15,6 +15,12 @@ struct InexactBlocks {
   double share = 0.0;
 };
 
+/// How far each equation may be off by that, x being its solution.
+VecX row_errors(const SparseMatrix& matrix,
+                std::span<const double> rhs,
+                const InexactBlocks& blocks,
+                const VecX& x);
+
 /// Makes zero what the solution x has beyond zero by no more than such errors may cause:
 /// |x_i| <= Σ |A⁻¹| (|δA| |x| + |δb|), row by row of the inverse. `matrix` is the one that was
 /// factored.

@@ -7,9 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "core/rounding.hpp"
 #include "expression/parameters.hpp"
+#include "kinematics/bounded_motion.hpp"
 #include "mechanism/bind.hpp"
 #include "run/solve_cases.hpp"
+#include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
 
@@ -75,23 +78,34 @@ std::vector<CaseAnalysis> solve_at(const MechanismDescription& description,
   return mechanism ? solve_all_cases(*mechanism) : std::vector<CaseAnalysis>{};
 }
 
-// An action that equilibrium leaves open is no number, and so is not affine.
-std::vector<double> numbers_of(const std::vector<std::optional<double>>& magnitudes) {
-  std::vector<double> numbers;
-  for (const std::optional<double>& one : magnitudes) {
-    numbers.push_back(one.value_or(std::numeric_limits<double>::quiet_NaN()));
-  }
-  return numbers;
+// Each probe rounds the numbers of the file anew.
+BoundedNumber rounded_anew(const BoundedNumber& number) {
+  return {.value = number.value, .bound = number.bound + kDataRounding * std::abs(number.value)};
 }
 
 Magnitudes rates_of(const CaseAnalysis& one) {
-  return one.motion && !one.motion->rates.empty() ? Magnitudes(one.motion->rates) : std::nullopt;
+  if (!one.motion || one.motion->rates.empty()) {
+    return std::nullopt;
+  }
+  std::vector<BoundedNumber> rates;
+  for (int f = 0; f < static_cast<int>(one.motion->rates.size()); ++f) {
+    rates.push_back(rounded_anew(bounded_rate(*one.motion, f)));
+  }
+  return rates;
 }
 
+// An action that equilibrium leaves open is no number, and so is not affine.
 Magnitudes actions_of(const CaseAnalysis& one) {
-  return one.action && !one.action->magnitudes.empty()
-             ? Magnitudes(numbers_of(one.action->magnitudes))
-             : std::nullopt;
+  if (!one.action || one.action->magnitudes.empty()) {
+    return std::nullopt;
+  }
+  std::vector<BoundedNumber> actions;
+  for (int a = 0; a < static_cast<int>(one.action->magnitudes.size()); ++a) {
+    const bool is_known = one.action->magnitudes[static_cast<std::size_t>(a)].has_value();
+    actions.push_back(is_known ? rounded_anew(bounded_action(*one.action, a))
+                               : BoundedNumber{.value = std::numeric_limits<double>::quiet_NaN()});
+  }
+  return actions;
 }
 
 // Of each magnitude the largest of its kind at any probe: is_first says which of two kinds it is.
@@ -101,8 +115,9 @@ std::vector<double> scales(const std::vector<Magnitudes>& probes, const IsFirst&
   const auto kind = [&](std::size_t m) { return is_first(m) ? 0U : 1U; };
   for (const Magnitudes& values : probes) {
     for (std::size_t m = 0; values && m < values->size(); ++m) {
-      if (std::isfinite((*values)[m])) {
-        largest[kind(m)] = std::max(largest[kind(m)], std::abs((*values)[m]));
+      const double value = (*values)[m].value;
+      if (std::isfinite(value)) {
+        largest[kind(m)] = std::max(largest[kind(m)], std::abs(value));
       }
     }
   }
@@ -122,7 +137,7 @@ std::vector<AffineMagnitude> fit(const std::vector<FreeParameter>& parameters,
   const std::vector<std::optional<AffineValue>> fits =
       fit_affine(parameters, probes, scales(probes, is_first));
   for (std::size_t m = 0; m < fits.size(); ++m) {
-    const bool has_value = std::isfinite((*probes[0])[m]);
+    const bool has_value = std::isfinite((*probes[0])[m].value);
     const bool is_constant =
         fits[m] && std::ranges::all_of(fits[m]->coefficients, [](double c) { return c == 0.0; });
     if (has_value && !is_constant) {

@@ -34,24 +34,24 @@ double near_mix(std::size_t i) {
 
 // One magnitude at all probes.
 std::optional<AffineValue> fit_one(std::span<const FreeParameter> parameters,
-                                   std::span<const double> values,
+                                   std::span<const BoundedNumber> values,
                                    std::span<const std::vector<double>> probes,
                                    double scale) {
   AffineValue result;
-  result.constant = values[0];
-  double largest = std::abs(values[0]);
+  BoundedNumber constant = values[0];
+  double largest = std::abs(values[0].value);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const double change = values[i + 1] - values[0];
-    const bool is_rounding = std::abs(change) <= kReportZero * scale;
-    const double coefficient = is_rounding ? 0.0 : change / parameters[i].step;
+    const BoundedNumber change = values[i + 1] - values[0];
+    const BoundedNumber slope = change / BoundedNumber{.value = parameters[i].step};
+    const double coefficient = settled(slope.value, slope.bound);
     result.coefficients.push_back(coefficient);
-    result.constant -= coefficient * parameters[i].value;
-    largest =
-        std::max({largest, std::abs(values[i + 1]), std::abs(coefficient * parameters[i].value)});
+    if (coefficient != 0.0) {
+      constant = constant - slope * BoundedNumber{.value = parameters[i].value};
+    }
+    largest = std::max(
+        {largest, std::abs(values[i + 1].value), std::abs(coefficient * parameters[i].value)});
   }
-  if (std::abs(result.constant) <= kReportZero * std::max(scale, largest)) {
-    result.constant = 0.0;
-  }
+  result.constant = constant.zeroed();
   for (std::size_t p = parameters.size() + 1; p < probes.size(); ++p) {
     double expected = result.constant;
     double terms = std::max(largest, scale);
@@ -59,7 +59,7 @@ std::optional<AffineValue> fit_one(std::span<const FreeParameter> parameters,
       expected += result.coefficients[i] * probes[p][i];
       terms = std::max(terms, std::abs(result.coefficients[i] * probes[p][i]));
     }
-    if (!(std::abs(values[p] - expected) <= kAffine * terms)) {
+    if (!(std::abs(values[p].value - expected) <= kAffine * terms)) {
       return std::nullopt;
     }
   }
@@ -96,7 +96,7 @@ std::vector<std::optional<AffineValue>> fit_affine(std::span<const FreeParameter
   if (!std::ranges::all_of(at_probes, &Magnitudes::has_value)) {
     return result;
   }
-  std::vector<double> values(probes.size());
+  std::vector<BoundedNumber> values(probes.size());
   for (std::size_t m = 0; m < scale.size(); ++m) {
     for (std::size_t p = 0; p < probes.size(); ++p) {
       KINESTAT_EXPECTS(at_probes[p]->size() == scale.size());

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "math/bounded_number.hpp"
+
 namespace kinestat {
 
 /// constant + Σ coefficients[i] * parameter[i]. Cazangi 2008, annexes C and D, writes the moments
@@ -28,13 +30,13 @@ struct FreeParameter {
 /// which tell an affine function from any other. One list of parameter values a point.
 std::vector<std::vector<double>> affine_probes(std::span<const FreeParameter> parameters);
 
-/// The magnitudes at one probe; empty where they have no solution.
-using Magnitudes = std::optional<std::vector<double>>;
+/// The magnitudes at one probe, and by how much each may be off there; empty where they have no
+/// solution.
+using Magnitudes = std::optional<std::vector<BoundedNumber>>;
 
 /// The dependence of every magnitude on the parameters, or empty for one that is not affine in them
 /// (to kAffine of its largest term) or has no solution at a probe. `at_probes` is parallel to
-/// affine_probes; `scale` holds, for every magnitude, the size below which a change is rounding
-/// when it is smaller than kReportZero of it.
+/// affine_probes; `scale` holds, for every magnitude, the size that counts as one of its terms.
 std::vector<std::optional<AffineValue>> fit_affine(std::span<const FreeParameter> parameters,
                                                    std::span<const Magnitudes> at_probes,
                                                    std::span<const double> scale);

@@ -4,6 +4,9 @@
 #include <iterator>
 #include <utility>
 
+#include "core/rounding.hpp"
+#include "math/data_zero.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -24,9 +27,8 @@ FactoredSide::FactoredSide(CoordinateBasis basis,
                            int first_column,
                            std::vector<double> units)
     : basis_(std::move(basis)),
-      row_count_(static_cast<std::size_t>(system.rows)),
-      column_count_(system.columns),
-      elimination_(std::move(system), columns_of(primaries, first_column)),
+      system_(std::move(system)),
+      elimination_(system_, columns_of(primaries, first_column)),
       first_column_(first_column),
       units_(std::move(units)) {}
 
@@ -35,11 +37,28 @@ std::vector<double> FactoredSide::solve(const Change& right) const {
 }
 
 AdjointSolution FactoredSide::solve_adjoint(const std::vector<double>& slopes) const {
-  VecX gradient = VecX::Zero(column_count_);
+  VecX gradient = VecX::Zero(system_.columns);
   for (std::size_t i = 0; i < slopes.size(); ++i) {
     gradient[first_column_ + static_cast<int>(i)] = slopes[i] * units_[i];
   }
   return elimination_.solve_adjoint(gradient);
+}
+
+std::vector<double> FactoredSide::scaled(std::vector<double> slopes) const {
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    slopes[i] *= units_[i];
+  }
+  return slopes;
+}
+
+VecX FactoredSide::row_errors(const std::vector<double>& magnitudes) const {
+  VecX x = VecX::Zero(system_.columns);
+  for (std::size_t i = 0; i < units_.size(); ++i) {
+    x[first_column_ + static_cast<int>(i)] = magnitudes[i] / units_[i];
+  }
+  const InexactBlocks blocks{
+      .rows = basis_.order(), .first_column = first_column_, .share = kDataRounding};
+  return kinestat::row_errors(system_, {}, blocks, x);
 }
 
 bool FactoredSide::allows(const Change& change) const {
@@ -55,7 +74,7 @@ std::vector<std::vector<double>> FactoredSide::open_magnitudes() const {
 }
 
 std::vector<double> FactoredSide::right_hand_side(const Change& change) const {
-  std::vector<Sum> sums(row_count_);
+  std::vector<Sum> sums(static_cast<std::size_t>(system_.rows));
   for (const auto& [row, value] : change.rows) {
     sums[static_cast<std::size_t>(row)].add(value);
   }

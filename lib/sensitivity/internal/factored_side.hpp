@@ -27,6 +27,13 @@ class FactoredSide {
   /// For a value that moves by these slopes with the magnitudes.
   AdjointSolution solve_adjoint(const std::vector<double>& slopes) const;
 
+  /// Slopes by the unknowns of the system.
+  std::vector<double> scaled(std::vector<double> slopes) const;
+
+  /// How far each equation may be off by what rounding did to the screws in it, the magnitudes
+  /// being these.
+  VecX row_errors(const std::vector<double>& magnitudes) const;
+
   /// Whether the redundant equations hold when the right-hand side changes so.
   bool allows(const Change& change) const;
 
@@ -38,8 +45,7 @@ class FactoredSide {
   std::vector<double> magnitudes_of(const VecX& x) const;
 
   CoordinateBasis basis_;
-  std::size_t row_count_;
-  int column_count_;
+  SparseMatrix system_;
   Elimination elimination_;
   int first_column_;
   std::vector<double> units_;

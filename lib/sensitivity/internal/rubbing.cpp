@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "core/rounding.hpp"
 #include "core/tolerance.hpp"
 #include "math/dual_vector.hpp"
 
@@ -29,17 +30,6 @@ Vec3Of<Dual> pressing_force(const DualCase& values,
   return sum;
 }
 
-// The largest force in a case, couples over its size: zero is what is rounding of this.
-double largest_force(const DualCase& values) {
-  double largest = 0.0;
-  for (std::size_t a = 0; a < values.topology().actions.size(); ++a) {
-    const double size = std::abs(values.action()->magnitudes[a].value_or(0.0));
-    const bool is_couple = values.topology().actions[a].is_couple;
-    largest = std::max(largest, is_couple ? size / values.mechanism().geometry.length : size);
-  }
-  return largest;
-}
-
 // Writes the laws as functions of the actions.
 class LawReader {
  public:
@@ -51,7 +41,7 @@ class LawReader {
         equations_(equations),
         magnitudes_(magnitudes),
         open_(open),
-        zero_(kReportsAgreeInZero * largest_force(values)) {}
+        row_errors_(equations.row_errors(magnitudes)) {}
 
   Rubbing read(std::size_t friction) const {
     const FrictionLawOf<Dual>& law = values_.friction_law(friction);
@@ -90,7 +80,7 @@ class LawReader {
     }
     const Vec3 direction = values_of(force);
     const double size = direction.norm();
-    if (size <= zero_) {
+    if (is_zero(force)) {
       add_corners(part, force, open, result.corners);
       return;
     }
@@ -102,6 +92,40 @@ class LawReader {
         result.magnitude.open[s] += Dual(weight.value * direction[i] / size) * open[s][i];
       }
     }
+  }
+
+  // Each component is off by what rounding did to the equations that determine the actions.
+  bool is_zero(const Vec3Of<Dual>& force) const {
+    for (int i = 0; i < 3; ++i) {
+      const double size = std::abs(force[i].value);
+      if (size > 0.0 && (size > most_rounding(force[i]) || size > rounding(force[i]))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  double rounding(const Dual& value) const {
+    return adjoint_of(value).rows.cwiseAbs().dot(row_errors_) + terms(value) * kDataRounding;
+  }
+
+  // No row of the inverse enlarges an error by more, or its column would not have had a pivot.
+  double most_rounding(const Dual& value) const {
+    double slopes = 0.0;
+    for (const double slope : equations_.scaled(slopes_of(value))) {
+      slopes += std::abs(slope);
+    }
+    return slopes * row_errors_.sum() / kRankZero + terms(value) * kDataRounding;
+  }
+
+  // What a value is the sum of.
+  double terms(const Dual& value) const {
+    const std::vector<double> slopes = slopes_of(value);
+    double sum = 0.0;
+    for (std::size_t a = 0; a < slopes.size(); ++a) {
+      sum += std::abs(slopes[a] * magnitudes_[a]);
+    }
+    return sum;
   }
 
   void add_corners(const PressingPartOf<Dual>& part,
@@ -120,20 +144,24 @@ class LawReader {
     }
   }
 
-  AdjointSolution adjoint_of(const Dual& value) const {
+  std::vector<double> slopes_of(const Dual& value) const {
     const std::size_t first = values_.topology().freedoms.size();
     std::vector<double> slopes;
     for (std::size_t a = 0; a < magnitudes_.size(); ++a) {
       slopes.push_back(derivative(value, first + a));
     }
-    return equations_.solve_adjoint(slopes);
+    return slopes;
+  }
+
+  AdjointSolution adjoint_of(const Dual& value) const {
+    return equations_.solve_adjoint(slopes_of(value));
   }
 
   const DualCase& values_;
   const FactoredSide& equations_;
   const std::vector<double>& magnitudes_;
   const std::vector<std::vector<double>>& open_;
-  double zero_;  ///< [N]
+  VecX row_errors_;  ///< of the equations
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/rounding.hpp"
 #include "core/tolerance.hpp"
 
 namespace kinestat {
@@ -19,9 +20,10 @@ std::vector<std::optional<AffineValue>> fit(const std::vector<FreeParameter>& pa
                                             const std::vector<Function>& functions) {
   std::vector<Magnitudes> at_probes;
   for (const std::vector<double>& probe : affine_probes(parameters)) {
-    std::vector<double> values;
+    std::vector<BoundedNumber> values;
     for (const Function& function : functions) {
-      values.push_back(function(probe));
+      const double value = function(probe);
+      values.push_back({.value = value, .bound = kDataRounding * std::abs(value)});
     }
     at_probes.emplace_back(std::move(values));
   }
@@ -61,6 +63,23 @@ TEST(Affine, WritesRoundingAsZero) {
   EXPECT_EQ(fits[0]->constant, 0.0);
 }
 
+// The second magnitude is known to the millionth of a millionth only.
+TEST(Affine, TellsASmallSlopeFromWhatAMagnitudeMayBeOffBy) {
+  std::vector<Magnitudes> at_probes;
+  for (const std::vector<double>& probe : affine_probes(kTwo)) {
+    const double value = 1e-13 * probe[0];
+    at_probes.push_back(std::vector<BoundedNumber>{{.value = value, .bound = 1e-28},
+                                                   {.value = value, .bound = 1e-12}});
+  }
+
+  const auto fits = fit_affine(kTwo, at_probes, std::vector<double>{100.0, 100.0});
+
+  ASSERT_TRUE(fits[0] && fits[1]);
+  EXPECT_NEAR(fits[0]->coefficients[0], 1e-13, 1e-27);
+  EXPECT_EQ(fits[1]->coefficients[0], 0.0);
+  EXPECT_EQ(fits[1]->constant, 0.0);
+}
+
 TEST(Affine, RefusesWhatIsNotAffine) {
   const auto fits = fit(kTwo,
                         {[](const auto& p) { return p[0] * p[0]; },
@@ -94,7 +113,8 @@ TEST(Affine, RefusesStaircasesAndWavesOfAnyRoundPeriod) {
 }
 
 TEST(Affine, KnowsNothingWhereAProbeHasNoSolution) {
-  std::vector<Magnitudes> at_probes(affine_probes(kTwo).size(), std::vector<double>{1.0});
+  std::vector<Magnitudes> at_probes(affine_probes(kTwo).size(),
+                                    std::vector{BoundedNumber{.value = 1.0}});
   at_probes[2].reset();
 
   EXPECT_FALSE(fit_affine(kTwo, at_probes, std::vector<double>{1.0})[0]);

@@ -144,6 +144,15 @@ TEST(Drawer, HasNoDerivativeWhereItsGuideBeginsToPress) {
   EXPECT_NEAR(slope(slopes, 3), 1.0, 1e-14);
 }
 
+// Beside the corner, however near, the guide presses on one side: 2 μ F/L.
+TEST(Drawer, HasADerivativeWhereItsGuidePressesALittle) {
+  for (const double sign : {1.0, -1.0}) {
+    const Slopes slopes = Solved(drawer(sign * 1e-13, 0.2)).derivatives_of("pull");
+
+    EXPECT_NEAR(slope(slopes, 1), sign * 30.0 * 2.0 * 0.2 / 0.6, 1e-10);
+  }
+}
+
 // A coefficient of friction of zero cannot become smaller.
 TEST(Drawer, HasNoDerivativeWhereFrictionBegins) {
   const Solved solved(drawer(0.5, 0.0));
