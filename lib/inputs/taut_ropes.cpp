@@ -5,10 +5,11 @@
 #include <numeric>
 #include <utility>
 
-#include "core/tolerance.hpp"
+#include "core/rounding.hpp"
 #include "inputs/solution_space.hpp"
 #include "math/linear_programme.hpp"
 #include "math/orthonormal.hpp"
+#include "math/settled.hpp"
 #include "network/bases.hpp"
 
 namespace kinestat {
@@ -78,6 +79,29 @@ int rank_of(const MatX& rows) {
   return rows.size() == 0 ? 0 : static_cast<int>(orthonormal_range(rows.transpose()).cols());
 }
 
+// The numbers of a basic solution that rounding of the equations does not make: entries of
+// orthonormal rows are off by that of 1, whatever their own size.
+VecX told_from_zero(const MatX& A, const VecX& b, const VecX& x) {
+  std::vector<Eigen::Index> used;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    if (x[i] != 0.0) {
+      used.push_back(i);
+    }
+  }
+  if (used.empty()) {
+    return x;
+  }
+  const MatX basic = A(Eigen::all, used);
+  const MatX inverse = basic.colPivHouseholderQr().solve(MatX::Identity(A.rows(), A.rows()));
+  const double error = kDataRounding * (x.cwiseAbs().sum() + b.cwiseAbs().maxCoeff());
+  VecX result = x;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const double bound = inverse.row(static_cast<Eigen::Index>(i)).cwiseAbs().sum() * error;
+    result[used[i]] = settled(x[used[i]], bound);
+  }
+  return result;
+}
+
 // The actions of the drives are in equilibrium with the tensions if no motion of the loosened
 // mechanism gives them power (Tellegen): Φ_drivesᵀ τ = Φ_stretchesᵀ T. With T = 1 + t, in units of
 // the space, and τ the difference of two numbers that are not negative. Empty if there is none.
@@ -102,7 +126,11 @@ std::optional<VecX> find_drives(const MatX& stretches, const MatX& drives) {
   VecX costs = VecX::Zero(A.cols());
   costs.head(2 * count).setOnes();
   const std::optional<VecX> x = find_least_cost(A, sums, costs);
-  return x ? std::optional<VecX>(x->head(count) - x->segment(count, count)) : std::nullopt;
+  if (!x) {
+    return std::nullopt;
+  }
+  const VecX sure = told_from_zero(A, sums, *x);
+  return VecX(sure.head(count) - sure.segment(count, count));
 }
 
 // Chooses drives that pull on every segment.
@@ -158,12 +186,10 @@ class Pretension {
       return std::nullopt;
     }
     const auto unit = [&](int freedom) { return space_.units[static_cast<std::size_t>(freedom)]; };
-    const double least =
-        kReportZero * (actions->size() == 0 ? 0.0 : actions->cwiseAbs().maxCoeff());
     std::vector<TautDrive> drives;
     for (std::size_t i = 0; i < allowed.size(); ++i) {
       const double action = (*actions)[static_cast<Eigen::Index>(i)];
-      if (std::abs(action) > least) {
+      if (action != 0.0) {
         const auto freedom = static_cast<std::size_t>(freedoms[i]);
         drives.push_back(
             {.freedom = loosened_.original[allowed[i]],

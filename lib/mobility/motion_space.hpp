@@ -1,10 +1,12 @@
 // Which freedoms move together: a basis of the motions that people can read.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mechanism/mechanism.hpp"
+#include "screw/bounded_screw.hpp"
 #include "screw/coordinate_basis.hpp"
 
 namespace kinestat {
@@ -17,6 +19,12 @@ struct FreeMotion {
   int first = 0;                ///< the freedom whose rate is 1
 
   bool is_passive() const { return !passive.empty(); }
+
+  /// About which a body turns or along which it shifts, without what rounding leaves; `length` [m]
+  /// is the size of the mechanism. Empty if it rests.
+  std::optional<ScrewAxis> axis_of(std::size_t body, double length) const {
+    return find_axis(written(bodies[body]), length);
+  }
 };
 
 struct MotionSpace {

@@ -8,6 +8,7 @@
 #include "math/elimination.hpp"
 #include "math/readable_basis.hpp"
 #include "math/span.hpp"
+#include "screw/bounded_screw.hpp"
 
 namespace kinestat {
 
@@ -206,7 +207,7 @@ class RedundancySearch {
     const double sign = sign_of_first(one.magnitudes);
     one.magnitudes *= sign;
     one.chord = circuit.chord;
-    one.axis = find_axis(Wrench::from_coordinates(sign * SI), mechanism_.geometry.length);
+    one.axis = find_axis(written(Wrench::from_coordinates(sign * SI)), mechanism_.geometry.length);
     one.wrenches = wrenches_of(one.magnitudes);
     return one;
   }

@@ -131,7 +131,7 @@ class MobilityJson {
         const Twist twist = first * motion.bodies[b];
         Json& body = entry["bodies"][topology.bodies[b].name];
         body["twist"] = sixfold_of(about_world(twist, geometry.origin), in_);
-        body["screw"] = axis_json(find_axis(twist, geometry.length), geometry);
+        body["screw"] = screw_json(motion.axis_of(b, geometry.length), geometry.origin, in_);
       }
       result.push_back(std::move(entry));
     }
@@ -177,13 +177,6 @@ class MobilityJson {
     return result;
   }
 
-  Json axis_json(std::optional<ScrewAxis> axis, const Geometry& geometry) const {
-    if (axis) {
-      axis = without_rounding(*axis, geometry.length);
-    }
-    return screw_json(axis, geometry.origin, in_);
-  }
-
   // Circuits: 1 of the file's force or moment goes round; others: 1 of the first action.
   Json constraint_json(const RedundantConstraint& one, const Mechanism& mechanism) const {
     const Topology& topology = mechanism.topology;
@@ -197,7 +190,7 @@ class MobilityJson {
     Json result = object_of(8);
     result["name"] = constraint_words(analysis_, one);
     result["circuit"] = one.chord ? Json(coupling_name(*one.chord)) : Json(nullptr);
-    result["screw"] = axis_json(one.axis, mechanism.geometry);
+    result["screw"] = screw_json(one.axis, mechanism.geometry.origin, in_);
     result["actions"] = object_of(8);
     for (int a = 0; a < topology.action_count(); ++a) {
       if (one.magnitudes[a] != 0.0) {

@@ -226,26 +226,25 @@ class MobilityText {
     const std::string length = in_.units().text(QuantityKind::length);
     Table table({"Body", "motion", "through [" + length + "]", "pitch [" + length + "]"});
     for (std::size_t b = 1; b < topology_.bodies.size(); ++b) {
-      const std::optional<ScrewAxis> found = find_axis(motion.bodies[b], geometry.length);
-      if (!found) {
+      const std::optional<ScrewAxis> axis = motion.axis_of(b, geometry.length);
+      if (!axis) {
         continue;
       }
-      const ScrewAxis axis = without_rounding(*found, geometry.length);
-      if (!axis.pitch) {
+      if (!axis->pitch) {
         table.add({topology_.bodies[b].name,
-                   "shifts along " + direction_words(axis.direction),
+                   "shifts along " + direction_words(axis->direction),
                    "",
                    "infinite"});
         continue;
       }
-      const Vec3 point = in_.length(Vec3(*axis.point + geometry.origin));
+      const Vec3 point = in_.length(Vec3(*axis->point + geometry.origin));
       table.add({topology_.bodies[b].name,
-                 "turns about " + direction_words(axis.direction),
+                 "turns about " + direction_words(axis->direction),
                  fmt::format("({}, {}, {})",
                              format_short(point.x()),
                              format_short(point.y()),
                              format_short(point.z())),
-                 format_short(in_.length(*axis.pitch))});
+                 format_short(in_.length(*axis->pitch))});
     }
     return {std::move(table), "     "};
   }

@@ -148,14 +148,13 @@ std::string constraint_words(const MobilityAnalysis& analysis, const RedundantCo
   if (!one.axis->pitch) {
     return "couple about " + along;
   }
-  const std::string force =
-      without_rounding(*one.axis, analysis.in_space.geometry.length).pitch == 0.0
-          ? "force"
-          : fmt::format("wrench of pitch {} {}",
-                        format_short(in.length(*one.axis->pitch)),
-                        in.units().text(QuantityKind::length));
+  const std::string force = one.axis->pitch == 0.0
+                                ? "force"
+                                : fmt::format("wrench of pitch {} {}",
+                                              format_short(in.length(*one.axis->pitch)),
+                                              in.units().text(QuantityKind::length));
   const Geometry& geometry = analysis.in_space.geometry;
-  const Vec3 point = *without_rounding(*one.axis, geometry.length).point + geometry.origin;
+  const Vec3 point = *one.axis->point + geometry.origin;
   return one.is_line_free
              ? fmt::format("{} along {}", force, along)
              : fmt::format("{} along {} through {}", force, along, point_words(point, in));
@@ -166,19 +165,6 @@ std::string freedom_words(const Twist& twist) {
   return fmt::format("{} {}",
                      turns ? "rotation about" : "translation along",
                      direction_words(turns ? twist.angular : twist.linear));
-}
-
-ScrewAxis without_rounding(ScrewAxis axis, double length) {
-  const double zero = kReportsAgreeInZero * length;
-  if (axis.point) {
-    axis.point = axis.point->unaryExpr([zero](double x) { return std::abs(x) <= zero ? 0.0 : x; });
-  }
-  if (axis.pitch && std::abs(*axis.pitch) <= zero) {
-    axis.pitch = 0.0;
-  }
-  axis.direction = axis.direction.unaryExpr(
-      [](double x) { return std::abs(x) <= kReportsAgreeInZero ? 0.0 : x; });
-  return axis;
 }
 
 std::vector<std::string> mobility_remarks(const MobilityAnalysis& analysis) {

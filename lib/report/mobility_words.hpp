@@ -22,9 +22,6 @@ std::string constraint_words(const MobilityAnalysis& analysis, const RedundantCo
 /// "rotation about x", "translation along (0.6, 0, 0.8)": what a mended coupling frees more.
 std::string freedom_words(const Twist& twist);
 
-/// The axis without what is mere rounding beside the mechanism's length [m].
-ScrewAxis without_rounding(ScrewAxis axis, double length);
-
 /// Sentences on what the counts have to do with each other and what follows.
 std::vector<std::string> mobility_remarks(const MobilityAnalysis& analysis);
 
