@@ -224,17 +224,17 @@ class DyadMaker {
  public:
   DyadMaker(const ConditionRows& system, const PositionJets& first)
       : system_(system),
-        length_(exactly(system.length)),
-        origin_(BoundedPoint::within({system.x, system.y}, {0.0, 0.0})),
-        frame_origin_(BoundedPoint::within(origin(first), {0.0, 0.0})),
-        to_moving_(bounded_unit_vector(-first.angle[0])) {}
+        length_(system.length),
+        origin_(system.x, system.y),
+        frame_origin_(origin(first)),
+        to_moving_(unit_vector(-first.angle[0])) {}
 
   Dyad crank(const Point& z, const Point& w) const {
     const DyadPoints points(system_, z, 1.0, w, 1.0);
     Dyad dyad{.kind = DyadKind::crank};
     set_circle_point(moving(points.circle_point()), dyad);
     set_centre(fixed(points.centre()), dyad);
-    dyad.length = length_.value * std::abs(z - w);
+    dyad.length = length_ * std::abs(z - w);
     return dyad;
   }
 
@@ -258,7 +258,7 @@ class DyadMaker {
 
   Dyad inverted_slider(const BoundedPoint& w, const BoundedPoint& normal) const {
     Dyad dyad{.kind = DyadKind::inverted_slider};
-    const BoundedPoint along = to_moving_ * turned_left(normal);
+    const BoundedPoint along = turned(turned_left(normal), kDataRounding);
     const BoundedPoint point = moving(w);
     set_circle_point(point - dot(point, along) * along, dyad);
     set_centre(fixed(w), dyad);
@@ -270,10 +270,28 @@ class DyadMaker {
     return {.x = exactly(0.0) - a.y, .y = a.x};
   }
 
-  BoundedPoint fixed(const BoundedPoint& z) const { return origin_ + length_ * z; }
+  // Plain numbers: a search makes so many dyads that sums with bounds of their own would show.
+  BoundedPoint fixed(const BoundedPoint& z) const {
+    const Point place = origin_ + length_ * z.value();
+    const double rounding = kEpsilon * (std::abs(origin_) + length_ * std::abs(z.value()));
+    return BoundedPoint::within(place, length_ * z.bound() + rounding * kBoth);
+  }
 
   BoundedPoint moving(const BoundedPoint& z) const {
-    return to_moving_ * ((origin_ - frame_origin_) + length_ * z);
+    const Point arm = (origin_ - frame_origin_) + length_ * z.value();
+    const double terms =
+        std::abs(origin_) + std::abs(frame_origin_) + length_ * std::abs(z.value());
+    return turned(BoundedPoint::within(arm, length_ * z.bound()),
+                  kDataRounding * std::abs(arm) + 2.0 * kEpsilon * terms);
+  }
+
+  // Into the moving frame; `rounding` is that of the turn.
+  BoundedPoint turned(const BoundedPoint& a, double rounding) const {
+    const double c = std::abs(to_moving_.real());
+    const double s = std::abs(to_moving_.imag());
+    return BoundedPoint::within(
+        to_moving_ * a.value(),
+        {c * a.x.bound + s * a.y.bound + rounding, s * a.x.bound + c * a.y.bound + rounding});
   }
 
   static void set_circle_point(const BoundedPoint& point, Dyad& dyad) {
@@ -296,10 +314,10 @@ class DyadMaker {
   }
 
   const ConditionRows& system_;
-  BoundedNumber length_;
-  BoundedPoint origin_;
-  BoundedPoint frame_origin_;
-  BoundedPoint to_moving_;
+  double length_;
+  Point origin_;
+  Point frame_origin_;
+  Point to_moving_;
 };
 
 }  // namespace
