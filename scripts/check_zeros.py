@@ -21,7 +21,7 @@ from typing import Iterator
 from check_layers import Violation, line_of, read_files, without_strings
 
 RELATIVE_ZERO = re.compile(
-    r"\b(?:kReportZero|kReportsAgreeInZero|find_zero_snap)\b|\bsnap\s*\("
+    r"\b(?:kReports?\w*Zero|kReportsAgreeBesideLargest|find_zero_snap)\b|\bsnap\s*\("
     r"|(?:[<>]=?)\s*\(?-?\s*k[A-Z]\w*\s*\*[^;{}?]*?"
     r"(?:\w*(?:largest|greatest|fastest|steepest)\w*|maxCoeff)"
 )

@@ -50,12 +50,12 @@ inline constexpr double kSameValue = 1e-12;
 /// what another compiler or order of operations changes, far below what an engineer would notice.
 inline constexpr double kReportsAgree = 1e-9;
 
-/// Where a value of a report should be zero, rounding may leave this share of the largest of its
-/// kind in the same case: some thousand roundings.
-inline constexpr double kReportsAgreeInZero = 1e-12;
+/// Two reports also agree in a value if they differ by at most this share of the largest of its
+/// kind in the same case: some thousand roundings, where sums of such sizes cancel.
+inline constexpr double kReportsAgreeBesideLargest = 1e-12;
 
-/// In reports, a value below this share of the largest of its quantity is written as zero.
-inline constexpr double kReportZero = 64 * kEpsilon;
+/// No digits are asked for of a magnitude within its bound, if that is this share of the largest.
+inline constexpr double kNoDigitsAsked = 64 * kEpsilon;
 
 /// An angular (or force) part below this share of the other part of a screw, measured with the
 /// mechanism's own length, makes the pitch infinite: a pure translation (or couple).

@@ -49,7 +49,7 @@ double worst_relative_error(const VecX& values,
   double worst = 0.0;
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     const double size = std::abs(values[i]);
-    const bool is_zero = size <= bounds[i] && bounds[i] <= kReportZero * largest;
+    const bool is_zero = size <= bounds[i] && bounds[i] <= kNoDigitsAsked * largest;
     if (at_index(counts, i) && bounds[i] > 0.0 && !is_zero) {
       worst = std::max(worst, size > bounds[i] ? bounds[i] / size : 1.0);
     }

@@ -145,7 +145,7 @@ double allowed_difference(const NumberPair& pair, const Tolerances& tolerances) 
     return 0.0;
   }
   return std::max(tolerances.relative * larger_of(pair),
-                  tolerances.absolute.value_or(kReportsAgreeInZero * pair.largest));
+                  tolerances.absolute.value_or(kReportsAgreeBesideLargest * pair.largest));
 }
 
 bool are_equal(const NumberPair& pair, double allowed) {

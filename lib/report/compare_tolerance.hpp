@@ -34,7 +34,7 @@ struct ToleranceRule {
 
 struct Tolerances {
   double relative = kReportsAgree;  ///< of the larger of the two
-  std::optional<double> absolute;   ///< in the unit of A; none: kReportsAgreeInZero of the largest
+  std::optional<double> absolute;   ///< in the unit of A; none: kReportsAgreeBesideLargest
   std::vector<ToleranceRule> rules;
 };
 
