@@ -78,7 +78,9 @@ BoundedTwist bounded_body(const KinematicSolution& motion, BodyId body) {
 void finish_motions(const Mechanism& mechanism, KinematicSolution& motion) {
   const Topology& topology = mechanism.topology;
   std::vector<Twist> coupling_bounds;
+  coupling_bounds.reserve(topology.couplings.size());
   motion.couplings.clear();
+  motion.couplings.reserve(topology.couplings.size());
   for (int e = 0; e < topology.coupling_count(); ++e) {
     const BoundedTwist twist = bounded_coupling(mechanism, motion, CouplingId{e});
     coupling_bounds.push_back(bounds_of(twist));
@@ -87,7 +89,9 @@ void finish_motions(const Mechanism& mechanism, KinematicSolution& motion) {
   motion.body_bounds.assign(topology.bodies.size(), Twist{});
   const Incidence incidence = incidence_of(topology);
   std::vector<bool> is_reached(topology.bodies.size(), false);
-  std::vector<int> reached = {0};
+  std::vector<int> reached;
+  reached.reserve(topology.bodies.size());
+  reached.push_back(0);
   is_reached[0] = true;
   for (std::size_t next = 0; next < reached.size(); ++next) {
     const auto from = static_cast<std::size_t>(reached[next]);

@@ -1,21 +1,8 @@
 #include "math/bounded_vector.hpp"
 
+#include "math/bounded_arithmetic.hpp"
+
 namespace kinestat {
-
-namespace {
-
-template <class Component>
-BoundedVector by_component(const Component& component) {
-  BoundedVector result;
-  for (int i = 0; i < 3; ++i) {
-    const BoundedNumber one = component(i);
-    result.value[i] = one.value;
-    result.bound[i] = one.bound;
-  }
-  return result;
-}
-
-}  // namespace
 
 Vec3 BoundedVector::zeroed() const {
   return (value.array().abs() <= bound.array() && bound.array().isFinite())
@@ -27,31 +14,28 @@ BoundedVector rounded_vector(const Vec3& value, double share) {
 }
 
 BoundedVector operator+(const BoundedVector& a, const BoundedVector& b) {
-  return by_component([&](int i) { return a.component(i) + b.component(i); });
+  return bounded_sum(a, b);
 }
 
 BoundedVector operator-(const BoundedVector& a, const BoundedVector& b) {
-  return by_component([&](int i) { return a.component(i) - b.component(i); });
+  return bounded_difference(a, b);
 }
 
 BoundedVector operator*(const BoundedNumber& factor, const BoundedVector& a) {
-  return by_component([&](int i) { return factor * a.component(i); });
+  return bounded_product(factor, a);
 }
 
 BoundedVector cross(const BoundedVector& a, const BoundedVector& b) {
-  return by_component([&](int i) {
+  return bounded_by_component([&](int i) {
     const int j = (i + 1) % 3;
     const int k = (i + 2) % 3;
-    return a.component(j) * b.component(k) - a.component(k) * b.component(j);
+    return bounded_difference(bounded_product(a.component(j), b.component(k)),
+                              bounded_product(a.component(k), b.component(j)));
   });
 }
 
 BoundedNumber dot(const BoundedVector& a, const BoundedVector& b) {
-  BoundedNumber sum;
-  for (int i = 0; i < 3; ++i) {
-    sum = sum + a.component(i) * b.component(i);
-  }
-  return sum;
+  return bounded_dot(a, b);
 }
 
 }  // namespace kinestat

@@ -1,6 +1,7 @@
 #include "screw/bounded_screw.hpp"
 
 #include "core/rounding.hpp"
+#include "math/bounded_arithmetic.hpp"
 
 namespace kinestat {
 
@@ -18,9 +19,10 @@ Screw bounded_screw_of(const BoundedNumber& magnitude,
                        const Vec3& point) {
   const double direction = line.cwiseAbs().maxCoeff();
   const double arm = point.cwiseAbs().sum() * direction + moment.cwiseAbs().maxCoeff();
-  return {.line = magnitude * rounded_vector(line, kDataRounding),
-          .moment = magnitude *
-                    BoundedVector{.value = moment, .bound = Vec3::Constant(kDataRounding * arm)}};
+  return {.line = bounded_product(
+              magnitude, {.value = line, .bound = Vec3::Constant(kDataRounding * direction)}),
+          .moment = bounded_product(
+              magnitude, {.value = moment, .bound = Vec3::Constant(kDataRounding * arm)})};
 }
 
 BoundedVector at_of(const Vec3& point) {
@@ -47,15 +49,16 @@ std::optional<ScrewAxis> axis_of(const BoundedVector& line,
 }  // namespace
 
 BoundedTwist operator+(const BoundedTwist& a, const BoundedTwist& b) {
-  return {.angular = a.angular + b.angular, .linear = a.linear + b.linear};
+  return {.angular = bounded_sum(a.angular, b.angular), .linear = bounded_sum(a.linear, b.linear)};
 }
 
 BoundedTwist operator-(const BoundedTwist& a, const BoundedTwist& b) {
-  return {.angular = a.angular - b.angular, .linear = a.linear - b.linear};
+  return {.angular = bounded_difference(a.angular, b.angular),
+          .linear = bounded_difference(a.linear, b.linear)};
 }
 
 BoundedWrench operator+(const BoundedWrench& a, const BoundedWrench& b) {
-  return {.moment = a.moment + b.moment, .force = a.force + b.force};
+  return {.moment = bounded_sum(a.moment, b.moment), .force = bounded_sum(a.force, b.force)};
 }
 
 BoundedTwist bounded_screw(const BoundedNumber& rate, const Twist& unit, const Vec3& point) {
@@ -95,7 +98,8 @@ BoundedWrench about_world(const BoundedWrench& wrench, const Vec3& origin) {
 }
 
 BoundedNumber power(const BoundedWrench& wrench, const BoundedTwist& twist) {
-  return dot(wrench.moment, twist.angular) + dot(wrench.force, twist.linear);
+  return bounded_sum(bounded_dot(wrench.moment, twist.angular),
+                     bounded_dot(wrench.force, twist.linear));
 }
 
 std::optional<ScrewAxis> find_axis(const BoundedTwist& twist, double length) {

@@ -51,6 +51,7 @@ std::optional<BoundedWrench> bounded_wrench(const StaticSolution& solution, Coup
 
 void make_wrenches(const Mechanism& mechanism, StaticSolution& solution) {
   std::vector<std::optional<BoundedWrench>> sums;
+  sums.reserve(mechanism.topology.couplings.size());
   for (std::size_t e = 0; e < mechanism.topology.couplings.size(); ++e) {
     sums.push_back(sum_of_actions(mechanism, solution, e));
   }
@@ -61,7 +62,9 @@ void make_wrenches(const Mechanism& mechanism, StaticSolution& solution) {
     }
   }
   solution.wrenches.clear();
+  solution.wrenches.reserve(sums.size());
   solution.wrench_bounds.clear();
+  solution.wrench_bounds.reserve(sums.size());
   for (const std::optional<BoundedWrench>& sum : sums) {
     solution.wrenches.push_back(sum ? std::optional(sum->zeroed()) : std::nullopt);
     solution.wrench_bounds.push_back(

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "math/bounded_arithmetic.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -20,7 +22,7 @@ BoundedNumber minus(const BoundedNumber& number) {
 BoundedNumber rate_in(const RateRow& row, const std::vector<BoundedNumber>& motion) {
   BoundedNumber sum;
   for (std::size_t i = 0; i < row.size(); ++i) {
-    sum = sum + row[i] * motion[i];
+    sum = bounded_sum(sum, bounded_product(row[i], motion[i]));
   }
   return settled(sum);
 }
@@ -55,7 +57,7 @@ bool RemainingMotion::prescribe(const RateRow& row, double rate) {
   const Motion motion = std::move(basis_[pivot]);
   const auto add = [&](const BoundedNumber& share, Motion& sum) {
     for (std::size_t i = 0; i < sum.size(); ++i) {
-      sum[i] = settled(sum[i] + share * motion[i]);
+      sum[i] = settled(bounded_sum(sum[i], bounded_product(share, motion[i])));
     }
   };
   add((BoundedNumber{.value = rate, .bound = 0.0} + minus(rate_in(row, value_))) / rates[pivot],
