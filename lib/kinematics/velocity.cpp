@@ -97,7 +97,6 @@ KinematicSolution solve_velocity(const Mechanism& mechanism,
   BoundedSolution solved = solve_to_digits(elimination, known, {}, request, counts);
   if (place_error(mechanism) > 0.0) {
     settle_inexact(elimination,
-                   velocity_system(topology, mechanism.geometry, basis),
                    {},
                    {.rows = basis.order(),
                     .first_column = velocity_column(topology, basis, 0),

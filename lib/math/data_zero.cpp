@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/tolerance.hpp"
 #include "math/settled.hpp"
 
 namespace kinestat {
@@ -30,18 +29,17 @@ VecX row_errors(const SparseMatrix& matrix,
 }
 
 void settle_inexact(const Elimination& factors,
-                    const SparseMatrix& matrix,
                     std::span<const double> rhs,
                     const InexactBlocks& blocks,
                     VecX& x) {
-  const VecX errors = row_errors(matrix, rhs, blocks, x);
-  // No row of the inverse enlarges an error by more, or its column would not have had a pivot.
-  const double most = errors.cwiseAbs().sum() / kRankZero;
+  const VecX errors = row_errors(factors.matrix(), rhs, blocks, x);
+  // Few values are so small that their own row of the inverse has to say.
+  const VecX most = factors.most_change(errors);
   const std::vector<int>& open = factors.free_columns();
   VecX settled_x = x;
   for (Eigen::Index c = 0; c < x.size(); ++c) {
     const bool is_open = std::ranges::binary_search(open, static_cast<int>(c));
-    if (x[c] == 0.0 || is_open || std::abs(x[c]) > most) {
+    if (x[c] == 0.0 || is_open || std::abs(x[c]) > most[c]) {
       continue;
     }
     const AdjointSolution row = factors.solve_adjoint(VecX::Unit(x.size(), c));

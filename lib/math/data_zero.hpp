@@ -22,10 +22,8 @@ VecX row_errors(const SparseMatrix& matrix,
                 const VecX& x);
 
 /// Makes zero what the solution x has beyond zero by no more than such errors may cause:
-/// |x_i| <= Σ |A⁻¹| (|δA| |x| + |δb|), row by row of the inverse. `matrix` is the one that was
-/// factored.
+/// |x_i| <= Σ |A⁻¹| (|δA| |x| + |δb|), row by row of the inverse.
 void settle_inexact(const Elimination& factors,
-                    const SparseMatrix& matrix,
                     std::span<const double> rhs,
                     const InexactBlocks& blocks,
                     VecX& x);

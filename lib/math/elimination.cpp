@@ -205,6 +205,28 @@ AdjointSolution Elimination::solve_adjoint(const VecX& gradient) const {
   return solution;
 }
 
+VecX Elimination::most_change(const VecX& errors) const {
+  // What rounding leaves out of sums of what is not negative is far less.
+  constexpr double kOutwards = 1.0 + 0x1p-20;
+  VecX right(errors.size());
+  for (int r = 0; r < matrix_.rows; ++r) {
+    right[r] = errors[r] * at(scaling_.rows, r);
+  }
+  for (const Multiplier& step : multipliers_) {
+    right[step.row] += std::abs(step.value) * right[step.pivot_row];
+  }
+  VecX x = VecX::Zero(matrix_.columns);
+  for (auto pivot = pivots_.rbegin(); pivot != pivots_.rend(); ++pivot) {
+    double sum = right[pivot->row];
+    for (const Cell& cell : at(rows_, pivot->row)) {
+      sum += std::abs(cell.value) * x[cell.column];
+    }
+    x[pivot->column] = kOutwards * sum / std::abs(pivot->value);
+  }
+  unscale(x);
+  return x;
+}
+
 void Elimination::unscale(VecX& x) const {
   for (int c = 0; c < matrix_.columns; ++c) {
     x[c] *= at(scaling_.columns, c);

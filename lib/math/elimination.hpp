@@ -44,6 +44,8 @@ class Elimination {
 
   int rank() const { return evidence_.rank; }
 
+  const SparseMatrix& matrix() const { return matrix_; }
+
   const RankEvidence& evidence() const { return evidence_; }
 
   /// Columns outside `last` that no equation determines, ascending.
@@ -60,6 +62,10 @@ class Elimination {
   /// Solves Aᵀ y = g for the columns outside `last`; what is left of g at `last` is their part. g
   /// must be zero at the free columns.
   AdjointSolution solve_adjoint(const VecX& gradient) const;
+
+  /// No less than the largest changes of x outside `last` if each right-hand side changes by up to
+  /// so much: by the sizes in the factors, so perhaps far more than that, at the cost of a solve.
+  VecX most_change(const VecX& errors) const;
 
   /// Whether the surplus equations hold for these known x and this right-hand side, as solve finds
   /// it.

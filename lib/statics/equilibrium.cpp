@@ -112,7 +112,6 @@ void Equilibrium::settle(const Mechanism& mechanism,
   const Eigen::Map<const VecX> units(units_.data(), static_cast<Eigen::Index>(units_.size()));
   VecX x = magnitudes.cwiseQuotient(units);
   settle_inexact(elimination_,
-                 action_system(mechanism.topology, mechanism.geometry, basis_),
                  load_vector(body_count_, basis_, loads),
                  {.rows = basis_.order(), .share = place_error(mechanism)},
                  x);
