@@ -34,8 +34,9 @@ class GraphBuilder {
     for (std::size_t i = 0; i < flow_.loads.size(); ++i) {
       add_to(which_.loads[i].acts.body, flow_.loads[i]);
     }
-    find_mesh_powers();
-    graph_.net = find_net_powers(mechanism_, motion_, action_, graph_.arcs);
+    const std::vector<Mesh> meshes = find_meshes(topology_, mechanism_.geometry);
+    find_mesh_powers(meshes);
+    graph_.net = find_net_powers(mechanism_, motion_, action_, meshes, graph_.arcs);
     find_loops();
     if (flow_.input > 0.0) {
       double largest = 0.0;
@@ -83,8 +84,8 @@ class GraphBuilder {
     }
   }
 
-  void find_mesh_powers() {
-    for (const Mesh& mesh : find_meshes(topology_, mechanism_.geometry)) {
+  void find_mesh_powers(const std::vector<Mesh>& meshes) {
+    for (const Mesh& mesh : meshes) {
       const auto e = static_cast<std::size_t>(mesh.coupling.value);
       if (mesh.carrier && flow_.into_head[e]) {
         const BoundedTwist on_carrier = bounded_body(motion_, topology_.couplings[e].head) -

@@ -11,7 +11,7 @@
 #include "expression/parameters.hpp"
 #include "kinematics/bounded_motion.hpp"
 #include "mechanism/bind.hpp"
-#include "run/solve_cases.hpp"
+#include "run/internal/case_passes.hpp"
 #include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
@@ -58,8 +58,8 @@ std::vector<Probed> find_free(const Analysis& analysis) {
   return result;
 }
 
-// The solutions of the cases with the free parameters at other values; empty if they cannot be
-// bound.
+// The rates and actions of the cases with the free parameters at other values; empty if they cannot
+// be bound.
 std::vector<CaseAnalysis> solve_at(const MechanismDescription& description,
                                    const std::vector<Probed>& free,
                                    const std::vector<double>& values) {
@@ -75,7 +75,8 @@ std::vector<CaseAnalysis> solve_at(const MechanismDescription& description,
   }
   Diagnostics ignored;
   const std::optional<Mechanism> mechanism = bind(moved, ignored);
-  return mechanism ? solve_all_cases(*mechanism) : std::vector<CaseAnalysis>{};
+  return mechanism ? solve_case_passes(*mechanism, mechanism->cases, CasePasses::magnitudes)
+                   : std::vector<CaseAnalysis>{};
 }
 
 // Each probe rounds the numbers of the file anew.

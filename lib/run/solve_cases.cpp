@@ -12,6 +12,7 @@
 #include "network/bases.hpp"
 #include "run/certified_cases.hpp"
 #include "run/free_parameters.hpp"
+#include "run/internal/case_passes.hpp"
 #include "run/internal/typed_numbers.hpp"
 #include "statics/action.hpp"
 #include "statics/coupling_wrenches.hpp"
@@ -132,6 +133,7 @@ struct CaseRequest {
   TypedNumbers* typed = nullptr;       // of all cases; null where none are wanted
   std::size_t index = 0;               // among these
   CaseCertainty* certainty = nullptr;  // filled in beside `typed`
+  CasePasses passes = CasePasses::all;
 };
 
 // With the screws that were rounded nearby, if there are any; wrenches are those of the drawing, at
@@ -255,13 +257,15 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   LoadedFlanks flanks;
   if (which.asks_actions) {
     flanks = solve_on_loaded_flanks(drawn, bases, request, motion);
-    const bool has_laws = !find_frictions(drawn, motion).laws.empty();
-    if (request.typed != nullptr && !has_laws) {
+    if (request.typed != nullptr && find_frictions(drawn, motion).laws.empty()) {
       request.certainty->has_typed_action =
           request.typed->improve(request.index, flanks.turned, flanks.action);
     }
     result.action = std::move(flanks.action);
     result.turned_flanks = std::move(flanks.turned);
+  }
+  if (request.passes == CasePasses::magnitudes) {
+    return result;
   }
   const Mechanism& mechanism = flanks.mechanism ? *flanks.mechanism : drawn;
   if (has_answer(result.action)) {
@@ -274,9 +278,12 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   if (is_solved(result.motion) && has_answer(result.action) &&
       determines_power(mechanism, *result.action)) {
     result.power = find_power(mechanism, which, *result.motion, *result.action);
-    result.power_graph =
-        find_power_graph(mechanism, which, *result.motion, *result.action, *result.power);
-    if (!mechanism.lossy_meshes.empty()) {
+    const bool has_losses = !mechanism.lossy_meshes.empty();
+    if (has_losses || request.passes == CasePasses::all) {
+      result.power_graph =
+          find_power_graph(mechanism, which, *result.motion, *result.action, *result.power);
+    }
+    if (has_losses) {
       result.efficiency = find_transmission_efficiency(mechanism,
                                                        bases.action,
                                                        {.which = which,
@@ -311,6 +318,19 @@ std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism,
   std::vector<CaseAnalysis> cases;
   for (const Case& which : wanted) {
     cases.push_back(solve_case(mechanism, bases, {.which = which, .accuracy = request}));
+  }
+  return cases;
+}
+
+std::vector<CaseAnalysis> solve_case_passes(const Mechanism& mechanism,
+                                            std::span<const Case> wanted,
+                                            CasePasses passes) {
+  const Bases bases = bases_of(mechanism);
+  const AccuracyRequest usual;
+  std::vector<CaseAnalysis> cases;
+  for (const Case& which : wanted) {
+    cases.push_back(
+        solve_case(mechanism, bases, {.which = which, .accuracy = usual, .passes = passes}));
   }
   return cases;
 }

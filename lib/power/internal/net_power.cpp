@@ -18,12 +18,11 @@ bool is_mesh(const CouplingTopology& coupling) {
 // Planets, and the shaft that each body counts as.
 class PlanetGroups {
  public:
-  explicit PlanetGroups(const Mechanism& mechanism) : topology_(mechanism.topology) {
+  PlanetGroups(const Topology& topology, std::span<const Mesh> meshes) : topology_(topology) {
     for (int b = 0; b < topology_.body_count(); ++b) {
       shaft_of_.push_back(BodyId{b});
     }
     carrier_of_.resize(topology_.bodies.size());
-    const std::vector<Mesh> meshes = find_meshes(topology_, mechanism.geometry);
     for (const Mesh& mesh : meshes) {
       find_planets(mesh);
     }
@@ -81,8 +80,12 @@ class NetFinder {
  public:
   NetFinder(const Mechanism& mechanism,
             const KinematicSolution& motion,
-            const StaticSolution& action)
-      : topology_(mechanism.topology), motion_(motion), action_(action), planets_(mechanism) {}
+            const StaticSolution& action,
+            std::span<const Mesh> meshes)
+      : topology_(mechanism.topology),
+        motion_(motion),
+        action_(action),
+        planets_(mechanism.topology, meshes) {}
 
   std::vector<PowerArc> run(const std::vector<PowerArc>& arcs) {
     for (const PowerArc& arc : arcs) {
@@ -203,8 +206,9 @@ class NetFinder {
 std::vector<PowerArc> find_net_powers(const Mechanism& mechanism,
                                       const KinematicSolution& motion,
                                       const StaticSolution& action,
+                                      std::span<const Mesh> meshes,
                                       const std::vector<PowerArc>& arcs) {
-  return NetFinder(mechanism, motion, action).run(arcs);
+  return NetFinder(mechanism, motion, action, meshes).run(arcs);
 }
 
 }  // namespace kinestat
