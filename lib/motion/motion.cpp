@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/contract.hpp"
 #include "core/index.hpp"
@@ -41,6 +42,10 @@ class MotionSolver {
   std::optional<Configuration> follow_between(const Configuration& start,
                                               double start_share,
                                               double share) {
+    (void)tracker_.take_special();
+    if (tracker_.is_beside_change_point()) {
+      tracker_ = PathTracker<Frames>(network_);  // There the last way would go on.
+    }
     tracker_.set_range(from_, to_);
     PathPoint now = tracker_.make_point();
     now.coordinates = start.coordinates;
@@ -292,15 +297,31 @@ MotionSolution solve_motion(const MotionNetwork& network, const MotionTask& task
                                         : MotionSolver<SpatialFrames>(network, task).solve();
 }
 
-std::optional<Configuration> configuration_between(const MotionNetwork& network,
-                                                   const MotionSolution& solution,
-                                                   const Configuration& start,
-                                                   double start_share,
-                                                   double share) {
-  const MotionTask task{.drives = solution.drives, .steps = 1};
-  return network.space == Space::planar
-             ? MotionSolver<PlanarFrames>(network, task).follow_between(start, start_share, share)
-             : MotionSolver<SpatialFrames>(network, task).follow_between(start, start_share, share);
+struct WayBetween::Solver {
+  Solver(const MotionNetwork& network, std::vector<MotionDrive> drives)
+      : task{.drives = std::move(drives), .steps = 1} {
+    if (network.space == Space::planar) {
+      planar.emplace(network, task);
+    } else {
+      spatial.emplace(network, task);
+    }
+  }
+
+  MotionTask task;
+  std::optional<MotionSolver<PlanarFrames>> planar;
+  std::optional<MotionSolver<SpatialFrames>> spatial;
+};
+
+WayBetween::WayBetween(const MotionNetwork& network, std::vector<MotionDrive> drives)
+    : solver_(std::make_unique<Solver>(network, std::move(drives))) {}
+
+WayBetween::~WayBetween() = default;
+
+std::optional<Configuration> WayBetween::follow(const Configuration& start,
+                                                double start_share,
+                                                double share) {
+  return solver_->planar ? solver_->planar->follow_between(start, start_share, share)
+                         : solver_->spatial->follow_between(start, start_share, share);
 }
 
 }  // namespace kinestat

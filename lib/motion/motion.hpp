@@ -1,7 +1,9 @@
 // Finite motion: the closure of a network followed along its drives.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "motion/motion_solution.hpp"
 
@@ -14,12 +16,25 @@ namespace kinestat {
 /// of the network, in that order.
 [[nodiscard]] MotionSolution solve_motion(const MotionNetwork& network, const MotionTask& task);
 
-/// On from a position at one share of the ranges to a later one, on its branch; empty where it
-/// cannot be followed.
-[[nodiscard]] std::optional<Configuration> configuration_between(const MotionNetwork& network,
-                                                                 const MotionSolution& solution,
-                                                                 const Configuration& start,
-                                                                 double start_share,
-                                                                 double share);
+/// Follows the drives of a motion between its positions, again and again. One a thread.
+class WayBetween {
+ public:
+  /// The network must outlive it.
+  WayBetween(const MotionNetwork& network, std::vector<MotionDrive> drives);
+  ~WayBetween();
+  WayBetween(const WayBetween&) = delete;
+  WayBetween& operator=(const WayBetween&) = delete;
+
+  /// On from a position at one share of the ranges to a later one, on its branch; empty where it
+  /// cannot be followed.
+  [[nodiscard]] std::optional<Configuration> follow(const Configuration& start,
+                                                    double start_share,
+                                                    double share);
+
+ private:
+  struct Solver;
+
+  std::unique_ptr<Solver> solver_;
+};
 
 }  // namespace kinestat

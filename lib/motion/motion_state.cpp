@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/contract.hpp"
 #include "core/index.hpp"
@@ -96,24 +97,26 @@ void settle(MotionState& state) {
 template <class Frames>
 class StateSolver {
  public:
-  StateSolver(const MotionNetwork& network,
-              const Mechanism& mechanism,
-              const Configuration& configuration)
-      : network_(network), mechanism_(mechanism), configuration_(configuration), system_(network) {
-    system_.evaluate(configuration.coordinates, configuration.angles);
+  StateSolver(const MotionNetwork& network, const Mechanism& mechanism)
+      : network_(network), mechanism_(mechanism), system_(network) {
     for (int rate = 0; rate < network.rate_count; ++rate) {
       if (std::ranges::find(network.driven_rates, rate) == network.driven_rates.end()) {
         unknown_.push_back(rate);
       }
     }
-    factor();
   }
 
-  MotionState solve(const GivenSpeeds& speeds, StateDetail detail) {
+  MotionState solve_in(const Configuration& configuration,
+                       const GivenSpeeds& speeds,
+                       StateDetail detail) {
+    stand_in(configuration);
     return solve(speeds, detail, nullptr);
   }
 
-  MotionState solve_bounded(const GivenSpeeds& speeds, StateDetail detail) {
+  MotionState solve_bounded_in(const Configuration& configuration,
+                               const GivenSpeeds& speeds,
+                               StateDetail detail) {
+    stand_in(configuration);
     JointErrors errors({.network = network_,
                         .rates_of_rows = system_.rates_of_rows(),
                         .residuals = system_.residuals(),
@@ -130,6 +133,18 @@ class StateSolver {
   }
 
  private:
+  // One configuration serves several speeds.
+  void stand_in(const Configuration& configuration) {
+    const bool is_there = has_stood_ && configuration.coordinates == configuration_.coordinates &&
+                          configuration.angles == configuration_.angles;
+    if (!is_there) {
+      configuration_ = configuration;
+      system_.evaluate(configuration_.coordinates, configuration_.angles);
+      factor();
+      has_stood_ = true;
+    }
+  }
+
   MotionState solve(const GivenSpeeds& speeds, StateDetail detail, JointErrors* errors) {
     MotionState state;
     state.origin = network_.origin;
@@ -193,12 +208,12 @@ class StateSolver {
 
   void factor() {
     const int rows = system_.row_count();
-    std::vector<double> matrix;
+    matrix_.clear();
     for (const int column : unknown_) {
       const auto first = system_.jacobian().begin() + column * rows;
-      matrix.insert(matrix.end(), first, first + rows);
+      matrix_.insert(matrix_.end(), first, first + rows);
     }
-    qr_.factor(matrix, rows, static_cast<int>(unknown_.size()), kSize);
+    qr_.factor(matrix_, rows, static_cast<int>(unknown_.size()), kSize);
   }
 
   // A closure by least squares misses something everywhere.
@@ -368,8 +383,10 @@ class StateSolver {
 
   const MotionNetwork& network_;
   const Mechanism& mechanism_;
-  const Configuration& configuration_;
   ClosureSystem<Frames> system_;
+  Configuration configuration_;  // in which it stands
+  bool has_stood_ = false;
+  std::vector<double> matrix_;
   PivotedQr qr_;
   PivotedQr effects_;  // of the open motions on what is given of them
   std::vector<int> unknown_;
@@ -377,63 +394,96 @@ class StateSolver {
 
 }  // namespace
 
+struct MotionStates::Solver {
+  Solver(const MotionNetwork& network, const Mechanism& mechanism) {
+    if (network.space == Space::planar) {
+      planar.emplace(network, mechanism);
+    } else {
+      spatial.emplace(network, mechanism);
+    }
+  }
+
+  std::optional<StateSolver<PlanarFrames>> planar;
+  std::optional<StateSolver<SpatialFrames>> spatial;
+};
+
+MotionStates::MotionStates(const MotionNetwork& network, const Mechanism& mechanism)
+    : drive_count_(network.driven_rates.size()),
+      solver_(std::make_unique<Solver>(network, mechanism)) {}
+
+MotionStates::~MotionStates() = default;
+
+MotionState MotionStates::solve(const Configuration& configuration,
+                                const GivenSpeeds& speeds,
+                                StateDetail detail) {
+  KINESTAT_EXPECTS(speeds.drives.size() == drive_count_);
+  return solver_->planar ? solver_->planar->solve_in(configuration, speeds, detail)
+                         : solver_->spatial->solve_in(configuration, speeds, detail);
+}
+
+MotionState MotionStates::solve_bounded(const Configuration& configuration,
+                                        const GivenSpeeds& speeds,
+                                        StateDetail detail) {
+  KINESTAT_EXPECTS(speeds.drives.size() == drive_count_);
+  return solver_->planar ? solver_->planar->solve_bounded_in(configuration, speeds, detail)
+                         : solver_->spatial->solve_bounded_in(configuration, speeds, detail);
+}
+
 MotionState solve_state(const MotionNetwork& network,
                         const Mechanism& mechanism,
                         const Configuration& configuration,
                         const GivenSpeeds& speeds,
                         StateDetail detail) {
-  KINESTAT_EXPECTS(speeds.drives.size() == network.driven_rates.size());
-  return network.space == Space::planar
-             ? StateSolver<PlanarFrames>(network, mechanism, configuration).solve(speeds, detail)
-             : StateSolver<SpatialFrames>(network, mechanism, configuration).solve(speeds, detail);
+  return MotionStates(network, mechanism).solve(configuration, speeds, detail);
 }
 
-MotionState solve_bounded_state(const MotionNetwork& network,
-                                const Mechanism& mechanism,
-                                const Configuration& configuration,
-                                const GivenSpeeds& speeds,
-                                StateDetail detail) {
-  KINESTAT_EXPECTS(speeds.drives.size() == network.driven_rates.size());
-  return network.space == Space::planar
-             ? StateSolver<PlanarFrames>(network, mechanism, configuration)
-                   .solve_bounded(speeds, detail)
-             : StateSolver<SpatialFrames>(network, mechanism, configuration)
-                   .solve_bounded(speeds, detail);
+Vec3 point_position(const MotionState& state, BodyId body, const Vec3& drawn) {
+  const std::size_t b = at(body.value);
+  const Vec3 position = state.poses[b].point(drawn);
+  return state.bounds.bodies.empty()
+             ? position
+             : settled_vector(
+                   position,
+                   position_bound(state.bounds.bodies[b], position - state.origin, position));
 }
 
-namespace {
-
-void settle(const MotionState& state, std::size_t body, PointMotion& motion) {
-  if (state.bounds.bodies.empty()) {
-    return;
+Vec3 point_velocity(const MotionState& state, BodyId body, const Vec3& drawn) {
+  const std::size_t b = at(body.value);
+  if (state.twists.empty()) {
+    return Vec3::Zero();
   }
-  const PointBounds bounds =
-      point_bounds(state.bounds.bodies[body],
-                   motion.position - state.origin,
-                   motion.position,
-                   state.twists.empty() ? Twist{} : state.twists[body],
-                   state.twist_rates.empty() ? Twist{} : state.twist_rates[body]);
-  motion.position = settled_vector(motion.position, bounds.position);
-  motion.velocity = settled_vector(motion.velocity, bounds.velocity);
-  motion.acceleration = settled_vector(motion.acceleration, bounds.acceleration);
+  const Vec3 position = state.poses[b].point(drawn);
+  const Vec3 arm = position - state.origin;
+  const Vec3 velocity = velocity_at(state.twists[b], arm);
+  return state.bounds.bodies.empty()
+             ? velocity
+             : settled_vector(
+                   velocity,
+                   velocity_bound(state.bounds.bodies[b], arm, position, state.twists[b]));
 }
 
-}  // namespace
+Vec3 point_acceleration(const MotionState& state, BodyId body, const Vec3& drawn) {
+  const std::size_t b = at(body.value);
+  if (state.twists.empty() || state.twist_rates.empty()) {
+    return Vec3::Zero();
+  }
+  const Vec3 position = state.poses[b].point(drawn);
+  const Vec3 arm = position - state.origin;
+  const Vec3 acceleration = velocity_at(state.twist_rates[b], arm) +
+                            state.twists[b].angular.cross(velocity_at(state.twists[b], arm));
+  return state.bounds.bodies.empty() ? acceleration
+                                     : settled_vector(acceleration,
+                                                      acceleration_bound(state.bounds.bodies[b],
+                                                                         arm,
+                                                                         position,
+                                                                         state.twists[b],
+                                                                         state.twist_rates[b]));
+}
 
 PointMotion point_motion(const MotionState& state, BodyId body, const Vec3& drawn) {
-  const std::size_t b = at(body.value);
-  PointMotion motion;
-  motion.position = state.poses[b].point(drawn);
-  const Vec3 arm = motion.position - state.origin;
-  if (!state.twists.empty()) {
-    motion.velocity = velocity_at(state.twists[b], arm);
-  }
-  if (!state.twists.empty() && !state.twist_rates.empty()) {
-    motion.acceleration =
-        velocity_at(state.twist_rates[b], arm) + state.twists[b].angular.cross(motion.velocity);
-  }
-  settle(state, b, motion);
-  return motion;
+  return {.position = point_position(state, body, drawn),
+          .velocity = point_velocity(state, body, drawn),
+          .acceleration = point_acceleration(state, body, drawn)};
 }
 
 }  // namespace kinestat

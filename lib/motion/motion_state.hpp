@@ -1,6 +1,8 @@
 // Velocities and accelerations in a configuration.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -50,21 +52,40 @@ struct MotionState {
   StateBounds bounds;  ///< where asked for; then all that it tells from nothing is exactly zero
 };
 
-/// The least motion in the coordinates where passive freedoms stay open. The rates of a ball are
-/// about world axes, and one that is given stays constant there.
+/// The states of a mechanism in many configurations, its equations prepared once. Where passive
+/// freedoms stay open it takes the least motion in the coordinates. The rates of a ball are about
+/// world axes, and one that is given stays constant there. One a thread.
+class MotionStates {
+ public:
+  MotionStates(const MotionNetwork& network, const Mechanism& mechanism);
+  ~MotionStates();
+  MotionStates(const MotionStates&) = delete;
+  MotionStates& operator=(const MotionStates&) = delete;
+
+  /// Asked for the configuration of the last call, it solves no equations of closure again.
+  [[nodiscard]] MotionState solve(const Configuration& configuration,
+                                  const GivenSpeeds& speeds,
+                                  StateDetail detail);
+
+  /// The same with bounds of its errors, and what these do not tell from zero is zero: for what is
+  /// reported.
+  [[nodiscard]] MotionState solve_bounded(const Configuration& configuration,
+                                          const GivenSpeeds& speeds,
+                                          StateDetail detail);
+
+ private:
+  struct Solver;
+
+  std::size_t drive_count_ = 0;
+  std::unique_ptr<Solver> solver_;
+};
+
+/// Of one configuration alone.
 [[nodiscard]] MotionState solve_state(const MotionNetwork& network,
                                       const Mechanism& mechanism,
                                       const Configuration& configuration,
                                       const GivenSpeeds& speeds,
                                       StateDetail detail);
-
-/// The same with bounds of its errors, and what these do not tell from zero is zero: for what is
-/// reported.
-[[nodiscard]] MotionState solve_bounded_state(const MotionNetwork& network,
-                                              const Mechanism& mechanism,
-                                              const Configuration& configuration,
-                                              const GivenSpeeds& speeds,
-                                              StateDetail detail);
 
 /// World frame, SI.
 struct PointMotion {
@@ -76,5 +97,10 @@ struct PointMotion {
 /// Of the point of a body that was drawn at `drawn`. Accelerations are zero where the state has
 /// none; where it has bounds, components are zero that are not told from it.
 PointMotion point_motion(const MotionState& state, BodyId body, const Vec3& drawn);
+
+/// Its parts, each by itself.
+Vec3 point_position(const MotionState& state, BodyId body, const Vec3& drawn);
+Vec3 point_velocity(const MotionState& state, BodyId body, const Vec3& drawn);
+Vec3 point_acceleration(const MotionState& state, BodyId body, const Vec3& drawn);
 
 }  // namespace kinestat

@@ -26,17 +26,20 @@ struct StateBounds {
   double place = 0.0;              ///< of any body, in sizes of the mechanism
 };
 
-/// Of a point of a body, at `arm` from the origin of the network.
-struct PointBounds {
-  double position = 0.0;
-  double velocity = 0.0;
-  double acceleration = 0.0;
-};
+/// Of a point of a body, at `arm` from the origin of the network [m].
+double position_bound(const BodyBounds& body, const Vec3& arm, const Vec3& position);
 
-PointBounds point_bounds(const BodyBounds& body,
-                         const Vec3& arm,
-                         const Vec3& position,
-                         const Twist& twist,
-                         const Twist& twist_rate);
+/// Of its velocity [m/s].
+double velocity_bound(const BodyBounds& body,
+                      const Vec3& arm,
+                      const Vec3& position,
+                      const Twist& twist);
+
+/// Of its acceleration [m/s²].
+double acceleration_bound(const BodyBounds& body,
+                          const Vec3& arm,
+                          const Vec3& position,
+                          const Twist& twist,
+                          const Twist& twist_rate);
 
 }  // namespace kinestat

@@ -34,8 +34,7 @@ bool CaseSpeedSolver::is_open(int freedom, const Configuration& configuration) c
   const auto rate_given = [&](double speed) {
     const GivenSpeeds speeds{.drives = std::vector<DriveSpeed>(plan_.drives.size(), {.speed = 1.0}),
                              .passive = {{.freedom = freedom, .speed = speed}}};
-    const MotionState state =
-        solve_state(network_, mechanism_, configuration, speeds, StateDetail::velocity);
+    const MotionState state = states_.solve(configuration, speeds, StateDetail::velocity);
     return state.is_singular ? 0.0 : state.rates[at(freedom)].value_or(0.0);
   };
   return std::abs(rate_given(1.0) - rate_given(0.0)) > 0.5;
@@ -91,8 +90,7 @@ bool CaseSpeedSolver::find_response(const std::vector<const Primary*>& known,
         one.speed = 0.0;
       }
     }
-    const MotionState state =
-        solve_bounded_state(network_, mechanism_, configuration, speeds, StateDetail::velocity);
+    const MotionState state = states_.solve_bounded(configuration, speeds, StateDetail::velocity);
     if (state.is_singular) {
       return false;
     }
@@ -151,8 +149,7 @@ CaseSpeeds CaseSpeedSolver::solve(const std::vector<const Primary*>& known,
   if (detail == StateDetail::velocity) {
     return result;
   }
-  const MotionState state =
-      solve_bounded_state(network_, mechanism_, configuration, result.speeds, detail);
+  const MotionState state = states_.solve_bounded(configuration, result.speeds, detail);
   if (state.rate_rates.empty()) {
     return result;
   }

@@ -28,8 +28,9 @@ class CaseSpeedSolver {
   CaseSpeedSolver(const MotionNetwork& network,
                   const Mechanism& mechanism,
                   const MotionPlan& plan,
-                  const Case& which)
-      : network_(network), mechanism_(mechanism), plan_(plan), which_(which) {}
+                  const Case& which,
+                  MotionStates& states)
+      : network_(network), mechanism_(mechanism), plan_(plan), which_(which), states_(states) {}
 
   CaseSpeeds find(const Configuration& configuration, StateDetail detail) const;
 
@@ -52,6 +53,7 @@ class CaseSpeedSolver {
   const Mechanism& mechanism_;
   const MotionPlan& plan_;
   const Case& which_;
+  MotionStates& states_;
 };
 
 }  // namespace kinestat

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -163,7 +164,7 @@ class ReadingList {
                "at",
                MotionKind::length,
                [body, drawn, origin = origin_](const MotionPosition& at) -> std::optional<Vec3> {
-                 return origin + point_motion(at.state, body, drawn).position;
+                 return origin + point_position(at.state, body, drawn);
                });
   }
 
@@ -171,13 +172,17 @@ class ReadingList {
                   const std::string& quantity,
                   MotionKind kind,
                   const std::function<std::optional<Vec3>(const MotionPosition&)>& value) {
+    // Worked out once a position, where its first component is read.
+    const auto vector = std::make_shared<std::optional<Vec3>>();
     for (int i = 0; i < axis_count(); ++i) {
       add(element,
           quantity + "/" + kAxes[static_cast<std::size_t>(i)],
           kind,
-          [value, i](const MotionPosition& at) -> std::optional<double> {
-            const std::optional<Vec3> vector = value(at);
-            return vector ? std::optional((*vector)[i]) : std::nullopt;
+          [value, vector, i](const MotionPosition& at) -> std::optional<double> {
+            if (i == 0) {
+              *vector = value(at);
+            }
+            return *vector ? std::optional((**vector)[i]) : std::nullopt;
           });
     }
   }
@@ -188,26 +193,24 @@ class ReadingList {
       const std::string name = topology_.body(point.body).name + "." + std::to_string(t + 1);
       add_place(name, point.body, point.at);
       if (detail_.velocity) {
-        add_vector(
-            name,
-            "velocity",
-            MotionKind::velocity,
-            [point](const MotionPosition& at) -> std::optional<Vec3> {
-              return has_motion(at)
-                         ? std::optional(point_motion(at.state, point.body, point.at).velocity)
-                         : std::nullopt;
-            });
+        add_vector(name,
+                   "velocity",
+                   MotionKind::velocity,
+                   [point](const MotionPosition& at) -> std::optional<Vec3> {
+                     return has_motion(at)
+                                ? std::optional(point_velocity(at.state, point.body, point.at))
+                                : std::nullopt;
+                   });
       }
       if (detail_.acceleration) {
-        add_vector(
-            name,
-            "acceleration",
-            MotionKind::acceleration,
-            [point](const MotionPosition& at) -> std::optional<Vec3> {
-              return has_acceleration(at)
-                         ? std::optional(point_motion(at.state, point.body, point.at).acceleration)
-                         : std::nullopt;
-            });
+        add_vector(name,
+                   "acceleration",
+                   MotionKind::acceleration,
+                   [point](const MotionPosition& at) -> std::optional<Vec3> {
+                     return has_acceleration(at)
+                                ? std::optional(point_acceleration(at.state, point.body, point.at))
+                                : std::nullopt;
+                   });
       }
     }
   }
@@ -232,9 +235,8 @@ class ReadingList {
                  "linear",
                  MotionKind::velocity,
                  [body, reference](const MotionPosition& at) -> std::optional<Vec3> {
-                   return has_motion(at)
-                              ? std::optional(point_motion(at.state, body, reference).velocity)
-                              : std::nullopt;
+                   return has_motion(at) ? std::optional(point_velocity(at.state, body, reference))
+                                         : std::nullopt;
                  });
     }
   }
@@ -278,7 +280,7 @@ class ReadingList {
                  MotionKind::acceleration,
                  [body, reference](const MotionPosition& at) -> std::optional<Vec3> {
                    return has_acceleration(at)
-                              ? std::optional(point_motion(at.state, body, reference).acceleration)
+                              ? std::optional(point_acceleration(at.state, body, reference))
                               : std::nullopt;
                  });
     }

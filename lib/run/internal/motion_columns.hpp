@@ -11,7 +11,8 @@
 
 namespace kinestat {
 
-/// A column and how its value is read [SI].
+/// A column and how its value is read [SI]: at each position the components of a vector one after
+/// the other, the first of them first.
 struct MotionReading {
   MotionColumn column;
   MotionKind kind = MotionKind::number;

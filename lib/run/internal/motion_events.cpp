@@ -18,6 +18,7 @@ namespace {
 // Rates are looked at so often that the fastest freedom turns or shifts no farther between two
 // looks [rad, or sizes of the mechanism], and nearer and nearer to where they are not determined.
 constexpr double kLongestStretch = 0.1;
+constexpr double kUsualStretch = 0.8 * kLongestStretch;  // where rates grow meanwhile
 constexpr int kStretchesToSingular = 13;
 constexpr double kTowardsSingular = 0.25;
 
@@ -82,7 +83,11 @@ struct RateCubic {
 class DeadPointFinder {
  public:
   DeadPointFinder(const Mechanism& mechanism, const FoundMotion& motion)
-      : mechanism_(mechanism), motion_(motion), watched_(watched_freedoms()) {
+      : mechanism_(mechanism),
+        motion_(motion),
+        watched_(watched_freedoms()),
+        states_(motion.network, mechanism),
+        way_(motion.network, motion.solution.drives) {
     for (const MotionDrive& drive : motion.solution.drives) {
       const bool turns =
           mechanism_.topology.freedoms[static_cast<std::size_t>(drive.freedom)].is_rotation;
@@ -155,9 +160,8 @@ class DeadPointFinder {
   };
 
   // Empty where the rates are not determined.
-  std::optional<Place> place(double share, Configuration configuration) const {
-    const MotionState state = solve_state(
-        motion_.network, mechanism_, configuration, per_share_, StateDetail::acceleration);
+  std::optional<Place> place(double share, Configuration configuration) {
+    const MotionState state = states_.solve(configuration, per_share_, StateDetail::acceleration);
     if (state.is_singular) {
       return std::nullopt;
     }
@@ -177,10 +181,10 @@ class DeadPointFinder {
   }
 
   // The same, with what rests by the bounds of its rates.
-  std::optional<Place> judged(std::optional<Place> place) const {
+  std::optional<Place> judged(std::optional<Place> place) {
     if (place && may_rest(*place)) {
-      const MotionState state = solve_bounded_state(
-          motion_.network, mechanism_, place->configuration, per_share_, StateDetail::velocity);
+      const MotionState state =
+          states_.solve_bounded(place->configuration, per_share_, StateDetail::velocity);
       for (const std::optional<double>& rate : state.rates) {
         place->rests.push_back(rate.value_or(0.0) == 0.0);
       }
@@ -206,14 +210,13 @@ class DeadPointFinder {
     return mechanism_.topology.freedoms[freedom].is_rotation ? 1.0 : mechanism_.geometry.length;
   }
 
-  std::optional<Place> place_at(int position) const {
+  std::optional<Place> place_at(int position) {
     return judged(place(motion_.solution.shares[static_cast<std::size_t>(position)],
                         motion_.solution.configuration_at(position)));
   }
 
-  std::optional<Place> place_after(const Place& from, double share) const {
-    std::optional<Configuration> there = configuration_between(
-        motion_.network, motion_.solution, from.configuration, from.share, share);
+  std::optional<Place> place_after(const Place& from, double share) {
+    std::optional<Configuration> there = way_.follow(from.configuration, from.share, share);
     return there ? place(share, *std::move(there)) : std::nullopt;
   }
 
@@ -232,16 +235,16 @@ class DeadPointFinder {
 
   // Backwards, from a regular place to a singular position at which the motion begins.
   void leave(double share, Place to) {
-    MotionSolution backwards;
-    backwards.drives = motion_.solution.drives;
-    for (MotionDrive& drive : backwards.drives) {
+    std::vector<MotionDrive> drives = motion_.solution.drives;
+    for (MotionDrive& drive : drives) {
       std::swap(drive.from, drive.to);
     }
+    WayBetween backwards(motion_.network, std::move(drives));
     double left = to.share - share;
     for (int k = 0; k < kStretchesToSingular; ++k) {
       left *= kTowardsSingular;
-      std::optional<Configuration> there = configuration_between(
-          motion_.network, backwards, to.configuration, 1.0 - to.share, 1.0 - (share + left));
+      std::optional<Configuration> there =
+          backwards.follow(to.configuration, 1.0 - to.share, 1.0 - (share + left));
       std::optional<Place> from =
           there ? judged(place(share + left, *std::move(there))) : std::nullopt;
       if (from) {
@@ -252,27 +255,14 @@ class DeadPointFinder {
   }
 
   // Between two regular places, in stretches within which every rate is a cubic.
-  void look(const Place& from, const Place& to) {
-    const double stretch = std::max(from.fastest, to.fastest) * (to.share - from.share);
-    std::optional<double> part = stretch > kLongestStretch ? std::optional(0.5) : std::nullopt;
-    for (std::size_t i = 0; i < watched_.size() && !part && stretch > kLeastLook; ++i) {
-      part = doubtful_part(from, to, static_cast<std::size_t>(watched_[i]), stretch);
-    }
-    const bool is_too_much = looks_ + stretch / kLongestStretch > kMostLooks;
-    may_lack_some_ = may_lack_some_ || (part && is_too_much);
-    if (part && !is_too_much) {
-      for (const double beside : {0.0, 0.07, -0.07}) {
-        const double share = from.share + (*part + beside) * (to.share - from.share);
-        if (share <= from.share || share >= to.share) {
-          break;
-        }
-        ++looks_;
-        if (const std::optional<Place> middle = judged(place_after(from, share))) {
-          look(from, *middle);
-          look(*middle, to);
-          return;
-        }
+  void look(Place from, const Place& to) {
+    while (const std::optional<double> part = next_part(from, to)) {
+      std::optional<Place> middle = place_between(from, to, *part);
+      if (!middle) {
+        break;
       }
+      look(std::move(from), *middle);
+      from = *std::move(middle);
     }
     for (const int freedom : watched_) {
       const auto f = static_cast<std::size_t>(freedom);
@@ -283,6 +273,43 @@ class DeadPointFinder {
         add(freedom, from, to);
       }
     }
+  }
+
+  // The part of the way between two places at which to look; none where what happens between them
+  // is known, or cannot be.
+  std::optional<double> next_part(const Place& from, const Place& to) {
+    const double way = to.share - from.share;
+    const double stretch = std::max(from.fastest, to.fastest) * way;
+    std::optional<double> part;
+    if (stretch > kLongestStretch) {
+      part = std::min(0.5, kUsualStretch / (from.fastest * way));
+    }
+    for (std::size_t i = 0; i < watched_.size() && !part && stretch > kLeastLook; ++i) {
+      part = doubtful_part(from, to, static_cast<std::size_t>(watched_[i]), stretch);
+    }
+    if (part && looks_ + stretch / kLongestStretch > kMostLooks) {
+      may_lack_some_ = true;
+      return std::nullopt;
+    }
+    return part;
+  }
+
+  // At that part of the way or, where nothing is known of it, beside it or in the middle.
+  std::optional<Place> place_between(const Place& from, const Place& to, double part) {
+    for (const double here : {part, 0.5}) {
+      for (const double aside : {0.0, 0.14, -0.14}) {
+        const double at = here + aside * std::min(here, 1.0 - here);
+        const double share = from.share + at * (to.share - from.share);
+        if (share <= from.share || share >= to.share) {
+          return std::nullopt;
+        }
+        ++looks_;
+        if (std::optional<Place> found = judged(place_after(from, share))) {
+          return found;
+        }
+      }
+    }
+    return std::nullopt;
   }
 
   // The part of a stretch at which a rate may turn back and turn back again.
@@ -323,10 +350,14 @@ class DeadPointFinder {
     for (int k = 1; k <= kCubicParts; ++k) {
       lowest = rate.at(part_of(k)) < rate.at(part_of(lowest)) ? k : lowest;
     }
-    // Where an end is lowest the rate may be zero right beside it, and turns back there once.
-    const bool is_inside = lowest > 0 && lowest < kCubicParts;
-    return is_inside && rate.at(part_of(lowest)) <= error ? std::optional(part_of(lowest))
-                                                          : std::nullopt;
+    // Where an end is lowest the rate may be zero right beside it, and turns back there once; but
+    // it is lower within the next part where it falls from the one end, or rises to the other.
+    const bool falls = lowest == 0 && rate.low_slope < 0.0;
+    const bool rises = lowest == kCubicParts && rate.high_slope > 0.0;
+    const bool is_inside = falls || rises || (lowest > 0 && lowest < kCubicParts);
+    const double aside = falls ? 0.5 : rises ? -0.5 : 0.0;
+    const double part = (lowest + aside) / kCubicParts;
+    return is_inside && rate.at(part) <= error ? std::optional(part) : std::nullopt;
   }
 
   // Where to look next: at the zero of the line through the ends, a little beyond it, so that the
@@ -345,7 +376,7 @@ class DeadPointFinder {
   }
 
   // At that share or, where nothing is known of it, at another one between the two.
-  std::optional<Place> place_within(const Place& low, const Place& high, double share) const {
+  std::optional<Place> place_within(const Place& low, const Place& high, double share) {
     for (const double part : {0.0, 0.5, 0.25, 0.75}) {
       const double here = part == 0.0 ? share : low.share + part * (high.share - low.share);
       if (here > low.share && here < high.share) {
@@ -387,6 +418,8 @@ class DeadPointFinder {
   const Mechanism& mechanism_;
   const FoundMotion& motion_;
   std::vector<int> watched_;
+  MotionStates states_;
+  WayBetween way_;
   GivenSpeeds per_share_;
   double reach_ = 0.0;  ///< of the fastest drive [rad, or sizes of the mechanism]
   int looks_ = 0;       ///< between the positions

@@ -10,7 +10,7 @@
 #include "motion/contact_rates.hpp"
 #include "motion/moved_mechanism.hpp"
 #include "power/transmission_angle.hpp"
-#include "run/solve_cases.hpp"
+#include "run/internal/case_passes.hpp"
 
 namespace kinestat {
 
@@ -48,7 +48,8 @@ MotionPositions::MotionPositions(const Mechanism& mechanism,
       drawn_(drawn),
       detail_(detail),
       which_(plan.which < 0 ? nullptr : &mechanism.cases[static_cast<std::size_t>(plan.which)]),
-      moved_(mechanism) {}
+      moved_(mechanism),
+      states_(network, mechanism) {}
 
 MotionPosition MotionPositions::at(const Configuration& configuration) {
   MotionPosition position;
@@ -57,15 +58,13 @@ MotionPosition MotionPositions::at(const Configuration& configuration) {
       detail_.acceleration ? StateDetail::acceleration : StateDetail::velocity;
   CaseSpeeds found{.known = SpeedsKnown::not_by_state, .speeds = {}};
   if (needs_speeds) {
-    found = CaseSpeedSolver(network_, mechanism_, plan_, *which_).find(configuration, detail);
+    found =
+        CaseSpeedSolver(network_, mechanism_, plan_, *which_, states_).find(configuration, detail);
   }
   position.speeds = found.known;
   const GivenSpeeds rest{.drives = std::vector<DriveSpeed>(plan_.drives.size()), .passive = {}};
-  position.state = solve_bounded_state(network_,
-                                       mechanism_,
-                                       configuration,
-                                       found.known == SpeedsKnown::all ? found.speeds : rest,
-                                       detail);
+  position.state = states_.solve_bounded(
+      configuration, found.known == SpeedsKnown::all ? found.speeds : rest, detail);
   if (position.has_speeds() && !position.state.is_singular && !meets(*which_, position.state)) {
     position.speeds = SpeedsKnown::dependent;
   }
@@ -109,7 +108,7 @@ void MotionPositions::move(const Configuration& configuration, const MotionPosit
 void MotionPositions::solve_passes(MotionPosition& position) {
   const Case& which = moved_.cases[static_cast<std::size_t>(plan_.which)];
   if (detail_.statics) {
-    position.solved = std::move(solve_some_cases(moved_, {&which, 1}).front());
+    position.solved = std::move(solve_case_passes(moved_, {&which, 1}, CasePasses::row).front());
   }
   if (detail_.transmission_angle) {
     position.transmission_angle =

@@ -69,6 +69,7 @@ class MotionPositions {
   MotionDetail detail_;
   const Case* which_ = nullptr;
   Mechanism moved_;
+  MotionStates states_;
 };
 
 }  // namespace kinestat

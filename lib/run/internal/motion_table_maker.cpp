@@ -298,11 +298,11 @@ class TableMaker {
   }
 
   // Extremes of positions lie where a freedom turns back.
-  std::vector<std::optional<double>> places_at(const DeadPoint& point) const {
+  std::vector<std::optional<double>> places_at(const DeadPoint& point,
+                                               MotionPositions& positions) const {
     if (point.step < 0 || readings_.empty()) {
       return {};
     }
-    MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, {});
     const MotionPosition position = positions.at(point.configuration);
     const std::vector<double> drives = drives_at(point.share);
     std::vector<std::optional<double>> places(drives.begin(), drives.end());
@@ -324,6 +324,7 @@ class TableMaker {
     std::vector<Placed> placed;
     const DeadPoints dead_points = find_dead_points(mechanism_, motion_);
     table_.may_lack_dead_points = dead_points.may_lack_some;
+    MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, {});
     for (const DeadPoint& point : dead_points.points) {
       placed.push_back({.share = point.share,
                         .event = {.kind = "dead_point",
@@ -331,7 +332,7 @@ class TableMaker {
                                   .step = point.step,
                                   .drive = drives_at(point.share),
                                   .uncertainty = uncertainty(point.uncertainty, point.step),
-                                  .places = places_at(point)}});
+                                  .places = places_at(point, positions)}});
     }
     for (const SpecialPosition& special : solution_.special) {
       std::vector<double> drive;
