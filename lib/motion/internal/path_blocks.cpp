@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/index.hpp"
 #include "core/motion_tolerance.hpp"
@@ -9,6 +10,20 @@
 namespace kinestat {
 
 namespace {
+
+// That of two rows and columns, most blocks being dyads, with the same pivots as below.
+double sign_of_pair(const double* first, const double* second, int row, int other) {
+  const bool is_swapped = std::abs(first[other]) > std::abs(first[row]);
+  if (is_swapped) {
+    std::swap(row, other);
+  }
+  const double pivot = first[row];
+  const double left = second[other] - second[row] / pivot * first[other];
+  if (pivot == 0.0 || left == 0.0) {
+    return 0.0;
+  }
+  return ((pivot < 0.0) != (left < 0.0)) != is_swapped ? -1.0 : 1.0;
+}
 
 // The sign of the determinant of n x n entries, column by column, which it uses up.
 double sign_of_determinant(std::span<double> entries, int n) {
@@ -83,8 +98,17 @@ void PathTracker<Frames>::find_block_signs(PathPoint& point) {
     return;
   }
   point.block_signs.resize(blocks_.size());
+  const int row_count = system_.row_count();
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    gather_block(matrix_, system_.row_count(), blocks_[b], augmented_);
+    const auto& [rows, columns] = blocks_[b];
+    if (rows.size() == 2 && columns.size() == 2) {
+      point.block_signs[b] = sign_of_pair(matrix_.data() + columns[0] * row_count,
+                                          matrix_.data() + columns[1] * row_count,
+                                          rows[0],
+                                          rows[1]);
+      continue;
+    }
+    gather_block(matrix_, row_count, blocks_[b], augmented_);
     point.block_signs[b] =
         sign_of_determinant(augmented_, static_cast<int>(blocks_[b].columns.size()));
   }
