@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/rounding.hpp"
+#include "screw/bounded_screw_sum.hpp"
 
 namespace kinestat {
 
@@ -56,12 +57,12 @@ BoundedTwist bounded_coupling(const Mechanism& mechanism,
   const CouplingTopology& one = mechanism.topology.coupling(coupling);
   const Geometry& geometry = mechanism.geometry;
   const Vec3 at = geometry.points[static_cast<std::size_t>(coupling.value)] - geometry.origin;
-  BoundedTwist sum;
+  BoundedScrewSum sum(at);
   for (int f = one.first_freedom; f < one.first_freedom + one.freedom_count; ++f) {
-    sum = sum +
-          bounded_screw(bounded_rate(motion, f), geometry.motions[static_cast<std::size_t>(f)], at);
+    const Twist& unit = geometry.motions[static_cast<std::size_t>(f)];
+    sum.add(bounded_rate(motion, f), unit.angular, unit.linear);
   }
-  return sum;
+  return {.angular = sum.line(), .linear = sum.moment()};
 }
 
 BoundedTwist bounded_body(const KinematicSolution& motion, BodyId body) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/rounding.hpp"
+#include "screw/bounded_screw_sum.hpp"
 
 namespace kinestat {
 
@@ -14,15 +15,16 @@ std::optional<BoundedWrench> sum_of_actions(const Mechanism& mechanism,
   const CouplingTopology& coupling = mechanism.topology.couplings[e];
   const Geometry& geometry = mechanism.geometry;
   const Vec3 at = geometry.points[e] - geometry.origin;
-  BoundedWrench sum;
+  BoundedScrewSum sum(at);
   for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
     const auto i = static_cast<std::size_t>(a);
     if (!solution.magnitudes[i]) {
       return std::nullopt;
     }
-    sum = sum + bounded_screw(bounded_action(solution, a), geometry.actions[i], at);
+    const Wrench& unit = geometry.actions[i];
+    sum.add(bounded_action(solution, a), unit.force, unit.moment);
   }
-  return sum;
+  return BoundedWrench{.moment = sum.moment(), .force = sum.line()};
 }
 
 }  // namespace
