@@ -48,9 +48,10 @@ def is_said_alike(command: str, said: set[str], true: set[str]) -> list[str]:
 
 
 def word_of(true: Answers, codes: list[str]) -> str:
-    """The status of a row, of which analysis says this."""
+    """The status of a row, of which analysis says this: motions without an answer come first."""
     words = [word for code, word in IMPOSSIBLE.items() if code in codes]
-    return words[0] if words and true.status in ("solved", "indeterminate") else true.status
+    may_be_impossible = true.has_motion and true.status in ("solved", "indeterminate")
+    return words[0] if words and may_be_impossible else true.status
 
 
 def analysed(report: dict, sketch: Sketch) -> Answers:

@@ -19,6 +19,7 @@ JUDGEMENTS = {"E0501", "E0502", "E0503", "E0601", "E0602", "E0603", "E0604", "E0
 @dataclass
 class Answers:
     status: str
+    has_motion: bool = True  # false: the motions have no answer
     values: dict[str, dict[str, float | None]] = field(default_factory=dict)  # by kind and name
 
     def put(self, kind: str, name: str, value: float | None) -> None:
@@ -38,7 +39,8 @@ def of_analysis(report: dict, names: tuple[str, str] | None = None) -> Answers:
     case = report["cases"][CASE]
     motion, action = case.get("kinematics", {}), case.get("statics", {})
     statuses = [s for s in (motion.get("status"), action.get("status")) if s]
-    answers = Answers(next((s for s in statuses if s != "solved"), "solved"))
+    answers = Answers(next((s for s in statuses if s != "solved"), "solved"),
+                      motion.get("status", "solved") == "solved")
     for name, value in motion.get("freedoms", {}).items():
         answers.put("rate", name, value)
     for name, body in motion.get("bodies", {}).items():
