@@ -16,7 +16,7 @@ from typing import Callable, Iterator
 
 # The table
 
-_MECHANICS = "core math graph screw mechanism network"
+_MECHANICS = "core math expression record graph screw mechanism network"
 _BOTH_SIDES = f"{_MECHANICS} kinematics statics"
 
 # From the bottom upwards: a module, and the modules that it may include beside itself.
@@ -26,23 +26,24 @@ MAY_INCLUDE: dict[str, set[str]] = {
         "core": "",
         "math": "core",
         "expression": "core math",
+        "record": "core expression",
         "description": "core expression",
         "io": "core expression description",
         "graph": "core",
-        "screw": "core math",
-        "mechanism": "core math expression description graph screw",
-        "network": "core math graph screw mechanism",
+        "screw": "core math expression record",
+        "mechanism": "core math expression record description graph screw",
+        "network": "core math expression record graph screw mechanism",
         "mobility": _MECHANICS,
         "inputs": _MECHANICS,
         "kinematics": _MECHANICS,
         "statics": f"{_MECHANICS} kinematics",
         "sensitivity": _BOTH_SIDES,
-        "power": "core math graph screw mechanism network kinematics statics",
+        "power": _BOTH_SIDES,
         "shift": f"{_BOTH_SIDES} power",
         "motion": f"{_MECHANICS} mobility kinematics",
         "synthesis": "core math screw description",
         "benchmark": _MECHANICS,
-        "sweep": f"{_BOTH_SIDES} expression description power shift",
+        "sweep": f"{_BOTH_SIDES} description power shift",
     }.items()
 }
 MAY_INCLUDE["report"] = set(MAY_INCLUDE) - {"io"}

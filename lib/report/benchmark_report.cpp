@@ -6,10 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "report/analysis_csv.hpp"
-#include "report/analysis_json.hpp"
+#include "report/table_archive.hpp"
+#include "report/report_parts.hpp"
 #include "report/csv.hpp"
-#include "report/mechanism_json.hpp"
 #include "report/numbers.hpp"
 #include "report/table.hpp"
 

@@ -14,7 +14,7 @@
 
 #include "core/text.hpp"
 #include "core/utf8.hpp"
-#include "report/analysis_csv.hpp"
+#include "report/table_archive.hpp"
 #include "report/compare_place.hpp"
 #include "report/motion_csv.hpp"
 

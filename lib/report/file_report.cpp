@@ -1,16 +1,14 @@
 #include "report/file_report.hpp"
 
-#include "report/analysis_csv.hpp"
-#include "report/analysis_json.hpp"
 #include "report/analysis_text.hpp"
-#include "report/certainty_json.hpp"
 #include "report/certified_report.hpp"
-#include "report/mechanism_json.hpp"
 #include "report/motion_csv.hpp"
-#include "report/motion_json.hpp"
 #include "report/motion_report.hpp"
 #include "report/motion_text.hpp"
 #include "report/published.hpp"
+#include "report/report_parts.hpp"
+#include "report/report_record.hpp"
+#include "report/table_archive.hpp"
 
 namespace kinestat {
 
@@ -34,31 +32,26 @@ FileReport make_certified_report(const Analysis& analysis,
                                  Diagnostics& found) {
   FileReport report;
   const bool needs_json =
-      forms.json || forms.json_line || forms.csv || !analysis.description.published.empty();
+      forms.json || forms.json_line || !analysis.description.published.empty();
+  const ReportView view{.file = analysis.file,
+                  .description = analysis.description,
+                  .mechanism = &analysis.mechanism,
+                  .analysis = &analysis,
+                  .certainty = &certainty,
+                  .transmission = analysis.shift ? &analysis : nullptr,
+                  .motion = motion};
+  const FileUnits& units = analysis.description.units;
   if (needs_json) {
-    Json json = analysis_json(analysis);
-    if (certainty.motion_rank) {
-      json["mobility"]["evidence"]["certainty"] = certainty_json(certainty);
-    }
-    if (motion != nullptr) {
-      json["motion"] = motion_json(*motion);
-    }
+    Json json = json_of(report_record(), view, units);
     check_published(json, analysis.description.published, found);
     json["diagnostics"] = diagnostics_json(found);
-    if (forms.json) {
-      report.json = json.dump(2) + "\n";
-    }
-    if (forms.json_line) {
-      report.json_line = json.dump() + "\n";
-    }
-    if (forms.csv) {
-      for (CsvTable& table : analysis_csv(analysis, json)) {
-        report.csv.push_back({.pass = std::move(table.pass), .text = std::move(table.text)});
-      }
-      if (motion != nullptr) {
-        const std::string name = name_in_tables(analysis.file, analysis.description);
-        report.csv.push_back({.pass = "motion", .text = motion_csv(name, *motion)});
-      }
+    add_json(json, forms, report);
+  }
+  if (forms.csv) {
+    const std::string name = name_in_tables(analysis.file, analysis.description);
+    report.csv = tables_of(report_record(), view, name, units);
+    if (motion != nullptr) {
+      report.csv.push_back({.pass = "motion", .text = motion_csv(name, *motion)});
     }
   }
   if (forms.text) {
@@ -73,14 +66,8 @@ FileReport make_head_report(const std::string& file,
                             const ReportForms& forms,
                             const Diagnostics& found) {
   FileReport report;
-  Json json = report_head(file, description);
-  json["diagnostics"] = diagnostics_json(found);
-  if (forms.json) {
-    report.json = json.dump(2) + "\n";
-  }
-  if (forms.json_line) {
-    report.json_line = json.dump() + "\n";
-  }
+  const ReportView view{.file = file, .description = description, .found = &found};
+  add_json(json_of(report_record(), view, description.units), forms, report);
   if (forms.text) {
     report.text = title_text(file, description);
   }

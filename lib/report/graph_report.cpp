@@ -6,29 +6,14 @@
 
 #include "graph/cutsets.hpp"
 #include "report/csv.hpp"
-#include "report/mechanism_json.hpp"
 #include "report/numbers.hpp"
+#include "report/report_parts.hpp"
+#include "report/report_record.hpp"
 #include "report/table.hpp"
 
 namespace kinestat {
 
 namespace {
-
-Json matrix_json(const LabelledMatrix& matrix) {
-  Json result;
-  result["meaning"] = matrix.meaning;
-  result["rows"] = matrix.rows;
-  result["columns"] = matrix.columns;
-  result["values"] = Json::array();
-  for (Eigen::Index r = 0; r < matrix.value.rows(); ++r) {
-    Json row = Json::array();
-    for (Eigen::Index c = 0; c < matrix.value.cols(); ++c) {
-      row.push_back(number(matrix.value(r, c)));
-    }
-    result["values"].push_back(std::move(row));
-  }
-  return result;
-}
 
 std::string matrix_csv(const std::vector<LabelledMatrix>& matrices) {
   std::string text = "matrix,row,column,value\n";
@@ -153,13 +138,11 @@ FileReport make_graph_report(const std::string& file,
                              const ReportForms& forms) {
   FileReport report;
   if (forms.json || forms.json_line) {
-    Json json = report_head(file, description);
-    json["graph"] = graph_json(mechanism, description.units);
-    for (const LabelledMatrix& matrix : matrices) {
-      json["graph"]["matrices"][matrix.symbol] = matrix_json(matrix);
-    }
-    report.json = forms.json ? json.dump(2) + "\n" : std::string();
-    report.json_line = forms.json_line ? json.dump() + "\n" : std::string();
+    const ReportView view{.file = file,
+                          .description = description,
+                          .mechanism = &mechanism,
+                          .matrices = matrices};
+    add_json(json_of(report_record(), view, description.units), forms, report);
   }
   if (forms.csv) {
     report.csv.push_back(

@@ -57,11 +57,11 @@ class InUnits {
 
   const FileUnits& units() const { return units_; }
 
- private:
   double of(QuantityKind kind, double value) const {
     return value == 0.0 ? 0.0 : units_.from_si(kind, value);
   }
 
+ private:
   const FileUnits& units_;
 };
 

@@ -6,12 +6,11 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
-#include "report/analysis_csv.hpp"
-#include "report/analysis_json.hpp"
+#include "network/evidence_record.hpp"
+#include "report/table_archive.hpp"
+#include "report/report_parts.hpp"
 #include "report/csv.hpp"
-#include "report/mechanism_json.hpp"
 #include "report/numbers.hpp"
-#include "report/solution_json.hpp"
 #include "report/table.hpp"
 
 namespace kinestat {
@@ -52,7 +51,7 @@ Json side_json(const InputSide& side) {
   for (const InputGroup& group : side.sets.groups) {
     result["groups"].push_back(group_json(group, side));
   }
-  result["evidence"] = evidence_json(side.evidence);
+  result["evidence"] = json_of(rank_evidence_record(), side.evidence, FileUnits());
   return result;
 }
 

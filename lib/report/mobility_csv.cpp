@@ -4,7 +4,7 @@
 #include <map>
 
 #include "core/utf8.hpp"
-#include "report/analysis_csv.hpp"
+#include "report/table_archive.hpp"
 #include "report/csv.hpp"
 #include "report/numbers.hpp"
 

@@ -1,9 +1,10 @@
 #include "report/mobility_json.hpp"
 
-#include "report/counts_json.hpp"
-#include "report/in_units.hpp"
+#include "mobility/counts_record.hpp"
+#include "network/evidence_record.hpp"
+#include "report/json_archive.hpp"
 #include "report/mobility_words.hpp"
-#include "report/solution_json.hpp"
+#include "screw/screw_record.hpp"
 
 namespace kinestat {
 
@@ -21,7 +22,9 @@ class MobilityJson {
     result["grubler"]["planar"] = mobility.planar ? grubler_json(*mobility.planar) : Json(nullptr);
     result["circuits"] = analysis_.mechanism.graph.circuit_count();
     if (mobility.exact) {
-      result["counts"] = mobility_counts_json(mobility.exact->counts);
+      const MobilityCounts& counts = mobility.exact->counts;
+      result["counts"] = json_of(counts_record(), counts, units_);
+      result["counts"]["evidence"] = json_of(rank_evidence_record(), counts.evidence, units_);
     } else {
       result["counts"] = nullptr;
     }
@@ -130,8 +133,9 @@ class MobilityJson {
       for (std::size_t b = 1; b < topology.bodies.size(); ++b) {
         const Twist twist = first * motion.bodies[b];
         Json& body = entry["bodies"][topology.bodies[b].name];
-        body["twist"] = sixfold_of(about_world(twist, geometry.origin), in_);
-        body["screw"] = screw_json(motion.axis_of(b, geometry.length), geometry.origin, in_);
+        const Twist in_world = about_world(twist, geometry.origin);
+        body["twist"] = sixfold(in_.angular(in_world.angular), in_.linear(in_world.linear));
+        body["screw"] = axis_json(motion.axis_of(b, geometry.length), geometry);
       }
       result.push_back(std::move(entry));
     }
@@ -177,6 +181,11 @@ class MobilityJson {
     return result;
   }
 
+  Json axis_json(const std::optional<ScrewAxis>& axis, const Geometry& geometry) const {
+    const auto view = view_of(axis, geometry.origin);
+    return view ? json_of(axis_record(), *view, units_) : Json();
+  }
+
   // Circuits: 1 of the file's force or moment goes round; others: 1 of the first action.
   Json constraint_json(const RedundantConstraint& one, const Mechanism& mechanism) const {
     const Topology& topology = mechanism.topology;
@@ -190,7 +199,7 @@ class MobilityJson {
     Json result = object_of(8);
     result["name"] = constraint_words(analysis_, one);
     result["circuit"] = one.chord ? Json(coupling_name(*one.chord)) : Json(nullptr);
-    result["screw"] = screw_json(one.axis, mechanism.geometry.origin, in_);
+    result["screw"] = axis_json(one.axis, mechanism.geometry);
     result["actions"] = object_of(8);
     for (int a = 0; a < topology.action_count(); ++a) {
       if (one.magnitudes[a] != 0.0) {

@@ -1,7 +1,6 @@
 #include "report/mobility_report.hpp"
 
-#include "report/analysis_json.hpp"
-#include "report/mechanism_json.hpp"
+#include "report/report_parts.hpp"
 #include "report/mobility_csv.hpp"
 #include "report/mobility_json.hpp"
 #include "report/mobility_text.hpp"

@@ -21,7 +21,4 @@ FileReport make_motion_report(const MotionAnalysis& analysis,
                               const ReportForms& forms,
                               const Diagnostics& found);
 
-/// The name by which tables call the mechanism: its title or, without one, its file.
-std::string name_in_tables(const std::string& file, const MechanismDescription& description);
-
 }  // namespace kinestat

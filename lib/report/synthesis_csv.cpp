@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/utf8.hpp"
-#include "report/analysis_csv.hpp"
+#include "report/table_archive.hpp"
 #include "report/csv.hpp"
 #include "report/numbers.hpp"
 

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "core/tolerance.hpp"
-#include "report/analysis_json.hpp"
-#include "report/mechanism_json.hpp"
+#include "report/report_parts.hpp"
 #include "report/synthesis_csv.hpp"
 #include "report/synthesis_json.hpp"
 #include "report/synthesis_text.hpp"

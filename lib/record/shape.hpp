@@ -1,0 +1,92 @@
+// What a report may hold: its keys, what stands behind each, and what its numbers measure.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "expression/quantity.hpp"
+
+namespace kinestat {
+
+/// What a number without a unit is.
+enum class Bare {
+  count,       ///< a whole number of things
+  number,      ///< any other
+  ratio,       ///< of two quantities of a kind
+  efficiency,  ///< share of a power
+  direction    ///< component of a unit vector
+};
+
+/// Where another part of the report says what a number measures.
+enum class Told {
+  rate,          ///< velocity or angular velocity: the name of the freedom
+  action,        ///< force or moment: the name of the action or the actuator
+  transmission,  ///< ratio of two rates or actions: input and output of the case
+  coefficient,   ///< of an action or a rate, per parameter: both names
+  parameter,     ///< the unit beside the value
+  drive,         ///< the unit of the drive
+  column,        ///< the unit of the column
+  entry          ///< of a matrix: its row and column
+};
+
+using Measure = std::variant<QuantityKind, Bare, Told>;
+
+struct RecordShape;
+
+/// What stands behind a key.
+struct Shape {
+  enum class Form {
+    number,
+    whole,     ///< a whole number
+    text,      ///< any
+    word,      ///< one of `words`
+    flag,      ///< true or false
+    constant,  ///< always the same: the first of `words`
+    object,    ///< with the keys of `record`
+    map,       ///< from names to `items.front()`
+    list,      ///< of `items.front()`, any number
+    tuple,     ///< of `items`, one each
+    cell       ///< number or text
+  };
+
+  Form form = Form::text;
+  Measure measure = Bare::number;  ///< of a number
+  bool is_nullable = false;        ///< null where there is no value
+  bool may_be_by_name = false;     ///< or several of them by name
+  std::vector<std::string> words;  ///< empty also where any word may stand
+  const RecordShape* record = nullptr;
+  std::vector<Shape> items;
+};
+
+/// What a key is to tables of comma-separated values.
+enum class TableRole {
+  quantity,  ///< part of the name of the quantity
+  element,   ///< the element to which all below it belongs
+  cases,     ///< a map whose names are those of the cases
+  table,     ///< all below it has a table of its own
+  status     ///< that of the table
+};
+
+/// One key of an object.
+struct Property {
+  std::string key;
+  std::string meaning;  ///< a sentence
+  Shape shape;
+  bool is_optional = false;   ///< the key is left out where there is nothing to say
+  bool is_compared = true;    ///< whether it counts where two reports are compared
+  bool is_ordered = false;    ///< of a list of names: whether their order means something
+  bool is_in_reports = true;  ///< whether JSON has it
+  bool is_in_tables = true;   ///< whether its numbers have rows in CSV
+  TableRole table_role = TableRole::quantity;
+  std::string table_quantity;  ///< what CSV calls it: the key, unless said otherwise
+};
+
+/// The keys of an object, in their order.
+struct RecordShape {
+  std::string meaning;  ///< a sentence
+  std::vector<Property> properties;
+};
+
+}  // namespace kinestat

@@ -1,0 +1,192 @@
+#include "report/report_record.hpp"
+
+#include "mobility/counts_record.hpp"
+#include "network/evidence_record.hpp"
+#include "report/case_record.hpp"
+#include "report/mechanism_record.hpp"
+#include "report/motion_record.hpp"
+#include "report/shift_record.hpp"
+
+namespace kinestat {
+
+namespace {
+
+const Record<RankCertainty>& rank_record() {
+  using View = RankCertainty;
+  static const Record<View> record(
+      "Of a network matrix; null where it is not looked at.", [](Record<View>& keys) {
+        keys.count("value",
+                   "The rank, by elimination of the numbers rounded to double.",
+                   [](const View& v) { return v.rank; });
+        keys.word("how",
+                  {"structural", "elimination", "modular", "digits", "numeric"},
+                  "Why it is believed: proved by the pattern of the equations, by elimination "
+                  "without rounding, modulo primes drawn at random, by numbers of 60 digits, or by "
+                  "the doubles alone.",
+                  [](const View& v) { return v.how; });
+        keys.count("lower",
+                   "Least rank that is proved of the rounded numbers; 0 if none is.",
+                   [](const View& v) { return v.lower; });
+        keys.count("upper",
+                   "Largest rank that the pattern of the equations allows.",
+                   [](const View& v) { return v.upper; });
+        keys.count(
+            "as_typed",
+            "The rank of the numbers as typed; null where nobody needed it, or it would "
+            "take too long.",
+            [](const View& v) { return v.typed ? std::optional(v.typed->rank) : std::nullopt; });
+        keys.number("error_probability",
+                    Bare::number,
+                    "That the rank as typed is larger than said, over the draw of the primes.",
+                    [](const View& v) {
+                      return v.typed ? std::optional(v.typed->error_probability) : std::nullopt;
+                    });
+      });
+  return record;
+}
+
+const Record<Certainty>& certainty_record() {
+  static const Record<Certainty> record(
+      "What is proved of the ranks; absent with --accuracy fast.", [](Record<Certainty>& keys) {
+        keys.part("motions", rank_record(), [](const Certainty& v) { return v.motion_rank; });
+        keys.part("actions", rank_record(), [](const Certainty& v) { return v.action_rank; });
+      });
+  return record;
+}
+
+struct MobilityView {
+  const MobilityCounts& counts;
+  const Certainty* certainty = nullptr;
+};
+
+const Record<MobilityView>& count_evidence_record() {
+  using View = MobilityView;
+  static const Record<View> record(rank_evidence_record().meaning, [](Record<View>& keys) {
+    keys.include(rank_evidence_record(),
+                 [](const View& v) -> const RankEvidence& { return v.counts.evidence; });
+    keys.part("certainty",
+              certainty_record(),
+              [](const View& v) -> const Certainty& { return *v.certainty; })
+        .only_if([](const View& v) {
+          return v.certainty != nullptr && v.certainty->motion_rank.has_value();
+        });
+  });
+  return record;
+}
+
+const Record<MobilityView>& mobility_record() {
+  using View = MobilityView;
+  static const Record<View> record(
+      "Freedoms and constraints by rank; counts without unit.", [](Record<View>& keys) {
+        keys.include(counts_record(),
+                     [](const View& v) -> const MobilityCounts& { return v.counts; });
+        keys.part("evidence", count_evidence_record(), [](const View& v) { return v; })
+            .not_in_tables()
+            .not_compared();
+      });
+  return record;
+}
+
+const Record<Diagnostic>& diagnostic_record() {
+  using View = Diagnostic;
+  static const Record<View> record("One diagnostic.", [](Record<View>& keys) {
+    keys.word("severity", {"error", "warning"}, "How bad it is.", [](const View& v) {
+      return v.severity == Severity::error ? "error" : "warning";
+    });
+    keys.text("code", "Stable code; 'kinestat explain CODE' explains it.", [](const View& v) {
+      return v.code;
+    });
+    keys.count("line",
+               "Line in the mechanism file, from 1; 0 means the whole file.",
+               [](const View& v) { return v.where.line; });
+    keys.count("column",
+               "Column, from 1, counted in characters; 0 means the whole file.",
+               [](const View& v) { return v.where.column; });
+    keys.text("message", "What is wrong, with the user's names and units.", [](const View& v) {
+      return v.message;
+    });
+    keys.text("hint", "What to do about it; may be empty.", [](const View& v) { return v.hint; });
+  });
+  return record;
+}
+
+void add_head(Record<ReportView>& keys) {
+  const auto head_of = [](const ReportView& v) {
+    return HeadView{.file = v.file, .description = v.description};
+  };
+  keys.part("kinestat", program_record(), head_of).not_in_tables().not_compared();
+  keys.part("mechanism", mechanism_record(), head_of).not_in_tables();
+  keys.part("graph",
+            graph_record(),
+            [](const ReportView& v) {
+              return GraphView{.mechanism = *v.mechanism, .matrices = v.matrices};
+            })
+      .not_in_tables()
+      .only_if([](const ReportView& v) { return v.mechanism != nullptr; });
+}
+
+void add_analysis(Record<ReportView>& keys) {
+  const auto has_analysis = [](const ReportView& v) { return v.analysis != nullptr; };
+  keys.part("mobility",
+            mobility_record(),
+            [](const ReportView& v) {
+              return MobilityView{.counts = v.analysis->mobility, .certainty = v.certainty};
+            })
+      .in_tables_is(TableRole::table)
+      .only_if(has_analysis);
+  keys.map("cases",
+           case_record(),
+           "Cases by label; a pass that a case does not ask for has no key.",
+           [](const ReportView& v, const Each<CaseView>& each) {
+             for (const CaseAnalysis& one : v.analysis->cases) {
+               each(one.which.label, {.analysis = *v.analysis, .one = one});
+             }
+           })
+      .in_tables_is(TableRole::cases)
+      .only_if(has_analysis);
+}
+
+}  // namespace
+
+Shape diagnostics_shape() {
+  return list_shape(object_shape(diagnostic_record(), false));
+}
+
+void write_diagnostics(const Diagnostics& found, Archive& to) {
+  to.begin_list();
+  for (const Diagnostic& one : found.items()) {
+    diagnostic_record().write(one, to);
+  }
+  to.end_list();
+}
+
+const Record<ReportView>& report_record() {
+  static const Record<ReportView> record(
+      "What 'kinestat analyze --format json' and 'kinestat graph --format json' write for one "
+      "mechanism file. Values are in the units that mechanism.units names; vectors are in the "
+      "world frame.",
+      [](Record<ReportView>& keys) {
+        add_head(keys);
+        add_analysis(keys);
+        keys.part("shift",
+                  shift_record(),
+                  [](const ReportView& v) -> const Analysis& { return *v.transmission; })
+            .in_tables_is(TableRole::table)
+            .only_if([](const ReportView& v) { return v.transmission != nullptr; });
+        keys.part("motion",
+                  motion_record(),
+                  [](const ReportView& v) -> const MotionTable& { return *v.motion; })
+            .not_in_tables()
+            .only_if([](const ReportView& v) { return v.motion != nullptr; });
+        keys.custom("diagnostics",
+                    diagnostics_shape(),
+                    "Errors and warnings of the analysis, in the order in which they were found.",
+                    [](const ReportView& v, Archive& to) { write_diagnostics(*v.found, to); })
+            .not_in_tables()
+            .not_compared()
+            .only_if([](const ReportView& v) { return v.found != nullptr; });
+      });
+  return record;
+}
+
+}  // namespace kinestat

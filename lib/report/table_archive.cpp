@@ -1,0 +1,205 @@
+#include "report/table_archive.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "report/csv.hpp"
+#include "report/numbers.hpp"
+
+namespace kinestat {
+
+TableArchive::TableArchive(std::string mechanism, const FileUnits& units)
+    : mechanism_(std::move(mechanism)), units_(units) {}
+
+namespace {
+
+// What all numbers of a value measure; empty where they are bare, or of several kinds.
+std::optional<QuantityKind> kind_of(const Shape& shape) {
+  if (shape.items.empty()) {
+    const auto* kind = std::get_if<QuantityKind>(&shape.measure);
+    return kind != nullptr ? std::optional(*kind) : std::nullopt;
+  }
+  const auto first = kind_of(shape.items.front());
+  const bool are_alike =
+      std::ranges::all_of(shape.items, [&](const Shape& item) { return kind_of(item) == first; });
+  return are_alike ? first : std::nullopt;
+}
+
+}  // namespace
+
+bool TableArchive::begin(const Property& property) {
+  if (!property.is_in_tables) {
+    return false;
+  }
+  shapes_.push_back(&property.shape);
+  switch (property.table_role) {
+    case TableRole::quantity:
+      path_.push_back(property.table_quantity);
+      break;
+    case TableRole::element:
+      element_ = property.key;
+      break;
+    case TableRole::cases:
+      names_cases_ = true;
+      break;
+    case TableRole::table:
+      pass_ = property.key;
+      status_ = "solved";
+      break;
+    case TableRole::status:
+      reads_status_ = true;
+      break;
+  }
+  return true;
+}
+
+void TableArchive::end(const Property& property) {
+  shapes_.pop_back();
+  switch (property.table_role) {
+    case TableRole::quantity:
+      path_.pop_back();
+      break;
+    case TableRole::element:
+      element_.clear();
+      break;
+    case TableRole::table:
+      pass_.clear();
+      break;
+    case TableRole::cases:
+    case TableRole::status:
+      break;
+  }
+}
+
+void TableArchive::element(std::string_view name, std::string_view status) {
+  if (!open_.empty() && open_.back().kind == Open::Kind::cases) {
+    case_ = name;
+  } else {
+    element_ = name;
+  }
+  own_status_ = status.empty() && !open_.empty() ? open_.back().own_status : std::string(status);
+}
+
+void TableArchive::begin_object(std::size_t /*key_count*/) {
+  open(Open::Kind::object);
+}
+
+void TableArchive::end_object() {
+  close();
+}
+
+void TableArchive::begin_map() {
+  open(std::exchange(names_cases_, false) ? Open::Kind::cases : Open::Kind::map);
+}
+
+void TableArchive::end_map() {
+  const Open& map = open_.back();
+  if (map.kind == Open::Kind::cases) {
+    case_.clear();
+  }
+  element_ = map.element;
+  own_status_ = map.own_status;
+  close();
+}
+
+void TableArchive::begin_list() {
+  open(Open::Kind::list);
+}
+
+void TableArchive::end_list() {
+  close();
+}
+
+void TableArchive::quantity(const std::optional<double>& si, QuantityKind kind) {
+  number(si ? std::optional(*si == 0.0 ? 0.0 : units_.from_si(kind, *si)) : std::nullopt,
+         units_.text(kind));
+}
+
+void TableArchive::number(const std::optional<double>& value, std::string_view unit) {
+  const bool is_item = begin_item();
+  row(value && std::isfinite(*value) ? format_exact(*value) : "", unit);
+  end_item(is_item);
+}
+
+void TableArchive::whole(std::int64_t value) {
+  const bool is_item = begin_item();
+  row(std::to_string(value), "");
+  end_item(is_item);
+}
+
+void TableArchive::text(std::string_view value) {
+  end_item(begin_item());
+  if (std::exchange(reads_status_, false)) {
+    status_ = value;
+  }
+}
+
+void TableArchive::flag(bool /*value*/) {
+  end_item(begin_item());
+}
+
+void TableArchive::null() {
+  const bool is_item = begin_item();
+  const auto kind = shapes_.empty() ? std::nullopt : kind_of(*shapes_.back());
+  row("", kind ? units_.text(*kind) : "");
+  end_item(is_item);
+}
+
+void TableArchive::open(Open::Kind kind) {
+  const bool is_item = begin_item();
+  open_.push_back({.kind = kind,
+                   .next = 0,
+                   .is_item = is_item,
+                   .element = element_,
+                   .own_status = own_status_});
+}
+
+void TableArchive::close() {
+  const bool is_item = open_.back().is_item;
+  open_.pop_back();
+  end_item(is_item);
+}
+
+// An item of a list has its number in the path. Whether it is one.
+bool TableArchive::begin_item() {
+  if (open_.empty() || open_.back().kind != Open::Kind::list) {
+    return false;
+  }
+  path_.push_back(std::to_string(open_.back().next++));
+  return true;
+}
+
+void TableArchive::end_item(bool is_item) {
+  if (is_item) {
+    path_.pop_back();
+  }
+}
+
+// What has no table, or no name in it, has no row.
+void TableArchive::row(const std::string& value, std::string_view unit) {
+  std::string quantity;
+  for (const std::string& part : path_) {
+    quantity += (quantity.empty() || part.empty() ? "" : "/") + part;
+  }
+  if (pass_.empty() || quantity.empty()) {
+    return;
+  }
+  auto table = std::ranges::find(tables_, pass_, &NamedTable::pass);
+  if (table == tables_.end()) {
+    tables_.push_back({.pass = pass_, .text = std::string(kCsvHeader)});
+    table = tables_.end() - 1;
+  }
+  table->text += csv_line(std::array<std::string, 8>{mechanism_,
+                                                     case_,
+                                                     pass_,
+                                                     element_,
+                                                     quantity,
+                                                     value,
+                                                     std::string(unit),
+                                                     own_status_.empty() ? status_ : own_status_});
+}
+
+}  // namespace kinestat

@@ -1,0 +1,85 @@
+// A record as tidy tables of comma-separated values.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "expression/file_units.hpp"
+#include "record/record.hpp"
+#include "report/file_report.hpp"
+
+namespace kinestat {
+
+/// The header line that every table begins with.
+inline constexpr std::string_view kCsvHeader =
+    "mechanism,case,pass,element,quantity,value,unit,status\n";
+
+/// One row a number: `quantity` is its path below the element, `value` is empty where it is null.
+/// `status` is that of the table, unless the element has one of its own.
+class TableArchive : public Archive {
+ public:
+  /// `mechanism` stands in the first cell of every row.
+  TableArchive(std::string mechanism, const FileUnits& units);
+
+  /// Those with rows, in the order in which they began.
+  std::vector<NamedTable> take() { return std::move(tables_); }
+
+  bool begin(const Property& property) override;
+  void end(const Property& property) override;
+  void element(std::string_view name, std::string_view status) override;
+  void begin_object(std::size_t key_count) override;
+  void end_object() override;
+  void begin_map() override;
+  void end_map() override;
+  void begin_list() override;
+  void end_list() override;
+  void quantity(const std::optional<double>& si, QuantityKind kind) override;
+  void number(const std::optional<double>& value, std::string_view unit) override;
+  void whole(std::int64_t value) override;
+  void text(std::string_view value) override;
+  void flag(bool value) override;
+  void null() override;
+
+ private:
+  // A value that is open.
+  struct Open {
+    enum class Kind { object, map, cases, list } kind = Kind::object;
+    int next = 0;            // of a list: the number of its next item
+    bool is_item = false;    // it is itself an item of a list
+    std::string element;     // of what contains it
+    std::string own_status;  // likewise
+  };
+
+  void open(Open::Kind kind);
+  void close();
+  bool begin_item();
+  void end_item(bool is_item);
+  void row(const std::string& value, std::string_view unit);
+
+  std::string mechanism_;
+  const FileUnits& units_;
+  std::vector<NamedTable> tables_;
+  std::string pass_;  // of the table that is open; empty: none
+  std::string case_;
+  std::string status_;  // of the table
+  std::string element_;
+  std::string own_status_;            // of the element, if it is not that of the table
+  std::vector<std::string> path_;     // of the quantity
+  std::vector<const Shape*> shapes_;  // of the properties that are open
+  std::vector<Open> open_;
+  bool names_cases_ = false;   // the next map
+  bool reads_status_ = false;  // the next text
+};
+
+/// What a view shows, by its record.
+template <class View>
+std::vector<NamedTable> tables_of(const Record<View>& record,
+                                  const View& view,
+                                  const std::string& mechanism,
+                                  const FileUnits& units) {
+  TableArchive archive(mechanism, units);
+  record.write(view, archive);
+  return archive.take();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,26 @@
+// What reports say of twists, wrenches and their axes.
+#pragma once
+
+#include "record/record.hpp"
+#include "screw/bounded_screw.hpp"
+
+namespace kinestat {
+
+/// An axis that was found about `origin` [m], which lies in the world.
+struct AxisView {
+  ScrewAxis axis;
+  Vec3 origin = Vec3::Zero();
+};
+
+const Record<AxisView>& axis_record();
+
+/// For the key of the axis in the record of what moves or bears; empty where there is none.
+std::optional<AxisView> view_of(const std::optional<ScrewAxis>& axis, const Vec3& origin);
+
+/// Angular velocity, then velocity, about the world origin.
+Sixfold sixfold_of(const Twist& twist);
+
+/// Moment about the world origin, then force.
+Sixfold sixfold_of(const Wrench& wrench);
+
+}  // namespace kinestat

@@ -1,0 +1,23 @@
+// What reports say of the actions of a case.
+#pragma once
+
+#include <span>
+
+#include "expression/file_units.hpp"
+#include "record/record.hpp"
+#include "statics/contact_state.hpp"
+#include "statics/static_solution.hpp"
+
+namespace kinestat {
+
+struct StaticView {
+  const Mechanism& mechanism;
+  const Case& which;
+  const StaticSolution& action;
+  std::span<const ContactState> contacts;  ///< of mechanism.contacts, or none
+  const FileUnits& units;                  ///< self-stresses are for one of them
+};
+
+const Record<StaticView>& static_record();
+
+}  // namespace kinestat
