@@ -28,8 +28,12 @@ enum class Told {
   parameter,     ///< the unit beside the value
   drive,         ///< the unit of the drive
   column,        ///< the unit of the column
-  entry          ///< of a matrix: its row and column
+  relative       ///< to other numbers, as the entries of a matrix
 };
+
+/// The word in schemas, and of those without a unit also in tolerances of `compare`.
+std::string_view word_of(Bare measure);
+std::string_view word_of(Told measure);
 
 using Measure = std::variant<QuantityKind, Bare, Told>;
 
@@ -39,16 +43,15 @@ struct RecordShape;
 struct Shape {
   enum class Form {
     number,
-    whole,     ///< a whole number
-    text,      ///< any
-    word,      ///< one of `words`
-    flag,      ///< true or false
-    constant,  ///< always the same: the first of `words`
-    object,    ///< with the keys of `record`
-    map,       ///< from names to `items.front()`
-    list,      ///< of `items.front()`, any number
-    tuple,     ///< of `items`, one each
-    cell       ///< number or text
+    whole,   ///< a whole number
+    text,    ///< any
+    word,    ///< one of `words`
+    flag,    ///< true or false
+    object,  ///< with the keys of `record`
+    map,     ///< from names to `items.front()`
+    list,    ///< of `items.front()`, any number
+    tuple,   ///< of `items`, one each
+    cell     ///< number or text
   };
 
   Form form = Form::text;

@@ -2,6 +2,44 @@
 
 namespace kinestat {
 
+std::string_view word_of(Bare measure) {
+  switch (measure) {
+    case Bare::count:
+      return "count";
+    case Bare::number:
+      return "number";
+    case Bare::ratio:
+      return "ratio";
+    case Bare::efficiency:
+      return "efficiency";
+    case Bare::direction:
+      return "direction";
+  }
+  return "";
+}
+
+std::string_view word_of(Told measure) {
+  switch (measure) {
+    case Told::rate:
+      return "velocity or angular velocity, as the freedom says";
+    case Told::action:
+      return "force or moment, as the action says";
+    case Told::transmission:
+      return "ratio of input and output";
+    case Told::coefficient:
+      return "rate or action per parameter";
+    case Told::parameter:
+      return "in the unit beside it";
+    case Told::drive:
+      return "in the unit of the drive";
+    case Told::column:
+      return "in the unit of the column";
+    case Told::relative:
+      return "relative to other numbers";
+  }
+  return "";
+}
+
 Shape number_shape(const Measure& measure, bool is_nullable) {
   Shape shape;
   shape.form = Shape::Form::number;

@@ -14,9 +14,9 @@
 
 #include "core/text.hpp"
 #include "core/utf8.hpp"
-#include "report/table_archive.hpp"
 #include "report/compare_place.hpp"
 #include "report/motion_csv.hpp"
+#include "report/table_archive.hpp"
 
 namespace kinestat {
 

@@ -15,47 +15,11 @@
 #include "report/compare_json_text.hpp"
 #include "report/compare_place.hpp"
 #include "report/compare_units.hpp"
+#include "report/report_record.hpp"
 
 namespace kinestat {
 
 namespace {
-
-// What may differ between two runs that mean the same, and the units, by which values are read.
-constexpr auto kLeftOut = std::to_array<std::string_view>({
-    "/kinestat",
-    "/mechanism/file",
-    "/mechanism/units",
-    "/mechanism/parameters/*/expression",
-    "/mechanism/parameters/*/unit",
-    "/mobility/evidence",
-    "/cases/*/evidence",
-    "/cases/*/*/evidence",
-    "/cases/*/power/balance_residual",
-    "/cases/*/power/losses/balance_residual",
-    "/cases/*/power/efficiency/reason",
-    "/cases/*/power/efficiency/reasons",
-    "/cases/*/reason",
-    "/graph/matrices/*/meaning",
-    "/motion/drives/*/unit",
-    "/motion/columns/*/unit",
-    "/motion/closure",
-    "/motion/rows/*/misclosure",
-    "/motion/events/*/uncertainty",
-    "/diagnostics",
-});
-
-// Lists of names whose order means something.
-constexpr auto kOrdered = std::to_array<std::string_view>({
-    "/graph/couplings/*/bodies",
-    "/graph/matrices/*/rows",
-    "/graph/matrices/*/columns",
-});
-
-template <class Patterns>
-bool is_within_one(std::string_view place, const Patterns& patterns) {
-  return std::ranges::any_of(
-      patterns, [place](std::string_view pattern) { return is_within(place, pattern); });
-}
 
 std::string name_of(const Json& item) {
   if (item.is_string()) {
@@ -77,15 +41,16 @@ std::vector<std::string> keys_of_cells(const Json& motion, const Json& row) {
   return keys;
 }
 
-// The keys of the items of a list: their names, or their numbers if some have none or the same.
-std::vector<std::string> keys_of_items(const std::string& place, const Json& list) {
+// The keys of the items of a list: their names, or their numbers if some have none or the same, or
+// if their order means something.
+std::vector<std::string> keys_of_items(const Json& list, bool is_ordered) {
   std::vector<std::string> keys;
   std::set<std::string> names;
   for (const Json& item : list) {
     keys.push_back(name_of(item));
     names.insert(keys.back());
   }
-  if (names.contains("") || names.size() < keys.size() || is_within_one(place, kOrdered)) {
+  if (names.contains("") || names.size() < keys.size() || is_ordered) {
     for (std::size_t i = 0; i < keys.size(); ++i) {
       keys[i] = std::to_string(i);
     }
@@ -93,57 +58,130 @@ std::vector<std::string> keys_of_items(const std::string& place, const Json& lis
   return keys;
 }
 
+// A value on the way through a report, with what the record of reports says of it.
+struct Visited {
+  std::string place;
+  const Json& value;
+  const Shape* shape = nullptr;     // null of what this program does not know
+  bool is_ordered = false;          // of a list of names
+  std::vector<std::string> labels;  // names of the elements on the way, and numbers of items
+
+  Visited below(std::string_view key, const Json& item, const Shape* of_item) const {
+    return {.place = place_below(place, key),
+            .value = item,
+            .shape = of_item,
+            .is_ordered = false,
+            .labels = labels};
+  }
+
+  Visited element(const std::string& name, const Json& item, const Shape* of_item) const {
+    Visited result = below(name, item, of_item);
+    result.labels.push_back(name);
+    return result;
+  }
+};
+
 class Collector {
  public:
   Collector(const ReportUnits& units, ReportValues& values) : units_(units), values_(values) {}
 
   // Adds a value and all that it contains.
-  void add(const std::string& place, const Json& value) {
-    if (is_within_one(place, kLeftOut)) {
-      return;
-    }
-    if (value.is_number()) {
-      values_.add_number(place, value.get<double>(), units_.at(place));
-    } else if (value.is_structured() && value.empty()) {
-      values_.add({.place = place, .type = ValueType::empty, .text = {}});
-    } else if (value.is_object()) {
-      for (const auto& [key, item] : value.items()) {
-        if (place == "/motion" && key == "rows" && item.is_array() && !item.empty()) {
-          add_rows(value, item);
-        } else {
-          add(place_below(place, key), item);
-        }
-      }
-    } else if (value.is_array()) {
-      const std::vector<std::string> keys = keys_of_items(place, value);
-      for (std::size_t i = 0; i < keys.size(); ++i) {
-        add(place_below(place, keys[i]), value[i]);
-      }
+  void add(const Visited& at) {
+    if (at.value.is_number()) {
+      values_.add_number(at.place, at.value.get<double>(), units_.unit_of(at.shape, at.labels));
+    } else if (at.value.is_structured() && at.value.empty()) {
+      values_.add({.place = at.place, .type = ValueType::empty, .text = {}});
+    } else if (at.value.is_object()) {
+      add_object(at);
+    } else if (at.value.is_array()) {
+      add_list(at);
     } else {
-      add_word(place, value);
+      add_word(at);
     }
   }
 
  private:
-  void add_rows(const Json& motion, const Json& rows) {
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      const std::string place = place_below("/motion/rows", std::to_string(r));
-      const std::vector<std::string> keys = keys_of_cells(motion, rows[r]);
-      for (std::size_t c = 0; c < keys.size(); ++c) {
-        add(place_below(place, keys[c]), rows[r][c]);
+  void add_object(const Visited& at) {
+    const bool has_keys = at.shape != nullptr && at.shape->record != nullptr;
+    for (const auto& [key, item] : at.value.items()) {
+      if (!has_keys) {
+        add(at.element(key, item, item_shape(at.shape)));
+        continue;
       }
-      if (keys.empty()) {
-        add(place, rows[r]);
+      const Property* property = find_property(*at.shape->record, key);
+      if (property == nullptr) {
+        add(at.below(key, item, nullptr));
+      } else if (property->is_compared) {
+        add_property(at, *property, item);
       }
     }
   }
 
-  void add_word(const std::string& place, const Json& value) {
-    values_.add({.place = place,
+  void add_property(const Visited& at, const Property& property, const Json& item) {
+    Visited next = at.below(property.key, item, &property.shape);
+    next.is_ordered = property.is_ordered;
+    if (property.shape.form == Shape::Form::list && is_of_cells(property.shape.items.front())) {
+      add_rows(at.value, next);
+    } else {
+      add(next);
+    }
+  }
+
+  void add_list(const Visited& at) {
+    const std::vector<std::string> keys = keys_of_items(at.value, at.is_ordered);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const bool is_tuple = at.shape != nullptr && at.shape->form == Shape::Form::tuple;
+      const Shape* item = !is_tuple                    ? item_shape(at.shape)
+                          : i < at.shape->items.size() ? &at.shape->items[i]
+                                                       : nullptr;
+      add(at.element(keys[i], at.value[i], item));
+    }
+  }
+
+  // A row has cells by the names of the columns of its motion.
+  void add_rows(const Json& motion, const Visited& rows) {
+    if (rows.value.empty()) {
+      add(rows);
+    }
+    for (std::size_t r = 0; r < rows.value.size(); ++r) {
+      const Json& row = rows.value[r];
+      const Visited next = rows.element(std::to_string(r), row, item_shape(rows.shape));
+      const std::vector<std::string> keys = keys_of_cells(motion, row);
+      for (std::size_t c = 0; c < keys.size(); ++c) {
+        if (keys[c] != kMisclosureColumn) {
+          add(next.element(keys[c], row[c], item_shape(next.shape)));
+        }
+      }
+      if (keys.empty()) {
+        add(next);
+      }
+    }
+  }
+
+  void add_word(const Visited& at) {
+    const Json& value = at.value;
+    values_.add({.place = at.place,
                  .type = value.is_null() ? ValueType::null : ValueType::text,
                  .text = value.is_string()    ? value.get<std::string>()
                          : value.is_boolean() ? (value.get<bool>() ? "true" : "false")
                                               : ""});
+  }
+
+  // Of every element of a map or a list; a number by name is like the number alone.
+  static const Shape* item_shape(const Shape* shape) {
+    if (shape == nullptr || shape->items.empty()) {
+      return shape != nullptr && shape->may_be_by_name ? shape : nullptr;
+    }
+    return &shape->items.front();
+  }
+
+  static bool is_of_cells(const Shape& row) {
+    return !row.items.empty() && row.items.front().form == Shape::Form::cell;
+  }
+
+  static const Property* find_property(const RecordShape& record, std::string_view key) {
+    const auto at = std::ranges::find(record.properties, key, &Property::key);
+    return at != record.properties.end() && at->is_in_reports ? &*at : nullptr;
   }
 
   const ReportUnits& units_;
@@ -208,7 +246,8 @@ std::optional<ReportValues> read_json_report(const SourceFile& source, Diagnosti
     return {};
   }
   ReportValues values(ReportForm::json);
-  Collector(*units, values).add("", *report);
+  const Shape whole = object_shape(report_record(), false);
+  Collector(*units, values).add({.place = "", .value = *report, .shape = &whole, .labels = {}});
   add_codes(*report, values);
   return values;
 }

@@ -14,121 +14,6 @@ namespace kinestat {
 
 namespace {
 
-enum class Rule {
-  length,
-  angle,
-  angular,
-  linear,
-  twist,
-  moment,
-  force,
-  wrench,
-  power,
-  rate,
-  action,
-  lossy_action,
-  ratio,
-  affine,
-  stated,
-  event_drive,
-  first_drive,
-  column,
-  parameter,
-  count,
-  direction,
-  efficiency,
-  bare
-};
-
-// The first that fits decides.
-constexpr auto kRules = std::to_array<std::pair<std::string_view, Rule>>({
-    {"/mechanism/parameters/*/value", Rule::parameter},
-    {"/graph/bodies/*/reference", Rule::length},
-    {"/graph/couplings/*/at", Rule::length},
-    {"/mobility", Rule::count},
-    {"/cases/*/ratio", Rule::ratio},
-    {"/cases/*/torque_ratio", Rule::ratio},
-    {"/cases/*/kinematics/order", Rule::count},
-    {"/cases/*/kinematics/net_freedom", Rule::count},
-    {"/cases/*/kinematics/freedoms/*", Rule::rate},
-    {"/cases/*/kinematics/bodies/*/twist/*", Rule::twist},
-    {"/cases/*/kinematics/bodies/*/angular", Rule::angular},
-    {"/cases/*/kinematics/bodies/*/linear", Rule::linear},
-    {"/cases/*/statics/order", Rule::count},
-    {"/cases/*/statics/net_constraint", Rule::count},
-    {"/cases/*/statics/actions/*", Rule::action},
-    {"/cases/*/statics/couplings/*/wrench/*", Rule::wrench},
-    {"/cases/*/statics/loads/*/wrench/*", Rule::wrench},
-    {"/cases/*/statics/loads/*/moment", Rule::moment},
-    {"/cases/*/statics/loads/*/force", Rule::force},
-    {"/cases/*/statics/couplings/*/moment", Rule::moment},
-    {"/cases/*/statics/couplings/*/force", Rule::force},
-    {"/cases/*/statics/planets/*/count", Rule::count},
-    {"/cases/*/statics/planets/*/each", Rule::action},
-    {"/cases/*/statics/friction/*/couple", Rule::moment},
-    {"/cases/*/statics/friction/*/drag", Rule::force},
-    {"/cases/*/statics/friction/*/moment", Rule::moment},
-    {"/cases/*/statics/friction/*/force", Rule::force},
-    {"/cases/*/statics/contacts/*/wrap", Rule::angle},
-    {"/cases/*/statics/contacts/*/before", Rule::force},
-    {"/cases/*/statics/contacts/*/after", Rule::force},
-    {"/cases/*/statics/contacts/*/ratio", Rule::bare},
-    {"/cases/*/statics/contacts/*/limit", Rule::bare},
-    {"/cases/*/statics/contacts/*/slip_speed", Rule::linear},
-    {"/cases/*/statics/contacts/*/slip_power", Rule::power},
-    {"/cases/*/*/*/*/at", Rule::length},
-    {"/cases/*/*/*/*/screw/direction", Rule::direction},
-    {"/cases/*/*/*/*/screw/point", Rule::length},
-    {"/cases/*/*/*/*/screw/pitch", Rule::length},
-    {"/cases/*/power/efficiency", Rule::efficiency},
-    {"/cases/*/power/friction", Rule::power},
-    {"/cases/*/power/losses/meshes/*/couple", Rule::moment},
-    {"/cases/*/power/losses/meshes/*/power", Rule::power},
-    {"/cases/*/power/losses/friction", Rule::power},
-    {"/cases/*/power/losses/actuators/*", Rule::lossy_action},
-    {"/cases/*/power/couplings", Rule::power},
-    {"/cases/*/power/supplied", Rule::power},
-    {"/cases/*/power/actuators", Rule::power},
-    {"/cases/*/power/loads", Rule::power},
-    {"/cases/*/power/arcs", Rule::power},
-    {"/cases/*/power/bodies", Rule::power},
-    {"/cases/*/power/meshes", Rule::power},
-    {"/cases/*/power/recirculation/loops/*/powers", Rule::power},
-    {"/cases/*/power/recirculation", Rule::bare},
-    {"/cases/*/power/input", Rule::power},
-    {"/cases/*/affine/*/*", Rule::affine},
-    {"/motion/steps", Rule::count},
-    {"/motion/drives/*/*", Rule::stated},
-    {"/motion/rows/*/step", Rule::count},
-    {"/motion/rows/*/*", Rule::column},
-    {"/motion/events/*/step", Rule::count},
-    {"/motion/events/*/drive/*", Rule::event_drive},
-    {"/motion/events/*/uncertainty", Rule::first_drive},
-    {"/motion/assembly/*/*/distance", Rule::length},
-    {"/motion/assembly/*/*/shift", Rule::length},
-    {"/motion/assembly/*/*/angle", Rule::angle},
-    {"/shift/possibilities", Rule::count},
-    {"/shift/net_freedom", Rule::count},
-    {"/shift/engaged", Rule::count},
-    {"/shift/span", Rule::bare},
-    {"/shift/states/*/freedom", Rule::count},
-    {"/shift/states/*/ratio", Rule::ratio},
-    {"/shift/states/*/torque_ratio", Rule::ratio},
-    {"/shift/states/*/step", Rule::bare},
-    {"/shift/states/*/efficiency", Rule::efficiency},
-    {"/shift/states/*/recirculation", Rule::bare},
-    {"/shift/states/*/elements/*/torque", Rule::moment},
-    {"/shift/states/*/elements/*/slip", Rule::angular},
-    {"/shift/states/*/worst_bearing/force", Rule::force},
-    {"/shift/states/*/worst_mesh/force", Rule::force},
-});
-
-const std::pair<std::string_view, Rule>* find_rule(std::string_view place) {
-  const auto at =
-      std::ranges::find_if(kRules, [&](const auto& row) { return is_within(place, row.first); });
-  return at == kRules.end() ? nullptr : &*at;
-}
-
 // The member of an object, or null for what is no object or has no such member.
 const Json& member(const Json& value, const char* key) {
   static const Json nothing;
@@ -151,10 +36,6 @@ char kind_of_freedoms(const Json& freedoms) {
 char letter_of(std::string_view name) {
   const std::size_t dot = name.rfind('.');
   return dot == std::string_view::npos || dot + 1 == name.size() ? '\0' : name[dot + 1];
-}
-
-bool is_first_half(std::string_view index) {
-  return index.size() == 1 && index.front() < '3';
 }
 
 }  // namespace
@@ -219,7 +100,7 @@ void ReportUnits::read_couplings(const Json& report) {
 // told: then the report is of another program.
 void ReportUnits::read_motion(const Json& report) {
   const Json& motion = member(report, "motion");
-  const auto unit_of = [this](const Json& one) {
+  const auto read = [this](const Json& one) {
     const Json& text = member(one, "unit");
     const auto unit = read_unit(text.is_string() ? text.get<std::string>() : "?");
     const auto* known = std::get_if<ValueUnit>(&unit);
@@ -227,68 +108,42 @@ void ReportUnits::read_motion(const Json& report) {
   };
   for (const Json& drive : member(motion, "drives")) {
     const Json& name = member(drive, "name");
-    drives_.emplace_back(name.is_string() ? place_below("", name.get<std::string>()) : "",
-                         unit_of(drive));
+    drives_.emplace_back(name.is_string() ? name.get<std::string>() : "", read(drive));
   }
   for (const Json& column : member(motion, "columns")) {
     const Json& name = member(column, "name");
-    columns_[name.is_string() ? place_below("", name.get<std::string>()) : ""] = unit_of(column);
+    columns_[name.is_string() ? name.get<std::string>() : ""] = read(column);
   }
 }
 
-ValueUnit ReportUnits::at(std::string_view place) const {
-  const auto* row = find_rule(place);
-  if (row == nullptr) {
+ValueUnit ReportUnits::unit_of(const Shape* shape, const std::vector<std::string>& labels) const {
+  if (shape == nullptr) {
     return unknown();
   }
-  const std::vector<std::string_view> keys = keys_of(place);
-  switch (row->second) {
-    case Rule::length:
-      return of(QuantityKind::length);
-    case Rule::angle:
-      return of(QuantityKind::angle);
-    case Rule::angular:
-      return of(QuantityKind::angular_velocity);
-    case Rule::linear:
-      return of(QuantityKind::velocity);
-    case Rule::twist:
-      return of(is_first_half(keys[6]) ? QuantityKind::angular_velocity : QuantityKind::velocity);
-    case Rule::moment:
-      return of(QuantityKind::moment);
-    case Rule::force:
-      return of(QuantityKind::force);
-    case Rule::wrench:
-      return of(is_first_half(keys[6]) ? QuantityKind::moment : QuantityKind::force);
-    case Rule::power:
-      return of(QuantityKind::power);
-    case Rule::rate:
-      return rate(keys[4]);
-    case Rule::action:
-      return action(keys[4]);
-    case Rule::lossy_action:
-      return action(keys[5]);
-    case Rule::ratio:
+  if (const auto* kind = std::get_if<QuantityKind>(&shape->measure)) {
+    return of(*kind);
+  }
+  if (const auto* bare = std::get_if<Bare>(&shape->measure)) {
+    return *bare == Bare::count ? count_unit() : bare_unit(std::string(word_of(*bare)));
+  }
+  const std::string label = labels.empty() ? "" : labels.back();
+  switch (std::get<Told>(shape->measure)) {
+    case Told::rate:
+      return rate(label);
+    case Told::action:
+      return action(label);
+    case Told::transmission:
       return ratio();
-    case Rule::stated:
-      return drive(keys[2]);
-    case Rule::event_drive:
-      return drive_at(keys[4]);
-    case Rule::first_drive:
-      return drive_at("0");
-    case Rule::column:
-      return column(keys[3]);
-    case Rule::affine:
-      return coefficient(keys[3], keys[4]);
-    case Rule::parameter:
-      return parameter(keys[2]);
-    case Rule::count:
-      return count_unit();
-    case Rule::direction:
-      return bare_unit("direction");
-    case Rule::efficiency:
-      return bare_unit("efficiency");
-    case Rule::bare:
-      return bare_unit("number");
+    case Told::coefficient:
+      return labels.size() < 2 ? unknown() : coefficient(labels[labels.size() - 2], label);
+    case Told::parameter:
+      return parameter(label);
+    case Told::drive:
+      return drive(label);
+    case Told::column:
+      return column(label);
+    case Told::relative:
+      return unknown();
   }
   return unknown();
 }
@@ -338,20 +193,20 @@ ValueUnit ReportUnits::ratio() const {
   return unit;
 }
 
-ValueUnit ReportUnits::drive(std::string_view name) const {
-  const auto at =
-      std::ranges::find_if(drives_, [&](const auto& one) { return one.first.substr(1) == name; });
+// By its name, or by its number in the order of the file.
+ValueUnit ReportUnits::drive(std::string_view label) const {
+  auto at = std::ranges::find(drives_, label, [](const auto& one) { return one.first; });
+  std::ptrdiff_t i = 0;
+  if (at == drives_.end() &&
+      std::from_chars(label.data(), label.data() + label.size(), i).ec == std::errc() && i >= 0 &&
+      i < std::ssize(drives_)) {
+    at = drives_.begin() + i;
+  }
   return at == drives_.end() ? unknown() : at->second;
 }
 
-ValueUnit ReportUnits::drive_at(std::string_view index) const {
-  std::size_t i = drives_.size();
-  std::from_chars(index.data(), index.data() + index.size(), i);
-  return i < drives_.size() ? drives_[i].second : unknown();
-}
-
 ValueUnit ReportUnits::column(std::string_view name) const {
-  const auto at = columns_.find("/" + std::string(name));
+  const auto at = columns_.find(name);
   return at == columns_.end() ? unknown() : at->second;
 }
 

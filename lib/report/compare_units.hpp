@@ -1,4 +1,4 @@
-// Which unit a number of a JSON report has, by its place.
+// Which unit a number of a JSON report has.
 #pragma once
 
 #include <map>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "expression/file_units.hpp"
+#include "record/shape.hpp"
 #include "report/compare_values.hpp"
 #include "report/json_values.hpp"
 
@@ -21,9 +22,10 @@ class ReportUnits {
   /// Reads them; empty, with what is wrong, if a unit is none.
   static std::optional<ReportUnits> read(const Json& report, std::string& problem);
 
-  /// The unit of the number at a place. One that the report does not tell (the entries of matrices,
-  /// what this program does not know) assumes all units of the report.
-  ValueUnit at(std::string_view place) const;
+  /// The unit of a number by what the record of reports says of it; `labels` are the names of the
+  /// elements and the numbers of the items on the way to it. One that the report does not tell
+  /// (the entries of matrices, what this program does not know) assumes all units of the report.
+  ValueUnit unit_of(const Shape* shape, const std::vector<std::string>& labels) const;
 
  private:
   std::optional<std::string> read_file_units(const Json& report);
@@ -37,16 +39,15 @@ class ReportUnits {
   ValueUnit action(std::string_view name) const;
   ValueUnit ratio() const;
   ValueUnit parameter(std::string_view name) const;
-  ValueUnit drive(std::string_view name) const;
-  ValueUnit drive_at(std::string_view index) const;
+  ValueUnit drive(std::string_view label) const;
   ValueUnit column(std::string_view name) const;
   ValueUnit coefficient(std::string_view magnitude, std::string_view parameter) const;
 
   FileUnits units_;
   std::map<std::string, ValueUnit, std::less<>> parameters_;
-  std::vector<std::pair<std::string, ValueUnit>> drives_;  // by "/" and the key in places
-  std::map<std::string, ValueUnit, std::less<>> columns_;  // likewise
-  std::map<std::string, char, std::less<>> actuators_;     // 'w' turn, 'v' slide, '?' not told
+  std::vector<std::pair<std::string, ValueUnit>> drives_;  // by name
+  std::map<std::string, ValueUnit, std::less<>> columns_;
+  std::map<std::string, char, std::less<>> actuators_;  // 'w' turn, 'v' slide, '?' not told
 };
 
 }  // namespace kinestat

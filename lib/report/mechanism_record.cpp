@@ -171,7 +171,7 @@ const Record<LabelledMatrix>& matrix_record() {
                [](const View& v, const EachName& each) { emit_labels(v.columns, each); })
         .ordered();
     keys.custom("values",
-                list_shape(list_shape(number_shape(Told::entry, false))),
+                list_shape(list_shape(number_shape(Told::relative, false))),
                 "Entries row by row; lengths in the unit of length.",
                 write_entries);
   });

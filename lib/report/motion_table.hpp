@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/types.hpp"
@@ -20,6 +21,9 @@ enum class MotionEnd {
 
 /// The word in reports.
 std::string_view word_of(MotionEnd end);
+
+/// The quantity of the column that says how well a position closes.
+inline constexpr std::string_view kMisclosureColumn = "misclosure";
 
 /// One value of every position. The name is "a.wz/position": element, then quantity.
 struct MotionColumn {
