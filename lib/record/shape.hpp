@@ -23,7 +23,8 @@ enum class Bare {
 enum class Told {
   rate,          ///< velocity or angular velocity: the name of the freedom
   action,        ///< force or moment: the name of the action or the actuator
-  transmission,  ///< ratio of two rates or actions: input and output of the case
+  rate_ratio,    ///< of input and output: the unit beside it, bare where both are alike
+  action_ratio,  ///< likewise
   coefficient,   ///< of an action or a rate, per parameter: both names
   parameter,     ///< the unit beside the value
   drive,         ///< the unit of the drive

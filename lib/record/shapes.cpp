@@ -24,8 +24,10 @@ std::string_view word_of(Told measure) {
       return "velocity or angular velocity, as the freedom says";
     case Told::action:
       return "force or moment, as the action says";
-    case Told::transmission:
-      return "ratio of input and output";
+    case Told::rate_ratio:
+      return "ratio of the rates of input and output";
+    case Told::action_ratio:
+      return "ratio of the actions of input and output";
     case Told::coefficient:
       return "rate or action per parameter";
     case Told::parameter:

@@ -55,16 +55,23 @@ auto read_ratio(RatioInUnits RatiosInUnits::*which) {
   };
 }
 
+auto read_ratio_unit(RatioInUnits RatiosInUnits::*which) {
+  return [which](const CaseView& v) { return read_ratio(which)(v).second; };
+}
+
 void add_ratios(Record<CaseView>& keys) {
   const auto has_ratios = [](const CaseView& v) { return v.one.ratios.has_value(); };
+  const auto has_unit = [](const CaseView& v) {
+    return v.one.ratios && !read_ratio_unit(&RatiosInUnits::ratio)(v).empty();
+  };
   keys.converted("ratio",
-                 Told::transmission,
+                 Told::rate_ratio,
                  "Rate of the input over rate of the output; null where it does not exist, see "
                  "reason. Without unit where both are alike.",
                  read_ratio(&RatiosInUnits::ratio))
       .only_if(has_ratios);
   keys.converted("torque_ratio",
-                 Told::transmission,
+                 Told::action_ratio,
                  "Action of the input over action of the output; null where it does not exist. "
                  "Without unit where both are alike.",
                  read_ratio(&RatiosInUnits::torque_ratio))

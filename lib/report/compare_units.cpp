@@ -49,6 +49,7 @@ std::optional<ReportUnits> ReportUnits::read(const Json& report, std::string& pr
     }
   }
   result.read_couplings(report);
+  result.read_cases(report);
   result.read_motion(report);
   return result;
 }
@@ -96,6 +97,21 @@ void ReportUnits::read_couplings(const Json& report) {
   }
 }
 
+// One that is no unit is not told.
+void ReportUnits::read_cases(const Json& report) {
+  const auto read = [this](const Json& text) {
+    const auto unit = read_unit(text.is_string() ? text.get<std::string>() : "");
+    const auto* known = std::get_if<ValueUnit>(&unit);
+    ValueUnit result = known != nullptr ? *known : unknown();
+    result.kind = "ratio";
+    return result;
+  };
+  for (const auto& [label, one] : member(report, "cases").items()) {
+    rate_ratios_[label] = read(member(one, "ratio_unit"));
+    action_ratios_[label] = read(member(one, "torque_ratio_unit"));
+  }
+}
+
 // A motion writes the unit of each drive and of each column beside it. One that is no unit is not
 // told: then the report is of another program.
 void ReportUnits::read_motion(const Json& report) {
@@ -132,8 +148,10 @@ ValueUnit ReportUnits::unit_of(const Shape* shape, const std::vector<std::string
       return rate(label);
     case Told::action:
       return action(label);
-    case Told::transmission:
-      return ratio();
+    case Told::rate_ratio:
+      return ratio(rate_ratios_, label);
+    case Told::action_ratio:
+      return ratio(action_ratios_, label);
     case Told::coefficient:
       return labels.size() < 2 ? unknown() : coefficient(labels[labels.size() - 2], label);
     case Told::parameter:
@@ -183,8 +201,12 @@ ValueUnit ReportUnits::action(std::string_view name) const {
   return is_force ? of(QuantityKind::force) : unknown();
 }
 
-// The ratio of two alike is bare; which two it is of, the report does not tell.
-ValueUnit ReportUnits::ratio() const {
+// Its case names the unit where input and output differ. Where there is no such case, the ratio of
+// two alike is bare; which two it is of, the report does not tell.
+ValueUnit ReportUnits::ratio(const Units& of_cases, std::string_view label) const {
+  if (const auto at = of_cases.find(label); at != of_cases.end()) {
+    return at->second;
+  }
   const bool are_alike = std::ranges::all_of(actuators_, [this](const auto& one) {
     return one.second != '?' && one.second == actuators_.begin()->second;
   });

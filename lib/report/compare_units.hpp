@@ -28,25 +28,30 @@ class ReportUnits {
   ValueUnit unit_of(const Shape* shape, const std::vector<std::string>& labels) const;
 
  private:
+  using Units = std::map<std::string, ValueUnit, std::less<>>;
+
   std::optional<std::string> read_file_units(const Json& report);
   std::optional<std::string> read_parameters(const Json& report);
   void read_couplings(const Json& report);
+  void read_cases(const Json& report);
   void read_motion(const Json& report);
 
   ValueUnit of(QuantityKind kind) const;
   ValueUnit unknown() const;
   ValueUnit rate(std::string_view freedom) const;
   ValueUnit action(std::string_view name) const;
-  ValueUnit ratio() const;
+  ValueUnit ratio(const Units& of_cases, std::string_view label) const;
   ValueUnit parameter(std::string_view name) const;
   ValueUnit drive(std::string_view label) const;
   ValueUnit column(std::string_view name) const;
   ValueUnit coefficient(std::string_view magnitude, std::string_view parameter) const;
 
   FileUnits units_;
-  std::map<std::string, ValueUnit, std::less<>> parameters_;
+  Units rate_ratios_;    // by case
+  Units action_ratios_;  // likewise
+  Units parameters_;
   std::vector<std::pair<std::string, ValueUnit>> drives_;  // by name
-  std::map<std::string, ValueUnit, std::less<>> columns_;
+  Units columns_;
   std::map<std::string, char, std::less<>> actuators_;  // 'w' turn, 'v' slide, '?' not told
 };
 

@@ -55,9 +55,29 @@ ValueUnit bare_unit(std::string kind) {
   return {.kind = std::move(kind), .text = {}, .scale = {}, .dimension = {}, .assumes = {}};
 }
 
+ValueUnit unit_per(const ValueUnit& above, const ValueUnit& below) {
+  return {.kind = "ratio",
+          .text = above.text + " per " + below.text,
+          .scale = above.scale / below.scale,
+          .dimension = above.dimension / below.dimension,
+          .assumes = above.assumes + below.assumes};
+}
+
 std::variant<ValueUnit, ExpressionError> read_unit(std::string_view text) {
   if (text.empty()) {
     return bare_unit("number");
+  }
+  // A ratio of two kinds has a unit of two, "rad/s per mm/s".
+  constexpr std::string_view kPer = " per ";
+  if (const std::size_t per = text.find(kPer); per != std::string_view::npos) {
+    const auto above = read_unit(text.substr(0, per));
+    const auto below = read_unit(text.substr(per + kPer.size()));
+    for (const auto* part : {&above, &below}) {
+      if (const auto* error = std::get_if<ExpressionError>(part)) {
+        return *error;
+      }
+    }
+    return unit_per(std::get<ValueUnit>(above), std::get<ValueUnit>(below));
   }
   auto parsed = parse_unit(text);
   if (const auto* error = std::get_if<ExpressionError>(&parsed)) {

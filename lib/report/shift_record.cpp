@@ -60,8 +60,8 @@ auto write_by_output(std::vector<std::optional<double>> GearValues::*member) {
   };
 }
 
-Shape by_output_shape() {
-  Shape shape = number_shape(Told::transmission, true);
+Shape by_output_shape(Told measure) {
+  Shape shape = number_shape(measure, true);
   shape.may_be_by_name = true;
   return shape;
 }
@@ -177,7 +177,7 @@ void add_gear(Record<StateView>& keys) {
               [](const StateView& v) { return v.gear->step; })
       .only_if(is_gear);
   keys.custom("torque_ratio",
-              by_output_shape(),
+              by_output_shape(Told::action_ratio),
               "Action of the input over that of the output without losses, of several outputs by "
               "name.",
               write_by_output(&GearValues::torque_ratios))
@@ -250,7 +250,7 @@ const Record<StateView>& state_record() {
                "What the engaged elements leave of the net degree of freedom.",
                [](const View& v) { return v.state.state.freedom; });
     keys.custom("ratio",
-                by_output_shape(),
+                by_output_shape(Told::rate_ratio),
                 "Rate of the input over that of the output, of several outputs by name; null "
                 "where it does not exist.",
                 write_by_output(&GearValues::ratios));
