@@ -41,7 +41,7 @@ MAY_INCLUDE: dict[str, set[str]] = {
         "power": _BOTH_SIDES,
         "shift": f"{_BOTH_SIDES} power",
         "motion": f"{_MECHANICS} mobility kinematics",
-        "synthesis": "core math screw description",
+        "synthesis": "core math expression record screw description",
         "benchmark": _MECHANICS,
         "sweep": f"{_BOTH_SIDES} description power shift",
     }.items()

@@ -22,8 +22,14 @@ class Record : public RecordValues<View> {
   /// An object with a record of its own.
   template <class Part, class Get>
   Mark part(std::string key, const Record<Part>& record, Get get) {
+    return part(std::move(key), record, record.meaning, std::move(get));
+  }
+
+  /// Likewise, of several of a kind: the text says which.
+  template <class Part, class Get>
+  Mark part(std::string key, const Record<Part>& record, std::string text, Get get) {
     return this->add(std::move(key),
-                     record.meaning,
+                     std::move(text),
                      object_shape(record, may_lack<Get, View>()),
                      [get, &record](const View& view, Archive& to) {
                        write_value(get(view), to, [&](const Part& v) { record.write(v, to); });

@@ -29,7 +29,9 @@ enum class Told {
   parameter,     ///< the unit beside the value
   drive,         ///< the unit of the drive
   column,        ///< the unit of the column
-  relative       ///< to other numbers, as the entries of a matrix
+  relative,      ///< to other numbers, as the entries of a matrix
+  coordinate,    ///< angle or length: the kind of the input
+  per_length     ///< by the unit of length, whatever else
 };
 
 /// The word in schemas, and of those without a unit also in tolerances of `compare`.
@@ -68,7 +70,7 @@ struct Shape {
 enum class TableRole {
   quantity,  ///< part of the name of the quantity
   element,   ///< the element to which all below it belongs
-  cases,     ///< a map whose names are those of the cases
+  cases,     ///< a map or a list whose names are those of the cases
   table,     ///< all below it has a table of its own
   status     ///< that of the table
 };

@@ -36,6 +36,10 @@ std::string_view word_of(Told measure) {
       return "in the unit of the drive";
     case Told::column:
       return "in the unit of the column";
+    case Told::coordinate:
+      return "angle or length, as the input says";
+    case Told::per_length:
+      return "per length";
     case Told::relative:
       return "relative to other numbers";
   }
@@ -72,16 +76,20 @@ Shape word_shape(std::vector<std::string> words, bool is_nullable) {
 }
 
 Shape vector_shape(const Measure& measure, bool is_nullable) {
-  Shape shape;
-  shape.form = Shape::Form::tuple;
-  shape.is_nullable = is_nullable;
-  shape.items.assign(3, number_shape(measure, false));
-  return shape;
+  return tuple_shape(number_shape(measure, false), 3, is_nullable);
 }
 
 Shape sixfold_shape(QuantityKind first, QuantityKind second, bool is_nullable) {
   Shape shape = vector_shape(first, is_nullable);
   shape.items.insert(shape.items.end(), 3, number_shape(second, false));
+  return shape;
+}
+
+Shape tuple_shape(const Shape& item, std::size_t count, bool is_nullable) {
+  Shape shape;
+  shape.form = Shape::Form::tuple;
+  shape.is_nullable = is_nullable;
+  shape.items.assign(count, item);
   return shape;
 }
 

@@ -31,6 +31,10 @@ Shape word_shape(std::vector<std::string> words, bool is_nullable);
 
 Shape vector_shape(const Measure& measure, bool is_nullable);
 Shape sixfold_shape(QuantityKind first, QuantityKind second, bool is_nullable);
+
+/// So many of a kind, such as the coordinates of a point of the plane.
+Shape tuple_shape(const Shape& item, std::size_t count, bool is_nullable);
+
 Shape object_shape(const RecordShape& record, bool is_nullable);
 Shape map_shape(Shape item);
 Shape list_shape(Shape item);

@@ -160,6 +160,8 @@ ValueUnit ReportUnits::unit_of(const Shape* shape, const std::vector<std::string
       return drive(label);
     case Told::column:
       return column(label);
+    case Told::coordinate:
+    case Told::per_length:
     case Told::relative:
       return unknown();
   }

@@ -8,6 +8,7 @@
 #include "core/version.hpp"
 #include "report/json_values.hpp"
 #include "report/report_record.hpp"
+#include "report/synthesis_record.hpp"
 
 namespace kinestat {
 
@@ -143,7 +144,8 @@ NamedSchema named(const std::string& name, const RecordShape& record) {
 }  // namespace
 
 std::span<const NamedSchema> record_schemas() {
-  static const std::vector<NamedSchema> schemas = {named("report", report_record())};
+  static const std::vector<NamedSchema> schemas = {named("report", report_record()),
+                                                   named("synthesis", synthesis_report_record())};
   return schemas;
 }
 

@@ -5,8 +5,7 @@
 
 #include "core/tolerance.hpp"
 #include "report/report_parts.hpp"
-#include "report/synthesis_csv.hpp"
-#include "report/synthesis_json.hpp"
+#include "report/synthesis_record.hpp"
 #include "report/synthesis_text.hpp"
 
 namespace kinestat {
@@ -45,16 +44,17 @@ FileReport make_synthesis_report(const SynthesisAnalysis& analysis,
                                  const ReportForms& forms,
                                  const Diagnostics& found) {
   FileReport report;
-  if (forms.json || forms.json_line || forms.csv) {
-    Json json = report_head(analysis.file, analysis.description);
-    json["synthesis"] = synthesis_json(analysis);
-    json["diagnostics"] = diagnostics_json(found);
-    report.json = forms.json ? json.dump(2) + "\n" : std::string();
-    report.json_line = forms.json_line ? json.dump() + "\n" : std::string();
-    if (forms.csv) {
-      report.csv.push_back(
-          {.pass = "synthesis", .text = synthesis_csv(analysis, json["synthesis"])});
-    }
+  const SynthesisReportView view{.analysis = analysis, .found = found};
+  const FileUnits& units = analysis.description.units;
+  if (forms.json || forms.json_line) {
+    add_json(json_of(synthesis_report_record(), view, units), forms, report);
+  }
+  if (forms.csv) {
+    report.csv = tables_of(synthesis_report_record(),
+                           view,
+                           name_in_tables(analysis.file, analysis.description),
+                           units,
+                           MissingNumber::no_row);
   }
   if (forms.text) {
     report.text = synthesis_text(analysis);

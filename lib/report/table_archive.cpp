@@ -11,8 +11,8 @@
 
 namespace kinestat {
 
-TableArchive::TableArchive(std::string mechanism, const FileUnits& units)
-    : mechanism_(std::move(mechanism)), units_(units) {}
+TableArchive::TableArchive(std::string mechanism, const FileUnits& units, MissingNumber missing)
+    : mechanism_(std::move(mechanism)), units_(units), missing_(missing) {}
 
 namespace {
 
@@ -106,11 +106,11 @@ void TableArchive::end_map() {
 }
 
 void TableArchive::begin_list() {
-  open(Open::Kind::list);
+  open(std::exchange(names_cases_, false) ? Open::Kind::cases : Open::Kind::list);
 }
 
 void TableArchive::end_list() {
-  close();
+  end_map();
 }
 
 void TableArchive::quantity(const std::optional<double>& si, QuantityKind kind) {
@@ -178,13 +178,14 @@ void TableArchive::end_item(bool is_item) {
   }
 }
 
-// What has no table, or no name in it, has no row.
+// What has no table, or no name in it, has no row, and perhaps what has no value.
 void TableArchive::row(const std::string& value, std::string_view unit) {
   std::string quantity;
   for (const std::string& part : path_) {
     quantity += (quantity.empty() || part.empty() ? "" : "/") + part;
   }
-  if (pass_.empty() || quantity.empty()) {
+  const bool is_left_out = value.empty() && missing_ == MissingNumber::no_row;
+  if (pass_.empty() || quantity.empty() || is_left_out) {
     return;
   }
   auto table = std::ranges::find(tables_, pass_, &NamedTable::pass);

@@ -14,12 +14,17 @@ namespace kinestat {
 inline constexpr std::string_view kCsvHeader =
     "mechanism,case,pass,element,quantity,value,unit,status\n";
 
+/// What stands for a number that is null.
+enum class MissingNumber { empty_cell, no_row };
+
 /// One row a number: `quantity` is its path below the element, `value` is empty where it is null.
 /// `status` is that of the table, unless the element has one of its own.
 class TableArchive : public Archive {
  public:
   /// `mechanism` stands in the first cell of every row.
-  TableArchive(std::string mechanism, const FileUnits& units);
+  TableArchive(std::string mechanism,
+               const FileUnits& units,
+               MissingNumber missing = MissingNumber::empty_cell);
 
   /// Those with rows, in the order in which they began.
   std::vector<NamedTable> take() { return std::move(tables_); }
@@ -58,6 +63,7 @@ class TableArchive : public Archive {
 
   std::string mechanism_;
   const FileUnits& units_;
+  MissingNumber missing_ = MissingNumber::empty_cell;
   std::vector<NamedTable> tables_;
   std::string pass_;  // of the table that is open; empty: none
   std::string case_;
@@ -67,7 +73,7 @@ class TableArchive : public Archive {
   std::vector<std::string> path_;     // of the quantity
   std::vector<const Shape*> shapes_;  // of the properties that are open
   std::vector<Open> open_;
-  bool names_cases_ = false;   // the next map
+  bool names_cases_ = false;   // the next map or list
   bool reads_status_ = false;  // the next text
 };
 
@@ -76,8 +82,9 @@ template <class View>
 std::vector<NamedTable> tables_of(const Record<View>& record,
                                   const View& view,
                                   const std::string& mechanism,
-                                  const FileUnits& units) {
-  TableArchive archive(mechanism, units);
+                                  const FileUnits& units,
+                                  MissingNumber missing = MissingNumber::empty_cell) {
+  TableArchive archive(mechanism, units, missing);
   record.write(view, archive);
   return archive.take();
 }

@@ -118,6 +118,18 @@ class Solver {
 
 }  // namespace
 
+std::string_view word_of(BurmesterStatus status) {
+  switch (status) {
+    case BurmesterStatus::solved:
+      return "solved";
+    case BurmesterStatus::family:
+      return "family";
+    case BurmesterStatus::no_digits:
+      return "no_digits";
+  }
+  return "";
+}
+
 BurmesterSolution solve_burmester(std::span<const PositionJets> positions,
                                   const LastDecimal& decimal) {
   KINESTAT_EXPECTS(position_count(positions) == 5);

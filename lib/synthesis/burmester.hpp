@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "synthesis/degeneracy.hpp"
@@ -16,6 +17,9 @@ enum class BurmesterStatus {
   family,    ///< infinitely many dyads, see `reason`
   no_digits  ///< the positions are too close to each other for their number of digits
 };
+
+/// The word in reports.
+std::string_view word_of(BurmesterStatus status);
 
 struct BurmesterSolution {
   BurmesterStatus status = BurmesterStatus::solved;

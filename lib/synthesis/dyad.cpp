@@ -69,6 +69,18 @@ Factors factors_of(const Dyad& dyad, const PositionJets& position) {
 
 }  // namespace
 
+std::string_view word_of(DyadKind kind) {
+  switch (kind) {
+    case DyadKind::crank:
+      return "crank";
+    case DyadKind::slider:
+      return "slider";
+    case DyadKind::inverted_slider:
+      return "inverted_slider";
+  }
+  return "";
+}
+
 double find_residual(const Dyad& dyad, std::span<const PositionJets> positions) {
   double worst = 0.0;
   const Factors first = factors_of(dyad, positions[0]);

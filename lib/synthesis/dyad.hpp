@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "synthesis/bounded_point.hpp"
@@ -15,6 +16,9 @@ enum class DyadKind {
   inverted_slider  ///< the circle point lies at infinity: a line of the plane slides on a fixed
                    ///< point
 };
+
+/// The word in reports.
+std::string_view word_of(DyadKind kind);
 
 /// (pt: díade) What of it is used depends on the kind.
 struct Dyad {

@@ -259,6 +259,18 @@ class Judge {
 
 }  // namespace
 
+std::string_view word_of(Passage passage) {
+  switch (passage) {
+    case Passage::none:
+      return "none";
+    case Passage::increasing:
+      return "increasing";
+    case Passage::decreasing:
+      return "decreasing";
+  }
+  return "";
+}
+
 double TransmissionRange::margin() const {
   return std::numbers::pi / 2 -
          std::max(std::abs(least - std::numbers::pi / 2), std::abs(most - std::numbers::pi / 2));

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "synthesis/drive_curve.hpp"
@@ -25,6 +26,9 @@ enum class Passage {
   increasing,  ///< the coordinate grows from position to position
   decreasing
 };
+
+/// The word in reports.
+std::string_view word_of(Passage passage);
 
 /// (pt: defeitos de circuito, ramo e ordem) A linkage is assembled in one circuit and cannot leave
 /// it; a circuit has branches that dead points of the input separate.
