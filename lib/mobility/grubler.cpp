@@ -4,6 +4,11 @@
 
 namespace kinestat {
 
+std::string name_of_class(std::size_t prevented) {
+  constexpr std::array<const char*, 7> kNumerals = {"0", "I", "II", "III", "IV", "V", "VI"};
+  return std::string("P_") + kNumerals.at(prevented);
+}
+
 GrublerCount count_by_grubler(const Topology& topology, const Topology& in_space, int order) {
   GrublerCount count{.order = order,
                      .bodies = topology.body_count(),

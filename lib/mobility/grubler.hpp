@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "mechanism/topology.hpp"
@@ -15,6 +16,9 @@ struct PairClass {
   std::vector<CouplingId> couplings;
   int freedoms = 0;  ///< Σ f of the class, in the order of the count
 };
+
+/// "P_V", "P_VI"; "P_0" for pairs that prevent nothing.
+std::string name_of_class(std::size_t prevented);
 
 /// M = λ(n - 1 - j) + Σ f (Alves 2023, eq. 3.3); with every constraint independent of the others it
 /// would be the net degree of freedom. In general it is F_N - C_N.

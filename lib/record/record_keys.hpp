@@ -26,6 +26,15 @@ class RecordKeys : public RecordShape {
       return *this;
     }
 
+    /// Null where the condition does not hold.
+    Mark& null_unless(std::function<bool(const View&)> condition) {
+      property().shape.is_nullable = true;
+      Write& write = keys_.steps_.back().write;
+      write = [condition = std::move(condition), value = std::move(write)](
+                  const View& view, Archive& to) { condition(view) ? value(view, to) : to.null(); };
+      return *this;
+    }
+
     /// CSV calls it so; empty: its numbers have no name of their own there.
     Mark& in_tables_as(std::string quantity) {
       property().table_quantity = std::move(quantity);

@@ -69,7 +69,8 @@ struct Shape {
 /// What a key is to tables of comma-separated values.
 enum class TableRole {
   quantity,  ///< part of the name of the quantity
-  element,   ///< the element to which all below it belongs
+  element,   ///< the element to which all below it belongs; below another, part of the name
+  word,      ///< a word ends the name of a 1; yes is 1 and no is 0
   cases,     ///< a map or a list whose names are those of the cases
   table,     ///< all below it has a table of its own
   status     ///< that of the table

@@ -86,7 +86,7 @@ class MobilityText {
     for (std::size_t i = 0; i < count.classes.size(); ++i) {
       const PairClass& one = count.classes[i];
       if (!one.couplings.empty()) {
-        table.add({class_words(i),
+        table.add({name_of_class(i),
                    std::to_string(one.couplings.size()),
                    std::to_string(one.freedoms),
                    names_text(topology_, one.couplings)});

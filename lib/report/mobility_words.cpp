@@ -128,11 +128,6 @@ std::string direction_words(const Vec3& direction) {
   return fmt::format("({}, {}, {})", part(0), part(1), part(2));
 }
 
-std::string class_words(std::size_t prevented) {
-  constexpr std::array<const char*, 7> kNumerals = {"0", "I", "II", "III", "IV", "V", "VI"};
-  return fmt::format("P_{}", kNumerals.at(prevented));
-}
-
 std::string constraint_words(const MobilityAnalysis& analysis, const RedundantConstraint& one) {
   if (!one.axis) {
     return {};

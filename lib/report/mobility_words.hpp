@@ -12,9 +12,6 @@ namespace kinestat {
 /// "x", or "(0.6, 0, 0.8)" for a direction that is along no world axis.
 std::string direction_words(const Vec3& direction);
 
-/// "P_V", "P_VI"; "P_0" for pairs that prevent nothing.
-std::string class_words(std::size_t prevented);
-
 /// "couple about x", "force along z", "force along x through (0, 10, 0)", "wrench of pitch 3 mm
 /// along …"; empty where no single wrench goes round. A sign is meaningless and left out.
 std::string constraint_words(const MobilityAnalysis& analysis, const RedundantConstraint& one);

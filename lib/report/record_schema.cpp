@@ -6,8 +6,11 @@
 #include <fmt/format.h>
 
 #include "core/version.hpp"
+#include "report/inputs_record.hpp"
 #include "report/json_values.hpp"
+#include "report/mobility_record.hpp"
 #include "report/report_record.hpp"
+#include "report/sensitivity_record.hpp"
 #include "report/synthesis_record.hpp"
 
 namespace kinestat {
@@ -144,8 +147,12 @@ NamedSchema named(const std::string& name, const RecordShape& record) {
 }  // namespace
 
 std::span<const NamedSchema> record_schemas() {
-  static const std::vector<NamedSchema> schemas = {named("report", report_record()),
-                                                   named("synthesis", synthesis_report_record())};
+  static const std::vector<NamedSchema> schemas = {
+      named("inputs", inputs_report_record()),
+      named("mobility", mobility_report_record()),
+      named("report", report_record()),
+      named("sensitivity", sensitivity_report_record()),
+      named("synthesis", synthesis_report_record())};
   return schemas;
 }
 

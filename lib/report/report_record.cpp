@@ -3,8 +3,8 @@
 #include "mobility/counts_record.hpp"
 #include "network/evidence_record.hpp"
 #include "report/case_record.hpp"
-#include "report/mechanism_record.hpp"
 #include "report/motion_record.hpp"
+#include "report/report_keys.hpp"
 #include "report/shift_record.hpp"
 
 namespace kinestat {
@@ -110,12 +110,7 @@ const Record<Diagnostic>& diagnostic_record() {
   return record;
 }
 
-void add_head(Record<ReportView>& keys) {
-  const auto head_of = [](const ReportView& v) {
-    return HeadView{.file = v.file, .description = v.description};
-  };
-  keys.part("kinestat", program_record(), head_of).not_in_tables().not_compared();
-  keys.part("mechanism", mechanism_record(), head_of).not_in_tables();
+void add_graph(Record<ReportView>& keys) {
   keys.part("graph",
             graph_record(),
             [](const ReportView& v) {
@@ -167,6 +162,7 @@ const Record<ReportView>& report_record() {
       "world frame.",
       [](Record<ReportView>& keys) {
         add_head(keys);
+        add_graph(keys);
         add_analysis(keys);
         keys.part("shift",
                   shift_record(),
@@ -178,13 +174,7 @@ const Record<ReportView>& report_record() {
                   [](const ReportView& v) -> const MotionTable& { return *v.motion; })
             .not_in_tables()
             .only_if([](const ReportView& v) { return v.motion != nullptr; });
-        keys.custom("diagnostics",
-                    diagnostics_shape(),
-                    "Errors and warnings of the analysis, in the order in which they were found.",
-                    [](const ReportView& v, Archive& to) { write_diagnostics(*v.found, to); })
-            .not_in_tables()
-            .not_compared()
-            .only_if([](const ReportView& v) { return v.found != nullptr; });
+        add_diagnostics(keys).only_if([](const ReportView& v) { return v.found != nullptr; });
       });
   return record;
 }

@@ -33,6 +33,9 @@ struct CaseSensitivity {
   std::vector<SensitivityValue> values;
 };
 
+/// "rad/s per mm"; a bare parameter leaves the unit of the value.
+std::string derivative_unit(const SensitivityValue& value, const SensitivityParameter& parameter);
+
 /// p/v dv/dp: by how many per cent the value moves if the parameter moves by one. Empty for a value
 /// of zero or without derivative.
 std::optional<double> relative_sensitivity(const SensitivityValue& value,

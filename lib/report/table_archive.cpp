@@ -34,13 +34,19 @@ bool TableArchive::begin(const Property& property) {
   if (!property.is_in_tables) {
     return false;
   }
-  shapes_.push_back(&property.shape);
+  properties_.push_back(&property);
   switch (property.table_role) {
     case TableRole::quantity:
+    case TableRole::word:
       path_.push_back(property.table_quantity);
       break;
     case TableRole::element:
-      element_ = property.key;
+      element_keys_.push_back(!element_.empty());
+      if (element_keys_.back()) {
+        path_.push_back(property.table_quantity);
+      } else {
+        element_ = property.key;
+      }
       break;
     case TableRole::cases:
       names_cases_ = true;
@@ -57,13 +63,19 @@ bool TableArchive::begin(const Property& property) {
 }
 
 void TableArchive::end(const Property& property) {
-  shapes_.pop_back();
+  properties_.pop_back();
   switch (property.table_role) {
     case TableRole::quantity:
+    case TableRole::word:
       path_.pop_back();
       break;
     case TableRole::element:
-      element_.clear();
+      if (element_keys_.back()) {
+        path_.pop_back();
+      } else {
+        element_.clear();
+      }
+      element_keys_.pop_back();
       break;
     case TableRole::table:
       pass_.clear();
@@ -77,6 +89,11 @@ void TableArchive::end(const Property& property) {
 void TableArchive::element(std::string_view name, std::string_view status) {
   if (!open_.empty() && open_.back().kind == Open::Kind::cases) {
     case_ = name;
+  } else if (!element_keys_.empty()) {
+    if (std::exchange(open_.back().names_path, true)) {
+      path_.pop_back();
+    }
+    path_.emplace_back(name);
   } else {
     element_ = name;
   }
@@ -97,6 +114,9 @@ void TableArchive::begin_map() {
 
 void TableArchive::end_map() {
   const Open& map = open_.back();
+  if (map.names_path) {
+    path_.pop_back();
+  }
   if (map.kind == Open::Kind::cases) {
     case_.clear();
   }
@@ -131,20 +151,36 @@ void TableArchive::whole(std::int64_t value) {
 }
 
 void TableArchive::text(std::string_view value) {
-  end_item(begin_item());
+  word(std::string(value), "1");
   if (std::exchange(reads_status_, false)) {
     status_ = value;
   }
 }
 
-void TableArchive::flag(bool /*value*/) {
-  end_item(begin_item());
+void TableArchive::flag(bool value) {
+  word("", value ? "1" : "0");
 }
 
+// An element or a word that there is not has no row.
 void TableArchive::null() {
   const bool is_item = begin_item();
-  const auto kind = shapes_.empty() ? std::nullopt : kind_of(*shapes_.back());
-  row("", kind ? units_.text(*kind) : "");
+  const Property* property = properties_.empty() ? nullptr : properties_.back();
+  if (property == nullptr ||
+      (property->table_role != TableRole::element && property->table_role != TableRole::word)) {
+    const auto kind = property == nullptr ? std::nullopt : kind_of(property->shape);
+    row("", kind ? units_.text(*kind) : "");
+  }
+  end_item(is_item);
+}
+
+// A row if words have one here.
+void TableArchive::word(const std::string& ending, const char* value) {
+  const bool is_item = begin_item();
+  if (!properties_.empty() && properties_.back()->table_role == TableRole::word) {
+    path_.push_back(ending);
+    row(value, "");
+    path_.pop_back();
+  }
   end_item(is_item);
 }
 

@@ -18,7 +18,8 @@ inline constexpr std::string_view kCsvHeader =
 enum class MissingNumber { empty_cell, no_row };
 
 /// One row a number: `quantity` is its path below the element, `value` is empty where it is null.
-/// `status` is that of the table, unless the element has one of its own.
+/// `status` is that of the table, unless the element has one of its own. Where a key is the
+/// element, names below it are part of the quantity.
 class TableArchive : public Archive {
  public:
   /// `mechanism` stands in the first cell of every row.
@@ -49,16 +50,18 @@ class TableArchive : public Archive {
   // A value that is open.
   struct Open {
     enum class Kind { object, map, cases, list } kind = Kind::object;
-    int next = 0;            // of a list: the number of its next item
-    bool is_item = false;    // it is itself an item of a list
-    std::string element;     // of what contains it
-    std::string own_status;  // likewise
+    int next = 0;             // of a list: the number of its next item
+    bool is_item = false;     // it is itself an item of a list
+    std::string element;      // of what contains it
+    std::string own_status;   // likewise
+    bool names_path = false;  // the name of its element ends the path
   };
 
   void open(Open::Kind kind);
   void close();
   bool begin_item();
   void end_item(bool is_item);
+  void word(const std::string& ending, const char* value);
   void row(const std::string& value, std::string_view unit);
 
   std::string mechanism_;
@@ -69,9 +72,10 @@ class TableArchive : public Archive {
   std::string case_;
   std::string status_;  // of the table
   std::string element_;
-  std::string own_status_;            // of the element, if it is not that of the table
-  std::vector<std::string> path_;     // of the quantity
-  std::vector<const Shape*> shapes_;  // of the properties that are open
+  std::vector<bool> element_keys_;           // a key that is an element: whether it is in the path
+  std::string own_status_;                   // of the element, if it is not that of the table
+  std::vector<std::string> path_;            // of the quantity
+  std::vector<const Property*> properties_;  // that are open
   std::vector<Open> open_;
   bool names_cases_ = false;   // the next map or list
   bool reads_status_ = false;  // the next text

@@ -1,0 +1,32 @@
+// The keys that reports of all forms share.
+#pragma once
+
+#include "report/mechanism_record.hpp"
+#include "report/report_record.hpp"
+
+namespace kinestat {
+
+/// Those that every report begins with: program and mechanism. The view has `file` and
+/// `description`.
+template <class View>
+void add_head(Record<View>& keys) {
+  const auto head_of = [](const View& v) {
+    return HeadView{.file = v.file, .description = v.description};
+  };
+  keys.part("kinestat", program_record(), head_of).not_in_tables().not_compared();
+  keys.part("mechanism", mechanism_record(), head_of).not_in_tables();
+}
+
+/// The last one. The view has a pointer `found`.
+template <class View>
+typename Record<View>::Mark add_diagnostics(Record<View>& keys) {
+  return keys
+      .custom("diagnostics",
+              diagnostics_shape(),
+              "Errors and warnings of the analysis, in the order in which they were found.",
+              [](const View& v, Archive& to) { write_diagnostics(*v.found, to); })
+      .not_in_tables()
+      .not_compared();
+}
+
+}  // namespace kinestat
