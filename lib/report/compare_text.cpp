@@ -8,7 +8,7 @@
 
 #include "core/utf8.hpp"
 #include "core/version.hpp"
-#include "report/json_values.hpp"
+#include "report/json_archive.hpp"
 #include "report/numbers.hpp"
 #include "report/table.hpp"
 
@@ -112,40 +112,112 @@ bool has_number(const Difference& difference) {
   return is_number(difference.a) || is_number(difference.b);
 }
 
-Json value_json(const ReportValue& value) {
-  switch (value.type) {
-    case ValueType::number:
-      return number(value.number);
-    case ValueType::text:
-      return printable(value.text);
-    case ValueType::null:
-    case ValueType::empty:
-      break;
+void write_compared(const std::optional<ReportValue>& value, Archive& to) {
+  if (value && value->type == ValueType::number) {
+    to.number(value->number, {});
+  } else if (value && value->type == ValueType::text) {
+    to.text(printable(value->text));
+  } else {
+    to.null();
   }
-  return nullptr;
 }
 
-Json difference_json(const Difference& difference) {
-  Json entry;
-  entry["place"] = printable(difference.place);
-  entry["type"] = word_of(difference.type);
-  entry["count"] = difference.count;
-  if (difference.count == 1) {
-    entry["a"] = difference.a ? value_json(*difference.a) : Json(nullptr);
-    entry["b"] = difference.b ? value_json(*difference.b) : Json(nullptr);
-  }
-  if (difference.count == 1 && has_number(difference)) {
-    entry["kind"] = difference.unit.kind;
-    entry["unit"] = difference.unit.text;
-  }
-  if (difference.type == DifferenceType::unit) {
-    entry["other_unit"] = difference.other_unit;
-  }
-  if (difference.type == DifferenceType::number) {
-    entry["difference"] = number(difference.amount);
-    entry["tolerance"] = number(difference.allowed);
-  }
-  return entry;
+Shape compared_shape() {
+  Shape shape = number_shape(Told::parameter, true);
+  shape.form = Shape::Form::cell;
+  return shape;
+}
+
+void add_values(Record<Difference>& keys) {
+  using View = Difference;
+  const auto is_one = [](const View& v) { return v.count == 1; };
+  const auto is_number = [](const View& v) { return v.count == 1 && has_number(v); };
+  keys.custom("a",
+              compared_shape(),
+              "The value in A, if count is 1; null for no value and for several.",
+              [](const View& v, Archive& to) { write_compared(v.a, to); })
+      .only_if(is_one);
+  keys.custom("b",
+              compared_shape(),
+              "The value in B, if count is 1, in the unit of A where it can be converted.",
+              [](const View& v, Archive& to) { write_compared(v.b, to); })
+      .only_if(is_one);
+  keys.text("kind",
+            "What a number counts: a kind that --tolerance takes.",
+            [](const View& v) { return v.unit.kind; })
+      .only_if(is_number);
+  keys.text("unit",
+            "Unit of the numbers; empty for a bare number, and where the report does not tell it.",
+            [](const View& v) { return v.unit.text; })
+      .only_if(is_number);
+  keys.text("other_unit",
+            "Unit of the number in B, where it cannot be converted.",
+            [](const View& v) { return v.other_unit; })
+      .only_if([](const View& v) { return v.type == DifferenceType::unit; });
+}
+
+void add_amounts(Record<Difference>& keys) {
+  using View = Difference;
+  const auto has_amount = [](const View& v) { return v.type == DifferenceType::number; };
+  keys.number("difference",
+              Told::parameter,
+              "Of two numbers: the magnitude of their difference.",
+              [](const View& v) { return v.amount; })
+      .only_if(has_amount);
+  keys.number("tolerance",
+              Told::parameter,
+              "Of two numbers: the difference that would still be equal.",
+              [](const View& v) { return v.allowed; })
+      .only_if(has_amount);
+}
+
+const Record<Difference>& difference_record() {
+  using View = Difference;
+  static const Record<View> record("One difference.", [](Record<View>& keys) {
+    keys.text("place",
+              "JSON Pointer, in which things of a list that have names stand under their names; of "
+              "a table /mechanism/case/pass/element/quantity.",
+              [](const View& v) { return printable(v.place); });
+    keys.word("type",
+              words_up_to(DifferenceType::only_in_b),
+              "Two numbers beyond their tolerance; two texts; a value against none; two units that "
+              "cannot be converted; a place in one report only.",
+              [](const View& v) { return word_of(v.type); });
+    keys.count("count",
+               "Number of values at this place and below it; above 1 only for a place in one "
+               "report only.",
+               [](const View& v) { return v.count; });
+    add_values(keys);
+    add_amounts(keys);
+  });
+  return record;
+}
+
+const Record<ComparisonView>& comparing_program_record() {
+  using View = ComparisonView;
+  static const Record<View> record("The program that compared.", [](Record<View>& keys) {
+    keys.text("version", "Version of the program.", [](const View&) { return kVersion; });
+    keys.count("comparison", "Version of this form.", [](const View&) { return 1; });
+  });
+  return record;
+}
+
+void add_result(Record<ComparisonView>& keys) {
+  using View = ComparisonView;
+  keys.word("status", {"equal", "different"}, "Whether there are differences.", [](const View& v) {
+    return v.comparison.differences.empty() ? "equal" : "different";
+  });
+  keys.count("values", "Number of places at which either report has a value.", [](const View& v) {
+    return v.comparison.value_count;
+  });
+  keys.list("differences",
+            difference_record(),
+            "All differences: those at places of A in its order, then what only B has.",
+            [](const View& v, const Each<Difference>& each) {
+              for (const Difference& one : v.comparison.differences) {
+                each(one);
+              }
+            });
 }
 
 }  // namespace
@@ -166,21 +238,28 @@ std::string comparison_text(const ReportComparison& comparison) {
   return text + "\n" + summary(comparison);
 }
 
+const Record<ComparisonView>& comparison_record() {
+  using View = ComparisonView;
+  static const Record<View> record(
+      "What 'kinestat compare --format json' writes about two reports, A and B.",
+      [](Record<View>& keys) {
+        keys.part("kinestat", comparing_program_record(), [](const View& v) { return v; });
+        keys.text("a", "Path of A as it was given; - is standard input.", [](const View& v) {
+          return printable(v.a);
+        });
+        keys.text("b", "Path of B as it was given; - is standard input.", [](const View& v) {
+          return printable(v.b);
+        });
+        add_result(keys);
+      });
+  return record;
+}
+
 std::string comparison_json(const ReportComparison& comparison,
                             const std::string& a,
                             const std::string& b) {
-  Json result;
-  result["kinestat"]["version"] = kVersion;
-  result["kinestat"]["comparison"] = 1;
-  result["a"] = printable(a);
-  result["b"] = printable(b);
-  result["status"] = comparison.differences.empty() ? "equal" : "different";
-  result["values"] = comparison.value_count;
-  result["differences"] = Json::array();
-  for (const Difference& one : comparison.differences) {
-    result["differences"].push_back(difference_json(one));
-  }
-  return result.dump(2) + "\n";
+  const ComparisonView view{.comparison = comparison, .a = a, .b = b};
+  return json_of(comparison_record(), view, FileUnits()).dump(2) + "\n";
 }
 
 }  // namespace kinestat

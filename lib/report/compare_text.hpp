@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "record/record.hpp"
 #include "report/compare.hpp"
 
 namespace kinestat {
@@ -11,7 +12,15 @@ namespace kinestat {
 /// digits that three of them show the difference.
 std::string comparison_text(const ReportComparison& comparison);
 
-/// All differences by schemas/comparison.schema.json; `a` and `b` are the paths of the reports.
+struct ComparisonView {
+  const ReportComparison& comparison;
+  const std::string& a;  ///< paths of the reports
+  const std::string& b;
+};
+
+const Record<ComparisonView>& comparison_record();
+
+/// All differences; `a` and `b` are the paths of the reports.
 std::string comparison_json(const ReportComparison& comparison,
                             const std::string& a,
                             const std::string& b);

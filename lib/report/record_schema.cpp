@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "core/version.hpp"
+#include "report/compare_text.hpp"
+#include "report/diagnostic_json.hpp"
 #include "report/inputs_record.hpp"
 #include "report/json_values.hpp"
 #include "report/mobility_record.hpp"
@@ -148,6 +150,8 @@ NamedSchema named(const std::string& name, const RecordShape& record) {
 
 std::span<const NamedSchema> record_schemas() {
   static const std::vector<NamedSchema> schemas = {
+      named("comparison", comparison_record()),
+      named("diagnostics", diagnostics_line_record()),
       named("inputs", inputs_report_record()),
       named("mobility", mobility_report_record()),
       named("report", report_record()),
