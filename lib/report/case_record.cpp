@@ -76,6 +76,16 @@ void add_ratios(Record<CaseView>& keys) {
                  "Without unit where both are alike.",
                  read_ratio(&RatiosInUnits::torque_ratio))
       .only_if(has_ratios);
+  keys.text("ratio_unit",
+            "Unit of the ratio; no key where input and output are alike.",
+            read_ratio_unit(&RatiosInUnits::ratio))
+      .not_compared()
+      .only_if(has_unit);
+  keys.text("torque_ratio_unit",
+            "Unit of the torque ratio; no key where input and output are alike.",
+            read_ratio_unit(&RatiosInUnits::torque_ratio))
+      .not_compared()
+      .only_if(has_unit);
   keys.text("reason",
             "Why there is no ratio.",
             [](const CaseView& v) { return v.one.ratios->reason; })
