@@ -2,7 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <vector>
 
 #include "core/rounding.hpp"
 #include "screw/bounded_screw_sum.hpp"
@@ -11,35 +11,60 @@ namespace kinestat {
 
 namespace {
 
-// The couplings at each body, one after the other.
-struct Incidence {
-  std::vector<std::size_t> first;  // of a body, and one more
-  std::vector<int> couplings;
-};
-
-Incidence incidence_of(const Topology& topology) {
-  Incidence result{.first = std::vector<std::size_t>(topology.bodies.size() + 2, 0),
-                   .couplings = std::vector<int>(2 * topology.couplings.size())};
-  for (const CouplingTopology& coupling : topology.couplings) {
-    ++result.first[static_cast<std::size_t>(coupling.tail.value) + 2];
-    ++result.first[static_cast<std::size_t>(coupling.head.value) + 2];
-  }
-  std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
-  for (int e = 0; e < topology.coupling_count(); ++e) {
-    const CouplingTopology& coupling = topology.couplings[static_cast<std::size_t>(e)];
-    for (const BodyId body : {coupling.tail, coupling.head}) {
-      result.couplings[result.first[static_cast<std::size_t>(body.value) + 1]++] = e;
+// The couplings at each body as a chain of their ends, in the order of the Topology, and which
+// bodies are reached from the ground over them. One list holds all of it.
+class Reach {
+ public:
+  explicit Reach(const Topology& topology)
+      : body_count_(topology.bodies.size()),
+        list_(3 * body_count_ + 2 * topology.couplings.size(), kNone) {
+    for (int e = topology.coupling_count() - 1; e >= 0; --e) {
+      const CouplingTopology& coupling = topology.couplings[static_cast<std::size_t>(e)];
+      chain(2 * e, coupling.tail.value);
+      chain(2 * e + 1, coupling.head.value);
     }
+    add(0);
   }
-  return result;
-}
 
-Twist bounds_of(const BoundedTwist& twist) {
-  return {.angular = twist.angular.bound, .linear = twist.linear.bound};
-}
+  /// An end is twice the index of its coupling, and one more at the head.
+  int first_end(int body) const { return list_[index(body)]; }
+
+  int next_end(int end) const { return list_[3 * body_count_ + index(end)]; }
+
+  bool has(int body) const { return list_[body_count_ + index(body)] != kNone; }
+
+  void add(int body) {
+    list_[body_count_ + index(body)] = 0;
+    list_[2 * body_count_ + reached_++] = body;
+  }
+
+  /// How many bodies are reached, and which one was the n-th.
+  std::size_t size() const { return reached_; }
+
+  int body(std::size_t n) const { return list_[2 * body_count_ + n]; }
+
+  static constexpr int kNone = -1;
+
+ private:
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  void chain(int end, int body) {
+    list_[3 * body_count_ + index(end)] = list_[index(body)];
+    list_[index(body)] = end;
+  }
+
+  std::size_t body_count_ = 0;
+  std::vector<int> list_;  // first end of each body, whether it is reached, the order; next ends
+  std::size_t reached_ = 0;
+};
 
 Twist sizes_of(const Twist& twist) {
   return {.angular = twist.angular.cwiseAbs(), .linear = twist.linear.cwiseAbs()};
+}
+
+void settle_twist(const Twist& bound, Twist& twist) {
+  settle(bound.angular, twist.angular);
+  settle(bound.linear, twist.linear);
 }
 
 }  // namespace
@@ -84,29 +109,25 @@ void finish_motions(const Mechanism& mechanism, KinematicSolution& motion) {
   motion.couplings.reserve(topology.couplings.size());
   for (int e = 0; e < topology.coupling_count(); ++e) {
     const BoundedTwist twist = bounded_coupling(mechanism, motion, CouplingId{e});
-    coupling_bounds.push_back(bounds_of(twist));
-    motion.couplings.push_back(twist.zeroed());
+    coupling_bounds.push_back({.angular = twist.angular.bound, .linear = twist.linear.bound});
+    motion.couplings.push_back({.angular = twist.angular.value, .linear = twist.linear.value});
+    settle_twist(coupling_bounds.back(), motion.couplings.back());
   }
   motion.body_bounds.assign(topology.bodies.size(), Twist{});
-  const Incidence incidence = incidence_of(topology);
-  std::vector<bool> is_reached(topology.bodies.size(), false);
-  std::vector<int> reached;
-  reached.reserve(topology.bodies.size());
-  reached.push_back(0);
-  is_reached[0] = true;
-  for (std::size_t next = 0; next < reached.size(); ++next) {
-    const auto from = static_cast<std::size_t>(reached[next]);
-    for (std::size_t i = incidence.first[from]; i < incidence.first[from + 1]; ++i) {
-      const auto e = static_cast<std::size_t>(incidence.couplings[i]);
+  Reach reach(topology);
+  for (std::size_t n = 0; n < reach.size(); ++n) {
+    const int body = reach.body(n);
+    const auto from = static_cast<std::size_t>(body);
+    for (int end = reach.first_end(body); end != Reach::kNone; end = reach.next_end(end)) {
+      const auto e = static_cast<std::size_t>(end / 2);
+      const bool is_forward = end % 2 == 0;
       const CouplingTopology& coupling = topology.couplings[e];
-      const bool is_forward = coupling.tail.value == reached[next];
       const int other = is_forward ? coupling.head.value : coupling.tail.value;
-      const auto to = static_cast<std::size_t>(other);
-      if (is_reached[to]) {
+      if (reach.has(other)) {
         continue;
       }
-      is_reached[to] = true;
-      reached.push_back(other);
+      reach.add(other);
+      const auto to = static_cast<std::size_t>(other);
       const double sense = is_forward ? 1.0 : -1.0;
       const Twist missed = motion.bodies[to] - motion.bodies[from] - sense * motion.couplings[e];
       const Twist sizes = sizes_of(motion.bodies[to]) + sizes_of(motion.bodies[from]);
@@ -114,9 +135,8 @@ void finish_motions(const Mechanism& mechanism, KinematicSolution& motion) {
           motion.body_bounds[from] + coupling_bounds[e] + sizes_of(missed) + 2.0 * kEpsilon * sizes;
     }
   }
-  for (int b = 0; b < topology.body_count(); ++b) {
-    const auto i = static_cast<std::size_t>(b);
-    motion.bodies[i] = bounded_body(motion, BodyId{b}).zeroed();
+  for (std::size_t b = 0; b < topology.bodies.size(); ++b) {
+    settle_twist(motion.body_bounds[b], motion.bodies[b]);
   }
 }
 

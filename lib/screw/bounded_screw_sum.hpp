@@ -9,6 +9,13 @@
 
 namespace kinestat {
 
+/// What its bound does not tell from zero becomes zero, in place.
+inline void settle(const Vec3& bound, Vec3& value) {
+  for (int i = 0; i < 3; ++i) {
+    value[i] = settled(value[i], bound[i]);
+  }
+}
+
 /// What bounded_screw gives of each, summed in place: line vectors, and moments about the origin.
 class BoundedScrewSum {
  public:

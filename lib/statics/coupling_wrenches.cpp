@@ -9,9 +9,13 @@ namespace kinestat {
 
 namespace {
 
-std::optional<BoundedWrench> sum_of_actions(const Mechanism& mechanism,
-                                            const StaticSolution& solution,
-                                            std::size_t e) {
+void put(const BoundedWrench& wrench, std::size_t e, StaticSolution& solution) {
+  solution.wrenches[e] = Wrench{.moment = wrench.moment.value, .force = wrench.force.value};
+  solution.wrench_bounds[e] = {.moment = wrench.moment.bound, .force = wrench.force.bound};
+}
+
+// Nothing where one of the actions is open.
+void sum_actions(const Mechanism& mechanism, std::size_t e, StaticSolution& solution) {
   const CouplingTopology& coupling = mechanism.topology.couplings[e];
   const Geometry& geometry = mechanism.geometry;
   const Vec3 at = geometry.points[e] - geometry.origin;
@@ -19,12 +23,12 @@ std::optional<BoundedWrench> sum_of_actions(const Mechanism& mechanism,
   for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
     const auto i = static_cast<std::size_t>(a);
     if (!solution.magnitudes[i]) {
-      return std::nullopt;
+      return;
     }
     const Wrench& unit = geometry.actions[i];
     sum.add(bounded_action(solution, a), unit.force, unit.moment);
   }
-  return BoundedWrench{.moment = sum.moment(), .force = sum.line()};
+  put({.moment = sum.moment(), .force = sum.line()}, e, solution);
 }
 
 }  // namespace
@@ -52,25 +56,23 @@ std::optional<BoundedWrench> bounded_wrench(const StaticSolution& solution, Coup
 }
 
 void make_wrenches(const Mechanism& mechanism, StaticSolution& solution) {
-  std::vector<std::optional<BoundedWrench>> sums;
-  sums.reserve(mechanism.topology.couplings.size());
-  for (std::size_t e = 0; e < mechanism.topology.couplings.size(); ++e) {
-    sums.push_back(sum_of_actions(mechanism, solution, e));
+  const std::size_t count = mechanism.topology.couplings.size();
+  solution.wrenches.assign(count, std::nullopt);
+  solution.wrench_bounds.assign(count, Wrench{});
+  for (std::size_t e = 0; e < count; ++e) {
+    sum_actions(mechanism, e, solution);
   }
   for (const FrictionAction& friction : solution.friction) {
-    std::optional<BoundedWrench>& sum = sums[static_cast<std::size_t>(friction.coupling.value)];
-    if (sum && !friction.between) {
-      sum = *sum + written(friction.wrench);
+    const auto e = static_cast<std::size_t>(friction.coupling.value);
+    if (const auto sum = bounded_wrench(solution, friction.coupling); sum && !friction.between) {
+      put(*sum + written(friction.wrench), e, solution);
     }
   }
-  solution.wrenches.clear();
-  solution.wrenches.reserve(sums.size());
-  solution.wrench_bounds.clear();
-  solution.wrench_bounds.reserve(sums.size());
-  for (const std::optional<BoundedWrench>& sum : sums) {
-    solution.wrenches.push_back(sum ? std::optional(sum->zeroed()) : std::nullopt);
-    solution.wrench_bounds.push_back(
-        sum ? Wrench{.moment = sum->moment.bound, .force = sum->force.bound} : Wrench{});
+  for (std::size_t e = 0; e < count; ++e) {
+    if (std::optional<Wrench>& wrench = solution.wrenches[e]) {
+      settle(solution.wrench_bounds[e].moment, wrench->moment);
+      settle(solution.wrench_bounds[e].force, wrench->force);
+    }
   }
 }
 
