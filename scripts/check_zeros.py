@@ -22,8 +22,8 @@ from check_layers import Violation, line_of, read_files, without_strings
 
 RELATIVE_ZERO = re.compile(
     r"\b(?:kReports?\w*Zero|kReportsAgreeBesideLargest|find_zero_snap)\b|\bsnap\s*\("
-    r"|(?:[<>]=?)\s*\(?-?\s*k[A-Z]\w*\s*\*[^;{}?]*?"
-    r"(?:\w*(?:largest|greatest|fastest|steepest)\w*|maxCoeff)"
+    r"|(?:[<>]=?|(?<![=!<>])=|\breturn\b)\s*\(?-?\s*k[A-Z]\w*\s*\*[^;{}?]*?"
+    r"(?:(?<!/ )\b\w*(?:largest|greatest|fastest|steepest)\w*|maxCoeff)"
 )
 
 # Where that is another decision than whether a value is zero: file, and why.
@@ -31,6 +31,7 @@ DECISIONS = {
     "lib/inputs/solution_space.cpp": "rank: which freedoms a motion of the null space moves",
     "lib/inputs/taut_ropes.cpp": "consistency: pretensions of 1 that are in equilibrium already",
     "lib/mechanism/internal/cable_contact_check.cpp": "drawing: contacts lie on the rim",
+    "lib/mechanism/internal/extent.cpp": "consistency: all corners at an end move alike",
     "lib/mechanism/internal/rounding_slopes.cpp": "rank: parameters that move a screw by rounding",
     "lib/mobility/passive_freedom.cpp": "rank: what a passive freedom moves",
     "lib/mobility/redundancy.cpp": "rank: what a self-stress of a circuit loads",
@@ -45,6 +46,7 @@ DECISIONS = {
     "lib/run/internal/motion_passive_findings.cpp": "rank: what a passive freedom moves",
     "lib/run/internal/state_solver.cpp": "comparison of two ways to the same state",
     "lib/run/internal/taped_solver.cpp": "search: states whose output may rest are analysed whole",
+    "lib/sensitivity/internal/compatibility.cpp": "rank: which self-stresses a slope loads",
     "lib/sensitivity/internal/power_value.cpp": "consistency: as of power/efficiency",
     "lib/sensitivity/reported_value.cpp": "rank: on which actions a value depends",
     "lib/statics/completed_actions.cpp": "rank: what a self-stress loads",

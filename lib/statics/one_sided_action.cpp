@@ -1,38 +1,24 @@
 #include "statics/one_sided_action.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
-#include "core/tolerance.hpp"
+#include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
 
 namespace {
 
-// Forces below this are none.
-double rounding_force(const Mechanism& mechanism, const StaticSolution& solution) {
-  double largest = 0.0;
-  for (std::size_t a = 0; a < solution.magnitudes.size(); ++a) {
-    const bool is_force = !mechanism.topology.actions[a].is_couple;
-    largest = std::max(largest, is_force ? std::abs(solution.magnitudes[a].value_or(0.0)) : 0.0);
-  }
-  return kNoReaction * largest;
-}
-
-// What has no value is not known to be negative.
-std::vector<int> find_negative(const Mechanism& mechanism,
-                               const StaticSolution& solution,
-                               const std::vector<int>& actions) {
+// What has no value is not known to be negative, nor is what its bound does not tell from zero.
+std::vector<int> find_negative(const StaticSolution& solution, const std::vector<int>& actions) {
   std::vector<int> negative;
-  if (solution.magnitudes.empty() || actions.empty()) {
+  if (solution.magnitudes.empty()) {
     return negative;
   }
-  const double rounding = rounding_force(mechanism, solution);
-  for (const int a : actions) {
-    if (solution.magnitudes[static_cast<std::size_t>(a)].value_or(0.0) < -rounding) {
-      negative.push_back(a);
-    }
-  }
+  std::ranges::copy_if(actions, std::back_inserter(negative), [&](int a) {
+    return solution.magnitudes[static_cast<std::size_t>(a)].has_value() &&
+           bounded_action(solution, a).zeroed() < 0.0;
+  });
   return negative;
 }
 
@@ -68,14 +54,14 @@ std::vector<int> find_contact_forces(const Topology& topology) {
 std::vector<CouplingId> find_pushed_segments(const Mechanism& mechanism,
                                              const StaticSolution& solution) {
   std::vector<CouplingId> pushed;
-  for (const int a : find_negative(mechanism, solution, find_tensions(mechanism.topology))) {
+  for (const int a : find_negative(solution, find_tensions(mechanism.topology))) {
     pushed.push_back(mechanism.topology.actions[static_cast<std::size_t>(a)].coupling);
   }
   return pushed;
 }
 
 std::vector<int> find_pulling_contacts(const Mechanism& mechanism, const StaticSolution& solution) {
-  return find_negative(mechanism, solution, find_contact_forces(mechanism.topology));
+  return find_negative(solution, find_contact_forces(mechanism.topology));
 }
 
 }  // namespace kinestat

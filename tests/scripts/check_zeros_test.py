@@ -38,6 +38,13 @@ class CheckZeros(unittest.TestCase):
     def test_a_share_of_a_computed_largest_is_found(self) -> None:
         self.assert_found("bool b = x > kNoReaction * v.cwiseAbs().maxCoeff();")
 
+    def test_a_share_of_the_largest_that_is_kept_or_returned_is_found(self) -> None:
+        self.assert_found("const double zero = kNoReaction * largest;")
+        self.assert_found("return kNoReaction * flow.largest;")
+
+    def test_a_part_of_the_largest_is_none(self) -> None:
+        self.assert_allowed("lib/plot/a.cpp", "const double x = kArrow * force / largest_force_;")
+
     def test_a_comparison_over_two_lines_is_one(self) -> None:
         status, lines = check({"lib/run/a.cpp": "bool b = x <\n  kSmall *\n  flow.largest;"})
         self.assertEqual((status, len(lines)), (1, 1))

@@ -10,7 +10,7 @@
 #include "core/tolerance.hpp"
 #include "run/internal/cable_findings.hpp"
 #include "run/internal/known_side.hpp"
-#include "screw/screw_axis.hpp"
+#include "screw/bounded_screw.hpp"
 #include "statics/one_sided_action.hpp"
 
 namespace kinestat {
@@ -19,13 +19,14 @@ namespace {
 
 // "body 'planet5' can turn about the axis (0, 0, 1) through (0, 17, 0) mm", lengths in file units.
 std::string unheld_text(const JudgedFile& file, const UnheldMotion& unheld) {
-  const auto axis = find_axis(unheld.twist, file.mechanism.geometry.length);
+  const auto axis = find_axis(written(unheld.twist), file.mechanism.geometry.length);
   const std::string body = file.mechanism.topology.body(unheld.body).name;
   const bool is_planar = file.mechanism.space == Space::planar;
   const auto list = [&](const Vec3& v) {
-    const auto tidy = [](double x) { return std::abs(x) <= kRankZero ? 0.0 : x; };
-    const std::string first = fmt::format("({:.6g}, {:.6g}", tidy(v.x()), tidy(v.y()));
-    return first + (is_planar ? ")" : fmt::format(", {:.6g})", tidy(v.z())));
+    const Vec3 unsigned_zeros = v + Vec3::Zero();
+    const std::string first =
+        fmt::format("({:.6g}, {:.6g}", unsigned_zeros.x(), unsigned_zeros.y());
+    return first + (is_planar ? ")" : fmt::format(", {:.6g})", unsigned_zeros.z()));
   };
   if (!axis) {
     return fmt::format("body '{}' can move", body);
@@ -40,7 +41,7 @@ std::string unheld_text(const JudgedFile& file, const UnheldMotion& unheld) {
   if (is_planar) {
     return fmt::format("body '{}' can turn about the point {} {}", body, list(point), unit);
   }
-  const bool is_screw = std::abs(*axis->pitch) > kRankZero * file.mechanism.geometry.length;
+  const bool is_screw = *axis->pitch != 0.0;
   return fmt::format(
       "body '{}' can turn about the axis {} through {} {}{}",
       body,
