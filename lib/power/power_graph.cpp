@@ -61,10 +61,11 @@ class GraphBuilder {
     const double out_of_tail = *flow_.out_of_tail[e];
     add_to(coupling.head, into_head);
     add_to(coupling.tail, -out_of_tail);
-    if (into_head * out_of_tail <= 0.0) {
+    const bool is_forward = into_head > 0.0 && out_of_tail > 0.0;
+    const bool is_backward = into_head < 0.0 && out_of_tail < 0.0;
+    if (!is_forward && !is_backward) {
       return;
     }
-    const bool is_forward = into_head > 0.0;
     const bool is_less_at_head = std::abs(into_head) < std::abs(out_of_tail);
     const BoundedNumber through =
         power(*bounded_wrench(action_, id),

@@ -146,6 +146,14 @@ TEST_F(Ring, HandsOnSmallPowers) {
   EXPECT_EQ(result.net.size(), 4U);
 }
 
+// Powers whose product is less than the smallest number.
+TEST_F(Ring, HandsOnPowersHoweverSmall) {
+  join("d", 1, 3, 1e-170);
+
+  ASSERT_EQ(graph().arcs.size(), 4U);
+  EXPECT_DOUBLE_EQ(graph().arcs[3].power, 1e-170);
+}
+
 // Strands that give back what they take, but for rounding: 0.1 + 0.2 and 0.3 N.
 TEST_F(Ring, HasNoNetPowerWhereStrandsBalance) {
   mechanism_.topology.couplings.clear();
