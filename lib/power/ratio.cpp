@@ -24,18 +24,20 @@ std::vector<double> input_rates(const Mechanism& mechanism,
   return rates;
 }
 
-// The sum of the inputs' actions; empty if one of them is open, or a convention.
-std::optional<double> total_action(const Mechanism& mechanism,
-                                   const Case& which,
-                                   const StaticSolution& action) {
-  double sum = 0.0;
+// The sum of the inputs' actions; empty if one of them is open, or a convention. Where several are
+// summed, what they were rounded to as typed may be all that is left.
+std::optional<BoundedNumber> total_action(const Mechanism& mechanism,
+                                          const Case& which,
+                                          const StaticSolution& action) {
+  std::optional<BoundedNumber> sum;
   for (const int i : which.inputs) {
     const int index = mechanism.topology.actuators[static_cast<std::size_t>(i)].action;
-    const std::optional<double> magnitude = action.magnitudes[static_cast<std::size_t>(index)];
-    if (!magnitude || is_by_convention(action, index)) {
+    if (!action.magnitudes[static_cast<std::size_t>(index)] || is_by_convention(action, index)) {
       return std::nullopt;
     }
-    sum += *magnitude;
+    const BoundedNumber one = bounded_action(action, index);
+    sum = sum ? *sum + rounded_as_typed(one)
+              : (which.inputs.size() == 1 ? one : rounded_as_typed(one));
   }
   return sum;
 }
@@ -55,20 +57,16 @@ std::optional<double> bound_of_ratio(const Mechanism& mechanism,
       .relative_bound();
 }
 
-std::optional<double> bound_of_torque_ratio(const Mechanism& mechanism,
-                                            const Case& which,
-                                            const StaticSolution& action) {
-  if (!has_bounds(action.answer)) {
-    return std::nullopt;
+void add_torque_ratio(const BoundedNumber& in,
+                      const BoundedNumber& out,
+                      bool has_bound,
+                      Ratios& ratios) {
+  ratios.torque_ratio = share_of(in.zeroed(), out.zeroed());
+  const std::optional<double> advantage = share_of(out.zeroed(), in.zeroed());
+  ratios.advantage = advantage ? std::optional(std::abs(*advantage)) : std::nullopt;
+  if (ratios.torque_ratio && has_bound) {
+    ratios.torque_ratio_bound = (in / out).relative_bound();
   }
-  const auto index = [&](int actuator) {
-    return mechanism.topology.actuators[static_cast<std::size_t>(actuator)].action;
-  };
-  BoundedNumber sum;
-  for (const int input : which.inputs) {
-    sum = sum + bounded_action(action, index(input));
-  }
-  return (sum / bounded_action(action, index(which.outputs.front()))).relative_bound();
 }
 
 }  // namespace
@@ -109,15 +107,12 @@ Ratios find_ratios(const Mechanism& mechanism,
   if (action == nullptr) {
     return ratios;
   }
-  const std::optional<double> in = total_action(mechanism, which, *action);
-  const std::optional<double> out = action->magnitudes[static_cast<std::size_t>(output.action)];
-  if (!is_by_convention(*action, output.action)) {
-    ratios.torque_ratio = share_of(in, out);
-    const std::optional<double> advantage = share_of(out, in);
-    ratios.advantage = advantage ? std::optional(std::abs(*advantage)) : std::nullopt;
-  }
-  if (ratios.torque_ratio) {
-    ratios.torque_ratio_bound = bound_of_torque_ratio(mechanism, which, *action);
+  const std::optional<BoundedNumber> in = total_action(mechanism, which, *action);
+  const bool has_output = action->magnitudes[static_cast<std::size_t>(output.action)] &&
+                          !is_by_convention(*action, output.action);
+  if (in && has_output) {
+    add_torque_ratio(
+        *in, bounded_action(*action, output.action), has_bounds(action->answer), ratios);
   }
   return ratios;
 }

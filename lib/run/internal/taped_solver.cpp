@@ -222,6 +222,21 @@ bool TapedSolver::drives_output(const TapedCase& taped, std::size_t lane) {
                              [&](double rate) { return std::abs(rate) > kSameValue * largest; });
 }
 
+// Whether actions of several inputs leave a sum; where they cancel, the whole analysis decides
+// whether it is zero.
+bool TapedSolver::sums_inputs(const TapedCase& taped, std::size_t lane) {
+  if (taped.input_actions.size() < 2) {
+    return true;
+  }
+  double sum = 0.0;
+  double terms = 0.0;
+  for (const double action : read(taped.input_actions, lane)) {
+    sum += action;
+    terms += std::abs(action);
+  }
+  return std::abs(sum) > kSameValue * terms;
+}
+
 TapedSolver::TapedRatios TapedSolver::find_ratios(const TapedCase& taped, std::size_t lane) {
   const std::optional<double> fast = common_rate(read(taped.input_rates, lane));
   if (!fast) {
@@ -285,7 +300,8 @@ bool TapedSolver::is_possible(const TapedCase& taped, std::size_t lane) const {
 // False where a number is not finite, or the case is no gear or not possible in this state.
 bool TapedSolver::fill_case(std::size_t i, std::size_t lane, SweepRow& row) {
   const TapedCase& taped = tapes_.cases[i];
-  if ((task_.gears[i] && !drives_output(taped, lane)) || !is_possible(taped, lane)) {
+  if ((task_.gears[i] && !drives_output(taped, lane)) || !is_possible(taped, lane) ||
+      !sums_inputs(taped, lane)) {
     return false;
   }
   if (taped.columns.size() + taped.ratios.size() < row.values.size()) {

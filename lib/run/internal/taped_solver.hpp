@@ -65,6 +65,7 @@ class TapedSolver {
   bool fill_case(std::size_t i, std::size_t lane, SweepRow& row);
   bool is_possible(const TapedCase& taped, std::size_t lane) const;
   bool drives_output(const TapedCase& taped, std::size_t lane);
+  bool sums_inputs(const TapedCase& taped, std::size_t lane);
   TapedRatios find_ratios(const TapedCase& taped, std::size_t lane);
   std::string_view status_of(const TapedCase& taped, const TapedRatios& ratios, std::size_t lane);
   void fill_ratios(const TapedCase& taped, const TapedRatios& ratios, SweepRow& row) const;

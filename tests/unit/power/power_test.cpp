@@ -244,5 +244,38 @@ TEST(Ratios, OfInputsThatTurnTogetherAddTheirActions) {
   EXPECT_EQ(ratios.torque_ratio, 1.5);
 }
 
+// A third shaft beside the two of the gear; together the inputs bear nothing.
+struct ThreeInputs : TwoShafts {
+  ThreeInputs() {
+    for (const double couple : {-0.1, -0.2}) {
+      const int index = static_cast<int>(action_count());
+      mechanism.topology.actuators.push_back(
+          {.name = "T", .freedom = 0, .action = index, .where = {}});
+      which.inputs.push_back(index);
+      action.magnitudes.emplace_back(couple);
+    }
+    action.magnitudes[0] = 0.3;
+  }
+
+  std::size_t action_count() const { return action.magnitudes.size(); }
+};
+
+// 0.3 - 0.1 - 0.2 is -2.8e-17 of numbers as they are rounded, 0.1 + 0.2 - 0.3 is 5.6e-17.
+TEST(Ratios, OfInputsThatCancelAreZero) {
+  for (const std::vector<int>& order : {std::vector{0, 2, 3}, std::vector{2, 3, 0}}) {
+    ThreeInputs shafts;
+    shafts.which.inputs = order;
+    for (const std::vector<double>& bounds : {std::vector<double>{}, std::vector<double>(4)}) {
+      shafts.action.answer.bounds = bounds;
+
+      const Ratios ratios =
+          find_ratios(shafts.mechanism, shafts.which, shafts.motion, &shafts.action);
+
+      EXPECT_EQ(ratios.torque_ratio, 0.0);
+      EXPECT_FALSE(ratios.advantage);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kinestat
