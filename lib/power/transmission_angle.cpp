@@ -74,12 +74,13 @@ AngleOrObstacle angle_between(const BoundedWrench& wrench,
                               double misplaced) {
   const BoundedVector& force = wrench.force;
   const BoundedVector moment = moment_at(wrench, near);
-  if (force.zeroed().isZero(0.0)) {
-    return TransmissionObstacle::couple;  // It has no line.
+  const BoundedNumber square = dot(force, force);
+  if (square.zeroed() == 0.0) {
+    return TransmissionObstacle::couple;  // It has no line, or none that is known.
   }
   // The point of the line of F next to the coupling.
   const BoundedNumber one = {.value = 1.0, .bound = 0.0};
-  const BoundedVector arm = (one / dot(force, force)) * cross(force, moment);
+  const BoundedVector arm = (one / square) * cross(force, moment);
   const BoundedVector place = {.value = Vec3::Zero(), .bound = Vec3::Constant(misplaced)};
   const BoundedTwist turning = written(motion);
   const BoundedVector velocity = velocity_at(turning, near) + cross(turning.angular, arm + place);

@@ -41,6 +41,9 @@ std::optional<ScrewAxis> axis_of(const BoundedVector& line,
   }
   const BoundedNumber one = {.value = 1.0, .bound = 0.0};
   const BoundedNumber square = dot(sure_line, sure_line);
+  if (square.zeroed() == 0.0) {
+    return std::nullopt;
+  }
   return ScrewAxis{.direction = plain->direction,
                    .point = ((one / square) * cross(sure_line, moment)).zeroed(),
                    .pitch = (dot(sure_line, moment) / square).zeroed()};

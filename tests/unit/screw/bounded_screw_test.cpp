@@ -115,6 +115,15 @@ TEST(BoundedScrew, HasNoAxisWhereNothingIsMoreThanItsBound) {
   EXPECT_FALSE(find_axis(twist, 1.0));
 }
 
+// A line that is one and a half times its bound: the square may be nothing, and the place anywhere.
+TEST(BoundedScrew, HasNoAxisWhereNeitherPlaceNorPitchIsKnown) {
+  BoundedTwist twist;
+  twist.angular = {.value = Vec3(1.5e-9, 0, 0), .bound = Vec3(1e-9, 0, 0)};
+  twist.linear = {.value = Vec3(0, 1e-9, 0), .bound = Vec3::Zero()};
+
+  EXPECT_FALSE(find_axis(twist, 1.0));
+}
+
 TEST(BoundedScrew, WhoseRotationIsRoundingIsATranslation) {
   BoundedTwist twist;
   twist.angular = {.value = Vec3(1e-10, 0, 0), .bound = Vec3::Constant(1e-9)};
