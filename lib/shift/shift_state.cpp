@@ -185,7 +185,7 @@ class StateSolver {
         sum = sum + BoundedNumber{.value = *action, .bound = 0.0} * motion.rate(network_.inputs[i]);
       }
     }
-    return std::abs(sum.value) <= sum.bound ? 0.0 : sum.value;
+    return sum.zeroed();
   }
 
   void fill_torques(const std::vector<double>& torques) {

@@ -12,7 +12,7 @@ namespace {
 
 // Zero where its own bound does not tell it from zero.
 BoundedNumber settled(const BoundedNumber& number) {
-  return std::abs(number.value) <= number.bound ? BoundedNumber{} : number;
+  return number.zeroed() == 0.0 ? BoundedNumber{} : number;
 }
 
 BoundedNumber minus(const BoundedNumber& number) {
