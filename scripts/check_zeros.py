@@ -39,6 +39,7 @@ DECISIONS = {
     "lib/network/primary_check.cpp": "rank: which magnitudes a relation holds",
     "lib/plot/internal/drawn_case.cpp": "drawing: an arrow shorter than a hair is none",
     "lib/power/efficiency.cpp": "consistency: the powers of a case balance within kPowerBalance",
+    "lib/power/power_flow.cpp": "consistency: the powers of a case balance within kPowerBalance",
     "lib/power/transmission_efficiency.cpp": "search: which assumed senses are accepted",
     "lib/report/compare_tolerance.cpp": "comparison of two reports, not a zero of a value",
     "lib/report/motion_text.cpp": "words: a range whose ends are the same number is constant",

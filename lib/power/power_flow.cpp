@@ -16,13 +16,17 @@ namespace kinestat {
 namespace {
 
 double input_power(const Case& which, const PowerFlow& flow) {
-  double sum = 0.0;
-  if (!which.inputs.empty()) {
-    for (const int i : which.inputs) {
-      sum += flow.actuators[static_cast<std::size_t>(i)];
-    }
-    return sum;
+  if (which.inputs.size() == 1) {
+    return flow.actuators[static_cast<std::size_t>(which.inputs.front())];
   }
+  if (!which.inputs.empty()) {
+    BoundedNumber total;
+    for (const int i : which.inputs) {
+      total = total + rounded_as_typed({.value = flow.actuators[static_cast<std::size_t>(i)]});
+    }
+    return total.zeroed();
+  }
+  double sum = 0.0;
   for (const auto* powers : {&flow.actuators, &flow.loads}) {
     for (const double power : *powers) {
       sum += std::max(power, 0.0);
@@ -84,13 +88,22 @@ double misplaced_power(const Mechanism& mechanism, const Wrench& wrench, const T
   return share * (terms + mechanism.geometry.length * wrench.force.norm() * twist.angular.norm());
 }
 
-// Zero where rounding, or where the bodies may be off in a moved position, is all there is of it.
-double load_power(const Mechanism& mechanism,
-                  const BodyWrench& acts,
-                  const KinematicSolution& motion) {
-  const BoundedNumber exact = power(written(acts.wrench), bounded_body(motion, acts.body));
+// What a coupling or load may put into rates and actions of a moved position that are zero because
+// its bodies may be off: equations are off by the sum of their terms, whatever their directions.
+double untold_power(const Mechanism& mechanism, const Wrench& wrench, const Twist& twist) {
+  const double length = mechanism.geometry.length;
+  return place_error(mechanism) * (length * wrench.force.norm() + wrench.moment.norm()) *
+         (twist.linear.norm() / length + twist.angular.norm());
+}
+
+// With rounding, and where the bodies may be off in a moved position.
+BoundedNumber load_power(const Mechanism& mechanism,
+                         const BodyWrench& acts,
+                         const KinematicSolution& motion) {
+  BoundedNumber found = power(written(acts.wrench), bounded_body(motion, acts.body));
   const Twist& twist = motion.bodies[static_cast<std::size_t>(acts.body.value)];
-  return settled(exact.value, exact.bound + misplaced_power(mechanism, acts.wrench, twist));
+  found.bound += misplaced_power(mechanism, acts.wrench, twist);
+  return found;
 }
 
 std::optional<double> bound_of_powers(const Mechanism& mechanism,
@@ -135,7 +148,7 @@ PowerFlow find_power(const Mechanism& mechanism,
   KINESTAT_EXPECTS(motion.status == SolveStatus::solved && determines_power(mechanism, action));
   const Vec3& origin = mechanism.geometry.origin;
   PowerFlow flow;
-  double sum = 0.0;
+  BoundedNumber sum;  // of all that its bounds tell, and of what they do not tell from zero
   double largest = 0.0;
   double rounding = 0.0;
   for (std::size_t e = 0; e < mechanism.topology.couplings.size(); ++e) {
@@ -149,25 +162,27 @@ PowerFlow find_power(const Mechanism& mechanism,
     };
     flow.into_head.push_back(power_on(coupling.head));
     flow.out_of_tail.push_back(power_on(coupling.tail));
-    flow.supplied.push_back((wrench ? power(*wrench, bounded_coupling(mechanism, motion, id))
-                                    : power_of_actuators_and_friction(mechanism, e, motion, action))
-                                .zeroed());
-    sum += flow.supplied.back();
+    const BoundedNumber supplied =
+        wrench ? power(*wrench, bounded_coupling(mechanism, motion, id))
+               : power_of_actuators_and_friction(mechanism, e, motion, action);
+    flow.supplied.push_back(supplied.zeroed());
+    sum = sum + supplied;
     if (wrench) {
       const Wrench& acts = *action.wrenches[e];
       rounding += rounding_of(terms_of(acts, origin), motion.couplings[e]) +
-                  misplaced_power(mechanism, acts, motion.couplings[e]);
+                  untold_power(mechanism, acts, motion.couplings[e]);
     }
     largest = std::max(
         {largest, std::abs(flow.into_head.back().value_or(0.0)), std::abs(flow.supplied.back())});
   }
   for (const Load& load : which.loads) {
     const auto body = static_cast<std::size_t>(load.acts.body.value);
-    flow.loads.push_back(load_power(mechanism, load.acts, motion));
-    sum += flow.loads.back();
+    const BoundedNumber found = load_power(mechanism, load.acts, motion);
+    flow.loads.push_back(found.zeroed());
+    sum = sum + found;
     const Wrench& acts = load.acts.wrench;
     rounding += rounding_of(terms_of(acts, load.point.value_or(origin)), motion.bodies[body]) +
-                misplaced_power(mechanism, acts, motion.bodies[body]);
+                untold_power(mechanism, acts, motion.bodies[body]);
     largest = std::max(largest, std::abs(flow.loads.back()));
   }
   for (const ActuatorTopology& actuator : mechanism.topology.actuators) {
@@ -176,9 +191,12 @@ PowerFlow find_power(const Mechanism& mechanism,
             .zeroed());
   }
   for (const FrictionAction& friction : action.friction) {
-    flow.friction.push_back(
-        power(written(friction.wrench), relative_motion(mechanism, friction, motion)).zeroed());
-    sum += friction.between ? flow.friction.back() : 0.0;
+    const BoundedNumber lost =
+        power(written(friction.wrench), relative_motion(mechanism, friction, motion));
+    flow.friction.push_back(lost.zeroed());
+    if (friction.between) {
+      sum = sum + lost;
+    }
   }
   flow.input = input_power(which, flow);
   if (!flow.friction.empty()) {
@@ -192,8 +210,9 @@ PowerFlow find_power(const Mechanism& mechanism,
     flow.is_self_locking = found.is_self_locking;
   }
   flow.largest = largest;
-  flow.balance_residual = largest == 0.0 ? 0.0 : std::abs(sum) / largest;
-  flow.is_balanced = std::abs(sum) <= std::max(kPowerBalance * largest, rounding);
+  flow.balance_residual = largest == 0.0 ? 0.0 : std::abs(sum.value) / largest;
+  flow.is_balanced = std::abs(sum.value) <= kPowerBalance * largest ||
+                     settled(sum.value, sum.bound + rounding) == 0.0;
   flow.error_bound = bound_of_powers(mechanism, motion, action, largest);
   return flow;
 }

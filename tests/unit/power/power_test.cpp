@@ -277,5 +277,40 @@ TEST(Ratios, OfInputsThatCancelAreZero) {
   }
 }
 
+TEST(PowerFlow, OfInputsThatCancelIsNone) {
+  const ThreeInputs shafts;
+
+  EXPECT_EQ(find_power(shafts.mechanism, shafts.which, shafts.motion, shafts.action).input, 0.0);
+}
+
+// The drive gives 1.05 µW, of which the output takes 1; a weight of 1e9 N, whose body sinks at
+// 1e-16 m/s or not at all, may have the rest, which is half of what its bound leaves open.
+TEST(PowerFlow, MayRoundByWhatItsPartsMayBeOff) {
+  TwoShafts shafts;
+  shafts.motion.rates = {1e-8, -0.5e-8, 1e-8};
+  for (auto* twists : {&shafts.motion.bodies, &shafts.motion.couplings}) {
+    for (Twist& twist : *twists) {
+      twist = 1e-8 * twist;
+    }
+  }
+  shafts.action.magnitudes[0] = 105.0;
+  shafts.action.wrenches[0] = 105.0 * unit_couple(Vec3::UnitZ());
+  shafts.motion.bodies[1].linear.y() = -1e-16;
+  shafts.motion.body_bounds = std::vector<Twist>(3);
+  shafts.which.loads.push_back(
+      {.name = "weight",
+       .acts = {.body = BodyId{1}, .wrench = 1e9 * unit_force(Vec3::UnitY(), Vec3::Zero())},
+       .point = {},
+       .where = {}});
+  const auto flow = [&] {
+    return find_power(shafts.mechanism, shafts.which, shafts.motion, shafts.action);
+  };
+  EXPECT_FALSE(flow().is_balanced);
+
+  shafts.motion.body_bounds[1].linear.y() = 1.1e-16;
+  EXPECT_TRUE(flow().is_balanced);
+  EXPECT_EQ(flow().loads[0], 0.0);
+}
+
 }  // namespace
 }  // namespace kinestat
