@@ -10,6 +10,7 @@
 #include "near_dyad.hpp"
 #include "reference_tasks.hpp"
 #include "synthesis/burmester.hpp"
+#include "synthesis/internal/dyad_point.hpp"
 #include "synthesis/synthesis.hpp"
 
 namespace kinestat {
@@ -187,6 +188,25 @@ TEST(Ranking, HasLinkagesWithoutDigitsLastWhateverTheirMargin) {
     EXPECT_EQ(is_lost(after[i]), i >= 3);
     EXPECT_EQ(after[i].defect == Defect::digits, is_lost(after[i]));
   }
+}
+
+// A slider at (2, 0) along (0.8, -0.6), of positions so coarse that no condition tells the
+// components of its direction from zero.
+TEST(FarPoint, HasADirectionWhereNothingOfItIsSure) {
+  Eigen::Matrix<double, 7, 1> x;
+  x << 0.0, 0.0, 0.6, 0.8, 1.2, 1.6, 0.0;
+  ConditionRows coarse;
+  coarse.rows = {{1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0}};
+  coarse.noise = {1.0};
+  PositionJets first;
+  first.x = first.y = first.angle = {0.0};
+
+  const std::optional<Dyad> dyad = dyad_of(x, coarse, first, 0.0);
+
+  ASSERT_TRUE(dyad);
+  ASSERT_EQ(dyad->kind, DyadKind::slider);
+  EXPECT_NEAR(dyad->direction.real(), 0.8, 1e-15);
+  EXPECT_NEAR(dyad->direction.imag(), -0.6, 1e-15);
 }
 
 }  // namespace
