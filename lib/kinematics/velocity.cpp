@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/rounding.hpp"
 #include "kinematics/bounded_motion.hpp"
 #include "math/bounded_solve.hpp"
 #include "math/data_zero.hpp"
@@ -56,6 +57,12 @@ AnswerEvidence evidence_of(const Topology& topology,
   return result;
 }
 
+// What rounding of the drawing counts for, as share of the sizes: friction and losses ask for the
+// sense of a motion, and that of mere rounding is none.
+double drawing_error(const Mechanism& mechanism) {
+  return mechanism.frictions.empty() && mechanism.lossy_meshes.empty() ? 0.0 : kDataRounding;
+}
+
 bool is_finite(const KinematicSolution& solution) {
   return std::ranges::all_of(solution.rates, [](double rate) { return std::isfinite(rate); }) &&
          std::ranges::all_of(solution.bodies,
@@ -95,13 +102,11 @@ KinematicSolution solve_velocity(const Mechanism& mechanism,
   const std::vector<bool> counts(
       static_cast<std::size_t>(velocity_column(topology, basis, topology.freedom_count())), true);
   BoundedSolution solved = solve_to_digits(elimination, known, {}, request, counts);
-  if (place_error(mechanism) > 0.0) {
-    settle_inexact(elimination,
-                   {},
-                   {.rows = basis.order(),
-                    .first_column = velocity_column(topology, basis, 0),
-                    .share = place_error(mechanism)},
-                   solved.solution.x);
+  const InexactBlocks inexact{.rows = basis.order(),
+                              .first_column = velocity_column(topology, basis, 0),
+                              .share = std::max(place_error(mechanism), drawing_error(mechanism))};
+  if (inexact.share > 0.0) {
+    settle_inexact(elimination, {}, inexact, solved.solution.x);
   }
   solution.residual = solved.solution.residual;
   solution.answer = evidence_of(topology, basis, solved, counts);

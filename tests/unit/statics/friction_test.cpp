@@ -298,6 +298,54 @@ TEST(FrictionLaws, AreMissingWhereNothingMoves) {
   EXPECT_EQ(find_friction_laws(mechanism, rest).front().has_value(), false);
 }
 
+// A parallelogram, whose coupler does not turn, and an arm on it that slides in two guides and so
+// does not turn either; `off` lengthens the rocker [m].
+std::string parallelogram(double degrees, double off) {
+  const double angle = degrees * std::numbers::pi / 180.0;
+  const double x = std::cos(angle);
+  const double y = std::sin(angle);
+  return fmt::format(
+      "space: planar\n"
+      "ground: frame\n"
+      "bodies: [crank, coupler, rocker, arm, slide]\n"
+      "couplings:\n"
+      "  a: {{type: revolute, bodies: [frame, crank], at: [0.013, 0.007]}}\n"
+      "  b: {{type: revolute, bodies: [crank, coupler], at: [{}, {}]}}\n"
+      "  c: {{type: revolute, bodies: [coupler, rocker], at: [{}, {}]}}\n"
+      "  d: {{type: revolute, bodies: [frame, rocker], at: [0.713, 0.107]}}\n"
+      "  e: {{type: revolute, bodies: [coupler, arm], at: [0.5, 0.83],\n"
+      "      friction: {{mu: 0.3, radius: 0.1}}}}\n"
+      "  f: {{type: prismatic, bodies: [arm, slide], at: [0.6, 0.83], axis: [0.3, 0.7]}}\n"
+      "  g: {{type: prismatic, bodies: [slide, frame], at: [0.6, 0.93], axis: [1, 0.1]}}\n"
+      "actuators: {{m: {{coupling: a}}, q: {{coupling: f}}}}\n"
+      "cases: {{one: {{motion: {{m: 1}}, action: {{q: 100}}}}}}\n",
+      0.013 + x,
+      0.007 + y,
+      0.713 + x,
+      0.107 + y + off);
+}
+
+std::optional<FrictionLaw> law_in_parallelogram(double degrees, double off) {
+  const Mechanism mechanism = mechanism_of(parallelogram(degrees, off));
+  const KinematicSolution motion =
+      solve_velocity(mechanism,
+                     motion_basis(mechanism.geometry, OrderChoice::minimal),
+                     mechanism.cases.front().motions);
+  return find_friction_laws(mechanism, motion).front();
+}
+
+// What is left of a rate that is zero has the sense of the roundings of its equations.
+TEST(FrictionLaws, AreMissingWhereOnlyRoundingMoves) {
+  for (int i = 0; i <= 30; ++i) {
+    EXPECT_FALSE(law_in_parallelogram(8.0 + 0.01 * i, 0.0)) << i;
+  }
+}
+
+TEST(FrictionLaws, ExistHoweverSlowTheMotion) {
+  EXPECT_TRUE(law_in_parallelogram(8.0, 1e-9));
+  EXPECT_TRUE(law_in_parallelogram(37.0, -1e-9));
+}
+
 TEST(FrictionLaws, OfNothingThatRubsAreNone) {
   EXPECT_TRUE(mechanism_of(guide("0", 0.0)).frictions.empty());
 }

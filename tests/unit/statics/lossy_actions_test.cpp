@@ -1,6 +1,7 @@
 #include "statics/lossy_actions.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -164,6 +165,47 @@ TEST(MeshLoss, IsNoneWhereTheTrainTurnsAsABlock) {
 
   EXPECT_TRUE(block.losses.laws.empty());
   EXPECT_EQ(block.losses.not_rolling, std::vector<CouplingId>{CouplingId{3}});
+}
+
+// The planet of radius 0.018 m stands at that angle between sun and ring; both turn alike.
+std::string block_at(double degrees) {
+  const double angle = degrees * std::numbers::pi / 180.0;
+  const auto at = [&](double radius) {
+    return fmt::format("[{}, {}]", 0.1 + radius * std::cos(angle), 0.3 + radius * std::sin(angle));
+  };
+  const std::string teeth =
+      fmt::format("tangent: [{}, {}], pressure_angle: 0.3", -std::sin(angle), std::cos(angle));
+  return fmt::format(
+      "space: planar\n"
+      "ground: housing\n"
+      "bodies: [sun, ring, carrier, planet]\n"
+      "couplings:\n"
+      "  a: {{type: revolute, bodies: [housing, sun], at: [0.1, 0.3]}}\n"
+      "  b: {{type: revolute, bodies: [housing, ring], at: [0.1, 0.3]}}\n"
+      "  c: {{type: revolute, bodies: [housing, carrier], at: [0.1, 0.3]}}\n"
+      "  d: {{type: revolute, bodies: [carrier, planet], at: {}}}\n"
+      "  e: {{type: gear, bodies: [sun, planet], at: {}, {}}}\n"
+      "  f: {{type: gear, bodies: [ring, planet], at: {}, {}, internal: true}}\n"
+      "actuators: {{sun: {{coupling: a}}, ring: {{coupling: b}}}}\n"
+      "losses: {{gear_external: 0.02, gear_internal: 0.01}}\n"
+      "cases: {{k: {{motion: {{sun: 10.47, ring: 10.47}}}}}}\n",
+      at(0.042),
+      at(0.024),
+      teeth,
+      at(0.06),
+      teeth);
+}
+
+TEST(MeshLoss, IsNoneWhereverThePlanetOfABlockIs) {
+  for (int degrees = 1; degrees <= 90; ++degrees) {
+    const Mechanism mechanism = mechanism_of(block_at(degrees));
+    const KinematicSolution motion =
+        solve_velocity(mechanism,
+                       motion_basis(mechanism.geometry, OrderChoice::minimal),
+                       mechanism.cases.front().motions);
+
+    EXPECT_EQ(find_mesh_loss_laws(mechanism, motion).not_rolling.size(), 2U) << degrees;
+  }
 }
 
 TEST(MeshLoss, NeedsACarrier) {
