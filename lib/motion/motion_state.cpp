@@ -7,6 +7,7 @@
 #include "core/contract.hpp"
 #include "core/index.hpp"
 #include "core/motion_tolerance.hpp"
+#include "core/tolerance.hpp"
 #include "math/settled.hpp"
 #include "motion/internal/closure_system.hpp"
 #include "motion/internal/joint_errors.hpp"
@@ -65,31 +66,33 @@ MovingTwist twist_of(const SpatialFrames::Frame<Jet>& f, double length) {
                    .linear = length * (bend - angular_rate.cross(shift) - angular.cross(speed))}};
 }
 
-void settle(std::vector<std::optional<double>>& values, const std::vector<double>& bounds) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (values[i]) {
-      values[i] = settled(*values[i], bounds[i]);
+Vec3 settled_rates(const Vec3& value, double bound, double rounding) {
+  return value.unaryExpr([&](double x) { return settled_rate(x, bound, rounding); });
+}
+
+// Makes zero what the bounds do not tell from it, as far as they are rounding.
+void settle(const Topology& topology, MotionState& state) {
+  const StateBounds& all = state.bounds;
+  for (std::size_t f = 0; f < state.rates.size(); ++f) {
+    const double unit = topology.freedoms[f].is_rotation ? 1.0 : all.reach;
+    if (state.rates[f]) {
+      state.rates[f] = settled_rate(*state.rates[f], all.rates[f], unit * all.rate_rounding);
+    }
+    if (f < state.rate_rates.size() && state.rate_rates[f]) {
+      state.rate_rates[f] =
+          settled_rate(*state.rate_rates[f], all.rate_rates[f], unit * all.rate_rate_rounding);
     }
   }
-}
-
-Vec3 settled_vector(const Vec3& value, double bound) {
-  return value.unaryExpr([bound](double x) { return settled(x, bound); });
-}
-
-// Makes zero what the bounds do not tell from it.
-void settle(MotionState& state) {
-  settle(state.rates, state.bounds.rates);
-  settle(state.rate_rates, state.bounds.rate_rates);
   for (std::size_t b = 0; b < state.twists.size(); ++b) {
-    const BodyBounds& bounds = state.bounds.bodies[b];
+    const BodyBounds& bounds = all.bodies[b];
     Twist& twist = state.twists[b];
-    twist = {.angular = settled_vector(twist.angular, bounds.angular),
-             .linear = settled_vector(twist.linear, bounds.linear)};
+    twist = {.angular = settled_rates(twist.angular, bounds.angular, all.rate_rounding),
+             .linear = settled_rates(twist.linear, bounds.linear, all.reach * all.rate_rounding)};
     if (!state.twist_rates.empty()) {
       Twist& rate = state.twist_rates[b];
-      rate = {.angular = settled_vector(rate.angular, bounds.angular_rate),
-              .linear = settled_vector(rate.linear, bounds.linear_rate)};
+      rate = {.angular = settled_rates(rate.angular, bounds.angular_rate, all.rate_rate_rounding),
+              .linear = settled_rates(
+                  rate.linear, bounds.linear_rate, all.reach * all.rate_rate_rounding)};
     }
   }
 }
@@ -128,7 +131,7 @@ class StateSolver {
                        is_singular());
     MotionState state = solve(speeds, detail, &errors);
     state.bounds = errors.bounds(mechanism_.topology);
-    settle(state);
+    settle(mechanism_.topology, state);
     return state;
   }
 
@@ -437,53 +440,60 @@ MotionState solve_state(const MotionNetwork& network,
   return MotionStates(network, mechanism).solve(configuration, speeds, detail);
 }
 
-Vec3 point_position(const MotionState& state, BodyId body, const Vec3& drawn) {
+Vec3 point_position(const MotionState& state,
+                    BodyId body,
+                    const Vec3& drawn,
+                    const Vec3& world_origin) {
   const std::size_t b = at(body.value);
   const Vec3 position = state.poses[b].point(drawn);
-  return state.bounds.bodies.empty()
-             ? position
-             : settled_vector(
-                   position,
-                   position_bound(state.bounds.bodies[b], position - state.origin, position));
+  const Vec3 in_world = world_origin + position;
+  if (state.bounds.bodies.empty()) {
+    return in_world;
+  }
+  const double bound = position_bound(state.bounds.bodies[b], position - state.origin, position);
+  return in_world.binaryExpr(world_origin, [&](double x, double shift) {
+    return settled(x, bound + kEpsilon * std::abs(shift));
+  });
 }
 
-Vec3 point_velocity(const MotionState& state, BodyId body, const Vec3& drawn) {
+BoundedRate point_velocity(const MotionState& state, BodyId body, const Vec3& drawn) {
   const std::size_t b = at(body.value);
   if (state.twists.empty()) {
-    return Vec3::Zero();
+    return {};
   }
   const Vec3 position = state.poses[b].point(drawn);
   const Vec3 arm = position - state.origin;
   const Vec3 velocity = velocity_at(state.twists[b], arm);
-  return state.bounds.bodies.empty()
-             ? velocity
-             : settled_vector(
-                   velocity,
-                   velocity_bound(state.bounds.bodies[b], arm, position, state.twists[b]));
+  if (state.bounds.bodies.empty()) {
+    return {.value = velocity};
+  }
+  const double bound = velocity_bound(state.bounds.bodies[b], arm, position, state.twists[b]);
+  const double rounding = state.bounds.rate_rounding * (state.bounds.reach + arm.norm());
+  return {.value = settled_rates(velocity, bound, rounding), .bound = bound};
 }
 
-Vec3 point_acceleration(const MotionState& state, BodyId body, const Vec3& drawn) {
+BoundedRate point_acceleration(const MotionState& state, BodyId body, const Vec3& drawn) {
   const std::size_t b = at(body.value);
   if (state.twists.empty() || state.twist_rates.empty()) {
-    return Vec3::Zero();
+    return {};
   }
   const Vec3 position = state.poses[b].point(drawn);
   const Vec3 arm = position - state.origin;
   const Vec3 acceleration = velocity_at(state.twist_rates[b], arm) +
                             state.twists[b].angular.cross(velocity_at(state.twists[b], arm));
-  return state.bounds.bodies.empty() ? acceleration
-                                     : settled_vector(acceleration,
-                                                      acceleration_bound(state.bounds.bodies[b],
-                                                                         arm,
-                                                                         position,
-                                                                         state.twists[b],
-                                                                         state.twist_rates[b]));
+  if (state.bounds.bodies.empty()) {
+    return {.value = acceleration};
+  }
+  const double bound = acceleration_bound(
+      state.bounds.bodies[b], arm, position, state.twists[b], state.twist_rates[b]);
+  const double rounding = state.bounds.rate_rate_rounding * (state.bounds.reach + arm.norm());
+  return {.value = settled_rates(acceleration, bound, rounding), .bound = bound};
 }
 
 PointMotion point_motion(const MotionState& state, BodyId body, const Vec3& drawn) {
   return {.position = point_position(state, body, drawn),
-          .velocity = point_velocity(state, body, drawn),
-          .acceleration = point_acceleration(state, body, drawn)};
+          .velocity = point_velocity(state, body, drawn).value,
+          .acceleration = point_acceleration(state, body, drawn).value};
 }
 
 }  // namespace kinestat

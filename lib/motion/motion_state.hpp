@@ -49,7 +49,8 @@ struct MotionState {
                                                   ///< contacts and ropes
   std::vector<std::optional<double>> rate_rates;  ///< their derivatives [rad/s² or m/s²]; empty
                                                   ///< likewise
-  StateBounds bounds;  ///< where asked for; then all that it tells from nothing is exactly zero
+  StateBounds bounds;  ///< where asked for; then zero is what they do not tell from it, except
+                       ///< where they are more than rounding (is_told)
 };
 
 /// The states of a mechanism in many configurations, its equations prepared once. Where passive
@@ -67,8 +68,7 @@ class MotionStates {
                                   const GivenSpeeds& speeds,
                                   StateDetail detail);
 
-  /// The same with bounds of its errors, and what these do not tell from zero is zero: for what is
-  /// reported.
+  /// The same with bounds of its errors, and settled by these: for what is reported.
   [[nodiscard]] MotionState solve_bounded(const Configuration& configuration,
                                           const GivenSpeeds& speeds,
                                           StateDetail detail);
@@ -94,13 +94,22 @@ struct PointMotion {
   Vec3 acceleration = Vec3::Zero();
 };
 
+/// In the world frame, with the bound of each component: 0 where the state has none.
+struct BoundedRate {
+  Vec3 value = Vec3::Zero();
+  double bound = 0.0;
+};
+
 /// Of the point of a body that was drawn at `drawn`. Accelerations are zero where the state has
-/// none; where it has bounds, components are zero that are not told from it.
+/// none; where it has bounds, components are settled by them.
 PointMotion point_motion(const MotionState& state, BodyId body, const Vec3& drawn);
 
-/// Its parts, each by itself.
-Vec3 point_position(const MotionState& state, BodyId body, const Vec3& drawn);
-Vec3 point_velocity(const MotionState& state, BodyId body, const Vec3& drawn);
-Vec3 point_acceleration(const MotionState& state, BodyId body, const Vec3& drawn);
+/// Its parts, each by itself. `world_origin` is where the point (0, 0, 0) of the state lies.
+Vec3 point_position(const MotionState& state,
+                    BodyId body,
+                    const Vec3& drawn,
+                    const Vec3& world_origin = Vec3::Zero());
+BoundedRate point_velocity(const MotionState& state, BodyId body, const Vec3& drawn);
+BoundedRate point_acceleration(const MotionState& state, BodyId body, const Vec3& drawn);
 
 }  // namespace kinestat

@@ -1,8 +1,13 @@
 #include "motion/state_bounds.hpp"
 
 #include "core/tolerance.hpp"
+#include "math/settled.hpp"
 
 namespace kinestat {
+
+double settled_rate(double value, double bound, double rounding) {
+  return bound <= rounding ? settled(value, bound) : value;
+}
 
 double position_bound(const BodyBounds& body, const Vec3& arm, const Vec3& position) {
   const double r = arm.norm();

@@ -1,6 +1,7 @@
 // How far the positions, velocities and accelerations of a state may be off.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "screw/twist.hpp"
@@ -19,12 +20,25 @@ struct BodyBounds {
 
 /// SI; lists are parallel to the topology.
 struct StateBounds {
-  std::vector<double> positions;   ///< of the freedoms
-  std::vector<double> rates;       ///< likewise
-  std::vector<double> rate_rates;  ///< likewise
-  std::vector<BodyBounds> bodies;  ///< empty: no bounds were asked for
-  double place = 0.0;              ///< of any body, in sizes of the mechanism
+  std::vector<double> positions;    ///< of the freedoms
+  std::vector<double> rates;        ///< likewise
+  std::vector<double> rate_rates;   ///< likewise
+  std::vector<BodyBounds> bodies;   ///< empty: no bounds were asked for
+  double rate_rounding = 0.0;       ///< a bound of a rate that is no larger is rounding [rad/s]
+  double rate_rate_rounding = 0.0;  ///< likewise of its derivative [rad/s²]
+  double reach = 0.0;               ///< no joint is farther from the origin of the network [m]
+  double place = 0.0;               ///< of any body, in sizes of the mechanism
 };
+
+/// Zero where its bound is no more than rounding and does not tell it from zero, otherwise as it
+/// is.
+double settled_rate(double value, double bound, double rounding);
+
+/// Whether a value that was settled says anything. One whose bound is larger than itself, and more
+/// than rounding, may be anything within it, and is not reported.
+inline bool is_told(double settled_value, double bound) {
+  return settled_value == 0.0 || !(std::abs(settled_value) <= bound);
+}
 
 /// Of a point of a body, at `arm` from the origin of the network [m].
 double position_bound(const BodyBounds& body, const Vec3& arm, const Vec3& position);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 #include "core/index.hpp"
 #include "core/tolerance.hpp"
+#include "motion/internal/motion_limits.hpp"
 
 namespace kinestat {
 
@@ -232,6 +234,11 @@ StateBounds JointErrors::bounds(const Topology& topology) const {
   for (auto* list : {&result.positions, &result.rates, &result.rate_rates}) {
     list->assign(topology.freedoms.size(), 0.0);
   }
+  const double rates = std::accumulate(rates_.begin(), rates_.end(), 0.0);
+  const double bends = std::accumulate(bends_.begin(), bends_.end(), 0.0);
+  result.rate_rounding = kRoundingOfRates * rates;
+  result.rate_rate_rounding = kRoundingOfRates * (bends + rates * rates);
+  result.reach = closure_.reach * closure_.network.length;
   const std::vector<Sums> frames = sums_of_frames();
   for (const int frame : closure_.network.frame_of_body) {
     result.bodies.push_back(bounds_of(frames[at(frame)]));

@@ -49,6 +49,11 @@ inline constexpr double kMostTurnInStep = 3.0;
 /// Coordinates of many turns are rounded: so many of their roundings may be missed.
 inline constexpr double kTurnRoundings = 8.0;
 
+/// A bound of a rate below this share of all rates of the joints together is rounding of the sums
+/// that it is made of, which lose half of their digits at most; above, a singular position is near
+/// and enlarges it. Likewise of derivatives, beside all of these and the squares of rates.
+inline constexpr double kRoundingOfRates = 0x1p22 * kEpsilon;
+
 /// How far a freedom is tried.
 inline constexpr double kTrialStep = 0.01;
 

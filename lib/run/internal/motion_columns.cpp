@@ -17,8 +17,23 @@ constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
 using Reader = std::function<std::optional<double>(const MotionPosition&)>;
 
-std::optional<double> entry(const std::vector<std::optional<double>>& list, std::size_t i) {
-  return i < list.size() ? list[i] : std::nullopt;
+using Vector = std::array<std::optional<double>, 3>;
+
+// Empty where it would be rounding.
+std::optional<double> told(double value, double bound) {
+  return is_told(value, bound) ? std::optional(value) : std::nullopt;
+}
+
+Vector told(const BoundedRate& rate) {
+  return {told(rate.value[0], rate.bound),
+          told(rate.value[1], rate.bound),
+          told(rate.value[2], rate.bound)};
+}
+
+std::optional<double> entry(const std::vector<std::optional<double>>& list,
+                            const std::vector<double>& bounds,
+                            std::size_t i) {
+  return i < list.size() && list[i] ? told(*list[i], bounds[i]) : std::nullopt;
 }
 
 // Empty too where the position is so near a singular one that they would be rounding.
@@ -163,17 +178,18 @@ class ReadingList {
     add_vector(element,
                "at",
                MotionKind::length,
-               [body, drawn, origin = origin_](const MotionPosition& at) -> std::optional<Vec3> {
-                 return origin + point_position(at.state, body, drawn);
+               [body, drawn, origin = origin_](const MotionPosition& at) {
+                 const Vec3 place = point_position(at.state, body, drawn, origin);
+                 return Vector{place.x(), place.y(), place.z()};
                });
   }
 
   void add_vector(const std::string& element,
                   const std::string& quantity,
                   MotionKind kind,
-                  const std::function<std::optional<Vec3>(const MotionPosition&)>& value) {
+                  const std::function<Vector(const MotionPosition&)>& value) {
     // Worked out once a position, where its first component is read.
-    const auto vector = std::make_shared<std::optional<Vec3>>();
+    const auto vector = std::make_shared<Vector>();
     for (int i = 0; i < axis_count(); ++i) {
       add(element,
           quantity + "/" + kAxes[static_cast<std::size_t>(i)],
@@ -182,7 +198,7 @@ class ReadingList {
             if (i == 0) {
               *vector = value(at);
             }
-            return *vector ? std::optional((**vector)[i]) : std::nullopt;
+            return (*vector)[static_cast<std::size_t>(i)];
           });
     }
   }
@@ -193,23 +209,20 @@ class ReadingList {
       const std::string name = topology_.body(point.body).name + "." + std::to_string(t + 1);
       add_place(name, point.body, point.at);
       if (detail_.velocity) {
-        add_vector(name,
-                   "velocity",
-                   MotionKind::velocity,
-                   [point](const MotionPosition& at) -> std::optional<Vec3> {
-                     return has_motion(at)
-                                ? std::optional(point_velocity(at.state, point.body, point.at))
-                                : std::nullopt;
-                   });
+        add_vector(
+            name, "velocity", MotionKind::velocity, [point](const MotionPosition& at) -> Vector {
+              return has_motion(at) ? told(point_velocity(at.state, point.body, point.at))
+                                    : Vector{};
+            });
       }
       if (detail_.acceleration) {
         add_vector(name,
                    "acceleration",
                    MotionKind::acceleration,
-                   [point](const MotionPosition& at) -> std::optional<Vec3> {
+                   [point](const MotionPosition& at) -> Vector {
                      return has_acceleration(at)
-                                ? std::optional(point_acceleration(at.state, point.body, point.at))
-                                : std::nullopt;
+                                ? told(point_acceleration(at.state, point.body, point.at))
+                                : Vector{};
                    });
       }
     }
@@ -223,20 +236,22 @@ class ReadingList {
             "velocity",
             turns(f) ? MotionKind::angular_velocity : MotionKind::velocity,
             [i](const MotionPosition& at) {
-              return has_motion(at) ? entry(at.state.rates, i) : std::nullopt;
+              return has_motion(at) ? entry(at.state.rates, at.state.bounds.rates, i)
+                                    : std::nullopt;
             });
       }
     }
     for (int b = 1; report().velocity && b < topology_.body_count(); ++b) {
       const BodyId body{b};
       const Vec3 reference = mechanism_.geometry.references[static_cast<std::size_t>(b)];
-      add_angular(b, "angular", MotionKind::angular_velocity, &MotionState::twists);
+      add_angular(
+          b, "angular", MotionKind::angular_velocity, &MotionState::twists, &BodyBounds::angular);
       add_vector(topology_.bodies[static_cast<std::size_t>(b)].name,
                  "linear",
                  MotionKind::velocity,
-                 [body, reference](const MotionPosition& at) -> std::optional<Vec3> {
-                   return has_motion(at) ? std::optional(point_velocity(at.state, body, reference))
-                                         : std::nullopt;
+                 [body, reference](const MotionPosition& at) -> Vector {
+                   return has_motion(at) ? told(point_velocity(at.state, body, reference))
+                                         : Vector{};
                  });
     }
   }
@@ -244,16 +259,18 @@ class ReadingList {
   void add_angular(int body,
                    const std::string& quantity,
                    MotionKind kind,
-                   std::vector<Twist> MotionState::*twists) {
+                   std::vector<Twist> MotionState::*twists,
+                   double BodyBounds::*bound) {
     const auto b = static_cast<std::size_t>(body);
     for (int i = mechanism_.space == Space::planar ? 2 : 0; i < 3; ++i) {
       add(topology_.bodies[b].name,
           quantity + "/" + kAxes[static_cast<std::size_t>(i)],
           kind,
-          [b, i, twists](const MotionPosition& at) -> std::optional<double> {
+          [b, i, twists, bound](const MotionPosition& at) -> std::optional<double> {
             const std::vector<Twist>& list = at.state.*twists;
-            return has_motion(at) && b < list.size() ? std::optional(list[b].angular[i])
-                                                     : std::nullopt;
+            return has_motion(at) && b < list.size()
+                       ? told(list[b].angular[i], at.state.bounds.bodies[b].*bound)
+                       : std::nullopt;
           });
     }
   }
@@ -266,22 +283,25 @@ class ReadingList {
             "acceleration",
             turns(f) ? MotionKind::angular_acceleration : MotionKind::acceleration,
             [i](const MotionPosition& at) {
-              return has_motion(at) ? entry(at.state.rate_rates, i) : std::nullopt;
+              return has_motion(at) ? entry(at.state.rate_rates, at.state.bounds.rate_rates, i)
+                                    : std::nullopt;
             });
       }
     }
     for (int b = 1; report().acceleration && b < topology_.body_count(); ++b) {
       const BodyId body{b};
       const Vec3 reference = mechanism_.geometry.references[static_cast<std::size_t>(b)];
-      add_angular(
-          b, "angular_acceleration", MotionKind::angular_acceleration, &MotionState::twist_rates);
+      add_angular(b,
+                  "angular_acceleration",
+                  MotionKind::angular_acceleration,
+                  &MotionState::twist_rates,
+                  &BodyBounds::angular_rate);
       add_vector(topology_.bodies[static_cast<std::size_t>(b)].name,
                  "linear_acceleration",
                  MotionKind::acceleration,
-                 [body, reference](const MotionPosition& at) -> std::optional<Vec3> {
-                   return has_acceleration(at)
-                              ? std::optional(point_acceleration(at.state, body, reference))
-                              : std::nullopt;
+                 [body, reference](const MotionPosition& at) -> Vector {
+                   return has_acceleration(at) ? told(point_acceleration(at.state, body, reference))
+                                               : Vector{};
                  });
     }
   }

@@ -185,8 +185,8 @@ class DeadPointFinder {
     if (place && may_rest(*place)) {
       const MotionState state =
           states_.solve_bounded(place->configuration, per_share_, StateDetail::velocity);
-      for (const std::optional<double>& rate : state.rates) {
-        place->rests.push_back(rate.value_or(0.0) == 0.0);
+      for (std::size_t f = 0; f < state.rates.size(); ++f) {
+        place->rests.push_back(std::abs(state.rates[f].value_or(0.0)) <= state.bounds.rates[f]);
       }
     }
     return place;
