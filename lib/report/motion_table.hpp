@@ -42,6 +42,8 @@ struct MotionRow {
   std::string status;                ///< "solved", "singular", …
   bool lacks_velocities = false;     ///< they were asked for, and there are none
   bool lacks_accelerations = false;  ///< likewise, where there are velocities
+  bool drops_velocities = false;     ///< some are left out: they would be rounding
+  bool drops_accelerations = false;  ///< likewise
 };
 
 /// What happens at a position of the drives that is none of the steps.

@@ -129,7 +129,7 @@ std::optional<FoundMotion> find_motion(const MechanismDescription& drawn,
   add_motion_passive_findings(motion, mechanism, found);
   of_positions.tell(motion.table, found);
   add_motion_transmission_findings(motion, mechanism, found);
-  add_motion_speed_findings(motion, description, mechanism, found);
+  add_motion_speed_findings(motion, mechanism, found);
   return motion;
 }
 

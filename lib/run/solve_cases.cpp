@@ -134,6 +134,7 @@ struct CaseRequest {
   std::size_t index = 0;               // among these
   CaseCertainty* certainty = nullptr;  // filled in beside `typed`
   CasePasses passes = CasePasses::all;
+  const KinematicSolution* motion = nullptr;  // null: to be solved
 };
 
 // With the screws that were rounded nearby, if there are any; wrenches are those of the drawing, at
@@ -244,7 +245,9 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   const Case& which = request.which;
   CaseAnalysis result;
   result.which = which;
-  if (which.asks_motions) {
+  if (which.asks_motions && request.motion != nullptr) {
+    result.motion = *request.motion;
+  } else if (which.asks_motions) {
     result.motion = solve_velocity(request.nearby != nullptr ? *request.nearby : drawn,
                                    bases.motion,
                                    which.motions,
@@ -333,6 +336,16 @@ std::vector<CaseAnalysis> solve_case_passes(const Mechanism& mechanism,
         solve_case(mechanism, bases, {.which = which, .accuracy = usual, .passes = passes}));
   }
   return cases;
+}
+
+CaseAnalysis solve_case_in_motion(const Mechanism& mechanism,
+                                  const Case& which,
+                                  const KinematicSolution& motion,
+                                  CasePasses passes) {
+  const AccuracyRequest usual;
+  return solve_case(mechanism,
+                    bases_of(mechanism),
+                    {.which = which, .accuracy = usual, .passes = passes, .motion = &motion});
 }
 
 Analysis solve_cases(std::string file, Loaded loaded, const AccuracyRequest& request) {

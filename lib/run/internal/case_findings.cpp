@@ -41,7 +41,18 @@ bool is_open_gear(const JudgedFile& file, const CaseAnalysis& one) {
 void add_motion_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const KinematicSolution& motion = *one.motion;
   const KnownSide side = motion_side(file, one.which);
-  if (motion.status == SolveStatus::dependent) {
+  if (motion.status == SolveStatus::dependent && motion.check.dependences.empty()) {
+    found.error("E0502",
+                one.which.where,
+                fmt::format("case '{}' gives motions that depend on each other", one.which.label),
+                "the mechanism closes by least squares alone, which does not tell how; give no "
+                "more motions than it has drives");
+  } else if (motion.status == SolveStatus::underdetermined && motion.check.undetermined.empty()) {
+    found.error("E0501",
+                one.which.where,
+                fmt::format("case '{}' does not determine the motion", one.which.label),
+                "the mechanism closes by least squares alone; give the motions of its drives");
+  } else if (motion.status == SolveStatus::dependent) {
     found.error("E0502",
                 place_of_surplus(one.which.motions, motion.check, one.which.where),
                 fmt::format("case '{}' gives motions that depend on each other: {}",
@@ -184,7 +195,7 @@ JudgedFile judged_file(const Analysis& analysis) {
 
 CaseFindings find_case_findings(const JudgedFile& file, const CaseAnalysis& one, IsTold is_told) {
   CaseFindings found(std::move(is_told));
-  if (one.motion && has_own_rank(file.mechanism)) {
+  if (one.motion) {
     add_motion_findings(file, one, found);
   }
   if (one.action && !is_open_gear(file, one)) {

@@ -21,4 +21,10 @@ std::vector<CaseAnalysis> solve_case_passes(const Mechanism& mechanism,
                                             std::span<const Case> cases,
                                             CasePasses passes);
 
+/// One case whose motion is known already, or why it has none.
+CaseAnalysis solve_case_in_motion(const Mechanism& mechanism,
+                                  const Case& which,
+                                  const KinematicSolution& motion,
+                                  CasePasses passes);
+
 }  // namespace kinestat

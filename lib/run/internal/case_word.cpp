@@ -2,14 +2,9 @@
 
 #include <algorithm>
 
-#include "core/motion_tolerance.hpp"
 #include "statics/one_sided_action.hpp"
 
 namespace kinestat {
-
-bool has_own_rank(const Mechanism& mechanism) {
-  return mechanism.misclosure <= kLeastCorrection;
-}
 
 std::string_view impossible_word(const Mechanism& mechanism, const CaseAnalysis& one) {
   if (!one.action) {
@@ -28,8 +23,7 @@ std::string_view impossible_word(const Mechanism& mechanism, const CaseAnalysis&
 }
 
 std::string_view case_word(const Mechanism& mechanism, const CaseAnalysis& one, bool asks_power) {
-  const bool has_motion = !one.motion || one.motion->status == SolveStatus::solved;
-  if (!has_motion && has_own_rank(mechanism)) {
+  if (one.motion && one.motion->status != SolveStatus::solved) {
     return word_of(one.motion->status);
   }
   const SolveStatus status = one.action ? one.action->status : SolveStatus::solved;

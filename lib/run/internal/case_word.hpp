@@ -7,11 +7,6 @@
 
 namespace kinestat {
 
-/// Whether the rank of its motions is that of the mechanism itself: false of a position of a motion
-/// that closes by least squares alone, where what is left open decides on the rank. There the
-/// motion has found its own speeds.
-bool has_own_rank(const Mechanism& mechanism);
-
 /// Whether the answer is one that the mechanism can have: "rope_pushes", "contact_pulls" or
 /// "rope_slips" where a rope would have to push, surfaces to pull on each other or a rope to hold
 /// by more friction than there is; otherwise empty.

@@ -53,7 +53,8 @@ MotionPositions::MotionPositions(const Mechanism& mechanism,
 
 MotionPosition MotionPositions::at(const Configuration& configuration) {
   MotionPosition position;
-  const bool needs_speeds = which_ != nullptr && (detail_.velocity || detail_.acceleration);
+  const bool asks_speeds = which_ != nullptr && (detail_.velocity || detail_.acceleration);
+  const bool needs_speeds = asks_speeds || (detail_.statics && !has_own_rank());
   const StateDetail detail =
       detail_.acceleration ? StateDetail::acceleration : StateDetail::velocity;
   CaseSpeeds found{.known = SpeedsKnown::not_by_state, .speeds = {}};
@@ -75,12 +76,30 @@ MotionPosition MotionPositions::at(const Configuration& configuration) {
       position.speeds = SpeedsKnown::not_by_state;
     }
   }
+  if (has_motion(position)) {
+    hold_known(position.state);
+  }
   place(configuration, position);
-  if (!position.state.is_singular && (detail_.statics || detail_.transmission_angle)) {
+  const bool lacks_velocities = asks_speeds && !position.has_speeds();
+  if (!position.state.is_singular &&
+      (detail_.statics || detail_.transmission_angle || lacks_velocities)) {
     move(configuration, position);
     solve_passes(position);
   }
   return position;
+}
+
+// What the case knows is steady, by definition.
+void MotionPositions::hold_known(MotionState& state) const {
+  for (const Primary& known : which_->motions) {
+    const auto freedom = static_cast<std::size_t>(known.index);
+    const bool is_driven =
+        std::ranges::find(plan_.drives, known.index, &PlannedDrive::freedom) != plan_.drives.end();
+    if (!is_driven && freedom < state.rate_rates.size() && state.rate_rates[freedom]) {
+      state.rate_rates[freedom] = 0.0;
+      state.bounds.rate_rates[freedom] = 0.0;
+    }
+  }
 }
 
 // Where freedoms and bodies stand, zero where nothing tells it from that.
@@ -105,14 +124,61 @@ void MotionPositions::move(const Configuration& configuration, const MotionPosit
   moved_.misclosure = std::max(detail_.misclosure, position.state.bounds.place);
 }
 
+// A position that closes by least squares has no exact screws, and so no rank of its own: how the
+// mechanism moves is decided where it is closed.
+bool MotionPositions::has_own_rank() const {
+  return detail_.misclosure <= kLeastCorrection;
+}
+
+KinematicSolution MotionPositions::motion_of_state(const MotionPosition& position) const {
+  KinematicSolution motion;
+  if (!position.has_speeds()) {
+    motion.status = position.speeds == SpeedsKnown::dependent ? SolveStatus::dependent
+                                                              : SolveStatus::underdetermined;
+    return motion;
+  }
+  const MotionState& state = position.state;
+  for (const std::optional<double>& rate : state.rates) {
+    motion.rates.push_back(rate.value_or(0.0));
+  }
+  motion.answer.bounds = state.bounds.rates;
+  motion.bodies = state.twists;
+  for (const BodyBounds& bounds : state.bounds.bodies) {
+    motion.body_bounds.push_back(
+        {.angular = Vec3::Constant(bounds.angular), .linear = Vec3::Constant(bounds.linear)});
+  }
+  for (const CouplingTopology& coupling : mechanism_.topology.couplings) {
+    const Twist& tail = state.twists[static_cast<std::size_t>(coupling.tail.value)];
+    const Twist& head = state.twists[static_cast<std::size_t>(coupling.head.value)];
+    motion.couplings.push_back(
+        {.angular = head.angular - tail.angular, .linear = head.linear - tail.linear});
+  }
+  return motion;
+}
+
 void MotionPositions::solve_passes(MotionPosition& position) {
   const Case& which = moved_.cases[static_cast<std::size_t>(plan_.which)];
-  if (detail_.statics) {
-    position.solved = std::move(solve_case_passes(moved_, {&which, 1}, CasePasses::row).front());
-  }
   if (detail_.transmission_angle) {
     position.transmission_angle =
         find_transmission_angle(moved_, which.inputs.front(), which.outputs.front());
+  }
+  Case judged = which;
+  judged.asks_actions = which.asks_actions && detail_.statics;
+  const bool lacks_velocities =
+      (detail_.velocity || detail_.acceleration) && !position.has_speeds();
+  if (!detail_.statics && !lacks_velocities) {
+    return;
+  }
+  if (!has_own_rank() && which.asks_motions) {
+    position.solved =
+        solve_case_in_motion(moved_, judged, motion_of_state(position), CasePasses::row);
+    // Forces and velocities are of mechanisms that differ by as much.
+    std::optional<PowerFlow>& power = position.solved->power;
+    if (power && power->balance_residual <= kClosureInActions * detail_.misclosure) {
+      power->is_balanced = true;
+    }
+  } else {
+    position.solved = std::move(solve_case_passes(moved_, {&judged, 1}, CasePasses::row).front());
   }
 }
 

@@ -31,7 +31,8 @@ struct MotionPosition {
   std::vector<double> turns;                       ///< of the bodies in the plane, counted [rad]
   MotionState state;                               ///< with the speeds of the case, or per share
   SpeedsKnown speeds = SpeedsKnown::not_by_state;  ///< what the case says of them
-  std::optional<CaseAnalysis> solved;              ///< the passes of the case
+  std::optional<CaseAnalysis> solved;              ///< the passes of the case; its motion alone
+                                                   ///< where velocities are missing
   std::optional<double> transmission_angle;        ///< [rad]
 
   /// The state has those of the case.
@@ -58,9 +59,12 @@ class MotionPositions {
   const Mechanism& moved() const { return moved_; }
 
  private:
+  void hold_known(MotionState& state) const;
   void place(const Configuration& configuration, MotionPosition& position) const;
   void move(const Configuration& configuration, const MotionPosition& position);
   void solve_passes(MotionPosition& position);
+  bool has_own_rank() const;
+  KinematicSolution motion_of_state(const MotionPosition& position) const;
 
   const Mechanism& mechanism_;
   const MotionPlan& plan_;

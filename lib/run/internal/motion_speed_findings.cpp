@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "motion/moved_mechanism.hpp"
 #include "report/numbers.hpp"
-#include "run/findings.hpp"
-#include "run/internal/motion_position.hpp"
-#include "run/solve_cases.hpp"
 
 namespace kinestat {
 
@@ -19,16 +16,14 @@ namespace {
 
 class SpeedFindings {
  public:
-  SpeedFindings(const FoundMotion& motion,
-                const MechanismDescription& description,
-                const Mechanism& mechanism,
-                Diagnostics& found)
-      : motion_(motion), description_(description), mechanism_(mechanism), found_(found) {}
+  SpeedFindings(const FoundMotion& motion, const Mechanism& mechanism, Diagnostics& found)
+      : motion_(motion), mechanism_(mechanism), found_(found) {}
 
   void add_all() {
-    add_contradictions();
+    add_unmoved_drives();
     add_singular_rows();
     add_flat_rows();
+    add_dropped_cells();
     add_friction_turns();
   }
 
@@ -60,38 +55,25 @@ class SpeedFindings {
     const std::vector<MotionRow>& rows = motion_.table.rows;
     const auto count = std::ranges::count_if(rows, holds);
     return count == 1 ? text
-                      : text + fmt::format(" and {} more positions of {}", count - 1, rows.size());
+                      : text + fmt::format(" and {} more position{} of {}",
+                                           count - 1,
+                                           count == 2 ? "" : "s",
+                                           rows.size());
   }
 
-  static bool is_regular(const MotionRow& row) {
-    return row.lacks_velocities && row.status != "singular" && row.status != "limit";
+  // The judge of the case has nothing against these.
+  static bool is_solved(const MotionRow& row) {
+    return row.lacks_velocities && row.status == "solved";
   }
 
-  static bool is_known(const MotionRow& row) { return !row.lacks_velocities; }
-
-  // The judge of known motions is the analysis of that position; where others have velocities, it
-  // is the position alone that is singular for them.
-  void add_contradictions() {
-    const MotionRow* first = first_of(is_regular);
-    if (first == nullptr) {
-      return;
-    }
-    const std::string where = places_text(*first, is_regular);
-    const Diagnostics said = first_of(is_known) == nullptr ? analysed(first->step) : Diagnostics();
-    for (const Diagnostic& one : said.items()) {
-      const std::string message = fmt::format("{} (at {})", one.message, where);
-      if (!is_told(one.code)) {
-        one.severity == Severity::error ? found_.error(one.code, one.where, message, one.hint)
-                                        : found_.warning(one.code, one.where, message, one.hint);
-      }
-    }
-    if (said.items().empty()) {
+  void add_unmoved_drives() {
+    if (const MotionRow* first = first_of(is_solved)) {
       found_.warning(
           "W0507",
           motion_.plan.where,
           fmt::format("velocities are left out at {}: what case '{}' knows does not move "
                       "the drives there",
-                      where,
+                      places_text(*first, is_solved),
                       which().label),
           "give the speed of the drives themselves in 'motion:' of the case");
     }
@@ -104,26 +86,6 @@ class SpeedFindings {
 
   const Case& which() const {
     return mechanism_.cases[static_cast<std::size_t>(motion_.plan.which)];
-  }
-
-  // The motion of the case alone, in that position.
-  Diagnostics analysed(int step) const {
-    Analysis analysis;
-    analysis.description = description_;
-    analysis.mechanism = mechanism_;
-    const Configuration configuration = motion_.solution.configuration_at(step);
-    move_mechanism(motion_.network,
-                   motion_.drawn,
-                   configuration,
-                   body_poses(motion_.network, configuration),
-                   mechanism_,
-                   analysis.mechanism);
-    Case moving = which();
-    moving.asks_actions = false;
-    analysis.cases = solve_some_cases(analysis.mechanism, {&moving, 1});
-    Diagnostics said;
-    add_findings(analysis, said);
-    return said;
   }
 
   // Where the motion goes on, its events name singular positions; otherwise its end does.
@@ -156,6 +118,23 @@ class SpeedFindings {
     }
   }
 
+  void add_dropped_cells() {
+    const std::pair<std::string_view, Condition> kinds[] = {
+        {"velocities", [](const MotionRow& row) { return row.drops_velocities; }},
+        {"accelerations", [](const MotionRow& row) { return row.drops_accelerations; }}};
+    for (const auto& [name, holds] : kinds) {
+      if (const MotionRow* first = first_of(holds)) {
+        found_.warning("W0507",
+                       motion_.plan.where,
+                       fmt::format("some {} are left out at {}: a singular position is so near "
+                                   "that they would be rounding",
+                                   name,
+                                   places_text(*first, holds)),
+                       "those that are there are right; take other steps, or another drive");
+      }
+    }
+  }
+
   // At a dead point a friction has no direction, and just before and behind it two.
   void add_friction_turns() {
     for (const FrictionTurn& turn : motion_.table.friction_turns) {
@@ -178,7 +157,6 @@ class SpeedFindings {
   }
 
   const FoundMotion& motion_;
-  const MechanismDescription& description_;
   const Mechanism& mechanism_;
   Diagnostics& found_;
 };
@@ -186,10 +164,9 @@ class SpeedFindings {
 }  // namespace
 
 void add_motion_speed_findings(const FoundMotion& motion,
-                               const MechanismDescription& description,
                                const Mechanism& mechanism,
                                Diagnostics& found) {
-  SpeedFindings(motion, description, mechanism, found).add_all();
+  SpeedFindings(motion, mechanism, found).add_all();
 }
 
 }  // namespace kinestat

@@ -5,10 +5,9 @@
 
 namespace kinestat {
 
-/// What analysis says of the known motions at the first of these positions, or what is singular
-/// there; nothing where all rows have what was asked for.
+/// Beside what is found of the case in each position; nothing where all rows have what was asked
+/// for.
 void add_motion_speed_findings(const FoundMotion& motion,
-                               const MechanismDescription& description,
                                const Mechanism& mechanism,
                                Diagnostics& found);
 

@@ -14,6 +14,14 @@ namespace kinestat {
 
 namespace {
 
+bool is_rate(MotionKind kind) {
+  return kind == MotionKind::angular_velocity || kind == MotionKind::velocity;
+}
+
+bool is_rate_of_rate(MotionKind kind) {
+  return kind == MotionKind::angular_acceleration || kind == MotionKind::acceleration;
+}
+
 // The status of a row whose actions nothing but the turn of a friction leaves open.
 constexpr std::string_view kAtDeadPoint = "dead_point";
 
@@ -178,22 +186,46 @@ class TableMaker {
       row.values.push_back(value && std::isfinite(*value)
                                ? std::optional(in_unit(reading.kind, *value))
                                : std::nullopt);
+      const bool is_left_out = !value && has_motion(position);
+      row.drops_velocities |= is_left_out && is_rate(reading.kind);
+      row.drops_accelerations |=
+          is_left_out && !row.lacks_accelerations && is_rate_of_rate(reading.kind);
     }
     table_.rows.push_back(std::move(row));
     sliding_.push_back(sliding_at(position));
   }
 
-  // The rate of each coupling with friction; empty where none is known.
-  std::vector<double> sliding_at(const MotionPosition& position) const {
-    std::vector<double> rates;
+  // The motion against which each friction works; empty where none is known.
+  std::vector<Vec3> sliding_at(const MotionPosition& position) const {
+    std::vector<Vec3> rates;
     if (!position.solved || !position.solved->motion || position.solved->motion->rates.empty()) {
       return rates;
     }
     for (const CouplingFriction& friction : mechanism_.frictions) {
-      const int freedom = topology_.coupling(friction.coupling).first_freedom;
-      rates.push_back(position.solved->motion->rates[static_cast<std::size_t>(freedom)]);
+      rates.push_back(sliding_of(friction.coupling, *position.solved));
     }
     return rates;
+  }
+
+  // The rate of the one freedom of a bearing, guide or thread; the velocity along the freedoms that
+  // slide of a contact, whose turns rub nothing. Zero where the friction has no direction.
+  Vec3 sliding_of(CouplingId id, const CaseAnalysis& one) const {
+    Vec3 result = Vec3::Zero();
+    if (one.action && std::ranges::find(one.action->at_rest, id) != one.action->at_rest.end()) {
+      return result;
+    }
+    const CouplingTopology& coupling = topology_.coupling(id);
+    const bool has_axis = coupling.type == CouplingType::revolute ||
+                          coupling.type == CouplingType::helical ||
+                          coupling.type == CouplingType::prismatic;
+    Eigen::Index count = 0;
+    for (int i = 0; i < coupling.freedom_count && count < result.size(); ++i) {
+      const auto f = static_cast<std::size_t>(coupling.first_freedom + i);
+      if (has_axis || !topology_.freedoms[f].is_rotation) {
+        result[count++] = one.motion->rates[f];
+      }
+    }
+    return result;
   }
 
   // Between the nearest rows in which a coupling slides one way and the other; rows between them
@@ -207,10 +239,10 @@ class TableMaker {
           before.reset();
           continue;
         }
-        if (sliding_[r][f] == 0.0) {
+        if (sliding_[r][f].isZero(0.0)) {
           continue;
         }
-        if (before && (sliding_[*before][f] < 0.0) != (sliding_[r][f] < 0.0)) {
+        if (before && sliding_[*before][f].dot(sliding_[r][f]) < 0.0) {
           if (turn.count++ == 0) {
             turn.before = *before;
             turn.after = r;
@@ -241,12 +273,6 @@ class TableMaker {
     }
     if (position.state.is_singular) {
       return "singular";
-    }
-    if (detail_.velocity && position.speeds == SpeedsKnown::dependent) {
-      return std::string(word_of(SolveStatus::dependent));
-    }
-    if (detail_.velocity && position.speeds == SpeedsKnown::too_few) {
-      return std::string(word_of(SolveStatus::underdetermined));
     }
     return position.solved ? std::string(case_word(moved, *position.solved, plan_.report.power))
                            : "solved";
@@ -390,8 +416,8 @@ class TableMaker {
   PositionFindings& found_;
   MotionDetail detail_;
   std::vector<MotionReading> readings_;
-  std::vector<std::vector<double>> sliding_;  // of each row
-  std::vector<CaseFindings> said_;            // likewise
+  std::vector<std::vector<Vec3>> sliding_;  // of each row
+  std::vector<CaseFindings> said_;          // likewise
   MotionTable table_;
 };
 
