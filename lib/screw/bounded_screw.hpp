@@ -46,8 +46,8 @@ BoundedTwist about_world(const BoundedTwist& twist, const Vec3& origin);
 BoundedWrench about_world(const BoundedWrench& wrench, const Vec3& origin);
 BoundedNumber power(const BoundedWrench& wrench, const BoundedTwist& twist);
 
-/// As of Twist and Wrench: a direction, a place or a pitch that is mere rounding is zero. Empty also
-/// where a line is so uncertain that neither its place nor its pitch is known.
+/// As of Twist and Wrench: a direction, a place or a pitch that is mere rounding is zero. Empty
+/// also where a line is so uncertain that neither its place nor its pitch is known.
 std::optional<ScrewAxis> find_axis(const BoundedTwist& twist, double length);
 std::optional<ScrewAxis> find_axis(const BoundedWrench& wrench, double length);
 

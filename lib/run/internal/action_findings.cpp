@@ -1,13 +1,11 @@
 #include "run/internal/action_findings.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
 
 #include "core/text.hpp"
-#include "core/tolerance.hpp"
 #include "run/internal/cable_findings.hpp"
 #include "run/internal/known_side.hpp"
 #include "screw/bounded_screw.hpp"
