@@ -378,7 +378,7 @@ class Reports(unittest.TestCase):
                 for row in rows:
                     synthesis = answer["synthesis"]
                     part = synthesis["tasks"][int(row["case"])] if row["case"] else synthesis
-                    value = at(part[row["element"]], row["quantity"])
+                    value = at(part, f"{row['element']}/{row['quantity']}")
                     self.assertEqual(row["value"], json.dumps(value), row)
                 found = list(numbers(answer["synthesis"]))
                 self.assertEqual(len(rows), sum(is_count_or_number(one) for one in found))
