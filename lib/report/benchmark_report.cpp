@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "report/table_archive.hpp"
-#include "report/report_parts.hpp"
 #include "report/csv.hpp"
 #include "report/numbers.hpp"
+#include "report/report_parts.hpp"
 #include "report/table.hpp"
+#include "report/table_archive.hpp"
 
 namespace kinestat {
 

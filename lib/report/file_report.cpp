@@ -31,15 +31,14 @@ FileReport make_certified_report(const Analysis& analysis,
                                  const ReportForms& forms,
                                  Diagnostics& found) {
   FileReport report;
-  const bool needs_json =
-      forms.json || forms.json_line || !analysis.description.published.empty();
+  const bool needs_json = forms.json || forms.json_line || !analysis.description.published.empty();
   const ReportView view{.file = analysis.file,
-                  .description = analysis.description,
-                  .mechanism = &analysis.mechanism,
-                  .analysis = &analysis,
-                  .certainty = &certainty,
-                  .transmission = analysis.shift ? &analysis : nullptr,
-                  .motion = motion};
+                        .description = analysis.description,
+                        .mechanism = &analysis.mechanism,
+                        .analysis = &analysis,
+                        .certainty = &certainty,
+                        .transmission = analysis.shift ? &analysis : nullptr,
+                        .motion = motion};
   const FileUnits& units = analysis.description.units;
   if (needs_json) {
     Json json = json_of(report_record(), view, units);

@@ -138,10 +138,8 @@ FileReport make_graph_report(const std::string& file,
                              const ReportForms& forms) {
   FileReport report;
   if (forms.json || forms.json_line) {
-    const ReportView view{.file = file,
-                          .description = description,
-                          .mechanism = &mechanism,
-                          .matrices = matrices};
+    const ReportView view{
+        .file = file, .description = description, .mechanism = &mechanism, .matrices = matrices};
     add_json(json_of(report_record(), view, description.units), forms, report);
   }
   if (forms.csv) {

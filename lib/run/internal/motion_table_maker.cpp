@@ -133,7 +133,8 @@ class TableMaker {
     }
     find_friction_turns();
     tell_findings();
-    table_.columns.push_back({.element = "", .quantity = std::string(kMisclosureColumn), .unit = ""});
+    table_.columns.push_back(
+        {.element = "", .quantity = std::string(kMisclosureColumn), .unit = ""});
     for (std::size_t r = 0; r < table_.rows.size(); ++r) {
       const double closure = solution_.misclosures[r];
       table_.rows[r].values.emplace_back(closure);
