@@ -126,13 +126,24 @@ TEST(JsonReport, KnowsUnitsByPlace) {
 TEST(JsonReport, SaysWhereItDoesNotTellTheUnit) {
   const ReportValues values = json_values(json_report(R"(,
     "graph": {"couplings": [{"name": "e", "freedoms": ["vx", "wz"], "actuators": ["both"]}]},
-    "cases": {"M1": {"ratio": 2.0, "statics": {"actions": {"both": 1}}, "power": {"later": 1}}})"));
+    "cases": {"M1": {"statics": {"actions": {"both": 1}}, "power": {"later": 1}}})"));
 
-  for (const char* place :
-       {"/cases/M1/ratio", "/cases/M1/statics/actions/both", "/cases/M1/power/later"}) {
+  for (const char* place : {"/cases/M1/statics/actions/both", "/cases/M1/power/later"}) {
     ASSERT_NE(values.find(place), nullptr) << place;
     EXPECT_NE(values.unit_of(*values.find(place)).assumes, "") << place;
   }
+}
+
+TEST(JsonReport, CountsARatioInTheUnitThatItsCaseNames) {
+  const ReportValues values = json_values(json_report(R"(,
+    "cases": {"turns": {"ratio": 2.0},
+              "slides": {"ratio": 2.0, "ratio_unit": "rad/s per mm/s"}})"));
+
+  EXPECT_EQ(unit_at("/cases/turns/ratio", values), "ratio ");
+  EXPECT_EQ(unit_at("/cases/slides/ratio", values), "ratio rad/s per mm/s");
+  const ValueUnit& unit = values.unit_of(*values.find("/cases/slides/ratio"));
+  EXPECT_EQ(unit.scale.to_si(1.0), 1000.0);  // 1 rad/s per 0.001 m/s
+  EXPECT_EQ(unit.assumes, "");
 }
 
 TEST(JsonReport, CountsCoefficientsPerUnitOfTheParameter) {

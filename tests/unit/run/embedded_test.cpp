@@ -29,12 +29,12 @@ TEST(EmbeddedExamples, HaveAWrongVersionAndMarksOnEveryLine) {
 TEST(EmbeddedTexts, AreFoundByTheirName) {
   ASSERT_NE(find_text(embedded_starters(), "four-bar"), nullptr);
   ASSERT_NE(find_text(embedded_topics(), "exit-status"), nullptr);
-  ASSERT_NE(find_text(embedded_schemas(), "report"), nullptr);
+  ASSERT_NE(find_text(embedded_schemas(), "mechanism"), nullptr);
   EXPECT_EQ(find_text(embedded_topics(), "exit"), nullptr);
 }
 
 TEST(EmbeddedTexts, KeepEveryByte) {
-  const EmbeddedText* schema = find_text(embedded_schemas(), "diagnostics");
+  const EmbeddedText* schema = find_text(embedded_schemas(), "mechanism");
 
   ASSERT_NE(schema, nullptr);
   EXPECT_TRUE(schema->text.starts_with("{\n"));
