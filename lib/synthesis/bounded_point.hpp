@@ -79,7 +79,7 @@ inline BoundedNumber written(double value) {
   return {.value = value, .bound = kDataRounding * std::abs(value)};
 }
 
-/// The square root of a positive number: no more than half the relative error.
+/// The square root of a positive number: its relative error is at most that of the square.
 inline BoundedNumber root(const BoundedNumber& square) {
   const double value = std::sqrt(square.value);
   return {.value = value, .bound = square.bound / value + kEpsilon * value};

@@ -125,11 +125,11 @@ constexpr auto kWarningCodes = std::to_array<Code>({
     {"W0507",
      done,
      "velocities or accelerations left out",
-     "A row of a motion has no velocities, although the case knows speeds: in this position the "
-     "drives do not determine them, or the known speeds do not tell how fast the drives run, as "
-     "at a dead point of what is known. Accelerations are left out a little earlier, where the "
-     "error of the position, some roundings, would be most of them. All other rows have theirs. "
-     "Give the speeds of the drives themselves, or take steps that miss the position."},
+     "A row of a motion lacks velocities, although the case knows speeds: in this position the "
+     "drives do not determine them, or the known speeds do not tell how fast the drives run. "
+     "Beside such a position single velocities, and accelerations a little earlier, are left out "
+     "where the error of the position, some roundings, would be most of them. What is there is "
+     "right. Give the speeds of the drives themselves, or take steps that miss the position."},
     {"W0508",
      done,
      "friction turns round",

@@ -16,7 +16,7 @@ namespace kinestat {
 struct MotionDetail {
   bool velocity = false;
   bool acceleration = false;
-  bool statics = false;  ///< all passes of the case
+  bool statics = false;  ///< actions, and the powers and ratios of the case
   bool transmission_angle = false;
   double misclosure = kMotionClosure;  ///< of the worst position of the motion
 };
