@@ -61,7 +61,7 @@ struct MotionEvent {
 struct FrictionTurn {
   std::string coupling;
   std::size_t before = 0;  ///< the row before it turns for the first time
-  std::size_t after = 0;   ///< the row behind; one between the two rests
+  std::size_t after = 0;   ///< the row behind; one between the two rests. The same at an end
   int count = 0;           ///< how often it turns
 };
 

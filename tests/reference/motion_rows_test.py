@@ -366,6 +366,59 @@ class FrictionInSlots(MotionTest):
             dead = {steps // 2} if steps % 2 == 0 else set()
             self.assertEqual({r for r, one in enumerate(status) if one == "dead_point"}, dead)
 
+    def test_rests_at_the_ends_of_a_range_as_it_does_within(self) -> None:
+        """The pin runs along the slot as sin(a), from -90 to 90 deg."""
+        ends = YOKE.replace("to:", "from: -90 deg - atan(0.75)\n  to:")
+        ends = ends.replace("2*(90 deg - atan(0.75))", "90 deg - atan(0.75)")
+        for steps in (2, 3, 8):
+            done = program.call("motion", "-", text=ends % steps)
+            self.assertEqual(done.returncode, 0, f"{steps} steps: {done.stderr}")
+            self.assertIn("friction of 's' turns round at Tin = -2.2143 rad, and 1 more time",
+                          done.stderr)
+            status = Motion(program.report(done))["status"]
+            self.assertEqual(status, ["dead_point", *["solved"] * (steps - 1), "dead_point"])
+
+
+IN_LINE_WITH_FRICTION = """kinestat: 1
+name: in-line slider-crank, drawn at its outer dead centre
+units: {angle: deg}
+space: planar
+ground: frame
+bodies: [crank, rod, slide]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, rod], at: [1, 0]}
+  c: {type: revolute, bodies: [rod, slide], at: [4, 0]}
+  d: {type: prismatic, bodies: [frame, slide], at: [4, 0], axis: x, friction: 0.1}
+actuators: {Tin: {coupling: a}, F: {coupling: d}}
+cases: {one: {motion: {Tin: 1 rad/s}, action: {F: -10 N}, input: Tin, output: F}}
+motion: {drive: Tin, to: %s deg, steps: %d, case: one, report: [action]}
+"""
+
+
+class DeadCentresAtTheEnds(MotionTest):
+    def test_are_events_and_leave_open_what_those_on_the_way_do(self) -> None:
+        for end, steps in ((360, 4), (360, 8), (360, 7), (180, 3), (-180, 3), (540, 12)):
+            done = program.call("motion", "-", text=IN_LINE_WITH_FRICTION % (end, steps))
+            self.assertEqual(done.returncode, 0, f"{end} deg: {done.stderr}")
+            self.assertNotIn("E0604", done.stderr)
+            self.assertIn("friction of 'd' turns round at Tin = 0 deg", done.stderr)
+            motion = Motion(program.report(done))
+            dead = [r for r in range(steps + 1) if r * end % (180 * steps) == 0]
+            self.assertEqual([r for r, one in enumerate(motion["status"]) if one == "dead_point"],
+                             dead)
+            places = motion.events("dead_point", "d.vx")
+            sense = 1 if end > 0 else -1
+            self.assertEqual(len(places), abs(end) // 180 + 1)
+            for k, place in enumerate(places):
+                self.close(place, sense * 180.0 * k, 1e-6, f"to {end} deg")
+
+    def test_a_friction_that_never_slides_has_no_dead_point(self) -> None:
+        still = IN_LINE_WITH_FRICTION.replace("Tin: 1 rad/s", "Tin: 0 rad/s") % (180, 3)
+        done = program.call("motion", "-", text=still)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("E0604", done.stderr)
+
 
 class KnownRates(MotionTest):
     def test_that_no_motion_has_are_refused_in_the_rows_where_it_has_none(self) -> None:

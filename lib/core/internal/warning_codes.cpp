@@ -136,7 +136,8 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "Where a coupling with friction comes to rest and turns back, its friction does too: actions "
      "jump from those of one direction to those of the other. At the dead point itself they may "
      "be anything between the two, and a row that falls on it has none. The message names the "
-     "rows before and behind; take more steps to narrow them."},
+     "rows before and behind, or the end of the range where it lies there; take more steps to "
+     "narrow them."},
     {"W0509",
      done,
      "dead points may be missing",

@@ -271,6 +271,8 @@ class DeadPointFinder {
       // A rate that is zero at a place itself counts there once, where it comes to rest.
       if (before != 0 && after != before) {
         add(freedom, from, to);
+      } else if (before == 0 && after != 0 && from.share == motion_.solution.shares.front()) {
+        add(freedom, from, from);
       }
     }
   }

@@ -141,16 +141,18 @@ class SpeedFindings {
       const auto& couplings = mechanism_.topology.couplings;
       const auto at = std::ranges::find(couplings, turn.coupling, &CouplingTopology::name);
       const std::vector<MotionRow>& rows = motion_.table.rows;
+      const std::string from = place_text(rows[turn.before]);
+      const std::string where =
+          turn.before == turn.after
+              ? fmt::format("at {}", from)
+              : fmt::format("between {} and {}", from, place_text(rows[turn.after]));
+      const std::string more =
+          turn.count == 1
+              ? ""
+              : fmt::format(", and {} more time{}", turn.count - 1, turn.count == 2 ? "" : "s");
       found_.warning("W0508",
                      at->where,
-                     fmt::format("friction of '{}' turns round between {} and {}{}",
-                                 turn.coupling,
-                                 place_text(rows[turn.before]),
-                                 place_text(rows[turn.after]),
-                                 turn.count == 1 ? std::string()
-                                                 : fmt::format(", and {} more time{}",
-                                                               turn.count - 1,
-                                                               turn.count == 2 ? "" : "s")),
+                     fmt::format("friction of '{}' turns round {}{}", turn.coupling, where, more),
                      "there actions jump from those of one direction to those of the other, and at "
                      "rest they may be anything between; rows at the dead point have none");
     }

@@ -230,7 +230,8 @@ class TableMaker {
   }
 
   // Between the nearest rows in which a coupling slides one way and the other; rows between them
-  // are at its dead point, wherever the steps fall.
+  // are at its dead point, wherever the steps fall. So are the first and the last row where it
+  // rests in that one alone.
   void find_friction_turns() {
     for (std::size_t f = 0; f < mechanism_.frictions.size(); ++f) {
       FrictionTurn turn{.coupling = topology_.coupling(mechanism_.frictions[f].coupling).name};
@@ -240,22 +241,43 @@ class TableMaker {
           before.reset();
           continue;
         }
-        if (sliding_[r][f].isZero(0.0)) {
+        if (!slides(r, f)) {
           continue;
         }
-        if (before && sliding_[*before][f].dot(sliding_[r][f]) < 0.0) {
-          if (turn.count++ == 0) {
-            turn.before = *before;
-            turn.after = r;
-          }
-          mark_dead_points(*before + 1, r);
+        if (r == 1 && rests(0, f)) {
+          add_turn(0, 0, turn);
+        } else if (before && sliding_[*before][f].dot(sliding_[r][f]) < 0.0) {
+          add_turn(*before, r, turn);
         }
         before = r;
+      }
+      const std::size_t last = sliding_.size() - 1;
+      if (before && *before + 1 == last && rests(last, f)) {
+        add_turn(last, last, turn);
       }
       if (turn.count > 0) {
         table_.friction_turns.push_back(std::move(turn));
       }
     }
+  }
+
+  bool slides(std::size_t row, std::size_t friction) const {
+    return !sliding_[row].empty() && !sliding_[row][friction].isZero(0.0);
+  }
+
+  // Whether that leaves a row without an answer.
+  bool rests(std::size_t row, std::size_t friction) const {
+    return !sliding_[row].empty() && sliding_[row][friction].isZero(0.0) &&
+           table_.rows[row].status == word_of(SolveStatus::undirected);
+  }
+
+  void add_turn(std::size_t before, std::size_t after, FrictionTurn& turn) {
+    if (turn.count++ == 0) {
+      turn.before = before;
+      turn.after = after;
+    }
+    const bool is_at_end = before == after;
+    mark_dead_points(is_at_end ? before : before + 1, is_at_end ? after + 1 : after);
   }
 
   // What nothing but the turn of a friction leaves open.
