@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Rewrites the expected outputs that no longer hold; review the difference.
 # Usage: scripts/update_golden.sh [NAME | FOLDER]...   (default: all)
-#   NAME    a mechanism, as in planar_four_bar for mechanisms/planar/four_bar.yaml: its golden
-#           report; or a folder of tests/cli or tests/golden that has a file cmd: what it expects
+#   NAME    a mechanism, as in planar_four_bar for mechanisms/planar/four_bar.yaml: its golden;
+#           or a folder of tests/cli or tests/golden that has a file cmd: what it expects
 #   FOLDER  the path of such a folder
 # The program is built first, unless KINESTAT in the environment is the path of one.
 set -euo pipefail

@@ -438,8 +438,9 @@ class Goldens(unittest.TestCase):
         library = ROOT / "mechanisms"
         names = {"_".join(path.relative_to(library).with_suffix("").parts)
                  for path in library.rglob("*.yaml")}
-        for path in sorted((ROOT / "tests" / "golden").glob("*/report.json")):
-            self.assertIn(path.parent.name, names, "remove the folder")
+        for pattern in ("*/report.json", "*/folded.txt"):
+            for path in sorted((ROOT / "tests" / "golden").glob(pattern)):
+                self.assertIn(path.parent.name, names, "remove the folder")
 
 
 class Schema(unittest.TestCase):

@@ -1,4 +1,4 @@
-"""update_golden.sh and run_golden.py, in a repository of one mechanism and one case."""
+"""update_golden.sh and run_golden.py, in a repository of two mechanisms and one case."""
 
 from __future__ import annotations
 
@@ -15,6 +15,10 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = Path("kinestat")
 NAME = "planar_four_bar"
+MODEL = "mechanisms/planar/four_bar.yaml"
+# Of this one the whole report is kept.
+WHOLE = "sweeps_four_bar_height"
+WHOLE_MODEL = "mechanisms/sweeps/four_bar_height.yaml"
 
 
 class UpdateGolden(unittest.TestCase):
@@ -23,10 +27,12 @@ class UpdateGolden(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name).resolve() / "repository"
         for file in ("scripts/update_golden.sh", "tests/cli/run_case.py",
-                     "tests/golden/run_golden.py", "mechanisms/planar/four_bar.yaml"):
+                     "tests/golden/run_golden.py", "tests/golden/folded.py", MODEL,
+                     WHOLE_MODEL):
             (self.root / file).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / file, self.root / file)
-        self.golden = self.root / "tests" / "golden" / NAME / "report.json"
+        self.golden = self.root / "tests" / "golden" / NAME / "folded.txt"
+        self.report = self.root / "tests" / "golden" / WHOLE / "report.json"
         self.case = self.root / "tests" / "cli" / "version"
         self.case.mkdir()
         (self.case / "cmd").write_text('"$KINESTAT" --version\n', encoding="utf-8")
@@ -43,19 +49,25 @@ class UpdateGolden(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return done.stdout
 
-    def check(self) -> tuple[int, str]:
+    def check(self, model: str = MODEL) -> tuple[int, str]:
         """Status and complaint of the test of the mechanism."""
         done = self.call(
-            sys.executable, "-B", self.root / "tests/golden/run_golden.py",
-            self.root / "mechanisms/planar/four_bar.yaml", "--program", PROGRAM,
+            sys.executable, "-B", self.root / "tests/golden/run_golden.py", self.root / model,
+            "--program", PROGRAM,
         )
         return done.returncode, done.stderr
 
+    def change(self, line: str, new: str) -> None:
+        """Replaces the one such text of the golden."""
+        text = self.golden.read_text("utf-8")
+        self.assertEqual(text.count(line), 1, line)
+        self.golden.write_text(text.replace(line, new), encoding="utf-8")
+
     def change_ratio(self, factor: float) -> None:
-        report = json.loads(self.golden.read_text("utf-8"))
+        report = json.loads(self.report.read_text("utf-8"))
         case = next(iter(report["cases"].values()))
         case["ratio"] *= factor
-        self.golden.write_text(json.dumps(report), encoding="utf-8")
+        self.report.write_text(json.dumps(report), encoding="utf-8")
 
     def test_a_missing_report_says_how_to_write_it(self) -> None:
         status, complaint = self.check()
@@ -64,40 +76,80 @@ class UpdateGolden(unittest.TestCase):
         self.assertIn(f"then run scripts/update_golden.sh {NAME}", complaint)
 
     def test_a_written_report_is_met_and_names_no_path_of_this_machine(self) -> None:
-        self.assertIn(f"{NAME}/report.json: rewritten", self.update(NAME))
+        self.assertIn(f"{NAME}/folded.txt: rewritten", self.update(NAME))
 
         self.assertEqual(self.check(), (0, ""))
         self.assertNotIn(str(self.root), self.golden.read_text("utf-8"))
 
-    def test_a_changed_value_is_shown_and_rewritten(self) -> None:
+    def test_a_change_of_any_kind_is_shown_and_rewritten(self) -> None:
+        changes = {
+            "a value in the sixth digit": ("a.wz | rate | 2.07692", "a.wz | rate | 2.07693"),
+            "a value of a motion": (" | 2.34849893905 ", " | 2.34850893905 "),
+            "no value": ("recirculation/factor | none", "recirculation/factor | 0"),
+            "a line less": ("spatial | net_constraint | 3\n", ""),
+            "a line more": ("spatial | order | 6\n", "spatial | order | 6\nspatial | size | 6\n"),
+            "another status": ("[power of 'known output']", "[power of 'known output', locked]"),
+            "another unit": ("d.wz | rate | 1 | rad/s", "d.wz | rate | 1 | rpm"),
+            "another dimension": ("d.wz | rate | 1 | rad/s", "d.wz | rate | 1 | m/s"),
+            "another word": ("motion | status | complete", "motion | status | blocked"),
+            "another finding": ("[mobility]\n", "[findings]\nW0601 | count | 1\n[mobility]\n"),
+            "another name": ("Four-bar linkage\n", "Five-bar linkage\n"),
+            "a damaged line": ("d.wz | rate | 1 | rad/s", "d.wz | rate"),
+        }
+        for what, (line, new) in changes.items():
+            with self.subTest(what):
+                self.update(NAME)
+                self.change(line, new)
+
+                status, complaint = self.check()
+
+                self.assertEqual(status, 1)
+                self.assertIn(f"scripts/update_golden.sh {NAME}", complaint)
+                self.assertIn("rewritten", self.update(NAME))
+                self.assertEqual(self.check(), (0, ""))
+
+    def test_says_what_differs(self) -> None:
         self.update(NAME)
+        self.change("d.wz | rate | 1 |", "d.wz | rate | 1.001 |")
+        self.change("motion | status | complete", "motion | status | blocked")
+
+        complaint = self.check()[1]
+
+        self.assertIn("/Four-bar linkage/known output/kinematics/d.wz/rate ", complaint)
+        self.assertIn("only in A: [words] motion | status | blocked", complaint)
+
+    def test_a_whole_report_is_kept_as_it_is(self) -> None:
+        self.assertIn(f"{WHOLE}/report.json: rewritten", self.update(WHOLE))
+        self.assertEqual(self.check(WHOLE_MODEL), (0, ""))
         self.change_ratio(1.001)
 
-        status, complaint = self.check()
+        status, complaint = self.check(WHOLE_MODEL)
 
         self.assertEqual(status, 1)
         self.assertIn("/ratio ", complaint)
-        self.assertIn("rewritten", self.update(NAME))
-        self.assertEqual(self.check(), (0, ""))
+        self.assertIn("rewritten", self.update(WHOLE))
+        self.assertEqual(self.check(WHOLE_MODEL), (0, ""))
 
     def test_what_still_holds_is_not_touched(self) -> None:
         self.update()
         self.change_ratio(1 + 1e-12)
-        text = self.golden.read_text("utf-8")
+        self.change("2.07692307692 | rad/s", "2.0769230769 | rad/s")
+        texts = [file.read_text("utf-8") for file in (self.golden, self.report)]
 
         self.assertEqual(self.update(), "")
-        self.assertEqual(self.golden.read_text("utf-8"), text)
+        self.assertEqual([file.read_text("utf-8") for file in (self.golden, self.report)], texts)
 
     def test_all_are_the_default(self) -> None:
         said = self.update()
 
+        self.assertIn("folded.txt: rewritten", said)
         self.assertIn("report.json: rewritten", said)
         self.assertIn("version/out: rewritten", said)
 
     def test_folders_may_be_named_from_anywhere(self) -> None:
         self.assertIn("version/out: rewritten", self.update("version", cwd=self.case))
         self.golden.parent.mkdir()
-        self.assertIn("report.json: rewritten", self.update(NAME, cwd=self.golden.parent.parent))
+        self.assertIn("folded.txt: rewritten", self.update(NAME, cwd=self.golden.parent.parent))
         (self.case / "out").unlink()
         self.assertIn("version/out: rewritten", self.update(".", cwd=self.case))
 
