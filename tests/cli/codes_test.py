@@ -31,7 +31,7 @@ NOT_PROVOKED = {
 }
 # Examples that are not run, each with its reason.
 NOT_RUN = {
-    "E0154": "sanitizers need more memory than any limit leaves; see d117_out_of_memory",
+    "E0154": "sanitizers need more memory than any limit leaves; see out_of_memory",
 }
 # A warning that examples of other codes may bring about too.
 NOT_ANALYSED = "W0302"

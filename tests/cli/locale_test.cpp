@@ -50,8 +50,8 @@ std::string answers() {
     text += analyse_files(good, options).out;
     text += graph_files(good, Matrices::all, "", options).out;
   }
-  return text + check_files({path("tests/cli/b42_number_too_large/file.yaml")}, {}).err +
-         check_files({path("tests/cli/b59_angle_plus_length/file.yaml")}, {}).err;
+  return text + check_files({path("tests/cli/number_too_large/file.yaml")}, {}).err +
+         check_files({path("tests/cli/angle_plus_length/file.yaml")}, {}).err;
 }
 
 TEST(Answers, AreTheSameUnderAGlobalLocaleWithDecimalComma) {

@@ -50,7 +50,6 @@ class Sharing(InFolder):
         self.assertEqual(list(out.iterdir()), [])
 
     def test_threads_and_shards_change_no_byte(self) -> None:
-        """Fault 112."""
         for jobs in (2, 8):
             out = self.new_folder(f"jobs{jobs}")
             kinestat("sweep", "--jobs", jobs, "--out", out, self.file)
@@ -76,14 +75,13 @@ class Sharing(InFolder):
         self.assertEqual(len(streamed.splitlines()), 6)
 
     def test_missing_and_duplicate_shards_are_named(self) -> None:
-        """Fault 109."""
         shards = self.shards(4)
         self.refused(3, ["E0907", "2/4 is missing"], shards[0], *shards[2:])
         self.refused(3, ["E0907", "3/4 is there twice"], *shards, shards[2])
         self.refused(3, ["E0907", "1/4, 3/4, 4/4 are missing"], shards[1])
 
     def test_damaged_shards_are_named(self) -> None:
-        """Fault 108: cut off or changed at any place."""
+        """Cut off, or changed at any place."""
         shards = self.shards(3)
         victim = shards[1]
         text = victim.read_bytes()
@@ -101,7 +99,6 @@ class Sharing(InFolder):
         self.assert_merges(shards, "mended")
 
     def test_shards_of_another_plan_or_version_are_refused(self) -> None:
-        """Fault 111."""
         shards = self.shards(2)
         others = self.shards(2, "others", "--set", "module=3")
         self.refused(3, ["E0906", others[1].name, "another sweep"], shards[0], others[1])
@@ -113,7 +110,6 @@ class Sharing(InFolder):
         self.refused(4, ["E0151"], self.folder / "nothing.shard")
 
     def test_shards_outside_their_count_are_refused(self) -> None:
-        """Fault 110."""
         for word in ("0/4", "5/4", "a/b", "1/0", "1", "/", "1/4/2", "-1/4", "1.5/4", ""):
             done = kinestat("sweep", "--out", self.whole, f"--shard={word}", self.file)
             self.assertEqual(done.returncode, 2, word)
