@@ -25,6 +25,7 @@ USUAL_STATUS = "solved"
 REPEATED = {f"{screw}/{i}": f"{part}/{i % 3}"
             for screw, part, first in (("twist", "angular", 0), ("wrench", "force", 3))
             for i in range(first, first + 3)}
+QUOTES = re.compile(r"['\"\\]")
 PLAIN_NAME = re.compile(r"[^\s'\"\\|\[\]]+")
 HEADING = re.compile(r"\[(\w+)(?: of (.*?))?(?:, (\w+))?\]")
 COMPONENTS = re.compile(r"(.*?)(?:([@/])([\d,.]+))?")
@@ -128,8 +129,12 @@ def gathered(lines: Iterable[Line], field: str) -> list[Line]:
 
 
 def quoted(names: Iterable[str]) -> str:
-    """Names as shlex.split reads them, in quotes only where they need some."""
+    """As names_in reads them, in quotes only where they need some."""
     return " ".join(name if PLAIN_NAME.fullmatch(name) else shlex.quote(name) for name in names)
+
+
+def names_in(text: str) -> tuple[str, ...]:
+    return tuple(shlex.split(text) if QUOTES.search(text) else text.split())
 
 
 def heading(line: Line) -> str:
@@ -143,7 +148,7 @@ def read_heading(text: str) -> tuple[str, tuple[str, ...], str]:
     if not found:
         raise ValueError("no heading")
     part, cases, status = found.groups()
-    return part, ("",) if cases is None else tuple(shlex.split(cases)), status or USUAL_STATUS
+    return part, ("",) if cases is None else names_in(cases), status or USUAL_STATUS
 
 
 def written(line: Line) -> str:
@@ -191,7 +196,7 @@ def rows_of(line: Line) -> Iterator[Row]:
 
 def cells_of(text: str) -> list[tuple[str, ...]]:
     cells: list[list[str]] = [[]]
-    for word in shlex.split(text):
+    for word in names_in(text):
         if word == "|":
             cells.append([])
         else:

@@ -81,7 +81,7 @@ class UpdateGolden(unittest.TestCase):
         self.assertEqual(self.check(), (0, ""))
         self.assertNotIn(str(self.root), self.golden.read_text("utf-8"))
 
-    def test_a_change_of_any_kind_is_shown_and_rewritten(self) -> None:
+    def test_a_change_of_any_kind_is_shown(self) -> None:
         changes = {
             "a value in the sixth digit": ("a.wz | rate | 2.07692", "a.wz | rate | 2.07693"),
             "a value of a motion": (" | 2.34849893905 ", " | 2.34850893905 "),
@@ -96,19 +96,19 @@ class UpdateGolden(unittest.TestCase):
             "another name": ("Four-bar linkage\n", "Five-bar linkage\n"),
             "a damaged line": ("d.wz | rate | 1 | rad/s", "d.wz | rate"),
         }
+        self.update(NAME)
+        text = self.golden.read_text("utf-8")
         for what, (line, new) in changes.items():
             with self.subTest(what):
-                self.update(NAME)
+                self.golden.write_text(text, encoding="utf-8")
                 self.change(line, new)
 
                 status, complaint = self.check()
 
                 self.assertEqual(status, 1)
                 self.assertIn(f"scripts/update_golden.sh {NAME}", complaint)
-                self.assertIn("rewritten", self.update(NAME))
-                self.assertEqual(self.check(), (0, ""))
 
-    def test_says_what_differs(self) -> None:
+    def test_what_differs_is_said_and_rewritten(self) -> None:
         self.update(NAME)
         self.change("d.wz | rate | 1 |", "d.wz | rate | 1.001 |")
         self.change("motion | status | complete", "motion | status | blocked")
@@ -117,6 +117,8 @@ class UpdateGolden(unittest.TestCase):
 
         self.assertIn("/Four-bar linkage/known output/kinematics/d.wz/rate ", complaint)
         self.assertIn("only in A: [words] motion | status | blocked", complaint)
+        self.assertIn("rewritten", self.update(NAME))
+        self.assertEqual(self.check(), (0, ""))
 
     def test_a_whole_report_is_kept_as_it_is(self) -> None:
         self.assertIn(f"{WHOLE}/report.json: rewritten", self.update(WHOLE))
