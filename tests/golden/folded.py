@@ -3,8 +3,9 @@
 A line is `elements | quantity | values | units` below a heading `[pass of cases, status]`, which
 names cases where there are some and the status where it is not "solved". What stands once in a
 line, and in the table once a row:
-- components: `a.Rx,Ry` of a coupling, `twist/0..5` of a screw, `position@0..72` of the steps of a
-  motion, with a value each, and with a unit each where these differ;
+- components: `a.Rx,Ry` of a coupling, `twist/0..5` of a screw, `points/0..199/0` of the abscissas of
+  a curve, `position@0..72` of the steps of a motion, with a value each, and with a unit each where
+  these differ;
 - elements and cases that have the same values;
 - the angular velocity as a part of the twist, the force as a part of the wrench.
 Lists are separated by spaces, names with spaces or marks of their own are in quotes, `none` is a
@@ -28,7 +29,8 @@ REPEATED = {f"{screw}/{i}": f"{part}/{i % 3}"
 QUOTES = re.compile(r"['\"\\]")
 PLAIN_NAME = re.compile(r"[^\s'\"\\|\[\]]+")
 HEADING = re.compile(r"\[(\w+)(?: of (.*?))?(?:, (\w+))?\]")
-COMPONENTS = re.compile(r"(.*?)(?:([@/])([\d,.]+))?")
+COMPONENTS = re.compile(r"(.*?)(?:([@/])([\d,.]+)(/\d+)?)?")
+LIST_OF_POINTS = re.compile(r"(.*)/(\d+)(/\d+)")
 
 
 class Row(NamedTuple):
@@ -74,15 +76,27 @@ def repetitions(rows: Iterable[Row]) -> list[Row]:
             if row.quantity in REPEATED]
 
 
-def axis_of(row: Row) -> tuple[str, str, str, str]:
-    """Element and quantity without the component, the sign before the component, and itself."""
+class Axis(NamedTuple):
+    """Element and quantity without the component, what stands around it, and itself."""
+
+    element: str
+    quantity: str
+    sign: str  # before the component, empty if there is none
+    coordinate: str  # behind it
+    component: str
+
+
+def axis_of(row: Row) -> Axis:
     if row.step:
-        return row.element, row.quantity, "@", row.step
+        return Axis(row.element, row.quantity, "@", "", row.step)
+    if points := LIST_OF_POINTS.fullmatch(row.quantity):
+        stem, index, coordinate = points.groups()
+        return Axis(row.element, stem, "/", coordinate, index)
     stem, slash, index = row.quantity.rpartition("/")
     if slash and index.isdigit():
-        return row.element, stem, "/", index
+        return Axis(row.element, stem, "/", "", index)
     stem, dot, label = row.element.rpartition(".")
-    return (stem, row.quantity, ".", label) if dot else (row.element, row.quantity, "", "")
+    return Axis(stem if dot else row.element, row.quantity, dot, "", label if dot else "")
 
 
 def is_range(components: list[str]) -> bool:
@@ -104,16 +118,17 @@ def parted(components: str) -> list[str]:
 
 def with_components(rows: Iterable[Row]) -> Iterator[Line]:
     """A line for each group of rows that differ only in their component."""
-    groups: dict[tuple[str, ...], list[Row]] = {}
+    groups: dict[tuple[str, str, str, Axis], list[Row]] = {}
     for row in rows:
-        stem = axis_of(row)[:3]
-        groups.setdefault((row.case, row.part, row.status, *stem), []).append(row)
-    for (case, part, status, element, quantity, sign), group in groups.items():
-        components = [axis_of(row)[3] for row in group]
-        if sign == ".":
-            element += sign + ",".join(components)
-        else:
-            quantity += sign + joined(components)
+        axis = axis_of(row)._replace(component="")
+        groups.setdefault((row.case, row.part, row.status, axis), []).append(row)
+    for (case, part, status, axis), group in groups.items():
+        element, quantity = axis.element, axis.quantity
+        components = [axis_of(row).component for row in group]
+        if axis.sign == ".":
+            element += "." + ",".join(components)
+        elif axis.sign:
+            quantity += axis.sign + joined(components) + axis.coordinate
         units = tuple(row.unit for row in group)
         yield Line((case,), part, status, (element,), quantity,
                    tuple(short(row.value) or NO_VALUE for row in group),
@@ -169,11 +184,11 @@ def fold(rows: Iterable[Row]) -> str:
 
 def places(element: str, quantity: str) -> list[tuple[str, str, str]]:
     """Element, quantity and step of each component."""
-    stem, sign, components = COMPONENTS.fullmatch(quantity).groups()
+    stem, sign, components, coordinate = COMPONENTS.fullmatch(quantity).groups("")
     if sign == "@":
         return [(element, stem, step) for step in parted(components)]
     if sign == "/":
-        return [(element, f"{stem}/{index}", "") for index in parted(components)]
+        return [(element, f"{stem}/{index}{coordinate}", "") for index in parted(components)]
     stem, dot, labels = element.rpartition(".")
     names = [f"{stem}.{label}" for label in labels.split(",")] if dot else [element]
     return [(name, quantity, "") for name in names]

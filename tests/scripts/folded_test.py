@@ -32,6 +32,12 @@ class Folded(unittest.TestCase):
                     for label, value in (("Rx", "3"), ("Ry", "-4"))],
                    "[statics of 1]", "a.Rx,Ry | action | 3 -4 | N")
 
+    def test_points_of_a_curve_are_a_line_for_each_coordinate(self) -> None:
+        self.check([Row("0", "synthesis", "curves", f"points/{i}/{k}", str(10 * i + k), "m")
+                    for i in range(3) for k in range(2)],
+                   "[synthesis of 0]", "curves | points/0..2/0 | 0 10 20 | m",
+                   "curves | points/0..2/1 | 1 11 21 | m")
+
     def test_steps_of_a_motion_are_one_line(self) -> None:
         rows = [Row("", "motion", "a.wz", "position", str(i), "rad", step=str(i)) for i in range(3)]
         events = [Row("", "motion", "a.wz", "event/dead_point", "7", "rad", step=step)
