@@ -3,9 +3,9 @@
 A line is `elements | quantity | values | units` below a heading `[pass of cases, status]`, which
 names cases where there are some and the status where it is not "solved". What stands once in a
 line, and in the table once a row:
-- components: `a.Rx,Ry` of a coupling, `twist/0..5` of a screw, `points/0..199/0` of the abscissas of
-  a curve, `position@0..72` of the steps of a motion, with a value each, and with a unit each where
-  these differ;
+- components: `a.Rx,Ry` of a coupling, `twist/0..5` of a screw, `points/0..199/0` of the abscissas
+  of a curve, `position@0..72` of the steps of a motion, with a value each, and with a unit each
+  where these differ;
 - elements and cases that have the same values;
 - the angular velocity as a part of the twist, the force as a part of the wrench.
 Lists are separated by spaces, names with spaces or marks of their own are in quotes, `none` is a
