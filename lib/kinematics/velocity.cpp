@@ -16,6 +16,7 @@ namespace {
 
 std::vector<double> rate_units(const Topology& topology, const CoordinateBasis& basis) {
   std::vector<double> units;
+  units.reserve(topology.freedoms.size());
   for (int f = 0; f < topology.freedom_count(); ++f) {
     units.push_back(rate_unit(topology, basis, f));
   }
@@ -50,6 +51,7 @@ AnswerEvidence evidence_of(const Topology& topology,
     return result;
   }
   result.error_bound = worst_relative_error(solved.solution.x, *solved.bound, counts);
+  result.bounds.reserve(topology.freedoms.size());
   for (int f = 0; f < topology.freedom_count(); ++f) {
     result.bounds.push_back(rate_unit(topology, basis, f) *
                             (*solved.bound)[velocity_column(topology, basis, f)]);
@@ -78,6 +80,8 @@ KinematicSolution solve_velocity(const Mechanism& mechanism,
   const Topology& topology = mechanism.topology;
   std::vector<int> columns;
   std::vector<double> known;
+  columns.reserve(primaries.size());
+  known.reserve(primaries.size());
   for (const Primary& primary : primaries) {
     columns.push_back(velocity_column(topology, basis, primary.index));
     known.push_back(primary.value / rate_unit(topology, basis, primary.index));

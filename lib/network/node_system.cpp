@@ -40,6 +40,8 @@ SparseMatrix velocity_system(const Topology& topology,
   SparseMatrix system;
   system.rows = order * topology.coupling_count();
   system.columns = order * (topology.body_count() - 1) + topology.freedom_count();
+  system.entries.reserve(static_cast<std::size_t>(order) *
+                         (2 * topology.couplings.size() + topology.freedoms.size()));
   for (int e = 0; e < topology.coupling_count(); ++e) {
     const CouplingTopology& coupling = topology.couplings[static_cast<std::size_t>(e)];
     for (int i = 0; i < order; ++i) {
@@ -89,6 +91,7 @@ SparseMatrix action_system(const Topology& topology,
   SparseMatrix system;
   system.rows = order * (topology.body_count() - 1);
   system.columns = topology.action_count();
+  system.entries.reserve(static_cast<std::size_t>(2 * order) * topology.actions.size());
   for (const CouplingTopology& coupling : topology.couplings) {
     for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
       const Vec6 screw = geometry.actions[static_cast<std::size_t>(a)].coordinates();

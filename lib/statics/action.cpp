@@ -61,6 +61,8 @@ StaticSolution solve_action(const Mechanism& mechanism,
                             const AccuracyRequest& request) {
   std::vector<int> indices;
   std::vector<double> known;
+  indices.reserve(primaries.size());
+  known.reserve(primaries.size());
   for (const Primary& primary : primaries) {
     indices.push_back(primary.index);
     known.push_back(primary.value);

@@ -19,6 +19,7 @@ namespace {
 
 std::vector<double> action_units(const Topology& topology, const CoordinateBasis& basis) {
   std::vector<double> units;
+  units.reserve(topology.actions.size());
   for (int a = 0; a < topology.action_count(); ++a) {
     units.push_back(action_unit(topology, basis, a));
   }
@@ -84,6 +85,7 @@ EquilibriumActions Equilibrium::solve_to(const AccuracyRequest& request,
                                          std::span<const BodyWrench> loads) const {
   KINESTAT_EXPECTS(known.size() == primaries_.size());
   std::vector<double> in_units;
+  in_units.reserve(known.size());
   for (std::size_t i = 0; i < known.size(); ++i) {
     in_units.push_back(known[i] / units_[static_cast<std::size_t>(primaries_[i])]);
   }

@@ -11,6 +11,25 @@
 
 namespace kinestat {
 
+namespace {
+
+constexpr std::size_t kShortRow = 32;
+
+// Cells of the same column stay in their order. A long row needs a buffer for that.
+template <class Row>
+void sort_by_column(Row& row) {
+  const auto by_column = [](const auto& a, const auto& b) { return a.column < b.column; };
+  if (row.size() > kShortRow) {
+    std::ranges::stable_sort(row, by_column);
+    return;
+  }
+  for (auto cell = row.begin(); cell != row.end(); ++cell) {
+    std::rotate(std::upper_bound(row.begin(), cell, *cell, by_column), cell, cell + 1);
+  }
+}
+
+}  // namespace
+
 Eliminator::Eliminator(Elimination& result) : out_(result), rows_(result.rows_) {
   load();
 }
@@ -77,9 +96,8 @@ void Eliminator::reserve(const SparseMatrix& matrix) {
 }
 
 void Eliminator::sort_and_add(Row& row) {
-  const auto by_column = [](const Cell& a, const Cell& b) { return a.column < b.column; };
-  if (!std::ranges::is_sorted(row, by_column)) {
-    std::ranges::stable_sort(row, by_column);
+  if (!std::ranges::is_sorted(row, {}, &Cell::column)) {
+    sort_by_column(row);
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -162,6 +180,9 @@ void Eliminator::eliminate(std::vector<int>& candidates, std::vector<Elimination
 void Eliminator::settle(std::vector<int>& waiting,
                         std::vector<int>& without,
                         std::vector<Elimination::Pivot>& pivots) {
+  if (waiting.empty()) {
+    return;
+  }
   std::vector<double> largest(columns_.size(), -1.0);
   std::set<std::tuple<double, std::size_t, int>> order;
   std::vector<std::size_t> place(columns_.size(), 0);
