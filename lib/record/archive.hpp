@@ -1,7 +1,6 @@
 // The forms in which a solution is written.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -29,7 +28,7 @@ class Archive {
   /// is that of the whole.
   virtual void element(std::string_view name, std::string_view status) = 0;
 
-  virtual void begin_object(std::size_t key_count) = 0;
+  virtual void begin_object() = 0;
   virtual void end_object() = 0;
   virtual void begin_map() = 0;
   virtual void end_map() = 0;

@@ -81,7 +81,7 @@ class RecordKeys : public RecordShape {
 
   /// Writes an object.
   void write(const View& view, Archive& to) const {
-    to.begin_object(properties.size());
+    to.begin_object();
     write_keys(view, to);
     to.end_object();
   }

@@ -1,8 +1,30 @@
 #include "report/json_archive.hpp"
 
-#include <utility>
+#include <iterator>
+#include <span>
 
 namespace kinestat {
+
+namespace {
+
+// Most lists are vectors, of three components or of twice three.
+constexpr std::size_t kFewItems = 6;
+
+// At once in its full size: growing, it would copy the values that it holds.
+Json object_of(std::span<std::pair<std::string, Json>> members) {
+  Json::object_t object;
+  object.reserve(members.size());
+  for (auto& [key, value] : members) {
+    object.emplace_back(std::move(key), std::move(value));
+  }
+  return object;
+}
+
+}  // namespace
+
+Json JsonArchive::take() {
+  return members_.empty() ? Json() : std::move(members_.back().second);
+}
 
 bool JsonArchive::begin(const Property& property) {
   key_ = property.key;
@@ -15,8 +37,8 @@ void JsonArchive::element(std::string_view name, std::string_view /*status*/) {
   key_ = name;
 }
 
-void JsonArchive::begin_object(std::size_t key_count) {
-  open(object_of(key_count));
+void JsonArchive::begin_object() {
+  open(false);
 }
 
 void JsonArchive::end_object() {
@@ -24,7 +46,7 @@ void JsonArchive::end_object() {
 }
 
 void JsonArchive::begin_map() {
-  open(Json::object());
+  open(false);
 }
 
 void JsonArchive::end_map() {
@@ -32,7 +54,7 @@ void JsonArchive::end_map() {
 }
 
 void JsonArchive::begin_list() {
-  open(Json::array());
+  open(true);
 }
 
 void JsonArchive::end_list() {
@@ -63,25 +85,26 @@ void JsonArchive::null() {
   put(nullptr);
 }
 
-void JsonArchive::open(Json value) {
-  open_.push_back({.key = std::exchange(key_, {}), .value = std::move(value)});
+void JsonArchive::open(bool is_list) {
+  Open& opened = open_.emplace_back();
+  opened.key = std::exchange(key_, {});
+  opened.begin = members_.size();
+  opened.is_list = is_list;
+  opened.items.reserve(is_list ? kFewItems : 0);
 }
 
 void JsonArchive::close() {
   Open closed = std::move(open_.back());
   open_.pop_back();
   key_ = std::move(closed.key);
-  put(std::move(closed.value));
-}
-
-void JsonArchive::put(Json value) {
-  if (open_.empty()) {
-    result_ = std::move(value);
-  } else if (Json& into = open_.back().value; into.is_array()) {
-    into.push_back(std::move(value));
-  } else {
-    appended(into, key_) = std::move(value);
+  if (closed.is_list) {
+    put(std::move(closed.items));
+    return;
   }
+  const auto begin = members_.begin() + static_cast<std::ptrdiff_t>(closed.begin);
+  Json object = object_of(std::span(begin, members_.end()));
+  members_.erase(begin, members_.end());
+  put(std::move(object));
 }
 
 }  // namespace kinestat

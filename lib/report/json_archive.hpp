@@ -1,7 +1,9 @@
 // A record as JSON.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "record/record.hpp"
@@ -16,12 +18,12 @@ class JsonArchive : public Archive {
   explicit JsonArchive(const FileUnits& units) : in_(units) {}
 
   /// What was written; once.
-  Json take() { return std::move(result_); }
+  Json take();
 
   bool begin(const Property& property) override;
   void end(const Property& property) override;
   void element(std::string_view name, std::string_view status) override;
-  void begin_object(std::size_t key_count) override;
+  void begin_object() override;
   void end_object() override;
   void begin_map() override;
   void end_map() override;
@@ -35,19 +37,32 @@ class JsonArchive : public Archive {
   void null() override;
 
  private:
+  using Member = std::pair<std::string, Json>;
+
+  // What is written and not closed yet.
   struct Open {
-    std::string key;  // in what contains it
-    Json value;
+    std::string key;        // in what contains it
+    std::size_t begin = 0;  // of its members
+    bool is_list = false;
+    Json::array_t items;  // of a list
   };
 
-  void open(Json value);
+  void open(bool is_list);
   void close();
-  void put(Json value);
+
+  template <class Value>
+  void put(Value&& value) {
+    if (!open_.empty() && open_.back().is_list) {
+      open_.back().items.emplace_back(std::forward<Value>(value));
+    } else {
+      members_.emplace_back(key_, std::forward<Value>(value));
+    }
+  }
 
   InUnits in_;
   std::vector<Open> open_;
+  std::vector<Member> members_;  // of all objects and maps that are open
   std::string key_;
-  Json result_;
 };
 
 /// What a view shows, by its record.

@@ -100,7 +100,7 @@ void TableArchive::element(std::string_view name, std::string_view status) {
   own_status_ = status.empty() && !open_.empty() ? open_.back().own_status : std::string(status);
 }
 
-void TableArchive::begin_object(std::size_t /*key_count*/) {
+void TableArchive::begin_object() {
   open(Open::Kind::object);
 }
 

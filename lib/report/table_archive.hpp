@@ -33,7 +33,7 @@ class TableArchive : public Archive {
   bool begin(const Property& property) override;
   void end(const Property& property) override;
   void element(std::string_view name, std::string_view status) override;
-  void begin_object(std::size_t key_count) override;
+  void begin_object() override;
   void end_object() override;
   void begin_map() override;
   void end_map() override;
