@@ -5,6 +5,7 @@
 #include "report/motion_csv.hpp"
 #include "report/motion_report.hpp"
 #include "report/motion_text.hpp"
+#include "report/partial_archive.hpp"
 #include "report/published.hpp"
 #include "report/report_parts.hpp"
 #include "report/report_record.hpp"
@@ -31,7 +32,6 @@ FileReport make_certified_report(const Analysis& analysis,
                                  const ReportForms& forms,
                                  Diagnostics& found) {
   FileReport report;
-  const bool needs_json = forms.json || forms.json_line || !analysis.description.published.empty();
   const ReportView view{.file = analysis.file,
                         .description = analysis.description,
                         .mechanism = &analysis.mechanism,
@@ -40,11 +40,17 @@ FileReport make_certified_report(const Analysis& analysis,
                         .transmission = analysis.shift ? &analysis : nullptr,
                         .motion = motion};
   const FileUnits& units = analysis.description.units;
-  if (needs_json) {
+  const std::vector<PublishedValue>& published = analysis.description.published;
+  if (forms.json || forms.json_line) {
     Json json = json_of(report_record(), view, units);
-    check_published(json, analysis.description.published, found);
+    check_published(json, published, found);
     json["diagnostics"] = diagnostics_json(found);
     add_json(json, forms, report);
+  } else if (!published.empty()) {
+    const WantedKeys wanted = keys_of(published);
+    PartialArchive partial(units, wanted);
+    report_record().write(view, partial);
+    check_published(partial.take(), published, found);
   }
   if (forms.csv) {
     const std::string name = name_in_tables(analysis.file, analysis.description);

@@ -1,5 +1,6 @@
 #include "report/published.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -22,6 +23,15 @@ std::string unescaped(std::string_view token) {
     }
   }
   return text;
+}
+
+// Takes the first token off a pointer that begins with '/'.
+std::string take_token(std::string_view& pointer) {
+  pointer.remove_prefix(1);
+  const std::size_t length = std::min(pointer.find('/'), pointer.size());
+  const std::string token = unescaped(pointer.substr(0, length));
+  pointer.remove_prefix(length);
+  return token;
 }
 
 // Where a pointer leads, or how far it leads and what there is instead.
@@ -52,9 +62,7 @@ Target follow(const Json& report, std::string_view pointer) {
     if (pointer.front() != '/') {
       return {.value = nullptr, .problem = "a pointer begins with '/'", .hint = {}};
     }
-    pointer.remove_prefix(1);
-    const std::string token = unescaped(pointer.substr(0, pointer.find('/')));
-    pointer.remove_prefix(std::min(pointer.find('/'), pointer.size()));
+    const std::string token = take_token(pointer);
     const bool is_index = at->is_array() && !token.empty() && token.size() < 9 &&
                           token.find_first_not_of("0123456789") == std::string::npos;
     if (is_index && std::stoul(token) < at->size()) {
@@ -91,6 +99,18 @@ void miss(const PublishedValue& published, double value, Diagnostics& found) {
 }
 
 }  // namespace
+
+WantedKeys keys_of(const std::vector<PublishedValue>& published) {
+  WantedKeys keys;
+  for (const PublishedValue& one : published) {
+    std::string_view rest = one.pointer.text;
+    WantedKeys* at = &keys;
+    while (rest.starts_with('/')) {
+      at = &at->with(take_token(rest));
+    }
+  }
+  return keys;
+}
 
 void check_published(const Json& report,
                      const std::vector<PublishedValue>& published,

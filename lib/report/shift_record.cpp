@@ -52,9 +52,10 @@ auto write_by_output(std::vector<std::optional<double>> GearValues::*member) {
       Property output;
       output.key = output.table_quantity =
           name_of_actuator(v.analysis, v.analysis.shift->plan.outputs[o]);
-      to.begin(output);
-      to.number(values[o], {});
-      to.end(output);
+      if (to.begin(output)) {
+        to.number(values[o], {});
+        to.end(output);
+      }
     }
     to.end_map();
   };
