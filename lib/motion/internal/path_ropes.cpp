@@ -24,7 +24,10 @@ template <class Frames>
 Arrival PathTracker<Frames>::follow_ropes(PathPoint& now, PathPoint& before, double share) {
   double stretch = share - now.share;
   while (now.share < share) {
-    const Beginning beginning{.point = now, .resumption = resumption_, .passed = special_.size()};
+    Beginning& beginning = beginning_;
+    beginning.point = now;
+    beginning.resumption = resumption_;
+    beginning.passed = special_.size();
     const double next = now.share + stretch < share ? now.share + stretch : share;
     const Arrival arrival = follow(now, before, next);
     const double arc = least_arc(now).arc;

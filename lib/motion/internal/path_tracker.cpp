@@ -92,6 +92,11 @@ double PathTracker<Frames>::rounding_of(std::span<const double> coordinates) {
 }
 
 template <class Frames>
+bool PathTracker<Frames>::closes_by_least_squares(const PathPoint& point) const {
+  return has_surplus_ && point.misclosure > std::max(kTrialClosure, rounding_of(point.coordinates));
+}
+
+template <class Frames>
 bool PathTracker<Frames>::close(PathPoint& point, double& moved) {
   const int columns = static_cast<int>(unknown_.size());
   const int rows = system_.row_count();
@@ -299,8 +304,10 @@ Arrival PathTracker<Frames>::follow(PathPoint& now, PathPoint& before, double sh
     const double next = now.share + step >= share - least ? share : now.share + step;
     const bool is_regular = !now.is_singular && !resumption_;
     if (is_regular && try_step(now, before, next, trial_)) {
-      std::swap(before, now);
-      std::swap(now, trial_);
+      PathPoint spare = std::move(before);  // its buffers
+      before = std::move(now);
+      now = std::move(trial_);
+      trial_ = std::move(spare);
       trail_.leave(now.rates, now.arrival, now.arrival_share);
       if (is_square_) {
         look_for_touch(before, now);

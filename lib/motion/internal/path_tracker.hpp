@@ -1,7 +1,6 @@
 // Follows the closure of a network along its drives.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <span>
 #include <utility>
@@ -53,10 +52,7 @@ class PathTracker {
   std::vector<VecX> open_directions();
 
   /// Whether it misses by more than rounding: more equations than unknowns do not fit.
-  bool closes_by_least_squares(const PathPoint& point) const {
-    return has_surplus_ &&
-           point.misclosure > std::max(kTrialClosure, rounding_of(point.coordinates));
-  }
+  bool closes_by_least_squares(const PathPoint& point) const;
 
   int open_count() const { return static_cast<int>(unknown_.size()) - qr_.rank(); }
 
@@ -145,6 +141,7 @@ class PathTracker {
   std::vector<double> step_;
   std::vector<double> correction_;
   PathPoint trial_;
+  Beginning beginning_;  ///< of the stretch that follow_ropes is in
 };
 
 }  // namespace kinestat
