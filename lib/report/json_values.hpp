@@ -20,13 +20,6 @@ inline Json object_of(std::size_t count) {
   return object;
 }
 
-/// The value of a key that the object does not have yet, in one step: operator[] compares all keys.
-inline Json& appended(Json& object, const std::string& key) {
-  Json::object_t& members = object.get_ref<Json::object_t&>();
-  members.emplace_back(key, Json());
-  return members.back().second;
-}
-
 inline Json number(double value) {
   return std::isfinite(value) ? Json(value == 0.0 ? 0.0 : value) : Json(nullptr);
 }
