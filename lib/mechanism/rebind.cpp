@@ -11,6 +11,7 @@
 #include "mechanism/internal/coupling_binder.hpp"
 #include "mechanism/internal/dependence.hpp"
 #include "mechanism/internal/extent.hpp"
+#include "mechanism/label_kind.hpp"
 
 namespace kinestat {
 
@@ -198,21 +199,18 @@ void Rebinder::add_primaries(const Mechanism& mechanism, const std::vector<bool>
         primaries_.push_back({.which = c,
                               .is_motion = true,
                               .primary = i,
-                              .kind = topology_->freedoms[f].is_rotation
-                                          ? QuantityKind::angular_velocity
-                                          : QuantityKind::velocity,
+                              .kind = kind_of(topology_->freedoms[f]),
                               .value = SlotExpression(one.motions[i].value.expression, slot_of)});
       }
     }
     for (std::size_t i = 0; i < one.actions.size(); ++i) {
       const auto a = static_cast<std::size_t>(mechanism.cases[c].actions[i].index);
       if (depends.of(one.actions[i].value)) {
-        primaries_.push_back(
-            {.which = c,
-             .is_motion = false,
-             .primary = i,
-             .kind = topology_->actions[a].is_couple ? QuantityKind::moment : QuantityKind::force,
-             .value = SlotExpression(one.actions[i].value.expression, slot_of)});
+        primaries_.push_back({.which = c,
+                              .is_motion = false,
+                              .primary = i,
+                              .kind = kind_of(topology_->actions[a]),
+                              .value = SlotExpression(one.actions[i].value.expression, slot_of)});
       }
     }
   }

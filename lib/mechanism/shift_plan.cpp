@@ -6,6 +6,7 @@
 #include "core/contract.hpp"
 #include "mechanism/internal/case_binder.hpp"
 #include "mechanism/internal/load_binder.hpp"
+#include "mechanism/label_kind.hpp"
 
 namespace kinestat {
 
@@ -86,15 +87,12 @@ class ShiftBinder {
         topology_.actuators[static_cast<std::size_t>(input.actuator)];
     if (const Value* speed = value_of(shift_.input_motion, name)) {
       const bool turns = topology_.freedoms[static_cast<std::size_t>(actuator.freedom)].is_rotation;
-      input.speed =
-          evaluator_.number(*speed, turns ? QuantityKind::angular_velocity : QuantityKind::velocity)
-              .value_or(input.speed);
+      input.speed = evaluator_.number(*speed, rate_kind(turns)).value_or(input.speed);
     }
     const Value* action = value_of(shift_.input_action, name);
     if (action != nullptr && !is_left_to_equilibrium(shift_.input_action, i)) {
       const bool is_couple = topology_.actions[static_cast<std::size_t>(actuator.action)].is_couple;
-      input.action =
-          evaluator_.number(*action, is_couple ? QuantityKind::moment : QuantityKind::force);
+      input.action = evaluator_.number(*action, action_kind(is_couple));
     }
     plan_.inputs.push_back(input);
   }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "mechanism/label_kind.hpp"
 #include "report/numbers.hpp"
 
 namespace kinestat {
@@ -22,14 +23,13 @@ void for_each_magnitude(const Analysis& analysis, const CaseAnalysis& one, const
   const Topology& topology = analysis.mechanism.topology;
   for (const AffineMagnitude& rate : one.affine_rates) {
     const bool turns = topology.freedoms[static_cast<std::size_t>(rate.index)].is_rotation;
-    use(Shown{.name = topology.freedom_name(rate.index),
-              .kind = turns ? QuantityKind::angular_velocity : QuantityKind::velocity,
-              .value = rate.value});
+    use(Shown{
+        .name = topology.freedom_name(rate.index), .kind = rate_kind(turns), .value = rate.value});
   }
   for (const AffineMagnitude& action : one.affine_actions) {
     const bool turns = topology.actions[static_cast<std::size_t>(action.index)].is_couple;
     use(Shown{.name = topology.action_name(action.index),
-              .kind = turns ? QuantityKind::moment : QuantityKind::force,
+              .kind = action_kind(turns),
               .value = action.value});
   }
 }
@@ -81,26 +81,6 @@ std::string affine_text(const Analysis& analysis, const CaseAnalysis& one) {
                        : fmt::format("  With the free parameters {}:\n{}\n",
                                      parameters_text(analysis.free_parameters),
                                      lines);
-}
-
-Json affine_json(const Analysis& analysis, const CaseAnalysis& one) {
-  const FileUnits& units = analysis.description.units;
-  Json result = object_of(one.affine_rates.size() + one.affine_actions.size());
-  for_each_magnitude(analysis, one, [&](const Shown& shown) {
-    Json entry = nullptr;
-    if (shown.value) {
-      entry = object_of(8);
-      entry["1"] = number(units.from_si(shown.kind, shown.value->constant));
-      for (std::size_t i = 0; i < analysis.free_parameters.size(); ++i) {
-        const double coefficient = shown.value->coefficients[i];
-        if (coefficient != 0.0) {
-          entry[analysis.free_parameters[i].name] = number(units.from_si(shown.kind, coefficient));
-        }
-      }
-    }
-    result[shown.name] = std::move(entry);
-  });
-  return result;
 }
 
 }  // namespace kinestat

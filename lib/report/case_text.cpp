@@ -4,6 +4,7 @@
 
 #include "core/utf8.hpp"
 #include "kinematics/bounded_motion.hpp"
+#include "mechanism/label_kind.hpp"
 #include "report/affine_report.hpp"
 #include "report/column_table.hpp"
 #include "report/in_units.hpp"
@@ -22,18 +23,17 @@ std::string known_text(const Topology& topology, const Case& which, const InUnit
   const auto unit = [&](QuantityKind kind) { return in.units().text(kind); };
   for (const Primary& primary : which.motions) {
     const bool turns = topology.freedoms[static_cast<std::size_t>(primary.index)].is_rotation;
-    parts.push_back(
-        fmt::format("{} = {} {}",
-                    topology.freedom_name(primary.index),
-                    format_short(in.rate(primary.value, turns)),
-                    unit(turns ? QuantityKind::angular_velocity : QuantityKind::velocity)));
+    parts.push_back(fmt::format("{} = {} {}",
+                                topology.freedom_name(primary.index),
+                                format_short(in.rate(primary.value, turns)),
+                                unit(rate_kind(turns))));
   }
   for (const Primary& primary : which.actions) {
     const bool turns = topology.actions[static_cast<std::size_t>(primary.index)].is_couple;
     parts.push_back(fmt::format("{} = {} {}",
                                 topology.action_name(primary.index),
                                 format_short(in.action(primary.value, turns)),
-                                unit(turns ? QuantityKind::moment : QuantityKind::force)));
+                                unit(action_kind(turns))));
   }
   for (const Load& load : which.loads) {
     parts.push_back("load " + load.name);
@@ -66,7 +66,7 @@ TextBlocks freedoms_blocks(const Topology& topology,
     const bool turns = topology.freedoms[f].is_rotation;
     table.add({topology.freedom_name(static_cast<int>(f)),
                format_short(in.rate(motion.rates[f], turns)),
-               in.units().text(turns ? QuantityKind::angular_velocity : QuantityKind::velocity)});
+               in.units().text(rate_kind(turns))});
   }
   return TextBlocks(std::move(table));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "expression/file_units.hpp"
+#include "mechanism/label_kind.hpp"
 #include "screw/screw_axis.hpp"
 
 namespace kinestat {
@@ -26,14 +27,10 @@ class InUnits {
   double length(double v) const { return of(QuantityKind::length, v); }
 
   /// Of a freedom.
-  double rate(double v, bool is_rotation) const {
-    return of(is_rotation ? QuantityKind::angular_velocity : QuantityKind::velocity, v);
-  }
+  double rate(double v, bool is_rotation) const { return of(rate_kind(is_rotation), v); }
 
   /// Of an action.
-  double action(double v, bool is_couple) const {
-    return of(is_couple ? QuantityKind::moment : QuantityKind::force, v);
-  }
+  double action(double v, bool is_couple) const { return of(action_kind(is_couple), v); }
 
   Vec3 angular(const Vec3& v) const {
     return v.unaryExpr([this](double x) { return angular(x); });

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "mechanism/label_kind.hpp"
 #include "report/analysis_text.hpp"
 #include "report/in_units.hpp"
 #include "report/mobility_words.hpp"
@@ -148,9 +149,7 @@ class MobilityText {
   }
 
   QuantityKind rate_kind(int f) const {
-    return topology_.freedoms[static_cast<std::size_t>(f)].is_rotation
-               ? QuantityKind::angular_velocity
-               : QuantityKind::velocity;
+    return kind_of(topology_.freedoms[static_cast<std::size_t>(f)]);
   }
 
   TextBlocks motions(const MotionSpace& space) const {

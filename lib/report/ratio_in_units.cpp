@@ -1,5 +1,7 @@
 #include "report/ratio_in_units.hpp"
 
+#include "mechanism/label_kind.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -31,15 +33,9 @@ RatiosInUnits ratios_in_units(const Ratios& ratios,
                               const FileUnits& units) {
   const bool input_turns = turns(mechanism, which.inputs.front());
   const bool output_turns = turns(mechanism, which.outputs.front());
-  const auto rate = [](bool is_turning) {
-    return is_turning ? QuantityKind::angular_velocity : QuantityKind::velocity;
-  };
-  const auto action = [](bool is_turning) {
-    return is_turning ? QuantityKind::moment : QuantityKind::force;
-  };
-  return {.ratio = converted(ratios.ratio, rate(input_turns), rate(output_turns), units),
-          .torque_ratio =
-              converted(ratios.torque_ratio, action(input_turns), action(output_turns), units)};
+  return {.ratio = converted(ratios.ratio, rate_kind(input_turns), rate_kind(output_turns), units),
+          .torque_ratio = converted(
+              ratios.torque_ratio, action_kind(input_turns), action_kind(output_turns), units)};
 }
 
 RatioInUnits ratio_in_units(const CaseAnalysis& one,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "mechanism/label_kind.hpp"
 #include "report/mobility_words.hpp"
 #include "report/numbers.hpp"
 
@@ -48,10 +49,7 @@ class RedundancyText {
                          const RedundantConstraint& one,
                          const Mechanism& mechanism) const {
     const Topology& topology = mechanism.topology;
-    const auto kind = [&](int a) {
-      return topology.actions[static_cast<std::size_t>(a)].is_couple ? QuantityKind::moment
-                                                                     : QuantityKind::force;
-    };
+    const auto kind = [&](int a) { return kind_of(topology.actions[static_cast<std::size_t>(a)]); };
     std::optional<double> first;
     if (one.axis) {
       first = units_.factor(one.axis->pitch ? QuantityKind::force : QuantityKind::moment);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "math/readable_basis.hpp"
+#include "mechanism/label_kind.hpp"
 #include "report/numbers.hpp"
 #include "statics/coupling_wrenches.hpp"
 
@@ -34,7 +35,7 @@ TextBlocks actuators_blocks(const Topology& topology, const CaseAnalysis& one, c
     std::vector<std::string> row = {
         topology.actuators[i].name,
         magnitude_cell(*one.action, topology.actuators[i].action, turns, in),
-        in.units().text(turns ? QuantityKind::moment : QuantityKind::force)};
+        in.units().text(action_kind(turns))};
     if (has_power) {
       row.push_back(format_short(in.power(one.power->actuators[i])));
     }
@@ -80,7 +81,7 @@ TextBlocks constraints_blocks(const Topology& topology,
     const bool turns = topology.actions[a].is_couple;
     table.add({topology.action_name(static_cast<int>(a)),
                magnitude_cell(action, static_cast<int>(a), turns, in),
-               in.units().text(turns ? QuantityKind::moment : QuantityKind::force)});
+               in.units().text(action_kind(turns))});
   }
   return TextBlocks(std::move(table));
 }
@@ -94,10 +95,7 @@ std::string self_stresses_text(const Topology& topology,
     return fmt::format("  {} self-stresses, too many to be listed\n\n", count);
   }
   const FileUnits& units = in.units();
-  const auto kind = [&](int a) {
-    return topology.actions[static_cast<std::size_t>(a)].is_couple ? QuantityKind::moment
-                                                                   : QuantityKind::force;
-  };
+  const auto kind = [&](int a) { return kind_of(topology.actions[static_cast<std::size_t>(a)]); };
   std::string text;
   for (std::size_t i = 0; i < action.self_stresses.size(); ++i) {
     std::vector<std::string> parts;
@@ -173,10 +171,9 @@ TextBlocks friction_blocks(const Mechanism& mechanism, const CaseAnalysis& one, 
   Table table(std::move(head));
   for (std::size_t i = 0; i < one.action->friction.size(); ++i) {
     const FrictionAction& friction = one.action->friction[i];
-    std::vector<std::string> row = {
-        mechanism.topology.coupling(friction.coupling).name,
-        format_short(in.action(friction.magnitude, friction.is_couple)),
-        in.units().text(friction.is_couple ? QuantityKind::moment : QuantityKind::force)};
+    std::vector<std::string> row = {mechanism.topology.coupling(friction.coupling).name,
+                                    format_short(in.action(friction.magnitude, friction.is_couple)),
+                                    in.units().text(action_kind(friction.is_couple))};
     if (one.power) {
       row.push_back(format_short(in.power(one.power->friction[i])));
     }
@@ -199,7 +196,7 @@ TextBlocks planets_blocks(const Mechanism& mechanism,
       table.add({topology.action_name(static_cast<int>(a)),
                  fmt::format("{}", count),
                  cell_of(all ? std::optional(in.action(*all / count, turns)) : std::nullopt),
-                 in.units().text(turns ? QuantityKind::moment : QuantityKind::force)});
+                 in.units().text(action_kind(turns))});
     }
   }
   return has_planets(mechanism) ? TextBlocks(std::move(table)) : TextBlocks();

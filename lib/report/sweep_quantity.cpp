@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "mechanism/label_kind.hpp"
 #include "report/in_units.hpp"
 
 namespace kinestat {
@@ -26,9 +27,9 @@ bool turns(const Topology& topology, int actuator) {
 
 QuantityKind kind_of(SweepQuantityKind ratio_kind, bool is_rotation) {
   if (ratio_kind == SweepQuantityKind::ratio) {
-    return is_rotation ? QuantityKind::angular_velocity : QuantityKind::velocity;
+    return rate_kind(is_rotation);
   }
-  return is_rotation ? QuantityKind::moment : QuantityKind::force;
+  return action_kind(is_rotation);
 }
 
 class QuantitySearch {
@@ -123,8 +124,7 @@ class QuantitySearch {
     return {.kind = rate,
             .index = freedom,
             .name = topology_.freedom_name(freedom),
-            .unit = units_.text(label.is_rotation ? QuantityKind::angular_velocity
-                                                  : QuantityKind::velocity)};
+            .unit = units_.text(kind_of(label))};
   }
 
   SweepQuantity action_of(int action) const {
@@ -132,7 +132,7 @@ class QuantitySearch {
     return {.kind = SweepQuantityKind::action,
             .index = action,
             .name = topology_.action_name(action),
-            .unit = units_.text(label.is_couple ? QuantityKind::moment : QuantityKind::force)};
+            .unit = units_.text(kind_of(label))};
   }
 
   // One column holds the ratios of all cases, so they must measure the same.

@@ -7,6 +7,7 @@
 
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "mechanism/label_kind.hpp"
 
 namespace kinestat {
 
@@ -135,10 +136,9 @@ class CaseBinder {
   QuantityKind kind_of(int index, Side side) const {
     const auto i = static_cast<std::size_t>(index);
     if (side == Side::motion) {
-      return topology_.freedoms[i].is_rotation ? QuantityKind::angular_velocity
-                                               : QuantityKind::velocity;
+      return rate_kind(topology_.freedoms[i].is_rotation);
     }
-    return topology_.actions[i].is_couple ? QuantityKind::moment : QuantityKind::force;
+    return action_kind(topology_.actions[i].is_couple);
   }
 
   // An actuator, or coupling.freedom, or coupling.action.

@@ -7,6 +7,7 @@
 #include "mechanism/coupling_catalogue.hpp"
 #include "mechanism/internal/expect.hpp"
 #include "mechanism/internal/number_rebinder.hpp"
+#include "mechanism/label_kind.hpp"
 
 namespace kinestat {
 
@@ -56,16 +57,11 @@ CaseNumbersOf<Scalar> NumberRebinder<Scalar>::bind_case(const CaseDescription& d
   CaseNumbersOf<Scalar> result;
   for (std::size_t i = 0; i < bound.motions.size(); ++i) {
     const auto f = static_cast<std::size_t>(bound.motions[i].index);
-    result.motions.push_back(number(description.motions[i].value,
-                                    topology.freedoms[f].is_rotation
-                                        ? QuantityKind::angular_velocity
-                                        : QuantityKind::velocity));
+    result.motions.push_back(number(description.motions[i].value, kind_of(topology.freedoms[f])));
   }
   for (std::size_t i = 0; i < bound.actions.size(); ++i) {
     const auto a = static_cast<std::size_t>(bound.actions[i].index);
-    result.actions.push_back(
-        number(description.actions[i].value,
-               topology.actions[a].is_couple ? QuantityKind::moment : QuantityKind::force));
+    result.actions.push_back(number(description.actions[i].value, kind_of(topology.actions[a])));
   }
   for (const Load& load : bound.loads) {
     result.loads.push_back(bind_load(load, description));

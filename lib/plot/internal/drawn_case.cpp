@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
+#include "mechanism/label_kind.hpp"
 #include "plot/internal/symbols.hpp"
 
 namespace kinestat {
@@ -47,8 +48,7 @@ class ArrowFinder {
       const FreedomLabel& label = mechanism_.topology.freedoms[f];
       const double rate = one_.motion->rates[f];
       const Twist& unit = mechanism_.geometry.motions[f];
-      const QuantityKind kind =
-          label.is_rotation ? QuantityKind::angular_velocity : QuantityKind::velocity;
+      const QuantityKind kind = kind_of(label);
       add({.kind = ArrowKind::drive,
            .at = point_of(label.coupling),
            .vector = rate * (label.is_rotation ? unit.angular : unit.linear),
@@ -175,9 +175,7 @@ class ArrowFinder {
          .at = point_of(label.coupling),
          .vector = *magnitude * (label.is_couple ? unit.moment : unit.force),
          .is_axial = label.is_couple,
-         .text = text_of(actuator.name,
-                         std::abs(*magnitude),
-                         label.is_couple ? QuantityKind::moment : QuantityKind::force)});
+         .text = text_of(actuator.name, std::abs(*magnitude), kind_of(label))});
   }
 
   const Mechanism& mechanism_;

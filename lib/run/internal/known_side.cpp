@@ -8,6 +8,7 @@
 
 #include "core/text.hpp"
 #include "core/tolerance.hpp"
+#include "mechanism/label_kind.hpp"
 
 namespace kinestat {
 
@@ -79,12 +80,7 @@ std::vector<int> blocks_of(const std::vector<int>& equations, int order) {
 KnownSide motion_side(const JudgedFile& file, const Case& which) {
   const Topology& topology = file.mechanism.topology;
   return {.name = [&](int i) { return name_in(which.motions, i, topology.freedom_name(i)); },
-          .kind =
-              [&](int i) {
-                return topology.freedoms[static_cast<std::size_t>(i)].is_rotation
-                           ? QuantityKind::angular_velocity
-                           : QuantityKind::velocity;
-              },
+          .kind = [&](int i) { return kind_of(topology.freedoms[static_cast<std::size_t>(i)]); },
           .key = "motion",
           .actuator = [&](int i) { return actuator_of(topology, &ActuatorTopology::freedom, i); },
           .units = file.description.units};
@@ -93,12 +89,7 @@ KnownSide motion_side(const JudgedFile& file, const Case& which) {
 KnownSide action_side(const JudgedFile& file, const Case& which) {
   const Topology& topology = file.mechanism.topology;
   return {.name = [&](int i) { return name_in(which.actions, i, topology.action_name(i)); },
-          .kind =
-              [&](int i) {
-                return topology.actions[static_cast<std::size_t>(i)].is_couple
-                           ? QuantityKind::moment
-                           : QuantityKind::force;
-              },
+          .kind = [&](int i) { return kind_of(topology.actions[static_cast<std::size_t>(i)]); },
           .key = "action",
           .actuator = [&](int i) { return actuator_of(topology, &ActuatorTopology::action, i); },
           .units = file.description.units};

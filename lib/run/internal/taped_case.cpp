@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "mechanism/label_kind.hpp"
 #include "network/bases.hpp"
 #include "run/internal/sweep_task.hpp"
 #include "statics/one_sided_action.hpp"
@@ -168,10 +169,8 @@ class CaseRecorder {
   }
 
   QuantityKind kind_of(NetworkSide side, int index) const {
-    if (side == NetworkSide::motion) {
-      return turns(side, index) ? QuantityKind::angular_velocity : QuantityKind::velocity;
-    }
-    return turns(side, index) ? QuantityKind::moment : QuantityKind::force;
+    const bool is_turning = turns(side, index);
+    return side == NetworkSide::motion ? rate_kind(is_turning) : action_kind(is_turning);
   }
 
   // As UnitScale::from_si.
