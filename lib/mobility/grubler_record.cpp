@@ -52,7 +52,8 @@ const Record<GrublerView>& grubler_record() {
         });
         keys.count("mobility",
                    "M, the mobility if every constraint were independent; F_N - C_N in truth.",
-                   [](const View& v) { return v.count.mobility; });
+                   [](const View& v) { return v.count.mobility; })
+            .at_least({});
         keys.map("classes",
                  pair_class_record(),
                  "Couplings by class: P_I prevents one motion in space, P_V five. Only classes "

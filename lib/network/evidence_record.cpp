@@ -17,12 +17,14 @@ void add_rank(Record<View>& keys, const Read& read) {
               Bare::number,
               "Smallest pivot that counted, relative to the largest entry after scaling; without "
               "unit.",
-              [read](const View& v) { return read(v).smallest_pivot; });
+              [read](const View& v) { return read(v).smallest_pivot; })
+      .at_least(0);
   keys.number("largest_dropped",
               Bare::number,
               "Largest entry that counted as zero, relative to the largest entry after scaling; "
               "without unit.",
-              [read](const View& v) { return read(v).largest_dropped; });
+              [read](const View& v) { return read(v).largest_dropped; })
+      .at_least(0);
   keys.number("gap",
               Bare::number,
               "Decades between the smallest pivot and the largest entry dropped; null where only "
@@ -56,7 +58,8 @@ const Record<EvidenceView>& evidence_record() {
                     "was solved. Without unit.",
                     [](const EvidenceView& v) {
                       return v.is_answered ? std::optional(v.residual) : std::nullopt;
-                    });
+                    })
+            .at_least(0);
         keys.word("rung",
                   words_up_to(Rung::exact),
                   "How the answer was found: in doubles, refined with residuals of twice the "
@@ -68,7 +71,8 @@ const Record<EvidenceView>& evidence_record() {
                     Bare::number,
                     "Relative error that the worst of the determined magnitudes may have at most; "
                     "1 where not one digit is sure, null where no bound was asked for or is known.",
-                    bound_of);
+                    bound_of)
+            .at_least(0);
         keys.flag("exact",
                   "Whether fractions were used throughout, so that only the written values are "
                   "rounded.",

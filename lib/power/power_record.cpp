@@ -108,14 +108,17 @@ void add_balance(Record<PowerView>& keys) {
               "Sum of all supplied powers and those of the loads relative to the largest; zero in "
               "theory. Without unit.",
               [](const PowerView& v) { return std::optional(v.flow.balance_residual); })
+      .at_least(0)
       .not_compared();
   static const Record<PowerFlow> evidence(
       "How sure the powers are.", [](Record<PowerFlow>& of_flow) {
-        of_flow.number("error_bound",
-                       Bare::number,
-                       "How far the powers of actuators and the input may be off at most, relative "
-                       "to the largest of all powers; null where rates or actions have no bound.",
-                       [](const PowerFlow& flow) { return flow.error_bound; });
+        of_flow
+            .number("error_bound",
+                    Bare::number,
+                    "How far the powers of actuators and the input may be off at most, relative "
+                    "to the largest of all powers; null where rates or actions have no bound.",
+                    [](const PowerFlow& flow) { return flow.error_bound; })
+            .at_least(0);
       });
   keys.part("evidence", evidence, [](const PowerView& v) -> const PowerFlow& { return v.flow; })
       .not_in_tables()

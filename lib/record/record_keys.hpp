@@ -1,12 +1,11 @@
 // The keys of a record, each with how its value is written.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "record/archive.hpp"
+#include "record/key_mark.hpp"
 
 namespace kinestat {
 
@@ -14,66 +13,7 @@ namespace kinestat {
 template <class View>
 class RecordKeys : public RecordShape {
  public:
-  /// Marks the key that was added last.
-  class Mark {
-   public:
-    explicit Mark(RecordKeys& keys) : keys_(keys) {}
-
-    /// It is left out where the condition does not hold.
-    Mark& only_if(std::function<bool(const View&)> condition) {
-      property().is_optional = true;
-      keys_.steps_.back().condition = std::move(condition);
-      return *this;
-    }
-
-    /// Null where the condition does not hold.
-    Mark& null_unless(std::function<bool(const View&)> condition) {
-      property().shape.is_nullable = true;
-      Write& write = keys_.steps_.back().write;
-      write = [condition = std::move(condition), value = std::move(write)](
-                  const View& view, Archive& to) { condition(view) ? value(view, to) : to.null(); };
-      return *this;
-    }
-
-    /// CSV calls it so; empty: its numbers have no name of their own there.
-    Mark& in_tables_as(std::string quantity) {
-      property().table_quantity = std::move(quantity);
-      return *this;
-    }
-
-    Mark& in_tables_is(TableRole role) {
-      property().table_role = role;
-      return *this;
-    }
-
-    Mark& not_in_tables() {
-      property().is_in_tables = false;
-      return *this;
-    }
-
-    /// JSON has the same in another form.
-    Mark& only_in_tables() {
-      property().is_in_reports = false;
-      return *this;
-    }
-
-    /// Two reports may differ in it and mean the same.
-    Mark& not_compared() {
-      property().is_compared = false;
-      return *this;
-    }
-
-    /// The order of the names in the list means something.
-    Mark& ordered() {
-      property().is_ordered = true;
-      return *this;
-    }
-
-   private:
-    Property& property() { return keys_.properties.back(); }
-
-    RecordKeys& keys_;
-  };
+  using Mark = KeyMark<View>;
 
   // Records that contain it hold its address.
   RecordKeys(const RecordKeys&) = delete;
@@ -118,9 +58,7 @@ class RecordKeys : public RecordShape {
  protected:
   explicit RecordKeys(std::string what) { meaning = std::move(what); }
 
-  using Write = std::function<void(const View&, Archive&)>;
-
-  Mark add(std::string key, std::string text, Shape shape, Write write) {
+  Mark add(std::string key, std::string text, Shape shape, typename KeyStep<View>::Write write) {
     Property property;
     property.table_quantity = key;
     property.key = std::move(key);
@@ -128,16 +66,11 @@ class RecordKeys : public RecordShape {
     property.shape = std::move(shape);
     properties.push_back(std::move(property));
     steps_.push_back({.condition = {}, .write = std::move(write)});
-    return Mark(*this);
+    return Mark(properties.back(), steps_.back());
   }
 
  private:
-  struct Step {
-    std::function<bool(const View&)> condition;  // empty: always
-    Write write;
-  };
-
-  std::vector<Step> steps_;
+  std::vector<KeyStep<View>> steps_;
 };
 
 }  // namespace kinestat

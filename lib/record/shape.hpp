@@ -1,6 +1,7 @@
 // What a report may hold: its keys, what stands behind each, and what its numbers measure.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -26,12 +27,13 @@ enum class Told {
   rate_ratio,    ///< of input and output: the unit beside it, bare where both are alike
   action_ratio,  ///< likewise
   coefficient,   ///< of an action or a rate, per parameter: both names
-  parameter,     ///< the unit beside the value
+  beside,        ///< the key "unit" of the same object
   drive,         ///< the unit of the drive
   column,        ///< the unit of the column
   relative,      ///< to other numbers, as the entries of a matrix
+  per_first,     ///< rate or action, for one unit of the first of its map
   coordinate,    ///< angle or length: the kind of the input
-  per_length     ///< by the unit of length, whatever else
+  per_length     ///< by the unit of length, whatever else; angles in radians
 };
 
 /// The word in schemas, and of those without a unit also in tolerances of `compare`.
@@ -61,19 +63,21 @@ struct Shape {
   Measure measure = Bare::number;  ///< of a number
   bool is_nullable = false;        ///< null where there is no value
   bool may_be_by_name = false;     ///< or several of them by name
-  std::vector<std::string> words;  ///< empty also where any word may stand
+  std::optional<double> least;     ///< a number is never below
+  std::vector<std::string> words;  ///< empty also where any word may stand; of a map: its names
   const RecordShape* record = nullptr;
   std::vector<Shape> items;
 };
 
 /// What a key is to tables of comma-separated values.
 enum class TableRole {
-  quantity,  ///< part of the name of the quantity
-  element,   ///< the element to which all below it belongs; below another, part of the name
-  word,      ///< a word ends the name of a 1; yes is 1 and no is 0
-  cases,     ///< a map or a list whose names are those of the cases
-  table,     ///< all below it has a table of its own
-  status     ///< that of the table
+  quantity,        ///< part of the name of the quantity
+  element,         ///< the element to which all below it belongs; below another, part of the name
+  word,            ///< a word ends the name of a 1; yes is 1 and no is 0
+  cases,           ///< a map or a list whose names are those of the cases
+  table,           ///< all below it has a table of its own
+  table_of_cases,  ///< both
+  status           ///< that of the table
 };
 
 /// One key of an object.

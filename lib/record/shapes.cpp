@@ -30,7 +30,7 @@ std::string_view word_of(Told measure) {
       return "ratio of the actions of input and output";
     case Told::coefficient:
       return "rate or action per parameter";
-    case Told::parameter:
+    case Told::beside:
       return "in the unit beside it";
     case Told::drive:
       return "in the unit of the drive";
@@ -40,6 +40,8 @@ std::string_view word_of(Told measure) {
       return "angle or length, as the input says";
     case Told::per_length:
       return "per length";
+    case Told::per_first:
+      return "rate or action per the first of them";
     case Told::relative:
       return "relative to other numbers";
   }
@@ -57,6 +59,7 @@ Shape number_shape(const Measure& measure, bool is_nullable) {
 Shape whole_shape(bool is_nullable) {
   Shape shape = number_shape(Bare::count, is_nullable);
   shape.form = Shape::Form::whole;
+  shape.least = 0;
   return shape;
 }
 

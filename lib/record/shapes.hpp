@@ -23,6 +23,8 @@ struct MeasuredVector {
 };
 
 Shape number_shape(const Measure& measure, bool is_nullable);
+
+/// A whole number; never negative, unless said otherwise.
 Shape whole_shape(bool is_nullable);
 Shape flag_shape(bool is_nullable);
 

@@ -37,12 +37,14 @@ const Record<Ratios>& ratio_evidence_record() {
                 Bare::number,
                 "Relative error that the ratio may have at most; 1 where not one digit is sure, "
                 "null where the rates have no bound.",
-                [](const Ratios& v) { return v.ratio_bound; });
+                [](const Ratios& v) { return v.ratio_bound; })
+        .at_least(0);
     keys.number("torque_ratio_error_bound",
                 Bare::number,
                 "Relative error that the torque ratio may have at most; 1 where not one digit is "
                 "sure, null where the actions have no bound.",
-                [](const Ratios& v) { return v.torque_ratio_bound; });
+                [](const Ratios& v) { return v.torque_ratio_bound; })
+        .at_least(0);
   });
   return record;
 }
@@ -59,8 +61,11 @@ auto read_ratio_unit(RatioInUnits RatiosInUnits::*which) {
   return [which](const CaseView& v) { return read_ratio(which)(v).second; };
 }
 
+bool has_ratios(const CaseView& v) {
+  return v.one.ratios.has_value();
+}
+
 void add_ratios(Record<CaseView>& keys) {
-  const auto has_ratios = [](const CaseView& v) { return v.one.ratios.has_value(); };
   const auto has_unit = [](const CaseView& v) {
     return v.one.ratios && !read_ratio_unit(&RatiosInUnits::ratio)(v).empty();
   };
@@ -69,12 +74,14 @@ void add_ratios(Record<CaseView>& keys) {
                  "Rate of the input over rate of the output; null where it does not exist, see "
                  "reason. Without unit where both are alike.",
                  read_ratio(&RatiosInUnits::ratio))
+      .not_in_tables()
       .only_if(has_ratios);
   keys.converted("torque_ratio",
                  Told::action_ratio,
                  "Action of the input over action of the output; null where it does not exist. "
                  "Without unit where both are alike.",
                  read_ratio(&RatiosInUnits::torque_ratio))
+      .not_in_tables()
       .only_if(has_ratios);
   keys.text("ratio_unit",
             "Unit of the ratio; no key where input and output are alike.",
@@ -141,23 +148,48 @@ Shape affine_shape() {
   return map_shape(std::move(of_magnitude));
 }
 
+KinematicView motion_of(const CaseView& v) {
+  return {.mechanism = v.analysis.mechanism, .motion = *v.one.motion};
+}
+
+StaticView actions_of(const CaseView& v) {
+  return {.mechanism = v.analysis.mechanism,
+          .which = v.one.which,
+          .action = *v.one.action,
+          .contacts = v.one.contacts,
+          .units = v.analysis.description.units};
+}
+
+// Tables have each ratio in the pass of its magnitudes.
+const Record<CaseView>& case_kinematic_record() {
+  static const Record<CaseView> record(kinematic_record().meaning, [](Record<CaseView>& keys) {
+    keys.include(kinematic_record(), motion_of);
+    keys.converted(
+            "ratio", Told::rate_ratio, "That of the case.", read_ratio(&RatiosInUnits::ratio))
+        .only_in_tables()
+        .only_if(has_ratios);
+  });
+  return record;
+}
+
+const Record<CaseView>& case_static_record() {
+  static const Record<CaseView> record(static_record().meaning, [](Record<CaseView>& keys) {
+    keys.include(static_record(), actions_of);
+    keys.converted("torque_ratio",
+                   Told::action_ratio,
+                   "That of the case.",
+                   read_ratio(&RatiosInUnits::torque_ratio))
+        .only_in_tables()
+        .only_if(has_ratios);
+  });
+  return record;
+}
+
 void add_passes(Record<CaseView>& keys) {
-  keys.part("kinematics",
-            kinematic_record(),
-            [](const CaseView& v) {
-              return KinematicView{.mechanism = v.analysis.mechanism, .motion = *v.one.motion};
-            })
+  keys.part("kinematics", case_kinematic_record(), [](const CaseView& v) { return v; })
       .only_if([](const CaseView& v) { return v.one.motion.has_value(); })
       .in_tables_is(TableRole::table);
-  keys.part("statics",
-            static_record(),
-            [](const CaseView& v) {
-              return StaticView{.mechanism = v.analysis.mechanism,
-                                .which = v.one.which,
-                                .action = *v.one.action,
-                                .contacts = v.one.contacts,
-                                .units = v.analysis.description.units};
-            })
+  keys.part("statics", case_static_record(), [](const CaseView& v) { return v; })
       .only_if([](const CaseView& v) { return v.one.action.has_value(); })
       .in_tables_is(TableRole::table);
   keys.part("power",

@@ -15,7 +15,7 @@
 #include "report/compare_json_text.hpp"
 #include "report/compare_place.hpp"
 #include "report/compare_units.hpp"
-#include "report/report_record.hpp"
+#include "report/record_schema.hpp"
 
 namespace kinestat {
 
@@ -64,6 +64,7 @@ struct Visited {
   const Json& value;
   const Shape* shape = nullptr;     // null of what this program does not know
   bool is_ordered = false;          // of a list of names
+  const Json* object = nullptr;     // whose key it is
   std::vector<std::string> labels;  // names of the elements on the way, and numbers of items
 
   Visited below(std::string_view key, const Json& item, const Shape* of_item) const {
@@ -71,6 +72,7 @@ struct Visited {
             .value = item,
             .shape = of_item,
             .is_ordered = false,
+            .object = &value,
             .labels = labels};
   }
 
@@ -88,7 +90,7 @@ class Collector {
   // Adds a value and all that it contains.
   void add(const Visited& at) {
     if (at.value.is_number()) {
-      values_.add_number(at.place, at.value.get<double>(), units_.unit_of(at.shape, at.labels));
+      values_.add_number(at.place, at.value.get<double>(), unit_of(at));
     } else if (at.value.is_structured() && at.value.empty()) {
       values_.add({.place = at.place, .type = ValueType::empty, .text = {}});
     } else if (at.value.is_object()) {
@@ -101,6 +103,21 @@ class Collector {
   }
 
  private:
+  ValueUnit unit_of(const Visited& at) const {
+    const auto* told = at.shape != nullptr ? std::get_if<Told>(&at.shape->measure) : nullptr;
+    if (told == nullptr || at.object == nullptr) {
+      return units_.unit_of(at.shape, at.labels);
+    }
+    switch (*told) {
+      case Told::beside:
+        return units_.beside(*at.object);
+      case Told::per_first:
+        return units_.magnitude_per(at.labels.back(), at.object->begin().key());
+      default:
+        return units_.unit_of(at.shape, at.labels);
+    }
+  }
+
   void add_object(const Visited& at) {
     const bool has_keys = at.shape != nullptr && at.shape->record != nullptr;
     for (const auto& [key, item] : at.value.items()) {
@@ -246,7 +263,7 @@ std::optional<ReportValues> read_json_report(const SourceFile& source, Diagnosti
     return {};
   }
   ReportValues values(ReportForm::json);
-  const Shape whole = object_shape(report_record(), false);
+  const Shape whole = object_shape(record_of(*report), false);
   Collector(*units, values).add({.place = "", .value = *report, .shape = &whole, .labels = {}});
   add_codes(*report, values);
   return values;

@@ -21,12 +21,17 @@ const Json& member(const Json& value, const char* key) {
   return at == value.end() ? nothing : *at;
 }
 
-// The first letter of all freedoms, 'w' or 'v', or '?' if they are of both kinds.
+// The first letter of a freedom, 'w' or 'v'; '?' of what is none.
+char kind_of_freedom(const Json& freedom) {
+  const std::string name = freedom.is_string() ? freedom.get<std::string>() : "";
+  return name.starts_with('w') || name.starts_with('v') ? name.front() : '?';
+}
+
+// That of all freedoms, or '?' if they are of both kinds.
 char kind_of_freedoms(const Json& freedoms) {
   char kind = 0;
   for (const Json& one : freedoms) {
-    const std::string name = one.is_string() ? one.get<std::string>() : "";
-    const char letter = name.starts_with('w') || name.starts_with('v') ? name.front() : '?';
+    const char letter = kind_of_freedom(one);
     kind = kind == 0 || kind == letter ? letter : '?';
   }
   return kind == 0 ? '?' : kind;
@@ -51,6 +56,7 @@ std::optional<ReportUnits> ReportUnits::read(const Json& report, std::string& pr
   result.read_couplings(report);
   result.read_cases(report);
   result.read_motion(report);
+  result.read_synthesis(report);
   return result;
 }
 
@@ -89,10 +95,14 @@ std::optional<std::string> ReportUnits::read_parameters(const Json& report) {
 void ReportUnits::read_couplings(const Json& report) {
   for (const Json& coupling : member(member(report, "graph"), "couplings")) {
     const char kind = kind_of_freedoms(member(coupling, "freedoms"));
+    const Json& driven = member(coupling, "driven");
+    std::size_t i = 0;
     for (const Json& actuator : member(coupling, "actuators")) {
       if (actuator.is_string()) {
-        actuators_[actuator.get<std::string>()] = kind;
+        actuators_[actuator.get<std::string>()] =
+            i < driven.size() ? kind_of_freedom(driven[i]) : kind;
       }
+      ++i;
     }
   }
 }
@@ -116,20 +126,39 @@ void ReportUnits::read_cases(const Json& report) {
 // told: then the report is of another program.
 void ReportUnits::read_motion(const Json& report) {
   const Json& motion = member(report, "motion");
-  const auto read = [this](const Json& one) {
-    const Json& text = member(one, "unit");
-    const auto unit = read_unit(text.is_string() ? text.get<std::string>() : "?");
-    const auto* known = std::get_if<ValueUnit>(&unit);
-    return known != nullptr ? *known : unknown();
-  };
   for (const Json& drive : member(motion, "drives")) {
     const Json& name = member(drive, "name");
-    drives_.emplace_back(name.is_string() ? name.get<std::string>() : "", read(drive));
+    drives_.emplace_back(name.is_string() ? name.get<std::string>() : "", beside(drive));
   }
   for (const Json& column : member(motion, "columns")) {
     const Json& name = member(column, "name");
-    columns_[name.is_string() ? name.get<std::string>() : ""] = read(column);
+    columns_[name.is_string() ? name.get<std::string>() : ""] = beside(column);
   }
+}
+
+void ReportUnits::read_synthesis(const Json& report) {
+  const Json& tasks = member(member(report, "synthesis"), "tasks");
+  for (std::size_t t = 0; t < tasks.size(); ++t) {
+    const Json& dyads = member(tasks[t], "dyads");
+    const Json& linkages = member(tasks[t], "linkages");
+    for (std::size_t i = 0; i < linkages.size(); ++i) {
+      const Json& drives = member(linkages[i], "drives");
+      for (std::size_t d = 0; d < drives.size(); ++d) {
+        const Json& driven = member(drives[d], "dyad");
+        const bool is_one = driven.is_number_unsigned() && driven.get<std::size_t>() < dyads.size();
+        if (is_one && member(dyads[driven.get<std::size_t>()], "type") == "slider") {
+          sliding_drives_.insert(fmt::format("{}/{}/{}", t, i, d));
+        }
+      }
+    }
+  }
+}
+
+ValueUnit ReportUnits::beside(const Json& object) const {
+  const Json& text = member(object, "unit");
+  const auto unit = read_unit(text.is_string() ? text.get<std::string>() : "?");
+  const auto* known = std::get_if<ValueUnit>(&unit);
+  return known != nullptr ? *known : unknown();
 }
 
 ValueUnit ReportUnits::unit_of(const Shape* shape, const std::vector<std::string>& labels) const {
@@ -154,14 +183,16 @@ ValueUnit ReportUnits::unit_of(const Shape* shape, const std::vector<std::string
       return ratio(action_ratios_, label);
     case Told::coefficient:
       return labels.size() < 2 ? unknown() : coefficient(labels[labels.size() - 2], label);
-    case Told::parameter:
-      return parameter(label);
     case Told::drive:
       return drive(label);
     case Told::column:
       return column(label);
     case Told::coordinate:
+      return coordinate(labels);
     case Told::per_length:
+      return per_length();
+    case Told::beside:
+    case Told::per_first:
     case Told::relative:
       return unknown();
   }
@@ -169,8 +200,7 @@ ValueUnit ReportUnits::unit_of(const Shape* shape, const std::vector<std::string
 }
 
 ValueUnit ReportUnits::of(QuantityKind kind) const {
-  ValueUnit unit = std::get<ValueUnit>(read_unit(units_.text(kind)));
-  return unit;
+  return std::get<ValueUnit>(read_unit(units_.text(kind)));
 }
 
 ValueUnit ReportUnits::unknown() const {
@@ -239,10 +269,34 @@ ValueUnit ReportUnits::parameter(std::string_view name) const {
   return at == parameters_.end() ? unknown() : at->second;
 }
 
+ValueUnit ReportUnits::magnitude(std::string_view name) const {
+  const bool is_rate = letter_of(name) == 'w' || letter_of(name) == 'v';
+  return is_rate ? rate(name) : action(name);
+}
+
+ValueUnit ReportUnits::magnitude_per(std::string_view magnitude, std::string_view other) const {
+  return unit_per(this->magnitude(magnitude), this->magnitude(other));
+}
+
+ValueUnit ReportUnits::per_length() const {
+  const auto unit = read_unit(fmt::format("1/({})", units_.text(QuantityKind::length)));
+  const auto* known = std::get_if<ValueUnit>(&unit);
+  return known != nullptr ? *known : unknown();
+}
+
+// By the numbers of task, linkage and drive.
+ValueUnit ReportUnits::coordinate(const std::vector<std::string>& labels) const {
+  if (labels.size() < 3) {
+    return unknown();
+  }
+  const bool slides =
+      sliding_drives_.contains(fmt::format("{}/{}/{}", labels[0], labels[1], labels[2]));
+  return of(slides ? QuantityKind::length : QuantityKind::angle);
+}
+
 // Of a magnitude per parameter; "1" is the constant.
 ValueUnit ReportUnits::coefficient(std::string_view magnitude, std::string_view name) const {
-  const bool is_rate = letter_of(magnitude) == 'w' || letter_of(magnitude) == 'v';
-  ValueUnit unit = is_rate ? rate(magnitude) : action(magnitude);
+  ValueUnit unit = this->magnitude(magnitude);
   const ValueUnit per = name == "1" ? ValueUnit{} : parameter(name);
   if (per.text.empty() || !per.assumes.empty()) {
     unit.assumes += per.assumes;

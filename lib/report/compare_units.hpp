@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,7 +17,8 @@
 namespace kinestat {
 
 /// What a report says about its units: mechanism.units, the units of the parameters, of drives and
-/// columns of a motion, and the freedoms of its couplings, which tell rotations from translations.
+/// columns of a motion, the freedoms of its couplings, which tell rotations from translations, and
+/// the dyads of its linkages, which do so for their drives.
 class ReportUnits {
  public:
   /// Reads them; empty, with what is wrong, if a unit is none.
@@ -27,6 +29,12 @@ class ReportUnits {
   /// (the entries of matrices, what this program does not know) assumes all units of the report.
   ValueUnit unit_of(const Shape* shape, const std::vector<std::string>& labels) const;
 
+  /// The unit that the object names; unknown if that is none.
+  ValueUnit beside(const Json& object) const;
+
+  /// Of a magnitude for one unit of another, by their names.
+  ValueUnit magnitude_per(std::string_view magnitude, std::string_view other) const;
+
  private:
   using Units = std::map<std::string, ValueUnit, std::less<>>;
 
@@ -35,13 +43,17 @@ class ReportUnits {
   void read_couplings(const Json& report);
   void read_cases(const Json& report);
   void read_motion(const Json& report);
+  void read_synthesis(const Json& report);
 
   ValueUnit of(QuantityKind kind) const;
   ValueUnit unknown() const;
   ValueUnit rate(std::string_view freedom) const;
   ValueUnit action(std::string_view name) const;
   ValueUnit ratio(const Units& of_cases, std::string_view label) const;
+  ValueUnit magnitude(std::string_view name) const;
   ValueUnit parameter(std::string_view name) const;
+  ValueUnit per_length() const;
+  ValueUnit coordinate(const std::vector<std::string>& labels) const;
   ValueUnit drive(std::string_view label) const;
   ValueUnit column(std::string_view name) const;
   ValueUnit coefficient(std::string_view magnitude, std::string_view parameter) const;
@@ -52,6 +64,7 @@ class ReportUnits {
   Units parameters_;
   std::vector<std::pair<std::string, ValueUnit>> drives_;  // by name
   Units columns_;
+  std::set<std::string> sliding_drives_;  // of linkages: "task/linkage/drive", by number
   std::map<std::string, char, std::less<>> actuators_;  // 'w' turn, 'v' slide, '?' not told
 };
 

@@ -60,6 +60,7 @@ const Record<LinkageCheck>& check_record() {
                     "distance as share of the size and the turn in radians; 0 where it promises "
                     "none.",
                     [](const View& v) { return v.worst; })
+            .at_least(0)
             .not_compared();
         keys.flag("agrees", "Whether this is what the verdict says.", [](const View& v) {
           return v.agrees;

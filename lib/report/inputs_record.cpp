@@ -42,7 +42,8 @@ const Record<InputSetView>& input_set_record() {
                 Bare::number,
                 "Smallest singular value of the secondary system with orthonormal equations, "
                 "lengths counted in the mechanism's size: 1 at best, 0 at a dead point.",
-                [](const View& v) { return v.set.conditioning; });
+                [](const View& v) { return v.set.conditioning; })
+        .at_least(0);
   });
   return record;
 }
@@ -279,6 +280,7 @@ const Record<ChoiceVerdict>& choice_record() {
                 Bare::number,
                 "Of a valid set.",
                 [](const View& v) { return v.conditioning; })
+        .at_least(0)
         .only_if(is_valid);
     keys.text("reason",
               "Of a set that is not valid: the relation that it contains, with the circuit or "

@@ -1,5 +1,7 @@
 #include "report/mechanism_record.hpp"
 
+#include <algorithm>
+
 #include "core/utf8.hpp"
 #include "core/version.hpp"
 
@@ -22,7 +24,7 @@ const Record<ParameterView>& parameter_record() {
               [](const View& v) { return v.parameter.value.expression.text(); })
         .not_compared();
     keys.number("value",
-                Told::parameter,
+                Told::beside,
                 "Its value.",
                 [](const View& v) { return v.unit.scale.from_si(v.value->value); })
         .only_if(has_value);
@@ -91,6 +93,32 @@ void emit_edge_actions(const EdgeView& v, bool of_actuators, const EachName& eac
   }
 }
 
+template <class Use>
+void for_each_driven_freedom(const EdgeView& v, const Use& use) {
+  const CouplingTopology& coupling = v.coupling();
+  for (int a = 0; a < coupling.action_count; ++a) {
+    const int actuator =
+        v.topology().actions[static_cast<std::size_t>(coupling.first_action + a)].actuator;
+    if (actuator >= 0) {
+      const int freedom = v.topology().actuators[static_cast<std::size_t>(actuator)].freedom;
+      use(v.topology().freedoms[static_cast<std::size_t>(freedom)]);
+    }
+  }
+}
+
+void emit_driven_freedoms(const EdgeView& v, const EachName& each) {
+  for_each_driven_freedom(v, [&](const FreedomLabel& freedom) { each(freedom.name); });
+}
+
+bool drives_one_of_two_kinds(const EdgeView& v) {
+  const auto first = v.topology().freedoms.begin() + v.coupling().first_freedom;
+  const auto count = std::count_if(
+      first, first + v.coupling().freedom_count, [](const auto& one) { return one.is_rotation; });
+  bool has_actuator = false;
+  for_each_driven_freedom(v, [&](const FreedomLabel&) { has_actuator = true; });
+  return has_actuator && count != 0 && count != v.coupling().freedom_count;
+}
+
 const Record<EdgeView>& edge_record() {
   using View = EdgeView;
   static const Record<View> record(
@@ -117,6 +145,12 @@ const Record<EdgeView>& edge_record() {
         keys.names("actuators",
                    "Names of the actuators on it.",
                    [](const View& v, const EachName& each) { emit_edge_actions(v, true, each); });
+        keys.names("driven",
+                   "The freedom of each of them; only where the coupling has some that turn and "
+                   "some that slide.",
+                   emit_driven_freedoms)
+            .ordered()
+            .only_if(drives_one_of_two_kinds);
       });
   return record;
 }

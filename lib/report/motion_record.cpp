@@ -94,7 +94,8 @@ const Record<MotionEvent>& event_record() {
     });
     keys.count("step",
                "The last step before; -1 on the way from the drawn position to the first.",
-               [](const View& v) { return v.step; });
+               [](const View& v) { return v.step; })
+        .at_least(-1);
     keys.custom("drive",
                 list_shape(number_shape(Told::drive, true)),
                 "Position of each drive.",
@@ -109,6 +110,7 @@ const Record<MotionEvent>& event_record() {
                 Told::drive,
                 "Of the position of the first drive: half of the bracket that holds it.",
                 [](const View& v) { return v.uncertainty; })
+        .at_least(0)
         .not_compared();
   });
   return record;
@@ -120,7 +122,8 @@ const Record<MotionTable>& closure_record() {
         keys.number("largest",
                     Bare::number,
                     "Largest misclosure relative to the size of the mechanism.",
-                    [](const MotionTable& v) { return v.worst_closure; });
+                    [](const MotionTable& v) { return v.worst_closure; })
+            .at_least(0);
         keys.count("step", "Where it is.", [](const MotionTable& v) { return v.worst_step; });
       });
   return record;
@@ -132,11 +135,13 @@ const Record<CouplingGap>& gap_record() {
                 QuantityKind::length,
                 "Between the point on its tail and that on its head, as far as the coupling does "
                 "not free it; unit of length.",
-                [](const CouplingGap& v) { return v.distance; });
+                [](const CouplingGap& v) { return v.distance; })
+        .at_least(0);
     keys.number("angle",
                 QuantityKind::angle,
                 "Between the directions on its tail and on its head; unit of angle.",
-                [](const CouplingGap& v) { return v.angle; });
+                [](const CouplingGap& v) { return v.angle; })
+        .at_least(0);
   });
   return record;
 }

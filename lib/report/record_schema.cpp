@@ -6,13 +6,14 @@
 #include <fmt/format.h>
 
 #include "core/version.hpp"
+#include "report/benchmark_record.hpp"
 #include "report/compare_text.hpp"
 #include "report/diagnostic_json.hpp"
 #include "report/inputs_record.hpp"
-#include "report/json_values.hpp"
 #include "report/mobility_record.hpp"
 #include "report/report_record.hpp"
 #include "report/sensitivity_record.hpp"
+#include "report/sweep_record.hpp"
 #include "report/synthesis_record.hpp"
 
 namespace kinestat {
@@ -80,6 +81,9 @@ void add_components(const Shape& shape, Json& schema) {
 void add_number(const Shape& shape, const char* type, Json& schema) {
   schema["type"] = type_of(type, shape.is_nullable);
   schema["measures"] = word_of(shape.measure);
+  if (shape.least) {
+    schema["minimum"] = *shape.least;
+  }
   if (shape.may_be_by_name) {
     Shape one = shape;
     one.may_be_by_name = false;
@@ -116,6 +120,9 @@ Json schema_of(const Shape& shape, const std::string& meaning) {
       break;
     case Shape::Form::map:
       schema["type"] = type_of("object", shape.is_nullable);
+      if (!shape.words.empty()) {
+        schema["propertyNames"]["enum"] = shape.words;
+      }
       schema["additionalProperties"] =
           schema_of(shape.items.front(), meaning_of(shape.items.front()));
       break;
@@ -146,16 +153,50 @@ NamedSchema named(const std::string& name, const RecordShape& record) {
   return {.name = name, .text = schema.dump(2) + "\n"};
 }
 
+// Those of reports on mechanism files that are told by their keys.
+std::span<const RecordShape* const> own_reports() {
+  static const std::vector<const RecordShape*> records = {&benchmark_report_record(),
+                                                          &inputs_report_record(),
+                                                          &mobility_report_record(),
+                                                          &sensitivity_report_record(),
+                                                          &synthesis_report_record()};
+  return records;
+}
+
+// Whether the report has no other keys, and all that it must have.
+bool has_keys_of(const RecordShape& record, const Json& report) {
+  const auto is_known = [&](const auto& item) {
+    return std::ranges::find(record.properties, item.key(), &Property::key) !=
+           record.properties.end();
+  };
+  const auto keys = report.items();
+  return std::all_of(keys.begin(), keys.end(), is_known) &&
+         std::ranges::all_of(record.properties, [&](const Property& property) {
+           return property.is_optional || report.contains(property.key);
+         });
+}
+
 }  // namespace
+
+const RecordShape& record_of(const Json& report) {
+  for (const RecordShape* record : own_reports()) {
+    if (has_keys_of(*record, report)) {
+      return *record;
+    }
+  }
+  return report_record();
+}
 
 std::span<const NamedSchema> record_schemas() {
   static const std::vector<NamedSchema> schemas = {
+      named("bench", benchmark_report_record()),
       named("comparison", comparison_record()),
       named("diagnostics", diagnostics_line_record()),
       named("inputs", inputs_report_record()),
       named("mobility", mobility_report_record()),
       named("report", report_record()),
       named("sensitivity", sensitivity_report_record()),
+      named("sweep", sweep_summary_record()),
       named("synthesis", synthesis_report_record())};
   return schemas;
 }

@@ -4,6 +4,9 @@
 #include <span>
 #include <string>
 
+#include "record/shape.hpp"
+#include "report/json_values.hpp"
+
 namespace kinestat {
 
 /// A schema and the name by which it is asked for.
@@ -14,5 +17,8 @@ struct NamedSchema {
 
 /// Of every JSON that has a record.
 std::span<const NamedSchema> record_schemas();
+
+/// The record of a report by the keys that it has; that of an analysis where none fits.
+const RecordShape& record_of(const Json& report);
 
 }  // namespace kinestat

@@ -40,7 +40,8 @@ const Record<RankCertainty>& rank_record() {
                     "That the rank as typed is larger than said, over the draw of the primes.",
                     [](const View& v) {
                       return v.typed ? std::optional(v.typed->error_probability) : std::nullopt;
-                    });
+                    })
+            .at_least(0);
       });
   return record;
 }

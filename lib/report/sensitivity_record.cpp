@@ -28,15 +28,16 @@ const Record<DerivativeView>& derivative_record() {
   static const Record<View> record(
       "What one parameter does, the others being as they are.", [](Record<View>& keys) {
         keys.converted("derivative",
-                       Told::parameter,
+                       Told::beside,
                        "d value / d parameter; null where there is none: at a corner of a formula, "
                        "or where redundant couplings would no longer fit or begin to bind.",
                        [](const View& v) {
                          return std::pair(v.derivative, derivative_unit(v.value, v.parameter));
                        });
-        keys.text("unit", "Unit of the value per unit of the parameter.", [](const View& v) {
-          return derivative_unit(v.value, v.parameter);
-        });
+        keys.text("unit",
+                  "Unit of the value per unit of the parameter.",
+                  [](const View& v) { return derivative_unit(v.value, v.parameter); })
+            .not_compared();
         keys.number(
             "relative",
             Bare::ratio,
@@ -63,14 +64,13 @@ bool is_completed(const SensitivityValue& value) {
 const Record<SensitiveValueView>& sensitive_value_record() {
   using View = SensitiveValueView;
   static const Record<View> record("One value of the report.", [](Record<View>& keys) {
-    keys.number("value",
-                Told::parameter,
-                "The value itself.",
-                [](const View& v) { return v.value.value; })
+    keys.number(
+            "value", Told::beside, "The value itself.", [](const View& v) { return v.value.value; })
         .not_in_tables();
-    keys.text("unit", "Unit of the value; empty if it is a plain number.", [](const View& v) {
-      return v.value.unit;
-    });
+    keys.text("unit",
+              "Unit of the value; empty if it is a plain number.",
+              [](const View& v) { return v.value.unit; })
+        .not_compared();
     keys.word("completion",
               {std::string(word_of(IndeterminateChoice::minimum_norm)),
                std::string(word_of(IndeterminateChoice::stiffness))},

@@ -6,7 +6,8 @@
 
 #include "core/utf8.hpp"
 #include "core/version.hpp"
-#include "report/json_values.hpp"
+#include "report/json_archive.hpp"
+#include "report/sweep_record.hpp"
 
 namespace kinestat {
 
@@ -15,23 +16,18 @@ namespace {
 constexpr std::string_view kShardSignature = "{\"kinestat\":{\"sweep_shard\":1,";
 constexpr std::string_view kSummarySignature = "{\n  \"kinestat\": {\n    \"sweep\": 1,";
 
-std::string_view word_of(RankOrder order) {
-  return order == RankOrder::largest ? "largest" : "smallest";
-}
-
 std::string_view word_of(RowFormat format) {
   return format == RowFormat::csv ? "csv" : "json";
 }
 
+// There are no quantities.
+template <class View>
+Json json_without_units(const Record<View>& record, const View& view) {
+  return json_of(record, view, FileUnits());
+}
+
 Json top_json(const std::optional<TopChoice>& top) {
-  if (!top) {
-    return nullptr;
-  }
-  Json result;
-  result["count"] = top->count;
-  result["by"] = top->by;
-  result["order"] = word_of(top->order);
-  return result;
+  return top ? json_without_units(top_record(), *top) : Json(nullptr);
 }
 
 std::optional<TopChoice> top_of(const Json& json) {
@@ -126,27 +122,8 @@ std::optional<ShardHeader> read_shard_header(const std::string& line) {
 }
 
 std::string write_sweep_summary(const SweepHeader& header, const SweepCounts& counts) {
-  Json json;
-  json["kinestat"]["sweep"] = 1;
-  json["kinestat"]["version"] = header.version;
-  json["name"] = header.name;
-  json["plan"] = header.plan;
-  json["columns"] = header.titles;
-  json["states"] = counts.states;
-  json["require"] = Json::array();
-  for (std::size_t i = 0; i < header.requirements.size(); ++i) {
-    Json one;
-    one["condition"] = header.requirements[i];
-    one["excluded"] = i < counts.excluded.size() ? counts.excluded[i] : 0;
-    json["require"].push_back(std::move(one));
-  }
-  json["analysed"] = counts.analysed();
-  json["rows"] = counts.rows;
-  json["statuses"] = Json::object();
-  for (const auto& [status, count] : counts.statuses) {
-    json["statuses"][status] = count;
-  }
-  json["top"] = top_json(header.top);
+  const Json json =
+      json_without_units(sweep_summary_record(), {.header = header, .counts = counts});
   return json.dump(2) + "\n";
 }
 

@@ -35,6 +35,7 @@ bool TableArchive::begin(const Property& property) {
     return false;
   }
   properties_.push_back(&property);
+  begin_tables(property);
   switch (property.table_role) {
     case TableRole::quantity:
     case TableRole::word:
@@ -52,6 +53,8 @@ bool TableArchive::begin(const Property& property) {
       names_cases_ = true;
       break;
     case TableRole::table:
+    case TableRole::table_of_cases:
+      names_cases_ = property.table_role == TableRole::table_of_cases;
       pass_ = property.key;
       status_ = "solved";
       break;
@@ -78,6 +81,7 @@ void TableArchive::end(const Property& property) {
       element_keys_.pop_back();
       break;
     case TableRole::table:
+    case TableRole::table_of_cases:
       pass_.clear();
       break;
     case TableRole::cases:
@@ -224,19 +228,37 @@ void TableArchive::row(const std::string& value, std::string_view unit) {
   if (pass_.empty() || quantity.empty() || is_left_out) {
     return;
   }
-  auto table = std::ranges::find(tables_, pass_, &NamedTable::pass);
-  if (table == tables_.end()) {
-    tables_.push_back({.pass = pass_, .text = std::string(kCsvHeader)});
-    table = tables_.end() - 1;
+  table(pass_).text +=
+      csv_line(std::array<std::string, 8>{mechanism_,
+                                          case_,
+                                          pass_,
+                                          element_,
+                                          quantity,
+                                          value,
+                                          std::string(unit),
+                                          own_status_.empty() ? status_ : own_status_});
+}
+
+NamedTable& TableArchive::table(const std::string& pass) {
+  const auto at = std::ranges::find(tables_, pass, &NamedTable::pass);
+  if (at != tables_.end()) {
+    return *at;
   }
-  table->text += csv_line(std::array<std::string, 8>{mechanism_,
-                                                     case_,
-                                                     pass_,
-                                                     element_,
-                                                     quantity,
-                                                     value,
-                                                     std::string(unit),
-                                                     own_status_.empty() ? status_ : own_status_});
+  tables_.push_back({.pass = pass, .text = std::string(kCsvHeader)});
+  return tables_.back();
+}
+
+// That of the key, or those that every case has.
+void TableArchive::begin_tables(const Property& property) {
+  if (property.table_role == TableRole::table || property.table_role == TableRole::table_of_cases) {
+    (void)table(property.key);
+  } else if (property.table_role == TableRole::cases) {
+    for (const Property& one : property.shape.items.front().record->properties) {
+      if (!one.is_optional) {
+        begin_tables(one);
+      }
+    }
+  }
 }
 
 }  // namespace kinestat

@@ -27,7 +27,8 @@ class TableArchive : public Archive {
                const FileUnits& units,
                MissingNumber missing = MissingNumber::empty_cell);
 
-  /// Those with rows, in the order in which they began.
+  /// In the order in which they began. One that every report of the record has is there without
+  /// rows, too.
   std::vector<NamedTable> take() { return std::move(tables_); }
 
   bool begin(const Property& property) override;
@@ -63,6 +64,8 @@ class TableArchive : public Archive {
   void end_item(bool is_item);
   void word(const std::string& ending, const char* value);
   void row(const std::string& value, std::string_view unit);
+  NamedTable& table(const std::string& pass);
+  void begin_tables(const Property& property);
 
   std::string mechanism_;
   const FileUnits& units_;

@@ -40,6 +40,9 @@ SECTIONS = {
               "load": "loads", "friction": "friction", "body": "bodies", "mesh": "meshes"},
 }
 
+# Tables have the ratio of a case in the pass of its magnitudes.
+RATIOS = {"kinematics": "ratio", "statics": "torque_ratio", "power": None}
+
 LOSSES = {"loss": "meshes", "lossy_friction": "friction", "lossy_action": "actuators"}
 
 
@@ -149,7 +152,10 @@ def json_value(report: Any, row: dict[str, str]) -> Any:
         return at(report["mobility"][row["element"]], row["quantity"])
     if row["pass"] == "shift":
         return shift_value(report["shift"], row)
-    value = report["cases"][row["case"]][row["pass"]]
+    case = report["cases"][row["case"]]
+    if row["quantity"] == RATIOS[row["pass"]]:
+        return case[row["quantity"]]
+    value = case[row["pass"]]
     if not row["element"]:
         return at(value, row["quantity"])
     sections = SECTIONS[row["pass"]]
@@ -180,6 +186,7 @@ def repeated_values(report: Any) -> list[Any]:
         for name, sections in SECTIONS.items():
             for section in sections.values() if name in case else []:
                 found += numbers(case[name].get(section, {}))
+            found += [case[key] for key in [RATIOS[name]] if name in case and key in case]
         for stress in case.get("statics", {}).get("self_stresses", []):
             found += numbers(stress["actions"])
         if "power" in case:
@@ -326,6 +333,12 @@ class Reports(unittest.TestCase):
                 self.assertEqual(faults, [])
                 self.assertEqual(answer["mechanism"], report["mechanism"])
 
+    def test_have_a_header_without_a_sensitivity(self) -> None:
+        path = ROOT / "mechanisms" / "planar" / "gripper.yaml"
+        cases = json_of("sensitivity", path)["cases"]
+        self.assertFalse(any(case["sensitivity"] for case in cases.values()))
+        self.assertEqual(rows_of("sensitivity", path), [HEADER])
+
     def test_have_a_mobility_by_its_schema(self) -> None:
         for path in self.for_each():
             report = json_of("analyze", path)
@@ -400,7 +413,10 @@ class Reports(unittest.TestCase):
             for row in (dict(zip(HEADER, row)) for row in rows_of("analyze", path)[1:]):
                 self.assertEqual(row["mechanism"], report["mechanism"]["name"])
                 self.assertEqual(row["status"], status_of(report, row), row)
-                self.assertIn(row["unit"], units, row)
+                ratio_unit = report.get("cases", {}).get(row["case"], {}).get(
+                    f"{RATIOS.get(row['pass'])}_unit", "")
+                is_ratio = row["quantity"] == RATIOS.get(row["pass"])
+                self.assertIn(row["unit"], {ratio_unit} if is_ratio else units, row)
 
     def test_have_the_same_matrices_in_csv_and_json(self) -> None:
         for path in self.for_each():

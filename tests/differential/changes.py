@@ -7,6 +7,7 @@ None where the change says nothing of this file.
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass, field
 from typing import Callable, Iterator
 
@@ -227,3 +228,17 @@ def other_units(unit: str) -> Callable[[MechanismFile], Factors | None]:
         file.tree["units"] = {**units, "length": unit}
         return Factors(slide=UNITS[old][0] / UNITS[unit][0], actuators=_actuators(file))
     return change
+
+
+def radians(file: MechanismFile) -> None:
+    """Angles of the report in radians, where no coupling has one without a unit."""
+    unit = (file.tree.get("units") or {}).get("angle", "rad")
+    has_angles = any("angle" in key for _, one in file.couplings() for key in one)
+    if unit == "rad" or has_angles:
+        return
+    slide_of = slides_of(file)
+    for drive in _drives(file):
+        for key in {"from", "to"} & drive.keys():
+            if not slide_of.get(drive["drive"]) and re.fullmatch(r"[-+]?[\d.]+", drive[key]):
+                drive[key] += f" {unit}"
+    file.tree["units"]["angle"] = "rad"

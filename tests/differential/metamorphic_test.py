@@ -9,7 +9,10 @@ that the reports give, the same findings and the same exit status.
 
 from __future__ import annotations
 
+import json
+import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 from typing import Callable, Iterator
@@ -176,6 +179,59 @@ class MetamorphicTest(unittest.TestCase):
         said = sort_out(self.id().rsplit(".", 1)[1], complaints, True)
         if said:
             self.fail("\n".join([f"{len(said)} complaints", *said[:60]]))
+
+    def differences(self, folder: Path, name: str, changed: dict) -> str:
+        """What `kinestat compare` says of the two reports."""
+        paths = [folder / f"{name}.{side}.json" for side in ("as_it_is", "changed")]
+        for path, report in zip(paths, (self.plain[name].report, changed)):
+            path.write_text(json.dumps(report), encoding="utf-8")
+        done = subprocess.run([program, "compare", "--rtol", str(SHARE), *paths],
+                              capture_output=True, text=True, check=False)
+        return "" if done.returncode == 0 else done.stdout + done.stderr
+
+    def check_compare(self, unit: str, least: int) -> None:
+        """Loads, motions and gears included."""
+        texts = {}
+        for name, path in self.files.items():
+            file = MechanismFile.read(path)
+            if changes.other_units(unit)(file) is not None and self.plain[name].report:
+                changes.radians(file)
+                texts[name] = file.text()
+        self.assertGreaterEqual(len(texts), least)
+        results = self.analysed(texts)
+        with tempfile.TemporaryDirectory() as folder:
+            complaints = [f"{name}: {text}" for name, result in results.items()
+                          if (text := self.differences(Path(folder), name, result.report))]
+        said = sort_out(self.id().rsplit(".", 1)[1], complaints, True)
+        if said:
+            self.fail("\n".join([f"{len(said)} complaints", *said]))
+
+    def test_compare_finds_no_difference_in_metres_and_radians(self) -> None:
+        self.check_compare("m", 25)
+
+    def test_compare_finds_no_difference_between_tasks_in_metres_and_millimetres(self) -> None:
+        """Slider-cranks among them, whose drives have lengths for coordinates."""
+        names = ("crank_rocker", "slider_crank", "oscillating_slider")
+        for name in names:
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                reports = []
+                for unit in ("m", "mm"):
+                    file = MechanismFile.read(library / "synthesis" / f"{name}.yaml")
+                    for position in file.tree["synthesis"]["positions"]:
+                        position["at"] = [f"({x})*1 m" for x in position["at"]]
+                    file.tree["units"] = {**(file.tree.get("units") or {}), "length": unit}
+                    path = Path(folder) / f"{unit}.yaml"
+                    path.write_text(file.text(), encoding="utf-8")
+                    report = subprocess.run([program, "synthesize", "--format", "json", path],
+                                            capture_output=True, check=False).stdout
+                    reports.append(Path(folder) / f"{unit}.json")
+                    reports[-1].write_bytes(report)
+                done = subprocess.run([program, "compare", "--rtol", "1e-7", *reports],
+                                      capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_compare_finds_no_difference_in_inches_and_radians(self) -> None:
+        self.check_compare("in", 45)
 
     def test_the_order_of_bodies_and_couplings_does_not_matter(self) -> None:
         self.check(changes.other_order, 50)

@@ -78,10 +78,11 @@ const Record<LossyMeshView>& lossy_mesh_record() {
               "The gear that the loss holds back; no key where nothing is lost.",
               [](const LossyMeshView& v) { return v.topology.body(*v.loss.driven).name; })
         .only_if([](const LossyMeshView& v) { return v.loss.driven.has_value(); });
-    keys.quantity(
-        "couple", QuantityKind::moment, "Between it and the carrier.", [](const LossyMeshView& v) {
-          return v.loss.couple;
-        });
+    keys.quantity("couple",
+                  QuantityKind::moment,
+                  "Between it and the carrier.",
+                  [](const LossyMeshView& v) { return v.loss.couple; })
+        .at_least(0);
     keys.quantity("power", QuantityKind::power, "Of that couple.", [](const LossyMeshView& v) {
       return v.loss.power;
     });
@@ -146,6 +147,7 @@ const Record<EfficiencyView>& efficiency_record() {
                       Bare::efficiency,
                       share.meaning,
                       [&share](const View& v) { return (v.meshes->*share.of).value; })
+              .at_least(0)
               .only_if(has_meshes);
         }
         keys.part("reasons",
@@ -189,6 +191,7 @@ const Record<LossesView>& losses_record() {
                     "Sum of the powers of actuators, loads and losses relative to the largest; "
                     "zero in theory. Without unit.",
                     [](const LossesView& v) { return v.state.balance_residual; })
+            .at_least(0)
             .in_tables_as("losses/balance_residual")
             .not_compared();
       });

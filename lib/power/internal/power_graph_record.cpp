@@ -20,7 +20,8 @@ const Record<ArcView>& arc_record() {
     keys.quantity("power",
                   QuantityKind::power,
                   "What leaves the one and reaches the other, the lesser of the two.",
-                  [](const ArcView& v) { return v.arc.power; });
+                  [](const ArcView& v) { return v.arc.power; })
+        .at_least(0);
   });
   return record;
 }
@@ -28,12 +29,16 @@ const Record<ArcView>& arc_record() {
 const Record<std::optional<BodyPower>>& body_power_record() {
   using View = std::optional<BodyPower>;
   static const Record<View> record("One body.", [](Record<View>& keys) {
-    keys.quantity("received", QuantityKind::power, "Sum of what comes in.", [](const View& v) {
-      return v ? std::optional(v->received) : std::nullopt;
-    });
-    keys.quantity("given", QuantityKind::power, "Sum of what goes out.", [](const View& v) {
-      return v ? std::optional(v->given) : std::nullopt;
-    });
+    keys.quantity("received",
+                  QuantityKind::power,
+                  "Sum of what comes in.",
+                  [](const View& v) { return v ? std::optional(v->received) : std::nullopt; })
+        .at_least(0);
+    keys.quantity("given",
+                  QuantityKind::power,
+                  "Sum of what goes out.",
+                  [](const View& v) { return v ? std::optional(v->given) : std::nullopt; })
+        .at_least(0);
   });
   return record;
 }
@@ -136,7 +141,8 @@ const Record<PowerView>& recirculation_record() {
                     Bare::number,
                     "Largest power from shaft to shaft over the input power, planets that mesh "
                     "with each other being one; null without input.",
-                    [](const PowerView& v) { return v.graph.factor; });
+                    [](const PowerView& v) { return v.graph.factor; })
+            .at_least(0);
         keys.list("loops",
                   loop_record(),
                   "Bodies each of which sends power, by way of others, to all the others.",

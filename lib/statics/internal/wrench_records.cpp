@@ -97,8 +97,10 @@ const Record<FrictionView>& friction_record() {
       [](Record<FrictionView>& keys) {
         const auto size = [](const FrictionView& v) { return v.friction.magnitude; };
         keys.quantity("couple", QuantityKind::moment, "Size of the couple.", size)
+            .at_least(0)
             .only_if([](const FrictionView& v) { return v.friction.is_couple; });
         keys.quantity("drag", QuantityKind::force, "Size of the force.", size)
+            .at_least(0)
             .only_if([](const FrictionView& v) { return !v.friction.is_couple; });
         keys.vector(
             "moment", QuantityKind::moment, "Moment about the point of the coupling.", moment_of);
@@ -113,8 +115,10 @@ const Record<PlanetShare>& planet_record() {
   static const Record<PlanetShare> record(
       "What one of these planets has of an action, which 'actions' gives for all of them together.",
       [](Record<PlanetShare>& keys) {
-        keys.count(
-            "count", "How many planets there are.", [](const PlanetShare& v) { return v.count; });
+        keys.count("count",
+                   "How many planets there are.",
+                   [](const PlanetShare& v) { return v.count; })
+            .at_least(2);
         keys.told("each",
                   Told::action,
                   "Action of one planet, in the unit of force or of moment; null if it is not "
