@@ -7,7 +7,7 @@ namespace kinestat::app {
 
 void add_mobility(CLI::App& parent, Job& job) {
   CLI::App* command = parent.add_subcommand(
-      "mobility", "Show what moves, what is redundant, and what would mend it.");
+      "mobility", "Show what moves, what is redundant, and which releases would remove it.");
   command->footer(
       "  kinestat mobility mechanisms/spatial/bennett.yaml\n"
       "  kinestat mobility --format json mechanisms/planar/four_bar.yaml\n");

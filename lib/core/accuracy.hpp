@@ -39,20 +39,20 @@ struct AccuracyRequest {
 };
 
 /// The way on which an answer was found.
-enum class Rung {
+enum class Precision {
   plain,    ///< elimination in doubles
   refined,  ///< corrected by residuals of twice the digits
   exact     ///< the equations as typed: fractions, or numbers of 60 digits
 };
 
 /// The word in reports.
-constexpr std::string_view word_of(Rung rung) {
-  switch (rung) {
-    case Rung::plain:
+constexpr std::string_view word_of(Precision precision) {
+  switch (precision) {
+    case Precision::plain:
       return "double";
-    case Rung::refined:
+    case Precision::refined:
       return "refined";
-    case Rung::exact:
+    case Precision::exact:
       return "exact";
   }
   return "";
@@ -60,7 +60,7 @@ constexpr std::string_view word_of(Rung rung) {
 
 /// What is known of the error of an answer.
 struct AnswerEvidence {
-  Rung rung = Rung::plain;
+  Precision precision = Precision::plain;
   std::optional<double> error_bound;  ///< relative, of the worst value; 1: not one digit is sure.
                                       ///< Empty: none was asked for, or there is none
   std::vector<double> bounds;         ///< [SI] of each magnitude, where there is an error bound

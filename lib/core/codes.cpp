@@ -189,8 +189,7 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "body is not declared",
      "Couplings, loads, gear members and cables name the ground or bodies of the section 'bodies'. "
      "A name that is not declared there is taken for a misspelling and not for a new body, since a "
-     "mechanism "
-     "with one body more has other answers."},
+     "mechanism with one body more has other answers."},
     {"E0313",
      wrong_input,
      "reference to something that is not declared",
@@ -206,12 +205,12 @@ constexpr auto kErrorCodes = std::to_array<Code>({
     {"E0315",
      no_answer,
      "mechanism is not analysed yet",
-     "The file is right, but something in it that decides the answer belongs to the format and "
-     "not yet to the analysis of this version: a freewheel that 'shift' does not name, a point "
-     "that differs from body to body (only 'kinestat motion' closes it), friction of some types, "
-     "or a coupling without its place. "
-     "Without it an answer would be wrong, so there is none, and the exit status is 5. The hint "
-     "says what to write instead; 'kinestat help format' lists what is not analysed."},
+     "The file is right, but something in it that decides the answer belongs to the format and not "
+     "yet to the analysis of this version: a freewheel that 'shift' does not name, a point that "
+     "differs from body to body (only 'kinestat motion' closes it), friction of some types, or a "
+     "coupling without its place. Without it an answer would be wrong, so there is none, and the "
+     "exit status is 5. The hint says what to write instead; 'kinestat help format' lists what is "
+     "not analysed."},
     {"E0316",
      wrong_input,
      "value has no result",
@@ -220,11 +219,11 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "operation; with parameters, their values may be the cause."},
     {"E0317",
      wrong_input,
-     "rope cannot run as it is drawn",
-     "A rope, belt or chain runs straight from one station to the next and touches pulleys from "
+     "cable cannot run as it is drawn",
+     "A cable, belt or chain runs straight from one station to the next and touches pulleys from "
      "outside. Here no such line exists, because a point lies within a pulley, pulleys overlap or "
-     "do not lie in one plane, or the line passes through another pulley of the rope. The message "
-     "has the distances; 'kinestat help cables' shows how ropes run."},
+     "do not lie in one plane, or the line passes through another pulley of the cable. The message "
+     "has the distances; 'kinestat help cables' shows how cables run."},
     {"E0318",
      wrong_input,
      "clutch joins bodies on two axes",
@@ -286,19 +285,17 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      no_answer,
      "mechanism cannot be assembled",
      "The bodies as they are drawn do not meet in every coupling, and no position of them does. "
-     "The "
-     "message and the report have the position in which they miss least, with the distance and "
+     "The message and the report have the position in which they miss least, with the distance and "
      "the angle that each coupling still misses by. In a four-bar the longest link must be shorter "
      "than the other three together; the gaps say by how much lengths would have to change."},
     {"E0505",
      no_answer,
      "motion comes to a limit",
      "A drive of 'motion' cannot reach the end of its range: links are stretched or folded in "
-     "line, "
-     "where the motion would have to turn back. The report goes up to the limit, which the message "
-     "has and the report brackets. End the motion before, drive another coupling, or change "
-     "lengths; in a four-bar a crank turns fully if it is the shortest link, and shortest and "
-     "longest together are less than the other two."},
+     "line, where the motion would have to turn back. The report goes up to the limit, which the "
+     "message has and the report brackets. End the motion before, drive another coupling, or "
+     "change lengths; in a four-bar a crank turns fully if it is the shortest link, and shortest "
+     "and longest together are less than the other two."},
     {"E0506",
      no_answer,
      "motion cannot be followed",
@@ -322,11 +319,11 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "not be driven."},
     {"E0510",
      no_answer,
-     "rope lifts off its pulley",
-     "Where the straight parts of a rope before and behind a pulley come into one line, it lies on "
-     "the pulley by an arc of zero; from there on it runs straight past, and the equations of the "
-     "rope over the pulley would count a negative arc. The motion ends there, and the report has "
-     "everything before. End the motion earlier, or draw the mechanism behind that position "
+     "cable lifts off its pulley",
+     "Where the straight parts of a cable before and behind a pulley come into one line, it lies "
+     "on the pulley by an arc of zero; from there on it runs straight past, and the equations of "
+     "the cable over the pulley would count a negative arc. The motion ends there, and the report "
+     "has everything before. End the motion earlier, or draw the mechanism behind that position "
      "without the pulley and move it from there."},
     {"E0601",
      wrong_input,
@@ -355,9 +352,8 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      no_answer,
      "power balance is violated",
      "The powers of all couplings and loads must sum to zero (Tellegen). A larger residual means "
-     "that the "
-     "numbers cannot be trusted at this position, so they are reported with this error. Compare a "
-     "position nearby, and look for lengths of very different size."},
+     "that the numbers cannot be trusted at this position, so they are reported with this error. "
+     "Compare a position nearby, and look for lengths of very different size."},
     {"E0711",
      wrong_input,
      "too many combinations of shift elements",
@@ -407,8 +403,7 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      wrong_input,
      "shard cannot be used",
      "'kinestat merge' joins what 'kinestat sweep --shard' has written, and takes nothing else: "
-     "this "
-     "file was cut off, changed, or belongs to another sweep, that is to another file, other "
+     "this file was cut off, changed, or belongs to another sweep, that is to another file, other "
      "options or another version of the program. Nothing was written. Run the shard again."},
     {"E0907",
      wrong_input,

@@ -9,7 +9,7 @@ inline constexpr double kMotionClosure = 3e-14;
 
 /// An overconstrained mechanism that is not drawn exactly closes by least squares; this share of
 /// its size may be left: points that were typed with six figures.
-inline constexpr double kAcceptedMisclosure = 1e-5;
+inline constexpr double kAcceptedClosureError = 1e-5;
 
 /// Its drives can move it if what their rates miss of closure is less than this share: directions
 /// follow from differences of points that were rounded.
@@ -23,7 +23,7 @@ inline constexpr double kSilentCorrection = 1e-9;
 inline constexpr double kLeastCorrection = 1e-12;
 
 /// An action of a moved position is determined if a self-stress moves it by less than this many
-/// misclosures of the position, as share of the stress: levers near dead points take two digits.
+/// closure_errors of the position, as share of the stress: levers near dead points take two digits.
 inline constexpr double kClosureInActions = 100.0;
 
 /// Teeth roll in a carrier if their relative motion is that of two lines in it to this share:
@@ -76,7 +76,7 @@ inline constexpr double kLeastLook = 1e-6;
 /// Steps that differ by less than this share are equal.
 inline constexpr double kSameStep = 1e-9;
 
-/// A rope that lies on its pulley by this much less than nothing [rad] runs straight past it: the
+/// A cable that lies on its pulley by this much less than nothing [rad] runs straight past it: the
 /// angles of its segments are rounded.
 inline constexpr double kStraightArc = 1e-12;
 

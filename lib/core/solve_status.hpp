@@ -12,7 +12,7 @@ enum class SolveStatus {
   inconsistent,     ///< known magnitudes contradict the equations
   overflow,         ///< the answer is too large for a number
   locked,           ///< friction grows without bound: nothing moves so
-  undirected        ///< friction has no direction, because what it acts on does not move
+  at_rest           ///< friction has no direction, because what it acts on does not move
 };
 
 /// The word in reports.
@@ -30,8 +30,8 @@ constexpr std::string_view word_of(SolveStatus status) {
       return "overflow";
     case SolveStatus::locked:
       return "locked";
-    case SolveStatus::undirected:
-      return "undirected";
+    case SolveStatus::at_rest:
+      return "at_rest";
   }
   return "";
 }

@@ -85,16 +85,16 @@ inline constexpr double kNoReaction = 1e-9;
 /// Two axes are parallel if the sine of their angle is below this: far above rounding.
 inline constexpr double kParallelAxes = 1e-9;
 
-/// A rope that comes nearer to the centre of a pulley than its radius by less than this share of it
-/// passes by; centres that are closer than that share are the same. Far above rounding.
+/// A cable that comes nearer to the centre of a pulley than its radius by less than this share of
+/// it passes by; centres that are closer than that share are the same. Far above rounding.
 inline constexpr double kGrazing = 1e-9;
 
-/// Points at which a rope is said to touch a pulley may lie inside its rim by this share of the
+/// Points at which a cable is said to touch a pulley may lie inside its rim by this share of the
 /// radius: drawings are rounded.
 inline constexpr double kDrawnContact = 0.01;
 
-/// A freedom that is added to mend a mechanism must work on a self-stress by this share of what the
-/// stress could do: below it, it would hardly give way, and another position might not need it.
+/// A freedom that is added to release a constraint must work on a self-stress by this share of what
+/// the stress could do: below it, it would hardly give way, and another position might not need it.
 inline constexpr double kWorkingFreedom = 1e-4;
 
 /// Two conics share a line if the matrix of their multiples loses rank by this share: roots that

@@ -1,4 +1,4 @@
-// A rope, belt or chain as the user wrote it.
+// A cable, belt or chain as the user wrote it.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace kinestat {
 
-/// The sense of turning about +z, or about the axis given, of someone who follows the rope in the
+/// The sense of turning about +z, or about the axis given, of someone who follows the cable in the
 /// order of its list.
 enum class Wrap { clockwise, counterclockwise };
 
-/// A point on a body where the rope ends or is fixed, or a pulley that it wraps.
+/// A point on a body where the cable ends or is fixed, or a pulley that it wraps.
 struct CableStation {
   bool is_pulley = false;
   Name body;                           ///< the body, or the body of the pulley
@@ -23,14 +23,14 @@ struct CableStation {
   std::optional<Wrap> wrap;
   std::optional<AxisDescription> axis;
   bool slip = false;           ///< false: a drum or toothed wheel
-  std::optional<Value> turns;  ///< whole ones that the rope makes beside the arc that is drawn
+  std::optional<Value> turns;  ///< whole ones that the cable makes beside the arc that is drawn
   std::optional<Value> friction;
   std::optional<Value> eta;              ///< efficiency of a sheave
-  std::vector<PointDescription> points;  ///< none, or where the rope meets and leaves the pulley
+  std::vector<PointDescription> points;  ///< none, or where the cable meets and leaves the pulley
   SourceRange where;
 };
 
-/// A rope, belt or chain through its stations.
+/// A cable, belt or chain through its stations.
 struct CableDescription {
   Name name;
   std::vector<CableStation> over;
@@ -68,8 +68,8 @@ struct VirtualLink {
   std::string name;  ///< of the link, and of the revolute coupling that it turns on
 };
 
-/// One for each slipping pulley, in the order of the rope: "rope_wheel"; where the rope slips over
-/// the same wheel again, "rope_wheel_2".
+/// One for each slipping pulley, in the order of the cable: "rope_wheel"; where the cable slips
+/// over the same wheel again, "rope_wheel_2".
 std::vector<VirtualLink> virtual_links(const CableDescription& cable);
 
 }  // namespace kinestat

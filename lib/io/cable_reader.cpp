@@ -48,14 +48,14 @@ std::optional<bool> read_kind(const YamlNode& node, const std::string& what, Dia
     found.error("E0302",
                 place_of_key(node, "body"),
                 fmt::format("{} has both 'body' and 'pulley'", what),
-                "keep 'body' for a point where the rope is fixed, 'pulley' for one that it wraps");
+                "keep 'body' for a point where the cable is fixed, 'pulley' for one that it wraps");
   } else if (node.kind == YamlKind::mapping) {
     complain_of_kind(node, what, found);
   }
   return std::nullopt;
 }
 
-// Where the rope meets and leaves the pulley.
+// Where the cable meets and leaves the pulley.
 void read_contacts(const YamlNode& node,
                    const std::string& what,
                    Space space,
@@ -65,7 +65,7 @@ void read_contacts(const YamlNode& node,
     found.error("E0304",
                 node.where,
                 fmt::format("'points' of {} must be two points", what),
-                "write points: [[x, y], [x, y]]: where the rope meets the pulley, then where it "
+                "write points: [[x, y], [x, y]]: where the cable meets the pulley, then where it "
                 "leaves it");
     return;
   }
@@ -151,7 +151,7 @@ void read_stations(Fields& fields, Space space, CableDescription& cable, Diagnos
   }
 }
 
-// A rope without ends is fixed nowhere.
+// A cable without ends is fixed nowhere.
 void check_closed(const CableDescription& cable, Diagnostics& found) {
   for (const CableStation& station : cable.over) {
     if (!station.is_pulley) {
@@ -165,7 +165,7 @@ void check_closed(const CableDescription& cable, Diagnostics& found) {
   }
 }
 
-// A rope with ends must not slip off them.
+// A cable with ends must not slip off them.
 void check_ends(const CableDescription& cable, Diagnostics& found) {
   for (const CableStation* end : {&cable.over.front(), &cable.over.back()}) {
     if (end->is_pulley && end->slip) {
@@ -174,7 +174,7 @@ void check_ends(const CableDescription& cable, Diagnostics& found) {
                   fmt::format("cable '{}' ends on pulley '{}' and would slip off it",
                               cable.name.text,
                               end->body.text),
-                  "remove 'slip' if it is a drum, end the rope at a point {body: NAME, at: …}, or "
+                  "remove 'slip' if it is a drum, end the cable at a point {body: NAME, at: …}, or "
                   "write 'closed: true' for a belt");
     }
   }

@@ -37,7 +37,7 @@ std::string example_of(std::string_view key) {
       {"teeth", "for example 'teeth: 19'"},
       {"over", "'over:' and below it lines '- {body: …, at: …}' or '- {pulley: …, …}'"},
       {"radius", "for example 'radius: 20 mm'"},
-      {"wrap", "'wrap: clockwise' or 'wrap: counterclockwise', seen along the rope"},
+      {"wrap", "'wrap: clockwise' or 'wrap: counterclockwise', seen along the cable"},
       {"input", "'input: NAME', an actuator"},
       {"output", "'output: NAME', an actuator"},
       {"elements", "'elements: [C1, C2, B1]', the clutches and brakes"},

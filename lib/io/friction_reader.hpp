@@ -10,7 +10,7 @@
 
 namespace kinestat {
 
-/// What rubs, and with it which keys may stand.
+/// Where friction acts, and with it which keys may stand.
 enum class FrictionKind {
   journal,   ///< mu with radius, thrust_radius, length, tau, c; of revolute
   thread,    ///< mu with radius, tau, c; of helical

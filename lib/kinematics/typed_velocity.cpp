@@ -65,7 +65,7 @@ std::optional<KinematicSolution> solve_velocity_as_typed(const Mechanism& mechan
                              .counts = rounded.counts,
                              .evidence = rounded.evidence,
                              .residual = 0.0,
-                             .answer = {.rung = Rung::exact,
+                             .answer = {.precision = Precision::exact,
                                         .error_bound = {},
                                         .bounds = {},
                                         .is_typed = true,

@@ -46,7 +46,7 @@ AnswerEvidence evidence_of(const Topology& topology,
                            const CoordinateBasis& basis,
                            const BoundedSolution& solved,
                            const std::vector<bool>& counts) {
-  AnswerEvidence result{.rung = solved.rung, .error_bound = {}, .bounds = {}};
+  AnswerEvidence result{.precision = solved.precision, .error_bound = {}, .bounds = {}};
   if (!solved.bound) {
     return result;
   }

@@ -86,7 +86,7 @@ BoundedSolution solve_to_digits(const Elimination& elimination,
     }
   }
   make_zeros(result.bound, result.solution.x);
-  result.rung = Rung::refined;
+  result.precision = Precision::refined;
   result.solution.residual = elimination.residual(result.solution.x, rhs);
   return result;
 }

@@ -12,7 +12,7 @@ namespace kinestat {
 
 struct BoundedSolution {
   EliminationSolution solution;
-  Rung rung = Rung::plain;
+  Precision precision = Precision::plain;
   std::optional<VecX> bound;  ///< of each x, against the solution for these very doubles; empty:
                               ///< none was asked for, or the matrix may be singular
 };

@@ -6,7 +6,7 @@
 
 namespace kinestat {
 
-double NullSpace::flatness() const {
+double NullSpace::reciprocal_condition() const {
   const Eigen::Index last = singular_values.size() - 1;
   return last < 0 || singular_values[0] == 0.0 ? 0.0 : singular_values[last] / singular_values[0];
 }

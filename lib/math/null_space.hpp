@@ -15,7 +15,7 @@ struct NullSpace {
   MatX inverse;
 
   /// The smallest by the largest singular value; 0 if the rows depend on each other.
-  double flatness() const;
+  double reciprocal_condition() const;
 };
 
 NullSpace find_null_space(const Eigen::Ref<const MatX>& matrix);

@@ -20,7 +20,7 @@ MatX scaled_rows(const Eigen::Ref<const MatX>& rows, const VecX& scales) {
 
 // Makes the rows zero in the pivot columns of those that were told; what is then left of a row that
 // says nothing new is rounding.
-void remove_told(const Echelon& told, MatX& rows) {
+void remove_reported(const Echelon& told, MatX& rows) {
   for (std::size_t j = 0; j < told.pivot_columns.size(); ++j) {
     const int column = told.pivot_columns[j];
     const VecX factors = rows.col(column);
@@ -44,7 +44,7 @@ MatX readable_basis(const Eigen::Ref<const MatX>& rows,
   }
   MatX scaled = scaled_rows(rows, scales);
   if (leading.rows() > 0) {
-    remove_told(find_echelon(scaled_rows(leading, scales)), scaled);
+    remove_reported(find_echelon(scaled_rows(leading, scales)), scaled);
   }
   const Echelon echelon = find_echelon(scaled);
   MatX basis(static_cast<Eigen::Index>(echelon.pivot_columns.size()), scales.size());

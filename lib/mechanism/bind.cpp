@@ -121,14 +121,14 @@ void check_cases(const MechanismDescription& description, Evaluator& evaluator) 
 // Whether errors of the analysis or only warnings come of what is not analysed.
 enum class Purpose {
   analyse,
-  close,  ///< what is drawn apart will be closed
+  close,  ///< what is not assembled will be closed
   check
 };
 
 void report_unanalysed(const std::vector<Unanalysed>& list, Purpose purpose, Diagnostics& found) {
   for (const Unanalysed& one : list) {
     std::string message = fmt::format("{} is not analysed yet", one.what);
-    if (purpose == Purpose::close && one.is_misclosure) {
+    if (purpose == Purpose::close && one.is_closure_error) {
       continue;
     }
     if (one.decides && purpose != Purpose::check) {
@@ -183,7 +183,7 @@ std::optional<Mechanism> bind_for(Purpose purpose,
   const int errors_before = found.error_count();
   const std::vector<Unanalysed> unanalysed = find_unanalysed(description);
   const bool is_undecided = std::ranges::any_of(unanalysed, [purpose](const Unanalysed& one) {
-    return one.decides && !(purpose == Purpose::close && one.is_misclosure);
+    return one.decides && !(purpose == Purpose::close && one.is_closure_error);
   });
   Evaluator evaluator = make_evaluator(description, found);
   const DeclaredNames names = declare_names(description, found);
@@ -235,7 +235,7 @@ std::optional<Mechanism> bind(const MechanismDescription& description, Diagnosti
   return bind_for(Purpose::analyse, description, found);
 }
 
-std::optional<Mechanism> bind_drawn_apart(const MechanismDescription& description,
+std::optional<Mechanism> bind_unassembled(const MechanismDescription& description,
                                           Diagnostics& found) {
   return bind_for(Purpose::close, description, found);
 }

@@ -16,7 +16,7 @@ std::optional<Mechanism> bind(const MechanismDescription& description, Diagnosti
 
 /// The same for a pass that closes the drawn position itself: points that differ on the two bodies
 /// of a coupling are no error, and the geometry has that of the tail.
-std::optional<Mechanism> bind_drawn_apart(const MechanismDescription& description,
+std::optional<Mechanism> bind_unassembled(const MechanismDescription& description,
                                           Diagnostics& found);
 
 /// The same without the mechanism: whether the description is right. What has no analysis yet is

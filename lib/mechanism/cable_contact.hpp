@@ -1,4 +1,4 @@
-// Where a rope, belt or chain bends around a pulley.
+// Where a cable, belt or chain bends around a pulley.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@ namespace kinestat {
 /// A pulley between two segments of a cable, SI units.
 struct CableContact {
   std::string name;    ///< "rope_wheel", as that of the virtual link; unique in the mechanism
-  CouplingId arrives;  ///< the segment before the contact, in the order of the rope
+  CouplingId arrives;  ///< the segment before the contact, in the order of the cable
   CouplingId leaves;   ///< the segment after it
   std::optional<CouplingId> slips;  ///< the revolute of the virtual link; empty: no slip
-  double radius = 0.0;              ///< [m] signed: positive where the rope turns about the axis
+  double radius = 0.0;              ///< [m] signed: positive where the cable turns about the axis
   std::optional<double>
       wrap;  ///< contact angle θ with full turns [rad]; empty if the sense is not known
   std::optional<double> friction;  ///< coefficient μ

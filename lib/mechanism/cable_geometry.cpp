@@ -87,7 +87,7 @@ CableSpanOf<Scalar> tangent_span(const Station<Scalar>& a, const Station<Scalar>
   if (!is_wrapped(a) && !is_wrapped(b)) {
     return {.from = circles.centre_a, .to = circles.centre_b};
   }
-  // On a circle the rope moves along u where it is at ρ u x n from the centre. The centres are
+  // On a circle the cable moves along u where it is at ρ u x n from the centre. The centres are
   // c = L u - s u x n apart; solved for u and u x n.
   const Vec3Of<Scalar> c = circles.centre_b - circles.centre_a;
   const Vec3Of<Scalar> across = c.cross(circles.axis);
@@ -112,7 +112,7 @@ Scalar wrap_angle(const Station<Scalar>& pulley,
   if (value_of(theta) >= 0.0) {
     return theta;
   }
-  // A rope that runs straight past must not become a whole turn by rounding.
+  // A cable that runs straight past must not become a whole turn by rounding.
   const bool is_straight = value_of(theta) >= -kSameValue;
   return is_straight ? theta - Scalar(value_of(theta)) : theta + Scalar(2.0 * std::numbers::pi);
 }

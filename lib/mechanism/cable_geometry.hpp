@@ -1,4 +1,4 @@
-// Where a rope, belt or chain touches what it runs over.
+// Where a cable, belt or chain touches what it runs over.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,9 @@ template <class Scalar>
 struct CableStationGeometryOf {
   Vec3Of<Scalar> centre = Vec3Of<Scalar>::Zero();  ///< the point itself, or the pulley's centre [m]
   Vec3Of<Scalar> axis = Vec3Of<Scalar>::UnitZ();   ///< of the pulley, a unit vector
-  Scalar radius = 0.0;  ///< [m] signed: positive where the rope turns about +axis, negative
+  Scalar radius = 0.0;  ///< [m] signed: positive where the cable turns about +axis, negative
                         ///< about -axis; 0 for a point
-  std::optional<Vec3Of<Scalar>> meets;   ///< where the rope meets and leaves a pulley whose points
+  std::optional<Vec3Of<Scalar>> meets;   ///< where the cable meets and leaves a pulley whose points
   std::optional<Vec3Of<Scalar>> leaves;  ///< the file gives [m]
 };
 
@@ -34,8 +34,8 @@ enum class SpanFault {
   none,
   same_point,     ///< it would have no length
   point_inside,   ///< a point lies within the pulley, or on its rim
-  circle_inside,  ///< one pulley lies within the other, and the rope turns alike on both
-  overlap,        ///< the rope crosses over between two pulleys that overlap
+  circle_inside,  ///< one pulley lies within the other, and the cable turns alike on both
+  overlap,        ///< the cable crosses over between two pulleys that overlap
   out_of_plane    ///< no plane across the axes holds both stations
 };
 
@@ -51,15 +51,15 @@ CableSpanOf<Scalar> tangent_span(const CableStationGeometryOf<Scalar>& a,
                                  const CableStationGeometryOf<Scalar>& b);
 
 /// The angle θ of the contact at a pulley [rad], from 0 to below 2π, between the segment that
-/// arrives and the one that leaves, in the sense in which the rope turns.
+/// arrives and the one that leaves, in the sense in which the cable turns.
 template <class Scalar>
 Scalar wrap_angle(const CableStationGeometryOf<Scalar>& pulley,
                   const CableSpanOf<Scalar>& arrives,
                   const CableSpanOf<Scalar>& leaves);
 
-/// Whether a rope with an arc of this angle, full turns counted, meets itself: the tangents of more
-/// than half a turn meet at r |tan(θ/2)| from its ends. `shorter` is the length of the shorter of
-/// its two segments [m].
+/// Whether a cable with an arc of this angle, full turns counted, meets itself: the tangents of
+/// more than half a turn meet at r |tan(θ/2)| from its ends. `shorter` is the length of the shorter
+/// of its two segments [m].
 bool crosses_itself(double radius, double angle, double shorter);
 
 /// Whether a segment passes through the disc of a pulley in whose plane it lies. What lies within

@@ -54,7 +54,7 @@ class DerivativeBinder {
     result.length = find_length(points, result.parameter_count);
   }
 
-  // Teeth, planets and turns of ropes come one by one.
+  // Teeth, planets and turns of cables come one by one.
   void find_whole_numbers(std::vector<bool>& breaks) {
     if (description_.gears) {
       for (const GearMember& member : description_.gears->members) {
@@ -99,7 +99,7 @@ class DerivativeBinder {
   }
 
  private:
-  // Without the ropes, which are not differentiated.
+  // Without the cables, which are not differentiated.
   CouplingFrictionOf<Dual> friction_of(CouplingId id) {
     const CouplingDescription& coupling =
         description_.couplings[static_cast<std::size_t>(id.value)];
@@ -111,7 +111,7 @@ class DerivativeBinder {
     return read_friction<Dual>(coupling, id, description_.units, evaluator_, found_);
   }
 
-  // What is zero rubs not at all, and cannot become smaller.
+  // A coefficient of zero is no friction, and cannot become smaller.
   static void find_starts(const CouplingFrictionOf<Dual>& friction, std::vector<bool>& starts) {
     for (const Dual* number : {&friction.mu,
                                &friction.radius,

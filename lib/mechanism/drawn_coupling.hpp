@@ -22,7 +22,7 @@ struct DrawnCoupling {
   CouplingGeometry geometry;
   bool has_place = true;        ///< the file says where it is
   std::optional<Vec3> at_head;  ///< the point as drawn on the head, where it is another [m]
-  std::optional<CableStationGeometry> from;  ///< of a segment of a rope: where it leaves
+  std::optional<CableStationGeometry> from;  ///< of a segment of a cable: where it leaves
   std::optional<CableStationGeometry> to;    ///< and where it arrives
   std::optional<ContactShape> tail_shape;    ///< of a contact whose profiles the file gives
   std::optional<ContactShape> head_shape;

@@ -76,7 +76,7 @@ class LawWriter {
         touching_along_line();
         break;
       case cable:
-        rope();
+        cable();
         break;
     }
     return std::move(law_);
@@ -312,7 +312,7 @@ class LawWriter {
   }
 
   // Without pulleys it is a rod between two points.
-  void rope() {
+  void cable() {
     law_.kind = LawKind::contact;
     const CableStationGeometry tail = drawn_.from.value_or(
         CableStationGeometry{.centre = geometry_.from, .meets = {}, .leaves = {}});
@@ -324,7 +324,7 @@ class LawWriter {
       law_.kind = LawKind::unknown;
       return;
     }
-    ClosureCondition& condition = require(is_wrapped ? ClosureKind::rope : ClosureKind::reach);
+    ClosureCondition& condition = require(is_wrapped ? ClosureKind::cable : ClosureKind::reach);
     condition.tail_point = tail.centre;
     condition.head_point = head.centre;
     condition.tail_radius = tail.radius;

@@ -28,7 +28,7 @@ enum class ClosureKind {
   across,  ///< tail · head is `value`
   screw,   ///< from the tail's point the head's has moved along `tail` by value (pitch) · turn
   reach,   ///< the two points keep the distance `value`
-  rope     ///< the rope between two pulleys is as long as what they give and take
+  cable    ///< the cable between two pulleys is as long as what they give and take
 };
 
 struct ClosureCondition {
@@ -39,7 +39,7 @@ struct ClosureCondition {
   Vec3 tail = Vec3::Zero();
   Vec3 head = Vec3::Zero();
   double value = 0.0;
-  double tail_radius = 0.0;  ///< of a rope: signed radii about +z; 0: a point
+  double tail_radius = 0.0;  ///< of a cable: signed radii about +z; 0: a point
   double head_radius = 0.0;
 };
 

@@ -9,13 +9,13 @@
 
 namespace kinestat {
 
-/// A rope that runs over a pulley: the tension ahead, where it runs to, is `ratio` times that
-/// behind. A drum has the rope on one side alone.
-struct RopeFriction {
-  std::optional<CouplingId> arrives;  ///< the segment before the pulley in the order of the rope
+/// A cable that runs over a pulley: the tension ahead, where it runs to, is `ratio` times that
+/// behind. A drum has the cable on one side alone.
+struct CableFriction {
+  std::optional<CouplingId> arrives;  ///< the segment before the pulley in the order of the cable
   std::optional<CouplingId> leaves;   ///< the segment after it
-  double radius = 0.0;  ///< [m] signed: the rope runs onwards at the rate of the coupling times it
-  double ratio = 1.0;   ///< exp(μ θ) of a rope that slips, divided by the efficiency η
+  double radius = 0.0;  ///< [m] signed: the cable runs onwards at the rate of the coupling times it
+  double ratio = 1.0;   ///< exp(μ θ) of a cable that slips, divided by the efficiency η
 };
 
 /// SI units. What each type uses:
@@ -27,20 +27,20 @@ struct RopeFriction {
 ///   length; μ / r times the couple about the axis; and c |v|;
 /// - a revolute under a pulley: couple |r| (1 - 1/k) T, T being the tension ahead and k the ratio
 /// of
-///   the rope (Eytelwein); of a drum that winds up, |r| (k - 1) T;
+///   the cable (Eytelwein); of a drum that winds up, |r| (k - 1) T;
 /// - contacts of surfaces or teeth: force μ N against the sliding.
 /// `Scalar` is double or Dual.
 template <class Scalar>
 struct CouplingFrictionOf {
   CouplingId coupling;
   Scalar mu = 0.0;
-  Scalar radius = 0.0;           ///< of the journal, mean one of the thread, or at which the guide
-                                 ///< is kept from turning; 0: its couple does not rub [m]
-  Scalar thrust_radius = 0.0;    ///< mean one of the collar; 0: the axial force does not rub [m]
-  std::optional<Scalar> length;  ///< of the guide or journal [m]
-  Scalar tau = 0.0;              ///< [N·m]
-  Scalar viscous = 0.0;          ///< c [N·m·s/rad or N·s/m]
-  std::vector<RopeFriction> ropes;  ///< over the pulley that turns on the coupling
+  Scalar radius = 0.0;         ///< of the journal, mean one of the thread, or at which the guide
+                               ///< is kept from turning; 0: no friction from its couple [m]
+  Scalar thrust_radius = 0.0;  ///< mean one of the collar; 0: no friction from the axial force [m]
+  std::optional<Scalar> length;       ///< of the guide or journal [m]
+  Scalar tau = 0.0;                   ///< [N·m]
+  Scalar viscous = 0.0;               ///< c [N·m·s/rad or N·s/m]
+  std::vector<CableFriction> cables;  ///< over the pulley that turns on the coupling
   SourceRange where;
 };
 

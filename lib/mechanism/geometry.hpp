@@ -9,7 +9,7 @@
 
 namespace kinestat {
 
-/// Teeth that press with their other flank where the force along the line of action is negative.
+/// Teeth that press with their coast flank where the force along the line of action is negative.
 template <class Scalar>
 struct OtherFlankOf {
   int action = 0;          ///< into Topology::actions
@@ -34,7 +34,7 @@ using Geometry = GeometryOf<double>;
 
 /// Lets the teeth of these other flanks, given by index, press with them; a second time undoes it.
 template <class Scalar>
-void turn_flanks(const std::vector<int>& flanks, GeometryOf<Scalar>& geometry) {
+void load_coast_flanks(const std::vector<int>& flanks, GeometryOf<Scalar>& geometry) {
   for (const int i : flanks) {
     OtherFlankOf<Scalar>& flank = geometry.other_flanks[static_cast<std::size_t>(i)];
     std::swap(geometry.actions[static_cast<std::size_t>(flank.action)], flank.screw);

@@ -183,7 +183,7 @@ class Mover {
     return unit_couple<double>(side * across);
   }
 
-  // Contacts and ropes by the catalogue, from where they touch now.
+  // Contacts and cables by the catalogue, from where they touch now.
   void write_anew() {
     CouplingGeometry moved = drawn_.geometry;
     for (AxisOf<double>* axis : {&moved.axis, &moved.second}) {

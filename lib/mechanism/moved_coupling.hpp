@@ -16,8 +16,8 @@ struct CouplingPoses {
 /// The screws of the drawn position as they follow the bodies, in the same order. What a coupling
 /// frees and bears follows the body in which it is fixed, as FiniteLaw says; forces at a point (Rx,
 /// Ry, Rz), all couples of a slider and the freedoms of a ball keep their world directions; what
-/// touches and what pulls follows the moved contact and the moved rope. Everything is measured from
-/// `origin`, that of the geometry.
+/// touches and what pulls follows the moved contact and the moved cable. Everything is measured
+/// from `origin`, that of the geometry.
 struct MovedCoupling {
   std::vector<Twist> motions;   ///< of the freedoms
   std::vector<Wrench> actions;  ///< of the passive constraints, then of the actuators
@@ -29,7 +29,7 @@ MovedCoupling moved_coupling(const Mechanism& mechanism,
                              const DrawnCoupling& drawn,
                              const CouplingPoses& poses);
 
-/// The stations of a segment of a rope where their bodies have taken them.
+/// The stations of a segment of a cable where their bodies have taken them.
 CableStationGeometry moved_station(CableStationGeometry station, const BodyPose& pose);
 
 }  // namespace kinestat

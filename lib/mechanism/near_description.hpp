@@ -10,7 +10,7 @@ namespace kinestat {
 
 /// The description with every point measured from `origin` [m]: differences of the numbers as
 /// typed, so that rounding to double takes nothing from what lies between the points. Empty if the
-/// digits of a number are not known, or with ropes, whose parts share their points.
+/// digits of a number are not known, or with cables, whose parts share their points.
 std::optional<MechanismDescription> described_from(const MechanismDescription& description,
                                                    const Vec3& origin);
 

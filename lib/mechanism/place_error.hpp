@@ -11,7 +11,7 @@ namespace kinestat {
 /// As share of the size, 0 as drawn. What a closure by least squares misses beyond rounding belongs
 /// to the drawing and is no error of the position.
 inline double place_error(const Mechanism& mechanism) {
-  return std::min(mechanism.misclosure, kLeastCorrection);
+  return std::min(mechanism.closure_error, kLeastCorrection);
 }
 
 }  // namespace kinestat

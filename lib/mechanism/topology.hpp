@@ -29,7 +29,7 @@ struct CouplingTopology {
   int action_count = 0;
   SourceRange where;
 
-  /// Whether it is a segment of a rope, whose first action is its tension.
+  /// Whether it is a segment of a cable, whose first action is its tension.
   bool bears_tension() const { return type == CouplingType::cable && action_count > 0; }
 };
 

@@ -11,11 +11,11 @@ namespace kinestat {
 /// A section or a key of the format whose analysis is not there.
 struct Unanalysed {
   SourceRange where;
-  std::string what;             ///< "section 'shift'"
-  std::string hint = {};        ///< what would be analysed instead; may be empty
-  bool decides = false;         ///< other answers would be wrong without it, so there are none
-  bool can_be_counted = false;  ///< a place that is missing: counts do without
-  bool is_misclosure = false;   ///< a finite motion begins by closing it
+  std::string what;               ///< "section 'shift'"
+  std::string hint = {};          ///< what would be analysed instead; may be empty
+  bool decides = false;           ///< other answers would be wrong without it, so there are none
+  bool can_be_counted = false;    ///< a place that is missing: counts do without
+  bool is_closure_error = false;  ///< a finite motion begins by closing it
 };
 
 /// In the order of the format. Empty for most files.

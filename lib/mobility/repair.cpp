@@ -10,7 +10,7 @@
 
 namespace kinestat {
 
-Mechanism mended(const Mechanism& mechanism, const std::vector<CouplingChange>& changes) {
+Mechanism released(const Mechanism& mechanism, const std::vector<CouplingChange>& changes) {
   Mechanism result = mechanism;
   Topology& topology = result.topology;
   topology.freedoms.clear();
@@ -38,7 +38,7 @@ Mechanism mended(const Mechanism& mechanism, const std::vector<CouplingChange>& 
 Repair verify_repair(const Mechanism& mechanism,
                      const MotionCounts& before,
                      std::vector<CouplingChange> changes) {
-  const Mechanism better = mended(mechanism, changes);
+  const Mechanism better = released(mechanism, changes);
   const CoordinateBasis basis = motion_basis(better.geometry, OrderChoice::spatial);
   const Elimination elimination(velocity_system(better.topology, better.geometry, basis), {});
   Repair repair;

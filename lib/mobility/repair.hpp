@@ -17,18 +17,18 @@ struct CouplingChange {
   std::vector<Twist> added;        ///< unit screws of its new freedoms
 };
 
-/// Changes that belong together, and what the mended mechanism was found to have.
+/// Changes that belong together, and what the released mechanism was found to have.
 struct Repair {
   std::vector<CouplingChange> changes;  ///< in the order of the couplings
   int freed = 0;                        ///< how many freedoms are added: redundancies removed
-  MotionCounts after;                   ///< of the mended mechanism in the spatial order
+  MotionCounts after;                   ///< of the released mechanism in the spatial order
   bool is_verified = false;             ///< as many redundancies less, the same mobility
 };
 
 /// A copy in which the couplings have their new freedoms.
-Mechanism mended(const Mechanism& mechanism, const std::vector<CouplingChange>& changes);
+Mechanism released(const Mechanism& mechanism, const std::vector<CouplingChange>& changes);
 
-/// Counts the mended mechanism anew and compares it with `before`, the counts in space.
+/// Counts the released mechanism anew and compares it with `before`, the counts in space.
 Repair verify_repair(const Mechanism& mechanism,
                      const MotionCounts& before,
                      std::vector<CouplingChange> changes);

@@ -140,7 +140,7 @@ std::vector<CouplingMiss> find_misses(const MotionNetwork& network,
   });
 }
 
-double misclosure(const MotionNetwork& network, const Configuration& configuration) {
+double closure_error(const MotionNetwork& network, const Configuration& configuration) {
   return with_system(network, [&](auto& system) {
     system.evaluate(configuration.coordinates, configuration.angles);
     return system.largest_residual();

@@ -19,13 +19,13 @@ std::vector<BodyPose> body_poses(const MotionNetwork& network, const Configurati
 std::vector<double> body_turns(const MotionNetwork& network, const Configuration& configuration);
 
 /// How far each freedom has moved from the drawn position [rad or m], turns counted; empty where a
-/// freedom has no position: of balls, contacts, ropes.
+/// freedom has no position: of balls, contacts, cables.
 std::vector<std::optional<double>> freedom_positions(const MotionNetwork& network,
                                                      const Mechanism& mechanism,
                                                      const Configuration& configuration);
 
-/// How far each rope bends around its pulley [rad], full turns counted; parallel to the arcs of the
-/// network.
+/// How far each cable bends around its pulley [rad], full turns counted; parallel to the arcs of
+/// the network.
 std::vector<double> contact_arcs(const MotionNetwork& network, const Configuration& configuration);
 
 /// How far each coupling outside the tree misses closure; those above `least` as share of the
@@ -35,6 +35,6 @@ std::vector<CouplingMiss> find_misses(const MotionNetwork& network,
                                       double least);
 
 /// The largest of them as share of the mechanism's size.
-double misclosure(const MotionNetwork& network, const Configuration& configuration);
+double closure_error(const MotionNetwork& network, const Configuration& configuration);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// Rates of the freedoms of contacts and ropes in a moved position.
+// Rates of the freedoms of contacts and cables in a moved position.
 #pragma once
 
 #include <span>

@@ -110,8 +110,8 @@ class FreedomTester {
         tracker_.find_nearest(there, false);
         tracker_.close(there, moved);
       }
-      trial.misclosure = there.misclosure;
-      if (!(there.misclosure <= kTrialClosure)) {
+      trial.closure_error = there.closure_error;
+      if (!(there.closure_error <= kTrialClosure)) {
         trial.persistence = Persistence::instantaneous;
         return trial;
       }

@@ -22,9 +22,9 @@ std::string_view word_of(Persistence persistence);
 
 struct FreedomTrial {
   Persistence persistence = Persistence::finite;
-  double step = 0.0;        ///< how far it was followed: largest turn [rad], or slide as share of
-                            ///< the mechanism's size
-  double misclosure = 0.0;  ///< what is left after closing, as share of the size
+  double step = 0.0;  ///< how far it was followed: largest turn [rad], or slide as share of
+                      ///< the mechanism's size
+  double closure_error = 0.0;  ///< what is left after closing, as share of the size
 };
 
 struct FiniteMobility {

@@ -18,10 +18,10 @@ const Record<FreedomTrial>& freedom_trial_record() {
                 "How far it was followed: the largest turn in radians, or slide as share of the "
                 "mechanism's size.",
                 [](const View& v) { return v.step; });
-    keys.number("misclosure",
+    keys.number("closure_error",
                 Bare::number,
                 "What is left after closing, as share of the mechanism's size.",
-                [](const View& v) { return v.misclosure; });
+                [](const View& v) { return v.closure_error; });
   });
   return record;
 }

@@ -92,7 +92,7 @@ class MotionSolver {
     if (!assembly.closes) {
       PathPoint free = drawn;
       tracker_.find_nearest(free, true);
-      assembly.closes_elsewhere = free.misclosure <= kMotionClosure;
+      assembly.closes_elsewhere = free.closure_error <= kMotionClosure;
       now = free;
     }
     assembly.nearest = configuration_of(now);
@@ -230,7 +230,7 @@ class MotionSolver {
 
   void keep(const PathPoint& point) {
     solution_.shares.push_back(point.share);
-    solution_.misclosures.push_back(point.misclosure);
+    solution_.closure_errors.push_back(point.closure_error);
     if (tracker_.closes_by_least_squares(point)) {
       solution_.closes_by_least_squares = true;
     }
@@ -251,7 +251,7 @@ class MotionSolver {
     }
     const auto positions = at(task_.steps + 1);
     solution_.shares.reserve(positions);
-    solution_.misclosures.reserve(positions);
+    solution_.closure_errors.reserve(positions);
     solution_.coordinates.reserve(positions * now.coordinates.size());
     solution_.angles.reserve(positions * now.angles.size());
     keep(now);

@@ -180,7 +180,7 @@ class NetworkMaker {
   // From the tail the head is shifted last, so that its point comes to that of the tail.
   int add_chain(int e, int parent, double sense) {
     std::vector<ElementaryMotion> chain = law(e).chain;
-    const Vec3 shift = misclosure_of(e);
+    const Vec3 shift = closure_error_of(e);
     int frame = parent;
     if (sense < 0.0) {
       std::ranges::reverse(chain);
@@ -192,7 +192,7 @@ class NetworkMaker {
     return sense > 0.0 ? add_shift(shift, frame) : frame;
   }
 
-  Vec3 misclosure_of(int e) const {
+  Vec3 closure_error_of(int e) const {
     for (const ClosureCondition& one : law(e).conditions) {
       if (!one.is_reversed && one.kind != ClosureKind::across) {
         return one.tail_point - one.head_point;
@@ -272,7 +272,7 @@ class NetworkMaker {
 
   static MotionObstacle reason_without_law(CouplingType type) {
     return type == CouplingType::screws  ? MotionObstacle::several_screws
-           : type == CouplingType::cable ? MotionObstacle::spatial_rope
+           : type == CouplingType::cable ? MotionObstacle::spatial_cable
                                          : MotionObstacle::unknown_profile;
   }
 
@@ -289,7 +289,7 @@ class NetworkMaker {
       if (condition.is_reversed) {
         std::swap(row.tail_frame, row.head_frame);
       }
-      const int angles = condition.kind == ClosureKind::rope    ? 2
+      const int angles = condition.kind == ClosureKind::cable   ? 2
                          : condition.kind == ClosureKind::screw ? 1
                                                                 : 0;
       if (angles > 0) {
@@ -324,13 +324,13 @@ class NetworkMaker {
     }
   }
 
-  // Of ropes whose sense is known; segments that leave a pulley at given points cannot be moved.
+  // Of cables whose sense is known; segments that leave a pulley at given points cannot be moved.
   void find_arcs() {
     const auto angle_of = [&](CouplingId segment) {
       const auto row = std::ranges::find(network_.closures, segment, &ClosureRow::coupling);
-      const bool is_rope =
-          row != network_.closures.end() && row->condition.kind == ClosureKind::rope;
-      return is_rope ? row->angle : -1;
+      const bool is_cable =
+          row != network_.closures.end() && row->condition.kind == ClosureKind::cable;
+      return is_cable ? row->angle : -1;
     };
     for (std::size_t i = 0; i < mechanism_.contacts.size(); ++i) {
       const CableContact& contact = mechanism_.contacts[i];
@@ -401,7 +401,7 @@ std::string_view reason_of(MotionObstacle why) {
       return "no body holds the axes of its teeth apart";
     case MotionObstacle::several_screws:
       return "the order of its freedoms is not known";
-    case MotionObstacle::spatial_rope:
+    case MotionObstacle::spatial_cable:
       return "it leaves a pulley in space, or at points that are given";
     case MotionObstacle::undriven_position:
       return "its driven freedom has no position, as a turn of a ball or a slide of a contact";

@@ -18,7 +18,7 @@ enum class MotionObstacle {
   unknown_profile,    ///< a contact of which only the point and the normal are known
   no_carrier,         ///< teeth whose axes no body holds apart
   several_screws,     ///< type screws with several freedoms, whose order is not known
-  spatial_rope,       ///< a rope whose pulleys leave its plane, or whose sense is not known
+  spatial_cable,      ///< a cable whose pulleys leave its plane, or whose sense is not known
   undriven_position,  ///< a driven freedom that has no position: of a ball, of a contact
   drives_in_circuit   ///< the driven couplings form a circuit of their own
 };
@@ -41,7 +41,7 @@ struct MotionJoint {
   int coordinate = -1;        ///< its first; -1: it stands still and only shifts
   int rate = -1;              ///< its first; a ball has three, about axes fixed in the tail
   int freedom = -1;           ///< index into Topology::freedoms, of a ball its first; -1: none
-  Vec3 shift = Vec3::Zero();  ///< of one that stands still: misclosure of the drawing [m]
+  Vec3 shift = Vec3::Zero();  ///< of one that stands still: closure error of the drawing [m]
 };
 
 /// Teeth that roll: Σ factor · coordinate = 0. All turns and slides of a gear relative to the
@@ -72,13 +72,13 @@ struct MeasuredFreedom {
   int angle = -1;  ///< of a turn: that is followed over full turns
 };
 
-/// The rope on a pulley between two straight segments: its arc is as drawn, and what the second
+/// The cable on a pulley between two straight segments: its arc is as drawn, and what the second
 /// segment has turned more than the first, seen from the pulley.
 struct ContactArc {
   int contact = 0;     ///< index into Mechanism::contacts
   int arrives = 0;     ///< the followed angle of the segment before it
   int leaves = 0;      ///< that of the segment behind it
-  double sense = 1.0;  ///< -1: the rope turns about -z
+  double sense = 1.0;  ///< -1: the cable turns about -z
   double drawn = 0.0;  ///< the arc in the drawn position, with full turns [rad]
 
   /// The arc with these followed angles; `first` are those of the drawn position.
@@ -125,14 +125,14 @@ struct MotionNetwork {
   std::vector<int> driven_rates;      ///< parallel: the rate that each drives
   std::vector<VecX> passive_motions;  ///< rates of the joints: of freedoms that no other body feels
   std::vector<int> passive_freedoms;  ///< of each, the freedom that moves most
-  std::vector<CouplingMiss> drawn_misses;    ///< of points drawn apart, above rounding
+  std::vector<CouplingMiss> drawn_misses;    ///< of points not assembled, above rounding
   std::vector<UnmovableCoupling> obstacles;  ///< empty: it can be moved
 
   bool is_movable() const { return obstacles.empty(); }
 };
 
 /// The spanning tree holds the driven couplings, then those with few freedoms; bodies that only
-/// contacts, teeth and ropes hold hang on the ground by a free motion. `drawn` is parallel to the
+/// contacts, teeth and cables hold hang on the ground by a free motion. `drawn` is parallel to the
 /// couplings of the topology.
 MotionNetwork make_motion_network(const Mechanism& mechanism,
                                   std::span<const DrawnCoupling> drawn,

@@ -26,7 +26,7 @@ struct MotionTask {
 enum class MotionStatus {
   completed,
   limit,          ///< a drive can go no further: MotionSolution::special ends with the limit
-  lift_off,       ///< a rope leaves its pulley: MotionSolution::special ends with that position
+  lift_off,       ///< a cable leaves its pulley: MotionSolution::special ends with that position
   locked,         ///< the drives cannot move at all: nothing is free that they could turn
   singular,       ///< the tangent of the motion is not unique, and nothing tells how to go on
   not_assembled,  ///< the drawn position does not close with the drives where they are drawn
@@ -47,7 +47,7 @@ struct Configuration {
 enum class SpecialKind {
   limit,         ///< the drives turn back here
   change_point,  ///< another motion crosses: the rank of the closure drops
-  lift_off,      ///< the arc of a rope on its pulley becomes zero
+  lift_off,      ///< the arc of a cable on its pulley becomes zero
 };
 
 /// A position between two steps at which something happens.
@@ -59,7 +59,7 @@ struct SpecialPosition {
   double uncertainty = 0.0;  ///< of the share
   std::vector<double> drive_values;  ///< of each drive [rad or m], from the drawn position
   Configuration configuration;
-  int contact = -1;  ///< of a rope that lifts off: index into Mechanism::contacts
+  int contact = -1;  ///< of a cable that lifts off: index into Mechanism::contacts
 };
 
 /// The drawn position, closed with the drives held, or the nearest to that.
@@ -80,11 +80,11 @@ struct MotionSolution {
   MotionStatus status = MotionStatus::completed;
   Assembly assembly;
   std::vector<MotionDrive> drives;
-  std::vector<double> shares;       ///< of each position found, rising from 0; the last is a limit
-                                    ///< or lift-off where the status says so
-  std::vector<double> misclosures;  ///< of each: largest, as share of the mechanism's size
-  std::vector<double> coordinates;  ///< those of all positions, one after the other
-  std::vector<double> angles;       ///< likewise
+  std::vector<double> shares;  ///< of each position found, rising from 0; the last is a limit
+                               ///< or lift-off where the status says so
+  std::vector<double> closure_errors;  ///< of each: largest, as share of the mechanism's size
+  std::vector<double> coordinates;     ///< those of all positions, one after the other
+  std::vector<double> angles;          ///< likewise
   int coordinate_count = 0;
   int angle_count = 0;
   bool closes_by_least_squares = false;  ///< some position misses by more than rounding

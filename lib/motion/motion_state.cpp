@@ -221,10 +221,11 @@ class StateSolver {
 
   // A closure by least squares misses something everywhere.
   bool is_too_flat() const {
-    const double flatness = unknown_.empty() ? 1.0 : qr_.flatness();
+    const double reciprocal_condition = unknown_.empty() ? 1.0 : qr_.reciprocal_condition();
     const bool is_square = system_.row_count() == static_cast<int>(unknown_.size());
-    return flatness < kFlatVelocity ||
-           (is_square && system_.largest_residual() > kMostVelocityError * flatness * flatness);
+    return reciprocal_condition < kFlatVelocity ||
+           (is_square && system_.largest_residual() >
+                             kMostVelocityError * reciprocal_condition * reciprocal_condition);
   }
 
   double unit_of_rate(int rate) const {
@@ -327,7 +328,7 @@ class StateSolver {
       state.twists.push_back(moving.twist);
       state.twist_rates.push_back(moving.rate);
     }
-    if (detail == StateDetail::velocity || qr_.flatness() < kFlatAcceleration) {
+    if (detail == StateDetail::velocity || qr_.reciprocal_condition() < kFlatAcceleration) {
       state.twist_rates.clear();
       state.rate_rates.clear();
     }

@@ -46,11 +46,11 @@ struct MotionState {
                                                   ///< nearer a singular position than
                                                   ///< kFlatAcceleration
   std::vector<std::optional<double>> rates;       ///< of the freedoms [rad/s or m/s]; empty of
-                                                  ///< contacts and ropes
+                                                  ///< contacts and cables
   std::vector<std::optional<double>> rate_rates;  ///< their derivatives [rad/s² or m/s²]; empty
                                                   ///< likewise
   StateBounds bounds;  ///< where asked for; then zero is what they do not tell from it, except
-                       ///< where they are more than rounding (is_told)
+                       ///< where they are more than rounding (is_reported)
 };
 
 /// The states of a mechanism in many configurations, its equations prepared once. Where passive

@@ -78,11 +78,11 @@ class MechanismMover {
       return;
     }
     for (std::size_t f = 0; f < moved.frictions.size(); ++f) {
-      for (std::size_t r = 0; r < moved.frictions[f].ropes.size(); ++r) {
-        RopeFriction& rope = moved.frictions[f].ropes[r];
-        if (rope.arrives == drawn.arrives && rope.leaves == drawn.leaves) {
-          rope.ratio = mechanism_.frictions[f].ropes[r].ratio *
-                       std::exp(*drawn.friction * (arc - *drawn.wrap));
+      for (std::size_t r = 0; r < moved.frictions[f].cables.size(); ++r) {
+        CableFriction& cable = moved.frictions[f].cables[r];
+        if (cable.arrives == drawn.arrives && cable.leaves == drawn.leaves) {
+          cable.ratio = mechanism_.frictions[f].cables[r].ratio *
+                        std::exp(*drawn.friction * (arc - *drawn.wrap));
         }
       }
     }

@@ -60,12 +60,12 @@ const Record<EvidenceView>& evidence_record() {
                       return v.is_answered ? std::optional(v.residual) : std::nullopt;
                     })
             .at_least(0);
-        keys.word("rung",
-                  words_up_to(Rung::exact),
+        keys.word("precision",
+                  words_up_to(Precision::exact),
                   "How the answer was found: in doubles, refined with residuals of twice the "
                   "digits, or from the numbers as typed; null without an answer.",
                   [](const EvidenceView& v) {
-                    return v.is_answered ? MaybeWord(word_of(v.answer.rung)) : MaybeWord();
+                    return v.is_answered ? MaybeWord(word_of(v.answer.precision)) : MaybeWord();
                   });
         keys.number("error_bound",
                     Bare::number,

@@ -37,7 +37,7 @@ double step_in_degrees(double least) {
 }
 
 // Values that agree in so many digits are drawn as one.
-constexpr int kToldApart = 6;
+constexpr int kTellsApart = 6;
 
 // Room around a single value, or around values that differ by rounding only.
 AxisDemand widened(AxisDemand demand) {
@@ -46,7 +46,7 @@ AxisDemand widened(AxisDemand demand) {
     std::swap(demand.low, demand.high);
   }
   const double size = std::max(std::abs(demand.low), std::abs(demand.high));
-  const double told_apart = size * std::pow(10.0, -kToldApart);
+  const double told_apart = size * std::pow(10.0, -kTellsApart);
   if (demand.high - demand.low <= told_apart || size == 0.0) {
     const double room = size == 0.0 ? 1.0 : size / 2;
     demand.low -= room;

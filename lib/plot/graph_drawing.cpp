@@ -50,7 +50,7 @@ std::vector<LegendLine> legend_of(const GraphModel& model) {
     std::vector<LegendLine> lines = {
         {{.stroke = Ink::blue, .width = 5.0}, "power, as wide as it is large"}};
     if (std::ranges::any_of(model.power, &ModelPower::recirculates)) {
-      lines.push_back({{.stroke = Ink::vermilion, .width = 5.0}, "power that goes in a circle"});
+      lines.push_back({{.stroke = Ink::vermilion, .width = 5.0}, "power that circulates"});
     }
     lines.push_back({{.stroke = Ink::grid, .width = 1.2}, "no power"});
     return lines;

@@ -19,7 +19,7 @@ enum class EdgeStroke {
 struct ModelNode {
   std::string name;
   bool is_ground = false;
-  bool is_virtual = false;  ///< a virtual link of a rope
+  bool is_virtual = false;  ///< a virtual link of a cable
 };
 
 /// From tail to head, as the matrices of the method have it.

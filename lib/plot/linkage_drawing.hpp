@@ -1,4 +1,4 @@
-// The drawing of a mechanism to scale: links, couplings, wheels, ropes; paths, forces and drives.
+// The drawing of a mechanism to scale: links, couplings, wheels, cables; paths, forces and drives.
 //
 // How a script moves a planar drawing. The picture has one group with `data-scale` k [px/m],
 // `data-x0` X and `data-y0` Y [px]: the world point (x, y) [m] is drawn at (X + k x, Y - k y). What
@@ -6,15 +6,15 @@
 // as in Topology::bodies, the ground's too. A body that has turned by θ and then moved by (u, v)
 // [m] from where it is drawn, so that x' = R(θ) x + (u, v), gets the attribute
 //   transform="matrix(c -s s c  X(1-c)-Ys+ku  Y(1-c)+Xs-kv)",   c = cos θ, s = sin θ
-// on all its groups. Guides and slots stand in the groups of the bodies that have them. A rope is
-// in groups `<g data-rope="COUPLING">` for a straight part and `<g data-wrap="NAME-INDEX">` for the
-// part on a pulley, which a script hides or draws anew. Names, forces and drives of the drawn
+// on all its groups. Guides and slots stand in the groups of the bodies that have them. A cable is
+// in groups `<g data-cable="COUPLING">` for a straight part and `<g data-wrap="NAME-INDEX">` for
+// the part on a pulley, which a script hides or draws anew. Names, forces and drives of the drawn
 // position stand in `<g data-layer="names">`, `"forces"`, `"drives"`, `"velocities"`; paths in
 // `"paths"`; these are to be hidden or left as they are.
 //
-// What no such matrix moves, a spatial mechanism and the ropes of a planar one, is drawn anew for
+// What no such matrix moves, a spatial mechanism and the cables of a planar one, is drawn anew for
 // every position of LinkageOptions::frames, in a group `<g data-frame="K" display="none">`; shown,
-// it stands for the `"still"` layers of a spatial mechanism, or for all ropes.
+// it stands for the `"still"` layers of a spatial mechanism, or for all cables.
 #pragma once
 
 #include <cstddef>

@@ -108,7 +108,7 @@ std::vector<Group> groups_of(const MotionTable& motion) {
   for (std::size_t c = motion.drives.size(); c < motion.columns.size(); ++c) {
     const MotionColumn& column = motion.columns[c];
     // How well circuits close is rounding, of which there is nothing to see.
-    if (column.quantity.starts_with(kPlace) || column.quantity == kMisclosureColumn) {
+    if (column.quantity.starts_with(kPlace) || column.quantity == kClosureErrorColumn) {
       continue;
     }
     const auto at = std::ranges::find_if(groups, [&column](const Group& group) {

@@ -198,8 +198,7 @@ void add_circulation(const Analysis& analysis, Sentences& sentences) {
     }
   }
   if (!labels.empty()) {
-    sentences.push_back(
-        fmt::format("Power goes in a circle in {}.", plain_list(labels, kMostListed)));
+    sentences.push_back(fmt::format("Power circulates in {}.", plain_list(labels, kMostListed)));
   }
 }
 

@@ -16,7 +16,7 @@ double kept_by(const Mechanism& mechanism, CouplingId coupling) {
   return mesh == mechanism.lossy_meshes.end() ? 1.0 : 1.0 - mesh->share;
 }
 
-// What enters and leaves the bodies of one coupling beside what it hands on from one to the other.
+// What enters and leaves the bodies of one coupling beside what it transmits from one to the other.
 // A coupling that supplies power lets none leave, and one that takes it none enter.
 struct Exchange {
   double into_tail = 0.0;  ///< negative: out of it
@@ -28,7 +28,7 @@ Exchange exchange_of(double into_head, double supplied) {
   if ((into_head > 0.0) != (out_of_tail > 0.0)) {
     return {.into_tail = -out_of_tail, .into_head = into_head};
   }
-  // Handed on is the lesser of the two; the rest enters or leaves at the side of the greater.
+  // Transmitted is the lesser of the two; the rest enters or leaves at the side of the greater.
   const bool is_forward = into_head > 0.0;
   const bool gives = supplied > 0.0;
   return is_forward == gives ? Exchange{.into_tail = 0.0, .into_head = supplied}

@@ -90,7 +90,7 @@ double misplaced_power(const Mechanism& mechanism, const Wrench& wrench, const T
 
 // What a coupling or load may put into rates and actions of a moved position that are zero because
 // its bodies may be off: equations are off by the sum of their terms, whatever their directions.
-double untold_power(const Mechanism& mechanism, const Wrench& wrench, const Twist& twist) {
+double unreported_power(const Mechanism& mechanism, const Wrench& wrench, const Twist& twist) {
   const double length = mechanism.geometry.length;
   return place_error(mechanism) * (length * wrench.force.norm() + wrench.moment.norm()) *
          (twist.linear.norm() / length + twist.angular.norm());
@@ -170,7 +170,7 @@ PowerFlow find_power(const Mechanism& mechanism,
     if (wrench) {
       const Wrench& acts = *action.wrenches[e];
       rounding += rounding_of(terms_of(acts, origin), motion.couplings[e]) +
-                  untold_power(mechanism, acts, motion.couplings[e]);
+                  unreported_power(mechanism, acts, motion.couplings[e]);
     }
     largest = std::max(
         {largest, std::abs(flow.into_head.back().value_or(0.0)), std::abs(flow.supplied.back())});
@@ -182,7 +182,7 @@ PowerFlow find_power(const Mechanism& mechanism,
     sum = sum + found;
     const Wrench& acts = load.acts.wrench;
     rounding += rounding_of(terms_of(acts, load.point.value_or(origin)), motion.bodies[body]) +
-                untold_power(mechanism, acts, motion.bodies[body]);
+                unreported_power(mechanism, acts, motion.bodies[body]);
     largest = std::max(largest, std::abs(flow.loads.back()));
   }
   for (const ActuatorTopology& actuator : mechanism.topology.actuators) {

@@ -1,4 +1,4 @@
-// Which way the power goes from body to body in one case, and whether it goes in circles.
+// Which way the power goes from body to body in one case, and whether it circulates.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace kinestat {
 
-/// Power that a coupling hands on from one body to another.
+/// Power that a coupling transmits from one body to another.
 struct PowerArc {
   CouplingId coupling;
   BodyId from;

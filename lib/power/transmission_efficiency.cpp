@@ -36,7 +36,7 @@ Case reversed(Case which) {
   return which;
 }
 
-// Where a rope does not slip there is none: its friction is an action, as the case without losses
+// Where a cable does not slip there is none: its friction is an action, as the case without losses
 // found.
 std::vector<FrictionLaw> friction_laws(const Mechanism& mechanism,
                                        const KinematicSolution& motion) {

@@ -37,9 +37,9 @@ struct CaseAnalysis {
   Case which;
   std::optional<KinematicSolution> motion;
   std::optional<StaticSolution> action;
-  std::vector<ContactState> contacts;  ///< of ropes with pulleys, in the order of the mechanism's
-  std::optional<VecX> pretension;      ///< of each action, which keeps pushed segments taut
-  std::vector<int> turned_flanks;      ///< of geometry.other_flanks: those on which the teeth press
+  std::vector<ContactState> contacts;  ///< of cables with pulleys, in the order of the mechanism's
+  std::optional<VecX> pretension;      ///< of each action, which keeps pushed segments in tension
+  std::vector<int> coast_flanks;       ///< of geometry.other_flanks: those on which the teeth press
   std::optional<PowerFlow> power;
   std::optional<PowerGraph> power_graph;             ///< beside `power`
   std::optional<TransmissionEfficiency> efficiency;  ///< beside `power`, where meshes lose any

@@ -165,7 +165,7 @@ class Collector {
       const Visited next = rows.element(std::to_string(r), row, item_shape(rows.shape));
       const std::vector<std::string> keys = keys_of_cells(motion, row);
       for (std::size_t c = 0; c < keys.size(); ++c) {
-        if (keys[c] != kMisclosureColumn) {
+        if (keys[c] != kClosureErrorColumn) {
           add(next.element(keys[c], row[c], item_shape(next.shape)));
         }
       }

@@ -162,23 +162,23 @@ const Record<InputSideView>& input_side_record() {
 }
 
 // Actions are for one unit of force in each segment.
-struct TautRopesView {
+struct CableTensionView {
   const InputsAnalysis& inputs;
-  const TautRopes& ropes;
+  const CableTension& cables;
   const FileUnits& units;
 };
 
-void emit_drives(const TautRopesView& v, const EachNumber& each) {
-  for (const TautDrive& drive : v.ropes.drives) {
+void emit_drives(const CableTensionView& v, const EachNumber& each) {
+  for (const TensioningDrive& drive : v.cables.drives) {
     each(v.inputs.sides.front().names[static_cast<std::size_t>(drive.freedom)],
          drive.action * v.units.factor(QuantityKind::force),
          action_kind(drive.is_couple));
   }
 }
 
-void write_actuators(const TautRopesView& v, Archive& to) {
-  if (v.ropes.is_possible) {
-    write_with_status(v.ropes.is_least() ? "" : "at most", v.ropes.actuators, to);
+void write_actuators(const CableTensionView& v, Archive& to) {
+  if (v.cables.is_possible) {
+    write_with_status(v.cables.is_least() ? "" : "at most", v.cables.actuators, to);
     return;
   }
   to.begin_map();
@@ -187,45 +187,45 @@ void write_actuators(const TautRopesView& v, Archive& to) {
   to.end_map();
 }
 
-void add_actuators(Record<TautRopesView>& keys) {
-  using View = TautRopesView;
+void add_actuators(Record<CableTensionView>& keys) {
+  using View = CableTensionView;
   keys.count("actuators",
              "So many determine all motions and pretension every segment: F_N, and one more for "
              "each dependence of the drives. Null where it is not possible.",
              [](const View& v) {
-               return v.ropes.is_possible ? std::optional(v.ropes.actuators) : std::nullopt;
+               return v.cables.is_possible ? std::optional(v.cables.actuators) : std::nullopt;
              })
       .not_in_tables();
   keys.custom("actuators", whole_shape(true), "With its status.", write_actuators).only_in_tables();
   keys.flag("least",
             "No smaller number does; false: another choice of drives might need fewer.",
-            [](const View& v) { return v.ropes.is_possible && v.ropes.is_least(); });
+            [](const View& v) { return v.cables.is_possible && v.cables.is_least(); });
   keys.numbers("drives",
                Told::action,
                "Freedoms whose actuators pull against each other, with their actions, of tail on "
                "head, for a tension of at least one unit of force in each segment; empty where the "
-               "ropes keep themselves taut.",
+               "cables keep themselves in tension.",
                emit_drives);
 }
 
-const Record<TautRopesView>& taut_ropes_record() {
-  using View = TautRopesView;
+const Record<CableTensionView>& cable_tension_record() {
+  using View = CableTensionView;
   static const Record<View> record(
-      "How many actuators keep every segment of the ropes taut: a pretension that pulls on each "
-      "without a load, and what it takes; no key without ropes.",
+      "How many actuators keep every segment of the cables in tension: a pretension that pulls on "
+      "each without a load, and what it takes; no key without cables.",
       [](Record<View>& keys) {
-        keys.count("segments", "Straight segments of all ropes.", [](const View& v) {
-          return v.ropes.segments;
+        keys.count("segments", "Straight segments of all cables.", [](const View& v) {
+          return v.cables.segments;
         });
         keys.count("net_freedom",
                    "F_N: so many actuators determine all motions.",
-                   [](const View& v) { return v.ropes.net_freedom; });
-        keys.count("without_slip", "F_N if no rope slipped on its pulley.", [](const View& v) {
-          return v.ropes.without_slip;
+                   [](const View& v) { return v.cables.net_freedom; });
+        keys.count("without_slip", "F_N if no cable slipped on its pulley.", [](const View& v) {
+          return v.cables.without_slip;
         });
         keys.flag("possible",
                   "Whether some pretension without loads pulls on every segment.",
-                  [](const View& v) { return v.ropes.is_possible; });
+                  [](const View& v) { return v.cables.is_possible; });
         add_actuators(keys);
       });
   return record;
@@ -251,13 +251,13 @@ const Record<InputsReportView>& sides_record() {
                 })
           .only_if([side](const View& v) { return find_side(v, side) != nullptr; });
     }
-    keys.part("ropes",
-              taut_ropes_record(),
+    keys.part("cables",
+              cable_tension_record(),
               [](const View& v) {
-                return TautRopesView{
-                    .inputs = v.inputs, .ropes = *v.inputs.ropes, .units = v.description.units};
+                return CableTensionView{
+                    .inputs = v.inputs, .cables = *v.inputs.cables, .units = v.description.units};
               })
-        .only_if([](const View& v) { return v.inputs.ropes.has_value(); });
+        .only_if([](const View& v) { return v.inputs.cables.has_value(); });
   });
   return record;
 }

@@ -23,16 +23,16 @@ std::vector<std::string> names_of(const std::vector<int>& magnitudes, const Inpu
   return names;
 }
 
-QuantityKind kind_of(const TautDrive& drive) {
+QuantityKind kind_of(const TensioningDrive& drive) {
   return action_kind(drive.is_couple);
 }
 
 // For one unit of force in each segment.
-double action_of(const TautDrive& drive, const FileUnits& units) {
+double action_of(const TensioningDrive& drive, const FileUnits& units) {
   return drive.action * units.factor(QuantityKind::force) / units.factor(kind_of(drive));
 }
 
-const std::string& name_of(const TautDrive& drive, const InputsAnalysis& inputs) {
+const std::string& name_of(const TensioningDrive& drive, const InputsAnalysis& inputs) {
   return inputs.sides.front().names[static_cast<std::size_t>(drive.freedom)];
 }
 
@@ -92,41 +92,43 @@ std::string choice_text(const ChoiceVerdict& choice) {
 }
 
 // How many actuators, and which pull against each other.
-std::string ropes_text(const InputsAnalysis& inputs, const FileUnits& units) {
-  const TautRopes& ropes = *inputs.ropes;
+std::string cables_text(const InputsAnalysis& inputs, const FileUnits& units) {
+  const CableTension& cables = *inputs.cables;
   const auto count = [](int number, const char* what) {
     return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
   };
-  std::string text = fmt::format("Ropes: {}; {}{}\n",
-                                 count(ropes.segments, "segment"),
-                                 count(ropes.net_freedom, "freedom"),
-                                 ropes.without_slip == ropes.net_freedom
+  std::string text = fmt::format("Cables: {}; {}{}\n",
+                                 count(cables.segments, "segment"),
+                                 count(cables.net_freedom, "freedom"),
+                                 cables.without_slip == cables.net_freedom
                                      ? ""
-                                     : fmt::format(", {} if none slips", ropes.without_slip));
-  if (!ropes.is_possible) {
-    return text + "  no actuators pull on every segment: loads must keep them taut\n\n";
+                                     : fmt::format(", {} if none slips", cables.without_slip));
+  if (!cables.is_possible) {
+    return text + "  no actuators pull on every segment: loads must keep them in tension\n\n";
   }
-  if (ropes.drives.empty()) {
+  if (cables.drives.empty()) {
     return text +
-           fmt::format("  a pretension of their own keeps every segment taut: {} suffice{}\n\n",
-                       count(ropes.actuators, "actuator"),
-                       ropes.actuators == 1 ? "s" : "");
+           fmt::format(
+               "  a pretension of their own keeps every segment in tension: {} suffice{}\n\n",
+               count(cables.actuators, "actuator"),
+               cables.actuators == 1 ? "s" : "");
   }
   std::vector<std::string> drives;
-  for (const TautDrive& drive : ropes.drives) {
+  for (const TensioningDrive& drive : cables.drives) {
     drives.push_back(fmt::format("{} {} {}",
                                  name_of(drive, inputs),
                                  format_short(action_of(drive, units)),
                                  units.text(kind_of(drive))));
   }
-  return text + fmt::format(
-                    "  {}{}, {} more than the freedoms, move it and keep every segment taut:\n"
-                    "  {} pull at least 1 {} in each\n\n",
-                    ropes.is_least() ? "" : "at most ",
-                    count(ropes.actuators, "actuator"),
-                    ropes.actuators - ropes.net_freedom,
-                    plain_list(drives),
-                    units.text(QuantityKind::force));
+  return text +
+         fmt::format(
+             "  {}{}, {} more than the freedoms, move it and keep every segment in tension:\n"
+             "  {} pull at least 1 {} in each\n\n",
+             cables.is_least() ? "" : "at most ",
+             count(cables.actuators, "actuator"),
+             cables.actuators - cables.net_freedom,
+             plain_list(drives),
+             units.text(QuantityKind::force));
 }
 
 }  // namespace
@@ -145,8 +147,8 @@ FileReport make_inputs_report(const std::string& file,
     for (const InputSide& side : inputs.sides) {
       report.text += side_text(side);
     }
-    if (inputs.ropes) {
-      report.text += ropes_text(inputs, description.units);
+    if (inputs.cables) {
+      report.text += cables_text(inputs, description.units);
     }
     for (const ChoiceVerdict& choice : inputs.choices) {
       report.text += choice_text(choice);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "inputs/cable_tension.hpp"
 #include "inputs/input_sets.hpp"
-#include "inputs/taut_ropes.hpp"
 #include "math/rank.hpp"
 #include "report/file_report.hpp"
 
@@ -33,10 +33,10 @@ struct ChoiceVerdict {
 struct InputsAnalysis {
   std::vector<InputSide> sides;  ///< motions, then actions
   std::vector<ChoiceVerdict> choices;
-  std::optional<TautRopes> ropes;
+  std::optional<CableTension> cables;
 };
 
-/// JSON `inputs.<side>.groups/<i>/sets`, `inputs.ropes` and `choices`; tables with the best
+/// JSON `inputs.<side>.groups/<i>/sets`, `inputs.cables` and `choices`; tables with the best
 /// conditioned set first.
 FileReport make_inputs_report(const std::string& file,
                               const MechanismDescription& description,

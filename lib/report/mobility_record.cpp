@@ -207,13 +207,13 @@ const Record<RepairView>& repair_record() {
       return v.repair.freed;
     });
     keys.count("net_freedom",
-               "F_N of the mended mechanism in space, counted anew.",
+               "F_N of the released mechanism in space, counted anew.",
                [](const View& v) { return v.repair.after.net_freedom; });
     keys.count("net_constraint",
-               "C_N of the mended mechanism in space, counted anew.",
+               "C_N of the released mechanism in space, counted anew.",
                [](const View& v) { return v.repair.after.net_constraint; });
     keys.flag("verified",
-              "Whether the mended mechanism has the same mobility and as many redundant "
+              "Whether the released mechanism has the same mobility and as many redundant "
               "constraints less.",
               [](const View& v) { return v.repair.is_verified; })
         .in_tables_is(TableRole::word);
@@ -316,7 +316,7 @@ const Record<MobilityReportView>& mobility_report_record() {
   using View = MobilityReportView;
   static const Record<View> record(
       "What 'kinestat mobility --format json' writes: counts, motions, redundant constraints by "
-      "name, and what would mend them.",
+      "name, and which releases would remove them.",
       [](Record<View>& keys) {
         add_head(keys);
         keys.part("mobility",

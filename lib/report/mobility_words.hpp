@@ -16,7 +16,7 @@ std::string direction_words(const Vec3& direction);
 /// along …"; empty where no single wrench goes round. A sign is meaningless and left out.
 std::string constraint_words(const MobilityAnalysis& analysis, const RedundantConstraint& one);
 
-/// "rotation about x", "translation along (0.6, 0, 0.8)": what a mended coupling frees more.
+/// "rotation about x", "translation along (0.6, 0, 0.8)": what a released coupling frees more.
 std::string freedom_words(const Twist& twist);
 
 /// Sentences on what the counts have to do with each other and what follows.

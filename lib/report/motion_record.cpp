@@ -86,7 +86,7 @@ const Record<MotionEvent>& event_record() {
     keys.word("kind",
               {"dead_point", "singular", "limit", "lift_off"},
               "dead_point: a freedom comes to rest and turns back; singular: the drives do not "
-              "determine the motion there; limit: a drive can go no further; lift_off: a rope "
+              "determine the motion there; limit: a drive can go no further; lift_off: a cable "
               "leaves its pulley, and the motion ends.",
               [](const View& v) { return v.kind; });
     keys.text("element", "The freedom or the drive concerned; may be empty.", [](const View& v) {
@@ -121,7 +121,7 @@ const Record<MotionTable>& closure_record() {
       "How well the circuits close in the rows; null without rows.", [](Record<MotionTable>& keys) {
         keys.number("largest",
                     Bare::number,
-                    "Largest misclosure relative to the size of the mechanism.",
+                    "Largest closure error relative to the size of the mechanism.",
                     [](const MotionTable& v) { return v.worst_closure; })
             .at_least(0);
         keys.count("step", "Where it is.", [](const MotionTable& v) { return v.worst_step; });
@@ -178,7 +178,7 @@ const Record<MotionTable>& assembly_record() {
   static const Record<View> record("How the drawn position was closed.", [](Record<View>& keys) {
     keys.map("drawn_gaps",
              gap_record(),
-             "Couplings whose ends are drawn apart.",
+             "Couplings whose ends do not meet in the reference position.",
              [](const View& v, const Each<CouplingGap>& each) { emit_gaps(v.drawn_gaps, each); });
     keys.map("corrections",
              correction_record(),
@@ -197,14 +197,15 @@ const Record<MotionTable>& assembly_record() {
 }
 
 void add_rows(Record<MotionTable>& keys) {
-  keys.list("columns",
-            column_record(),
-            "What the cells of a row are: the step, the positions of the drives, what was asked "
-            "for, the status: solved, limit, singular, that of the actions (indeterminate, "
-            "inconsistent, locked, …), or rope_pushes, contact_pulls or rope_slips where the "
-            "numbers hold only for a rope that could push, surfaces that could pull on each other, "
-            "or a rope held by more friction.",
-            emit_columns);
+  keys.list(
+      "columns",
+      column_record(),
+      "What the cells of a row are: the step, the positions of the drives, what was asked "
+      "for, the status: solved, limit, singular, that of the actions (indeterminate, "
+      "inconsistent, locked, …), or cable_slack, contact_pulls or cable_slips where the "
+      "numbers hold only for a cable that could push, surfaces that could pull on each other, "
+      "or a cable held by more friction.",
+      emit_columns);
   keys.custom("rows",
               rows_shape(),
               "One a position: one cell a column; null where there is no value.",

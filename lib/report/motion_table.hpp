@@ -23,7 +23,7 @@ enum class MotionEnd {
 std::string_view word_of(MotionEnd end);
 
 /// The quantity of the column that says how well a position closes.
-inline constexpr std::string_view kMisclosureColumn = "misclosure";
+inline constexpr std::string_view kClosureErrorColumn = "closure_error";
 
 /// One value of every position. The name is "a.wz/position": element, then quantity.
 struct MotionColumn {
@@ -99,8 +99,9 @@ struct MotionTable {
   std::vector<MotionEvent> events;
   bool may_lack_dead_points = false;  ///< more would have had to be looked at than is feasible
   std::vector<FrictionTurn> friction_turns;  ///< where actions are reported
-  double worst_closure = 0.0;  ///< largest misclosure of any row, relative to the mechanism's size
-  int worst_step = 0;          ///< where it is
+  double worst_closure =
+      0.0;             ///< largest closure error of any row, relative to the mechanism's size
+  int worst_step = 0;  ///< where it is
   std::vector<CouplingGap> drawn_gaps;      ///< of the drawn position, if it does not close
   std::vector<BodyCorrection> corrections;  ///< that closed it
   std::vector<CouplingGap> nearest_gaps;    ///< where nothing closes it: of the nearest position

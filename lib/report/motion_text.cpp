@@ -167,7 +167,7 @@ class MotionWriter {
   }
 
   std::string assembly_text() const {
-    std::string text = gaps_text("drawn apart at", motion_.drawn_gaps);
+    std::string text = gaps_text("not assembled at", motion_.drawn_gaps);
     for (const BodyCorrection& one : motion_.corrections) {
       if (one.shift.norm() > 0.0 || one.angle > 0.0) {
         text += fmt::format("  {} was moved by {} and turned by {} to {}\n",
@@ -219,7 +219,7 @@ class MotionWriter {
     return text;
   }
 
-  // The misclosure, the last column, is summed up above.
+  // The closure error, the last column, is summed up above.
   std::size_t column_count() const { return motion_.columns.size() - 1; }
 
   // Every k-th row, and the last.

@@ -59,7 +59,7 @@ std::string loops_text(const Topology& topology, const PowerGraph& graph, const 
     const std::string_view teeth = graph.meshes.empty() ? ""
                                    : loop.rolls         ? "; its teeth roll"
                                                         : "; no teeth roll in it";
-    text += fmt::format("  power goes in a circle: {}, up to {} {}{}\n",
+    text += fmt::format("  power circulates: {}, up to {} {}{}\n",
                         circle_text(topology, graph, loop),
                         format_short(in.power(largest)),
                         in.units().text(QuantityKind::power),

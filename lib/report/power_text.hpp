@@ -7,7 +7,7 @@
 
 namespace kinestat {
 
-/// What the teeth roll, which power goes in circles, the input, the efficiency and the balance; the
+/// What the teeth roll, which power circulates, the input, the efficiency and the balance; the
 /// case must have a power flow.
 TextBlocks power_blocks(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in);
 

@@ -1,4 +1,4 @@
-// What is redundant and what would mend it, for people.
+// What is redundant and which releases would remove it, for people.
 #pragma once
 
 #include <string>

@@ -70,7 +70,7 @@ Shape by_output_shape(Told measure) {
 const Record<CaseAnalysis>& gear_efficiency_record() {
   using View = CaseAnalysis;
   static const Record<View> record(
-      "Power of the outputs over that of the inputs; null where nothing rubs.",
+      "Power of the outputs over that of the inputs; null without friction and losses.",
       [](Record<View>& keys) {
         const auto of_meshes = [](Efficiency TransmissionEfficiency::*which) {
           return [which](const View& v) {
@@ -199,12 +199,11 @@ void add_gear(Record<StateView>& keys) {
               return *find_gear_case(v.analysis, v.state);
             })
       .only_if(is_gear);
-  keys.number(
-          "recirculation",
-          Bare::number,
-          "Largest power that a coupling hands on over the input power; above 1 power goes in a "
-          "circle.",
-          [](const StateView& v) { return v.gear->recirculation; })
+  keys.number("recirculation",
+              Bare::number,
+              "Largest power that a coupling transmits over the input power; above 1 power "
+              "circulates.",
+              [](const StateView& v) { return v.gear->recirculation; })
       .only_if(is_gear);
   keys.map("elements", element_record(), "Every shift element of the gear by name.", emit_elements)
       .in_tables_as("")

@@ -111,7 +111,7 @@ class ShiftTables {
     TextColumn absolute{.head = "absolute", .cells = {}};
     TextColumn friction{.head = "with friction", .cells = {}};
     bool is_lossy = false;
-    bool rubs = false;
+    bool has_losses = false;
     for (std::size_t s = 0; s < gears_.size(); ++s) {
       const CaseAnalysis& one = *find_gear_case(analysis_, solution_.states[s]);
       const auto& lossy = one.efficiency;
@@ -119,13 +119,13 @@ class ShiftTables {
       absolute.cells.push_back(number_or_dash(lossy ? lossy->absolute.value : std::nullopt));
       friction.cells.push_back(number_or_dash(one.power ? one.power->efficiency : std::nullopt));
       is_lossy = is_lossy || lossy.has_value();
-      rubs = rubs || (one.power && one.power->efficiency);
+      has_losses = has_losses || (one.power && one.power->efficiency);
     }
     if (is_lossy) {
       columns.push_back(std::move(carrier));
       columns.push_back(std::move(absolute));
     }
-    if (rubs) {
+    if (has_losses) {
       columns.push_back(std::move(friction));
     }
   }

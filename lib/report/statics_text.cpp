@@ -202,7 +202,7 @@ TextBlocks planets_blocks(const Mechanism& mechanism,
   return has_planets(mechanism) ? TextBlocks(std::move(table)) : TextBlocks();
 }
 
-// Slip is shown where a rope slips.
+// Slip is shown where a cable slips.
 TextBlocks contacts_blocks(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
   if (one.contacts.empty()) {
     return {};
@@ -218,7 +218,7 @@ TextBlocks contacts_blocks(const Mechanism& mechanism, const CaseAnalysis& one, 
                "ratio",
                "limit",
                head("slip", QuantityKind::velocity),
-               "grip"});
+               "belt_state"});
   for (std::size_t i = 0; i < one.contacts.size(); ++i) {
     const ContactState& state = one.contacts[i];
     const std::optional<double>& wrap = mechanism.contacts[i].wrap;
@@ -232,7 +232,7 @@ TextBlocks contacts_blocks(const Mechanism& mechanism, const CaseAnalysis& one, 
                state.ratio ? format_short(*state.ratio) : "",
                state.limit ? format_short(*state.limit) : "",
                state.slip_speed ? format_short(in.linear(*state.slip_speed)) : "",
-               std::string(word_of(state.grip))});
+               std::string(word_of(state.belt_state))});
   }
   return TextBlocks(std::move(table));
 }

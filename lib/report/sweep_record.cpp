@@ -85,12 +85,13 @@ void add_counts_of_sweep(Record<SweepSummaryView>& keys) {
   keys.count("rows",
              "Rows of all analysed states, one a case; with --top more than are written.",
              [](const View& v) { return v.counts.rows; });
-  keys.custom("statuses",
-              map_shape(whole_shape(false)),
-              "How many rows have which status: solved, or why the row has no answer or one that "
-              "cannot be (rope_pushes, contact_pulls, rope_slips), as 'kinestat help sweeps' lists "
-              "them.",
-              write_statuses);
+  keys.custom(
+      "statuses",
+      map_shape(whole_shape(false)),
+      "How many rows have which status: solved, or why the row has no answer or one that "
+      "cannot be (cable_slack, contact_pulls, cable_slips), as 'kinestat help sweeps' lists "
+      "them.",
+      write_statuses);
 }
 
 }  // namespace

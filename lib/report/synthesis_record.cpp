@@ -101,10 +101,10 @@ void add_solution(Record<TaskView>& keys) {
               [](const View& v) { return v.task.dyads->digits; })
       .not_compared()
       .only_if(has_dyads);
-  keys.number("flatness",
+  keys.number("reciprocal_condition",
               Bare::number,
               "Smallest by largest singular value of the conditions.",
-              [](const View& v) { return v.task.dyads->flatness; })
+              [](const View& v) { return v.task.dyads->reciprocal_condition; })
       .not_compared()
       .only_if(has_dyads);
   keys.count("imaginary_dyads",

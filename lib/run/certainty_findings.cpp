@@ -95,8 +95,9 @@ void add_missing_digits(int digits,
                             what,
                             *answer.error_bound,
                             digits),
-                answer.rung == Rung::exact ? "a double holds no more; ask for fewer --digits"
-                                           : "add --accuracy exact, or ask for fewer --digits");
+                answer.precision == Precision::exact
+                    ? "a double holds no more; ask for fewer --digits"
+                    : "add --accuracy exact, or ask for fewer --digits");
 }
 
 void add_digit_findings(int digits, const CaseAnalysis& one, Diagnostics& found) {

@@ -132,7 +132,7 @@ class PageBuilder {
       return;
     }
     Diagnostics found;
-    if (const auto mechanism = bind_drawn_apart(*page_.description, found)) {
+    if (const auto mechanism = bind_unassembled(*page_.description, found)) {
       move(*mechanism, found);
     }
     add_new(found, page_.found);

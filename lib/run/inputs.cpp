@@ -93,7 +93,7 @@ class InputsJob {
       inputs.sides.push_back(std::move(side.shown));
     }
     inputs.choices = verdicts_;
-    inputs.ropes = find_taut_ropes(analysis_.mechanism);
+    inputs.cables = find_cable_tension(analysis_.mechanism);
     return make_inputs_report(analysis_.file, analysis_.description, inputs, forms, found_);
   }
 

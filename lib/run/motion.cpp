@@ -37,7 +37,7 @@ std::optional<MotionAnalysis> analyse_motion(const std::string& path,
   if (!description || !apply(choice, *description, found)) {
     return std::nullopt;
   }
-  const std::optional<Mechanism> mechanism = bind_drawn_apart(*description, found);
+  const std::optional<Mechanism> mechanism = bind_unassembled(*description, found);
   if (!mechanism) {
     if (!found.has_errors()) {
       refuse_without_mechanism(*description, found);
@@ -101,7 +101,7 @@ std::optional<FoundMotion> find_motion(const MechanismDescription& drawn,
   const MechanismDescription& description = beside ? *beside : drawn;
   if (beside) {
     Diagnostics ignored;  // It complains of nothing that the first binding did not.
-    motion.near = bind_drawn_apart(*beside, ignored);
+    motion.near = bind_unassembled(*beside, ignored);
     motion.origin = in_world.geometry.origin;
     KINESTAT_EXPECTS(motion.near.has_value());
   }

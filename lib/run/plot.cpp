@@ -174,7 +174,7 @@ class PictureJob {
       return false;
     }
     // Also of a drawing that does not close: the motion closes it first.
-    const std::optional<Mechanism> mechanism = bind_drawn_apart(*description_, found);
+    const std::optional<Mechanism> mechanism = bind_unassembled(*description_, found);
     if (!mechanism) {
       return false;
     }

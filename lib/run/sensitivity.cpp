@@ -102,7 +102,7 @@ class SensitivityJob {
         cases.push_back({.label = one.which.label, .values = differentiate(c, bases, derivatives)});
       }
     }
-    warn_of_ropes();
+    warn_of_cables();
     check_answered();
     if (found_.error_count() > errors_before) {
       return std::nullopt;
@@ -171,18 +171,18 @@ class SensitivityJob {
     const CaseAnalysis& one = analysis_.cases[case_index];
     const bool has_rates = one.motion && one.motion->status == SolveStatus::solved;
     const bool has_actions =
-        one.action && !one.action->magnitudes.empty() && rubbing_rope() == nullptr;
+        one.action && !one.action->magnitudes.empty() && cable_with_friction() == nullptr;
     Mechanism mechanism = analysis_.mechanism;
     MechanismDerivatives derivatives = common;
-    turn_flanks(one.turned_flanks, mechanism.geometry);
-    turn_flanks(one.turned_flanks, derivatives.geometry);
+    load_coast_flanks(one.coast_flanks, mechanism.geometry);
+    load_coast_flanks(one.coast_flanks, derivatives.geometry);
     const DualCase values(mechanism,
                           case_index,
                           has_rates ? &*one.motion : nullptr,
                           has_actions ? &*one.action : nullptr,
                           derivatives);
     const AdjointBases bases =
-        one.turned_flanks.empty() ? drawn_bases : find_adjoint_bases(mechanism, derivatives);
+        one.coast_flanks.empty() ? drawn_bases : find_adjoint_bases(mechanism, derivatives);
     CaseAdjoint adjoint(values, bases);
     std::vector<SensitivityValue> result;
     for (const std::string& name :
@@ -201,8 +201,9 @@ class SensitivityJob {
     return result;
   }
 
-  // A pulley where ropes rub, or would with other numbers: their derivatives are not known.
-  const CableStation* rubbing_rope() const {
+  // A pulley where cables have friction, or would with other numbers: their derivatives are not
+  // known.
+  const CableStation* cable_with_friction() const {
     for (const CableDescription& cable : analysis_.description.cables) {
       for (const CableStation& station : cable.over) {
         if (station.eta || (station.friction && station.slip)) {
@@ -213,14 +214,14 @@ class SensitivityJob {
     return nullptr;
   }
 
-  void warn_of_ropes() {
-    const CableStation* rope = rubbing_rope();
+  void warn_of_cables() {
+    const CableStation* cable = cable_with_friction();
     const bool has_actions = std::ranges::any_of(
         analysis_.cases, [](const CaseAnalysis& one) { return one.action.has_value(); });
-    if (rope != nullptr && has_actions) {
+    if (cable != nullptr && has_actions) {
       found_.warning("W0302",
-                     rope->where,
-                     "derivatives of actions are not analysed yet where ropes rub",
+                     cable->where,
+                     "derivatives of actions are not analysed yet where cables have friction",
                      "compare two analyses with --set");
     }
   }

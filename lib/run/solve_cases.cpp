@@ -71,12 +71,12 @@ struct Bases {
   CoordinateBasis action;
 };
 
-// Where a rope does not slip, the couple of an actuator holds it: its size is an action.
+// Where a cable does not slip, the couple of an actuator holds it: its size is an action.
 bool is_held(const Mechanism& mechanism, const CouplingFriction& friction) {
-  const bool is_rope_alone = !friction.ropes.empty() && friction.mu == 0.0 && friction.tau == 0.0 &&
-                             friction.viscous == 0.0;
+  const bool is_cable_alone = !friction.cables.empty() && friction.mu == 0.0 &&
+                              friction.tau == 0.0 && friction.viscous == 0.0;
   const Topology& topology = mechanism.topology;
-  return is_rope_alone &&
+  return is_cable_alone &&
          std::ranges::any_of(topology.actuators, [&](const ActuatorTopology& actuator) {
            const auto freedom = static_cast<std::size_t>(actuator.freedom);
            return topology.freedoms[freedom].coupling == friction.coupling;
@@ -106,7 +106,7 @@ Frictions find_frictions(const Mechanism& mechanism, const KinematicSolution* mo
 
 // Friction that knows no direction leaves the actions open.
 StaticSolution without_direction(StaticSolution solution, std::vector<CouplingId> at_rest) {
-  solution.status = SolveStatus::undirected;
+  solution.status = SolveStatus::at_rest;
   solution.at_rest = std::move(at_rest);
   solution.magnitudes.clear();
   solution.wrenches.clear();
@@ -182,9 +182,9 @@ struct LoadedFlanks {
   StaticSolution action = {};
 };
 
-// Teeth press with their other flank where their force is negative; a force that is not known, or
+// Teeth press with their coast flank where their force is negative; a force that is not known, or
 // zero, leaves them as they are.
-std::vector<int> find_turned_flanks(const Geometry& geometry, const LoadedFlanks& now) {
+std::vector<int> find_coast_flanks(const Geometry& geometry, const LoadedFlanks& now) {
   std::vector<int> turned;
   for (std::size_t i = 0; i < geometry.other_flanks.size(); ++i) {
     const int action = geometry.other_flanks[i].action;
@@ -208,7 +208,7 @@ LoadedFlanks solve_on_flanks(const Mechanism& drawn,
   if (!result.turned.empty()) {
     own.nearby = nullptr;  // its teeth are not turned
     result.mechanism = drawn;
-    turn_flanks(result.turned, result.mechanism->geometry);
+    load_coast_flanks(result.turned, result.mechanism->geometry);
     result.basis = action_basis(result.mechanism->geometry, drawn.static_order);
   }
   result.action =
@@ -217,7 +217,8 @@ LoadedFlanks solve_on_flanks(const Mechanism& drawn,
 }
 
 // Torques decide on the flanks wherever equilibrium does, and the second answer is the last; it may
-// take more where bearings rub. Friction under which no flanks fit their forces lets nothing move.
+// take more where bearings have friction. Friction under which no flanks fit their forces lets
+// nothing move.
 LoadedFlanks solve_on_loaded_flanks(const Mechanism& drawn,
                                     const Bases& bases,
                                     const CaseRequest& request,
@@ -225,14 +226,14 @@ LoadedFlanks solve_on_loaded_flanks(const Mechanism& drawn,
   LoadedFlanks result = solve_on_flanks(drawn, bases, request, motion, {});
   const std::size_t most_rounds = 2 * drawn.geometry.other_flanks.size();
   for (std::size_t i = 0; i < most_rounds && !result.action.magnitudes.empty(); ++i) {
-    std::vector<int> turned = find_turned_flanks(drawn.geometry, result);
+    std::vector<int> turned = find_coast_flanks(drawn.geometry, result);
     if (turned == result.turned) {
       return result;
     }
     result = solve_on_flanks(drawn, bases, request, motion, std::move(turned));
   }
   const bool fits = result.action.magnitudes.empty() || most_rounds == 0 ||
-                    find_turned_flanks(drawn.geometry, result) == result.turned;
+                    find_coast_flanks(drawn.geometry, result) == result.turned;
   if (!fits) {
     result.action.status = SolveStatus::locked;
     result.action.magnitudes.clear();
@@ -265,7 +266,7 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
           request.typed->improve(request.index, flanks.turned, flanks.action);
     }
     result.action = std::move(flanks.action);
-    result.turned_flanks = std::move(flanks.turned);
+    result.coast_flanks = std::move(flanks.turned);
   }
   if (request.passes == CasePasses::magnitudes) {
     return result;

@@ -61,9 +61,9 @@ class ReasonWriter {
       case ShiftCause::redundant:
         return fmt::format("{}; {}", redundancy_text(), held_text());
       case ShiftCause::freewheel_lets_go:
-        return freewheel_text("lets go: its torque would be", "holds only a", "one");
+        return freewheel_text("overruns: its torque would be", "holds only a", "one");
       case ShiftCause::freewheel_engages:
-        return freewheel_text("holds: its slip would be", "slips only in the", "sense");
+        return freewheel_text("locks: its slip would be", "slips only in the", "sense");
     }
     return "";
   }

@@ -69,7 +69,7 @@ struct ShiftState {
 /// are decided in this order: an input cannot move (locked); an output is not determined by the
 /// inputs (neutral); no output moves (locked); more elements are engaged than the mobility asks
 /// for, and one of them follows from the others (tie-up); a freewheel is on the wrong side (neutral
-/// where it lets go, tie-up where it engages); gear. Costs a few small dense products: names are
+/// where it overruns, tie-up where it locks); gear. Costs a few small dense products: names are
 /// nowhere, so that sweeps may ask for millions of states.
 [[nodiscard]] ShiftState solve_shift_state(const ShiftNetwork& network,
                                            const ShiftPlan& plan,

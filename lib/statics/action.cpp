@@ -76,7 +76,7 @@ StaticSolution solve_action(const Mechanism& mechanism,
       equilibrium.solve_to(request, determined_actions(mechanism, solution.check), known, loads);
   if (!actions.consistent) {
     solution.status = SolveStatus::inconsistent;
-    solution.unheld = find_unheld_motion(mechanism, basis, primaries, loads);
+    solution.unconstrained = find_unconstrained_motion(mechanism, basis, primaries, loads);
     std::erase_if(solution.check.dependences,
                   [&](const Dependence& one) { return !is_violated(one, primaries); });
     return solution;

@@ -33,19 +33,20 @@ BoundedNumber slip_speed(const Mechanism& mechanism,
          BoundedNumber{.value = radius, .bound = kDataRounding * std::abs(radius)};
 }
 
-Grip grip_of(const ContactState& state) {
+BeltState belt_state_of(const ContactState& state) {
   if (state.slip_speed.value_or(0.0) != 0.0) {
-    return Grip::slips;
+    return BeltState::slipping;
   }
   if (!state.limit || !state.before || !state.after) {
-    return Grip::unknown;
+    return BeltState::unknown;
   }
   const double high = std::max(*state.before, *state.after);
   const double low = std::min(*state.before, *state.after);
   if (high <= 0.0) {
-    return Grip::unknown;
+    return BeltState::unknown;
   }
-  return high <= *state.limit * low * (1.0 + kSameValue) ? Grip::sticks : Grip::would_slip;
+  return high <= *state.limit * low * (1.0 + kSameValue) ? BeltState::sticking
+                                                         : BeltState::beyond_limit;
 }
 
 }  // namespace
@@ -77,7 +78,7 @@ std::vector<ContactState> find_contact_states(const Mechanism& mechanism,
         state.slip_power = ((*before - *after) * speed).zeroed();
       }
     }
-    state.grip = grip_of(state);
+    state.belt_state = belt_state_of(state);
     states.push_back(state);
   }
   return states;

@@ -1,4 +1,4 @@
-// Whether ropes stick to their pulleys or slip.
+// Whether cables stick to their pulleys or slip.
 #pragma once
 
 #include <optional>
@@ -11,41 +11,41 @@
 
 namespace kinestat {
 
-enum class Grip {
-  unknown,     ///< without friction, or without both tensions
-  sticks,      ///< the ratio of the tensions is within the limit
-  slips,       ///< the case moves the rope over the pulley
-  would_slip,  ///< the ratio is beyond the limit, and the case does not let the rope slip
+enum class BeltState {
+  unknown,       ///< without friction, or without both tensions
+  sticks,        ///< the ratio of the tensions is within the limit
+  slips,         ///< the case moves the cable over the pulley
+  beyond_limit,  ///< the ratio is beyond the limit, and the case does not let the cable slip
 };
 
 /// The word in reports.
-constexpr std::string_view word_of(Grip grip) {
-  switch (grip) {
-    case Grip::unknown:
+constexpr std::string_view word_of(BeltState belt_state) {
+  switch (belt_state) {
+    case BeltState::unknown:
       return "unknown";
-    case Grip::sticks:
+    case BeltState::sticking:
       return "sticks";
-    case Grip::slips:
+    case BeltState::slipping:
       return "slips";
-    case Grip::would_slip:
+    case BeltState::beyond_limit:
       return "would slip";
   }
   return "";
 }
 
-/// One contact of a rope with a pulley in one case, SI units.
+/// One contact of a cable with a pulley in one case, SI units.
 struct ContactState {
   std::optional<double> before;      ///< tension T_1 of the segment that arrives [N]
   std::optional<double> after;       ///< tension T_2 of the segment that leaves [N]
   std::optional<double> ratio;       ///< of the larger tension to the smaller, if both pull
   std::optional<double> limit;       ///< exp(μ θ), the largest ratio that friction holds
-  std::optional<double> slip_speed;  ///< of the rope over the pulley in its order [m/s]
+  std::optional<double> slip_speed;  ///< of the cable over the pulley in its order [m/s]
   std::optional<double> slip_power;  ///< (T_1 - T_2) times the slip speed [W]
-  Grip grip = Grip::unknown;
+  BeltState belt_state = BeltState::unknown;
 };
 
 /// In the order of mechanism.contacts; empty if the case has no actions. Without `motion` it is not
-/// known whether ropes slip.
+/// known whether cables slip.
 std::vector<ContactState> find_contact_states(const Mechanism& mechanism,
                                               const StaticSolution& solution,
                                               const KinematicSolution* motion);

@@ -38,14 +38,14 @@ Equilibrium::Equilibrium(const Mechanism& mechanism,
       body_count_(mechanism.topology.body_count()),
       elimination_(action_system(mechanism.topology, mechanism.geometry, basis_), primaries_),
       counts_(action_counts(mechanism, basis_.order(), elimination_.rank())) {
-  if (mechanism.misclosure > 0.0) {
-    find_stresses(mechanism.misclosure);
+  if (mechanism.closure_error > 0.0) {
+    find_stresses(mechanism.closure_error);
   }
 }
 
 // Where there are so many that nobody would read them, all that they touch is open; likewise where
 // they are hardly different.
-void Equilibrium::find_stresses(double misclosure) {
+void Equilibrium::find_stresses(double closure_error) {
   const std::size_t count = elimination_.free_columns().size();
   if (count == 0 || count * units_.size() > kLongestList) {
     return;
@@ -57,7 +57,7 @@ void Equilibrium::find_stresses(double misclosure) {
   }
   stresses_ = orthonormal_range(stresses);
   is_moved_ = stresses_.cols() == stresses.cols();
-  const double least = std::max(kRankZero, kClosureInActions * misclosure);
+  const double least = std::max(kRankZero, kClosureInActions * closure_error);
   for (Eigen::Index a = 0; a < stresses_.rows(); ++a) {
     if (stresses_.row(a).norm() > least) {
       open_.push_back(static_cast<int>(a));
@@ -96,10 +96,11 @@ EquilibriumActions Equilibrium::solve_to(const AccuracyRequest& request,
   if (is_moved_) {
     x -= stresses_ * (stresses_.transpose() * x);
   }
-  EquilibriumActions result{.magnitudes = units.cwiseProduct(x),
-                            .residual = solved.solution.residual,
-                            .consistent = solved.solution.consistent,
-                            .answer = {.rung = solved.rung, .error_bound = {}, .bounds = {}}};
+  EquilibriumActions result{
+      .magnitudes = units.cwiseProduct(x),
+      .residual = solved.solution.residual,
+      .consistent = solved.solution.consistent,
+      .answer = {.precision = solved.precision, .error_bound = {}, .bounds = {}}};
   if (solved.bound) {
     const VecX bounds = units.cwiseProduct(*solved.bound);
     result.answer.error_bound = worst_relative_error(solved.solution.x, *solved.bound, counts);

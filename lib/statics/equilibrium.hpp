@@ -63,7 +63,7 @@ class Equilibrium {
   std::vector<VecX> self_stresses() const;
 
  private:
-  void find_stresses(double misclosure);
+  void find_stresses(double closure_error);
 
   CoordinateBasis basis_;
   std::vector<int> primaries_;

@@ -145,18 +145,18 @@ PressingPartOf<Scalar> tension_part(const SlidingOf<Scalar>& s,
   return result;
 }
 
-// Ropes hold back a pulley by the difference of their tensions, that behind being the k-th part of
+// Cables hold back a pulley by the difference of their tensions, that behind being the k-th part of
 // that ahead (Eytelwein: k = exp(μ θ)).
 template <class Scalar>
-void add_ropes(const SlidingOf<Scalar>& s, FrictionLawOf<Scalar>& law) {
+void add_cables(const SlidingOf<Scalar>& s, FrictionLawOf<Scalar>& law) {
   const double rate = value_of(s.twist.angular.dot(s.unit.angular));
-  for (const RopeFriction& rope : s.friction.ropes) {
-    const bool runs_on = rate * rope.radius > 0.0;
-    const std::optional<CouplingId>& ahead = runs_on ? rope.leaves : rope.arrives;
-    const std::optional<CouplingId>& behind = runs_on ? rope.arrives : rope.leaves;
-    const double share = ahead ? 1.0 - 1.0 / rope.ratio : rope.ratio - 1.0;
+  for (const CableFriction& cable : s.friction.cables) {
+    const bool runs_on = rate * cable.radius > 0.0;
+    const std::optional<CouplingId>& ahead = runs_on ? cable.leaves : cable.arrives;
+    const std::optional<CouplingId>& behind = runs_on ? cable.arrives : cable.leaves;
+    const double share = ahead ? 1.0 - 1.0 / cable.ratio : cable.ratio - 1.0;
     law.parts.push_back(
-        tension_part(s, ahead ? *ahead : *behind, Scalar(std::abs(rope.radius) * share)));
+        tension_part(s, ahead ? *ahead : *behind, Scalar(std::abs(cable.radius) * share)));
   }
 }
 
@@ -165,7 +165,7 @@ FrictionLawOf<Scalar> revolute(const SlidingOf<Scalar>& s) {
   const Vec3Of<Scalar> axis = s.unit.angular;
   const Scalar mu = s.friction.mu;
   FrictionLawOf<Scalar> law = turning(s);
-  add_ropes(s, law);
+  add_cables(s, law);
   if (value_of(mu) == 0.0) {
     return law;
   }
@@ -259,7 +259,7 @@ FrictionLawOf<Scalar> contact(const SlidingOf<Scalar>& s) {
 
 // Drag that grows with the speed has no friction at rest, and so needs no direction there.
 bool is_nothing_at_rest(const CouplingFriction& friction) {
-  return friction.mu == 0.0 && friction.tau == 0.0 && friction.ropes.empty();
+  return friction.mu == 0.0 && friction.tau == 0.0 && friction.cables.empty();
 }
 
 FrictionLaw law_at_rest(FrictionLaw law) {

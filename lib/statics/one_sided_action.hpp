@@ -1,4 +1,4 @@
-// Actions that bodies bear in one direction only: ropes pull, and surfaces that touch push.
+// Actions that bodies bear in one direction only: cables pull, and surfaces that touch push.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace kinestat {
 
-/// The tensions of segments (couplings of type cable): negative, the rope would push.
+/// The tensions of segments (couplings of type cable): negative, the cable would push.
 std::vector<int> find_tensions(const Topology& topology);
 
 /// The normal forces of contacts without an actuator: negative, the surfaces would pull.

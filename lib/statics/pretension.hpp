@@ -1,4 +1,4 @@
-// What would keep ropes taut that a case pushes.
+// What would keep cables in tension that a case pushes.
 #pragma once
 
 #include <optional>

@@ -81,13 +81,15 @@ void emit_planets(const StaticView& v, const Each<PlanetShare>& each) {
 void emit_contacts(const StaticView& v, const Each<ContactView>& each) {
   for (std::size_t i = 0; i < v.contacts.size(); ++i) {
     const CableContact& contact = v.mechanism.contacts[i];
-    each(contact.name, {.contact = contact, .state = v.contacts[i]}, word_of(v.contacts[i].grip));
+    each(contact.name,
+         {.contact = contact, .state = v.contacts[i]},
+         word_of(v.contacts[i].belt_state));
   }
 }
 
 void add_answer(Record<StaticView>& keys) {
   keys.word("status",
-            words_up_to(SolveStatus::undirected),
+            words_up_to(SolveStatus::at_rest),
             "Whether the actions are determined.",
             [](const StaticView& v) { return word_of(v.action.status); })
       .in_tables_is(TableRole::status);
@@ -156,7 +158,7 @@ void add_wrenches(Record<StaticView>& keys) {
       });
   keys.map("contacts",
            contact_record(),
-           "Contacts of ropes, belts and chains with pulleys; no key without any.",
+           "Contacts of cables, belts and chains with pulleys; no key without any.",
            emit_contacts)
       .in_tables_as("contact")
       .only_if([](const StaticView& v) { return !v.contacts.empty(); });

@@ -14,7 +14,7 @@
 #include "screw/wrench.hpp"
 #include "statics/friction_law.hpp"
 #include "statics/self_stress.hpp"
-#include "statics/unheld_motion.hpp"
+#include "statics/unconstrained_motion.hpp"
 
 namespace kinestat {
 
@@ -29,7 +29,7 @@ struct FrictionAction {
 };
 
 /// What presses in a coupling with friction although the file gives no dimension for it, so that it
-/// does not rub.
+/// has no friction.
 struct IgnoredReaction {
   CouplingId coupling;
   Reaction reaction = Reaction::axial;
@@ -80,7 +80,7 @@ struct StaticSolution {
   std::vector<SelfStress> self_stresses;  ///< of an underdetermined case; empty also where
                                           ///< there are too many to be read
   Completion completion;
-  std::optional<UnheldMotion> unheld;  ///< of an inconsistent case
+  std::optional<UnconstrainedMotion> unconstrained;  ///< of an inconsistent case
 };
 
 /// Whether the value of an action comes from what completes equilibrium.

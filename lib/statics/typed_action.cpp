@@ -82,7 +82,7 @@ std::optional<StaticSolution> solve_action_as_typed(const Mechanism& mechanism,
   if (is_open) {
     solution.check = rounded.check;
   }
-  solution.answer = {.rung = Rung::exact,
+  solution.answer = {.precision = Precision::exact,
                      .error_bound = {},
                      .bounds = {},
                      .is_typed = true,

@@ -28,7 +28,7 @@ class Solver {
     loss_ = space.loss;
     solution_.status = space.status;
     solution_.reason = space.reason;
-    solution_.flatness = space.flatness;
+    solution_.reciprocal_condition = space.reciprocal_condition;
     solution_.digits = space.digits;
     if (space.status == BurmesterStatus::solved) {
       intersect(space.space.basis);

@@ -30,7 +30,8 @@ struct BurmesterSolution {
   /// The real part of one that is not real: of all the one with the least imaginary part. By how
   /// much it misses the positions its residual tells.
   std::optional<Dyad> nearest = std::nullopt;
-  double flatness = 0.0;    ///< smallest by largest singular value of the scaled conditions
+  double reciprocal_condition =
+      0.0;                  ///< smallest by largest singular value of the scaled conditions
   double shared_gap = 0.0;  ///< about 1: a finite number of dyads; rounding: a family
   double digits = 16.0;     ///< of the positions that the conditions keep, estimated
 };

@@ -113,10 +113,10 @@ void add_status(Record<CurvesView>& keys) {
               "Decimal digits that the data leave, estimated.",
               [](const View& v) { return v.curves.digits; })
       .not_compared();
-  keys.number("flatness",
+  keys.number("reciprocal_condition",
               Bare::number,
               "Smallest by largest singular value of the conditions.",
-              [](const View& v) { return v.curves.flatness; })
+              [](const View& v) { return v.curves.reciprocal_condition; })
       .not_compared();
 }
 

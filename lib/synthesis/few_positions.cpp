@@ -220,7 +220,7 @@ std::optional<Dyad> find_infinite(const ConditionRows& system,
     }
   }
   const NullSpace space = find_null_space(matrix);
-  if (space.flatness() < kRankZero) {
+  if (space.reciprocal_condition() < kRankZero) {
     return std::nullopt;
   }
   DyadCoordinates x = DyadCoordinates::Zero();
@@ -239,7 +239,7 @@ FourPositionCurves find_curves(std::span<const PositionJets> positions) {
   FourPositionCurves result;
   result.status = space.status;
   result.reason = space.reason;
-  result.flatness = space.flatness;
+  result.reciprocal_condition = space.reciprocal_condition;
   result.digits = space.digits;
   const Degeneracy translation = find_degeneracy(positions);
   if (space.status == BurmesterStatus::solved && translation != Degeneracy::none) {

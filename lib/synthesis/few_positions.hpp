@@ -21,7 +21,7 @@ struct FourPositionCurves {
   PlaneCubic centre_points;             ///< fixed frame
   std::optional<Dyad> slider;           ///< the only point on a straight path
   std::optional<Dyad> inverted_slider;  ///< the only line through a fixed point
-  double flatness = 0.0;
+  double reciprocal_condition = 0.0;
   double digits = 16.0;
 };
 

@@ -125,8 +125,8 @@ class PreciseSolver {
     if (!basis) {
       return solve_burmester(positions_, decimal_);
     }
-    solution_.flatness = basis->flatness;
-    loss_ = std::ranges::max(system_.noise) / basis->flatness;
+    solution_.reciprocal_condition = basis->reciprocal_condition;
+    loss_ = std::ranges::max(system_.noise) / basis->reciprocal_condition;
     solution_.digits = digits_of(loss_);
     if (!(loss_ < kUselessLoss)) {
       solution_.status = BurmesterStatus::no_digits;

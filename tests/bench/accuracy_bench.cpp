@@ -1,5 +1,5 @@
-// Times the rungs of accuracy on the statics of one case, in units of a dense solve by LAPACK, and
-// measures what each leaves of the error.
+// Times the precisions of accuracy on the statics of one case, in units of a dense solve by LAPACK,
+// and measures what each leaves of the error.
 
 #include <algorithm>
 #include <cmath>

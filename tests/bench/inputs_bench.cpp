@@ -20,7 +20,7 @@ namespace kinestat::bench {
 namespace {
 
 constexpr double kTarget = 3.0;
-constexpr std::uint64_t kSets = 37;  // Alves 2023, Eq. 3.28 (with the ropes upright)
+constexpr std::uint64_t kSets = 37;  // Alves 2023, Eq. 3.28 (with the cables upright)
 
 InputSets sets_of(const MatX& solutions, std::size_t listed) {
   return find_input_sets(solutions, {.among = {}, .required = {}, .listed = listed});

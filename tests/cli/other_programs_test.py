@@ -22,7 +22,7 @@ PROGRAM = Path("kinestat")
 SKIPPED = 77  # SKIP_RETURN_CODE of the test
 SVG = "{http://www.w3.org/2000/svg}"
 
-# Planar and spatial, trains, ropes, gears in cases, many charts in one figure.
+# Planar and spatial, trains, cables, gears in cases, many charts in one figure.
 FILES = ["planar/four_bar.yaml", "planar/slider_crank.yaml", "spatial/rssr.yaml",
          "spatial/ups_platform.yaml", "cables/block_and_tackle.yaml",
          "transmissions/ravigneaux.yaml", "transmissions/zf_8hp70.yaml",

@@ -204,14 +204,14 @@ def repeated_values(report: Any) -> list[Any]:
 
 
 def status_of(report: Any, row: dict[str, str]) -> str:
-    """That of the pass, but of contacts their grip and of what completes equilibrium the method."""
+    """That of the pass, but of contacts their belt_state and of what completes equilibrium the method."""
     if row["pass"] == "mobility":
         return "solved"
     if row["pass"] == "shift":
         return report["shift"]["states"][row["case"]]["class"] if row["case"] else "solved"
     value = report["cases"][row["case"]][row["pass"]]
     if row["pass"] == "statics" and row["quantity"].startswith("contact/"):
-        return value["contacts"][row["element"]]["grip"]
+        return value["contacts"][row["element"]]["belt_state"]
     if row["pass"] != "statics" or "completion" not in value:
         return value["status"]
     actions = value["completion"]["actions"]

@@ -19,9 +19,9 @@ from sketch import Sketch, number, vector
 
 SHARE = 1e-9
 STATES = (Fraction(1), Fraction(3, 2))  # of the parameter k in a sweep
-# The words of rows whose numbers no rope and no contact can bear, the first that is said.
-IMPOSSIBLE = {"W0606": "rope_pushes", "W0605": "contact_pulls", "W0607": "rope_slips"}
-STATUSES = {"solved", "dependent", "inconsistent", "indeterminate", "overflow", "undirected"}
+# The words of rows whose numbers no cable and no contact can bear, the first that is said.
+IMPOSSIBLE = {"W0606": "cable_slack", "W0605": "contact_pulls", "W0607": "cable_slips"}
+STATUSES = {"solved", "dependent", "inconsistent", "indeterminate", "overflow", "at_rest"}
 REPORT = "[velocity, action, power, ratio, mechanical_advantage]"
 
 

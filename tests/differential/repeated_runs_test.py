@@ -74,7 +74,7 @@ def compare_rows(coarse: Motion, fine: Motion) -> Iterator[str]:
                 yield f"step {row[0]} of {coarse.steps} is not reached in {fine.steps}"
             continue
         for name, one, two, size in list(zip(coarse.columns, row, other, largest))[1:]:
-            if name == "misclosure":
+            if name == "closure_error":
                 continue
             if isinstance(one, float) and isinstance(two, float):
                 if abs(one - two) > SHARE * abs(one) + ROUNDINGS * size:

@@ -183,8 +183,8 @@ TEST_P(Loads, AreRefusedExactlyWhereTheyAddToTheRank) {
     EXPECT_EQ(solution.status, is_held ? SolveStatus::solved : SolveStatus::inconsistent);
     if (!is_held) {
       ++refused;
-      ASSERT_TRUE(solution.unheld.has_value());
-      EXPECT_EQ(solution.unheld->loads, std::vector<int>{0});
+      ASSERT_TRUE(solution.unconstrained.has_value());
+      EXPECT_EQ(solution.unconstrained->loads, std::vector<int>{0});
     }
   });
   EXPECT_GE(refused, 1) << "every load of the shard is held";

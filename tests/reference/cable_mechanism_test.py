@@ -16,7 +16,7 @@ from reference_test_case import ReferenceTest
 MECHANISMS = Path()
 
 
-class TautRopes(ReferenceTest):
+class CableTension(ReferenceTest):
     """What `inputs` says pulls on every segment, put into a case, does so."""
 
     FILES = ("pulley", "pulley_without_slip", "two_pulleys", "block_and_tackle", "weston_hoist")
@@ -37,7 +37,7 @@ class TautRopes(ReferenceTest):
 
     @staticmethod
     def with_drives(text: str, drives: dict[str, float]) -> str:
-        """The bodies and ropes of the file with these actuators alone."""
+        """The bodies and cables of the file with these actuators alone."""
         start = text[:text.index("\nactuators:")]
         names = list(drives)
         lines = ["actuators:"]
@@ -45,7 +45,7 @@ class TautRopes(ReferenceTest):
             coupling, freedom = name.split(".")
             lines.append(f"  T{i}: {{coupling: {coupling}, freedom: {freedom}}}")
         known = ", ".join(f"T{i}: {drives[name]}" for i, name in enumerate(names[:1]))
-        return "\n".join([start, *lines, "cases:", f"  taut: {{action: {{{known}}}}}", ""])
+        return "\n".join([start, *lines, "cases:", f"  in tension: {{action: {{{known}}}}}", ""])
 
 
 class Tables(ReferenceTest):

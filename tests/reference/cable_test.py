@@ -30,7 +30,7 @@ def at(model: ReferenceCase, coupling: str) -> str:
 
 
 def contact(model: ReferenceCase, by_points: bool) -> str:
-    """Where the rope touches: computed where it hangs, else the points of the reference."""
+    """Where the cable touches: computed where it hangs, else the points of the reference."""
     if by_points:
         return f"points: [{at(model, 'c2')}, {at(model, 'd2')}]"
     return f"radius: {place(model, 'e')[0]}, wrap: clockwise"
@@ -67,7 +67,7 @@ cases:
 """ + "\n".join(cases) + "\n"
 
 
-class Ropes(ReferenceTest):
+class Cables(ReferenceTest):
     VARIANTS = [(ReferenceCase(CASES[name]), by_points) for name in PULLEYS
                 for by_points in (True, False) if by_points or name != "alves_davies_slanted"]
 
@@ -121,7 +121,7 @@ class Ropes(ReferenceTest):
                     self.near_each(actual, expected)
 
     def test_without_slip(self) -> None:
-        """w_e = -v_a/r where the ropes hang; Eqs. 4.3 and 4.4 print the other sign."""
+        """w_e = -v_a/r where the cables hang; Eqs. 4.3 and 4.4 print the other sign."""
         for model, by_points in self.VARIANTS:
             with self.subTest(model.id, by_points=by_points):
                 if model.id != "alves_davies_slanted":
@@ -173,12 +173,12 @@ cases:
 
 
 class Slip(ReferenceTest):
-    """A rope drawn over a driven pulley: T_high/T_low = exp(mu pi) in the sense of the slip."""
+    """A cable drawn over a driven pulley: T_high/T_low = exp(mu pi) in the sense of the slip."""
 
     def test_power(self) -> None:
         mu, radius, pull = 0.25, 1.5, 40.0
         high = math.exp(mu * math.pi)
-        # The rope runs on over the pulley at the speed v + w r, v up its first segment.
+        # The cable runs on over the pulley at the speed v + w r, v up its first segment.
         for speed, turn in ((2.0, 0.0), (-2.0, 0.0), (1.0, 3.0), (1.0, -3.0)):
             with self.subTest(speed=speed, turn=turn):
                 case = f"one: {{motion: {{Va: {speed}, Te: {turn}}}, action: {{Va: -{pull}}}}}"

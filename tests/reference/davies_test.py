@@ -137,7 +137,7 @@ class Davies(ReferenceTest):
             self.near(actions["b.Rx"] * number(expected["D1"]), b[0] - c[0], "D1")
 
     def test_motion_matrix_of_the_pulley(self) -> None:
-        """Eqs. 3.17 and 3.24 of Alves 2023, and the same with the ropes inclined."""
+        """Eqs. 3.17 and 3.24 of Alves 2023, and the same with the cables inclined."""
         compared = 0
         for name, model in MODELS.items():
             if "M_N" not in model.expected:

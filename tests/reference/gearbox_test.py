@@ -119,7 +119,7 @@ class ShiftPossibilities(ReferenceTest):
         self.check_torques("4", report["cases"]["a"]["statics"])
 
     def test_b1_with_b2_leaves_the_input_free(self) -> None:
-        """The train stands still while the input turns; nothing holds the input torque."""
+        """The train stands still while the input turns; nothing balances the input torque."""
         status, errors, report = self.analyze(self.model.motion("m", self.primaries["6"]))
         self.assertEqual(status, 0, errors)
         self.check_motion("6", report["cases"]["m"]["kinematics"])

@@ -194,14 +194,14 @@ class Trial:
 
 
 TRIALS = {
-    "rope in order": Trial(WINCH, "M", "t", "solved", []),
-    "rope that pushes": Trial(WINCH.replace("60 deg", "120 deg"), "M", "t", "rope_pushes",
+    "cable in order": Trial(WINCH, "M", "t", "solved", []),
+    "cable that pushes": Trial(WINCH.replace("60 deg", "120 deg"), "M", "t", "cable_slack",
                               ["W0606"]),
     "contact that pulls": Trial(FOLLOWER, "m", "pull", "contact_pulls", ["W0605"]),
     "contact in order": Trial(FOLLOWER.replace("5 N", "-5 N"), "m", "pull", "solved", []),
-    "belt that would slip": Trial(BELT, "in", "tension", "rope_slips", ["W0607"]),
+    "belt that would slip": Trial(BELT, "in", "tension", "cable_slips", ["W0607"]),
     "belt that sticks": Trial(BELT.replace("50 N", "500 N"), "in", "tension", "solved", []),
-    "belt without tension": Trial(BELT.replace("50 N", "-50 N"), "in", "tension", "rope_pushes",
+    "belt without tension": Trial(BELT.replace("50 N", "-50 N"), "in", "tension", "cable_slack",
                                   ["W0606"]),
     "friction that locks": Trial(JAMMED, "A", "mu", "locked", ["W0603"]),
     "actions left open": Trial(FOUR_BAR % ("order: {statics: spatial}", "drive: speed",
@@ -281,7 +281,7 @@ class JudgementTest(MotionTest):
         self.assertEqual(done.returncode, 0)
         self.assertIn("(M from 40 to 60 deg, 3 of 7 positions, the worst at 60)", done.stderr)
         motion = motion_case.Motion(program.report(done))
-        self.assertEqual(motion["status"], ["solved"] * 4 + ["rope_pushes"] * 3)
+        self.assertEqual(motion["status"], ["solved"] * 4 + ["cable_slack"] * 3)
         for drive, force in zip(motion["M/drive"], motion["rope_1.F/action"]):
             arm = complex(0.1 * math.cos(math.radians(60 + drive)),
                           0.1 * math.sin(math.radians(60 + drive)))
@@ -289,13 +289,13 @@ class JudgementTest(MotionTest):
 
     @staticmethod
     def lever(arm: complex) -> float:
-        """Of the rope about the pivot: from the point on the arm to where it touches the winch."""
+        """Of the cable about the pivot: from the point on the arm to where it touches the winch."""
         winch = -0.3
         away = winch - arm
         half = math.asin(0.01 / abs(away))
         along = away / abs(away)
         best = [along * complex(math.cos(half), s * math.sin(half)) for s in (1, -1)]
-        # Wound counterclockwise, the rope comes to the pulley and has its centre on the left on the way to the arm.
+        # Wound counterclockwise, the cable comes to the pulley and has its centre on the left on the way to the arm.
         direction = next(u for u in best if (u.conjugate() * away).imag < 0)
         return (arm.conjugate() * direction).imag
 

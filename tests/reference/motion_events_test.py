@@ -19,7 +19,7 @@ def findings(text: str, *options: str) -> str:
 
 
 class RopeThatLiftsOff(MotionTest):
-    """From a hand over a small fixed sheave to a ram, whose rise takes the rope off the sheave."""
+    """From a hand over a small fixed sheave to a ram, whose rise takes the cable off the sheave."""
 
     CENTRE, RADIUS, HAND, RAM = complex(100, 30), 20.0, -100.0, 200.0
 
@@ -49,7 +49,7 @@ motion:
 """
 
     def arc_and_length(self, hand: float, rise: float) -> tuple[float, float]:
-        """Of a rope that runs clockwise over the sheave; the arc below zero where it is clear."""
+        """Of a cable that runs clockwise over the sheave; the arc below zero where it is clear."""
         ends = complex(hand, 0), complex(self.RAM, rise)
         tangents = [math.sqrt(abs(end - self.CENTRE) ** 2 - self.RADIUS ** 2) for end in ends]
         lean = [math.atan2(self.RADIUS, tangent) for tangent in tangents]

@@ -496,7 +496,7 @@ class FarFromTheOrigin(MotionTest):
             far = run(FAR % (ox, oy))
             self.assertEqual(far.names, near.names)
             for name in near.names:
-                if name in ("misclosure", "status"):
+                if name in ("closure_error", "status"):
                     continue
                 place = {"x": float(ox), "y": float(oy)}.get(name[-1], 0.0) if "/at/" in name else 0
                 for step, (one, other) in enumerate(zip(near[name], far[name])):

@@ -68,7 +68,7 @@ class Cables(MotionTest):
         self.check_complete(motion, motion.report["steps"])
         for step, hand in enumerate(motion["hand/drive"]):
             self.close(motion["L.vy/position"][step], -hand / 4, 1e-9, "block")
-            # The rope runs over the sheave, which does not slip.
+            # The cable runs over the sheave, which does not slip.
             self.close(motion["B1.wz/position"][step], -hand / 50, 1e-9, "first sheave")
 
     CAPSTAN = """kinestat: 1
@@ -119,7 +119,7 @@ motion: {{drive: crank, to: -{to}, steps: {steps}, case: hoist,
         self.assertNotIn("W0308", findings(self.CAPSTAN.format(to=80, steps=8, turns=", turns: 0")))
 
     def test_turn_at_both_ends_as_the_line_between_two_cranks_does(self) -> None:
-        """A rope from (1, 3) on a crank about (0, 0) to (6, 5) on a rocker about (7, 0)."""
+        """A cable from (1, 3) on a crank about (0, 0) to (6, 5) on a rocker about (7, 0)."""
         motion = run("""kinestat: 1
 space: planar
 ground: frame

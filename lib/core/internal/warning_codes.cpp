@@ -64,21 +64,20 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "need. Motions and actions do not change."},
     {"W0308",
      done,
-     "rope does not run around its pulley as it should",
+     "cable does not run around its pulley as it should",
      "It is led around the far side, turns by more than half a turn and comes back over itself; or "
      "its 'points' give it two levers about the axis. The first is right for a capstan, on which a "
-     "rope lies beside itself, and 'turns: 0' says so, but more often 'wrap', the sense of turning "
-     "for someone who follows the rope in listed order, names the other sense: then torques and "
-     "speeds have the wrong sign. The second is a rope on an arm rather than on a round pulley: "
-     "the tensions of its two sides differ as the levers do."},
+     "cable lies beside itself, and 'turns: 0' says so, but more often 'wrap', the sense of "
+     "turning for someone who follows the cable in listed order, names the other sense: then "
+     "torques and speeds have the wrong sign. The second is a cable on an arm rather than on a "
+     "round pulley: the tensions of its two sides differ as the levers do."},
     {"W0309",
      done,
      "link has no length",
      "In a file with a motion, a body is joined to two others by revolute couplings on one axis "
      "and to nothing else, so that it is a sleeve that may turn by itself, and the two others turn "
-     "about that axis together. "
-     "More often two points are the same by mistake. Give the couplings different points, or join "
-     "the two other bodies directly."},
+     "about that axis together. More often two points are the same by mistake. Give the couplings "
+     "different points, or join the two other bodies directly."},
     {"W0501",
      done,
      "rounding decides on a rank",
@@ -97,16 +96,16 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      done,
      "motion passes a singular position",
      "On the way there is a position at which another motion crosses, as where the links of a "
-     "parallelogram are in line: there the drive does not determine the motion. The report goes "
-     "straight on, as inertia would carry the links, and lists the position. A machine needs a "
-     "flywheel, or a second linkage that leads it across."},
+     "parallelogram are in line: there the drive does not determine the motion. The report "
+     "continues on the same branch, as inertia would carry the links, and lists the position. A "
+     "machine needs a flywheel, or a second linkage that leads it across."},
     {"W0504",
      done,
      "drawn position does not close",
-     "Points that are drawn apart on two bodies, or lengths that do not fit, were closed before "
-     "the motion began: the drives stay where they are drawn, and everything else moves by as "
-     "little as it must. The report has the gaps as drawn and how far each body moved; motions "
-     "are measured from the drawn position all the same."},
+     "Points of two bodies that do not meet in the reference position, or lengths that do "
+     "not fit, were closed before the motion began: the drives stay where they are drawn, and "
+     "everything else moves by as little as it must. The report has the gaps as drawn and how far "
+     "each body moved; motions are measured from the drawn position all the same."},
     {"W0505",
      done,
      "no transmission angle",
@@ -176,7 +175,7 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "of motion may have an answer; 'kinestat help friction' says how friction is counted."},
     {"W0604",
      done,
-     "a reaction does not rub",
+     "a reaction has no friction",
      "The coupling has friction and bears a force or couple that would press too, but the file "
      "does not say on what radius or length, so that it adds nothing to the friction. Give the "
      "dimension that the hint names; where the surface runs on rollers or balls, tau may stand "
@@ -189,16 +188,16 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "answer of the case holds only for a contact that is held from both sides."},
     {"W0606",
      done,
-     "rope would be pushed",
-     "A rope, belt or chain pulls and cannot push. Equilibrium asks for a force that would push "
+     "cable would be in compression",
+     "A cable, belt or chain pulls and cannot push. Equilibrium asks for a force that would push "
      "this segment, so in truth it goes slack and the answer does not hold. Where a pretension, a "
-     "self-stress that pulls on segments and pushes on none, keeps all segments taut, the hint has "
-     "the least one: add it to the tension that the case knows."},
+     "self-stress that pulls on segments and pushes on none, keeps all segments in tension, the "
+     "hint has the least one: add it to the tension that the case knows."},
     {"W0607",
      done,
-     "rope would slip",
-     "Friction holds a rope on a pulley as long as the ratio of its tensions is at most exp(mu "
-     "theta), theta being the contact angle (Euler and Eytelwein). The case does not let the rope "
+     "cable would slip",
+     "Friction holds a cable on a pulley as long as the ratio of its tensions is at most exp(mu "
+     "theta), theta being the contact angle (Euler and Eytelwein). The case does not let the cable "
      "slip, and the ratio is larger: so it will slip, or needs more pretension."},
     {"W0701",
      done,
@@ -240,8 +239,7 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "linkage does not move as its verdict says",
      "Synthesis judges circuits, branches and order of a linkage by closed forms; moved as a "
      "mechanism, step by step, the linkage did not meet the positions that the verdict promises, "
-     "or "
-     "met those that it denies. Either the linkage is so close to a dead point that rounding "
+     "or met those that it denies. Either the linkage is so close to a dead point that rounding "
      "decides, or this program is wrong: please report it with the file."},
     {"W0901",
      done,

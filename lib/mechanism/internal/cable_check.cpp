@@ -112,7 +112,7 @@ void check_segments(const CableDescription& cable, const SectionContext& context
           next.body.where,
           fmt::format(
               "segment '{}' joins body '{}' to itself", segment_name(cable, i), next.body.text),
-          "remove one of the two stations, or lead the rope over another body between them");
+          "remove one of the two stations, or lead the cable over another body between them");
     }
   }
 }

@@ -80,12 +80,12 @@ class ContactBinder {
     const bool has_before = cable.closed || i > 0;
     const bool has_after = i < count;
     const std::size_t before = (i + count - 1) % count;
-    RopeFriction rope;
+    CableFriction drag;
     if (has_before) {
-      rope.arrives = route.segments[before];
+      drag.arrives = route.segments[before];
     }
     if (has_after) {
-      rope.leaves = route.segments[i];
+      drag.leaves = route.segments[i];
     }
     std::optional<double> wrap;
     if (has_before && has_after && pulley.radius != 0.0) {
@@ -99,8 +99,8 @@ class ContactBinder {
     const double eta = number(station.eta).value_or(1.0);
     if (has_before && has_after) {
       mechanism_.contacts.push_back({.name = name_of(cable, station, slips),
-                                     .arrives = *rope.arrives,
-                                     .leaves = *rope.leaves,
+                                     .arrives = *drag.arrives,
+                                     .leaves = *drag.leaves,
                                      .slips = slips,
                                      .radius = pulley.radius,
                                      .wrap = wrap,
@@ -110,11 +110,11 @@ class ContactBinder {
     if ((mu.value_or(0.0) > 0.0 || eta < 1.0) && !check_sense(station)) {
       return;
     }
-    // Only what slips rubs; the friction of what does not is a limit.
-    rope.radius = pulley.radius;
-    rope.ratio = (slips ? std::exp(mu.value_or(0.0) * wrap.value_or(0.0)) : 1.0) / eta;
-    if (rope.ratio > 1.0) {
-      add_friction(station, pulley, slips, rope);
+    // Friction acts where the cable slips; elsewhere it is a limit.
+    drag.radius = pulley.radius;
+    drag.ratio = (slips ? std::exp(mu.value_or(0.0) * wrap.value_or(0.0)) : 1.0) / eta;
+    if (drag.ratio > 1.0) {
+      add_friction(station, pulley, slips, drag);
     }
   }
 
@@ -134,22 +134,23 @@ class ContactBinder {
     return name;
   }
 
-  // Points alone do not say in which sense the rope turns, nor at which radius.
+  // Points alone do not say in which sense the cable turns, nor at which radius.
   bool check_sense(const CableStation& station) {
     if (station.radius && station.wrap) {
       return true;
     }
-    found_.error("E0314",
-                 station.where,
-                 fmt::format("pulley '{}' rubs, but has no 'radius' and 'wrap'", station.body.text),
-                 "add them beside its 'points', or remove 'friction' and 'eta'");
+    found_.error(
+        "E0314",
+        station.where,
+        fmt::format("pulley '{}' has friction, but no 'radius' and 'wrap'", station.body.text),
+        "add them beside its 'points', or remove 'friction' and 'eta'");
     return false;
   }
 
   void add_friction(const CableStation& station,
                     const CableStationGeometry& pulley,
                     const std::optional<CouplingId>& slips,
-                    RopeFriction rope) {
+                    CableFriction drag) {
     const std::vector<CouplingId> bearings =
         slips ? std::vector<CouplingId>{*slips} : find_bearings(station, pulley);
     if (bearings.size() > 1) {
@@ -159,7 +160,7 @@ class ContactBinder {
                                station.body.text,
                                mechanism_.topology.coupling(bearings[0]).name,
                                mechanism_.topology.coupling(bearings[1]).name),
-                   "remove 'eta', and give the coupling that rubs its own 'friction:'");
+                   "remove 'eta', and give the coupling that has friction its own 'friction:'");
       return;
     }
     if (bearings.empty()) {
@@ -175,7 +176,7 @@ class ContactBinder {
     const CouplingTopology& turns_on = mechanism_.topology.coupling(coupling);
     const bool is_head = slips || mechanism_.topology.body(turns_on.head).name == station.body.text;
     const double along = axis_of(turns_on).dot(pulley.axis);
-    rope.radius *= (along > 0.0 ? 1.0 : -1.0) * (is_head ? 1.0 : -1.0);
+    drag.radius *= (along > 0.0 ? 1.0 : -1.0) * (is_head ? 1.0 : -1.0);
     auto& frictions = mechanism_.frictions;
     auto at = std::ranges::find(frictions, coupling, &CouplingFriction::coupling);
     if (at == frictions.end()) {
@@ -184,7 +185,7 @@ class ContactBinder {
       friction.where = station.where;
       at = frictions.insert(frictions.end(), friction);
     }
-    at->ropes.push_back(rope);
+    at->cables.push_back(drag);
   }
 
   Vec3 axis_of(const CouplingTopology& coupling) const {

@@ -1,4 +1,4 @@
-// The contacts of cables with pulleys, and what they rub.
+// The contacts of cables with pulleys, and their friction.
 #pragma once
 
 #include "mechanism/internal/evaluator.hpp"
@@ -7,7 +7,7 @@
 namespace kinestat {
 
 /// Fills mechanism.contacts, in the order of the cables and of their stations, and adds the
-/// friction of ropes to mechanism.frictions: where a rope slips with `friction` or `eta`, to the
+/// friction of cables to mechanism.frictions: where a cable slips with `friction` or `eta`, to the
 /// coupling of its virtual link; where a pulley has `eta` and no slip, to the revolute coupling on
 /// which it turns, whose lack is an error. The cables must be right and expanded, the couplings
 /// bound.

@@ -13,7 +13,7 @@ namespace kinestat {
 
 namespace {
 
-// How far from the axis the rope runs, seen along the axis; signed as the radius.
+// How far from the axis the cable runs, seen along the axis; signed as the radius.
 double lever_of(const CableSpan& span, const CableStationGeometry& pulley) {
   const Vec3 along = span.to - span.from;
   const Vec3 across = along - along.dot(pulley.axis) * pulley.axis;
@@ -41,10 +41,10 @@ std::optional<double> find_lever(const DrawnContact& contact,
       "W0308",
       contact.station->where,
       before * after < 0.0
-          ? fmt::format("the rope meets pulley '{}' in one sense of turning and leaves it "
+          ? fmt::format("the cable meets pulley '{}' in one sense of turning and leaves it "
                         "in the other",
                         pulley)
-          : fmt::format("the rope passes the centre of pulley '{}' at {} before its "
+          : fmt::format("the cable passes the centre of pulley '{}' at {} before its "
                         "'points' and at {} behind them",
                         pulley,
                         length(before),

@@ -1,4 +1,4 @@
-// Whether a rope lies on its pulley as it is drawn.
+// Whether a cable lies on its pulley as it is drawn.
 #pragma once
 
 #include "core/diagnostic.hpp"
@@ -17,8 +17,8 @@ struct DrawnContact {
   CableSpan leaves;
 };
 
-/// Warns (W0308) of points without a radius where the rope has two levers about the axis, which no
-/// round pulley gives, and of a rope that goes around the far side and crosses itself, unless the
+/// Warns (W0308) of points without a radius where the cable has two levers about the axis, which no
+/// round pulley gives, and of a cable that goes around the far side and crosses itself, unless the
 /// file says `turns` or it is a belt on two pulleys, crossed on purpose. Says nothing of a point,
 /// or of a pulley whose centre is not known.
 void check_contact(const DrawnContact& contact, const FileUnits& units, Diagnostics& found);

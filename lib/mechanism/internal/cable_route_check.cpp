@@ -13,7 +13,7 @@ namespace kinestat {
 
 namespace {
 
-// A segment of the rope with what it joins, in numbers.
+// A segment of the cable with what it joins, in numbers.
 struct Stretch {
   const CablePart* part = nullptr;
   std::string name;
@@ -94,7 +94,7 @@ class RouteCheck {
       case SpanFault::same_point:
         return refuse(stretch.part->to,
                       fmt::format("segment '{}' begins and ends at the same point", stretch.name),
-                      "a rope needs a direction: move one of its ends");
+                      "a cable needs a direction: move one of its ends");
       case SpanFault::point_inside:
         return refuse_point(stretch);
       case SpanFault::circle_inside:
@@ -107,7 +107,7 @@ class RouteCheck {
                                   title(stretch.part->to),
                                   cable_.name.text),
                       "correct 'at' or 'axis', or give the pulley 'points: [MEETS, LEAVES]', where "
-                      "the rope touches it");
+                      "the cable touches it");
     }
   }
 
@@ -125,7 +125,7 @@ class RouteCheck {
                        pulley.body.text,
                        length((at - circle.centre).norm()),
                        length(std::abs(circle.radius))),
-           "a rope touches a pulley from outside: move the point, or correct the radius");
+           "a cable touches a pulley from outside: move the point, or correct the radius");
   }
 
   void refuse_circles(const Stretch& stretch, SpanFault fault) {
@@ -162,7 +162,7 @@ class RouteCheck {
   }
 
   // Points that the file gives agree with the radius and the sense that it gives too; one complaint
-  // a rope.
+  // a cable.
   void check_points(const Stretch& stretch) {
     const int errors_before = found_.error_count();
     const Vec3 along = stretch.span.to - stretch.span.from;
@@ -187,17 +187,18 @@ class RouteCheck {
     const double radius = std::abs(pulley.radius);
     if (distance > (1.0 + kDrawnContact) * radius) {
       refuse(station,
-             fmt::format("the rope touches pulley '{}' {} from its centre, and the radius is {}",
+             fmt::format("the cable touches pulley '{}' {} from its centre, and the radius is {}",
                          station.body.text,
                          length(distance),
                          length(radius)),
              "correct 'points', which lie on the rim, or 'radius' or 'at'");
     } else if (arm.cross(along).dot(pulley.axis) * pulley.radius < 0.0) {
-      refuse(station,
-             fmt::format("at its 'points' the rope turns about pulley '{}' in the other sense than "
-                         "'wrap' says",
-                         station.body.text),
-             "correct 'wrap', or exchange the two points");
+      refuse(
+          station,
+          fmt::format("at its 'points' the cable turns about pulley '{}' in the other sense than "
+                      "'wrap' says",
+                      station.body.text),
+          "correct 'wrap', or exchange the two points");
     }
   }
 
@@ -216,7 +217,7 @@ class RouteCheck {
                fmt::format(
                    "segment '{}' passes through pulley '{}'", stretch.name, station->body.text),
                is_own ? "correct its 'points', which lie on its rim, or its 'at'"
-                      : "lead the rope over this pulley where it meets it, change the 'wrap' of a "
+                      : "lead the cable over this pulley where it meets it, change the 'wrap' of a "
                         "neighbour, or move it");
       }
     }

@@ -119,8 +119,9 @@ class FrictionCheck {
              friction.mu->where,
              fmt::format("nothing presses in {}: it bears no action that its friction depends on",
                          title_of(coupling_)),
-             coupling_.passive ? "add the action that presses to 'passive:'"
-                               : "give the radius on which it rubs, or remove the coefficient");
+             coupling_.passive
+                 ? "add the action that presses to 'passive:'"
+                 : "give the radius at which the friction acts, or remove the coefficient");
     }
   }
 

@@ -19,7 +19,7 @@ bool are_coaxial(const Twist& one, const Twist& other, double length) {
   return turn.norm() <= kParallelAxes && slide.norm() <= kSameValue * length;
 }
 
-// Whether the coupling lets a rope slip on a pulley, which is no bar.
+// Whether the coupling lets a cable slip on a pulley, which is no bar.
 bool slips(const Mechanism& mechanism, const CouplingTopology& coupling) {
   return std::ranges::any_of(mechanism.contacts, [&](const CableContact& contact) {
     return contact.slips && &mechanism.topology.coupling(*contact.slips) == &coupling;

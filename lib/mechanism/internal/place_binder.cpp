@@ -78,7 +78,7 @@ class PlaceBinder {
     }
   }
 
-  // Where the segment of a rope touches its stations; check_cables has complained if it cannot.
+  // Where the segment of a cable touches its stations; check_cables has complained if it cannot.
   void bind_segment() {
     const auto from = bind_station<Scalar>(coupling_.part->from, evaluator_);
     const auto to = bind_station<Scalar>(coupling_.part->to, evaluator_);

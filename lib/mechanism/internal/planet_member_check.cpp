@@ -105,7 +105,7 @@ class PlanetMemberCheck {
     }
   }
 
-  // A planet hands on what it takes from one gear to another, or to what its body drives. What
+  // A planet transmits what it takes from one gear to another, or to what its body drives. What
   // meshes once, turns on a shaft and is clutched to it alone is an idler of a lay shaft.
   bool is_idler_on_shaft(int index, const std::string& shaft) const {
     const std::string& body = member(index).body.text;

@@ -213,7 +213,7 @@ class StructureBinder {
         {.action = topology_.action_count() - 1, .screw = screws.constraints.front().screw});
   }
 
-  // What rubs with no force at all is left out.
+  // Friction that no force presses is left out.
   void add_friction(CouplingId id,
                     const CouplingDescription& coupling,
                     const CouplingScrews& screws) {

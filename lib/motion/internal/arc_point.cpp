@@ -39,12 +39,13 @@ double Surroundings::determinant_at(std::size_t part, double place) const {
 }
 
 double Surroundings::uncertainty(std::size_t part) const {
-  const auto& [which, determinants, flatness] = parts[part];
+  const auto& [which, determinants, reciprocal_condition] = parts[part];
   const double bend =
       determinants[3] - 3.0 * determinants[2] + 3.0 * determinants[1] - determinants[0];
   const double length = places[3] - places[0];
   const double slope = (determinants[3] - determinants[0]) / length;
-  return std::max(std::abs(bend / slope), kEpsilon * length / (flatness * flatness));
+  return std::max(std::abs(bend / slope),
+                  kEpsilon * length / (reciprocal_condition * reciprocal_condition));
 }
 
 double Crossing::uncertainty() const {

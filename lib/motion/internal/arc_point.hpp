@@ -37,7 +37,7 @@ struct Surroundings {
   struct Part {
     int part = -1;                            ///< index of a block; -1: the whole
     std::array<double, 4> determinants = {};  ///< relative to where the arc begins
-    double flatness = 0.0;                    ///< at the last point
+    double reciprocal_condition = 0.0;        ///< at the last point
   };
 
   std::vector<double> places;  ///< along the arc

@@ -63,7 +63,7 @@ ClosureSystem<Frames>::ClosureSystem(const MotionNetwork& network)
   find_frames(drawn);
   follow_angles(first_angles_);
   for (Row& row : rows_) {
-    if (row.kind == ClosureKind::rope) {
+    if (row.kind == ClosureKind::cable) {
       row.value = 0.0;
       row.value = scalar_residual<double>(row, frames_, first_angles_);
     }
@@ -171,7 +171,7 @@ void ClosureSystem<Frames>::find_frames(std::span<const double> coordinates) {
   }
 }
 
-// The straight part of a rope in the plane, and its angle in the frames of both pulleys.
+// The straight part of a cable in the plane, and its angle in the frames of both pulleys.
 template <class Frames>
 template <class S>
 typename ClosureSystem<Frames>::template Span<S> ClosureSystem<Frames>::span_of(
@@ -211,7 +211,7 @@ S ClosureSystem<Frames>::scalar_residual(const Row& row,
   if (row.kind == ClosureKind::across) {
     return dot(tail.direction(row.tail), head.direction(row.head)) - S(row.value);
   }
-  if (row.kind == ClosureKind::rope) {
+  if (row.kind == ClosureKind::cable) {
     const Span<S> span = span_of<S>(row, frames);
     return span.length + S(row.tail_radius) * counted_turn(span.tail_angle, angles[at(row.angle)]) -
            S(row.head_radius) * counted_turn(span.head_angle, angles[at(row.angle + 1)]) -
@@ -250,7 +250,7 @@ typename Frames::Screw ClosureSystem<Frames>::gradient(const Row& row, int direc
       const Plain between = to - tail.point(row.tail_point);
       return Frames::force(between / between.norm(), to);
     }
-    case ClosureKind::rope: {
+    case ClosureKind::cable: {
       const Span<double> span = span_of<double>(row, frames_);
       return Frames::force(span.along, span.from);
     }
@@ -370,7 +370,7 @@ void ClosureSystem<Frames>::follow_angles(std::span<double> angles) const {
     return;
   }
   for (const Row& row : rows_) {
-    if (row.kind == ClosureKind::rope) {
+    if (row.kind == ClosureKind::cable) {
       const Span<double> span = span_of<double>(row, frames_);
       angles[at(row.angle)] = counted_turn(span.tail_angle, angles[at(row.angle)]);
       angles[at(row.angle + 1)] = counted_turn(span.head_angle, angles[at(row.angle + 1)]);

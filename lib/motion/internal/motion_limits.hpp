@@ -34,8 +34,8 @@ inline constexpr double kLongestArc = 0.1;
 inline constexpr double kNearSingularity = 0.1;
 inline constexpr double kNearSingularStep = 0.1;
 
-/// Ropes whose arcs are shorter than a step are looked at in shorter ones, down to this.
-inline constexpr double kLeastRopeStep = 0.01;
+/// Cables whose arcs are shorter than a step are looked at in shorter ones, down to this.
+inline constexpr double kLeastCableStep = 0.01;
 
 /// So far of the drives the arc is followed past what stood in the way of a step of theirs.
 inline constexpr double kArcStretch = 0.5;
@@ -64,7 +64,7 @@ inline constexpr double kShrinks = 0.75;
 inline constexpr double kLeastWay = 0.1;
 
 /// Nor has one whose share of half the step is so many times as large: it comes back to where the
-/// misclosure is lost in rounding, whatever the step.
+/// closure error is lost in rounding, whatever the step.
 inline constexpr double kGrowingShare = 1.3;
 
 /// How far apart the regular points are from which a change point between them follows: a cubic
@@ -74,11 +74,11 @@ inline constexpr double kSurroundings = 0.001;
 /// At a change point the determinant is this share at most of what it is beside it.
 inline constexpr double kLeftAtCrossing = 0.01;
 
-/// In a step at whose ends the flatness is together so many times what it may fall and rise again
-/// on the way, it may come down to zero between them: it does not fall evenly.
+/// In a step at whose ends the reciprocal condition number is together so many times what it may
+/// fall and rise again on the way, it may come down to zero between them: it does not fall evenly.
 inline constexpr double kMostTouch = 1.5;
 
-/// Where no step lies before: the flatness may fall as fast as it likes.
+/// Where no step lies before: the reciprocal condition number may fall as fast as it likes.
 inline constexpr double kUnknownFall = std::numeric_limits<double>::infinity();
 
 /// Such a place is looked at in parts, each so many times as short as the one before.

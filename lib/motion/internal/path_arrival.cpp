@@ -67,7 +67,7 @@ bool PathTracker<Frames>::arrive(const Destination& to, PathPoint& now) {
     return false;
   }
   land(there, now);
-  if ((now.is_singular || now.flatness <= kFlatClosure) && !to.crossing) {
+  if ((now.is_singular || now.reciprocal_condition <= kFlatClosure) && !to.crossing) {
     const std::optional<Crossing> ahead = find_crossing_near(to.from, reached);
     if (ahead && ahead->is_around(to.share)) {
       return arrive_beside(to, *ahead, now);
@@ -75,7 +75,7 @@ bool PathTracker<Frames>::arrive(const Destination& to, PathPoint& now) {
   }
   now.share = to.share;
   set_drives(to.share, now.coordinates);
-  if (now.flatness > kFlatClosure && !now.is_singular) {
+  if (now.reciprocal_condition > kFlatClosure && !now.is_singular) {
     double moved = 0.0;
     if (!close(now, moved) || moved > kArrivedShare * line_.scale) {
       return false;
@@ -234,7 +234,7 @@ void PathTracker<Frames>::stop_at_limit(const ArcPoint& limit, PathPoint& now) {
   now.is_singular = true;
   // The drives turn back with the square of the arc.
   const double left = limit.tangent.back();
-  note_special(SpecialKind::limit, limit, left * left + now.misclosure + kEpsilon);
+  note_special(SpecialKind::limit, limit, left * left + now.closure_error + kEpsilon);
 }
 
 template bool PathTracker<PlanarFrames>::arrive(const Destination&, PathPoint&);

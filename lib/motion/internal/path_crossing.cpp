@@ -133,7 +133,7 @@ std::optional<Surroundings> PathTracker<Frames>::surround(const ArcPoint& from,
     for (Surroundings::Part& part : around.parts) {
       (void)part_orientation(from, point, part.part);
       part.determinants[i] = qr_.relative_determinant();
-      part.flatness = qr_.flatness();
+      part.reciprocal_condition = qr_.reciprocal_condition();
     }
     around.points.push_back(std::move(point));
   }

@@ -59,7 +59,7 @@ void PathTracker<Frames>::find_nearest(PathPoint& point, bool moves_drives) {
       system_.evaluate(point.coordinates, point.angles);
     }
   }
-  point.misclosure = system_.largest_residual();
+  point.closure_error = system_.largest_residual();
 }
 
 template void PathTracker<PlanarFrames>::find_nearest(PathPoint&, bool);

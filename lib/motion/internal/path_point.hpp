@@ -20,8 +20,8 @@ struct PathPoint {
   double arrival_share = 0.0;       ///< by how much the share grew with it; 0: none
   double sign = 0.0;                ///< of the determinant of the closure, where it is square
   std::vector<double> block_signs;  ///< likewise, of each of its blocks where it has several
-  double misclosure = 0.0;
-  double flatness = 0.0;
+  double closure_error = 0.0;
+  double reciprocal_condition = 0.0;
   bool is_singular = false;  ///< the drives do not determine the rates
 };
 
@@ -43,7 +43,7 @@ struct Beginning {
   std::size_t passed = 0;  ///< special positions
 };
 
-/// How far a rope is from leaving its pulley.
+/// How far a cable is from leaving its pulley.
 struct LeastArc {
   double arc = 0.0;  ///< negative: it runs straight past there
   int contact = -1;

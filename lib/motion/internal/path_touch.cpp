@@ -7,21 +7,24 @@
 namespace kinestat {
 
 // Where two motions cross at once the determinant comes down to zero and keeps its sign, and the
-// flatness falls to zero and rises again. Looks into a step in which it may: if it goes on to fall
-// as in the step before, and rises as fast.
+// reciprocal condition number falls to zero and rises again. Looks into a step in which it may: if
+// it goes on to fall as in the step before, and rises as fast.
 template <class Frames>
 void PathTracker<Frames>::look_for_touch(const PathPoint& before, const PathPoint& now) {
   const double way = now.share - before.share;
-  const double fell = std::exchange(flattening_, (before.flatness - now.flatness) / way);
+  const double fell =
+      std::exchange(flattening_, (before.reciprocal_condition - now.reciprocal_condition) / way);
   const double deepest = std::max(fell, -flattening_) * way;
-  if (fell <= 0.0 || before.flatness + now.flatness > kMostTouch * deepest) {
+  if (fell <= 0.0 ||
+      before.reciprocal_condition + now.reciprocal_condition > kMostTouch * deepest) {
     return;
   }
   PathPoint low = before;
   PathPoint high = now;
   PathPoint there = now;
   const auto middle = [&] {
-    const double share = low.flatness / (low.flatness + high.flatness);
+    const double share =
+        low.reciprocal_condition / (low.reciprocal_condition + high.reciprocal_condition);
     return low.share + share * (high.share - low.share);
   };
   // By the cubic through both ends and their rates, from the first of them.
@@ -54,10 +57,10 @@ void PathTracker<Frames>::look_for_touch(const PathPoint& before, const PathPoin
     PathPoint right = high;
     place_between(std::max(share - 0.5 * width, low.share), left);
     place_between(std::min(share + 0.5 * width, high.share), right);
-    const double most = kMostTouch * (low.flatness + high.flatness) * (right.share - left.share) /
-                        (high.share - low.share);
+    const double most = kMostTouch * (low.reciprocal_condition + high.reciprocal_condition) *
+                        (right.share - left.share) / (high.share - low.share);
     if (!close_with_rates(left) || !close_with_rates(right) ||
-        left.flatness + right.flatness > most) {
+        left.reciprocal_condition + right.reciprocal_condition > most) {
       return;
     }
     for (std::size_t i = 0; i < right.arrival.size(); ++i) {
@@ -72,7 +75,9 @@ void PathTracker<Frames>::look_for_touch(const PathPoint& before, const PathPoin
   system_.evaluate(there.coordinates, there.angles);
   gather(unknown_, matrix_);
   qr_.factor(matrix_, system_.row_count(), static_cast<int>(unknown_.size()), kSize);
-  const bool is_flat = qr_.flatness() <= kLeftAtCrossing * std::max(low.flatness, high.flatness);
+  const bool is_flat =
+      qr_.reciprocal_condition() <=
+      kLeftAtCrossing * std::max(low.reciprocal_condition, high.reciprocal_condition);
   if (open_count() == 0 && !is_flat) {
     return;
   }

@@ -32,7 +32,7 @@ PathTracker<Frames>::PathTracker(const MotionNetwork& network)
   }
   is_square_ = system_.row_count() == static_cast<int>(unknown_.size()) && passive_count_ == 0;
   has_surplus_ = system_.row_count() > static_cast<int>(unknown_.size()) - passive_count_;
-  accepted_ = has_surplus_ ? kAcceptedMisclosure : kTrialClosure;
+  accepted_ = has_surplus_ ? kAcceptedClosureError : kTrialClosure;
   const std::vector<double> still(driven_.size(), 0.0);
   line_ = DriveLine::between(still, still);
   const std::size_t rates = at(network.rate_count);
@@ -93,7 +93,8 @@ double PathTracker<Frames>::rounding_of(std::span<const double> coordinates) {
 
 template <class Frames>
 bool PathTracker<Frames>::closes_by_least_squares(const PathPoint& point) const {
-  return has_surplus_ && point.misclosure > std::max(kTrialClosure, rounding_of(point.coordinates));
+  return has_surplus_ &&
+         point.closure_error > std::max(kTrialClosure, rounding_of(point.coordinates));
 }
 
 template <class Frames>
@@ -105,15 +106,15 @@ bool PathTracker<Frames>::close(PathPoint& point, double& moved) {
   bool is_last = false;
   for (int round = 0; round < kMostRounds; ++round) {
     system_.evaluate(point.coordinates, point.angles);
-    point.misclosure = system_.largest_residual();
+    point.closure_error = system_.largest_residual();
     gather(unknown_, matrix_);
     qr_.factor(matrix_, rows, columns, kSize);
     // A closed point is polished once more with the factors at hand.
-    const bool is_closed = point.misclosure <= kMotionClosure;
-    if (point.misclosure <= kEpsilon || is_last) {
+    const bool is_closed = point.closure_error <= kMotionClosure;
+    if (point.closure_error <= kEpsilon || is_last) {
       break;
     }
-    if (!std::isfinite(point.misclosure)) {
+    if (!std::isfinite(point.closure_error)) {
       return false;
     }
     std::ranges::transform(
@@ -140,8 +141,9 @@ bool PathTracker<Frames>::close(PathPoint& point, double& moved) {
   }
   point.sign = qr_.sign();
   find_block_signs(point);
-  point.flatness = qr_.flatness();
-  if (!(point.misclosure <= accepted_ || point.misclosure <= rounding_of(point.coordinates))) {
+  point.reciprocal_condition = qr_.reciprocal_condition();
+  if (!(point.closure_error <= accepted_ ||
+        point.closure_error <= rounding_of(point.coordinates))) {
     return false;
   }
   system_.follow_angles(point.angles);
@@ -211,8 +213,8 @@ template <class Frames>
 bool PathTracker<Frames>::keeps_branch(const PathPoint& now, const PathPoint& next, double moved) {
   const bool jumps =
       moved > kMostCorrection * largest(next.arrival) && moved > rounding_of(next.coordinates);
-  if (next.is_singular || next.flatness < kFlatClosure || next.sign != now.sign || jumps ||
-      next.block_signs != now.block_signs) {
+  if (next.is_singular || next.reciprocal_condition < kFlatClosure || next.sign != now.sign ||
+      jumps || next.block_signs != now.block_signs) {
     return false;
   }
   double change = 0.0;
@@ -250,7 +252,8 @@ bool PathTracker<Frames>::try_step(const PathPoint& now,
     return false;
   }
   // Two singular positions in a step would leave all signs.
-  if (longest > kNearSingularStep && std::min(now.flatness, next.flatness) < kNearSingularity) {
+  if (longest > kNearSingularStep &&
+      std::min(now.reciprocal_condition, next.reciprocal_condition) < kNearSingularity) {
     return false;
   }
   find_rates(next);
@@ -292,7 +295,7 @@ bool PathTracker<Frames>::rest_passive(const PathPoint& now, PathPoint& next) {
 
 template <class Frames>
 Arrival PathTracker<Frames>::advance(PathPoint& now, PathPoint& before, double share) {
-  return arcs_.empty() ? follow(now, before, share) : follow_ropes(now, before, share);
+  return arcs_.empty() ? follow(now, before, share) : follow_cables(now, before, share);
 }
 
 template <class Frames>
@@ -326,7 +329,7 @@ Arrival PathTracker<Frames>::follow(PathPoint& now, PathPoint& before, double sh
     if (is_square_ && !resumption_ && special_.size() == passed) {
       // Past a position that is flat itself, and back.
       const double way = now.share - start.share;
-      const double end = now.flatness > kFlatClosure ? now.share : now.share + way;
+      const double end = now.reciprocal_condition > kFlatClosure ? now.share : now.share + way;
       flattening_ = kUnknownFall;
       if (is_regular && try_step(start, before, end, trial_)) {
         look_for_touch(start, trial_);
@@ -388,12 +391,12 @@ void PathTracker<Frames>::land(const ArcPoint& arc, PathPoint& now) {
   now.coordinates = arc.coordinates;
   now.angles = arc.angles;
   system_.evaluate(now.coordinates, now.angles);
-  now.misclosure = system_.largest_residual();
+  now.closure_error = system_.largest_residual();
   gather(unknown_, matrix_);
   qr_.factor(matrix_, system_.row_count(), static_cast<int>(unknown_.size()), kSize);
   now.sign = qr_.sign();
   find_block_signs(now);
-  now.flatness = qr_.flatness();
+  now.reciprocal_condition = qr_.reciprocal_condition();
   now.is_singular = open_count() > passive_count_;
   now.matrix = matrix_;
   const double by_share = line_.scale / arc.tangent.back();

@@ -69,7 +69,7 @@ class PathTracker {
  private:
   using Parts = std::vector<int>;  // indices of blocks; -1: the whole closure
   Arrival follow(PathPoint& now, PathPoint& before, double share);
-  Arrival follow_ropes(PathPoint& now, PathPoint& before, double share);
+  Arrival follow_cables(PathPoint& now, PathPoint& before, double share);
   LeastArc least_arc(const PathPoint& point) const;
   void return_to(const Beginning& beginning, PathPoint& now);
   void end_at_lift_off(const Beginning& beginning, PathPoint& now);
@@ -122,7 +122,7 @@ class PathTracker {
   std::vector<int> drive_coordinates_;
   std::vector<int> unknown_;  ///< the other rates
   int passive_count_ = 0;
-  double accepted_ = 0.0;  ///< misclosure that may be left where Newton ends
+  double accepted_ = 0.0;  ///< closure error that may be left where Newton ends
   std::vector<ContactArc> arcs_;
   int rolling_count_ = 0;  ///< of the last rows
   DriveLine line_;
@@ -131,7 +131,8 @@ class PathTracker {
   bool is_square_ = false;            ///< as many conditions as unknowns, and none is passive
   std::vector<ClosureBlock> blocks_;  ///< empty where the closure is one
   Trail trail_;
-  double flattening_ = 0.0;  ///< how fast the flatness fell in the step before, by the share
+  double flattening_ =
+      0.0;  ///< how fast the reciprocal condition number fell in the step before, by the share
   std::vector<SpecialPosition> special_;
   std::optional<Resumption> resumption_;
   std::vector<double> matrix_;
@@ -141,7 +142,7 @@ class PathTracker {
   std::vector<double> step_;
   std::vector<double> correction_;
   PathPoint trial_;
-  Beginning beginning_;  ///< of the stretch that follow_ropes is in
+  Beginning beginning_;  ///< of the stretch that follow_cables is in
 };
 
 }  // namespace kinestat

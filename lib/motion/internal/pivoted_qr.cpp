@@ -25,7 +25,7 @@ void PivotedQr::factor(std::span<const double> A, int rows, int columns, double 
   work_.resize(at(std::max(rows, columns)));
   const int steps = std::min(rows, columns);
   longest_ = 0.0;
-  flatness_ = steps == columns ? 1.0 : 0.0;
+  reciprocal_condition_ = steps == columns ? 1.0 : 0.0;
   for (int step = 0; step < steps; ++step) {
     // Lengths anew at each step: systems are small, and nothing is lost to cancellation.
     int best = step;
@@ -43,10 +43,10 @@ void PivotedQr::factor(std::span<const double> A, int rows, int columns, double 
     const double length = std::sqrt(lengths_[at(best)]);
     longest_ = step == 0 ? std::max(length, scale) : longest_;
     if (!(length > kRankZero * longest_)) {
-      flatness_ = step == 0 ? 0.0 : flatness_;
+      reciprocal_condition_ = step == 0 ? 0.0 : reciprocal_condition_;
       return;
     }
-    flatness_ = length / longest_;
+    reciprocal_condition_ = length / longest_;
     if (best != step) {
       std::swap_ranges(
           qr_.begin() + step * rows, qr_.begin() + (step + 1) * rows, qr_.begin() + best * rows);

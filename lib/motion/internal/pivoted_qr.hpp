@@ -24,7 +24,7 @@ class PivotedQr {
   int columns() const { return columns_; }
 
   /// The shortest column that counted, as share of the longest: how near the rank is to fall.
-  double flatness() const { return flatness_; }
+  double reciprocal_condition() const { return reciprocal_condition_; }
 
   /// The sign of the determinant; of a square system of full rank, otherwise 0.
   double sign() const;
@@ -59,7 +59,7 @@ class PivotedQr {
   int rank_ = 0;
   int swaps_ = 0;
   int reflections_ = 0;
-  double flatness_ = 0.0;
+  double reciprocal_condition_ = 0.0;
   double longest_ = 0.0;
   bool has_null_ = false;
   std::vector<double> qr_;

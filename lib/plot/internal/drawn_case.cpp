@@ -118,10 +118,10 @@ class ArrowFinder {
   void add_reaction(CouplingId id) {
     const auto e = static_cast<std::size_t>(id.value);
     const auto& wrench = one_.action->wrenches[e];
-    // Of ropes and their virtual links the pulleys say enough.
-    const bool is_rope = mechanism_.topology.coupling(id).type == CouplingType::cable ||
-                         description_.couplings[e].part != nullptr;
-    if (wrench && !is_rope) {
+    // Of cables and their virtual links the pulleys say enough.
+    const bool is_cable = mechanism_.topology.coupling(id).type == CouplingType::cable ||
+                          description_.couplings[e].part != nullptr;
+    if (wrench && !is_cable) {
       const Vec3 force = wrench->force - force_of_actuators(id);
       add({.kind = ArrowKind::reaction,
            .at = point_of(id),

@@ -38,7 +38,7 @@ class LinkageCanvas {
   /// The name of a body or of couplings, written with all others when everything is drawn.
   void name(std::string text, PixelPoint anchor, double distance, Ink ink);
 
-  /// Where the symbol of a coupling stands: at its point, a rope in the middle, or beside another
+  /// Where the symbol of a coupling stands: at its point, a cable in the middle, or beside another
   /// coupling that has the point already [m].
   const Vec3& place(CouplingId coupling) const {
     return places_[static_cast<std::size_t>(coupling.value)];

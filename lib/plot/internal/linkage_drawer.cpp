@@ -16,8 +16,8 @@ std::vector<BodyId> LinkageDrawer::moving_bodies() const {
   return bodies;
 }
 
-void LinkageDrawer::place_ropes() {
-  for (const RopeSpan& span : parts_.spans) {
+void LinkageDrawer::place_cables() {
+  for (const CableSpan& span : parts_.spans) {
     canvas_.set_place(span.coupling, (span.from + span.to) / 2);
   }
 }

@@ -31,7 +31,7 @@ class LinkageDrawer {
     return parts_.is_virtual[static_cast<std::size_t>(body.value)];
   }
 
-  /// Whether it has no symbol: between virtual links of ropes.
+  /// Whether it has no symbol: between virtual links of cables.
   bool is_hidden(const CouplingTopology& coupling) const {
     return is_virtual(coupling.tail) || is_virtual(coupling.head);
   }
@@ -44,8 +44,8 @@ class LinkageDrawer {
   /// All that are drawn but the ground.
   std::vector<BodyId> moving_bodies() const;
 
-  /// Ropes are named in the middle of their straight parts.
-  void place_ropes();
+  /// Cables are named in the middle of their straight parts.
+  void place_cables();
 
   /// Adds a place unless the list has it already.
   static void add_place(PixelPoint place, std::vector<PixelPoint>& places);

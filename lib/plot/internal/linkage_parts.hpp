@@ -1,4 +1,4 @@
-// What a drawing of a mechanism shows of each body: places where couplings are, wheels, ropes.
+// What a drawing of a mechanism shows of each body: places where couplings are, wheels, cables.
 #pragma once
 
 #include <optional>
@@ -13,29 +13,29 @@ namespace kinestat {
 enum class WheelKind {
   gear,   ///< its pitch circle
   ring,   ///< toothed inside
-  pulley  ///< a rope runs over it
+  pulley  ///< a cable runs over it
 };
 
 /// A round part of a body. World frame [m].
 struct Wheel {
   BodyId body;
-  CouplingId at;  ///< the mesh, or a segment of the rope
+  CouplingId at;  ///< the mesh, or a segment of the cable
   WheelKind kind = WheelKind::gear;
   Vec3 centre = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();  ///< unit vector
   double radius = 0.0;
 };
 
-/// A straight part of a rope between what it touches.
-struct RopeSpan {
+/// A straight part of a cable between what it touches.
+struct CableSpan {
   CouplingId coupling;
   Vec3 from = Vec3::Zero();  ///< on the tail
   Vec3 to = Vec3::Zero();    ///< on the head
 };
 
-/// The part of a rope that lies on a pulley, from where it meets it to where it leaves it, turning
+/// The part of a cable that lies on a pulley, from where it meets it to where it leaves it, turning
 /// about +axis where `is_positive`.
-struct RopeArc {
+struct CableArc {
   BodyId body;  ///< of the pulley
   Vec3 centre = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();
@@ -53,12 +53,12 @@ struct BodyPoint {
 
 /// Lists that are said to be of each body are parallel to that of the Topology.
 struct LinkageParts {
-  std::vector<std::vector<BodyPoint>> points;  ///< of each body; none of virtual links of ropes
+  std::vector<std::vector<BodyPoint>> points;  ///< of each body; none of virtual links of cables
   std::vector<std::vector<Vec3>> outlines;     ///< of each body, where the file has one
-  std::vector<bool> is_virtual;                ///< of each body: a virtual link of a rope
+  std::vector<bool> is_virtual;                ///< of each body: a virtual link of a cable
   std::vector<Wheel> wheels;                   ///< one a body, centre and radius
-  std::vector<RopeSpan> spans;
-  std::vector<RopeArc> arcs;
+  std::vector<CableSpan> spans;
+  std::vector<CableArc> arcs;
 };
 
 /// In the drawn position, or with these poses of all bodies; `mechanism` is as drawn.

@@ -20,10 +20,10 @@ constexpr double kGuideHalf = 46.0;  // half the length of a guide [px]
 constexpr double kGuideDepth = 9.5;  // from the middle of a block to its guide [px]
 constexpr double kRingDepth = 9.0;
 
-void draw_ropes_at(const Analysis& analysis,
-                   const LinkageOptions& options,
-                   const LinkageParts& parts,
-                   LinkageCanvas& canvas);
+void draw_cables_at(const Analysis& analysis,
+                    const LinkageOptions& options,
+                    const LinkageParts& parts,
+                    LinkageCanvas& canvas);
 
 std::size_t index(BodyId body) {
   return static_cast<std::size_t>(body.value);
@@ -33,10 +33,10 @@ class PlanarDrawing : private PlanarDrawer {
  public:
   using PlanarDrawer::PlanarDrawer;
 
-  void draw_ropes() {
-    for (const RopeSpan& span : parts_.spans) {
+  void draw_cables() {
+    for (const CableSpan& span : parts_.spans) {
       const std::array<Attribute, 1> marks = {
-          {{"data-rope", topology_.coupling(span.coupling).name}}};
+          {{"data-cable", topology_.coupling(span.coupling).name}}};
       svg_.open_group(topology_.coupling(span.coupling).name, marks);
       const PixelPoint from = canvas_.view().at(span.from);
       const PixelPoint to = canvas_.view().at(span.to);
@@ -44,7 +44,7 @@ class PlanarDrawing : private PlanarDrawer {
       canvas_.placer().keep_off(from, to);
       svg_.close_group();
     }
-    for (const RopeArc& arc : parts_.arcs) {
+    for (const CableArc& arc : parts_.arcs) {
       const std::array<Attribute, 1> marks = {{{"data-wrap", body_mark(topology_, arc.body)}}};
       svg_.open_group({}, marks);
       draw_wrap(arc);
@@ -53,7 +53,7 @@ class PlanarDrawing : private PlanarDrawer {
   }
 
   void draw() {
-    place_ropes();
+    place_cables();
     draw_ground();
     for (const BodyId body : bodies_from_behind()) {
       canvas_.open_body(body);
@@ -61,8 +61,8 @@ class PlanarDrawing : private PlanarDrawer {
       draw_link(body);
       svg_.close_group();
     }
-    draw_ropes();
-    draw_linkage_frames(analysis_, options_, canvas_, draw_ropes_at);
+    draw_cables();
+    draw_linkage_frames(analysis_, options_, canvas_, draw_cables_at);
     canvas_.draw_paths();
     draw_planar_couplings(analysis_, options_, parts_, canvas_);
     canvas_.name_couplings();
@@ -275,7 +275,7 @@ class PlanarDrawing : private PlanarDrawer {
     }
   }
 
-  void draw_wrap(const RopeArc& arc) {
+  void draw_wrap(const CableArc& arc) {
     const LinkageView& view = canvas_.view();
     svg_.polyline(arc_between(view.at(arc.centre),
                               view.at(arc.from),
@@ -327,11 +327,11 @@ class PlanarDrawing : private PlanarDrawer {
   }
 };
 
-void draw_ropes_at(const Analysis& analysis,
-                   const LinkageOptions& options,
-                   const LinkageParts& parts,
-                   LinkageCanvas& canvas) {
-  PlanarDrawing(analysis, options, parts, canvas).draw_ropes();
+void draw_cables_at(const Analysis& analysis,
+                    const LinkageOptions& options,
+                    const LinkageParts& parts,
+                    LinkageCanvas& canvas) {
+  PlanarDrawing(analysis, options, parts, canvas).draw_cables();
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ class SpatialDrawing : private LinkageDrawer {
   }
 
   void draw_mechanism() {
-    place_ropes();
+    place_cables();
     separate_sliders();
     canvas_.open_body(BodyId{0});
     draw_ground();
@@ -87,7 +87,7 @@ class SpatialDrawing : private LinkageDrawer {
       draw_body(body);
       svg_.close_group();
     }
-    draw_ropes();
+    draw_cables();
     for (const CouplingId id : couplings_from_behind()) {
       draw_coupling(id);
     }
@@ -170,8 +170,8 @@ class SpatialDrawing : private LinkageDrawer {
   std::vector<PixelPoint> places(BodyId body) const {
     std::vector<PixelPoint> result;
     for (const BodyPoint& point : points(body)) {
-      const bool is_rope = point.coupling && topology_.coupling(*point.coupling).type == cable;
-      const Vec3& at = point.coupling && !is_rope ? place(*point.coupling) : point.at;
+      const bool is_cable = point.coupling && topology_.coupling(*point.coupling).type == cable;
+      const Vec3& at = point.coupling && !is_cable ? place(*point.coupling) : point.at;
       add_place(canvas_.view().at(at), result);
     }
     for (const Wheel& wheel : parts_.wheels) {
@@ -208,8 +208,8 @@ class SpatialDrawing : private LinkageDrawer {
     keep_off_bar(reached, kHalfRod);
   }
 
-  void draw_ropes() {
-    for (const RopeSpan& span : parts_.spans) {
+  void draw_cables() {
+    for (const CableSpan& span : parts_.spans) {
       const PixelPoint from = canvas_.view().at(span.from);
       const PixelPoint to = canvas_.view().at(span.to);
       svg_.line(from, to, {.stroke = Ink::brown, .width = 2.2});

@@ -62,7 +62,7 @@ class MotionFigure {
  private:
   bool is_planar() const { return mechanism_.space == Space::planar; }
 
-  bool has_ropes() const {
+  bool has_cables() const {
     return std::ranges::any_of(mechanism_.topology.couplings, [](const CouplingTopology& one) {
       return one.type == CouplingType::cable;
     });
@@ -81,7 +81,7 @@ class MotionFigure {
     LinkageOptions options;
     options.shows_forces = false;
     options.paths = motion_.paths;
-    const bool needs_frames = !is_planar() || has_ropes();
+    const bool needs_frames = !is_planar() || has_cables();
     for (const LinkagePosition& position : motion_.positions) {
       add_places(position.poses, options);
     }

@@ -71,7 +71,7 @@
     const groups = data.bodies.map((body) => all('[data-body="' + body + '"]', frame));
     const frames = all("[data-frame]", frame);
     const drawn = all('[data-layer="still"],[data-layer="names"],[data-layer="forces"],[data-layer="drives"],' +
-                      '[data-layer="velocities"],[data-rope],[data-wrap]', frame)
+                      '[data-layer="velocities"],[data-cable],[data-wrap]', frame)
       .filter((one) => !one.closest("[data-frame]"));
     const markers = all("[data-cursor]", motion);
 

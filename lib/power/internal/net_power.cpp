@@ -139,7 +139,7 @@ class NetFinder {
   }
 
   // Of each pair what one side gives more than the other, in the place of its first part; those
-  // that give as much as they take hand on nothing.
+  // that give as much as they take transmit nothing.
   std::vector<PowerArc> sums() const {
     std::vector<PowerArc> result;
     std::vector<bool> is_done(parts_.size(), false);

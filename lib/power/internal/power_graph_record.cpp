@@ -119,7 +119,7 @@ void write_arc_rows(const PowerView& v, Archive& to) {
   to.end_map();
 }
 
-// That of a coupling in a circle of power beside the number of the circle.
+// That of a coupling with circulating power beside the number of the circle.
 void write_loop_rows(const PowerView& v, Archive& to) {
   to.begin_list();
   for (const PowerLoop& loop : v.graph.loops) {
@@ -135,7 +135,7 @@ void write_loop_rows(const PowerView& v, Archive& to) {
 
 const Record<PowerView>& recirculation_record() {
   static const Record<PowerView> record(
-      "Power that goes in a circle and loads its members without reaching the output.",
+      "Power that circulates and loads its members without reaching the output.",
       [](Record<PowerView>& keys) {
         keys.number("factor",
                     Bare::number,
@@ -187,7 +187,7 @@ const Shape& row_shape() {
 void add_power_graph(Record<PowerView>& keys) {
   keys.map("arcs",
            arc_record(),
-           "Which way power goes through each coupling that hands it on from one body to another, "
+           "Which way power goes through each coupling that transmits it from one body to another, "
            "seen from the ground.",
            emit_arcs)
       .not_in_tables();

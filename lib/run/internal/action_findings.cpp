@@ -16,9 +16,9 @@ namespace kinestat {
 namespace {
 
 // "body 'planet5' can turn about the axis (0, 0, 1) through (0, 17, 0) mm", lengths in file units.
-std::string unheld_text(const JudgedFile& file, const UnheldMotion& unheld) {
-  const auto axis = find_axis(written(unheld.twist), file.mechanism.geometry.length);
-  const std::string body = file.mechanism.topology.body(unheld.body).name;
+std::string unconstrained_text(const JudgedFile& file, const UnconstrainedMotion& unconstrained) {
+  const auto axis = find_axis(written(unconstrained.twist), file.mechanism.geometry.length);
+  const std::string body = file.mechanism.topology.body(unconstrained.body).name;
   const bool is_planar = file.mechanism.space == Space::planar;
   const auto list = [&](const Vec3& v) {
     const Vec3 unsigned_zeros = v + Vec3::Zero();
@@ -59,26 +59,26 @@ std::string loads_text(const std::vector<Load>& loads, const std::vector<int>& w
 }
 
 // Loads act on a motion that nothing resists, whatever the primaries are.
-void add_unheld_loads(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
-  const std::optional<UnheldMotion>& unheld = one.action->unheld;
-  const bool is_named = unheld && !unheld->loads.empty();
+void add_unbalanced_loads(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const std::optional<UnconstrainedMotion>& unconstrained = one.action->unconstrained;
+  const bool is_named = unconstrained && !unconstrained->loads.empty();
   const auto& loads = one.which.loads;
   const std::string nameless =
       file.mechanism.frictions.empty() ? "the loads" : "what friction causes";
-  found.error(
-      "E0602",
-      is_named ? loads[static_cast<std::size_t>(unheld->loads.front())].where : one.which.where,
-      fmt::format("case '{}' has no equilibrium: nothing holds {}{}",
-                  one.which.label,
-                  is_named ? loads_text(loads, unheld->loads) : nameless,
-                  unheld ? ": " + unheld_text(file, *unheld) : ""),
-      "add an actuator or a coupling that holds this motion, or remove the load");
+  found.error("E0602",
+              is_named ? loads[static_cast<std::size_t>(unconstrained->loads.front())].where
+                       : one.which.where,
+              fmt::format("case '{}' has no equilibrium: nothing balances {}{}",
+                          one.which.label,
+                          is_named ? loads_text(loads, unconstrained->loads) : nameless,
+                          unconstrained ? ": " + unconstrained_text(file, *unconstrained) : ""),
+              "add an actuator or a coupling that holds this motion, or remove the load");
 }
 
 void add_contradiction(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const StaticSolution& action = *one.action;
   if (action.check.dependences.empty()) {
-    add_unheld_loads(file, one, found);
+    add_unbalanced_loads(file, one, found);
     return;
   }
   const KnownSide side = action_side(file, one.which);
@@ -88,10 +88,10 @@ void add_contradiction(const JudgedFile& file, const CaseAnalysis& one, CaseFind
       fmt::format("case '{}' has no equilibrium: {}{}{}",
                   one.which.label,
                   cutsets_text(file, action, side),
-                  !action.unheld            ? ""
+                  !action.unconstrained     ? ""
                   : one.which.loads.empty() ? "; nothing resists the motion: "
-                                            : "; nothing holds the load: ",
-                  action.unheld ? unheld_text(file, *action.unheld) : ""),
+                                            : "; nothing balances the load: ",
+                  action.unconstrained ? unconstrained_text(file, *action.unconstrained) : ""),
       removal_text(action.check, side) + " so that it is solved, or add what holds this motion");
 }
 
@@ -103,15 +103,15 @@ std::string names_of(const std::vector<CouplingId>& couplings, const Topology& t
   return plain_list(names);
 }
 
-// Whether a rope rests on its pulley.
-bool is_of_rope(const StaticSolution& action, const Mechanism& mechanism) {
+// Whether a cable rests on its pulley.
+bool is_of_cable(const StaticSolution& action, const Mechanism& mechanism) {
   return std::ranges::any_of(mechanism.contacts, [&](const CableContact& contact) {
     return contact.slips &&
            std::ranges::find(action.at_rest, *contact.slips) != action.at_rest.end();
   });
 }
 
-void add_undirected_friction(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+void add_friction_at_rest(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const bool has_motion = one.motion.has_value();
   if (has_motion && one.motion->status != SolveStatus::solved) {
     return;  // why it has no answer is said of the motion
@@ -123,9 +123,9 @@ void add_undirected_friction(const JudgedFile& file, const CaseAnalysis& one, Ca
                           names_of(one.action->at_rest, file.mechanism.topology),
                           has_motion ? "nothing moves there" : "the case gives no motion"),
               has_motion
-                  ? is_of_rope(*one.action, file.mechanism)
+                  ? is_of_cable(*one.action, file.mechanism)
                         ? "friction at rest may have any size up to its limit: declare an actuator "
-                          "on this coupling, which then holds the rope, or let the rope slip"
+                          "on this coupling, which then holds the cable, or let the cable slip"
                         : "friction at rest may have any size up to its limit: remove it from this "
                           "coupling, or give a motion in which it moves"
                   : "add 'motion:' to the case; its direction decides, and its size where there is "
@@ -159,7 +159,7 @@ void add_indeterminacy(const JudgedFile& file, const CaseAnalysis& one, CaseFind
   if (open.empty()) {
     return;  // completed as the file asks for
   }
-  if (found.is_told("W0601", one.which.where)) {
+  if (found.is_reported("W0601", one.which.where)) {
     found.warning("W0601", one.which.where, {});
     return;
   }
@@ -272,8 +272,8 @@ void add_action_status_findings(const JudgedFile& file,
                 one.which.loads.empty()
                     ? "give smaller actions; the answer is proportional to them"
                     : "give smaller actions and loads; the answer is proportional to them");
-  } else if (action.status == SolveStatus::undirected) {
-    add_undirected_friction(file, one, found);
+  } else if (action.status == SolveStatus::at_rest) {
+    add_friction_at_rest(file, one, found);
   } else if (action.status == SolveStatus::locked) {
     found.warning("W0603",
                   one.which.where,

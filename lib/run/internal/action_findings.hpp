@@ -10,8 +10,8 @@ void add_action_status_findings(const JudgedFile& file,
                                 const CaseAnalysis& one,
                                 CaseFindings& found);
 
-/// What the actions that it has cannot be: what does not rub, contacts that pull, ropes that push
-/// or slip. Likewise.
+/// What the actions that it has cannot be: reactions without friction, contacts that pull, cables
+/// in compression or slip. Likewise.
 void add_action_value_findings(const JudgedFile& file,
                                const CaseAnalysis& one,
                                CaseFindings& found);

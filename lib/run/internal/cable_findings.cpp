@@ -38,10 +38,10 @@ void add_pushed_segments(const JudgedFile& file,
   const FileUnits& units = file.description.units;
   const std::string hint =
       one.pretension
-          ? fmt::format("a pretension keeps the ropes taut: add at least {}",
+          ? fmt::format("a pretension keeps the cables in tension: add at least {}",
                         pretension_text(file, *one.pretension))
-          : "a rope only pulls, and no self-stress beside the known actions pulls at this one: "
-            "raise a known action, turn round the load or the motion, or hold the rope by another "
+          : "a cable only pulls, and no self-stress beside the known actions pulls at this one: "
+            "raise a known action, turn round the load or the motion, or hold the cable by another "
             "actuator";
   for (const CouplingId id : pushed) {
     const CouplingTopology& segment = topology.coupling(id);
@@ -50,7 +50,7 @@ void add_pushed_segments(const JudgedFile& file,
     CaseFinding& added =
         found.warning("W0606",
                       segment.where,
-                      fmt::format("case '{}': segment '{}' would be pushed with {:.6g} {}",
+                      fmt::format("case '{}': segment '{}' would be in compression with {:.6g} {}",
                                   one.which.label,
                                   segment.name,
                                   units.from_si(QuantityKind::force, -force),
@@ -62,28 +62,30 @@ void add_pushed_segments(const JudgedFile& file,
 }
 
 // A contact with a slack side slips for want of tension, which that side's finding says.
-void add_slipping_ropes(const JudgedFile& file,
-                        const CaseAnalysis& one,
-                        const std::vector<CouplingId>& pushed,
-                        CaseFindings& found) {
+void add_slipping_cables(const JudgedFile& file,
+                         const CaseAnalysis& one,
+                         const std::vector<CouplingId>& pushed,
+                         CaseFindings& found) {
   for (std::size_t i = 0; i < one.contacts.size(); ++i) {
     const ContactState& state = one.contacts[i];
     const CableContact& contact = file.mechanism.contacts[i];
     const auto is_slack = [&](CouplingId side) {
       return std::ranges::find(pushed, side) != pushed.end();
     };
-    if (state.grip != Grip::would_slip || is_slack(contact.arrives) || is_slack(contact.leaves)) {
+    if (state.belt_state != BeltState::beyond_limit || is_slack(contact.arrives) ||
+        is_slack(contact.leaves)) {
       continue;
     }
     CaseFinding& added = found.warning(
         "W0607",
         contact.where,
-        fmt::format("case '{}': the rope would slip in '{}': friction holds tensions of a ratio of "
-                    "up to {:.6g}, and this is {}",
-                    one.which.label,
-                    contact.name,
-                    *state.limit,
-                    state.ratio ? fmt::format("{:.6g}", *state.ratio) : "more than any ratio"),
+        fmt::format(
+            "case '{}': the cable would slip in '{}': friction holds tensions of a ratio of "
+            "up to {:.6g}, and this is {}",
+            one.which.label,
+            contact.name,
+            *state.limit,
+            state.ratio ? fmt::format("{:.6g}", *state.ratio) : "more than any ratio"),
         contact.slips
             ? "more pretension, a larger contact angle or more friction hold it; or give the "
               "virtual link a motion, with which it slips"
@@ -99,7 +101,7 @@ void add_slipping_ropes(const JudgedFile& file,
 void add_cable_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const std::vector<CouplingId> pushed = find_pushed_segments(file.mechanism, *one.action);
   add_pushed_segments(file, one, pushed, found);
-  add_slipping_ropes(file, one, pushed, found);
+  add_slipping_cables(file, one, pushed, found);
 }
 
 }  // namespace kinestat

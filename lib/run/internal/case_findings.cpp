@@ -193,8 +193,10 @@ JudgedFile judged_file(const Analysis& analysis) {
           .shift = analysis.shift};
 }
 
-CaseFindings find_case_findings(const JudgedFile& file, const CaseAnalysis& one, IsTold is_told) {
-  CaseFindings found(std::move(is_told));
+CaseFindings find_case_findings(const JudgedFile& file,
+                                const CaseAnalysis& one,
+                                IsReported is_reported) {
+  CaseFindings found(std::move(is_reported));
   if (one.motion) {
     add_motion_findings(file, one, found);
   }

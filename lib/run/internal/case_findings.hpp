@@ -26,15 +26,15 @@ struct CaseFinding {
 
 /// Whether another position has said what has this code and place, so that its words, where they
 /// cost more than the solution, are left out.
-using IsTold = std::function<bool(std::string_view code, SourceRange where)>;
+using IsReported = std::function<bool(std::string_view code, SourceRange where)>;
 
 /// Collects them, in the order in which they were found.
 class CaseFindings {
  public:
-  explicit CaseFindings(IsTold is_told = {}) : is_told_(std::move(is_told)) {}
+  explicit CaseFindings(IsReported is_reported = {}) : is_reported_(std::move(is_reported)) {}
 
-  bool is_told(std::string_view code, SourceRange where) const {
-    return is_told_ && is_told_(code, where);
+  bool is_reported(std::string_view code, SourceRange where) const {
+    return is_reported_ && is_reported_(code, where);
   }
 
   CaseFinding& error(std::string_view code,
@@ -51,7 +51,7 @@ class CaseFindings {
   std::span<const CaseFinding> items() const { return items_; }
 
  private:
-  IsTold is_told_;
+  IsReported is_reported_;
   std::vector<CaseFinding> items_;
 };
 
@@ -69,7 +69,7 @@ JudgedFile judged_file(const Analysis& analysis);
 /// solved cases, for every pass. Nothing of a case that is in order.
 CaseFindings find_case_findings(const JudgedFile& file,
                                 const CaseAnalysis& one,
-                                IsTold is_told = {});
+                                IsReported is_reported = {});
 
 /// Adds them to the messages of the file.
 void add(const CaseFinding& one, Diagnostics& found);

@@ -11,15 +11,15 @@ std::string_view impossible_word(const Mechanism& mechanism, const CaseAnalysis&
     return {};
   }
   if (!find_pushed_segments(mechanism, *one.action).empty()) {
-    return "rope_pushes";
+    return "cable_slack";
   }
   if (!find_pulling_contacts(mechanism, *one.action).empty()) {
     return "contact_pulls";
   }
-  return std::ranges::find(one.contacts, Grip::would_slip, &ContactState::grip) ==
+  return std::ranges::find(one.contacts, BeltState::beyond_limit, &ContactState::belt_state) ==
                  one.contacts.end()
              ? ""
-             : "rope_slips";
+             : "cable_slips";
 }
 
 std::string_view case_word(const Mechanism& mechanism, const CaseAnalysis& one, bool asks_power) {

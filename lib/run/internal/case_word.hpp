@@ -7,9 +7,9 @@
 
 namespace kinestat {
 
-/// Whether the answer is one that the mechanism can have: "rope_pushes", "contact_pulls" or
-/// "rope_slips" where a rope would have to push, surfaces to pull on each other or a rope to hold
-/// by more friction than there is; otherwise empty.
+/// Whether the answer is one that the mechanism can have: "cable_slack", "contact_pulls" or
+/// "cable_slips" where a cable would have to push, surfaces to pull on each other or a cable to
+/// hold by more friction than there is; otherwise empty.
 std::string_view impossible_word(const Mechanism& mechanism, const CaseAnalysis& one);
 
 /// The status of the motion or of the actions where they have no answer, or an impossible one; then

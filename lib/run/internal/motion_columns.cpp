@@ -21,7 +21,7 @@ using Vector = std::array<std::optional<double>, 3>;
 
 // Empty where it would be rounding.
 std::optional<double> told(double value, double bound) {
-  return is_told(value, bound) ? std::optional(value) : std::nullopt;
+  return is_reported(value, bound) ? std::optional(value) : std::nullopt;
 }
 
 Vector told(const BoundedRate& rate) {

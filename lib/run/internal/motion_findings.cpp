@@ -46,7 +46,7 @@ class Findings {
     add_correction();
     add_singularities();
     add_missing_dead_points();
-    add_misclosure();
+    add_closure_error();
     switch (motion_.solution.status) {
       case MotionStatus::completed:
       case MotionStatus::not_movable:
@@ -197,7 +197,7 @@ class Findings {
         fmt::format("the motion passes a singular position at {}{}",
                     drives_text(passed.front()->drive),
                     passed.size() == 1 ? "" : fmt::format(" and {} more", passed.size() - 1)),
-        "there another motion crosses; this one goes straight on, as a flywheel would carry it");
+        "there another motion crosses; this one continues on the same branch");
   }
 
   void add_missing_dead_points() const {
@@ -212,7 +212,7 @@ class Findings {
   }
 
   // Of what has more equations than unknowns and was drawn with few figures.
-  void add_misclosure() const {
+  void add_closure_error() const {
     const double share = table_.worst_closure;
     if (!motion_.solution.closes_by_least_squares) {
       return;
@@ -233,9 +233,8 @@ class Findings {
                     with_unit(length, table_.length_unit),
                     format_short(share)),
         "every position is the least-squares fit, so forces and velocities are those of a "
-        "mechanism "
-        "that differs by so much; type more figures, or expressions such as 50*sqrt(3), if it is "
-        "to move");
+        "mechanism that differs by so much; type more figures, or expressions such as 50*sqrt(3), "
+        "if it is to move");
   }
 
   void add_not_assembled() const {
@@ -280,14 +279,14 @@ class Findings {
 
   void add_lift_off() const {
     const int contact = motion_.solution.special.back().contact;
-    const CableContact& rope = mechanism_.contacts[static_cast<std::size_t>(contact)];
-    const CouplingTopology& leaves = topology_.coupling(rope.leaves);
+    const CableContact& cable = mechanism_.contacts[static_cast<std::size_t>(contact)];
+    const CouplingTopology& leaves = topology_.coupling(cable.leaves);
     found_.error("E0510",
-                 rope.where,
-                 fmt::format("the rope lifts off '{}' at {}: there its arc is zero",
+                 cable.where,
+                 fmt::format("the cable lifts off '{}' at {}: there its arc is zero",
                              topology_.body(leaves.tail).name,
                              drives_text(table_.events.back().drive)),
-                 "the report goes up to there; end the motion before, or draw the rope beyond "
+                 "the report goes up to there; end the motion before, or draw the cable beyond "
                  "without this pulley");
   }
 

@@ -29,9 +29,9 @@ bool meets(const Case& which, const MotionState& state) {
 
 }  // namespace
 
-double worst_misclosure(const MotionSolution& solution) {
+double worst_closure_error(const MotionSolution& solution) {
   double worst = kMotionClosure;
-  for (const double one : solution.misclosures) {
+  for (const double one : solution.closure_errors) {
     worst = std::max(worst, one);
   }
   return worst;
@@ -121,13 +121,13 @@ void MotionPositions::place(const Configuration& configuration, MotionPosition& 
 
 void MotionPositions::move(const Configuration& configuration, const MotionPosition& position) {
   move_mechanism(network_, drawn_, configuration, position.state.poses, mechanism_, moved_);
-  moved_.misclosure = std::max(detail_.misclosure, position.state.bounds.place);
+  moved_.closure_error = std::max(detail_.closure_error, position.state.bounds.place);
 }
 
 // A position that closes by least squares has no exact screws, and so no rank of its own: how the
 // mechanism moves is decided where it is closed.
 bool MotionPositions::has_own_rank() const {
-  return detail_.misclosure <= kLeastCorrection;
+  return detail_.closure_error <= kLeastCorrection;
 }
 
 KinematicSolution MotionPositions::motion_of_state(const MotionPosition& position) const {
@@ -174,7 +174,7 @@ void MotionPositions::solve_passes(MotionPosition& position) {
         solve_case_in_motion(moved_, judged, motion_of_state(position), CasePasses::row);
     // Forces and velocities are of mechanisms that differ by as much.
     std::optional<PowerFlow>& power = position.solved->power;
-    if (power && power->balance_residual <= kClosureInActions * detail_.misclosure) {
+    if (power && power->balance_residual <= kClosureInActions * detail_.closure_error) {
       power->is_balanced = true;
     }
   } else {

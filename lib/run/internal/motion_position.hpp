@@ -18,12 +18,12 @@ struct MotionDetail {
   bool acceleration = false;
   bool statics = false;  ///< actions, and the powers and ratios of the case
   bool transmission_angle = false;
-  double misclosure = kMotionClosure;  ///< of the worst position of the motion
+  double closure_error = kMotionClosure;  ///< of the worst position of the motion
 };
 
 /// As share of the mechanism's size, no less than what counts as closed. A mechanism that closes by
 /// least squares may close exactly where it was drawn, and is no more exact for that.
-double worst_misclosure(const MotionSolution& solution);
+double worst_closure_error(const MotionSolution& solution);
 
 /// World frame, SI. Lists are parallel to those of the topology.
 struct MotionPosition {

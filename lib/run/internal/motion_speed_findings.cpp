@@ -79,7 +79,7 @@ class SpeedFindings {
     }
   }
 
-  bool is_told(std::string_view code) const {
+  bool is_reported(std::string_view code) const {
     return std::ranges::any_of(found_.items(),
                                [&](const Diagnostic& other) { return other.code == code; });
   }
@@ -94,7 +94,7 @@ class SpeedFindings {
       return row.lacks_velocities && row.status == "singular";
     };
     const MotionRow* first = first_of(holds);
-    const bool is_named = is_told("W0503") || is_told("E0505") || is_told("E0506");
+    const bool is_named = is_reported("W0503") || is_reported("E0505") || is_reported("E0506");
     if (first != nullptr && !is_named) {
       found_.warning("W0507",
                      motion_.plan.where,

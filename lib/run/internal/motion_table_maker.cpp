@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "motion/motion.hpp"
+#include "run/internal/cable_crossing_findings.hpp"
 #include "run/internal/case_word.hpp"
 #include "run/internal/motion_columns.hpp"
 #include "run/internal/motion_events.hpp"
-#include "run/internal/rope_findings.hpp"
 
 namespace kinestat {
 
@@ -112,7 +112,7 @@ class TableMaker {
       return;
     }
     detail_ = detail_of(plan_, mechanism_);
-    detail_.misclosure = worst_misclosure(solution_);
+    detail_.closure_error = worst_closure_error(solution_);
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
     readings_ = motion_readings(description_,
                                 mechanism_,
@@ -126,7 +126,7 @@ class TableMaker {
       const Configuration configuration = solution_.configuration_at(p);
       const MotionPosition position = positions.at(configuration);
       judge(position, positions.moved());
-      add_crossing_ropes(
+      add_crossing_cables(
           description_, mechanism_, motion_, configuration, position.state.poses, said_.back());
       add_row(p, position);
       table_.rows.back().status = status_of(p, position, positions.moved());
@@ -134,9 +134,9 @@ class TableMaker {
     find_friction_turns();
     tell_findings();
     table_.columns.push_back(
-        {.element = "", .quantity = std::string(kMisclosureColumn), .unit = ""});
+        {.element = "", .quantity = std::string(kClosureErrorColumn), .unit = ""});
     for (std::size_t r = 0; r < table_.rows.size(); ++r) {
-      const double closure = solution_.misclosures[r];
+      const double closure = solution_.closure_errors[r];
       table_.rows[r].values.emplace_back(closure);
       if (closure > table_.worst_closure) {
         table_.worst_closure = closure;
@@ -152,13 +152,13 @@ class TableMaker {
     }
     const std::optional<ShiftAnalysis> no_shift;
     const JudgedFile file = {.description = description_, .mechanism = moved, .shift = no_shift};
-    const auto is_told = [this](std::string_view code, SourceRange where) {
+    const auto is_reported = [this](std::string_view code, SourceRange where) {
       return !said_.empty() &&
              std::ranges::any_of(said_.back().items(), [&](const CaseFinding& one) {
                return one.code == code && one.where == where;
              });
     };
-    said_.push_back(find_case_findings(file, *position.solved, is_told));
+    said_.push_back(find_case_findings(file, *position.solved, is_reported));
   }
 
   // That a friction has no direction is said of its turn, wherever the steps fall.
@@ -209,7 +209,7 @@ class TableMaker {
   }
 
   // The rate of the one freedom of a bearing, guide or thread; the velocity along the freedoms that
-  // slide of a contact, whose turns rub nothing. Zero where the friction has no direction.
+  // slide of a contact, whose turns have no friction. Zero where the friction has no direction.
   Vec3 sliding_of(CouplingId id, const CaseAnalysis& one) const {
     Vec3 result = Vec3::Zero();
     if (one.action && std::ranges::find(one.action->at_rest, id) != one.action->at_rest.end()) {
@@ -268,7 +268,7 @@ class TableMaker {
   // Whether that leaves a row without an answer.
   bool rests(std::size_t row, std::size_t friction) const {
     return !sliding_[row].empty() && sliding_[row][friction].isZero(0.0) &&
-           table_.rows[row].status == word_of(SolveStatus::undirected);
+           table_.rows[row].status == word_of(SolveStatus::at_rest);
   }
 
   void add_turn(std::size_t before, std::size_t after, FrictionTurn& turn) {
@@ -283,7 +283,7 @@ class TableMaker {
   // What nothing but the turn of a friction leaves open.
   void mark_dead_points(std::size_t first, std::size_t last) {
     for (std::size_t r = first; r < last; ++r) {
-      if (table_.rows[r].status == word_of(SolveStatus::undirected)) {
+      if (table_.rows[r].status == word_of(SolveStatus::at_rest)) {
         table_.rows[r].status = kAtDeadPoint;
       }
     }
@@ -360,7 +360,7 @@ class TableMaker {
           is_place(reading.column) ? reading.value(position) : std::nullopt;
       places.push_back(value ? std::optional(in_unit(reading.kind, *value)) : std::nullopt);
     }
-    places.emplace_back();  // the misclosure
+    places.emplace_back();  // the closure error
     return places;
   }
 

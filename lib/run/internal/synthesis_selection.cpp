@@ -110,7 +110,7 @@ void select_circle_points(const SynthesisValues& values,
     task.dyads = BurmesterSolution{.dyads = choice.dyads(one.choice)};
     if (choice.curves()) {
       task.dyads->digits = choice.curves()->digits;
-      task.dyads->flatness = choice.curves()->flatness;
+      task.dyads->reciprocal_condition = choice.curves()->reciprocal_condition;
     }
     task.linkages = rank_linkages(task.dyads->dyads, positions, limits);
     analysis.tasks.push_back(std::move(task));

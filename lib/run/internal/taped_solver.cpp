@@ -291,7 +291,7 @@ bool TapedSolver::fill_columns(std::span<const TapedColumn> columns,
   return infinite == 0;
 }
 
-// Whether no rope pushes and no contact pulls.
+// Whether no cable pushes and no contact pulls.
 bool TapedSolver::is_possible(const TapedCase& taped, std::size_t lane) const {
   return std::ranges::all_of(
       taped.one_sided, [&](std::size_t cell) { return workspace_.number(cell, lane) >= 0.0; });

@@ -50,7 +50,7 @@ class TypedNumbers {
   /// takes_new_answers says so.
   bool improve(std::size_t which, KinematicSolution& motion);
 
-  /// Likewise, with the teeth of `turned` on their other flanks.
+  /// Likewise, with the teeth of `turned` on their coast flanks.
   bool improve(std::size_t which, const std::vector<int>& turned, StaticSolution& action);
 
  private:

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "math/dense_solve.hpp"
-#include "sensitivity/internal/rubbing.hpp"
+#include "sensitivity/internal/friction_force.hpp"
 
 namespace kinestat {
 
@@ -57,9 +57,9 @@ class FrictionChain {
   FrictionChain(const DualCase& values,
                 const CoordinateBasis& basis,
                 const RateSlopes& rates,
-                std::vector<Rubbing> rubbings)
-      : values_(values), basis_(basis), rates_(rates), rubbings_(std::move(rubbings)) {
-    const auto count = static_cast<Eigen::Index>(rubbings_.size());
+                std::vector<FrictionForce> forces)
+      : values_(values), basis_(basis), rates_(rates), forces_(std::move(forces)) {
+    const auto count = static_cast<Eigen::Index>(forces_.size());
     system_ = MatX::Identity(count, count);
     for (Eigen::Index r = 0; r < count; ++r) {
       for (Eigen::Index c = 0; c < count; ++c) {
@@ -72,8 +72,8 @@ class FrictionChain {
 
   // Of the direction of each friction, as far as the parameters turn it.
   void add_turns(std::vector<Change>& changes) const {
-    for (std::size_t i = 0; i < rubbings_.size(); ++i) {
-      add_pair_changes(values_.topology().coupling(rubbings_[i].coupling),
+    for (std::size_t i = 0; i < forces_.size(); ++i) {
+      add_pair_changes(values_.topology().coupling(forces_[i].coupling),
                        by_parameters(values_, rates_, values_.friction_law(i).unit),
                        values_.friction(i).value,
                        basis_,
@@ -98,14 +98,14 @@ class FrictionChain {
         change.rows.emplace_back(row, size * (*slopes)[i]);
       }
     }
-    const bool is_smooth = std::ranges::none_of(rubbings_, [&](const Rubbing& one) {
+    const bool is_smooth = std::ranges::none_of(forces_, [&](const FrictionForce& one) {
       return shows_open(one.magnitude, p, changes) || leaves_corner(one, p, changes);
     });
     return is_smooth ? std::vector<double>(slopes->begin(), slopes->end()) : std::vector<double>();
   }
 
  private:
-  const Rubbing& at(Eigen::Index i) const { return rubbings_[static_cast<std::size_t>(i)]; }
+  const FrictionForce& at(Eigen::Index i) const { return forces_[static_cast<std::size_t>(i)]; }
 
   bool has_rates(std::size_t p) const { return rates_.empty() || rates_[p].has_value(); }
 
@@ -129,7 +129,9 @@ class FrictionChain {
     return false;
   }
 
-  bool leaves_corner(const Rubbing& one, std::size_t p, const ParameterChanges& changes) const {
+  bool leaves_corner(const FrictionForce& one,
+                     std::size_t p,
+                     const ParameterChanges& changes) const {
     return std::ranges::any_of(one.corners, [&](const Made& force) {
       return shows_open(force, p, changes) ||
              moves(force.adjoint, changes.total[p], direct_slope(force.value, p));
@@ -139,7 +141,7 @@ class FrictionChain {
   const DualCase& values_;
   const CoordinateBasis& basis_;
   const RateSlopes& rates_;
-  std::vector<Rubbing> rubbings_;
+  std::vector<FrictionForce> forces_;
   MatX system_;  ///< d(f - law)/df
 };
 
@@ -196,8 +198,10 @@ std::vector<std::vector<double>> add_friction_changes(const DualCase& values,
   if (values.friction_count() == 0) {
     return {};
   }
-  const FrictionChain chain(
-      values, equations.basis(), rates, read_rubbings(values, equations, magnitudes, changes.open));
+  const FrictionChain chain(values,
+                            equations.basis(),
+                            rates,
+                            read_friction_forces(values, equations, magnitudes, changes.open));
   chain.add_turns(changes.total);
   std::vector<std::vector<double>> slopes;
   for (std::size_t p = 0; p < values.parameter_count(); ++p) {

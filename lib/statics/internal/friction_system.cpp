@@ -164,7 +164,7 @@ void FrictionSystem::add_friction(const ChosenFrictions& frictions,
   }
 }
 
-// Reactions that press but do not rub, where all actions of their coupling are known.
+// Reactions that press without friction, where all actions of their coupling are known.
 void FrictionSystem::add_ignored(StaticSolution& solution) const {
   const double length = mechanism_.geometry.length;
   VecX magnitudes(mechanism_.topology.action_count());
@@ -193,8 +193,9 @@ StaticSolution FrictionSystem::solution_with(const ChosenFrictions& frictions) c
         std::back_inserter(all));
   }
   StaticSolution solution = solve_action(mechanism_, equilibrium_.basis(), primaries_, all);
-  if (solution.unheld) {
-    std::erase_if(solution.unheld->loads, [&](int load) { return load >= std::ssize(loads_); });
+  if (solution.unconstrained) {
+    std::erase_if(solution.unconstrained->loads,
+                  [&](int load) { return load >= std::ssize(loads_); });
   }
   if (!solution.magnitudes.empty()) {
     leave_open(solution);

@@ -134,7 +134,7 @@ const Record<PlanetShare>& planet_record() {
 const Record<ContactView>& contact_record() {
   static const Record<ContactView> record(
       "One contact, between the segment that arrives and the one that leaves in the order of the "
-      "rope.",
+      "cable.",
       [](Record<ContactView>& keys) {
         keys.quantity("wrap",
                       QuantityKind::angle,
@@ -159,7 +159,7 @@ const Record<ContactView>& contact_record() {
                     [](const ContactView& v) { return v.state.limit; });
         keys.quantity("slip_speed",
                       QuantityKind::velocity,
-                      "Speed of the rope over the pulley in the order of the rope; null without "
+                      "Speed of the cable over the pulley in the order of the cable; null without "
                       "known motions.",
                       [](const ContactView& v) { return v.state.slip_speed; });
         keys.quantity("slip_power",
@@ -167,11 +167,12 @@ const Record<ContactView>& contact_record() {
                       "Power of the slip, (before - after) times its speed: negative where "
                       "friction takes it.",
                       [](const ContactView& v) { return v.state.slip_power; });
-        keys.word("grip",
-                  words_up_to(Grip::would_slip),
-                  "Whether friction holds the rope: within the limit, moved over the pulley by the "
-                  "case, or beyond the limit; unknown without friction.",
-                  [](const ContactView& v) { return word_of(v.state.grip); });
+        keys.word(
+            "belt_state",
+            words_up_to(BeltState::beyond_limit),
+            "Whether friction holds the cable: within the limit, moved over the pulley by the "
+            "case, or beyond the limit; unknown without friction.",
+            [](const ContactView& v) { return word_of(v.state.belt_state); });
       });
   return record;
 }

@@ -64,7 +64,7 @@ ConditionSpace find_condition_space(const ConditionRows& system,
   result.space = find_null_space(matrix_of(system));
   result.loss = find_loss(result.space, system.noise);
   result.digits = digits_of(result.loss);
-  result.flatness = result.space.flatness();
+  result.reciprocal_condition = result.space.reciprocal_condition();
   if (!(result.loss < kUselessLoss)) {
     find_why_flat(system, positions, result);
   }

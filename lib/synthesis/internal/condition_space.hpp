@@ -16,7 +16,7 @@ struct ConditionSpace {
   Degeneracy reason = Degeneracy::none;
   double loss = 0.0;  ///< what rounding of the positions moves the null space by
   double digits = 0.0;
-  double flatness = 0.0;
+  double reciprocal_condition = 0.0;
 };
 
 /// Tells positions that depend on each other from positions that are too close: the former leave a

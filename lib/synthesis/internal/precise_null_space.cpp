@@ -20,7 +20,7 @@ class NullSpaceFinder {
     PreciseBasis basis;
     for (std::size_t step = 0; step < rows_.size(); ++step) {
       const BigFloat pivot = take_pivot(step);
-      basis.flatness = static_cast<double>(pivot);
+      basis.reciprocal_condition = static_cast<double>(pivot);
       if (is_rounding(pivot)) {
         return std::nullopt;
       }

@@ -14,7 +14,8 @@ using PreciseRow = std::array<BigFloat, 7>;
 
 struct PreciseBasis {
   std::array<PreciseRow, 3> vectors;  ///< orthonormal
-  double flatness = 0.0;  ///< the last pivot of a complete elimination of rows of size 1
+  double reciprocal_condition =
+      0.0;  ///< the last pivot of a complete elimination of rows of size 1
 };
 
 /// The null space of four rows, each with largest entry 1. Empty if they depend on each other to

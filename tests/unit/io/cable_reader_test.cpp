@@ -18,13 +18,13 @@ TEST(CableReader, ReadsARopeBetweenTwoPoints) {
   const auto reading = cables_of("rope: {over: [{body: a, at: [0, 1]}, {body: b, at: [2, 3]}]}\n");
 
   ASSERT_EQ(reading.complaints(), Complaints{});
-  const CableDescription& rope = reading.value[0];
-  EXPECT_EQ(rope.name.text, "rope");
-  EXPECT_FALSE(rope.closed);
-  ASSERT_EQ(rope.over.size(), 2U);
-  EXPECT_FALSE(rope.over[1].is_pulley);
-  EXPECT_EQ(rope.over[1].body.text, "b");
-  EXPECT_EQ(rope.over[1].at->coordinates[1].expression.text(), "3");
+  const CableDescription& cable = reading.value[0];
+  EXPECT_EQ(cable.name.text, "rope");
+  EXPECT_FALSE(cable.closed);
+  ASSERT_EQ(cable.over.size(), 2U);
+  EXPECT_FALSE(cable.over[1].is_pulley);
+  EXPECT_EQ(cable.over[1].body.text, "b");
+  EXPECT_EQ(cable.over[1].at->coordinates[1].expression.text(), "3");
 }
 
 TEST(CableReader, ReadsEveryKeyOfAPulley) {

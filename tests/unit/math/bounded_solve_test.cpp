@@ -47,21 +47,21 @@ class HilbertSystem : public ::testing::Test {
 TEST_F(HilbertSystem, HasNoBoundWhereNoneIsAskedFor) {
   const BoundedSolution found = solve(Accuracy::fast);
 
-  EXPECT_EQ(found.rung, Rung::plain);
+  EXPECT_EQ(found.precision, Precision::plain);
   EXPECT_FALSE(found.bound.has_value());
 }
 
 TEST_F(HilbertSystem, StaysInDoubleWhileTheBoundPromisesTheDigits) {
   const BoundedSolution found = solve(Accuracy::automatic, 6);
 
-  EXPECT_EQ(found.rung, Rung::plain);
+  EXPECT_EQ(found.precision, Precision::plain);
   expect_covered(found);
 }
 
 TEST_F(HilbertSystem, IsRefinedWhereTheBoundDoesNotPromiseTheDigits) {
   const BoundedSolution found = solve(Accuracy::automatic, 14);
 
-  EXPECT_EQ(found.rung, Rung::refined);
+  EXPECT_EQ(found.precision, Precision::refined);
   EXPECT_LE(worst_relative_error(found.solution.x, *found.bound, counts_), 1e-14);
   expect_covered(found);
 }
@@ -69,7 +69,7 @@ TEST_F(HilbertSystem, IsRefinedWhereTheBoundDoesNotPromiseTheDigits) {
 TEST_F(HilbertSystem, HasAllDigitsOfADoubleWithHighAccuracy) {
   const BoundedSolution found = solve(Accuracy::high);
 
-  EXPECT_EQ(found.rung, Rung::refined);
+  EXPECT_EQ(found.precision, Precision::refined);
   EXPECT_LE(worst_relative_error(found.solution.x, *found.bound, counts_), 0x1p-52);
   expect_covered(found);
 }

@@ -18,7 +18,7 @@ Mechanism bound_with_cables(const std::string& text) {
   return mechanism.value_or(Mechanism{});
 }
 
-// Two ropes, of which the second belongs to a wheel that turns with it.
+// Two cables, of which the second belongs to a wheel that turns with it.
 constexpr const char* kHoist =
     "kinestat: 1\n"
     "space: planar\n"
@@ -62,13 +62,13 @@ TEST(CableBinding, AddsSegmentsThenVirtualLinks) {
 
 TEST(CableBinding, PullsTheHeadTowardsTheTail) {
   const Mechanism mechanism = bound_with_cables(kHoist);
-  const CouplingTopology& rope = mechanism.topology.couplings[4];
+  const CouplingTopology& cable = mechanism.topology.couplings[4];
 
   // From (0, 0) up to (0, 10): the tension on the head, the link at the wheel, is downwards.
-  const Wrench& tension = mechanism.geometry.actions[static_cast<std::size_t>(rope.first_action)];
+  const Wrench& tension = mechanism.geometry.actions[static_cast<std::size_t>(cable.first_action)];
 
-  EXPECT_EQ(rope.action_count, 1);
-  EXPECT_EQ(rope.freedom_count, 2);
+  EXPECT_EQ(cable.action_count, 1);
+  EXPECT_EQ(cable.freedom_count, 2);
   EXPECT_LE((tension.force - Vec3(0.0, -1.0, 0.0)).norm(), 1e-15);
   EXPECT_LE(tension.moment.norm(), 1e-15);
 }

@@ -86,7 +86,7 @@ TEST(TangentSpan, OfACrossedBeltHasTheClosedForm) {
 }
 
 TEST(TangentSpan, FromAPointTouchesTheSideOfTheWrap) {
-  // Ropes that hang from both sides of a pulley (Alves 2023, Fig. 3.31: r = 3, d = 6, h = 10).
+  // Cables that hang from both sides of a pulley (Alves 2023, Fig. 3.31: r = 3, d = 6, h = 10).
   const auto pulley = circle({3.0, 10.0, 0.0}, -3.0);
 
   const CableSpan up = tangent_span<double>(point({0.0, 0.0, 0.0}), pulley);

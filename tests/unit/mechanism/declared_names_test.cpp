@@ -70,25 +70,25 @@ TEST(DeclaredNames, RefusesWhatACableMakesIfTheNameIsTaken) {
 }
 
 TEST(DeclaredNames, NumberASecondContactOfARopeWithTheSameWheel) {
-  CableDescription rope;
-  rope.name.text = "rope";
+  CableDescription cable;
+  cable.name.text = "rope";
   for (int i = 0; i < 3; ++i) {
     CableStation wheel;
     wheel.is_pulley = true;
     wheel.slip = i != 1;
     wheel.body.text = "wheel";
-    rope.over.push_back(wheel);
+    cable.over.push_back(wheel);
   }
 
-  EXPECT_EQ(segment_count(rope), 2);
-  EXPECT_EQ(segment_name(rope, 2), "rope_2");
-  const std::vector<VirtualLink> links = virtual_links(rope);
+  EXPECT_EQ(segment_count(cable), 2);
+  EXPECT_EQ(segment_name(cable, 2), "rope_2");
+  const std::vector<VirtualLink> links = virtual_links(cable);
   ASSERT_EQ(links.size(), 2U);
   EXPECT_EQ(links[0].name, "rope_wheel");
   EXPECT_EQ(links[1].name, "rope_wheel_2");
   EXPECT_EQ(links[1].station, 2U);
-  rope.closed = true;
-  EXPECT_EQ(segment_count(rope), 3);
+  cable.closed = true;
+  EXPECT_EQ(segment_count(cable), 3);
 }
 
 TEST(DeclaredNames, KnowWhatAnActuatorMoves) {

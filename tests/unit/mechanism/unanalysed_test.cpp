@@ -41,7 +41,7 @@ TEST(Unanalysed, IsNothingInAFileOfThisVersion) {
 }
 
 TEST(Unanalysed, DecidesWhereTheAnswerWouldBeWrongWithoutIt) {
-  EXPECT_EQ(list_of("", kMisdrawn), List{"misclosure of revolute 'a'!"});
+  EXPECT_EQ(list_of("", kMisdrawn), List{"closure error of revolute 'a'!"});
 }
 
 TEST(Unanalysed, FrictionWithoutALawDecidesOnlyTheStatics) {
@@ -68,15 +68,15 @@ TEST(Unanalysed, IsAnErrorOfTheAnalysisAndAWarningOfTheCheck) {
   EXPECT_TRUE(check(description, of_check));
 
   EXPECT_EQ(complaints_of(of_bind),
-            Complaints{"6:43 E0315 misclosure of revolute 'a' is not analysed yet"});
+            Complaints{"6:43 E0315 closure error of revolute 'a' is not analysed yet"});
   EXPECT_EQ(complaints_of(of_check),
-            Complaints{"6:43 W0302 misclosure of revolute 'a' is not analysed yet"});
+            Complaints{"6:43 W0302 closure error of revolute 'a' is not analysed yet"});
 }
 
 TEST(Unanalysed, IsNoMisclosureForAPassThatClosesIt) {
   Diagnostics found;
 
-  EXPECT_TRUE(bind_drawn_apart(description_of("", kMisdrawn), found));
+  EXPECT_TRUE(bind_unassembled(description_of("", kMisdrawn), found));
 
   EXPECT_EQ(complaints_of(found), Complaints{});
 }

@@ -5,9 +5,9 @@
 namespace kinestat {
 namespace {
 
-// A file without dimensions: bodies are b0 (the ground), b1, …; P_V are hinges, P_I ropes.
+// A file without dimensions: bodies are b0 (the ground), b1, …; P_V are hinges, P_I cables.
 std::string topology(int bodies,
-                     const std::vector<std::pair<int, int>>& ropes,
+                     const std::vector<std::pair<int, int>>& cables,
                      const std::vector<std::pair<int, int>>& hinges) {
   std::string text = "ground: b0\nbodies: [";
   for (int i = 1; i < bodies; ++i) {
@@ -19,7 +19,7 @@ std::string topology(int bodies,
     text += "  c" + std::to_string(++number) + ": {type: " + type + ", bodies: [b" +
             std::to_string(ends.first) + ", b" + std::to_string(ends.second) + "]}\n";
   };
-  for (const auto& ends : ropes) {
+  for (const auto& ends : cables) {
     add("cable", ends);
   }
   for (const auto& ends : hinges) {
@@ -63,7 +63,7 @@ TEST(Grubler, CountsADeviceForTheRehabilitationOfFingers) {
 }
 
 TEST(Grubler, CountsInThePlane) {
-  // Table 3.8 and eq. 3.8: the ropes of table 3.2 as chains of two hinges: M = 3 (7 - 1 - 8) + 8.
+  // Table 3.8 and eq. 3.8: the cables of table 3.2 as chains of two hinges: M = 3 (7 - 1 - 8) + 8.
   const MobilityCase one = case_of_text(
       "space: planar\n" +
       topology(7, {}, {{1, 0}, {3, 0}, {1, 5}, {3, 6}, {5, 4}, {6, 4}, {0, 2}, {2, 4}}));

@@ -91,7 +91,7 @@ TEST(Branch, OfTheAntiparallelogramIsKeptToo) {
   const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 90);
 
   ASSERT_EQ(solution.status, MotionStatus::completed);
-  EXPECT_LE(worst_misclosure(solution), 1e-12);
+  EXPECT_LE(worst_closure_error(solution), 1e-12);
   EXPECT_NEAR(subject.position(solution.configuration_at(90), "d.wz"), -2.0 * kPi, 1e-9);
 }
 
@@ -105,7 +105,7 @@ TEST_P(Neck, IsNotJumped) {
   const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 60);
 
   ASSERT_EQ(solution.status, MotionStatus::completed);
-  EXPECT_LE(worst_misclosure(solution), 1e-12);
+  EXPECT_LE(worst_closure_error(solution), 1e-12);
   for (int k = 0; k < solution.position_count(); ++k) {
     EXPECT_GT(side(subject, solution, k), 0.0) << k;
   }

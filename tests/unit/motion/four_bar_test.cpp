@@ -62,7 +62,7 @@ TEST_P(FourBarTurn, FollowsTheCouplerCurve) {
 
   ASSERT_EQ(solution.status, MotionStatus::completed);
   ASSERT_EQ(solution.position_count(), 361);
-  EXPECT_LE(worst_misclosure(solution), 1e-12);
+  EXPECT_LE(worst_closure_error(solution), 1e-12);
   const Vec3 drawn = linkage.rocker_pin(start);
   double worst = 0.0;
   for (int k = 0; k <= 360; ++k) {

@@ -39,7 +39,7 @@ class Library : public testing::TestWithParam<Subject> {
 // is no velocity of a path.
 TEST_P(Library, MovesAsItsPositionsDo) {
   ASSERT_EQ(solution_.status, MotionStatus::completed);
-  EXPECT_LE(worst_misclosure(solution_), 1e-12);
+  EXPECT_LE(worst_closure_error(solution_), 1e-12);
   const double h = GetParam().reach / 2000.0;
   for (int k = 1; k < 2000; k += 111) {
     const MotionState before = state_at(subject_, solution_.configuration_at(k - 1), 1.0);

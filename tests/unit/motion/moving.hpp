@@ -111,8 +111,8 @@ inline MotionState state_at(const Moving& subject,
       StateDetail::acceleration);
 }
 
-inline double worst_misclosure(const MotionSolution& solution) {
-  return solution.misclosures.empty() ? 1.0 : std::ranges::max(solution.misclosures);
+inline double worst_closure_error(const MotionSolution& solution) {
+  return solution.closure_errors.empty() ? 1.0 : std::ranges::max(solution.closure_errors);
 }
 
 }  // namespace kinestat

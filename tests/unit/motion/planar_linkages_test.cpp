@@ -29,7 +29,7 @@ TEST(SliderCrank, HasTheStrokeOfTheClosedForm) {
   const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 360);
 
   ASSERT_EQ(solution.status, MotionStatus::completed);
-  EXPECT_LE(worst_misclosure(solution), 1e-12);
+  EXPECT_LE(worst_closure_error(solution), 1e-12);
   const auto d = static_cast<std::size_t>(freedom_index(subject.mechanism, "d.vx"));
   for (int k = 0; k <= 360; ++k) {
     const double s = std::sin(start + k * kPi / 180.0);
@@ -90,7 +90,7 @@ TEST(SixBar, OfWattIsTwoDyads) {
   const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 720);
 
   ASSERT_EQ(solution.status, MotionStatus::completed);
-  EXPECT_LE(worst_misclosure(solution), 1e-12);
+  EXPECT_LE(worst_closure_error(solution), 1e-12);
   for (int k = 0; k <= 720; ++k) {
     const Vec3 b = turned(b0, k * kPi / 360.0);
     const Vec3 c = dyad(b, d, (c0 - b0).norm(), (c0 - d).norm(), side_of(b0, d, c0));
@@ -110,7 +110,7 @@ TEST(SixBar, OfStephensonIsTwoDyads) {
   const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 720);
 
   ASSERT_EQ(solution.status, MotionStatus::completed);
-  EXPECT_LE(worst_misclosure(solution), 1e-12);
+  EXPECT_LE(worst_closure_error(solution), 1e-12);
   for (int k = 0; k <= 720; ++k) {
     const Vec3 b = turned(b0, k * kPi / 360.0);
     const Vec3 c = dyad(b, d, (c0 - b0).norm(), (c0 - d).norm(), side_of(b0, d, c0));
@@ -164,7 +164,7 @@ TEST(Cam, LiftsItsRoundFollower) {
   const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 360);
 
   ASSERT_EQ(solution.status, MotionStatus::completed);
-  EXPECT_LE(worst_misclosure(solution), 1e-12);
+  EXPECT_LE(worst_closure_error(solution), 1e-12);
   const auto g = static_cast<std::size_t>(freedom_index(subject.mechanism, "g.vy"));
   for (int k = 0; k <= 360; ++k) {
     const Vec3 e = 1e-3 * turned({9.0, 12.0, 0.0}, k * kPi / 180.0);

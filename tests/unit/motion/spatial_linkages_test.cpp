@@ -81,7 +81,7 @@ TEST(SphericalFourBar, KeepsTheAngleOfItsCoupler) {
   const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 360);
 
   ASSERT_EQ(solution.status, MotionStatus::limit);
-  EXPECT_LE(worst_misclosure(solution), 1e-12);
+  EXPECT_LE(worst_closure_error(solution), 1e-12);
   for (int k = 0; k < solution.position_count(); ++k) {
     const double angle = subject.position(solution.configuration_at(k), "d.w");
     EXPECT_NEAR(rocker(solution.drive_value(0, k)).missed(angle), 0.0, 1e-12);
@@ -133,7 +133,7 @@ TEST(Bennett, MovesAsDrawnWithSixFigures) {
   const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 72);
 
   ASSERT_EQ(solution.status, MotionStatus::completed);
-  EXPECT_LE(worst_misclosure(solution), 1e-5);
+  EXPECT_LE(worst_closure_error(solution), 1e-5);
 }
 
 // Bennett 1903: the tangents of the half angles of neighbouring hinges keep their product.
@@ -146,7 +146,7 @@ TEST(Bennett, KeepsTheProductOfItsHalfTangents) {
   const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 90);
 
   ASSERT_EQ(solution.status, MotionStatus::completed);
-  EXPECT_LE(worst_misclosure(solution), 1e-12);
+  EXPECT_LE(worst_closure_error(solution), 1e-12);
   const double ratio = std::tan(0.5 * at_b) * std::tan(0.5 * at_a);
   for (int k = 0; k <= 90; ++k) {
     const double x = 0.5 * (at_a + solution.drive_value(0, k));
@@ -205,7 +205,7 @@ TEST(Platform, ComesToThePoseOfItsLegs) {
   const MotionSolution solution = solve_motion(subject.network, task);
 
   ASSERT_EQ(solution.status, MotionStatus::completed);
-  EXPECT_LE(worst_misclosure(solution), 1e-12);
+  EXPECT_LE(worst_closure_error(solution), 1e-12);
   const auto poses = body_poses(subject.network, solution.configuration_at(25));
   const BodyPose& found = poses[static_cast<std::size_t>(subject.body("platform").value)];
   EXPECT_LE((found.rotation - target.rotation).norm(), 1e-12);
@@ -237,7 +237,7 @@ TEST(Schatz, TurnsItsForksByTheirTangents) {
   const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 360);
 
   ASSERT_EQ(solution.status, MotionStatus::completed);
-  EXPECT_LE(worst_misclosure(solution), 1e-12);
+  EXPECT_LE(worst_closure_error(solution), 1e-12);
   for (int k = 0; k <= 360; ++k) {
     const double A = kPi / 4.0 + solution.drive_value(0, k);
     const double E = std::atan(2.0) + subject.position(solution.configuration_at(k), "f.wz");

@@ -21,7 +21,7 @@ class Ring : public ::testing::Test {
 
   static Twist moving(double speed) { return speed * unit_translation(Vec3::UnitX()); }
 
-  // A coupling whose force along x hands on that power to the head and takes it from the tail: as
+  // A coupling whose force along x transmits that power to the head and takes it from the tail: as
   // the two move differently, the coupling itself gives or takes the difference.
   void join(const std::string& name, int tail, int head, double force) {
     CouplingTopology coupling;

@@ -119,7 +119,7 @@ TEST(Action, WithSurplusPrimariesThatContradictIsInconsistent) {
   EXPECT_TRUE(solution.magnitudes.empty());
 }
 
-TEST(UnheldMotion, OfADrivenArmIsItsTurnAboutItsAxis) {
+TEST(UnconstrainedMotion, OfADrivenArmIsItsTurnAboutItsAxis) {
   const Mechanism arm = mechanism_of(
       "space: planar\nground: base\nbodies: [arm]\ncouplings:\n"
       "  a: {type: revolute, bodies: [base, arm], at: [3, 4]}\n"
@@ -128,16 +128,16 @@ TEST(UnheldMotion, OfADrivenArmIsItsTurnAboutItsAxis) {
   const StaticSolution solution = solve(arm, {known_action(arm, "motor", 1.0)});
 
   EXPECT_EQ(solution.status, SolveStatus::inconsistent);
-  ASSERT_TRUE(solution.unheld.has_value());
-  EXPECT_EQ(solution.unheld->body, BodyId{1});
-  const auto axis = find_axis(solution.unheld->twist, arm.geometry.length);
+  ASSERT_TRUE(solution.unconstrained.has_value());
+  EXPECT_EQ(solution.unconstrained->body, BodyId{1});
+  const auto axis = find_axis(solution.unconstrained->twist, arm.geometry.length);
   ASSERT_TRUE(axis && axis->point && axis->pitch);
   EXPECT_TRUE(is_near(axis->direction.cwiseAbs(), Vec3(0.0, 0.0, 1.0), kTight));
   EXPECT_TRUE(is_near(*axis->point, Vec3(3.0, 4.0, 0.0), kTight));
 }
 
 // Of two sliders, only the second is pushed.
-TEST(UnheldMotion, IsThatOfTheBodyThatIsPushed) {
+TEST(UnconstrainedMotion, IsThatOfTheBodyThatIsPushed) {
   const Mechanism sliders = mechanism_of(
       "ground: base\nbodies: [first, second]\ncouplings:\n"
       "  a: {type: prismatic, bodies: [base, first], axis: x}\n"
@@ -150,10 +150,11 @@ TEST(UnheldMotion, IsThatOfTheBodyThatIsPushed) {
       std::vector<Primary>{known_action(sliders, "p", 0.0), known_action(sliders, "q", 2.0)});
 
   EXPECT_EQ(solution.status, SolveStatus::inconsistent);
-  ASSERT_TRUE(solution.unheld.has_value());
-  EXPECT_EQ(solution.unheld->body, BodyId{2});
-  EXPECT_TRUE(is_near(solution.unheld->twist.linear.cwiseAbs(), Vec3(0.0, 1.0, 0.0), kTight));
-  EXPECT_TRUE(is_near(solution.unheld->twist.angular, Vec3::Zero(), kTight));
+  ASSERT_TRUE(solution.unconstrained.has_value());
+  EXPECT_EQ(solution.unconstrained->body, BodyId{2});
+  EXPECT_TRUE(
+      is_near(solution.unconstrained->twist.linear.cwiseAbs(), Vec3(0.0, 1.0, 0.0), kTight));
+  EXPECT_TRUE(is_near(solution.unconstrained->twist.angular, Vec3::Zero(), kTight));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kClose = 1e-12;
 
-// A rope with half a turn around a fixed drum; a brake on the virtual link holds it.
+// A cable with half a turn around a fixed drum; a brake on the virtual link holds it.
 ContactState held(double mu, double before, double after) {
   const Mechanism mechanism = mechanism_of(
       fmt::format("space: planar\n"
@@ -53,22 +53,22 @@ TEST(ContactState, SticksUpToTheLimitOfEulerAndEytelwein) {
 
   EXPECT_NEAR(at_limit.limit.value_or(0.0), limit, kClose);
   EXPECT_NEAR(at_limit.ratio.value_or(0.0), limit, kClose);
-  EXPECT_EQ(at_limit.grip, Grip::sticks);
-  EXPECT_EQ(held(0.3, 10.0 * limit, 10.0).grip, Grip::sticks);
+  EXPECT_EQ(at_limit.belt_state, BeltState::sticking);
+  EXPECT_EQ(held(0.3, 10.0 * limit, 10.0).belt_state, BeltState::sticking);
 }
 
 TEST(ContactState, WouldSlipBeyondTheLimit) {
   const double limit = std::exp(0.3 * std::numbers::pi);
 
-  EXPECT_EQ(held(0.3, 10.0, 10.001 * limit).grip, Grip::would_slip);
-  EXPECT_EQ(held(0.3, 10.001 * limit, 10.0).grip, Grip::would_slip);
+  EXPECT_EQ(held(0.3, 10.0, 10.001 * limit).belt_state, BeltState::beyond_limit);
+  EXPECT_EQ(held(0.3, 10.001 * limit, 10.0).belt_state, BeltState::beyond_limit);
 }
 
 TEST(ContactState, HasNoRatioWhereTheRopeIsSlack) {
   const ContactState state = held(0.3, 0.0, 10.0);
 
   EXPECT_FALSE(state.ratio);
-  EXPECT_EQ(state.grip, Grip::would_slip);
+  EXPECT_EQ(state.belt_state, BeltState::beyond_limit);
 }
 
 TEST(ContactState, IsUnknownWithoutMotionOnlyInItsSlip) {
@@ -76,7 +76,7 @@ TEST(ContactState, IsUnknownWithoutMotionOnlyInItsSlip) {
 
   EXPECT_FALSE(state.slip_speed);
   EXPECT_FALSE(state.slip_power);
-  EXPECT_EQ(state.grip, Grip::sticks);
+  EXPECT_EQ(state.belt_state, BeltState::sticking);
 }
 
 }  // namespace

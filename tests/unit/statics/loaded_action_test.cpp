@@ -174,12 +174,12 @@ TEST(LoadedAction, AlongAFreedomThatNothingResistsIsInconsistent) {
   // The first is held by the actuator and its guide, the second only by its guide.
   EXPECT_EQ(solution.status, SolveStatus::inconsistent);
   EXPECT_TRUE(solution.check.dependences.empty());
-  ASSERT_TRUE(solution.unheld.has_value());
-  EXPECT_EQ(solution.unheld->body, BodyId{2});
-  EXPECT_EQ(solution.unheld->loads, std::vector<int>{1});
+  ASSERT_TRUE(solution.unconstrained.has_value());
+  EXPECT_EQ(solution.unconstrained->body, BodyId{2});
+  EXPECT_EQ(solution.unconstrained->loads, std::vector<int>{1});
   EXPECT_TRUE(
-      is_near(solution.unheld->twist.linear.cwiseAbs().normalized(), Vec3::UnitY(), kTight));
-  EXPECT_TRUE(is_near(solution.unheld->twist.angular, Vec3::Zero(), kTight));
+      is_near(solution.unconstrained->twist.linear.cwiseAbs().normalized(), Vec3::UnitY(), kTight));
+  EXPECT_TRUE(is_near(solution.unconstrained->twist.angular, Vec3::Zero(), kTight));
 }
 
 TEST(LoadedAction, AcrossAFreedomThatNothingResistsIsSolved) {
@@ -211,8 +211,8 @@ TEST(LoadedAction, BesideTheMinimalOrderIsNotOverlooked) {
   const StaticSolution solution = solve_loaded(mechanism);
 
   EXPECT_EQ(solution.status, SolveStatus::inconsistent);
-  ASSERT_TRUE(solution.unheld.has_value());
-  const auto axis = find_axis(solution.unheld->twist, mechanism.geometry.length);
+  ASSERT_TRUE(solution.unconstrained.has_value());
+  const auto axis = find_axis(solution.unconstrained->twist, mechanism.geometry.length);
   ASSERT_TRUE(axis.has_value());
   EXPECT_FALSE(axis->pitch.has_value());
   EXPECT_TRUE(is_near(axis->direction.cwiseAbs(), Vec3::UnitZ(), kTight));

@@ -87,8 +87,8 @@ TEST(Pretension, LiftsTheSlackSegmentOfEachBeltToZero) {
 }
 
 TEST(Pretension, CombinesSelfStressesSoThatTheSumOfTensionsIsLeast) {
-  // A slide between ropes in one line, two to the left and one to the right: T1 + T2 = T3.
-  const Pretensioned ropes(
+  // A slide between cables in one line, two to the left and one to the right: T1 + T2 = T3.
+  const Pretensioned cables(
       "space: planar\n"
       "ground: frame\n"
       "bodies: [slide]\n"
@@ -100,14 +100,14 @@ TEST(Pretension, CombinesSelfStressesSoThatTheSumOfTensionsIsLeast) {
       "cases: {one: {action: {r1.F: -8, r2.F: 3}}}\n");
 
   // r3 is -8 + 3 = -5: r1 needs 8, which r3 bears too; r2 stays as it is.
-  EXPECT_EQ(ropes.pushed(), (Names{"r1", "r3"}));
-  EXPECT_NEAR(ropes.pretension("r1.F"), 8.0, 1e-10);
-  EXPECT_NEAR(ropes.pretension("r2.F"), 0.0, 1e-10);
-  EXPECT_NEAR(ropes.pretension("r3.F"), 8.0, 1e-10);
+  EXPECT_EQ(cables.pushed(), (Names{"r1", "r3"}));
+  EXPECT_NEAR(cables.pretension("r1.F"), 8.0, 1e-10);
+  EXPECT_NEAR(cables.pretension("r2.F"), 0.0, 1e-10);
+  EXPECT_NEAR(cables.pretension("r3.F"), 8.0, 1e-10);
 }
 
 TEST(Pretension, DoesNotExistForARopeThatNothingStretches) {
-  const Pretensioned rope(
+  const Pretensioned cable(
       "space: planar\n"
       "ground: frame\n"
       "bodies: [load]\n"
@@ -116,8 +116,8 @@ TEST(Pretension, DoesNotExistForARopeThatNothingStretches) {
       "loads: {lift: {body: load, at: [0, 0], force: [0, 12]}}\n"
       "cases: {one: {action: {}}}\n");
 
-  EXPECT_EQ(rope.pushed(), Names{"rope_1"});
-  EXPECT_FALSE(find_pretension(rope.mechanism, rope.basis, rope.solution));
+  EXPECT_EQ(cable.pushed(), Names{"rope_1"});
+  EXPECT_FALSE(find_pretension(cable.mechanism, cable.basis, cable.solution));
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ void check_known(const Dyad& known, const BurmesterSolution& solution, Tally& ta
   const bool has_digits = found.digits > 10.0;
   tally.with_digits += has_digits ? 1 : 0;
   EXPECT_LT(distance(found, known), has_digits ? 1e-9 : std::pow(10.0, 2.0 - found.digits))
-      << "digits " << found.digits << " flatness " << solution.flatness << " kind "
-      << static_cast<int>(known.kind);
+      << "digits " << found.digits << " reciprocal condition number "
+      << solution.reciprocal_condition << " kind " << static_cast<int>(known.kind);
 }
 
 TEST_P(InverseTasks, HaveTheKnownDyadsAmongTheirAnswers) {

@@ -1,4 +1,4 @@
-#include "sensitivity/internal/rubbing.hpp"
+#include "sensitivity/internal/friction_force.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,9 +43,9 @@ class LawReader {
         open_(open),
         row_errors_(equations.row_errors(magnitudes)) {}
 
-  Rubbing read(std::size_t friction) const {
+  FrictionForce read(std::size_t friction) const {
     const FrictionLawOf<Dual>& law = values_.friction_law(friction);
-    Rubbing result;
+    FrictionForce result;
     result.coupling = law.coupling;
     result.magnitude.value = law.constant;
     result.magnitude.open.assign(open_.size(), Dual(0.0));
@@ -70,7 +70,7 @@ class LawReader {
 
   void add_part(const FrictionLawOf<Dual>& law,
                 const PressingPartOf<Dual>& part,
-                Rubbing& result) const {
+                FrictionForce& result) const {
     const Vec3Of<Dual> force =
         pressing_force(values_, law, part, [&](std::size_t a) { return magnitude(a); });
     std::vector<Vec3Of<Dual>> open;
@@ -170,12 +170,12 @@ Wrench values_of(const WrenchOf<Dual>& wrench) {
   return {.moment = values_of(wrench.moment), .force = values_of(wrench.force)};
 }
 
-std::vector<Rubbing> read_rubbings(const DualCase& values,
-                                   const FactoredSide& equations,
-                                   const std::vector<double>& magnitudes,
-                                   const std::vector<std::vector<double>>& open) {
+std::vector<FrictionForce> read_friction_forces(const DualCase& values,
+                                                const FactoredSide& equations,
+                                                const std::vector<double>& magnitudes,
+                                                const std::vector<std::vector<double>>& open) {
   const LawReader reader(values, equations, magnitudes, open);
-  std::vector<Rubbing> result;
+  std::vector<FrictionForce> result;
   for (std::size_t i = 0; i < values.friction_count(); ++i) {
     result.push_back(reader.read(i));
   }

@@ -1,4 +1,4 @@
-#include "run/internal/rope_findings.hpp"
+#include "run/internal/cable_crossing_findings.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -13,7 +13,7 @@ namespace kinestat {
 
 namespace {
 
-// A station of a cable, and whether the file says that its rope may cross itself there.
+// A station of a cable, and whether the file says that its cable may cross itself there.
 struct DrawnPulley {
   const CableDescription* cable = nullptr;
   const CableStation* station = nullptr;
@@ -34,12 +34,12 @@ DrawnPulley pulley_of(const MechanismDescription& description, const CableContac
 
 }  // namespace
 
-void add_crossing_ropes(const MechanismDescription& description,
-                        const Mechanism& mechanism,
-                        const FoundMotion& motion,
-                        const Configuration& configuration,
-                        std::span<const BodyPose> poses,
-                        CaseFindings& found) {
+void add_crossing_cables(const MechanismDescription& description,
+                         const Mechanism& mechanism,
+                         const FoundMotion& motion,
+                         const Configuration& configuration,
+                         std::span<const BodyPose> poses,
+                         CaseFindings& found) {
   const auto length_of = [&](CouplingId segment) {
     const CouplingTopology& coupling = mechanism.topology.coupling(segment);
     const DrawnCoupling& drawn = motion.drawn[at(segment.value)];

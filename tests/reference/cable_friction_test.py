@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Holds belts and capstans against the closed forms of Euler and Eytelwein.
 
-Usage: rope_friction_test.py PROGRAM [unittest arguments]
+Usage: cable_friction_test.py PROGRAM [unittest arguments]
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ cases:
                     self.near(driver["limit"], limit, "limit", limit)
                     self.near(driver["ratio"], tight / 5, "ratio", tight)
                     self.assertEqual(
-                        driver["grip"], "sticks" if tight / 5 <= limit else "would slip")
+                        driver["belt_state"], "sticks" if tight / 5 <= limit else "would slip")
 
     def test_that_slips(self) -> None:
         """Tight = slack exp(mu theta), and the slip takes (tight - slack) times its speed."""
@@ -94,9 +94,9 @@ cases:
 
 
 class Capstans(ReferenceTest):
-    """exp(mu theta) against the table of davies.json, the rope being pulled either way."""
+    """exp(mu theta) against the table of davies.json, the cable being pulled either way."""
 
-    # Where the rope comes from and goes to, the axes of its ends, and full turns beside the arc.
+    # Where the cable comes from and goes to, the axes of its ends, and full turns beside the arc.
     ROUTES = {"pi": ("[-1, -9]", "y", "[1, -9]", "y", 0),
               "pi/2": ("[-1, -9]", "y", "[9, 1]", "x", 0),
               "2 pi": ("[-9, 1]", "x", "[9, 1]", "x", 1),
@@ -135,7 +135,7 @@ actuators: {{A: {{coupling: a}}, B: {{coupling: b}}}}
                     self.near(contact["limit"], row["ratio"], "limit", row["ratio"])
                     self.near(statics["actions"]["rope_2.F"], ratio, "T_2", ratio)
                     self.near(contact["ratio"], row["ratio"], "ratio", row["ratio"])
-                    self.assertEqual(contact["grip"], "slips")
+                    self.assertEqual(contact["belt_state"], "slips")
                     # Clockwise is the order of the rope: onwards at the speed 2.
                     speed = 2.0 if label == "onwards" else -2.0
                     self.near(contact["slip_speed"], speed, "slip")

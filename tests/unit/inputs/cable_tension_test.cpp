@@ -1,4 +1,4 @@
-#include "inputs/taut_ropes.hpp"
+#include "inputs/cable_tension.hpp"
 
 #include <map>
 #include <string>
@@ -15,16 +15,16 @@ constexpr double kClose = 1e-12;
 using Actions = std::map<std::string, double>;
 
 struct Found {
-  TautRopes ropes;
+  CableTension cables;
   Actions drives;  // by freedom
 };
 
 Found find(const std::string& text) {
   const Mechanism mechanism = mechanism_of(text);
-  const std::optional<TautRopes> ropes = find_taut_ropes(mechanism);
-  EXPECT_TRUE(ropes);
-  Found found{.ropes = ropes.value_or(TautRopes{}), .drives = {}};
-  for (const TautDrive& drive : found.ropes.drives) {
+  const std::optional<CableTension> cables = find_cable_tension(mechanism);
+  EXPECT_TRUE(cables);
+  Found found{.cables = cables.value_or(CableTension{}), .drives = {}};
+  for (const TensioningDrive& drive : found.cables.drives) {
     found.drives[mechanism.topology.freedom_name(drive.freedom)] = drive.action;
   }
   return found;
@@ -38,7 +38,7 @@ void expect_near(const Actions& actual, const Actions& expected) {
   }
 }
 
-// Blocks under as many pulleys as asked for, side by side, each with a rope that may slip.
+// Blocks under as many pulleys as asked for, side by side, each with a cable that may slip.
 std::string pulleys(int count) {
   std::string bodies;
   std::string couplings;
@@ -51,7 +51,7 @@ std::string pulleys(int count) {
                  " - 1, 0], axis: y}\n  b" + n + ": {type: prismatic, bodies: [frame, right" + n +
                  "], at: [" + x + " + 1, 0], axis: y}\n  e" + n +
                  ": {type: revolute, bodies: [frame, pulley" + n + "], at: [" + x + ", 5]}\n";
-    cables += "  rope" + n + ":\n    over:\n      - {body: left" + n + ", at: [" + x +
+    cables += "  cable" + n + ":\n    over:\n      - {body: left" + n + ", at: [" + x +
               " - 1, 0]}\n      - {pulley: pulley" + n +
               ", radius: 1, wrap: clockwise, slip: true}\n      - {body: right" + n + ", at: [" +
               x + " + 1, 0]}\n";
@@ -60,37 +60,37 @@ std::string pulleys(int count) {
          "cables:\n" + cables;
 }
 
-TEST(TautRopes, AreNoneWithoutRopes) {
+TEST(CableTension, AreNoneWithoutRopes) {
   const Mechanism mechanism = mechanism_of(
       "ground: frame\nbodies: [crank]\n"
       "couplings: {a: {type: revolute, bodies: [frame, crank], at: [0, 0, 0], axis: z}}\n");
 
-  EXPECT_FALSE(find_taut_ropes(mechanism));
+  EXPECT_FALSE(find_cable_tension(mechanism));
 }
 
-// The pulley and the rope move on their own: two actuators. Both ends pulled downwards: a third.
-TEST(TautRopes, OfAPulleyArePulledAtBothEnds) {
+// The pulley and the cable move on their own: two actuators. Both ends pulled downwards: a third.
+TEST(CableTension, OfAPulleyArePulledAtBothEnds) {
   const Found found = find(pulleys(1));
 
-  EXPECT_TRUE(found.ropes.is_possible);
-  EXPECT_EQ(found.ropes.segments, 2);
-  EXPECT_EQ(found.ropes.net_freedom, 2);
-  EXPECT_EQ(found.ropes.without_slip, 1);
-  EXPECT_EQ(found.ropes.actuators, 3);
-  EXPECT_TRUE(found.ropes.is_least());
+  EXPECT_TRUE(found.cables.is_possible);
+  EXPECT_EQ(found.cables.segments, 2);
+  EXPECT_EQ(found.cables.net_freedom, 2);
+  EXPECT_EQ(found.cables.without_slip, 1);
+  EXPECT_EQ(found.cables.actuators, 3);
+  EXPECT_TRUE(found.cables.is_least());
   expect_near(found.drives, {{"a0.vy", -1.0}, {"b0.vy", -1.0}});
 }
 
-TEST(TautRopes, OfTwoMachinesNeedTwoActuatorsMore) {
+TEST(CableTension, OfTwoMachinesNeedTwoActuatorsMore) {
   const Found found = find(pulleys(2));
 
-  EXPECT_EQ(found.ropes.net_freedom, 4);
-  EXPECT_EQ(found.ropes.actuators, 6);
-  EXPECT_FALSE(found.ropes.is_least());  // not known to be
+  EXPECT_EQ(found.cables.net_freedom, 4);
+  EXPECT_EQ(found.cables.actuators, 6);
+  EXPECT_FALSE(found.cables.is_least());  // not known to be
   expect_near(found.drives, {{"a0.vy", -1.0}, {"b0.vy", -1.0}, {"a1.vy", -1.0}, {"b1.vy", -1.0}});
 }
 
-TEST(TautRopes, OfABeltKeepThemselvesTaut) {
+TEST(CableTension, OfABeltKeepThemselvesTaut) {
   const Found found = find(
       "space: planar\nground: frame\nbodies: [driver, driven]\n"
       "couplings:\n"
@@ -102,14 +102,14 @@ TEST(TautRopes, OfABeltKeepThemselvesTaut) {
       "    over: [{pulley: driver, radius: 1, wrap: clockwise},\n"
       "           {pulley: driven, radius: 2, wrap: clockwise}]\n");
 
-  EXPECT_TRUE(found.ropes.is_possible);
-  EXPECT_EQ(found.ropes.segments, 2);
-  EXPECT_EQ(found.ropes.actuators, 1);
+  EXPECT_TRUE(found.cables.is_possible);
+  EXPECT_EQ(found.cables.segments, 2);
+  EXPECT_EQ(found.cables.actuators, 1);
   EXPECT_TRUE(found.drives.empty());
 }
 
-// A platform in the plane with winches: ropes from (x, 0) along (u, v), drawn in by sliders.
-std::string platform(int ropes) {
+// A platform in the plane with winches: cables from (x, 0) along (u, v), drawn in by sliders.
+std::string platform(int cables) {
   struct Rope {
     const char* at;
     const char* along;
@@ -123,7 +123,7 @@ std::string platform(int ropes) {
                       {"[-0.5, 0]", "[-1, -1]", "[-9.5, -9]"}};
   std::string bodies = "platform";
   std::string couplings;
-  for (int i = 0; i < ropes; ++i) {
+  for (int i = 0; i < cables; ++i) {
     const std::string n = std::to_string(i);
     bodies += ", winch" + n;
     couplings += "  s" + n + ": {type: prismatic, bodies: [frame, winch" + n +
@@ -134,21 +134,21 @@ std::string platform(int ropes) {
   return "space: planar\nground: frame\nbodies: [" + bodies + "]\ncouplings:\n" + couplings;
 }
 
-// n freedoms take n + 1 ropes and winches.
-TEST(TautRopes, OfAPlanarCableRobotTakeOneWinchMoreThanItsFreedoms) {
+// n freedoms take n + 1 cables and winches.
+TEST(CableTension, OfAPlanarCableRobotTakeOneWinchMoreThanItsFreedoms) {
   const Found found = find(platform(4));
 
-  EXPECT_EQ(found.ropes.net_freedom, 3);
-  EXPECT_EQ(found.ropes.actuators, 4);
-  EXPECT_TRUE(found.ropes.is_least());
+  EXPECT_EQ(found.cables.net_freedom, 3);
+  EXPECT_EQ(found.cables.actuators, 4);
+  EXPECT_TRUE(found.cables.is_least());
   expect_near(found.drives, {{"s0.v", 1.0}, {"s1.v", 1.0}, {"s2.v", 1.0}, {"s3.v", 1.0}});
 }
 
-TEST(TautRopes, OfACableRobotCannotBeTautWithAsManyRopesAsFreedoms) {
+TEST(CableTension, OfACableRobotCannotBeTautWithAsManyRopesAsFreedoms) {
   const Found found = find(platform(3));
 
-  EXPECT_EQ(found.ropes.net_freedom, 3);
-  EXPECT_FALSE(found.ropes.is_possible);
+  EXPECT_EQ(found.cables.net_freedom, 3);
+  EXPECT_FALSE(found.cables.is_possible);
   EXPECT_TRUE(found.drives.empty());
 }
 

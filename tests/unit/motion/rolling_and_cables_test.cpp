@@ -65,7 +65,7 @@ TEST(Hoist, TakesUpTheRope) {
 
   ASSERT_EQ(four.status, MotionStatus::completed);
   ASSERT_EQ(chain.status, MotionStatus::completed);
-  EXPECT_LE(worst_misclosure(four), 1e-12);
+  EXPECT_LE(worst_closure_error(four), 1e-12);
   EXPECT_NEAR(tackle.position(four.configuration_at(50), "L.vy"), 0.05, 1e-13);
   EXPECT_NEAR(tackle.position(four.configuration_at(50), "B1.wz"), 0.2 / 0.05, 1e-11);
   EXPECT_NEAR(weston.position(chain.configuration_at(50), "L.vy"), 0.05, 1e-12);
@@ -98,7 +98,7 @@ TEST(Rope, KeepsItsLengthOverADrum) {
   const MotionSolution solution = move(subject, 0.0, 2.0 * kPi, 120);
 
   ASSERT_EQ(solution.status, MotionStatus::completed);
-  EXPECT_LE(worst_misclosure(solution), 1e-12);
+  EXPECT_LE(worst_closure_error(solution), 1e-12);
   for (int k = 0; k <= 120; ++k) {
     EXPECT_NEAR(subject.position(solution.configuration_at(k), "w.vy"),
                 length(solution.drive_value(0, k)) - length(0.0),

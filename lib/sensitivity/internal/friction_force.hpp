@@ -16,7 +16,7 @@ struct Made {
 };
 
 /// One friction: its law, and the forces in it that are zero. There |R| has a corner.
-struct Rubbing {
+struct FrictionForce {
   CouplingId coupling;
   Made magnitude;
   std::vector<Made> corners;
@@ -27,9 +27,9 @@ Wrench values_of(const WrenchOf<Dual>& wrench);
 
 /// The frictions of a case, the actions being at `magnitudes`; `open` are those of the
 /// self-stresses.
-std::vector<Rubbing> read_rubbings(const DualCase& values,
-                                   const FactoredSide& equations,
-                                   const std::vector<double>& magnitudes,
-                                   const std::vector<std::vector<double>>& open);
+std::vector<FrictionForce> read_friction_forces(const DualCase& values,
+                                                const FactoredSide& equations,
+                                                const std::vector<double>& magnitudes,
+                                                const std::vector<std::vector<double>>& open);
 
 }  // namespace kinestat

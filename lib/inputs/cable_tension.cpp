@@ -1,4 +1,4 @@
-#include "inputs/taut_ropes.hpp"
+#include "inputs/cable_tension.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace kinestat {
 
 namespace {
 
-// The same mechanism with ropes that stretch: each segment has its length as a last freedom.
+// The same mechanism with cables that stretch: each segment has its length as a last freedom.
 struct Loosened {
   Mechanism mechanism;
   std::vector<int> stretches;  ///< the freedom of each segment
@@ -141,16 +141,16 @@ class Pretension {
 
   // The least sum of actions, then without each drive that can be spared, until no more than one
   // depends on the others.
-  std::optional<std::vector<TautDrive>> find_few() const {
+  std::optional<std::vector<TensioningDrive>> find_few() const {
     std::vector<std::size_t> allowed(loosened_.drivable.size());
     std::iota(allowed.begin(), allowed.end(), std::size_t{0});
-    std::optional<std::vector<TautDrive>> drives = find_among(allowed);
-    std::optional<std::vector<TautDrive>> best = drives;
+    std::optional<std::vector<TensioningDrive>> drives = find_among(allowed);
+    std::optional<std::vector<TensioningDrive>> best = drives;
     for (std::size_t i = 0; best && i < drives->size() && dependences(*best) > 1;) {
       std::vector<std::size_t> fewer = allowed;
       const int spared = (*drives)[i].freedom;
       std::erase_if(fewer, [&](std::size_t d) { return loosened_.original[d] == spared; });
-      const std::optional<std::vector<TautDrive>> found = find_among(fewer);
+      const std::optional<std::vector<TensioningDrive>> found = find_among(fewer);
       if (!found) {
         ++i;
         continue;
@@ -166,16 +166,17 @@ class Pretension {
   }
 
   // How many of the motions of the drives follow from the others.
-  int dependences(const std::vector<TautDrive>& drives) const {
+  int dependences(const std::vector<TensioningDrive>& drives) const {
     std::vector<int> freedoms;
-    for (const TautDrive& drive : drives) {
+    for (const TensioningDrive& drive : drives) {
       freedoms.push_back(drive.freedom);
     }
     return static_cast<int>(drives.size()) - rank_of(rows_of(motions_, freedoms));
   }
 
  private:
-  std::optional<std::vector<TautDrive>> find_among(const std::vector<std::size_t>& allowed) const {
+  std::optional<std::vector<TensioningDrive>> find_among(
+      const std::vector<std::size_t>& allowed) const {
     std::vector<int> freedoms;
     for (const std::size_t d : allowed) {
       freedoms.push_back(loosened_.drivable[d]);
@@ -186,7 +187,7 @@ class Pretension {
       return std::nullopt;
     }
     const auto unit = [&](int freedom) { return space_.units[static_cast<std::size_t>(freedom)]; };
-    std::vector<TautDrive> drives;
+    std::vector<TensioningDrive> drives;
     for (std::size_t i = 0; i < allowed.size(); ++i) {
       const double action = (*actions)[static_cast<Eigen::Index>(i)];
       if (action != 0.0) {
@@ -217,18 +218,18 @@ std::vector<int> slip_freedoms(const Mechanism& mechanism) {
 
 }  // namespace
 
-std::optional<TautRopes> find_taut_ropes(const Mechanism& mechanism) {
+std::optional<CableTension> find_cable_tension(const Mechanism& mechanism) {
   const Loosened loosened = loosen(mechanism);
   if (loosened.stretches.empty()) {
     return std::nullopt;
   }
   const SolutionSpace motions = minimal_space(mechanism);
-  TautRopes result;
+  CableTension result;
   result.segments = static_cast<int>(loosened.stretches.size());
   result.net_freedom = motions.dimension();
   result.without_slip = motions.dimension() - rank_of(rows_of(motions, slip_freedoms(mechanism)));
   const Pretension pretension(loosened, motions);
-  const std::optional<std::vector<TautDrive>> drives = pretension.find_few();
+  const std::optional<std::vector<TensioningDrive>> drives = pretension.find_few();
   if (drives) {
     result.is_possible = true;
     result.drives = *drives;

@@ -19,9 +19,9 @@ LeastArc PathTracker<Frames>::least_arc(const PathPoint& point) const {
   return least;
 }
 
-// In stretches so short that no rope leaves its pulley and comes back within one.
+// In stretches so short that no cable leaves its pulley and comes back within one.
 template <class Frames>
-Arrival PathTracker<Frames>::follow_ropes(PathPoint& now, PathPoint& before, double share) {
+Arrival PathTracker<Frames>::follow_cables(PathPoint& now, PathPoint& before, double share) {
   double stretch = share - now.share;
   while (now.share < share) {
     Beginning& beginning = beginning_;
@@ -39,7 +39,7 @@ Arrival PathTracker<Frames>::follow_ropes(PathPoint& now, PathPoint& before, dou
     for (std::size_t i = 0; i < now.coordinates.size(); ++i) {
       way = std::max(way, std::abs(now.coordinates[i] - beginning.point.coordinates[i]));
     }
-    if (arrival == Arrival::reached && way > kLeastRopeStep &&
+    if (arrival == Arrival::reached && way > kLeastCableStep &&
         way > std::min(arc, least_arc(beginning.point).arc)) {
       return_to(beginning, now);
       stretch *= 0.5;
@@ -63,7 +63,7 @@ void PathTracker<Frames>::return_to(const Beginning& beginning, PathPoint& now) 
   flattening_ = kUnknownFall;
 }
 
-// Between the beginning of a stretch and its end, where the arc of a rope is zero.
+// Between the beginning of a stretch and its end, where the arc of a cable is zero.
 template <class Frames>
 void PathTracker<Frames>::end_at_lift_off(const Beginning& beginning, PathPoint& now) {
   Beginning low = beginning;
@@ -94,7 +94,7 @@ void PathTracker<Frames>::end_at_lift_off(const Beginning& beginning, PathPoint&
                       .contact = contact});
 }
 
-template Arrival PathTracker<PlanarFrames>::follow_ropes(PathPoint&, PathPoint&, double);
-template Arrival PathTracker<SpatialFrames>::follow_ropes(PathPoint&, PathPoint&, double);
+template Arrival PathTracker<PlanarFrames>::follow_cables(PathPoint&, PathPoint&, double);
+template Arrival PathTracker<SpatialFrames>::follow_cables(PathPoint&, PathPoint&, double);
 
 }  // namespace kinestat

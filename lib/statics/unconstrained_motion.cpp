@@ -1,4 +1,4 @@
-#include "statics/unheld_motion.hpp"
+#include "statics/unconstrained_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +28,10 @@ Twist motion_of(BodyId body, const VecX& motion, const CoordinateBasis& basis) {
 }
 
 // The body that moves most, with its motion of the mechanism's length a second.
-UnheldMotion greatest_motion(const VecX& motion,
-                             const CoordinateBasis& basis,
-                             const Geometry& geometry) {
-  UnheldMotion greatest;
+UnconstrainedMotion greatest_motion(const VecX& motion,
+                                    const CoordinateBasis& basis,
+                                    const Geometry& geometry) {
+  UnconstrainedMotion greatest;
   double largest = 0.0;
   for (int b = 1; b <= motion.size() / basis.order(); ++b) {
     const Twist twist = motion_of(BodyId{b}, motion, basis);
@@ -95,10 +95,10 @@ Transposed transpose(const Mechanism& mechanism,
 
 }  // namespace
 
-std::optional<UnheldMotion> find_unheld_motion(const Mechanism& mechanism,
-                                               const CoordinateBasis& basis,
-                                               std::span<const Primary> primaries,
-                                               std::span<const BodyWrench> loads) {
+std::optional<UnconstrainedMotion> find_unconstrained_motion(const Mechanism& mechanism,
+                                                             const CoordinateBasis& basis,
+                                                             std::span<const Primary> primaries,
+                                                             std::span<const BodyWrench> loads) {
   Transposed transposed = transpose(mechanism, basis, primaries, loads);
   VecX worst;
   double most = 0.0;
@@ -112,9 +112,9 @@ std::optional<UnheldMotion> find_unheld_motion(const Mechanism& mechanism,
   if (most == 0.0) {
     return std::nullopt;
   }
-  UnheldMotion unheld = greatest_motion(worst, basis, mechanism.geometry);
-  unheld.loads = working_loads(worst, basis, loads);
-  return unheld;
+  UnconstrainedMotion unconstrained = greatest_motion(worst, basis, mechanism.geometry);
+  unconstrained.loads = working_loads(worst, basis, loads);
+  return unconstrained;
 }
 
 }  // namespace kinestat
