@@ -76,7 +76,7 @@ class LawWriter {
         touching_along_line();
         break;
       case cable:
-        cable();
+        cable_path();
         break;
     }
     return std::move(law_);
@@ -312,7 +312,7 @@ class LawWriter {
   }
 
   // Without pulleys it is a rod between two points.
-  void cable() {
+  void cable_path() {
     law_.kind = LawKind::contact;
     const CableStationGeometry tail = drawn_.from.value_or(
         CableStationGeometry{.centre = geometry_.from, .meets = {}, .leaves = {}});
