@@ -38,7 +38,8 @@ Ladder find_ladder(const Analysis& analysis) {
   Ladder ladder;
   const ShiftSolution& solution = analysis.shift->solution;
   for (std::size_t s = 0; s < solution.table.steps.size(); ++s) {
-    const std::optional<double> ratio = gear_values(analysis, s).ratios.front();
+    const std::optional<double> ratio =
+        gear_ratios(analysis, s, gear_values(analysis, s)).front().ratio.value;
     if (ratio && *ratio != 0.0) {
       (*ratio > 0.0 ? ladder.forward : ladder.reverse)
           .push_back({.name = solution.states[s].name, .ratio = *ratio});

@@ -78,11 +78,13 @@ class MatrixDrawing {
       const GearValues values = gear_values(analysis_, s);
       const CaseAnalysis& one = *find_gear_case(analysis_, solution_.states[s]);
       std::string ratios;
-      for (const std::optional<double>& value : values.ratios) {
+      for (const RatiosInUnits& to_output : gear_ratios(analysis_, s, values)) {
+        const std::optional<double>& value = to_output.ratio.value;
         ratios += (ratios.empty() ? "" : " / ") + (value ? label_number(*value) : std::string("–"));
       }
       ratio.cells.push_back(std::move(ratios));
-      step.cells.push_back(values.step ? label_number(*values.step) : "");
+      const std::optional<double>& jump = solution_.table.steps[s];
+      step.cells.push_back(jump ? label_number(*jump) : "");
       const std::optional<double> share =
           one.efficiency ? one.efficiency->carrier.value : std::nullopt;
       efficiency.cells.push_back(share ? label_number(*share) : "");

@@ -171,7 +171,7 @@ void add_ratios(const Analysis& analysis, Sentences& sentences) {
   for (const CaseAnalysis& one : analysis.cases) {
     if (one.ratios) {
       const RatioInUnits ratio =
-          ratio_in_units(one, analysis.mechanism, analysis.description.units);
+          ratios_in_units(one, analysis.mechanism, analysis.description.units).ratio;
       ratios.add(one.which.label, ratio.value);
       unit = ratio.unit.empty() ? unit : fmt::format(" [{}]", ratio.unit);
     }

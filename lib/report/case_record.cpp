@@ -51,8 +51,8 @@ const Record<Ratios>& ratio_evidence_record() {
 
 auto read_ratio(RatioInUnits RatiosInUnits::*which) {
   return [which](const CaseView& v) {
-    const RatiosInUnits ratios = ratios_in_units(
-        *v.one.ratios, v.one.which, v.analysis.mechanism, v.analysis.description.units);
+    const RatiosInUnits ratios =
+        ratios_in_units(v.one, v.analysis.mechanism, v.analysis.description.units);
     return std::pair((ratios.*which).value, (ratios.*which).unit);
   };
 }

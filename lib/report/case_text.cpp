@@ -45,8 +45,7 @@ std::string known_text(const Topology& topology, const Case& which, const InUnit
 std::string ratio_text(const CaseAnalysis& one,
                        const Mechanism& mechanism,
                        const FileUnits& units) {
-  const RatioInUnits ratio = ratio_in_units(one, mechanism, units);
-  const RatioInUnits torque = torque_ratio_in_units(one, mechanism, units);
+  const auto [ratio, torque] = ratios_in_units(one, mechanism, units);
   const auto shown = [](const RatioInUnits& r) {
     return format_short(*r.value) + (r.unit.empty() ? "" : " " + r.unit);
   };

@@ -28,26 +28,23 @@ bool turns(const Mechanism& mechanism, int actuator) {
 }  // namespace
 
 RatiosInUnits ratios_in_units(const Ratios& ratios,
-                              const Case& which,
+                              const RatioEnds& ends,
                               const Mechanism& mechanism,
                               const FileUnits& units) {
-  const bool input_turns = turns(mechanism, which.inputs.front());
-  const bool output_turns = turns(mechanism, which.outputs.front());
+  const bool input_turns = turns(mechanism, ends.input);
+  const bool output_turns = turns(mechanism, ends.output);
   return {.ratio = converted(ratios.ratio, rate_kind(input_turns), rate_kind(output_turns), units),
           .torque_ratio = converted(
               ratios.torque_ratio, action_kind(input_turns), action_kind(output_turns), units)};
 }
 
-RatioInUnits ratio_in_units(const CaseAnalysis& one,
-                            const Mechanism& mechanism,
-                            const FileUnits& units) {
-  return ratios_in_units(*one.ratios, one.which, mechanism, units).ratio;
-}
-
-RatioInUnits torque_ratio_in_units(const CaseAnalysis& one,
-                                   const Mechanism& mechanism,
-                                   const FileUnits& units) {
-  return ratios_in_units(*one.ratios, one.which, mechanism, units).torque_ratio;
+RatiosInUnits ratios_in_units(const CaseAnalysis& one,
+                              const Mechanism& mechanism,
+                              const FileUnits& units) {
+  return ratios_in_units(*one.ratios,
+                         {.input = one.which.inputs.front(), .output = one.which.outputs.front()},
+                         mechanism,
+                         units);
 }
 
 }  // namespace kinestat

@@ -19,20 +19,20 @@ struct RatiosInUnits {
   RatioInUnits torque_ratio;  ///< in the action unit of the input per that of the output
 };
 
-/// Of the first input and the first output of the case.
+/// The two actuators of a ratio.
+struct RatioEnds {
+  int input = 0;
+  int output = 0;
+};
+
 RatiosInUnits ratios_in_units(const Ratios& ratios,
-                              const Case& which,
+                              const RatioEnds& ends,
                               const Mechanism& mechanism,
                               const FileUnits& units);
 
-/// i, in the rate unit of the input per that of the output. The case must have ratios.
-RatioInUnits ratio_in_units(const CaseAnalysis& one,
-                            const Mechanism& mechanism,
-                            const FileUnits& units);
-
-/// Γ, in the action unit of the input per that of the output. The case must have ratios.
-RatioInUnits torque_ratio_in_units(const CaseAnalysis& one,
-                                   const Mechanism& mechanism,
-                                   const FileUnits& units);
+/// Of the first input and the first output of the case, which must have ratios.
+RatiosInUnits ratios_in_units(const CaseAnalysis& one,
+                              const Mechanism& mechanism,
+                              const FileUnits& units);
 
 }  // namespace kinestat

@@ -20,9 +20,10 @@ const std::string& name_of_element(const Analysis& analysis, int element) {
 struct StateView {
   const Analysis& analysis;
   const NamedShiftState& state;
-  std::optional<GearValues> gear;  // empty of what is no gear
-
-  const FileUnits& units() const { return analysis.description.units; }
+  std::optional<GearValues> gear = {};     // empty of what is no gear, as all below
+  std::vector<RatiosInUnits> ratios = {};  // to each output
+  const CaseAnalysis* one = nullptr;       // its case
+  std::optional<double> step = {};
 };
 
 bool is_gear(const StateView& v) {
@@ -32,28 +33,26 @@ bool is_gear(const StateView& v) {
 // What it leaves free, and why it has no ratio.
 std::string reason_of(const StateView& v) {
   std::string reason = v.state.reason;
-  for (const std::string& more : v.gear ? v.gear->reasons : std::vector<std::string>()) {
-    reason += (reason.empty() || more.empty() ? "" : "; ") + more;
+  for (const Ratios& ratios : v.gear ? v.gear->ratios : std::vector<Ratios>()) {
+    reason += (reason.empty() || ratios.reason.empty() ? "" : "; ") + ratios.reason;
   }
   return reason;
 }
 
 // One output has its value, several a value each by name.
-auto write_by_output(std::vector<std::optional<double>> GearValues::*member) {
-  return [member](const StateView& v, Archive& to) {
-    const std::vector<std::optional<double>> values =
-        v.gear ? *v.gear.*member : std::vector<std::optional<double>>{{}};
-    if (values.size() == 1) {
-      to.number(values.front(), {});
+auto write_by_output(RatioInUnits RatiosInUnits::*which) {
+  return [which](const StateView& v, Archive& to) {
+    if (v.ratios.size() <= 1) {
+      to.number(v.ratios.empty() ? std::nullopt : (v.ratios.front().*which).value, {});
       return;
     }
     to.begin_map();
-    for (std::size_t o = 0; o < values.size(); ++o) {
+    for (std::size_t o = 0; o < v.ratios.size(); ++o) {
       Property output;
       output.key = output.table_quantity =
           name_of_actuator(v.analysis, v.analysis.shift->plan.outputs[o]);
       if (to.begin(output)) {
-        to.number(values[o], {});
+        to.number((v.ratios[o].*which).value, {});
         to.end(output);
       }
     }
@@ -99,65 +98,52 @@ const Record<CaseAnalysis>& gear_efficiency_record() {
 }
 
 struct ElementView {
-  std::optional<double> torque;  // in the units of the file, as the slip
+  std::optional<double> torque;
   std::optional<double> slip;
-  const FileUnits& units;
 };
 
 const Record<ElementView>& element_record() {
   using View = ElementView;
   static const Record<View> record("One element.", [](Record<View>& keys) {
-    keys.converted(
-        "torque",
-        QuantityKind::moment,
-        "Torque of tail on head; zero of an open element.",
-        [](const View& v) { return std::pair(v.torque, v.units.text(QuantityKind::moment)); });
-    keys.converted("slip",
-                   QuantityKind::angular_velocity,
-                   "Speed of head relative to tail; zero of an engaged element.",
-                   [](const View& v) {
-                     return std::pair(v.slip, v.units.text(QuantityKind::angular_velocity));
-                   });
+    keys.quantity("torque",
+                  QuantityKind::moment,
+                  "Torque of tail on head; zero of an open element.",
+                  [](const View& v) { return v.torque; });
+    keys.quantity("slip",
+                  QuantityKind::angular_velocity,
+                  "Speed of head relative to tail; zero of an engaged element.",
+                  [](const View& v) { return v.slip; });
   });
   return record;
 }
 
-struct LoadedView {
-  LoadedCoupling loaded;
-  const FileUnits& units;
-};
-
-// `what` begins the sentence.
 auto fill_loaded() {
-  return [](Record<LoadedView>& keys) {
-    keys.text(
-        "coupling", "Name of the coupling.", [](const LoadedView& v) { return v.loaded.name; });
-    keys.converted("force", QuantityKind::force, "Size of its force.", [](const LoadedView& v) {
-      return std::pair(std::optional(v.loaded.force), v.units.text(QuantityKind::force));
-    });
+  return [](Record<LoadedCoupling>& keys) {
+    keys.text("coupling", "Name of the coupling.", [](const LoadedCoupling& v) { return v.name; });
+    keys.quantity("force",
+                  QuantityKind::force,
+                  "Size of its force.",
+                  [](const LoadedCoupling& v) { return std::optional(v.force); })
+        .at_least(0);
   };
 }
 
-const Record<LoadedView>& worst_bearing_record() {
-  static const Record<LoadedView> record(
+const Record<LoadedCoupling>& worst_bearing_record() {
+  static const Record<LoadedCoupling> record(
       "The revolute or other guiding coupling with the largest force of the gear; null where no "
       "force is known.",
       fill_loaded());
   return record;
 }
 
-const Record<LoadedView>& worst_mesh_record() {
-  static const Record<LoadedView> record(
+const Record<LoadedCoupling>& worst_mesh_record() {
+  static const Record<LoadedCoupling> record(
       "The mesh with the largest force of the gear; null where no force is known.", fill_loaded());
   return record;
 }
 
 auto read_loaded(std::optional<LoadedCoupling> GearValues::*member) {
-  return [member](const StateView& v) {
-    const std::optional<LoadedCoupling>& loaded = *v.gear.*member;
-    using View = std::optional<LoadedView>;
-    return loaded ? View({.loaded = *loaded, .units = v.units()}) : View();
-  };
+  return [member](const StateView& v) { return *v.gear.*member; };
 }
 
 void emit_elements(const StateView& v, const Each<ElementView>& each) {
@@ -165,8 +151,7 @@ void emit_elements(const StateView& v, const Each<ElementView>& each) {
   for (int e = 0; e < count; ++e) {
     each(name_of_element(v.analysis, e),
          {.torque = v.gear->torques[static_cast<std::size_t>(e)],
-          .slip = v.gear->slips[static_cast<std::size_t>(e)],
-          .units = v.units()});
+          .slip = v.gear->slips[static_cast<std::size_t>(e)]});
   }
 }
 
@@ -175,19 +160,19 @@ void add_gear(Record<StateView>& keys) {
               Bare::number,
               "Ratio of the next lower forward gear over its own; null for the first gear and for "
               "reverse gears.",
-              [](const StateView& v) { return v.gear->step; })
+              [](const StateView& v) { return v.step; })
       .only_if(is_gear);
   keys.custom("torque_ratio",
               by_output_shape(Told::action_ratio),
               "Action of the input over that of the output without losses, of several outputs by "
               "name.",
-              write_by_output(&GearValues::torque_ratios))
+              write_by_output(&RatiosInUnits::torque_ratio))
       .only_if(is_gear);
   keys.word("direction",
             {"forward", "reverse"},
             "Sign of the ratio of the first output.",
             [](const StateView& v) {
-              const std::optional<double>& first = v.gear->ratios.front();
+              const std::optional<double>& first = v.gear->ratios.front().ratio;
               using Word = std::optional<std::string_view>;
               return first ? Word(*first > 0.0 ? "forward" : "reverse") : Word();
             })
@@ -195,15 +180,15 @@ void add_gear(Record<StateView>& keys) {
       .only_if(is_gear);
   keys.part("efficiency",
             gear_efficiency_record(),
-            [](const StateView& v) -> const CaseAnalysis& {
-              return *find_gear_case(v.analysis, v.state);
-            })
+            [](const StateView& v) -> const CaseAnalysis& { return *v.one; })
       .only_if(is_gear);
   keys.number("recirculation",
               Bare::number,
               "Largest power that a coupling transmits over the input power; above 1 power "
               "circulates.",
-              [](const StateView& v) { return v.gear->recirculation; })
+              [](const StateView& v) {
+                return v.one->power_graph ? v.one->power_graph->factor : std::nullopt;
+              })
       .only_if(is_gear);
   keys.map("elements", element_record(), "Every shift element of the gear by name.", emit_elements)
       .in_tables_as("")
@@ -253,7 +238,7 @@ const Record<StateView>& state_record() {
                 by_output_shape(Told::rate_ratio),
                 "Rate of the input over that of the output, of several outputs by name; null "
                 "where it does not exist.",
-                write_by_output(&GearValues::ratios));
+                write_by_output(&RatiosInUnits::ratio));
     add_gear(keys);
   });
   return record;
@@ -262,13 +247,13 @@ const Record<StateView>& state_record() {
 void emit_states(const Analysis& v, const Each<StateView>& each) {
   const std::vector<NamedShiftState>& states = v.shift->solution.states;
   for (std::size_t s = 0; s < states.size(); ++s) {
-    std::optional<GearValues> gear;
-    if (states[s].state.kind == ShiftClass::gear) {
-      gear = gear_values(v, s);
+    StateView view{.analysis = v, .state = states[s], .one = find_gear_case(v, states[s])};
+    if (view.one != nullptr) {
+      view.gear = gear_values(v, s);
+      view.ratios = gear_ratios(v, s, *view.gear);
+      view.step = v.shift->solution.table.steps[s];
     }
-    each(states[s].name,
-         {.analysis = v, .state = states[s], .gear = std::move(gear)},
-         word_of(states[s].state.kind));
+    each(states[s].name, view, word_of(states[s].state.kind));
   }
 }
 

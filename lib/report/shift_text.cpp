@@ -8,6 +8,7 @@
 #include "core/contract.hpp"
 #include "core/utf8.hpp"
 #include "report/gear_values.hpp"
+#include "report/in_units.hpp"
 #include "report/numbers.hpp"
 
 namespace kinestat {
@@ -25,15 +26,29 @@ std::string number_or_dash(const std::optional<double>& value) {
   return value ? format_short(*value) : "-";
 }
 
+struct ShownGear {
+  const CaseAnalysis& one;
+  GearValues values;
+  std::vector<RatiosInUnits> ratios;
+  std::optional<double> step;
+};
+
 class ShiftTables {
  public:
   explicit ShiftTables(const Analysis& analysis)
       : analysis_(analysis),
         topology_(analysis.mechanism.topology),
         plan_(analysis.shift->plan),
-        solution_(analysis.shift->solution) {
+        solution_(analysis.shift->solution),
+        in_(analysis.description.units) {
     for (std::size_t s = 0; s < solution_.table.steps.size(); ++s) {
-      gears_.push_back(gear_values(analysis, s));
+      const CaseAnalysis& one = *find_gear_case(analysis, solution_.states[s]);
+      GearValues values = gear_values(analysis, s);
+      std::vector<RatiosInUnits> ratios = gear_ratios(analysis, s, values);
+      gears_.push_back({.one = one,
+                        .values = std::move(values),
+                        .ratios = std::move(ratios),
+                        .step = solution_.table.steps[s]});
     }
   }
 
@@ -99,7 +114,7 @@ class ShiftTables {
   template <class Cell>
   void add_column(std::string head, const Cell& cell, std::vector<TextColumn>& columns) const {
     TextColumn column{.head = std::move(head), .cells = {}};
-    for (const GearValues& gear : gears_) {
+    for (const ShownGear& gear : gears_) {
       column.cells.push_back(cell(gear));
     }
     columns.push_back(std::move(column));
@@ -113,7 +128,7 @@ class ShiftTables {
     bool is_lossy = false;
     bool has_losses = false;
     for (std::size_t s = 0; s < gears_.size(); ++s) {
-      const CaseAnalysis& one = *find_gear_case(analysis_, solution_.states[s]);
+      const CaseAnalysis& one = gears_[s].one;
       const auto& lossy = one.efficiency;
       carrier.cells.push_back(number_or_dash(lossy ? lossy->carrier.value : std::nullopt));
       absolute.cells.push_back(number_or_dash(lossy ? lossy->absolute.value : std::nullopt));
@@ -140,22 +155,27 @@ class ShiftTables {
       const std::string to = plan_.outputs.size() == 1 ? "" : " " + actuator_name(plan_.outputs[o]);
       add_column(
           "ratio" + to,
-          [o](const GearValues& gear) { return number_or_dash(gear.ratios[o]); },
+          [o](const ShownGear& gear) { return number_or_dash(gear.ratios[o].ratio.value); },
           columns);
     }
     add_column(
         "step",
-        [](const GearValues& gear) { return gear.step ? number_or_dash(gear.step) : ""; },
+        [](const ShownGear& gear) { return gear.step ? number_or_dash(gear.step) : ""; },
         columns);
     add_efficiencies(columns);
     if (plan_.outputs.size() == 1 && plan_.asks_actions) {
       add_column(
           "torque ratio",
-          [](const GearValues& gear) { return number_or_dash(gear.torque_ratios.front()); },
+          [](const ShownGear& gear) {
+            return number_or_dash(gear.ratios.front().torque_ratio.value);
+          },
           columns);
       add_column(
           "recirculation",
-          [](const GearValues& gear) { return number_or_dash(gear.recirculation); },
+          [](const ShownGear& gear) {
+            return number_or_dash(gear.one.power_graph ? gear.one.power_graph->factor
+                                                       : std::nullopt);
+          },
           columns);
     }
     return TextBlocks(columns);
@@ -166,7 +186,8 @@ class ShiftTables {
     for (std::size_t s = 0; s < gears_.size(); ++s) {
       const std::string& reason = solution_.states[s].reason;
       text += reason.empty() ? "" : fmt::format("  {}: {}\n", name_of(static_cast<int>(s)), reason);
-      for (const std::string& no_ratio : gears_[s].reasons) {
+      for (const Ratios& to_output : gears_[s].values.ratios) {
+        const std::string& no_ratio = to_output.reason;
         text += no_ratio.empty()
                     ? ""
                     : fmt::format("  {}: {}\n", name_of(static_cast<int>(s)), no_ratio);
@@ -215,31 +236,27 @@ class ShiftTables {
     if (gears_.empty()) {
       return {};
     }
-    const FileUnits& units = analysis_.description.units;
     TextBlocks blocks;
     if (plan_.asks_actions) {
-      blocks += values_blocks(
-          fmt::format("Torque [{}]", units.text(QuantityKind::moment)), &GearValues::torques, true);
+      blocks += values_blocks("Torque", QuantityKind::moment, &GearValues::torques, true);
     }
     blocks += loads_blocks();
     return blocks +=
-           values_blocks(fmt::format("Slip [{}]", units.text(QuantityKind::angular_velocity)),
-                         &GearValues::slips,
-                         false);
+           values_blocks("Slip", QuantityKind::angular_velocity, &GearValues::slips, false);
   }
 
   // The most loaded bearing and mesh of each gear, where any force is known.
   TextBlocks loads_blocks() const {
-    const std::string unit = analysis_.description.units.text(QuantityKind::force);
+    const std::string unit = in_.units().text(QuantityKind::force);
     std::vector<TextColumn> columns = {names("Most loaded", 0, gears_.size())};
     bool has_any = false;
     const auto add = [&](const char* kind, std::optional<LoadedCoupling> GearValues::*member) {
       TextColumn name{.head = kind, .cells = {}};
       TextColumn force{.head = fmt::format("force [{}]", unit), .cells = {}};
-      for (const GearValues& gear : gears_) {
-        const std::optional<LoadedCoupling>& one = gear.*member;
+      for (const ShownGear& gear : gears_) {
+        const std::optional<LoadedCoupling>& one = gear.values.*member;
         name.cells.push_back(one ? one->name : "-");
-        force.cells.push_back(one ? format_short(one->force) : "-");
+        force.cells.push_back(one ? format_short(in_.force(one->force)) : "-");
         has_any = has_any || one.has_value();
       }
       columns.push_back(std::move(name));
@@ -250,9 +267,11 @@ class ShiftTables {
     return has_any ? TextBlocks(columns) : TextBlocks();
   }
 
-  TextBlocks values_blocks(const std::string& head,
+  TextBlocks values_blocks(const char* what,
+                           QuantityKind kind,
                            std::vector<std::optional<double>> GearValues::*values,
                            bool of_engaged) const {
+    const std::string head = fmt::format("{} [{}]", what, in_.units().text(kind));
     std::vector<TextColumn> columns = {names(head.c_str(), 0, gears_.size())};
     TextColumn largest{.head = "largest size", .cells = {}};
     std::vector<std::optional<double>> sizes(gears_.size(), 0.0);
@@ -261,7 +280,8 @@ class ShiftTables {
       for (std::size_t s = 0; s < gears_.size(); ++s) {
         const bool is_engaged =
             std::ranges::binary_search(solution_.states[s].engaged, static_cast<int>(e));
-        const std::optional<double>& value = (gears_[s].*values)[e];
+        const std::optional<double>& si = (gears_[s].values.*values)[e];
+        const auto value = si ? std::optional(in_.of(kind, *si)) : std::nullopt;
         column.cells.push_back(is_engaged == of_engaged ? number_or_dash(value) : kOpen);
         if (is_engaged == of_engaged) {
           sizes[s] = value && sizes[s] ? std::optional(std::max(*sizes[s], std::abs(*value)))
@@ -295,7 +315,8 @@ class ShiftTables {
   const Topology& topology_;
   const ShiftPlan& plan_;
   const ShiftSolution& solution_;
-  std::vector<GearValues> gears_;
+  InUnits in_;
+  std::vector<ShownGear> gears_;
 };
 
 }  // namespace
