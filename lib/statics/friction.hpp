@@ -13,7 +13,9 @@ namespace kinestat {
 /// Solves for the actions together with the friction that they cause: f_i = law_i(ψ(f)), in which
 /// ψ is affine in f. The friction grows from nothing to its full size while the solution is
 /// followed, so that of several solutions the one that belongs to the motion is found. Where the
-/// actions grow without bound before it has its full size, the status is `locked`. The friction of
+/// actions grow without bound before it has its full size, the status is `locked`. Where that
+/// solution would have surfaces pull on each other that can only push, or there is none, the one in
+/// which they push counts, if there is one. The friction of
 /// a law that needs an action which equilibrium leaves open is open too, and so is every action
 /// that depends on it: they count as undetermined and have no value.
 [[nodiscard]] StaticSolution solve_with_friction(const Mechanism& mechanism,

@@ -10,6 +10,7 @@
 #include "core/tolerance.hpp"
 #include "kinematics/bounded_motion.hpp"
 #include "math/dual_vector.hpp"
+#include "statics/one_sided_action.hpp"
 
 namespace kinestat {
 
@@ -252,8 +253,12 @@ FrictionLawOf<Scalar> contact(const SlidingOf<Scalar>& s) {
       value_of(speed) > 0.0 ? Vec3Of<Scalar>(-velocity / speed) : Vec3Of<Scalar>::Zero();
   FrictionLawOf<Scalar> law = law_of(s, unit_force<Scalar>(direction, s.at), speed, false);
   const CouplingTopology& coupling = s.topology.coupling(s.friction.coupling);
-  const Vec3Of<Scalar> normal = s.unit_action(normal_action(s.topology, coupling)).force;
+  const int pressing = normal_action(s.topology, coupling);
+  const Vec3Of<Scalar> normal = s.unit_action(pressing).force;
   law.parts = {force_part<Scalar>(normal * normal.transpose(), s.friction.mu)};
+  if (only_pushes(coupling.type)) {
+    law.pushed_by = pressing;
+  }
   return law;
 }
 

@@ -54,6 +54,8 @@ struct FrictionLawOf {
   Scalar constant = 0.0;  ///< what does not depend on the load [N·m or N]
   std::vector<PressingPartOf<Scalar>> parts;
   std::vector<IgnoredPartOf<Scalar>> ignored;
+  std::optional<int> pushed_by;  ///< of surfaces that part rather than pull: the action, never
+                                 ///< negative, of which the magnitude is the first part's weight
 };
 
 using PressingPart = PressingPartOf<double>;

@@ -22,12 +22,12 @@ std::vector<int> find_negative(const StaticSolution& solution, const std::vector
   return negative;
 }
 
+}  // namespace
+
 bool only_pushes(CouplingType type) {
   return type == CouplingType::point_contact || type == CouplingType::cam ||
          type == CouplingType::line_contact;
 }
-
-}  // namespace
 
 std::vector<int> find_tensions(const Topology& topology) {
   std::vector<int> tensions;
