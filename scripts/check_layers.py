@@ -29,6 +29,7 @@ MAY_INCLUDE: dict[str, set[str]] = {
         "record": "core expression",
         "description": "core expression",
         "io": "core expression description",
+        "format": "core expression description io",
         "graph": "core",
         "screw": "core math expression record",
         "mechanism": "core math expression record description graph screw",
@@ -46,7 +47,7 @@ MAY_INCLUDE: dict[str, set[str]] = {
         "sweep": f"{_BOTH_SIDES} description power shift",
     }.items()
 }
-MAY_INCLUDE["report"] = set(MAY_INCLUDE) - {"io"}
+MAY_INCLUDE["report"] = set(MAY_INCLUDE) - {"io", "format"}
 MAY_INCLUDE["plot"] = MAY_INCLUDE["report"] | {"report"}
 MAY_INCLUDE["run"] = set(MAY_INCLUDE)
 MAY_INCLUDE["app"] = {"core", "run"}
@@ -56,7 +57,7 @@ LIBRARY = set(MAY_INCLUDE) - {"app"}
 # A header of others begins with ... : it may be included by ...
 THIRD_PARTY: dict[str, set[str]] = {
     "yaml-cpp/": {"io"},
-    "nlohmann/": {"report"},
+    "nlohmann/": {"format", "report"},
     "Eigen/": {"math"},  # and core/types.hpp, see EIGEN_CORE
     "fmt/": LIBRARY,
     "CLI/": {"app"},

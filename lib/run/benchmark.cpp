@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "io/mechanism_reader.hpp"
+#include "format/mechanism_reader.hpp"
 #include "io/yaml_tree.hpp"
 #include "mechanism/bind.hpp"
 #include "report/benchmark_report.hpp"

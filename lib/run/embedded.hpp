@@ -5,9 +5,6 @@
 
 namespace kinestat {
 
-/// The files of schemas/: "mechanism", "report", "comparison", "diagnostics".
-std::span<const EmbeddedText> embedded_schemas();
-
 /// Commented mechanism files to begin with, named by their kind.
 std::span<const EmbeddedText> embedded_starters();
 

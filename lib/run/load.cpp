@@ -9,7 +9,7 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "expression/parameters.hpp"
-#include "io/mechanism_reader.hpp"
+#include "format/mechanism_reader.hpp"
 #include "io/yaml_tree.hpp"
 #include "mechanism/bind.hpp"
 #include "run/gears.hpp"

@@ -6,24 +6,24 @@
 
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "format/schema.hpp"
 #include "report/record_schema.hpp"
-#include "run/embedded.hpp"
 
 namespace kinestat {
 
 Outcome schema_text(const std::string& name) {
   Outcome outcome;
-  std::vector<std::string> names = names_of(embedded_schemas());
+  if (name == "mechanism") {
+    outcome.out = mechanism_schema();
+    return outcome;
+  }
+  std::vector<std::string> names = {"mechanism"};
   for (const NamedSchema& schema : record_schemas()) {
     if (schema.name == name) {
       outcome.out = schema.text;
       return outcome;
     }
     names.push_back(schema.name);
-  }
-  if (const EmbeddedText* schema = find_text(embedded_schemas(), name)) {
-    outcome.out = schema->text;
-    return outcome;
   }
   std::ranges::sort(names);
   const std::string guess = did_you_mean(name, names);

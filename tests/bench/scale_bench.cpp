@@ -19,9 +19,9 @@
 #include <fmt/format.h>
 
 #include "bench_program.hpp"
+#include "format/mechanism_reader.hpp"
 #include "graph/structural_rank.hpp"
 #include "interleave.hpp"
-#include "io/mechanism_reader.hpp"
 #include "io/yaml_tree.hpp"
 #include "kinematics/velocity.hpp"
 #include "klu_solve.hpp"

@@ -8,8 +8,8 @@
 
 #include "bench_program.hpp"
 #include "dense_statics.hpp"
+#include "format/mechanism_reader.hpp"
 #include "interleave.hpp"
-#include "io/mechanism_reader.hpp"
 #include "io/read_file.hpp"
 #include "io/yaml_tree.hpp"
 #include "kinematics/velocity.hpp"

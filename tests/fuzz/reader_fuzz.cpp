@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
+#include "format/mechanism_reader.hpp"
 #include "fuzz/diagnostic_invariants.hpp"
 #include "fuzz/require.hpp"
-#include "io/mechanism_reader.hpp"
 #include "io/yaml_tree.hpp"
 #include "mechanism/bind.hpp"
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "io/mechanism_reader.hpp"
+#include "format/mechanism_reader.hpp"
 #include "mechanism/bind.hpp"
 #include "run/certainty_findings.hpp"
 #include "run/certified_cases.hpp"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/mechanism_reader.hpp"
+#include "format/mechanism_reader.hpp"
 #include "mechanism/bind.hpp"
 
 namespace kinestat {

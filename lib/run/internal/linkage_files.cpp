@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "io/mechanism_writer.hpp"
+#include "format/mechanism_writer.hpp"
 #include "run/internal/linkage_description.hpp"
 
 namespace kinestat {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/mechanism_reader.hpp"
+#include "format/mechanism_reader.hpp"
 #include "io/yaml_tree.hpp"
 
 namespace kinestat {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/mechanism_reader.hpp"
+#include "format/mechanism_reader.hpp"
 #include "mechanism/internal/cable_check.hpp"
 #include "mechanism/internal/gear_check.hpp"
 #include "mechanism/internal/load_binder.hpp"

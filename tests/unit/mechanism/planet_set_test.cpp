@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/mechanism_reader.hpp"
+#include "format/mechanism_reader.hpp"
 #include "mechanism/bind.hpp"
 #include "support/read_text.hpp"
 

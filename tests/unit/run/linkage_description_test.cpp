@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "io/mechanism_reader.hpp"
-#include "io/mechanism_writer.hpp"
+#include "format/mechanism_reader.hpp"
+#include "format/mechanism_writer.hpp"
 #include "mechanism/bind.hpp"
 #include "support/read_text.hpp"
 

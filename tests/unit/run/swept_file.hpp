@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "io/mechanism_reader.hpp"
+#include "format/mechanism_reader.hpp"
 #include "mechanism/bind.hpp"
 #include "run/internal/state_solver.hpp"
 #include "run/internal/sweep_task.hpp"

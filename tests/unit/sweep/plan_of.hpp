@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/mechanism_reader.hpp"
+#include "format/mechanism_reader.hpp"
 #include "mechanism/bind.hpp"
 #include "sweep/sweep_plan.hpp"
 

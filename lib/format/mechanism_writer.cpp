@@ -1,4 +1,4 @@
-#include "io/mechanism_writer.hpp"
+#include "format/mechanism_writer.hpp"
 
 #include <string_view>
 #include <vector>
@@ -8,30 +8,15 @@
 #include "core/contract.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "format/sections/sections.hpp"
+#include "format/value_forms.hpp"
 
 namespace kinestat {
 
 namespace {
 
-// A text between double quotes, so that nothing in it has a meaning of its own.
-std::string in_quotes(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : printable(text)) {
-    result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
-  }
-  return result + "\"";
-}
-
-std::string list_text(const std::vector<Value>& values) {
-  std::string text;
-  for (const Value& value : values) {
-    text += (text.empty() ? "" : ", ") + value.expression.text();
-  }
-  return "[" + text + "]";
-}
-
 std::string axis_text(const AxisDescription& axis) {
-  return axis.keyword == 0 ? list_text(axis.components)
+  return axis.keyword == 0 ? text_of(axis.components)
                            : std::string(axis.sign < 0.0 ? "-" : "") + axis.keyword;
 }
 
@@ -57,7 +42,7 @@ std::string body_text(const BodyDescription& body) {
   KINESTAT_EXPECTS(!body.mass && !body.centre_of_mass && body.outline.empty());
   return body.reference ? fmt::format("  {}: {{reference: {}}}\n",
                                       body.name.text,
-                                      list_text(body.reference->coordinates))
+                                      text_of(body.reference->coordinates))
                         : fmt::format("  {}:\n", body.name.text);
 }
 
@@ -71,7 +56,7 @@ std::string coupling_text(const CouplingDescription& coupling) {
                                  coupling.tail.text,
                                  coupling.head.text);
   if (coupling.at) {
-    text += ", at: " + list_text(coupling.at->point->coordinates);
+    text += ", at: " + text_of(coupling.at->point->coordinates);
   }
   if (coupling.axis) {
     text += ", axis: " + axis_text(*coupling.axis);
@@ -108,34 +93,6 @@ std::string case_text(const CaseDescription& one) {
          names_text("input", one.inputs) + names_text("output", one.outputs);
 }
 
-std::string range_text(const DriveRange& range) {
-  KINESTAT_EXPECTS(range.to.has_value());
-  return fmt::format("drive: {}{}, to: {}",
-                     range.actuator.text,
-                     range.from ? ", from: " + range.from->expression.text() : "",
-                     range.to->expression.text());
-}
-
-std::string trace_text(const std::vector<TracePoint>& trace) {
-  std::string text;
-  for (const TracePoint& point : trace) {
-    text += fmt::format("{}{{body: {}, at: {}}}",
-                        text.empty() ? "" : ", ",
-                        point.body.text,
-                        list_text(point.at.coordinates));
-  }
-  return text.empty() ? "" : ", trace: [" + text + "]";
-}
-
-std::string motion_text(const MotionDescription& motion) {
-  KINESTAT_EXPECTS(motion.drives.size() == 1 && motion.report.empty());
-  return fmt::format("\nmotion: {{{}{}{}{}}}\n",
-                     range_text(motion.drives.front()),
-                     motion.steps ? ", steps: " + motion.steps->expression.text() : "",
-                     motion.label ? ", case: " + in_quotes(motion.label->text) : "",
-                     trace_text(motion.trace));
-}
-
 template <class Items, class Write>
 std::string section_text(std::string_view key, const Items& items, Write write) {
   std::string text;
@@ -143,6 +100,15 @@ std::string section_text(std::string_view key, const Items& items, Write write) 
     text += write(item);
   }
   return text.empty() ? "" : fmt::format("\n{}:\n{}", key, text);
+}
+
+// Those that are declared.
+std::string sections_text(const MechanismDescription& description) {
+  std::string text;
+  for (const auto& [key, value] : file_sections().key_texts(description)) {
+    text += fmt::format("\n{}: {}\n", key, value);
+  }
+  return text;
 }
 
 bool has_more(const MechanismDescription& d) {
@@ -173,7 +139,7 @@ std::string mechanism_text(const MechanismDescription& description,
   text += section_text("couplings", description.couplings, coupling_text);
   text += section_text("actuators", description.actuators, actuator_text);
   text += section_text("cases", description.cases, case_text);
-  text += description.motion ? motion_text(*description.motion) : "";
+  text += sections_text(description);
   return text;
 }
 

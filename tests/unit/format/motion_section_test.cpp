@@ -1,20 +1,16 @@
-#include "io/motion_reader.hpp"
-
 #include <gtest/gtest.h>
 
-#include "support/read_text.hpp"
+#include "format/sections/sections.hpp"
+#include "support/read_section.hpp"
 
 namespace kinestat {
 namespace {
 
-Reading<std::optional<MotionDescription>> motion_of(const std::string& text,
-                                                    Space space = Space::planar) {
-  return read_text(text, [space](const YamlNode& node, Diagnostics& found) {
-    return read_motion(node, space, found);
-  });
+auto motion_of(const std::string& text, Space space = Space::planar) {
+  return read_section(motion_section(), "'motion'", text, space);
 }
 
-TEST(MotionReader, ReadsTheSmallestSection) {
+TEST(MotionSection, ReadsTheSmallestSection) {
   const auto reading = motion_of("drive: in\nto: 360 deg\n");
 
   ASSERT_EQ(reading.complaints(), Complaints{});
@@ -27,7 +23,7 @@ TEST(MotionReader, ReadsTheSmallestSection) {
   EXPECT_FALSE(motion.label);
 }
 
-TEST(MotionReader, ReadsEveryKey) {
+TEST(MotionSection, ReadsEveryKey) {
   const auto reading = motion_of(
       "drives: [{drive: in, from: 0, to: 90 deg}, {drive: lift, to: 5 mm}]\n"
       "steps: 36\n"
@@ -46,7 +42,7 @@ TEST(MotionReader, ReadsEveryKey) {
   EXPECT_EQ(motion.report[1].text, "d.wz");
 }
 
-TEST(MotionReader, NeedsADriveAndItsEnd) {
+TEST(MotionSection, NeedsADriveAndItsEnd) {
   EXPECT_EQ(motion_of("steps: 10\n").complaints(),
             (Complaints{"1:1 E0303 'motion' lacks the key 'drive'",
                         "1:1 E0303 'motion' lacks the key 'to'"}));
@@ -55,13 +51,13 @@ TEST(MotionReader, NeedsADriveAndItsEnd) {
                         "1:10 E0303 drive 1 of 'motion' lacks the key 'to'"}));
 }
 
-TEST(MotionReader, RefusesOneDriveBesideSeveral) {
+TEST(MotionSection, RefusesOneDriveBesideSeveral) {
   EXPECT_EQ(motion_of("drives: [{drive: a, to: 1}]\ndrive: b\nto: 3\n").complaints(),
             (Complaints{"2:1 E0302 'motion' cannot have 'drive' beside 'drives'",
                         "3:1 E0302 'motion' cannot have 'to' beside 'drives'"}));
 }
 
-TEST(MotionReader, ReportsWrongShapesAtTheirPlaces) {
+TEST(MotionSection, ReportsWrongShapesAtTheirPlaces) {
   EXPECT_EQ(motion_of("drives: []\n").complaints(),
             (Complaints{"1:9 E0304 'drives' of 'motion' must be a list with something in it"}));
   EXPECT_EQ(motion_of("drive: a\nto: 1\ntrace: {body: rod, at: [1, 2]}\nspeed: 3\n").complaints(),
@@ -69,7 +65,7 @@ TEST(MotionReader, ReportsWrongShapesAtTheirPlaces) {
                         "4:1 E0302 'motion' has no key 'speed'"}));
 }
 
-TEST(MotionReader, WantsTracePointsOfTheSpace) {
+TEST(MotionSection, WantsTracePointsOfTheSpace) {
   EXPECT_EQ(
       motion_of("drive: a\nto: 1\ntrace: [{body: rod, at: [1, 2]}, {bdy: rod, at: [1, 2, 3]}]\n",
                 Space::spatial)

@@ -1,11 +1,11 @@
-#include "io/mechanism_writer.hpp"
+#include "format/mechanism_writer.hpp"
 
 #include <variant>
 
 #include <gtest/gtest.h>
 
 #include "core/contract.hpp"
-#include "io/mechanism_reader.hpp"
+#include "format/mechanism_reader.hpp"
 #include "support/read_text.hpp"
 
 namespace kinestat {

@@ -1,4 +1,4 @@
-#include "io/mechanism_reader.hpp"
+#include "format/mechanism_reader.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -8,6 +8,7 @@
 #include "core/version.hpp"
 #include "description/cable_expansion.hpp"
 #include "description/gear_expansion.hpp"
+#include "format/sections/sections.hpp"
 #include "io/actuator_reader.hpp"
 #include "io/body_reader.hpp"
 #include "io/cable_reader.hpp"
@@ -17,7 +18,6 @@
 #include "io/gear_reader.hpp"
 #include "io/load_reader.hpp"
 #include "io/loss_reader.hpp"
-#include "io/motion_reader.hpp"
 #include "io/parameter_reader.hpp"
 #include "io/published_reader.hpp"
 #include "io/shift_reader.hpp"
@@ -119,13 +119,15 @@ class MechanismReader {
     read_version(fields_, found_);
     read_head(fields_, result_, found_);
     read_plain_sections();
-    if (const std::optional<Space> space = read_space(fields_, found_)) {
+    const std::optional<Space> space = read_space(fields_, found_);
+    if (space) {
       result_.space = *space;
       read_structure();
       read_sections_in_space();
     } else {
       pass_over_sections_in_space();
     }
+    file_sections().read_keys(fields_, file(space), result_);
     read_tasks();
     fields_.ignore_prefix("x-");  // the user's own notes
     fields_.finish();
@@ -133,6 +135,17 @@ class MechanismReader {
   }
 
  private:
+  FileValue file(std::optional<Space> space) const {
+    return {.node = root_,
+            .what = "",
+            .key = "",
+            .owner = "",
+            .where = fields_.where(),
+            .place = fields_.where(),
+            .space = space,
+            .found = found_};
+  }
+
   // Calls `read` with the section's value, if it is there.
   template <class Read>
   void section(std::string_view key, const Read& read) {
@@ -204,14 +217,11 @@ class MechanismReader {
     });
     section("cases",
             [&](const YamlNode& node) { result_.cases = read_cases(node, result_.space, found_); });
-    section("motion", result_.motion, [&](const YamlNode& node) {
-      return read_motion(node, result_.space, found_);
-    });
   }
 
   void pass_over_sections_in_space() {
     for (const char* key :
-         {"ground", "bodies", "couplings", "cables", "loads", "gravity", "cases", "motion"}) {
+         {"ground", "bodies", "couplings", "cables", "loads", "gravity", "cases"}) {
       (void)fields_.find(key);
     }
   }

@@ -1,0 +1,105 @@
+// What a value of the file may look like, as data: the schema, hints and snippets follow from it.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "description/coupling_description.hpp"
+
+namespace kinestat {
+
+enum class FormKind {
+  number,   ///< or an expression
+  name,     ///< of something that the file declares
+  text,     ///< free text, which may look like a number
+  word,     ///< one of `words`
+  flag,     ///< true or false
+  vector,   ///< of `items.front()`: as many components as the space has
+  couple,   ///< of `items.front()`: one number about z in the plane, a vector in space
+  list,     ///< of `items.front()`
+  names,    ///< a mapping from names to `items.front()`
+  mapping,  ///< with `keys`
+  by_shape  ///< one of `items`, which differ in being a list, a mapping or a single value
+};
+
+struct Word {
+  std::string text = {};
+  std::string meaning = {};
+};
+
+/// What a bare number may be. Expressions are judged where their value is known.
+struct NumberRange {
+  std::optional<double> least = {};
+  std::optional<double> most = {};
+  std::optional<double> above = {};
+  std::optional<double> below = {};
+  bool is_whole = false;
+  bool is_not_zero = false;
+};
+
+/// How several keys of a mapping belong together. In texts {} stands for the mapping.
+struct FormRule {
+  enum class Kind {
+    instead,   ///< `key` stands instead of `others`
+    any_of,    ///< at least one of `others`
+    together,  ///< `key` needs `others.front()` beside it
+    pointless  ///< `key` means nothing without `others.front()`
+  };
+
+  Kind kind = Kind::instead;
+  std::string key = {};
+  std::vector<std::string> others = {};
+  std::string message = {};
+  std::string hint = {};
+};
+
+struct FormKey;
+
+struct FormShape {
+  static constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
+
+  FormKind kind = FormKind::text;
+  std::string definition = {};  ///< its name in the schema; empty: written where it stands
+  std::string meaning = {};     ///< a sentence
+  std::vector<std::string> examples = {};  ///< as in a file
+  std::string sketch = {};                 ///< "NAME", in hints; empty: follows from the rest
+  std::string remark = {};                 ///< behind the sketch: "an actuator"
+  NumberRange range = {};                  ///< of a number
+  std::vector<Word> words = {};
+  std::string item = {};             ///< what an item is: "a load"
+  std::string name_definition = {};  ///< of `names`: the schema of the names
+  std::size_t least = 0;             ///< how many items
+  std::size_t most = kAnyNumber;
+  std::vector<FormShape> items = {};
+  std::vector<FormKey> keys = {};
+  std::vector<FormRule> rules = {};
+};
+
+/// A value that an editor offers.
+struct Suggestion {
+  std::string value = {};
+  std::string meaning = {};
+};
+
+struct FormKey {
+  std::string key = {};
+  std::string meaning = {};  ///< a sentence
+  bool is_needed = false;
+  FormShape shape = {};
+  std::vector<std::string> examples = {};  ///< as in a file
+  std::string usual = {};                  ///< what holds without the key; empty: nothing does
+  std::string missing = {};                ///< what to add; empty: follows from the shape
+  std::vector<Suggestion> suggestions = {};
+};
+
+/// The form in a few characters: "[x, y]", "NAME", "{body: NAME, at: [x, y]}".
+std::string sketch_of(const FormShape& shape, Space space);
+
+/// Whether points or vectors are part of it, so that it cannot be read while the space is unknown.
+bool depends_on_space(const FormShape& shape);
+
+}  // namespace kinestat

@@ -1,0 +1,122 @@
+#include "format/internal/example_json.hpp"
+
+#include <charconv>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "core/contract.hpp"
+#include "io/yaml_tree.hpp"
+
+namespace kinestat {
+
+namespace {
+
+template <class Number>
+std::optional<Number> number_of(const std::string& text) {
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_whole = error == std::errc() && end == text.data() + text.size();
+  return is_whole ? std::optional(number) : std::nullopt;
+}
+
+Json scalar_json(const YamlNode& node) {
+  if (!node.quoted && (node.text == "true" || node.text == "false")) {
+    return node.text == "true";
+  }
+  if (const auto whole = node.quoted ? std::nullopt : number_of<long>(node.text)) {
+    return *whole;
+  }
+  if (const auto number = node.quoted ? std::nullopt : number_of<double>(node.text)) {
+    return *number;
+  }
+  return node.text;
+}
+
+Json json_of(const YamlNode& node) {
+  Json json;
+  switch (node.kind) {
+    case YamlKind::null:
+      break;
+    case YamlKind::scalar:
+      return scalar_json(node);
+    case YamlKind::sequence:
+      json = Json::array();
+      for (const YamlNode& item : node.items) {
+        json.push_back(json_of(item));
+      }
+      break;
+    case YamlKind::mapping:
+      json = Json::object();
+      for (const YamlEntry& entry : node.entries) {
+        json[entry.key] = json_of(entry.value);
+      }
+      break;
+  }
+  return json;
+}
+
+std::string scalar_text(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+std::string placeholders(const Json& example, int& count) {
+  std::string text;
+  if (example.is_object()) {
+    for (const auto& [key, value] : example.items()) {
+      text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", key, placeholders(value, count));
+    }
+    return "{" + text + "}";
+  }
+  if (example.is_array()) {
+    for (const Json& item : example) {
+      text += (text.empty() ? "" : ", ") + placeholders(item, count);
+    }
+    return "[" + text + "]";
+  }
+  ++count;
+  return fmt::format("${{{}:{}}}", count, scalar_text(example));
+}
+
+}  // namespace
+
+Json example_json(const std::string& text) {
+  Diagnostics found;
+  const auto root =
+      read_yaml({.path = "example", .text = "example: " + text + "\n"}, ReadLimits{}, found);
+  KINESTAT_EXPECTS(root.has_value());
+  return json_of(root->entries.front().value);
+}
+
+std::string flow_snippet(const Json& example) {
+  int count = 0;
+  return placeholders(example, count);
+}
+
+Json line_snippet(const Json& example) {
+  int count = 0;
+  Json lines = Json::object();
+  for (const auto& [key, value] : example.items()) {
+    lines[key] = placeholders(value, count);
+  }
+  return lines;
+}
+
+std::string outline(const Json& example) {
+  std::string text;
+  if (example.is_object()) {
+    for (const auto& [key, value] : example.items()) {
+      text += (text.empty() ? "" : ", ") + key;
+    }
+    return "{" + text + "}";
+  }
+  if (example.is_array()) {
+    for (const Json& item : example) {
+      text += (text.empty() ? "" : ", ") + outline(item);
+    }
+    return "[" + text + "]";
+  }
+  return scalar_text(example);
+}
+
+}  // namespace kinestat

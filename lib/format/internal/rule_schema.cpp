@@ -1,0 +1,71 @@
+#include "format/internal/rule_schema.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+
+namespace kinestat {
+
+namespace {
+
+Json has(const std::string& key) {
+  return {{"required", Json::array({key})}};
+}
+
+// Either the key, or what is needed of those that it replaces.
+void add_instead(const FormShape& shape, const FormRule& rule, Json& schema) {
+  Json refused = Json::object();
+  Json needed = Json::array();
+  for (const FormKey& key : shape.keys) {
+    if (std::ranges::find(rule.others, key.key) != rule.others.end()) {
+      refused[key.key] = false;
+      if (key.is_needed) {
+        needed.push_back(key.key);
+      }
+    }
+  }
+  Json condition = {{"if", has(rule.key)}, {"then", {{"properties", refused}}}};
+  if (!needed.empty()) {
+    condition["else"] = {{"required", needed}};
+  }
+  schema["allOf"].push_back(condition);
+}
+
+void add_any_of(const FormRule& rule, Json& schema) {
+  for (const std::string& key : rule.others) {
+    Json alternative = has(key);
+    alternative["errorMessage"] =
+        fmt::format("It needs {}, or several of them.", quoted_list(rule.others));
+    schema["anyOf"].push_back(alternative);
+  }
+}
+
+}  // namespace
+
+bool is_replaceable(const FormShape& shape, const std::string& key) {
+  return std::ranges::any_of(shape.rules, [&](const FormRule& rule) {
+    return rule.kind == FormRule::Kind::instead &&
+           std::ranges::find(rule.others, key) != rule.others.end();
+  });
+}
+
+void add_rules(const FormShape& shape, Json& schema) {
+  for (const FormRule& rule : shape.rules) {
+    switch (rule.kind) {
+      case FormRule::Kind::instead:
+        add_instead(shape, rule, schema);
+        break;
+      case FormRule::Kind::any_of:
+        add_any_of(rule, schema);
+        break;
+      case FormRule::Kind::together:
+      case FormRule::Kind::pointless:
+        schema["dependencies"][rule.key] = rule.others;
+        break;
+    }
+  }
+}
+
+}  // namespace kinestat

@@ -1,0 +1,17 @@
+// How keys belong together, as JSON Schema.
+#pragma once
+
+#include <string>
+
+#include "format/form_shape.hpp"
+#include "format/internal/json.hpp"
+
+namespace kinestat {
+
+/// Whether another key may stand instead of it.
+bool is_replaceable(const FormShape& shape, const std::string& key);
+
+/// Adds the rules of a mapping to the schema of its keys.
+void add_rules(const FormShape& shape, Json& schema);
+
+}  // namespace kinestat

@@ -1,0 +1,353 @@
+#include "format/internal/shape_schema.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "format/internal/example_json.hpp"
+#include "format/internal/rule_schema.hpp"
+
+namespace kinestat {
+
+namespace {
+
+Json types_of(const FormShape& shape) {
+  switch (shape.kind) {
+    case FormKind::number:
+      return Json::array({"number", "string"});
+    case FormKind::text:
+      return Json::array({"string", "number"});
+    case FormKind::name:
+    case FormKind::word:
+      return "string";
+    case FormKind::flag:
+      return "boolean";
+    case FormKind::vector:
+    case FormKind::list:
+      return "array";
+    case FormKind::couple:
+      return Json::array({"array", "number", "string"});
+    case FormKind::names:
+    case FormKind::mapping:
+      return "object";
+    case FormKind::by_shape: {
+      Json types = Json::array();
+      for (const FormShape& one : shape.items) {
+        const Json type = types_of(one);
+        for (const Json& word : type.is_array() ? type : Json::array({type})) {
+          if (std::ranges::find(types, word) == types.end()) {
+            types.push_back(word);
+          }
+        }
+      }
+      return types;
+    }
+  }
+  return {};
+}
+
+bool is_collection(const FormShape& shape) {
+  return types_of(shape) == "array" || types_of(shape) == "object";
+}
+
+void add_range(const NumberRange& range, Json& schema) {
+  const auto add = [&schema](const char* key, const std::optional<double>& bound) {
+    if (bound) {
+      schema[key] =
+          *bound == static_cast<long>(*bound) ? Json(static_cast<long>(*bound)) : Json(*bound);
+    }
+  };
+  add("minimum", range.least);
+  add("maximum", range.most);
+  add("exclusiveMinimum", range.above);
+  add("exclusiveMaximum", range.below);
+  if (range.is_whole) {
+    schema["multipleOf"] = 1;
+  }
+  if (range.is_not_zero) {
+    schema["if"] = {{"const", 0}};
+    schema["then"] = {{"type", "string"}, {"errorMessage", "Write a number other than 0."}};
+  }
+}
+
+void add_words(const std::vector<Word>& words, Json& schema) {
+  schema["type"] = "string";
+  schema["enum"] = Json::array();
+  schema["enumDescriptions"] = Json::array();
+  for (const Word& word : words) {
+    schema["enum"].push_back(word.text);
+    schema["enumDescriptions"].push_back(word.meaning);
+  }
+}
+
+void add_count(const FormShape& shape, Json& schema) {
+  if (shape.least > 0) {
+    schema["minItems"] = shape.least;
+  }
+  if (shape.most != FormShape::kAnyNumber) {
+    schema["maxItems"] = shape.most;
+  }
+}
+
+Json examples_json(const std::vector<std::string>& texts) {
+  Json examples = Json::array();
+  for (const std::string& text : texts) {
+    examples.push_back(example_json(text));
+  }
+  return examples;
+}
+
+Json snippet(const std::string& label, const Json& body, const std::string& meaning = {}) {
+  Json result = {{"label", label}, {body.is_object() ? "body" : "bodyText", body}};
+  if (!meaning.empty()) {
+    result["description"] = meaning;
+  }
+  return result;
+}
+
+// "${1:wind}:\n  body: …" would be long: the element stands behind its name in brackets.
+Json named_snippet(const FormShape& shape, const Json& example) {
+  std::string body = flow_snippet(example);
+  body = body.substr(1, body.size() - 2);
+  return snippet(shape.item, "${0:" + example.begin().key() + "}" + body.substr(body.find(':')));
+}
+
+// What an editor offers for a list or a mapping: the first example to be filled in.
+Json snippets_of(const FormShape& shape, const Json& examples) {
+  const bool is_vector = shape.kind == FormKind::vector;
+  const auto at = std::ranges::find_if(
+      examples, [](const Json& one) { return one.is_array() || one.is_object(); });
+  if (at == examples.end()) {
+    return Json::array();
+  }
+  if (shape.kind == FormKind::names && !shape.item.empty()) {
+    return Json::array({named_snippet(shape, *at)});
+  }
+  return Json::array(
+      {snippet(is_vector ? sketch_of(shape, Space::planar) : outline(*at), flow_snippet(*at))});
+}
+
+bool fits(const FormShape& shape, const Json& example) {
+  const Json type = types_of(shape);
+  const char* given = example.is_array() ? "array" : example.is_object() ? "object" : "";
+  return is_collection(shape) ? type == given : *given == '\0';
+}
+
+}  // namespace
+
+void ShapeSchema::define(const FormShape& shape) {
+  const bool has_content = !shape.meaning.empty() || shape.kind == FormKind::mapping;
+  if (shape.definition.empty() || !has_content || definitions_.contains(shape.definition)) {
+    return;
+  }
+  definitions_[shape.definition];  // it may refer to itself
+  definitions_[shape.definition] = of_shape(shape);
+}
+
+// A whole schema of its own.
+Json ShapeSchema::of_shape(const FormShape& shape) {
+  FormShape plain = shape;
+  plain.definition.clear();
+  return in_place({.meaning = shape.meaning, .shape = plain, .examples = shape.examples});
+}
+
+Json ShapeSchema::of_item(const FormShape& shape) {
+  if (shape.definition.empty()) {
+    return of_shape(shape);
+  }
+  define(shape);
+  return {{"$ref", "#/definitions/" + shape.definition}};
+}
+
+Json ShapeSchema::of_key(const FormKey& key) {
+  if (key.shape.definition.empty()) {
+    return in_place(key);
+  }
+  Json schema = of_item(key.shape);
+  schema["description"] = key.meaning;
+  if (!key.usual.empty()) {
+    schema["default"] = example_json(key.usual);
+  }
+  if (!key.examples.empty()) {
+    schema["examples"] = examples_json(key.examples);
+  }
+  return schema;
+}
+
+// What may be said of a list or mapping, apart from what it is.
+void ShapeSchema::add_values(const FormShape& shape, Json& schema) {
+  switch (shape.kind) {
+    case FormKind::vector:
+      schema["items"] = of_item(shape.items.front());
+      schema["minItems"] = 2;
+      schema["maxItems"] = 3;
+      break;
+    case FormKind::list:
+      schema["items"] = of_item(shape.items.front());
+      add_count(shape, schema);
+      break;
+    case FormKind::names:
+      if (!shape.name_definition.empty()) {
+        schema["propertyNames"] = {{"$ref", "#/definitions/" + shape.name_definition}};
+      }
+      if (shape.least > 0) {
+        schema["minProperties"] = shape.least;
+      }
+      schema["additionalProperties"] = of_item(shape.items.front());
+      break;
+    case FormKind::mapping:
+      add_mapping(shape, schema);
+      break;
+    default:
+      break;
+  }
+}
+
+void ShapeSchema::add_mapping(const FormShape& shape, Json& schema) {
+  schema["additionalProperties"] = false;
+  Json needed = Json::array();
+  Json properties = Json::object();
+  for (const FormKey& key : shape.keys) {
+    properties[key.key] = of_key(key);
+    if (key.is_needed && !is_replaceable(shape, key.key)) {
+      needed.push_back(key.key);
+    }
+  }
+  if (!needed.empty()) {
+    schema["required"] = needed;
+  }
+  schema["properties"] = properties;
+  add_rules(shape, schema);
+}
+
+// The alternatives after the first condition that holds; the last needs none.
+void ShapeSchema::add_alternatives(const FormShape& shape, const Json& examples, Json& schema) {
+  std::vector<FormShape> ordered = shape.items;
+  std::ranges::stable_partition(ordered, is_collection);
+  Json* at = &schema;
+  for (std::size_t i = 0; i < ordered.size(); ++i) {
+    const FormShape& one = ordered[i];
+    Json branch = Json::object();
+    if (!one.definition.empty()) {
+      branch = of_item(one);
+    } else {
+      add_values(one, branch);
+      for (const Json& example : examples) {
+        if (is_collection(one) && fits(one, example)) {
+          branch["examples"].push_back(example);
+        }
+      }
+    }
+    if (i + 1 < ordered.size()) {
+      (*at)["if"] = {{"type", types_of(one)}};
+      (*at)["then"] = branch;
+      (*at)["else"] = Json::object();
+      at = &(*at)["else"];
+    } else {
+      *at = at == &schema ? schema : branch;
+    }
+  }
+}
+
+Json ShapeSchema::in_place(const FormKey& key) {
+  const FormShape& shape = key.shape;
+  const Json examples = examples_json(key.examples);
+  Json schema = Json::object();
+  if (!key.meaning.empty()) {
+    schema["description"] = key.meaning;
+  }
+  if (shape.kind == FormKind::number) {
+    schema["allOf"] = Json::array({{{"$ref", "#/definitions/expression"}}});
+    add_range(shape.range, schema);
+  } else {
+    schema["type"] = types_of(shape);
+  }
+  if (shape.kind == FormKind::word) {
+    add_words(shape.words, schema);
+  }
+  Json snippets = Json::array();
+  if (shape.kind == FormKind::by_shape) {
+    add_alternatives(shape, examples, schema);
+    for (const FormShape& one : shape.items) {
+      for (const Json& offered : is_collection(one) ? snippets_of(one, examples) : Json::array()) {
+        snippets.push_back(offered);
+      }
+    }
+  } else if (is_collection(shape)) {
+    // An editor offers the snippets where nothing stands yet, and keys within what is there.
+    schema["if"] = {{"type", types_of(shape)}};
+    Json inside = Json::object();
+    add_values(shape, inside);
+    if (!examples.empty()) {
+      inside["examples"] = examples;
+    }
+    schema["then"] = inside;
+    snippets = snippets_of(shape, examples);
+  }
+  if (!key.usual.empty()) {
+    schema["default"] = example_json(key.usual);
+  }
+  for (const Json& example : examples) {
+    if (!is_collection(shape) && !example.is_array() && !example.is_object()) {
+      schema["examples"].push_back(example);
+    }
+  }
+  const bool is_list = types_of(shape).dump().find("array") != std::string::npos;
+  for (const Suggestion& one : key.suggestions) {
+    snippets.push_back(
+        snippet(one.value, is_list ? "[" + one.value + "]" : one.value, one.meaning));
+  }
+  if (!snippets.empty()) {
+    schema["defaultSnippets"] = snippets;
+  }
+  return schema;
+}
+
+Json ShapeSchema::of_section(const FormKey& key) {
+  FormKey section = key;
+  if (key.shape.kind == FormKind::mapping) {
+    section.examples = key.shape.examples;
+  }
+  Json schema = of_key(section);
+  if (key.shape.kind == FormKind::mapping) {
+    schema["title"] = key.key;
+    schema["defaultSnippets"] =
+        Json::array({snippet("the section", line_snippet(example_json(section.examples.front())))});
+  }
+  return schema;
+}
+
+Json components_schema(const FormShape& shape, Space space) {
+  const bool is_planar = space == Space::planar;
+  if (shape.kind == FormKind::vector) {
+    return {{"$ref", is_planar ? "#/definitions/two" : "#/definitions/three"}};
+  }
+  Json schema = Json::object();
+  if (shape.kind == FormKind::couple) {
+    schema["type"] = is_planar ? Json::array({"number", "string"}) : Json("array");
+  }
+  for (const FormShape& item : shape.items) {
+    const Json inside = components_schema(item, space);
+    if (inside.is_null()) {
+      continue;
+    }
+    if (shape.kind == FormKind::by_shape) {
+      schema.update(inside);
+    } else {
+      schema[shape.kind == FormKind::list ? "items" : "additionalProperties"] = inside;
+    }
+  }
+  for (const FormKey& key : shape.keys) {
+    const Json inside = components_schema(key.shape, space);
+    if (!inside.is_null()) {
+      schema["properties"][key.key] = inside;
+    }
+  }
+  if (schema.empty()) {
+    return nullptr;
+  }
+  schema["doNotSuggest"] = true;
+  return schema;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,137 @@
+// A mapping of a mechanism file, declared once: its keys and how they belong together.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "format/form.hpp"
+#include "format/mapping_check.hpp"
+#include "format/member.hpp"
+#include "io/fields.hpp"
+
+namespace kinestat {
+
+/// What is read into a T. The declaration is made by the function given to the constructor:
+///
+///     m.key("to", "Where the motion ends, measured from the drawn position.")
+///         .needed(&DriveRange::to, drawn_position(), "360 deg");
+template <class T>
+class Mapping {
+ public:
+  class Key;
+
+  /// The definition is the name of the mapping in the schema; empty: it is written where it stands.
+  template <class Declare>
+  Mapping(std::string definition, std::string meaning, std::string example, Declare declare) {
+    shape_.kind = FormKind::mapping;
+    shape_.definition = std::move(definition);
+    shape_.meaning = std::move(meaning);
+    if (!example.empty()) {
+      shape_.examples.push_back(std::move(example));
+    }
+    declare(*this);
+  }
+
+  /// Begins the declaration of a key; the meaning is a sentence.
+  Key key(std::string name, std::string meaning) {
+    FormKey key;
+    key.key = std::move(name);
+    key.meaning = std::move(meaning);
+    return Key(*this, std::move(key));
+  }
+
+  /// `key` stands instead of `others`.
+  void instead(std::string key, std::vector<std::string> others, std::string hint) {
+    shape_.rules.push_back({.kind = FormRule::Kind::instead,
+                            .key = std::move(key),
+                            .others = std::move(others),
+                            .message = "{} cannot have '{}' beside '{}'",
+                            .hint = std::move(hint)});
+  }
+
+  void rule(FormRule rule) { shape_.rules.push_back(std::move(rule)); }
+
+  /// What else must hold, once all keys are read without an error.
+  void check(std::function<void(const T&, const FileValue&)> check) {
+    checks_.push_back(std::move(check));
+  }
+
+  /// The keys of an item stand in this mapping itself if there is one item; several are the list
+  /// behind `list_key`, with that title of each.
+  template <class Item>
+  void one_or_several(const Mapping<Item>& item,
+                      std::vector<Item> T::*member,
+                      FormKey list_key,
+                      const std::string& title,
+                      const std::string& hint);
+
+  const FormShape& shape() const { return shape_; }
+
+  /// The value as a mapping. Empty iff an error was added.
+  std::optional<T> read(const FileValue& value) const {
+    const int errors_before = value.found.error_count();
+    T object;
+    if constexpr (HasPlace<T>) {
+      object.where = value.place;
+    }
+    Fields fields(value.node, value.where, value.what, value.found);
+    read_keys(fields, value, object);
+    fields.finish();
+    if (value.node.kind == YamlKind::mapping) {
+      check_rules(shape_, value);
+    }
+    if (value.found.error_count() == errors_before) {
+      for (const auto& check : checks_) {
+        check(object, value);
+      }
+    }
+    return value.found.error_count() == errors_before ? std::optional(std::move(object))
+                                                      : std::nullopt;
+  }
+
+  /// The keys among others, whose end the caller says.
+  void read_keys(Fields& fields, const FileValue& value, T& object) const {
+    for (std::size_t i = 0; i < shape_.keys.size(); ++i) {
+      if (const auto behind = find_key(shape_, i, fields, value)) {
+        steps_[i].read(*behind, object);
+      }
+    }
+  }
+
+  /// Each key with its value; without the keys that are as they would be if left out.
+  std::vector<std::pair<std::string, std::string>> key_texts(const T& object) const {
+    std::vector<std::pair<std::string, std::string>> texts;
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      if (auto behind = steps_[i].write(object)) {
+        texts.emplace_back(shape_.keys[i].key, *std::move(behind));
+      }
+    }
+    return texts;
+  }
+
+  Form<T> form() const {
+    return {.shape = shape_,
+            .read = [this](const FileValue& value) { return read(value); },
+            .write = [this](const T& object) { return in_braces(key_texts(object)); }};
+  }
+
+ private:
+  template <class>
+  friend class Mapping;
+
+  struct Step {
+    std::function<void(const FileValue&, T&)> read;
+    std::function<std::optional<std::string>(const T&)> write;  // empty: the key is left out
+  };
+
+  FormShape shape_;
+  std::vector<Step> steps_;  // of the keys
+  std::vector<std::function<void(const T&, const FileValue&)>> checks_;
+};
+
+}  // namespace kinestat
+
+#include "format/mapping_key.hpp"

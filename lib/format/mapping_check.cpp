@@ -1,0 +1,96 @@
+#include "format/mapping_check.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "io/field_values.hpp"
+
+namespace kinestat {
+
+namespace {
+
+bool has(const FileValue& mapping, const std::string& key) {
+  return mapping.node.find(key) != nullptr;
+}
+
+// Whether a key that stands instead of this one is there.
+bool is_replaced(const FormShape& shape, const std::string& key, const FileValue& mapping) {
+  return std::ranges::any_of(shape.rules, [&](const FormRule& rule) {
+    return rule.kind == FormRule::Kind::instead && has(mapping, rule.key) &&
+           std::ranges::find(rule.others, key) != rule.others.end();
+  });
+}
+
+// "'drive: NAME', an actuator", or "for example 'to: 360 deg'".
+std::string what_to_add(const FormKey& key, std::optional<Space> space) {
+  if (key.shape.kind == FormKind::number && !key.examples.empty()) {
+    return fmt::format("for example '{}: {}'", key.key, key.examples.front());
+  }
+  const std::string remark = key.shape.remark.empty() ? "" : ", " + key.shape.remark;
+  return fmt::format(
+      "'{}: {}'{}", key.key, sketch_of(key.shape, space.value_or(Space::spatial)), remark);
+}
+
+void check_instead(const FormRule& rule, const FileValue& mapping) {
+  for (const std::string& key : rule.others) {
+    if (has(mapping, rule.key) && has(mapping, key)) {
+      mapping.found.error(
+          "E0302",
+          place_of_key(mapping.node, key),
+          fmt::format("{} cannot have '{}' beside '{}'", mapping.what, key, rule.key),
+          rule.hint);
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<FileValue> find_key(const FormShape& shape,
+                                  std::size_t index,
+                                  Fields& fields,
+                                  const FileValue& mapping) {
+  const FormKey& key = shape.keys[index];
+  if (!mapping.space && depends_on_space(key.shape)) {
+    (void)fields.find(key.key);
+    return std::nullopt;
+  }
+  const bool is_needed = key.is_needed && !is_replaced(shape, key.key, mapping);
+  const YamlNode* node =
+      is_needed ? fields.require(
+                      key.key, key.missing.empty() ? what_to_add(key, mapping.space) : key.missing)
+                : fields.find(key.key);
+  if (node == nullptr) {
+    return std::nullopt;
+  }
+  const bool is_section = mapping.what.empty();
+  return FileValue{.node = *node,
+                   .what = is_section ? fmt::format("'{}'", key.key)
+                                      : fmt::format("'{}' of {}", key.key, mapping.what),
+                   .key = key.key,
+                   .owner = mapping.what,
+                   .where = node->where,
+                   .place = is_section ? place_of_key(mapping.node, key.key) : node->where,
+                   .space = mapping.space,
+                   .found = mapping.found};
+}
+
+void check_rules(const FormShape& shape, const FileValue& mapping) {
+  for (const FormRule& rule : shape.rules) {
+    const auto has_key = [&](const std::string& key) { return has(mapping, key); };
+    const bool has_any = std::ranges::any_of(rule.others, has_key);
+    if (rule.kind == FormRule::Kind::instead) {
+      check_instead(rule, mapping);
+    } else if (rule.kind == FormRule::Kind::any_of && !has_any) {
+      mapping.found.error(
+          "E0303", mapping.where, fmt::format(fmt::runtime(rule.message), mapping.what), rule.hint);
+    } else if (rule.kind != FormRule::Kind::any_of && has_key(rule.key) && !has_any) {
+      mapping.found.error(rule.kind == FormRule::Kind::together ? "E0303" : "E0302",
+                          place_of_key(mapping.node, rule.key),
+                          fmt::format(fmt::runtime(rule.message), mapping.what),
+                          rule.hint);
+    }
+  }
+}
+
+}  // namespace kinestat

@@ -1,0 +1,22 @@
+// What is wrong with the keys of a mapping of the file.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "format/form.hpp"
+#include "io/fields.hpp"
+
+namespace kinestat {
+
+/// The value behind the key of that index; a needed one that is missing becomes an error of
+/// `fields`, unless another key stands instead of it.
+std::optional<FileValue> find_key(const FormShape& shape,
+                                  std::size_t index,
+                                  Fields& fields,
+                                  const FileValue& mapping);
+
+/// Complains of keys that do not belong together.
+void check_rules(const FormShape& shape, const FileValue& mapping);
+
+}  // namespace kinestat

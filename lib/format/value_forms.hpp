@@ -1,0 +1,51 @@
+// The forms of single values: names, texts, words, points.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "description/value.hpp"
+#include "format/form.hpp"
+
+namespace kinestat {
+
+/// The name of something that the file declares; `remark` says of what: "an actuator".
+Form<Name> name_of(std::string_view remark);
+
+/// Of a body, or the ground.
+Form<Name> body_name();
+
+/// An actuator, or coupling.freedom, or coupling.action.
+Form<Name> target();
+
+/// The label of a case or gear, which is free text.
+Form<Name> label();
+
+/// A point [length].
+Form<PointDescription> point();
+
+/// true or false; what is not there is false.
+Form<bool> flag();
+
+/// A text between double quotes, so that nothing in it has a meaning of its own.
+std::string in_quotes(std::string_view text);
+
+/// "[1, 2*r]".
+std::string text_of(const std::vector<Value>& values);
+
+/// The index of the word.
+std::optional<std::size_t> read_word_of(const FileValue& value, const std::vector<Word>& words);
+
+/// One of the words, in the order of the enumeration.
+template <class Enum>
+Form<Enum> word_of(std::vector<Word> words) {
+  return {.shape = {.kind = FormKind::word, .words = words},
+          .read = [words](const FileValue& value) -> std::optional<Enum> {
+            const auto index = read_word_of(value, words);
+            return index ? std::optional(static_cast<Enum>(*index)) : std::nullopt;
+          },
+          .write = [words](Enum one) { return words.at(static_cast<std::size_t>(one)).text; }};
+}
+
+}  // namespace kinestat

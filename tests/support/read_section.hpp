@@ -1,0 +1,29 @@
+// A section of a mechanism file from a text that is the section alone.
+#pragma once
+
+#include <string>
+
+#include "format/mapping.hpp"
+#include "support/read_text.hpp"
+
+namespace kinestat {
+
+/// What the declaration makes of the text; `what` names the section in messages: "'motion'".
+template <class T>
+auto read_section(const Mapping<T>& mapping,
+                  const std::string& what,
+                  const std::string& text,
+                  Space space = Space::planar) {
+  return read_text(text, [&](const YamlNode& node, Diagnostics& found) {
+    return mapping.read({.node = node,
+                         .what = what,
+                         .key = "",
+                         .owner = "",
+                         .where = node.where,
+                         .place = node.where,
+                         .space = space,
+                         .found = found});
+  });
+}
+
+}  // namespace kinestat
