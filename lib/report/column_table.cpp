@@ -53,8 +53,4 @@ Table table_of(const std::vector<TextColumn>& columns) {
   return table;
 }
 
-std::string table_text(const std::vector<TextColumn>& columns) {
-  return table_of(columns).text("  ") + "\n";
-}
-
 }  // namespace kinestat

@@ -33,7 +33,4 @@ struct VectorColumns {
 /// All columns must have the same number of cells.
 Table table_of(const std::vector<TextColumn>& columns);
 
-/// The same as text, indented by two spaces and followed by an empty line.
-std::string table_text(const std::vector<TextColumn>& columns);
-
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// Numbers and vectors as JSON: finite, never -0, null where there is no value.
+// Numbers as JSON: finite, never -0, null where there is no value.
 #pragma once
 
 #include <cmath>
@@ -6,8 +6,6 @@
 #include <string>
 
 #include <nlohmann/json.hpp>
-
-#include "core/types.hpp"
 
 namespace kinestat {
 
@@ -26,18 +24,6 @@ inline Json number(double value) {
 
 inline Json number(const std::optional<double>& value) {
   return value ? number(*value) : Json(nullptr);
-}
-
-inline Json vector(const Vec3& v) {
-  return Json::array({number(v.x()), number(v.y()), number(v.z())});
-}
-
-inline Json sixfold(const Vec3& first, const Vec3& second) {
-  Json result = vector(first);
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    result.push_back(number(second[i]));
-  }
-  return result;
 }
 
 }  // namespace kinestat

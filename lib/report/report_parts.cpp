@@ -5,10 +5,6 @@
 
 namespace kinestat {
 
-Json report_head(const std::string& file, const MechanismDescription& description) {
-  return json_of(report_record(), {.file = file, .description = description}, description.units);
-}
-
 Json diagnostics_json(const Diagnostics& found) {
   const FileUnits units;  // there are no quantities
   JsonArchive archive(units);

@@ -10,9 +10,6 @@
 
 namespace kinestat {
 
-/// The keys "kinestat" and "mechanism". `file` is the path as the user gave it.
-Json report_head(const std::string& file, const MechanismDescription& description);
-
 /// The list behind "diagnostics".
 Json diagnostics_json(const Diagnostics& found);
 

@@ -24,13 +24,5 @@ TEST(JsonNumber, IsNullWithoutAValue) {
   EXPECT_TRUE(number(std::optional<double>()).is_null());
 }
 
-TEST(JsonVector, HasThreeComponents) {
-  EXPECT_EQ(vector(Vec3(1.0, -0.0, 0.5)).dump(), "[1.0,0.0,0.5]");
-}
-
-TEST(JsonSixfold, PutsTheFirstVectorBeforeTheSecond) {
-  EXPECT_EQ(sixfold(Vec3(1, 2, 3), Vec3(4, 5, 6)).dump(), "[1.0,2.0,3.0,4.0,5.0,6.0]");
-}
-
 }  // namespace
 }  // namespace kinestat
