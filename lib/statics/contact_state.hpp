@@ -13,8 +13,8 @@ namespace kinestat {
 
 enum class BeltState {
   unknown,       ///< without friction, or without both tensions
-  sticks,        ///< the ratio of the tensions is within the limit
-  slips,         ///< the case moves the cable over the pulley
+  sticking,      ///< the ratio of the tensions is within the limit
+  slipping,      ///< the case moves the cable over the pulley
   beyond_limit,  ///< the ratio is beyond the limit, and the case does not let the cable slip
 };
 
@@ -24,9 +24,9 @@ constexpr std::string_view word_of(BeltState belt_state) {
     case BeltState::unknown:
       return "unknown";
     case BeltState::sticking:
-      return "sticks";
+      return "sticking";
     case BeltState::slipping:
-      return "slips";
+      return "slipping";
     case BeltState::beyond_limit:
       return "would slip";
   }
