@@ -28,7 +28,7 @@ constexpr std::string_view word_of(BeltState belt_state) {
     case BeltState::slipping:
       return "slipping";
     case BeltState::beyond_limit:
-      return "would slip";
+      return "beyond the limit";
   }
   return "";
 }
