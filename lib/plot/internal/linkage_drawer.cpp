@@ -17,7 +17,7 @@ std::vector<BodyId> LinkageDrawer::moving_bodies() const {
 }
 
 void LinkageDrawer::place_cables() {
-  for (const CableSpan& span : parts_.spans) {
+  for (const CableLine& span : parts_.spans) {
     canvas_.set_place(span.coupling, (span.from + span.to) / 2);
   }
 }

@@ -27,7 +27,7 @@ struct Wheel {
 };
 
 /// A straight part of a cable between what it touches.
-struct CableSpan {
+struct CableLine {
   CouplingId coupling;
   Vec3 from = Vec3::Zero();  ///< on the tail
   Vec3 to = Vec3::Zero();    ///< on the head
@@ -57,7 +57,7 @@ struct LinkageParts {
   std::vector<std::vector<Vec3>> outlines;     ///< of each body, where the file has one
   std::vector<bool> is_virtual;                ///< of each body: a virtual link of a cable
   std::vector<Wheel> wheels;                   ///< one a body, centre and radius
-  std::vector<CableSpan> spans;
+  std::vector<CableLine> spans;
   std::vector<CableArc> arcs;
 };
 

@@ -34,7 +34,7 @@ class PlanarDrawing : private PlanarDrawer {
   using PlanarDrawer::PlanarDrawer;
 
   void draw_cables() {
-    for (const CableSpan& span : parts_.spans) {
+    for (const CableLine& span : parts_.spans) {
       const std::array<Attribute, 1> marks = {
           {{"data-cable", topology_.coupling(span.coupling).name}}};
       svg_.open_group(topology_.coupling(span.coupling).name, marks);

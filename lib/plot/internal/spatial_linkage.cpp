@@ -209,7 +209,7 @@ class SpatialDrawing : private LinkageDrawer {
   }
 
   void draw_cables() {
-    for (const CableSpan& span : parts_.spans) {
+    for (const CableLine& span : parts_.spans) {
       const PixelPoint from = canvas_.view().at(span.from);
       const PixelPoint to = canvas_.view().at(span.to);
       svg_.line(from, to, {.stroke = Ink::brown, .width = 2.2});

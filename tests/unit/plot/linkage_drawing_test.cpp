@@ -106,7 +106,7 @@ TEST(LinkageParts, LeadRopesAlongTangents) {
 
   ASSERT_EQ(parts.spans.size(), 2U);
   ASSERT_EQ(parts.arcs.size(), 2U);
-  for (const CableSpan& span : parts.spans) {
+  for (const CableLine& span : parts.spans) {
     const Vec3 along = span.to - span.from;
     EXPECT_NEAR(std::abs(along.y()) / along.norm(), 1.0 / 6.0, 1e-12);
     EXPECT_NEAR(along.norm(), std::sqrt(0.3 * 0.3 - 0.05 * 0.05), 1e-12);
