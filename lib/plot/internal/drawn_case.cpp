@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -143,6 +144,25 @@ class ArrowFinder {
     return sum;
   }
 
+  // A couple has no place of its own: it stands at the reference point of the body, unless that is
+  // so far away that the mechanism would vanish beside it; then at the nearest coupling of the
+  // body.
+  Vec3 place_of_couple(BodyId body) const {
+    const Geometry& geometry = mechanism_.geometry;
+    const Vec3 reference = geometry.references[static_cast<std::size_t>(body.value)];
+    Vec3 nearest = reference;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t e = 0; e < geometry.points.size(); ++e) {
+      const CouplingTopology& coupling = mechanism_.topology.couplings[e];
+      const double distance = (geometry.points[e] - reference).norm();
+      if ((coupling.tail == body || coupling.head == body) && distance < least) {
+        least = distance;
+        nearest = geometry.points[e];
+      }
+    }
+    return least > kFarOrigin * geometry.length ? nearest : reference;
+  }
+
   void add_load(const Load& load) {
     if (load.point) {
       add({.kind = ArrowKind::load,
@@ -152,12 +172,8 @@ class ArrowFinder {
            .text = text_of(load.name, load.acts.wrench.force.norm(), QuantityKind::force)});
     }
     const Vec3 couple = couple_of(load, mechanism_.geometry.origin);
-    const Vec3 at =
-        load.point
-            ? *load.point
-            : Vec3(mechanism_.geometry.references[static_cast<std::size_t>(load.acts.body.value)]);
     add({.kind = ArrowKind::load,
-         .at = at,
+         .at = load.point ? *load.point : place_of_couple(load.acts.body),
          .vector = couple,
          .is_axial = true,
          .text = text_of(load.name, couple.norm(), QuantityKind::moment)});
