@@ -88,7 +88,7 @@ Efficiency find_efficiency(const Case& which, const CasePowers& powers) {
   if (has_power(which.outputs, 1.0, powers)) {
     return no_efficiency("one of the outputs gives power");
   }
-  if (out >= -kPowerBalance * in) {
+  if (out >= 0.0) {
     return {.value = 0.0, .reason = "friction takes all that the inputs give"};
   }
   if (-out > (1.0 + kPowerBalance) * in) {

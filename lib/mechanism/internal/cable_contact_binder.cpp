@@ -110,6 +110,16 @@ class ContactBinder {
     if ((mu.value_or(0.0) > 0.0 || eta < 1.0) && !check_sense(station)) {
       return;
     }
+    if (!std::isfinite(std::exp(mu.value_or(0.0) * wrap.value_or(0.0)))) {
+      found_.error("E0316",
+                   station.where,
+                   fmt::format("the tensions that friction holds on pulley '{}' have a ratio of "
+                               "exp({:.6g}), which is too large for a number",
+                               station.body.text,
+                               *mu * *wrap),
+                   "give fewer turns or less friction");
+      return;
+    }
     // Friction acts where the cable slips; elsewhere it is a limit.
     drag.radius = pulley.radius;
     drag.ratio = (slips ? std::exp(mu.value_or(0.0) * wrap.value_or(0.0)) : 1.0) / eta;
