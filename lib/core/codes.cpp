@@ -348,6 +348,16 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "Friction acts against the motion of its coupling, so the case must say how that moves: "
      "give 'motion:'. Where the coupling rests, friction may have any size up to its limit, and "
      "statics alone cannot tell: leave it out of such a coupling. See 'kinestat help friction'."},
+    {"E0605",
+     no_answer,
+     "friction leaves open how it is pressed",
+     "Without friction the known actions contradict equilibrium, as a torque on a crank at its "
+     "dead "
+     "centre does. With friction they may be in equilibrium, because what the unknown actions "
+     "press "
+     "rubs and holds them; but a bearing rubs as much pressed one way as the other, so that the "
+     "sign of these actions does not follow. The message has the equilibria that were found. Give "
+     "an action of the other member instead, or another position."},
     {"E0701",
      no_answer,
      "power balance is violated",

@@ -8,6 +8,7 @@
 #include "mechanism/place_error.hpp"
 #include "statics/coupling_wrenches.hpp"
 #include "statics/equilibrium.hpp"
+#include "statics/internal/tied_action.hpp"
 
 namespace kinestat {
 
@@ -59,6 +60,15 @@ StaticSolution solve_action(const Mechanism& mechanism,
                             std::span<const Primary> primaries,
                             std::span<const BodyWrench> loads,
                             const AccuracyRequest& request) {
+  return solve_tied_action(mechanism, basis, primaries, loads, request, {});
+}
+
+StaticSolution solve_tied_action(const Mechanism& mechanism,
+                                 const CoordinateBasis& basis,
+                                 std::span<const Primary> primaries,
+                                 std::span<const BodyWrench> loads,
+                                 const AccuracyRequest& request,
+                                 const std::vector<TiedAction>& ties) {
   std::vector<int> indices;
   std::vector<double> known;
   indices.reserve(primaries.size());
@@ -67,7 +77,7 @@ StaticSolution solve_action(const Mechanism& mechanism,
     indices.push_back(primary.index);
     known.push_back(primary.value);
   }
-  const Equilibrium equilibrium(mechanism, basis, std::move(indices));
+  const Equilibrium equilibrium(mechanism, basis, std::move(indices), ties);
   StaticSolution solution;
   solution.evidence = equilibrium.evidence();
   solution.counts = equilibrium.counts();

@@ -26,17 +26,48 @@ std::vector<double> action_units(const Topology& topology, const CoordinateBasis
   return units;
 }
 
+// Tensions count in the unit of forces, 1 N.
+SparseMatrix tied_system(SparseMatrix system,
+                         const std::vector<TiedAction>& ties,
+                         int body_count,
+                         const CoordinateBasis& basis) {
+  std::vector<const TiedAction*> tie_of(static_cast<std::size_t>(system.columns), nullptr);
+  for (const TiedAction& tie : ties) {
+    tie_of[static_cast<std::size_t>(tie.action)] = &tie;
+  }
+  for (SparseEntry& entry : system.entries) {
+    if (const TiedAction* tie = tie_of[static_cast<std::size_t>(entry.column)]) {
+      entry.column = tie->to;
+      entry.value *= tie->share;
+    }
+  }
+  std::erase_if(system.entries, [](const SparseEntry& entry) { return entry.value == 0.0; });
+  for (const TiedAction& tie : ties) {
+    const std::vector<double> column = load_vector(body_count, basis, tie.pulls);
+    for (std::size_t row = 0; row < column.size(); ++row) {
+      system.add(static_cast<int>(row), tie.action, -column[row]);
+    }
+  }
+  return system;
+}
+
 }  // namespace
 
 Equilibrium::Equilibrium(const Mechanism& mechanism,
                          CoordinateBasis basis,
-                         std::vector<int> primaries)
+                         std::vector<int> primaries,
+                         std::vector<TiedAction> ties)
     : basis_(std::move(basis)),
       primaries_(std::move(primaries)),
+      ties_(std::move(ties)),
       driving_(mechanism.topology.driving_actions()),
       units_(action_units(mechanism.topology, basis_)),
       body_count_(mechanism.topology.body_count()),
-      elimination_(action_system(mechanism.topology, mechanism.geometry, basis_), primaries_),
+      elimination_(tied_system(action_system(mechanism.topology, mechanism.geometry, basis_),
+                               ties_,
+                               body_count_,
+                               basis_),
+                   primaries_),
       counts_(action_counts(mechanism, basis_.order(), elimination_.rank())) {
   if (mechanism.closure_error > 0.0) {
     find_stresses(mechanism.closure_error);
@@ -62,6 +93,13 @@ void Equilibrium::find_stresses(double closure_error) {
     if (stresses_.row(a).norm() > least) {
       open_.push_back(static_cast<int>(a));
     }
+  }
+}
+
+// From the friction that was unknown to the tension, or how far it may be off.
+void Equilibrium::tie(VecX& per_action) const {
+  for (const TiedAction& one : ties_) {
+    per_action[one.action] = one.share * per_action[one.to];
   }
 }
 
@@ -96,13 +134,15 @@ EquilibriumActions Equilibrium::solve_to(const AccuracyRequest& request,
   if (is_moved_) {
     x -= stresses_ * (stresses_.transpose() * x);
   }
+  tie(x);
   EquilibriumActions result{
       .magnitudes = units.cwiseProduct(x),
       .residual = solved.solution.residual,
       .consistent = solved.solution.consistent,
       .answer = {.precision = solved.precision, .error_bound = {}, .bounds = {}}};
   if (solved.bound) {
-    const VecX bounds = units.cwiseProduct(*solved.bound);
+    VecX bounds = units.cwiseProduct(*solved.bound);
+    tie(bounds);
     result.answer.error_bound = worst_relative_error(solved.solution.x, *solved.bound, counts);
     result.answer.bounds.assign(bounds.begin(), bounds.end());
   }
@@ -114,10 +154,14 @@ void Equilibrium::settle(const Mechanism& mechanism,
                          VecX& magnitudes) const {
   const Eigen::Map<const VecX> units(units_.data(), static_cast<Eigen::Index>(units_.size()));
   VecX x = magnitudes.cwiseQuotient(units);
+  for (const TiedAction& one : ties_) {
+    x[one.action] = one.friction_share * x[one.to];
+  }
   settle_inexact(elimination_,
                  load_vector(body_count_, basis_, loads),
                  {.rows = basis_.order(), .share = place_error(mechanism)},
                  x);
+  tie(x);
   magnitudes = units.cwiseProduct(x);
 }
 

@@ -21,14 +21,28 @@ struct EquilibriumActions {
   AnswerEvidence answer;   ///< of those magnitudes that were asked for
 };
 
+/// A tension that is a fixed share of another one, because a cable slips between them. The friction
+/// that holds the pulley back is unknown in its place.
+struct TiedAction {
+  int action = 0;
+  int to = 0;                     ///< is no tied action itself
+  double share = 0.0;             ///< of that tension: this one
+  double friction_share = 0.0;    ///< of that tension: the friction as a force at the rim
+  std::vector<BodyWrench> pulls;  ///< on both bodies of the pulley, of 1 N at the rim
+};
+
 /// A_N ψ + loads = 0 as the equilibrium of the bodies, factored once for a choice of primary
 /// actions (Cazangi 2008, sections 3.8.2 and 3.9.2). It answers for any magnitudes of them and any
 /// loads, those that depend on the answer among them. In a moved position an action is determined
 /// if self-stresses move it by no more than that misses closure, and magnitudes are the least ones.
 class Equilibrium {
  public:
-  /// `basis` must hold all unit actions and the loads to come; `primaries` are actions, each once.
-  Equilibrium(const Mechanism& mechanism, CoordinateBasis basis, std::vector<int> primaries);
+  /// `basis` must hold all unit actions and the loads to come; `primaries` are actions, each once,
+  /// and not tied.
+  Equilibrium(const Mechanism& mechanism,
+              CoordinateBasis basis,
+              std::vector<int> primaries,
+              std::vector<TiedAction> ties = {});
 
   const CoordinateBasis& basis() const { return basis_; }
 
@@ -64,9 +78,11 @@ class Equilibrium {
 
  private:
   void find_stresses(double closure_error);
+  void tie(VecX& per_action) const;
 
   CoordinateBasis basis_;
   std::vector<int> primaries_;
+  std::vector<TiedAction> ties_;
   std::vector<int> driving_;   ///< actions of actuators
   std::vector<double> units_;  ///< SI per unit of the unknown of each action
   int body_count_ = 0;

@@ -156,8 +156,13 @@ void add_cables(const SlidingOf<Scalar>& s, FrictionLawOf<Scalar>& law) {
     const std::optional<CouplingId>& ahead = runs_on ? cable.leaves : cable.arrives;
     const std::optional<CouplingId>& behind = runs_on ? cable.arrives : cable.leaves;
     const double share = ahead ? 1.0 - 1.0 / cable.ratio : cable.ratio - 1.0;
-    law.parts.push_back(
-        tension_part(s, ahead ? *ahead : *behind, Scalar(std::abs(cable.radius) * share)));
+    PressingPartOf<Scalar> part =
+        tension_part(s, ahead ? *ahead : *behind, Scalar(std::abs(cable.radius) * share));
+    if (ahead && behind) {
+      part.slack = behind;
+      part.slack_share = 1.0 / cable.ratio;
+    }
+    law.parts.push_back(part);
   }
 }
 

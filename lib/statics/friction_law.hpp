@@ -19,6 +19,9 @@ struct PressingPartOf {
   Scalar weight = 0.0;
   Scalar weight_if_negative = 0.0;  ///< of the first component, the others being zero
   bool is_signed = false;           ///< only then does the second weight count
+  std::optional<CouplingId> slack;  ///< of a cable on a pulley: the segment of which the tension is
+                                    ///< `slack_share` of that which presses, while that pulls
+  double slack_share = 0.0;
 };
 
 /// Two bodies of a couple or force between them: that of tail on head, and its opposite.

@@ -76,6 +76,9 @@ struct StaticSolution {
   std::vector<FrictionAction> friction;  ///< of the couplings that have any
   std::vector<CouplingId> at_rest;       ///< where friction has no direction
   std::vector<CouplingId> open_friction;  ///< that depends on actions which equilibrium leaves open
+  std::vector<VecX> other_actions;  ///< magnitudes of each action in other equilibria that fulfil
+                                    ///< the laws of friction too [N·m or N]: beside the answer;
+                                    ///< or, where it is inconsistent without friction, all of them
   std::vector<IgnoredReaction> ignored;   ///< in the order of mechanism.frictions
   std::vector<SelfStress> self_stresses;  ///< of an underdetermined case; empty also where
                                           ///< there are too many to be read

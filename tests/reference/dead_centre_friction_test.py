@@ -124,6 +124,83 @@ motion: {drive: motor, from: -0.08, to: 0.08, steps: 4, case: one, report: [c.R,
             self.near(float(row["c.R [N]"]), force, "R", abs(force))
 
 
+
+JOURNAL = 0.2 * 0.020  # coefficient times radius [m]
+CRANK, ROD = 0.030, 0.100  # [m]
+
+
+def crank_text(angle: float) -> str:
+    """A crank that turns by 1 rad/s in a journal with friction, under a known torque."""
+    return f"""\
+kinestat: 1
+space: planar
+units: {{length: mm, angle: deg}}
+parameters: {{th: {angle} deg, x: 30 mm*cos(th) + sqrt((100 mm)^2 - (30 mm*sin(th))^2)}}
+ground: frame
+bodies: [crank, rod, ram]
+couplings:
+  a: {{type: revolute, bodies: [frame, crank], at: [0, 0], friction: {{mu: 0.2, radius: 20}}}}
+  b: {{type: revolute, bodies: [crank, rod], at: [30 mm*cos(th), 30 mm*sin(th)]}}
+  c: {{type: revolute, bodies: [rod, ram], at: [x, 0]}}
+  d: {{type: prismatic, bodies: [frame, ram], at: [x, 0], axis: x}}
+actuators: {{motor: {{coupling: a}}, work: {{coupling: d}}}}
+cases:
+  one: {{motion: {{motor: 1}}, action: {{motor: {TORQUE} N*m}}, input: motor, output: work}}
+"""
+
+
+def ram_forces(angle: float) -> list[float]:
+    """T = mu r |W| / cos(beta) - W dx/dtheta: the work [N] of either sign that fulfils it."""
+    theta = math.radians(angle)
+    lean = math.asin(CRANK * math.sin(theta) / ROD)
+    advance = -CRANK * math.sin(theta) - CRANK * math.cos(theta) * math.tan(lean)
+    rub = JOURNAL / math.cos(lean)
+    forces = [TORQUE / (sign * rub - advance) for sign in (1, -1)]
+    return [w for w, sign in zip(forces, (1, -1)) if w * sign > 0]
+
+
+class Cranks(ReferenceTest):
+    """A journal rubs pressed either way."""
+
+    def test_says_that_there_is_another_equilibrium(self) -> None:
+        for angle in (5, 3, 1):
+            with self.subTest(angle):
+                first, other = ram_forces(angle)
+                done = program.call("analyze", "-", text=crank_text(angle))
+                statics = program.report(done)["cases"]["one"]["statics"]
+                self.near(statics["actions"]["work"], first, "work", first)
+                self.assertIn("warning[W0608]", done.stderr)
+                self.assertIn(f"work = {other:.6g} N", done.stderr)
+        self.assertAlmostEqual(ram_forces(5)[0], 270.353, 3)
+        self.assertAlmostEqual(ram_forces(5)[1], -3305.72, 2)
+
+    def test_is_silent_where_there_is_one(self) -> None:
+        for angle in (10, 45, 90, -10, -60, 150):
+            with self.subTest(angle):
+                self.assertEqual(len(ram_forces(angle)), 1)
+                done = program.call("analyze", "-", text=crank_text(angle))
+                statics = program.report(done)["cases"]["one"]["statics"]
+                self.near(statics["actions"]["work"], ram_forces(angle)[0], "work", 1e4)
+                self.assertNotIn("W0608", done.stderr)
+
+    def test_leaves_the_sign_open_at_the_dead_centre(self) -> None:
+        """4 mm |F| = 2 N·m: 500 N either way."""
+        done = program.call("analyze", "-", text=crank_text(0))
+        self.assertNotIn("E0602", done.stderr)
+        self.assertIn("error[E0605]", done.stderr)
+        self.assertIn("work = 500 N, or work = -500 N", done.stderr)
+
+    def test_motions_say_so_too(self) -> None:
+        text = crank_text(5) + "motion: {drive: motor, from: 0 deg, to: -10 deg, steps: 2, " \
+                               "case: one, report: [work]}\n"
+        done = program.call("motion", "-", text=text)
+        motion = Motion(program.report(done))
+        self.assertEqual(motion["status"], ["solved", "ambiguous", "solved"])
+        self.assertIsNone(motion["work/action"][1])
+        self.assertIn("E0605", done.stderr)
+        self.assertIn("W0608", done.stderr)
+
+
 if __name__ == "__main__":
     program.use(sys.argv[1])
     unittest.main(argv=[sys.argv[0], *sys.argv[2:]])

@@ -88,11 +88,74 @@ void add_contradiction(const JudgedFile& file, const CaseAnalysis& one, CaseFind
       fmt::format("case '{}' has no equilibrium: {}{}{}",
                   one.which.label,
                   cutsets_text(file, action, side),
-                  !action.unconstrained     ? ""
+                  !action.unconstrained ? ""
+                  : !file.mechanism.frictions.empty()
+                      ? "; without friction nothing resists the motion: "
                   : one.which.loads.empty() ? "; nothing resists the motion: "
                                             : "; nothing balances the load: ",
                   action.unconstrained ? unconstrained_text(file, *action.unconstrained) : ""),
       removal_text(action.check, side) + " so that it is solved, or add what holds this motion");
+}
+
+// "work = -3305.72 N": what an equilibrium demands of the actuators that the case does not know, or
+// of the first action, if there are none.
+std::string demands_text(const JudgedFile& file, const CaseAnalysis& one, const VecX& actions) {
+  const KnownSide side = action_side(file, one.which);
+  const auto is_known = [&](int a) {
+    return std::ranges::find(one.which.actions, a, &Primary::index) != one.which.actions.end();
+  };
+  const auto is_open = [&](int a) {
+    return one.action->status == SolveStatus::underdetermined &&
+           std::ranges::find(one.action->check.undetermined, a) !=
+               one.action->check.undetermined.end();
+  };
+  std::vector<int> shown;
+  for (const int a : file.mechanism.topology.driving_actions()) {
+    if (!is_known(a) && !is_open(a)) {
+      shown.push_back(a);
+    }
+  }
+  for (int a = 0; shown.empty() && a < actions.size(); ++a) {
+    if (!is_known(a) && !is_open(a)) {
+      shown.push_back(a);
+    }
+  }
+  std::vector<std::string> parts;
+  for (const int a : shown) {
+    parts.push_back(fmt::format(
+        "{} = {:.6g} {}", side.name(a), actions[a] / side.unit(a), side.units.text(side.kind(a))));
+  }
+  return plain_list(parts);
+}
+
+// Without friction nothing balances a known action; with it, actions of either sign may.
+void add_held_by_friction(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const StaticSolution& action = *one.action;
+  std::string equilibria = demands_text(file, one, action.other_actions.front());
+  for (std::size_t i = 1; i < action.other_actions.size(); ++i) {
+    equilibria += ", or " + demands_text(file, one, action.other_actions[i]);
+  }
+  found.error(
+      "E0605",
+      place_of_surplus(one.which.actions, action.check, one.which.where),
+      fmt::format("case '{}': nothing but friction holds the known actions, which leaves "
+                  "open how it is pressed: {}",
+                  one.which.label,
+                  equilibria),
+      removal_text(action.check, action_side(file, one.which)) + " and give one of these instead");
+}
+
+void add_other_equilibrium(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  if (one.action->magnitudes.empty() || one.action->other_actions.empty()) {
+    return;
+  }
+  found.warning("W0608",
+                one.which.where,
+                fmt::format("case '{}' has another equilibrium with this friction: {}",
+                            one.which.label,
+                            demands_text(file, one, one.action->other_actions.front())),
+                "the answer is the one that grows out of that without friction; to have the other, "
+                "give one of its actions instead of a known one");
 }
 
 std::string names_of(const std::vector<CouplingId>& couplings, const Topology& topology) {
@@ -255,7 +318,9 @@ void add_action_status_findings(const JudgedFile& file,
                                 CaseFindings& found) {
   const StaticSolution& action = *one.action;
   const KnownSide side = action_side(file, one.which);
-  if (action.status == SolveStatus::inconsistent) {
+  if (!action.other_actions.empty() && action.magnitudes.empty()) {
+    add_held_by_friction(file, one, found);
+  } else if (action.status == SolveStatus::inconsistent) {
     add_contradiction(file, one, found);
   } else if (action.status == SolveStatus::dependent) {
     found.error("E0601",
@@ -291,6 +356,7 @@ void add_action_value_findings(const JudgedFile& file,
                                const CaseAnalysis& one,
                                CaseFindings& found) {
   add_ignored_reactions(file, one, found);
+  add_other_equilibrium(file, one, found);
   add_pulling_contacts(file, one, found);
   add_cable_findings(file, one, found);
 }

@@ -28,7 +28,7 @@ std::string_view case_word(const Mechanism& mechanism, const CaseAnalysis& one, 
   }
   const SolveStatus status = one.action ? one.action->status : SolveStatus::solved;
   if (status != SolveStatus::solved && status != SolveStatus::underdetermined) {
-    return word_of(status);
+    return one.action && !one.action->other_actions.empty() ? "ambiguous" : word_of(status);
   }
   if (const std::string_view word = impossible_word(mechanism, one); !word.empty()) {
     return word;

@@ -26,4 +26,23 @@ struct FrictionFunction {
 /// if the friction grows beyond all bounds on the way.
 std::optional<VecX> follow_friction(const std::vector<FrictionFunction>& functions);
 
+/// Another solution of f = functions(f) than that one, if a search finds it. There is none where
+/// frictions change each other by less than they change, however they press. Sought are those in
+/// which some of what presses in the first presses the other way; of a single friction none is
+/// missed, for it is a convex function of itself.
+std::optional<VecX> find_other_friction(const std::vector<FrictionFunction>& functions,
+                                        const VecX& f);
+
+/// A further condition on frictions: constant + slopes · f = 0.
+struct FrictionCondition {
+  double constant = 0.0;
+  VecX slopes;
+};
+
+/// Of as many functions as there are frictions, but for the last magnitude, which is none and which
+/// the condition determines: the solution that Newton's method finds from `start`.
+std::optional<VecX> solve_friction(const std::vector<FrictionFunction>& functions,
+                                   const FrictionCondition& condition,
+                                   VecX start);
+
 }  // namespace kinestat

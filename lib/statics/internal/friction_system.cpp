@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
-#include "statics/action.hpp"
 #include "statics/coupling_wrenches.hpp"
+#include "statics/internal/tied_action.hpp"
 
 namespace kinestat {
 
@@ -35,12 +35,14 @@ FrictionSystem::FrictionSystem(const Mechanism& mechanism,
                                const CoordinateBasis& basis,
                                std::span<const Primary> primaries,
                                std::span<const BodyWrench> loads,
-                               std::span<const FrictionLaw> laws)
+                               std::span<const FrictionLaw> laws,
+                               const std::vector<TiedAction>& ties)
     : mechanism_(mechanism),
       primaries_(primaries),
       loads_(loads),
       laws_(laws),
-      equilibrium_(mechanism, basis, indices_of(primaries)),
+      ties_(ties),
+      equilibrium_(mechanism, basis, indices_of(primaries), ties_),
       frictionless_(equilibrium_.solve(values_of(primaries), loads).magnitudes),
       responses_(laws.size()),
       is_open_(laws.size(), false) {}
@@ -192,7 +194,8 @@ StaticSolution FrictionSystem::solution_with(const ChosenFrictions& frictions) c
         pair_of(laws_[frictions.laws[i]], frictions.magnitudes[static_cast<Eigen::Index>(i)]),
         std::back_inserter(all));
   }
-  StaticSolution solution = solve_action(mechanism_, equilibrium_.basis(), primaries_, all);
+  StaticSolution solution =
+      solve_tied_action(mechanism_, equilibrium_.basis(), primaries_, all, {}, ties_);
   if (solution.unconstrained) {
     std::erase_if(solution.unconstrained->loads,
                   [&](int load) { return load >= std::ssize(loads_); });

@@ -26,7 +26,8 @@ class FrictionSystem {
                  const CoordinateBasis& basis,
                  std::span<const Primary> primaries,
                  std::span<const BodyWrench> loads,
-                 std::span<const FrictionLaw> laws);
+                 std::span<const FrictionLaw> laws,
+                 const std::vector<TiedAction>& ties = {});
 
   const FrictionLaw& law(std::size_t i) const { return laws_[i]; }
 
@@ -63,6 +64,7 @@ class FrictionSystem {
   std::span<const Primary> primaries_;
   std::span<const BodyWrench> loads_;
   std::span<const FrictionLaw> laws_;
+  std::vector<TiedAction> ties_;
   Equilibrium equilibrium_;
   VecX frictionless_;
   mutable std::vector<std::optional<VecX>> responses_;  ///< solved when first asked for
