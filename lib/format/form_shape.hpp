@@ -44,10 +44,12 @@ struct NumberRange {
 /// How several keys of a mapping belong together. In texts {} stands for the mapping.
 struct FormRule {
   enum class Kind {
-    instead,   ///< `key` stands instead of `others`
-    any_of,    ///< at least one of `others`
-    together,  ///< `key` needs `others.front()` beside it
-    pointless  ///< `key` means nothing without `others.front()`
+    instead,              ///< `key` stands instead of `others`
+    any_of,               ///< at least one of `others`
+    one_of,               ///< exactly one of `others`
+    needed_unless_whole,  ///< `key`, unless the bare number behind `others.front()` is whole
+    together,             ///< `key` needs `others.front()` beside it
+    pointless             ///< `key` means nothing without `others.front()`
   };
 
   Kind kind = Kind::instead;
@@ -71,6 +73,7 @@ struct FormShape {
   NumberRange range = {};                  ///< of a number
   std::vector<Word> words = {};
   std::string item = {};             ///< what an item is: "a load"
+  std::string elements = {};         ///< of `names`: "meshes to losses"
   std::string name_definition = {};  ///< of `names`: the schema of the names
   std::size_t least = 0;             ///< how many items
   std::size_t most = kAnyNumber;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "format/collections.hpp"
 #include "format/form.hpp"
 #include "format/mapping_check.hpp"
 #include "format/member.hpp"
@@ -68,28 +69,35 @@ class Mapping {
                       const std::string& title,
                       const std::string& hint);
 
+  /// A line for each key where it is written.
+  void write_in_lines() { is_in_lines_ = true; }
+
   const FormShape& shape() const { return shape_; }
 
   /// The value as a mapping. Empty iff an error was added.
   std::optional<T> read(const FileValue& value) const {
-    const int errors_before = value.found.error_count();
     T object;
     if constexpr (HasPlace<T>) {
       object.where = value.place;
     }
+    return read_into(object, value) ? std::optional(std::move(object)) : std::nullopt;
+  }
+
+  /// False iff an error was added.
+  bool read_into(T& object, const FileValue& value) const {
+    const int errors_before = value.found.error_count();
     Fields fields(value.node, value.where, value.what, value.found);
     read_keys(fields, value, object);
     fields.finish();
     if (value.node.kind == YamlKind::mapping) {
-      check_rules(shape_, value);
+      check_rules(shape_, value, errors_before);
     }
-    if (value.found.error_count() == errors_before) {
-      for (const auto& check : checks_) {
+    for (const auto& check : checks_) {
+      if (value.found.error_count() == errors_before) {
         check(object, value);
       }
     }
-    return value.found.error_count() == errors_before ? std::optional(std::move(object))
-                                                      : std::nullopt;
+    return value.found.error_count() == errors_before;
   }
 
   /// The keys among others, whose end the caller says.
@@ -101,21 +109,21 @@ class Mapping {
     }
   }
 
-  /// Each key with its value; without the keys that are as they would be if left out.
-  std::vector<std::pair<std::string, std::string>> key_texts(const T& object) const {
-    std::vector<std::pair<std::string, std::string>> texts;
+  /// Without the keys that are as they would be if left out.
+  FileText text(const T& object) const {
+    FileText text{.kind = FileText::Kind::mapping, .in_lines = is_in_lines_};
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       if (auto behind = steps_[i].write(object)) {
-        texts.emplace_back(shape_.keys[i].key, *std::move(behind));
+        text.entries.emplace_back(shape_.keys[i].key, *std::move(behind));
       }
     }
-    return texts;
+    return text;
   }
 
   Form<T> form() const {
     return {.shape = shape_,
             .read = [this](const FileValue& value) { return read(value); },
-            .write = [this](const T& object) { return in_braces(key_texts(object)); }};
+            .write = [this](const T& object) { return text(object); }};
   }
 
  private:
@@ -124,10 +132,11 @@ class Mapping {
 
   struct Step {
     std::function<void(const FileValue&, T&)> read;
-    std::function<std::optional<std::string>(const T&)> write;  // empty: the key is left out
+    std::function<std::optional<FileText>(const T&)> write;  // empty: the key is left out
   };
 
   FormShape shape_;
+  bool is_in_lines_ = false;
   std::vector<Step> steps_;  // of the keys
   std::vector<std::function<void(const T&, const FileValue&)>> checks_;
 };

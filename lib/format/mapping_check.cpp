@@ -44,6 +44,21 @@ void check_instead(const FormRule& rule, const FileValue& mapping) {
   }
 }
 
+void check_one_of(const FormRule& rule, const FileValue& mapping, int errors_before) {
+  const auto count =
+      std::ranges::count_if(rule.others, [&](const auto& key) { return has(mapping, key); });
+  if (count != 1 && mapping.found.error_count() == errors_before) {
+    mapping.found.error(count == 0 ? "E0303" : "E0302",
+                        mapping.place,
+                        fmt::format(fmt::runtime(rule.message), mapping.what),
+                        rule.hint);
+  }
+}
+
+bool is_about_one(const FormRule& rule) {
+  return rule.kind == FormRule::Kind::together || rule.kind == FormRule::Kind::pointless;
+}
+
 }  // namespace
 
 std::optional<FileValue> find_key(const FormShape& shape,
@@ -67,7 +82,7 @@ std::optional<FileValue> find_key(const FormShape& shape,
   return FileValue{.node = *node,
                    .what = is_section ? fmt::format("'{}'", key.key)
                                       : fmt::format("'{}' of {}", key.key, mapping.what),
-                   .key = key.key,
+                   .key = &key,
                    .owner = mapping.what,
                    .where = node->where,
                    .place = is_section ? place_of_key(mapping.node, key.key) : node->where,
@@ -75,16 +90,22 @@ std::optional<FileValue> find_key(const FormShape& shape,
                    .found = mapping.found};
 }
 
-void check_rules(const FormShape& shape, const FileValue& mapping) {
+void check_rules(const FormShape& shape, const FileValue& mapping, int errors_before) {
+  const int keys_before = mapping.found.error_count();
   for (const FormRule& rule : shape.rules) {
+    if (mapping.found.error_count() > keys_before) {
+      return;  // the rest may follow from it
+    }
     const auto has_key = [&](const std::string& key) { return has(mapping, key); };
     const bool has_any = std::ranges::any_of(rule.others, has_key);
     if (rule.kind == FormRule::Kind::instead) {
       check_instead(rule, mapping);
+    } else if (rule.kind == FormRule::Kind::one_of) {
+      check_one_of(rule, mapping, errors_before);
     } else if (rule.kind == FormRule::Kind::any_of && !has_any) {
       mapping.found.error(
           "E0303", mapping.where, fmt::format(fmt::runtime(rule.message), mapping.what), rule.hint);
-    } else if (rule.kind != FormRule::Kind::any_of && has_key(rule.key) && !has_any) {
+    } else if (is_about_one(rule) && has_key(rule.key) && !has_any) {
       mapping.found.error(rule.kind == FormRule::Kind::together ? "E0303" : "E0302",
                           place_of_key(mapping.node, rule.key),
                           fmt::format(fmt::runtime(rule.message), mapping.what),

@@ -16,7 +16,8 @@ std::optional<FileValue> find_key(const FormShape& shape,
                                   Fields& fields,
                                   const FileValue& mapping);
 
-/// Complains of keys that do not belong together.
-void check_rules(const FormShape& shape, const FileValue& mapping);
+/// Complains of keys that do not belong together. `errors_before` counts the errors before the
+/// mapping was read.
+void check_rules(const FormShape& shape, const FileValue& mapping, int errors_before);
 
 }  // namespace kinestat

@@ -31,24 +31,106 @@ class Mapping<T>::Key {
     if (!example.empty()) {
       key_.examples.push_back(std::move(example));
     }
-    mapping_.shape_.keys.push_back(std::move(key_));
-    mapping_.steps_.push_back({.read =
-                                   [member, read = form.read](const FileValue& value, T& object) {
-                                     if (auto one = read(value)) {
-                                       set_member(object.*member, *std::move(one));
-                                     }
-                                   },
-                               .write = [member, write = form.write, is_needed = added().is_needed](
-                                            const T& object) -> std::optional<std::string> {
-                                 const auto* one = present(object.*member, T{}.*member, is_needed);
-                                 return one != nullptr ? std::optional(write(*one)) : std::nullopt;
-                               }});
+    const bool is_needed = key_.is_needed;
+    add({.read =
+             [member, read = form.read](const FileValue& value, T& object) {
+               if (auto one = read(value)) {
+                 set_member(object.*member, *std::move(one));
+               }
+             },
+         .write =
+             [member, write = form.write, is_needed](const T& object) -> std::optional<FileText> {
+           const auto* one = present(object.*member, T{}.*member, is_needed);
+           return one != nullptr ? std::optional(write(*one)) : std::nullopt;
+         }});
+    return *this;
+  }
+
+  /// It must be there, but is not written as long as it says what is usual.
+  Key& required() {
+    added().is_needed = true;
+    return *this;
+  }
+
+  /// Keys of the same object in a mapping of their own, whose place is remembered.
+  Key& group(const Mapping& part, SourceRange T::*place) {
+    key_.shape = part.shape_;
+    add({.read =
+             [&part, place](const FileValue& value, T& object) {
+               object.*place = value.place;
+               part.read_into(object, value);
+             },
+         .write = [&part](const T& object) -> std::optional<FileText> {
+           FileText text = part.text(object);
+           return text.entries.empty() ? std::nullopt : std::optional(std::move(text));
+         }});
+    return *this;
+  }
+
+  /// It is checked, but not kept.
+  template <class Read>
+  Key& passed_over(const Form<Read>& form, std::string example) {
+    key_.shape = form.shape;
+    key_.examples.push_back(std::move(example));
+    add({.read = [read = form.read](const FileValue& value, T&) { (void)read(value); },
+         .write = [](const T&) { return std::optional<FileText>(); }});
+    return *this;
+  }
+
+  /// The member says whether the key is there; then it is written even if there is nothing in it.
+  Key& noted(bool T::*is_there) {
+    Step& step = mapping_.steps_.back();
+    step.read = [is_there, read = step.read](const FileValue& value, T& object) {
+      object.*is_there = true;
+      read(value, object);
+    };
+    step.write = [is_there, write = step.write](const T& object) {
+      auto text = write(object);
+      return text || !(object.*is_there) ? text
+                                         : std::optional(FileText{.kind = FileText::Kind::mapping});
+    };
+    return *this;
+  }
+
+  /// The key is there iff the member has this value.
+  template <class Member>
+  Key& selects(Member T::*member, Member chosen) {
+    Step& step = mapping_.steps_.back();
+    step.read = [member, chosen, read = step.read](const FileValue& value, T& object) {
+      object.*member = chosen;
+      read(value, object);
+    };
+    step.write = [member, chosen, write = step.write](const T& object) {
+      return object.*member == chosen ? write(object) : std::nullopt;
+    };
+    return *this;
+  }
+
+  /// Where the key stands, or its value if it is no section.
+  Key& at(SourceRange T::*place) {
+    Step& step = mapping_.steps_.back();
+    step.read = [place, read = step.read](const FileValue& value, T& object) {
+      object.*place = value.place;
+      read(value, object);
+    };
+    return *this;
+  }
+
+  /// What to add where it is missing.
+  Key& add_hint(std::string hint) {
+    added().missing = std::move(hint);
     return *this;
   }
 
   /// What holds if it is left out.
   Key& usual(std::string value) {
     added().usual = std::move(value);
+    return *this;
+  }
+
+  /// Another example.
+  Key& example(std::string text) {
+    added().examples.push_back(std::move(text));
     return *this;
   }
 
@@ -59,6 +141,11 @@ class Mapping<T>::Key {
   }
 
  private:
+  void add(Step step) {
+    mapping_.shape_.keys.push_back(std::move(key_));
+    mapping_.steps_.push_back(std::move(step));
+  }
+
   FormKey& added() { return mapping_.shape_.keys.back(); }
 
   Mapping& mapping_;

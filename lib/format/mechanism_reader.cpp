@@ -9,19 +9,12 @@
 #include "description/cable_expansion.hpp"
 #include "description/gear_expansion.hpp"
 #include "format/sections/sections.hpp"
-#include "io/actuator_reader.hpp"
 #include "io/body_reader.hpp"
 #include "io/cable_reader.hpp"
-#include "io/case_reader.hpp"
 #include "io/coupling_reader.hpp"
 #include "io/fields.hpp"
 #include "io/gear_reader.hpp"
-#include "io/load_reader.hpp"
-#include "io/loss_reader.hpp"
 #include "io/parameter_reader.hpp"
-#include "io/published_reader.hpp"
-#include "io/shift_reader.hpp"
-#include "io/sweep_reader.hpp"
 #include "io/synthesis_reader.hpp"
 #include "io/value_reader.hpp"
 
@@ -96,17 +89,6 @@ void read_order(const YamlNode& node, MechanismDescription& result, Diagnostics&
   fields.finish();
 }
 
-void read_statics(const YamlNode& node, MechanismDescription& result, Diagnostics& found) {
-  static const std::vector<std::string> kChoices = {"report", "minimum_norm", "stiffness"};
-  Fields fields(node, node.where, "'statics'", found);
-  if (const YamlNode* choice = fields.require("indeterminate")) {
-    const auto word = read_word(*choice, "the answer to indeterminate statics", kChoices, found);
-    result.indeterminate =
-        word ? static_cast<IndeterminateChoice>(*word) : IndeterminateChoice::report;
-  }
-  fields.finish();
-}
-
 // Reads one mechanism file section by section.
 class MechanismReader {
  public:
@@ -138,7 +120,7 @@ class MechanismReader {
   FileValue file(std::optional<Space> space) const {
     return {.node = root_,
             .what = "",
-            .key = "",
+            .key = nullptr,
             .owner = "",
             .where = fields_.where(),
             .place = fields_.where(),
@@ -178,8 +160,6 @@ class MechanismReader {
       result_.tree = read_references(node, "the tree", found_);
     });
     section("order", [&](const YamlNode& node) { read_order(node, result_, found_); });
-    section("actuators",
-            [&](const YamlNode& node) { result_.actuators = read_actuators(node, found_); });
   }
 
   // A file may hold a synthesis task and no mechanism; then none of these keys may stand alone.
@@ -208,39 +188,19 @@ class MechanismReader {
       result_.cables_where = place_of("cables");
       result_.cables = read_cables(node, result_.space, found_);
     });
-    section("loads", [&](const YamlNode& node) {
-      result_.loads_where = place_of("loads");
-      result_.loads = read_loads(node, result_.space, found_);
-    });
-    section("gravity", result_.gravity, [&](const YamlNode& node) {
-      return read_point(node, "gravity", result_.space, found_);
-    });
-    section("cases",
-            [&](const YamlNode& node) { result_.cases = read_cases(node, result_.space, found_); });
   }
 
   void pass_over_sections_in_space() {
-    for (const char* key :
-         {"ground", "bodies", "couplings", "cables", "loads", "gravity", "cases"}) {
+    for (const char* key : {"ground", "bodies", "couplings", "cables"}) {
       (void)fields_.find(key);
     }
   }
 
   void read_tasks() {
     section("gears", result_.gears, [&](const YamlNode& node) { return read_gears(node, found_); });
-    section(
-        "losses", result_.losses, [&](const YamlNode& node) { return read_losses(node, found_); });
-    section("statics", [&](const YamlNode& node) {
-      result_.statics_where = place_of("statics");
-      read_statics(node, result_, found_);
-    });
-    section("shift", result_.shift, [&](const YamlNode& node) { return read_shift(node, found_); });
-    section("sweep", result_.sweep, [&](const YamlNode& node) { return read_sweep(node, found_); });
     section("synthesis", result_.synthesis, [&](const YamlNode& node) {
       return read_synthesis(node, found_);
     });
-    section("published",
-            [&](const YamlNode& node) { result_.published = read_published(node, found_); });
   }
 
   const YamlNode& root_;

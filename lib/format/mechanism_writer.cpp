@@ -15,8 +15,16 @@ namespace kinestat {
 
 namespace {
 
+std::string list_text(const std::vector<Value>& values) {
+  std::string text;
+  for (const Value& value : values) {
+    text += (text.empty() ? "" : ", ") + value.expression.text();
+  }
+  return "[" + text + "]";
+}
+
 std::string axis_text(const AxisDescription& axis) {
-  return axis.keyword == 0 ? text_of(axis.components)
+  return axis.keyword == 0 ? list_text(axis.components)
                            : std::string(axis.sign < 0.0 ? "-" : "") + axis.keyword;
 }
 
@@ -42,7 +50,7 @@ std::string body_text(const BodyDescription& body) {
   KINESTAT_EXPECTS(!body.mass && !body.centre_of_mass && body.outline.empty());
   return body.reference ? fmt::format("  {}: {{reference: {}}}\n",
                                       body.name.text,
-                                      text_of(body.reference->coordinates))
+                                      list_text(body.reference->coordinates))
                         : fmt::format("  {}:\n", body.name.text);
 }
 
@@ -56,41 +64,12 @@ std::string coupling_text(const CouplingDescription& coupling) {
                                  coupling.tail.text,
                                  coupling.head.text);
   if (coupling.at) {
-    text += ", at: " + text_of(coupling.at->point->coordinates);
+    text += ", at: " + list_text(coupling.at->point->coordinates);
   }
   if (coupling.axis) {
     text += ", axis: " + axis_text(*coupling.axis);
   }
   return text + "}\n";
-}
-
-std::string actuator_text(const ActuatorDescription& actuator) {
-  return fmt::format("  {}: {{coupling: {}{}}}\n",
-                     actuator.name.text,
-                     actuator.coupling.text,
-                     actuator.freedom ? ", freedom: " + actuator.freedom->text : "");
-}
-
-std::string names_text(std::string_view key, const std::vector<Name>& names) {
-  std::vector<std::string> words;
-  words.reserve(names.size());
-  for (const Name& name : names) {
-    words.push_back(name.text);
-  }
-  return names.empty() ? "" : fmt::format("    {}: [{}]\n", key, plain_list(words, words.size()));
-}
-
-std::string case_text(const CaseDescription& one) {
-  KINESTAT_EXPECTS(!one.asks_actions && one.loads.empty());
-  std::string motions;
-  for (const Assignment& motion : one.motions) {
-    motions += fmt::format("{}{}: {}",
-                           motions.empty() ? "" : ", ",
-                           motion.target.text,
-                           motion.value.expression.text());
-  }
-  return fmt::format("  {}:\n    motion: {{{}}}\n", in_quotes(one.label.text), motions) +
-         names_text("input", one.inputs) + names_text("output", one.outputs);
 }
 
 template <class Items, class Write>
@@ -105,18 +84,15 @@ std::string section_text(std::string_view key, const Items& items, Write write) 
 // Those that are declared.
 std::string sections_text(const MechanismDescription& description) {
   std::string text;
-  for (const auto& [key, value] : file_sections().key_texts(description)) {
-    text += fmt::format("\n{}: {}\n", key, value);
+  for (const auto& [key, value] : file_sections().text(description).entries) {
+    text += fmt::format("\n{}:{}", key, behind_key(value, 0));
   }
   return text;
 }
 
 bool has_more(const MechanismDescription& d) {
   return !d.parameters.empty() || d.tree || d.kinematic_order != OrderChoice::minimal ||
-         d.static_order != OrderChoice::minimal || d.gears || !d.cables.empty() ||
-         !d.loads.empty() || d.gravity || d.losses ||
-         d.indeterminate != IndeterminateChoice::report || d.shift || d.sweep || d.synthesis ||
-         !d.published.empty();
+         d.static_order != OrderChoice::minimal || d.gears || !d.cables.empty() || d.synthesis;
 }
 
 }  // namespace
@@ -137,8 +113,6 @@ std::string mechanism_text(const MechanismDescription& description,
   text += fmt::format("\nground: {}\n", description.ground.text);
   text += section_text("bodies", description.bodies, body_text);
   text += section_text("couplings", description.couplings, coupling_text);
-  text += section_text("actuators", description.actuators, actuator_text);
-  text += section_text("cases", description.cases, case_text);
   text += sections_text(description);
   return text;
 }

@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "format/value_forms.hpp"
 #include "io/value_reader.hpp"
 
 namespace kinestat {
@@ -16,7 +19,111 @@ Form<Value> number_form(std::string definition,
                     .examples = std::move(examples),
                     .range = range},
           .read = [](const FileValue& v) { return read_value(v.node, v.what, v.found); },
-          .write = [](const Value& value) { return value.expression.text(); }};
+          .write = [](const Value& value) { return single_text(value.expression.text()); }};
+}
+
+Form<double> plain_number(const Form<Value>& number) {
+  return {.shape = number.shape,
+          .read = [](const FileValue& v) { return read_number(v.node, v.what, v.found); },
+          .write = [](double value) { return single_text(fmt::format("{}", value)); }};
+}
+
+Form<std::vector<Value>> couple() {
+  return {.shape = {.kind = FormKind::couple, .items = {moment().shape}},
+          .read = [](const FileValue& value) -> std::optional<std::vector<Value>> {
+            const YamlNode& node = value.node;
+            if (value.space == Space::spatial) {
+              auto vector = read_point(node, value.what, Space::spatial, value.found);
+              return vector ? std::optional(std::move(vector->coordinates)) : std::nullopt;
+            }
+            if (node.kind == YamlKind::sequence) {
+              value.found.error("E0304",
+                                node.where,
+                                fmt::format("{} is one number about z in planar space", value.what),
+                                "write for example couple: 5 N*m");
+              return std::nullopt;
+            }
+            auto one = read_value(node, value.what, value.found);
+            return one ? std::optional(std::vector<Value>{*std::move(one)}) : std::nullopt;
+          },
+          .write =
+              [](const std::vector<Value>& values) {
+                return values.size() == 1 ? single_text(values.front().expression.text())
+                                          : text_of(values);
+              }};
+}
+
+Form<Value> bare_number() {
+  return number_form("number",
+                     "A number without a unit, or an expression of such numbers and parameters.",
+                     {"0.1", "1/3", "2*eta"});
+}
+
+Form<Value> teeth() {
+  return number_form("teeth",
+                     "Number of teeth, a whole number from 1 to 10000.",
+                     {"19", "N1 + 2*N2"},
+                     {.least = 1, .most = 10000, .is_whole = true});
+}
+
+Form<Value> planet_count() {
+  return number_form("planets",
+                     "Number of equal planets, a whole number from 1 to 64.",
+                     {"3"},
+                     {.least = 1, .most = 64, .is_whole = true});
+}
+
+Form<Value> step_count() {
+  return number_form("steps",
+                     "A whole number from 1 to 1000000.",
+                     {"360"},
+                     {.least = 1, .most = 1000000, .is_whole = true});
+}
+
+Form<Value> point_count() {
+  return number_form("points",
+                     "A whole number from 2 to 1000000.",
+                     {"400"},
+                     {.least = 2, .most = 1000000, .is_whole = true});
+}
+
+Form<Value> digit_count() {
+  return number_form("digits",
+                     "A whole number from 17 to 100.",
+                     {"40"},
+                     {.least = 17, .most = 100, .is_whole = true});
+}
+
+Form<Value> not_negative() {
+  return number_form(
+      "not_negative", "A number of at least 0, without a unit.", {"0.1"}, {.least = 0});
+}
+
+Form<Value> not_negative_whole() {
+  return number_form("not_negative_whole",
+                     "A whole number of at least 0, without a unit.",
+                     {"2"},
+                     {.least = 0, .is_whole = true});
+}
+
+Form<Value> not_zero() {
+  return number_form(
+      "not_zero", "A number other than 0, without a unit.", {"0.58"}, {.is_not_zero = true});
+}
+
+Form<Value> at_least_one() {
+  return number_form(
+      "at_least_one", "A number of at least 1, without a unit.", {"12"}, {.least = 1});
+}
+
+Form<Value> fraction() {
+  return number_form(
+      "fraction", "A fraction from 0 to below 1.", {"0.02"}, {.least = 0, .below = 1});
+}
+
+Form<Value> efficiency() {
+  return number_form(
+      "efficiency", "A fraction above 0 and at most 1.", {"0.98"}, {.most = 1, .above = 0});
 }
 
 Form<Value> length() {
@@ -26,18 +133,172 @@ Form<Value> length() {
                      {"7", "25 mm", "(N1 + N5)/2*module"});
 }
 
-Form<Value> drawn_position() {
-  return number_form("drawn_position",
-                     "Position of a freedom, measured from the drawn position: an angle or a "
-                     "length, a bare number in the file's unit.",
-                     {"0 deg", "360 deg", "-20 mm"});
+Form<Value> size() {
+  return number_form(
+      "size",
+      "A length above zero: a bare number counts in the file's unit of length (default "
+      "m), or write the unit.",
+      {"25 mm"},
+      {.above = 0});
 }
 
-Form<Value> step_count() {
-  return number_form("steps",
-                     "A whole number from 1 to 1000000.",
-                     {"360"},
-                     {.least = 1, .most = 1000000, .is_whole = true});
+Form<Value> radius() {
+  return number_form("radius",
+                     "A length of at least zero: a bare number counts in the file's unit of length "
+                     "(default m), or write the unit.",
+                     {"12 mm"},
+                     {.least = 0});
+}
+
+Form<Value> acute_angle() {
+  return number_form("acute_angle",
+                     "An angle from 0 to below 90 deg: a bare number counts in the file's unit of "
+                     "angle (default rad), or write the unit.",
+                     {"20 deg"},
+                     {.least = 0});
+}
+
+Form<Value> angle() {
+  return number_form("angle",
+                     "An angle: a bare number counts in the file's unit of angle (default rad), or "
+                     "write the unit.",
+                     {"20 deg", "pi/9 rad", "alpha"});
+}
+
+Form<Value> mass() {
+  return number_form(
+      "mass",
+      "A mass: a bare number counts in the file's unit of mass (default kg), or write "
+      "the unit.",
+      {"2.5", "500 g"});
+}
+
+Form<Value> force() {
+  return number_form(
+      "force",
+      "A force: a bare number counts in the file's unit of force (default N), or write "
+      "the unit.",
+      {"100", "1.5 kN", "-F_load"});
+}
+
+Form<Value> moment() {
+  return number_form(
+      "moment",
+      "A moment or torque: a bare number counts in the file's unit of moment (default "
+      "N*m), or write the unit.",
+      {"100", "5000 N*mm", "T_in"});
+}
+
+Form<Value> acceleration() {
+  return number_form(
+      "acceleration",
+      "An acceleration: a bare number counts in the file's unit of length per its unit "
+      "of time squared (default m/s^2), or write the unit.",
+      {"-9.81", "9.81 m/s^2", "0"});
+}
+
+Form<Value> pitch() {
+  return number_form("pitch",
+                     "A pitch, the length per radian: a bare number counts in the file's unit of "
+                     "length per radian, or write the unit.",
+                     {"2 mm/rad", "5 mm/rev", "0.8"});
+}
+
+Form<Value> lead() {
+  return number_form(
+      "lead",
+      "A lead, the length per turn: a bare number counts in the file's unit of length, "
+      "or write the unit.",
+      {"5 mm", "5 mm/rev", "5"});
+}
+
+Form<Value> stiffness() {
+  return number_form(
+      "stiffness",
+      "Stiffness of a constraint, which must be positive. Of a force it is a force per "
+      "length: a bare number counts in the file's unit of stiffness (default N/m). Of a"
+      " couple it is a moment per angle: a bare number counts in the file's unit of "
+      "moment per rad (default N*m/rad), whatever the unit of stiffness or of angle is.",
+      {"2e6 N/m", "300 N*m/rad"},
+      {.above = 0});
+}
+
+Form<Value> friction_moment() {
+  return number_form("friction_moment",
+                     "A moment of at least zero: a bare number counts in the file's unit of moment "
+                     "(default N*m), or write the unit.",
+                     {"0.2 N*m"},
+                     {.least = 0});
+}
+
+Form<Value> viscous_couple() {
+  return number_form(
+      "viscous_couple",
+      "A couple per angular velocity: a bare number counts in the file's unit of moment"
+      " per its unit of angular velocity (default N*m*s/rad).",
+      {"0.02", "0.02 N*m*s/rad"},
+      {.least = 0});
+}
+
+Form<Value> viscous_force() {
+  return number_form(
+      "viscous_force",
+      "A force per velocity: a bare number counts in the file's unit of force per its "
+      "unit of velocity (default N*s/m).",
+      {"5", "5 N*s/m"},
+      {.least = 0});
+}
+
+Form<Value> speed() {
+  return number_form(
+      "speed",
+      "Rate of a freedom of the head relative to the tail: angular velocity (default "
+      "rad/s) of a rotation, velocity (default m/s) of a translation. 0 holds it.",
+      {"1 rad/s", "1500 rpm", "0.2 m/s", "0"});
+}
+
+Form<Value> drawn_position() {
+  return number_form(
+      "drawn_position",
+      "Position of a freedom, measured from the drawn position: an angle or a length, a"
+      " bare number in the file's unit.",
+      {"0 deg", "360 deg", "-20 mm"});
+}
+
+Form<Value> increment() {
+  return number_form("step",
+                     "A number other than 0, with the units of the parameter.",
+                     {"1", "2.5 deg"},
+                     {.is_not_zero = true});
+}
+
+Form<Value> input_speed() {
+  return number_form(
+      "input_speed",
+      "Speed of an input, not 0: angular velocity (default rad/s) or velocity (default "
+      "m/s).",
+      {"1 rad/s"},
+      {.is_not_zero = true});
+}
+
+Form<Value> input_load() {
+  return number_form("input_load",
+                     "Torque (default N*m) or force (default N) of an input, not 0.",
+                     {"100 N*m"},
+                     {.is_not_zero = true});
+}
+
+Form<Value> any_number() {
+  return number_form("value",
+                     "A number with or without a unit, or an expression of other parameters.",
+                     {"19", "20 deg", "(N1 + N5)/2*module", "3 mm + 2 cm"});
+}
+
+Form<Value> action() {
+  return number_form("load",
+                     "Action of the tail on the head: couple (default N*m) or force (default N). 0 "
+                     "says that nothing acts.",
+                     {"1 N*m", "-250 N", "T_in", "0"});
 }
 
 }  // namespace kinestat

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "description/value.hpp"
 #include "format/form.hpp"
@@ -15,8 +16,45 @@ Form<Value> number_form(std::string definition,
                         std::vector<std::string> examples,
                         NumberRange range = {});
 
-Form<Value> length();
-Form<Value> drawn_position();  ///< of a freedom, from the drawn position
+/// The same without a unit and without parameters, known at once.
+Form<double> plain_number(const Form<Value>& number);
+
+/// A couple: one number about z in the plane, a vector in space.
+Form<std::vector<Value>> couple();
+
+Form<Value> bare_number();
+Form<Value> teeth();
+Form<Value> planet_count();
 Form<Value> step_count();
+Form<Value> point_count();
+Form<Value> digit_count();
+Form<Value> not_negative();
+Form<Value> not_negative_whole();
+Form<Value> not_zero();
+Form<Value> at_least_one();
+Form<Value> fraction();
+Form<Value> efficiency();
+Form<Value> length();
+Form<Value> size();
+Form<Value> radius();
+Form<Value> acute_angle();
+Form<Value> angle();
+Form<Value> mass();
+Form<Value> force();
+Form<Value> moment();
+Form<Value> acceleration();
+Form<Value> pitch();
+Form<Value> lead();
+Form<Value> stiffness();
+Form<Value> friction_moment();
+Form<Value> viscous_couple();
+Form<Value> viscous_force();
+Form<Value> speed();
+Form<Value> drawn_position();
+Form<Value> increment();
+Form<Value> input_speed();
+Form<Value> input_load();
+Form<Value> any_number();
+Form<Value> action();
 
 }  // namespace kinestat

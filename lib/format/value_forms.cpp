@@ -14,7 +14,7 @@ Form<Name> reference(FormShape shape) {
               [](const FileValue& value) {
                 return read_reference(value.node, value.what, value.found);
               },
-          .write = [](const Name& name) { return name.text; }};
+          .write = [](const Name& name) { return single_text(name.text); }};
 }
 
 }  // namespace
@@ -29,50 +29,72 @@ Form<Name> body_name() {
                     .remark = "one of 'bodies' or the ground"});
 }
 
+Form<Name> coupling_name() {
+  return reference({.kind = FormKind::name,
+                    .definition = "coupling_name",
+                    .remark = "the coupling that it drives"});
+}
+
+Form<Name> free_name() {
+  return reference({.kind = FormKind::name});
+}
+
 Form<Name> target() {
   return reference({.kind = FormKind::name, .definition = "target"});
 }
 
 Form<Name> label() {
   Form<Name> form = reference({.kind = FormKind::text, .definition = "label"});
-  form.write = [](const Name& name) { return in_quotes(name.text); };
+  form.write = [](const Name& name) { return single_text(in_quotes(name.text)); };
   return form;
 }
 
-Form<PointDescription> point() {
+Form<PointDescription> vector_of(const Form<Value>& component,
+                                 std::string definition,
+                                 std::string meaning,
+                                 std::vector<std::string> examples) {
   return {.shape = {.kind = FormKind::vector,
-                    .definition = "point",
-                    .meaning = "A point in the drawn position: [x, y] in the plane, [x, y, z] in "
-                               "space; lengths in the file's unit.",
-                    .examples = {"[6, 5]", "[ground_length, 0, 25 mm]"},
-                    .items = {length().shape}},
-          .read =
-              [](const FileValue& value) {
-                return read_point(value.node, value.what, value.space.value(), value.found);
-              },
+                    .definition = std::move(definition),
+                    .meaning = std::move(meaning),
+                    .examples = std::move(examples),
+                    .items = {component.shape}},
+          .read = [](const FileValue& value) -> std::optional<PointDescription> {
+            auto one = read_point(value.node, value.what, value.space.value(), value.found);
+            if (one) {
+              one->where = value.place;
+            }
+            return one;
+          },
           .write = [](const PointDescription& one) { return text_of(one.coordinates); }};
+}
+
+Form<PointDescription> point() {
+  return vector_of(
+      length(),
+      "point",
+      "A point in the drawn position: [x, y] in the plane, [x, y, z] in space; lengths "
+      "in the file's unit.",
+      {"[6, 5]", "[ground_length, 0, 25 mm]"});
+}
+
+Form<std::string> text() {
+  return {.shape = {.kind = FormKind::text, .definition = "text"},
+          .read = [](const FileValue& v) { return read_text(v.node, v.what, v.found); },
+          .write = [](const std::string& one) { return single_text(in_quotes(one)); }};
 }
 
 Form<bool> flag() {
   return {.shape = {.kind = FormKind::flag},
           .read = [](const FileValue& v) { return read_bool(v.node, v.what, v.found); },
-          .write = [](bool is_set) { return is_set ? "true" : "false"; }};
+          .write = [](bool is_set) { return single_text(is_set ? "true" : "false"); }};
 }
 
-std::string in_quotes(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : printable(text)) {
-    result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
-  }
-  return result + "\"";
-}
-
-std::string text_of(const std::vector<Value>& values) {
-  std::vector<std::string> texts;
+FileText text_of(const std::vector<Value>& values) {
+  std::vector<FileText> texts;
   for (const Value& value : values) {
-    texts.push_back(value.expression.text());
+    texts.push_back(single_text(value.expression.text()));
   }
-  return in_brackets(texts);
+  return list_text(std::move(texts));
 }
 
 std::optional<std::size_t> read_word_of(const FileValue& value, const std::vector<Word>& words) {

@@ -16,36 +16,48 @@ Form<Name> name_of(std::string_view remark);
 /// Of a body, or the ground.
 Form<Name> body_name();
 
+Form<Name> coupling_name();
+
+/// Something that no pattern describes.
+Form<Name> free_name();
+
 /// An actuator, or coupling.freedom, or coupling.action.
 Form<Name> target();
 
 /// The label of a case or gear, which is free text.
 Form<Name> label();
 
+/// As many components as the space has.
+Form<PointDescription> vector_of(const Form<Value>& component,
+                                 std::string definition,
+                                 std::string meaning,
+                                 std::vector<std::string> examples);
+
 /// A point [length].
 Form<PointDescription> point();
+
+/// Free text.
+Form<std::string> text();
 
 /// true or false; what is not there is false.
 Form<bool> flag();
 
-/// A text between double quotes, so that nothing in it has a meaning of its own.
-std::string in_quotes(std::string_view text);
-
-/// "[1, 2*r]".
-std::string text_of(const std::vector<Value>& values);
+FileText text_of(const std::vector<Value>& values);
 
 /// The index of the word.
 std::optional<std::size_t> read_word_of(const FileValue& value, const std::vector<Word>& words);
 
 /// One of the words, in the order of the enumeration.
 template <class Enum>
-Form<Enum> word_of(std::vector<Word> words) {
-  return {.shape = {.kind = FormKind::word, .words = words},
-          .read = [words](const FileValue& value) -> std::optional<Enum> {
-            const auto index = read_word_of(value, words);
-            return index ? std::optional(static_cast<Enum>(*index)) : std::nullopt;
-          },
-          .write = [words](Enum one) { return words.at(static_cast<std::size_t>(one)).text; }};
+Form<Enum> choice_of(std::vector<Word> words) {
+  return {
+      .shape = {.kind = FormKind::word, .words = words},
+      .read = [words](const FileValue& value) -> std::optional<Enum> {
+        const auto index = read_word_of(value, words);
+        return index ? std::optional(static_cast<Enum>(*index)) : std::nullopt;
+      },
+      .write =
+          [words](Enum one) { return single_text(words.at(static_cast<std::size_t>(one)).text); }};
 }
 
 }  // namespace kinestat

@@ -37,9 +37,26 @@ void add_any_of(const FormRule& rule, Json& schema) {
   for (const std::string& key : rule.others) {
     Json alternative = has(key);
     alternative["errorMessage"] =
-        fmt::format("It needs {}, or several of them.", quoted_list(rule.others));
+        fmt::format("One of these is needed: {}.", plain_list(rule.others));
     schema["anyOf"].push_back(alternative);
   }
+}
+
+void add_no_two_of(const FormRule& rule, Json& schema) {
+  for (std::size_t i = 0; i + 1 < rule.others.size(); ++i) {
+    Json refused = Json::object();
+    for (std::size_t j = i + 1; j < rule.others.size(); ++j) {
+      refused[rule.others[j]] = false;
+    }
+    schema["allOf"].push_back({{"if", has(rule.others[i])}, {"then", {{"properties", refused}}}});
+  }
+}
+
+void add_needed_unless_whole(const FormRule& rule, Json& schema) {
+  const Json broken = {{"type", "number"}, {"not", {{"type", "integer"}}}};
+  Json condition = has(rule.others.front());
+  condition["properties"] = {{rule.others.front(), broken}};
+  schema["allOf"].push_back({{"if", condition}, {"then", has(rule.key)}});
 }
 
 }  // namespace
@@ -59,6 +76,13 @@ void add_rules(const FormShape& shape, Json& schema) {
         break;
       case FormRule::Kind::any_of:
         add_any_of(rule, schema);
+        break;
+      case FormRule::Kind::one_of:
+        add_any_of(rule, schema);
+        add_no_two_of(rule, schema);
+        break;
+      case FormRule::Kind::needed_unless_whole:
+        add_needed_unless_whole(rule, schema);
         break;
       case FormRule::Kind::together:
       case FormRule::Kind::pointless:

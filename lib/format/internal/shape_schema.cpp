@@ -127,6 +127,13 @@ Json snippets_of(const FormShape& shape, const Json& examples) {
       {snippet(is_vector ? sketch_of(shape, Space::planar) : outline(*at), flow_snippet(*at))});
 }
 
+// A number about z, or a vector.
+FormShape couple_alternatives(const FormShape& couple) {
+  const FormShape& moment = couple.items.front();
+  const FormShape vector{.kind = FormKind::list, .least = 3, .most = 3, .items = {moment}};
+  return {.kind = FormKind::by_shape, .items = {moment, vector}};
+}
+
 bool fits(const FormShape& shape, const Json& example) {
   const Json type = types_of(shape);
   const char* given = example.is_array() ? "array" : example.is_object() ? "object" : "";
@@ -250,6 +257,11 @@ void ShapeSchema::add_alternatives(const FormShape& shape, const Json& examples,
 }
 
 Json ShapeSchema::in_place(const FormKey& key) {
+  if (key.shape.kind == FormKind::couple) {
+    FormKey alternatives = key;
+    alternatives.shape = couple_alternatives(key.shape);
+    return in_place(alternatives);
+  }
   const FormShape& shape = key.shape;
   const Json examples = examples_json(key.examples);
   Json schema = Json::object();

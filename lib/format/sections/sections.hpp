@@ -1,12 +1,21 @@
 // The sections of a mechanism file, each declared once.
 #pragma once
 
+#include <vector>
+
 #include "description/mechanism_description.hpp"
 #include "format/mapping.hpp"
 
 namespace kinestat {
 
+const Mapping<ActuatorDescription>& actuator();
+Form<std::vector<LoadDescription>> loads();
+Form<std::vector<CaseDescription>> cases();
+const Mapping<LossDescription>& losses_section();
+const Mapping<ShiftDescription>& shift_section();
 const Mapping<MotionDescription>& motion_section();
+const Mapping<SweepDescription>& sweep_section();
+Form<std::vector<PublishedValue>> published();
 
 /// The sections as the keys of the file.
 const Mapping<MechanismDescription>& file_sections();

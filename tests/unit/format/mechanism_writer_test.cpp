@@ -75,7 +75,7 @@ TEST(MechanismWriter, PutsTheHeadInCommentsThatStayComments) {
 
 TEST(MechanismWriter, RefusesWhatItWouldLeaveOut) {
   MechanismDescription description = read_back(kSliderCrank);
-  description.sweep.emplace();
+  description.synthesis.emplace();
 
   EXPECT_THROW(mechanism_text(description, {}), ContractViolation);
 }

@@ -1,17 +1,16 @@
-#include "io/shift_reader.hpp"
-
 #include <gtest/gtest.h>
 
-#include "support/read_text.hpp"
+#include "format/sections/sections.hpp"
+#include "support/read_section.hpp"
 
 namespace kinestat {
 namespace {
 
-Reading<std::optional<ShiftDescription>> shift_of(const std::string& text) {
-  return read_text(text, read_shift);
+auto shift_of(const std::string& text) {
+  return read_section(shift_section(), "'shift'", text);
 }
 
-TEST(ShiftReader, ReadsTheSmallestSection) {
+TEST(ShiftSection, ReadsTheSmallestSection) {
   const auto reading = shift_of("input: in\noutput: out\nelements: [C1, B1]\n");
 
   ASSERT_EQ(reading.complaints(), Complaints{});
@@ -24,7 +23,7 @@ TEST(ShiftReader, ReadsTheSmallestSection) {
   EXPECT_TRUE(shift.names.empty());
 }
 
-TEST(ShiftReader, ReadsEveryKey) {
+TEST(ShiftSection, ReadsEveryKey) {
   const auto reading = shift_of(
       "input: [in, boost]\n"
       "output: [left, right]\n"
@@ -46,20 +45,20 @@ TEST(ShiftReader, ReadsEveryKey) {
   EXPECT_EQ(shift.names[1].elements[0].text, "C2");
 }
 
-TEST(ShiftReader, NeedsInputOutputAndElements) {
+TEST(ShiftSection, NeedsInputOutputAndElements) {
   EXPECT_EQ(shift_of("input_motion: 1\n").complaints(),
             (Complaints{"1:1 E0303 'shift' lacks the key 'input'",
                         "1:1 E0303 'shift' lacks the key 'output'",
                         "1:1 E0303 'shift' lacks the key 'elements'"}));
 }
 
-TEST(ShiftReader, RefusesEmptyLists) {
+TEST(ShiftSection, RefusesEmptyLists) {
   EXPECT_EQ(shift_of("input: []\noutput: out\nelements: []\n").complaints(),
-            (Complaints{"1:8 E0304 'input' of 'shift' names nothing",
-                        "3:11 E0304 'elements' of 'shift' names nothing"}));
+            (Complaints{"1:8 E0304 'input' of 'shift' must be a list with something in it",
+                        "3:11 E0304 'elements' of 'shift' must be a list with something in it"}));
 }
 
-TEST(ShiftReader, ReportsWrongShapesAtTheirPlaces) {
+TEST(ShiftSection, ReportsWrongShapesAtTheirPlaces) {
   EXPECT_EQ(
       shift_of("input: {in: 1}\n"
                "output: out\n"

@@ -1,17 +1,16 @@
-#include "io/loss_reader.hpp"
-
 #include <gtest/gtest.h>
 
-#include "support/read_text.hpp"
+#include "format/sections/sections.hpp"
+#include "support/read_section.hpp"
 
 namespace kinestat {
 namespace {
 
-Reading<std::optional<LossDescription>> losses_of(const std::string& text) {
-  return read_text(text, read_losses);
+auto losses_of(const std::string& text) {
+  return read_section(losses_section(), "'losses'", text);
 }
 
-TEST(LossReader, TakesTheCarrierModelByDefault) {
+TEST(LossSection, TakesTheCarrierModelByDefault) {
   const auto reading = losses_of("gear_external: 0.02\n");
 
   ASSERT_EQ(reading.complaints(), Complaints{});
@@ -21,7 +20,7 @@ TEST(LossReader, TakesTheCarrierModelByDefault) {
   EXPECT_FALSE(reading.value->gear_internal);
 }
 
-TEST(LossReader, ReadsEveryForm) {
+TEST(LossSection, ReadsEveryForm) {
   const auto reading = losses_of(
       "model: absolute\n"
       "gear_external: {loss: 0.02}\n"
@@ -38,14 +37,14 @@ TEST(LossReader, ReadsEveryForm) {
   EXPECT_EQ(reading.value->meshes[1].loss.form, LossForm::teeth);
 }
 
-TEST(LossReader, RefusesAnotherModelAndUnknownKeys) {
+TEST(LossSection, RefusesAnotherModelAndUnknownKeys) {
   EXPECT_EQ(losses_of("model: carier\ngears: 0.02\nmeshes: [h]\n").complaints(),
             (Complaints{"1:8 E0305 'model' of 'losses' cannot be 'carier'",
                         "3:9 E0304 'meshes' of 'losses' must be a mapping of meshes to losses",
                         "2:1 E0302 'losses' has no key 'gears'"}));
 }
 
-TEST(LossReader, WantsOneFormOfALoss) {
+TEST(LossSection, WantsOneFormOfALoss) {
   EXPECT_EQ(
       losses_of("meshes: {h: {}, k: {loss: 0.1, eta: 0.9}, l: {et: 0.9}, m: [1]}\n").complaints(),
       (Complaints{"1:13 E0303 the loss of mesh 'h' needs one of 'loss', 'eta' and 'k'",

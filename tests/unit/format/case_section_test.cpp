@@ -1,19 +1,16 @@
-#include "io/case_reader.hpp"
-
 #include <gtest/gtest.h>
 
-#include "support/read_text.hpp"
+#include "format/sections/sections.hpp"
+#include "support/read_section.hpp"
 
 namespace kinestat {
 namespace {
 
-Reading<std::vector<CaseDescription>> cases_of(const std::string& text) {
-  return read_text(text, [](const YamlNode& node, Diagnostics& found) {
-    return read_cases(node, Space::planar, found);
-  });
+auto cases_of(const std::string& text) {
+  return read_form(cases(), "'cases'", text);
 }
 
-TEST(CaseReader, ReadsEveryKey) {
+TEST(CaseSection, ReadsEveryKey) {
   const auto reading = cases_of(
       "design point:\n"
       "  motion: {in: 1 rad/s}\n"
@@ -23,7 +20,7 @@ TEST(CaseReader, ReadsEveryKey) {
       "  output: [out, other]\n");
 
   ASSERT_EQ(reading.complaints(), Complaints{});
-  const CaseDescription& one = reading.value[0];
+  const CaseDescription& one = (*reading.value)[0];
   EXPECT_EQ(one.label.text, "design point");
   EXPECT_TRUE(one.asks_motions);
   EXPECT_TRUE(one.asks_actions);
@@ -34,23 +31,23 @@ TEST(CaseReader, ReadsEveryKey) {
   EXPECT_EQ(one.outputs.size(), 2U);
 }
 
-TEST(CaseReader, ReadsACaseOfLoadsAlone) {
+TEST(CaseSection, ReadsACaseOfLoadsAlone) {
   const auto reading = cases_of("rest: {loads: {wind: {body: rod, couple: 3}}}\n");
 
   ASSERT_EQ(reading.complaints(), Complaints{});
-  EXPECT_FALSE(reading.value[0].asks_motions);
-  EXPECT_FALSE(reading.value[0].asks_actions);
+  EXPECT_FALSE((*reading.value)[0].asks_motions);
+  EXPECT_FALSE((*reading.value)[0].asks_actions);
 }
 
-TEST(CaseReader, RefusesACaseOfNothing) {
+TEST(CaseSection, RefusesACaseOfNothing) {
   EXPECT_EQ(cases_of("a: {}\nb: {input: x}\n").complaints(),
             (Complaints{"1:1 E0303 case 'a' names neither motions nor actions",
                         "2:1 E0303 case 'b' names neither motions nor actions"}));
 }
 
-TEST(CaseReader, ReportsWrongShapesAtTheirPlaces) {
+TEST(CaseSection, ReportsWrongShapesAtTheirPlaces) {
   EXPECT_EQ(cases_of("a: {motion: [in], loads: {wind: {body: rod}}, inputs: x}\n").complaints(),
-            (Complaints{"1:13 E0304 'motion' must be a mapping of names to values",
+            (Complaints{"1:13 E0304 'motion' of case 'a' must be a mapping of names to values",
                         "1:27 E0303 load 'wind' has neither 'force' nor 'couple'",
                         "1:47 E0302 case 'a' has no key 'inputs'"}));
 }

@@ -1,70 +1,66 @@
-#include "io/load_reader.hpp"
-
 #include <gtest/gtest.h>
 
-#include "support/read_text.hpp"
+#include "format/sections/sections.hpp"
+#include "support/read_section.hpp"
 
 namespace kinestat {
 namespace {
 
-Reading<std::vector<LoadDescription>> loads_of(const std::string& text,
-                                               Space space = Space::planar) {
-  return read_text(text, [space](const YamlNode& node, Diagnostics& found) {
-    return read_loads(node, space, found);
-  });
+auto loads_of(const std::string& text, Space space = Space::planar) {
+  return read_form(loads(), "'loads'", text, space);
 }
 
-TEST(LoadReader, ReadsAForceAtAPoint) {
+TEST(LoadSection, ReadsAForceAtAPoint) {
   const auto reading = loads_of("wind: {body: rod, at: [1, 2], force: [3 N, -4]}\n");
 
   ASSERT_EQ(reading.complaints(), Complaints{});
-  const LoadDescription& wind = reading.value[0];
+  const LoadDescription& wind = (*reading.value)[0];
   EXPECT_EQ(wind.body.text, "rod");
   EXPECT_EQ(wind.at->coordinates[1].expression.text(), "2");
   EXPECT_EQ(wind.force->coordinates[0].expression.text(), "3 N");
   EXPECT_TRUE(wind.couple.empty());
 }
 
-TEST(LoadReader, ReadsACoupleAsOneNumberInThePlane) {
+TEST(LoadSection, ReadsACoupleAsOneNumberInThePlane) {
   const auto reading = loads_of("brake: {body: rod, couple: 5 N*m}\n");
 
   ASSERT_EQ(reading.complaints(), Complaints{});
-  ASSERT_EQ(reading.value[0].couple.size(), 1U);
-  EXPECT_EQ(reading.value[0].couple[0].expression.text(), "5 N*m");
+  ASSERT_EQ((*reading.value)[0].couple.size(), 1U);
+  EXPECT_EQ((*reading.value)[0].couple[0].expression.text(), "5 N*m");
 }
 
-TEST(LoadReader, ReadsACoupleAsAVectorInSpace) {
+TEST(LoadSection, ReadsACoupleAsAVectorInSpace) {
   const auto reading = loads_of(
       "all: {body: rod, at: [0, 0, 0], force: [1, 2, 3], couple: [4, 5, 6]}\n", Space::spatial);
 
   ASSERT_EQ(reading.complaints(), Complaints{});
-  EXPECT_EQ(reading.value[0].couple.size(), 3U);
+  EXPECT_EQ((*reading.value)[0].couple.size(), 3U);
 }
 
-TEST(LoadReader, RefusesTheCoupleOfTheOtherSpace) {
+TEST(LoadSection, RefusesTheCoupleOfTheOtherSpace) {
   EXPECT_EQ(loads_of("a: {body: rod, couple: [0, 0, 5]}\n").complaints(),
             (Complaints{"1:24 E0304 'couple' of load 'a' is one number about z in planar space"}));
   EXPECT_EQ(loads_of("a: {body: rod, couple: 5}\n", Space::spatial).complaints(),
             (Complaints{"1:24 E0304 'couple' of load 'a' has 1 component, spatial space needs 3"}));
 }
 
-TEST(LoadReader, NeedsABodyAndAnAction) {
+TEST(LoadSection, NeedsABodyAndAnAction) {
   EXPECT_EQ(loads_of("a: {}\n").complaints(),
             (Complaints{"1:1 E0303 load 'a' lacks the key 'body'",
                         "1:1 E0303 load 'a' has neither 'force' nor 'couple'"}));
 }
 
-TEST(LoadReader, NeedsThePointOfAForce) {
+TEST(LoadSection, NeedsThePointOfAForce) {
   EXPECT_EQ(loads_of("a: {body: rod, force: [1, 0]}\n").complaints(),
             (Complaints{"1:16 E0303 the force of load 'a' has no point where it acts"}));
 }
 
-TEST(LoadReader, RefusesThePointOfACouple) {
+TEST(LoadSection, RefusesThePointOfACouple) {
   EXPECT_EQ(loads_of("a: {body: rod, at: [0, 0], couple: 1}\n").complaints(),
             (Complaints{"1:16 E0302 load 'a' has 'at' but no force that acts there"}));
 }
 
-TEST(LoadReader, ReportsEveryUnknownKey) {
+TEST(LoadSection, ReportsEveryUnknownKey) {
   EXPECT_EQ(
       loads_of("a: {bdy: rod, couple: 1}\nb: {body: rod, couple: 1, moment: 2}\n").complaints(),
       (Complaints{"1:5 E0302 load 'a' has no key 'bdy'",

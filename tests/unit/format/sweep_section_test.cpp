@@ -1,17 +1,16 @@
-#include "io/sweep_reader.hpp"
-
 #include <gtest/gtest.h>
 
-#include "support/read_text.hpp"
+#include "format/sections/sections.hpp"
+#include "support/read_section.hpp"
 
 namespace kinestat {
 namespace {
 
-Reading<std::optional<SweepDescription>> sweep_of(const std::string& text) {
-  return read_text(text, read_sweep);
+auto sweep_of(const std::string& text) {
+  return read_section(sweep_section(), "'sweep'", text);
 }
 
-TEST(SweepReader, ReadsTheSmallestSection) {
+TEST(SweepSection, ReadsTheSmallestSection) {
   const auto reading = sweep_of("vary: {N1: {from: 15, to: 40, step: 1}}\n");
 
   ASSERT_EQ(reading.complaints(), Complaints{});
@@ -22,7 +21,7 @@ TEST(SweepReader, ReadsTheSmallestSection) {
   EXPECT_TRUE(reading.value->cases.empty());
 }
 
-TEST(SweepReader, ReadsEveryKey) {
+TEST(SweepSection, ReadsEveryKey) {
   const auto reading = sweep_of(
       "vary: {N1: {from: 15, to: 40, step: 1}, alpha: {values: [14.5 deg, 20 deg]}, N2: [3, 5]}\n"
       "require: [\"N3 == N1 + 2*N2\", N1 > 3]\n"
@@ -39,7 +38,7 @@ TEST(SweepReader, ReadsEveryKey) {
   EXPECT_EQ(sweep.report[1].text, "h.Rc");
 }
 
-TEST(SweepReader, ReadsASingleConditionAndLabel) {
+TEST(SweepSection, ReadsASingleConditionAndLabel) {
   const auto reading = sweep_of("vary: {N1: [3]}\nrequire: N1 > 2\ncases: M1\n");
 
   ASSERT_EQ(reading.complaints(), Complaints{});
@@ -47,7 +46,7 @@ TEST(SweepReader, ReadsASingleConditionAndLabel) {
   EXPECT_EQ(reading.value->cases[0].text, "M1");
 }
 
-TEST(SweepReader, NeedsParametersToVary) {
+TEST(SweepSection, NeedsParametersToVary) {
   EXPECT_EQ(sweep_of("cases: M1\n").complaints(),
             (Complaints{"1:1 E0303 'sweep' lacks the key 'vary'"}));
   EXPECT_EQ(sweep_of("vary: [N1]\n").complaints(),
@@ -56,7 +55,7 @@ TEST(SweepReader, NeedsParametersToVary) {
             (Complaints{"1:7 E0304 'vary' of 'sweep' must be a mapping of parameters"}));
 }
 
-TEST(SweepReader, WantsARangeOrValues) {
+TEST(SweepSection, WantsARangeOrValues) {
   EXPECT_EQ(sweep_of("vary: {a: {from: 1, to: 2}, b: {values: [1], step: 2}, c: {values: []},\n"
                      "       d: 3, e: {form: 1, to: 2, step: 1}}\n")
                 .complaints(),
@@ -68,7 +67,7 @@ TEST(SweepReader, WantsARangeOrValues) {
                         "2:18 E0302 parameter 'e' of 'vary' has no key 'form'"}));
 }
 
-TEST(SweepReader, MarksTheWrongPartOfACondition) {
+TEST(SweepSection, MarksTheWrongPartOfACondition) {
   const auto reading = sweep_of("vary: {N1: [3]}\nrequire: [N1 = 3, 'N1 >']\n");
 
   ASSERT_EQ(reading.found.items().size(), 2U);
@@ -77,7 +76,7 @@ TEST(SweepReader, MarksTheWrongPartOfACondition) {
   EXPECT_EQ(reading.found.items()[1].where.line, 2);
 }
 
-TEST(SweepReader, SaysThatAConditionWithACommaNeedsQuotes) {
+TEST(SweepSection, SaysThatAConditionWithACommaNeedsQuotes) {
   const auto reading = sweep_of("vary: {N1: [3]}\nrequire: [gcd(N1, 4) == 1]\n");
 
   ASSERT_EQ(reading.found.items().size(), 1U);

@@ -1,0 +1,22 @@
+// The section `actuators`.
+#include "format/sections/sections.hpp"
+#include "format/value_forms.hpp"
+
+namespace kinestat {
+
+const Mapping<ActuatorDescription>& actuator() {
+  static const Mapping<ActuatorDescription> mapping(
+      "actuator",
+      "An active coupling: an action is brought into a freedom of a coupling.",
+      "{coupling: a}",
+      [](auto& m) {
+        m.key("coupling", "The coupling that it drives.")
+            .needed(&ActuatorDescription::coupling, coupling_name(), "a");
+        m.key("freedom",
+              "Which freedom of the coupling it drives; needed where the coupling has several.")
+            .may(&ActuatorDescription::freedom, free_name(), "wz");
+      });
+  return mapping;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,70 @@
+// The section `shift`.
+#include "format/alternatives.hpp"
+#include "format/numbers.hpp"
+#include "format/sections/sections.hpp"
+#include "format/value_forms.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// One value for every input, or a mapping of actuators to values.
+Form<std::vector<InputValue>> input_values(const Form<Value>& number) {
+  const auto for_all = converted<std::vector<InputValue>>(
+      number,
+      [](Value value) {
+        return std::vector{InputValue{.target = std::nullopt, .value = std::move(value)}};
+      },
+      [](const std::vector<InputValue>& values) { return values.front().value; });
+  const auto for_each = values_by_name(&InputValue::target,
+                                       &InputValue::value,
+                                       number,
+                                       {.elements = "inputs to values", .name_definition = "name"},
+                                       "'{2}' of '{0}'");
+  return by_shape<std::vector<InputValue>>(
+      {for_all, for_each}, [](const std::vector<InputValue>& values) {
+        return values.front().target ? std::size_t{1} : std::size_t{0};
+      });
+}
+
+Form<std::vector<GearLabel>> gear_labels() {
+  return values_by_name(&GearLabel::label,
+                        &GearLabel::elements,
+                        one_or_more(name_of("a clutch or brake")),
+                        {.elements = "labels to elements"},
+                        "gear '{0}'");
+}
+
+}  // namespace
+
+const Mapping<ShiftDescription>& shift_section() {
+  static const Mapping<ShiftDescription> mapping(
+      "",
+      "",
+      "{input: in, output: out, elements: [C1, C2, B1, B2], input_motion: 1 rad/s, "
+      "input_action: 100 N*m}",
+      [](auto& m) {
+        m.key("input", "The actuator, or several, that drives.")
+            .needed(&ShiftDescription::inputs, one_or_more(name_of("an actuator"), 1), "in");
+        m.key("output", "The actuator, or several, that is driven.")
+            .needed(&ShiftDescription::outputs, one_or_more(name_of("an actuator"), 1), "out");
+        m.key("elements", "The clutches and brakes that shift.")
+            .needed(&ShiftDescription::elements,
+                    one_or_more(name_of("a clutch or brake"), 1),
+                    "[C1, C2, B1, B2]")
+            .add_hint("'elements: [C1, C2, B1]', the clutches and brakes");
+        m.key("input_motion", "Speed of the input, for every input or by name; default unit rad/s.")
+            .may(&ShiftDescription::input_motion, input_values(input_speed()), "1 rad/s")
+            .example("{in: 1 rad/s}");
+        m.key("input_action", "Torque of the input, for every input or by name; default unit N*m.")
+            .may(&ShiftDescription::input_action, input_values(input_load()), "100 N*m")
+            .example("{in: 100 N*m}");
+        m.key("names",
+              "Labels of gears: which elements are engaged. Combinations without a label are named "
+              "by their elements, C1+B2.")
+            .may(&ShiftDescription::names, gear_labels(), "{M1: [C1, B2]}");
+      });
+  return mapping;
+}
+
+}  // namespace kinestat

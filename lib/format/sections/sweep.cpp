@@ -1,0 +1,129 @@
+// The section `sweep`.
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "format/alternatives.hpp"
+#include "format/numbers.hpp"
+#include "format/sections/sections.hpp"
+#include "format/value_forms.hpp"
+#include "io/value_reader.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr const char* kVaryHint = "write {from: 15, to: 40, step: 1} or {values: [15, 17, 21]}";
+
+// The list is called after the parameter, which is the owner of the key 'values'.
+Form<std::vector<Value>> values(bool is_behind_key) {
+  auto form = list_of(any_number(), "", kVaryHint);
+  form.read = [read = form.read, is_behind_key](const FileValue& list) {
+    FileValue called = list;
+    called.what = fmt::format("the values of {}", is_behind_key ? list.owner : list.what);
+    return read(called);
+  };
+  return form;
+}
+
+const Mapping<VariedParameter>& variation_mapping() {
+  static const Mapping<VariedParameter> mapping("", "", "{from: 15, to: 40, step: 1}", [](auto& m) {
+    m.key("values", "The values, one by one.")
+        .may(&VariedParameter::values, values(true), "[14.5 deg, 20 deg, 25 deg]");
+    m.key("from", "The first value.").needed(&VariedParameter::from, any_number(), "15");
+    m.key("to", "The last value, inclusive.").needed(&VariedParameter::to, any_number(), "40");
+    m.key("step", "The step from one value to the next, not zero.")
+        .needed(&VariedParameter::step, increment(), "1");
+    m.instead("values", {"from", "to", "step"}, kVaryHint);
+  });
+  return mapping;
+}
+
+VariedParameter of_values(std::vector<Value> values) {
+  VariedParameter varied;
+  varied.values = std::move(values);
+  return varied;
+}
+
+Form<VariedParameter> variation() {
+  const auto list = converted<VariedParameter>(
+      values(false),
+      [](std::vector<Value> values) { return of_values(std::move(values)); },
+      [](const VariedParameter& one) { return one.values; });
+  auto form = by_shape<VariedParameter>({list, variation_mapping().form()},
+                                        [](const VariedParameter&) { return std::size_t{1}; });
+  form.shape.definition = "variation";
+  form.shape.meaning =
+      "The values of a parameter: a list, {values: [...]}, or {from, to, step}; 'to' is inclusive.";
+  form.shape.examples = {"{from: 15, to: 40, step: 1}", "[14.5 deg, 20 deg, 25 deg]"};
+  return form;
+}
+
+Form<Requirement> requirement() {
+  return {
+      .shape = {.kind = FormKind::name,
+                .definition = "condition",
+                .meaning = "A condition of parameters, with == != < <= > >= and or not mod "
+                           "floor gcd.",
+                .examples = {"N3 == N1 + 2*N2"}},
+      .read = [](const FileValue& value) -> std::optional<Requirement> {
+        const YamlNode& node = value.node;
+        const auto text = read_text(node, "a condition of 'require'", value.found);
+        if (!text) {
+          return std::nullopt;
+        }
+        auto parsed = parse_condition(*text);
+        if (const auto* error = std::get_if<ExpressionError>(&parsed)) {
+          value.found.error(
+              error->code,
+              place_in(node.where, node.text_column, *text, error->offset, error->length),
+              error->message,
+              error->hint);
+          return std::nullopt;
+        }
+        return Requirement{.condition = std::get<Condition>(std::move(parsed)),
+                           .where = node.where,
+                           .text_column = node.text_column};
+      },
+      .write = [](const Requirement& one) { return single_text(in_quotes(one.condition.text())); }};
+}
+
+void declare_report(Mapping<SweepDescription>& m) {
+  m.key("report",
+        "The quantities that a row holds: ratio, torque_ratio, step, efficiency, recirculation, an "
+        "actuator, lossy.ACTUATOR (its action with losses of meshes), or COUPLING.FREEDOM and "
+        "COUPLING.ACTION.")
+      .may(&SweepDescription::report, one_or_more(target()), "[ratio, efficiency, h.Rc]")
+      .offer("ratio", "input speed by output speed")
+      .offer("torque_ratio", "input torque by output torque")
+      .offer("efficiency", "output power by input power")
+      .offer("step", "ratio of the next lower gear by this one")
+      .offer("recirculation", "largest power from shaft to shaft by the input power");
+}
+
+}  // namespace
+
+const Mapping<SweepDescription>& sweep_section() {
+  static const Mapping<SweepDescription> mapping(
+      "", "", "{vary: {N1: {from: 15, to: 40, step: 1}}, report: [ratio]}", [](auto& m) {
+        m.key("vary", "The parameters to vary and their values.")
+            .needed(&SweepDescription::vary,
+                    named(&VariedParameter::name,
+                          variation(),
+                          {.item = "a parameter",
+                           .elements = "parameters",
+                           .name_definition = "parameter_name",
+                           .least = 1},
+                          "parameter '{0}' of 'vary'"),
+                    "{N1: {from: 15, to: 40, step: 1}}");
+        m.key("require",
+              "Conditions that a combination must fulfil to be analysed; what fails is counted.")
+            .may(&SweepDescription::require, one_or_more(requirement()), "[N3 == N1 + 2*N2]");
+        m.key("cases", "The cases and gears to analyse; default all.")
+            .may(&SweepDescription::cases, one_or_more(label()), "[M1, M2]");
+        declare_report(m);
+      });
+  return mapping;
+}
+
+}  // namespace kinestat
