@@ -13,6 +13,7 @@ YamlKind kind_of(const FormShape& shape) {
       return YamlKind::sequence;
     case FormKind::names:
     case FormKind::mapping:
+    case FormKind::variants:
       return YamlKind::mapping;
     default:
       return YamlKind::scalar;

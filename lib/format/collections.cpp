@@ -1,5 +1,8 @@
 #include "format/collections.hpp"
 
+#include <array>
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "io/cut_value.hpp"
@@ -9,13 +12,17 @@ namespace kinestat {
 
 namespace {
 
-// "with something in it", "of at least 2", "of 1 to 4", "of 2".
+constexpr std::array<std::string_view, 5> kCounts = {"none", "one", "two", "three", "four"};
+
+// "with something in it", "of at least two", "of one to four", "of two".
 std::string number_text(const FormShape& shape) {
   if (shape.most == FormShape::kAnyNumber) {
-    return shape.least == 1 ? "with something in it" : fmt::format("of at least {}", shape.least);
+    return shape.least == 1 ? "with something in it"
+                            : "of at least " + std::string(kCounts.at(shape.least));
   }
-  return shape.least == shape.most ? fmt::format("of {}", shape.most)
-                                   : fmt::format("of {} to {}", shape.least, shape.most);
+  const std::string most(kCounts.at(shape.most));
+  return shape.least == shape.most ? "of " + most
+                                   : fmt::format("of {} to {}", kCounts.at(shape.least), most);
 }
 
 FileValue part_of(const FileValue& whole, const YamlNode& node, SourceRange where) {

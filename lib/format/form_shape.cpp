@@ -60,6 +60,7 @@ std::string sketch_of(const FormShape& shape, Space space) {
       return fmt::format("{{NAME: {}}}", sketch_of(shape.items.front(), space));
     case FormKind::mapping:
       return needed_keys(shape, space);
+    case FormKind::variants:
     case FormKind::by_shape:
       return sketch_of(shape.items.front(), space);
   }

@@ -13,17 +13,18 @@
 namespace kinestat {
 
 enum class FormKind {
-  number,   ///< or an expression
-  name,     ///< of something that the file declares
-  text,     ///< free text, which may look like a number
-  word,     ///< one of `words`
-  flag,     ///< true or false
-  vector,   ///< of `items.front()`: as many components as the space has
-  couple,   ///< of `items.front()`: one number about z in the plane, a vector in space
-  list,     ///< of `items.front()`
-  names,    ///< a mapping from names to `items.front()`
-  mapping,  ///< with `keys`
-  by_shape  ///< one of `items`, which differ in being a list, a mapping or a single value
+  number,    ///< or an expression
+  name,      ///< of something that the file declares
+  text,      ///< free text, which may look like a number
+  word,      ///< one of `words`
+  flag,      ///< true or false
+  vector,    ///< of `items.front()`: as many components as the space has
+  couple,    ///< of `items.front()`: one number about z in the plane, a vector in space
+  list,      ///< of `items.front()`
+  names,     ///< a mapping from names to `items.front()`
+  mapping,   ///< with `keys`
+  variants,  ///< one of the mappings `items`, each with a first key of its own
+  by_shape   ///< one of `items`, which differ in being a list, a mapping or a single value
 };
 
 struct Word {
@@ -48,6 +49,8 @@ struct FormRule {
     any_of,               ///< at least one of `others`
     one_of,               ///< exactly one of `others`
     needed_unless_whole,  ///< `key`, unless the bare number behind `others.front()` is whole
+    spares,               ///< beside `key`, none of `others` is needed
+    unless_true,          ///< where `key` is true, `others` may not stand; {1} is the one that does
     together,             ///< `key` needs `others.front()` beside it
     pointless             ///< `key` means nothing without `others.front()`
   };
@@ -75,6 +78,7 @@ struct FormShape {
   std::string item = {};             ///< what an item is: "a load"
   std::string elements = {};         ///< of `names`: "meshes to losses"
   std::string name_definition = {};  ///< of `names`: the schema of the names
+  bool may_be_empty = false;         ///< of a mapping: nothing may stand behind its key
   std::size_t least = 0;             ///< how many items
   std::size_t most = kAnyNumber;
   std::vector<FormShape> items = {};

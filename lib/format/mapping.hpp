@@ -69,6 +69,9 @@ class Mapping {
                       const std::string& title,
                       const std::string& hint);
 
+  /// Nothing may stand behind its name.
+  void may_be_empty() { shape_.may_be_empty = true; }
+
   /// A line for each key where it is written.
   void write_in_lines() { is_in_lines_ = true; }
 
@@ -86,6 +89,9 @@ class Mapping {
   /// False iff an error was added.
   bool read_into(T& object, const FileValue& value) const {
     const int errors_before = value.found.error_count();
+    if (shape_.may_be_empty && value.node.kind == YamlKind::null) {
+      return true;
+    }
     Fields fields(value.node, value.where, value.what, value.found);
     read_keys(fields, value, object);
     fields.finish();
@@ -123,7 +129,11 @@ class Mapping {
   Form<T> form() const {
     return {.shape = shape_,
             .read = [this](const FileValue& value) { return read(value); },
-            .write = [this](const T& object) { return text(object); }};
+            .write =
+                [this](const T& object) {
+                  FileText written = text(object);
+                  return shape_.may_be_empty && written.entries.empty() ? FileText() : written;
+                }};
   }
 
  private:

@@ -14,10 +14,14 @@ bool has(const FileValue& mapping, const std::string& key) {
   return mapping.node.find(key) != nullptr;
 }
 
+bool is_in_place_of(const FormRule& rule) {
+  return rule.kind == FormRule::Kind::instead || rule.kind == FormRule::Kind::spares;
+}
+
 // Whether a key that stands instead of this one is there.
 bool is_replaced(const FormShape& shape, const std::string& key, const FileValue& mapping) {
   return std::ranges::any_of(shape.rules, [&](const FormRule& rule) {
-    return rule.kind == FormRule::Kind::instead && has(mapping, rule.key) &&
+    return is_in_place_of(rule) && has(mapping, rule.key) &&
            std::ranges::find(rule.others, key) != rule.others.end();
   });
 }
@@ -40,6 +44,18 @@ void check_instead(const FormRule& rule, const FileValue& mapping) {
           place_of_key(mapping.node, key),
           fmt::format("{} cannot have '{}' beside '{}'", mapping.what, key, rule.key),
           rule.hint);
+    }
+  }
+}
+
+void check_unless_true(const FormRule& rule, const FileValue& mapping) {
+  const YamlNode* flag = mapping.node.find(rule.key);
+  for (const std::string& key : rule.others) {
+    if (flag != nullptr && flag->text == "true" && !flag->quoted && has(mapping, key)) {
+      mapping.found.error("E0302",
+                          place_of_key(mapping.node, key),
+                          fmt::format(fmt::runtime(rule.message), mapping.what, key),
+                          fmt::format(fmt::runtime(rule.hint), mapping.what, key));
     }
   }
 }
@@ -100,6 +116,8 @@ void check_rules(const FormShape& shape, const FileValue& mapping, int errors_be
     const bool has_any = std::ranges::any_of(rule.others, has_key);
     if (rule.kind == FormRule::Kind::instead) {
       check_instead(rule, mapping);
+    } else if (rule.kind == FormRule::Kind::unless_true) {
+      check_unless_true(rule, mapping);
     } else if (rule.kind == FormRule::Kind::one_of) {
       check_one_of(rule, mapping, errors_before);
     } else if (rule.kind == FormRule::Kind::any_of && !has_any) {

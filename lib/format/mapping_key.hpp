@@ -46,20 +46,41 @@ class Mapping<T>::Key {
     return *this;
   }
 
+  /// A list of two, which must be there.
+  template <class Member>
+  Key& pair(Member T::*first,
+            Member T::*second,
+            const Form<Member>& form,
+            std::string example,
+            const std::string& hint) {
+    const auto list = list_of(form, "", hint, {.least = 2, .most = 2});
+    key_.shape = list.shape;
+    key_.examples.push_back(std::move(example));
+    key_.is_needed = true;
+    add({.read =
+             [first, second, list](const FileValue& value, T& object) {
+               if (auto both = list.read(value)) {
+                 object.*first = std::move(both->front());
+                 object.*second = std::move(both->back());
+               }
+             },
+         .write =
+             [first, second, list](const T& object) {
+               return std::optional(list.write({object.*first, object.*second}));
+             }});
+    return *this;
+  }
+
   /// It must be there, but is not written as long as it says what is usual.
   Key& required() {
     added().is_needed = true;
     return *this;
   }
 
-  /// Keys of the same object in a mapping of their own, whose place is remembered.
-  Key& group(const Mapping& part, SourceRange T::*place) {
+  /// Keys of the same object in a mapping of their own.
+  Key& group(const Mapping& part) {
     key_.shape = part.shape_;
-    add({.read =
-             [&part, place](const FileValue& value, T& object) {
-               object.*place = value.place;
-               part.read_into(object, value);
-             },
+    add({.read = [&part](const FileValue& value, T& object) { part.read_into(object, value); },
          .write = [&part](const T& object) -> std::optional<FileText> {
            FileText text = part.text(object);
            return text.entries.empty() ? std::nullopt : std::optional(std::move(text));
@@ -108,12 +129,12 @@ class Mapping<T>::Key {
 
   /// Where the key stands, or its value if it is no section.
   Key& at(SourceRange T::*place) {
-    Step& step = mapping_.steps_.back();
-    step.read = [place, read = step.read](const FileValue& value, T& object) {
-      object.*place = value.place;
-      read(value, object);
-    };
-    return *this;
+    return placed(place, [](const FileValue& value) { return value.place; });
+  }
+
+  /// Where the value stands.
+  Key& at_value(SourceRange T::*place) {
+    return placed(place, [](const FileValue& value) { return value.node.where; });
   }
 
   /// What to add where it is missing.
@@ -144,6 +165,16 @@ class Mapping<T>::Key {
   void add(Step step) {
     mapping_.shape_.keys.push_back(std::move(key_));
     mapping_.steps_.push_back(std::move(step));
+  }
+
+  template <class Place>
+  Key& placed(SourceRange T::*member, Place place) {
+    Step& step = mapping_.steps_.back();
+    step.read = [member, place, read = step.read](const FileValue& value, T& object) {
+      object.*member = place(value);
+      read(value, object);
+    };
+    return *this;
   }
 
   FormKey& added() { return mapping_.shape_.keys.back(); }

@@ -9,13 +9,10 @@
 #include "description/cable_expansion.hpp"
 #include "description/gear_expansion.hpp"
 #include "format/sections/sections.hpp"
-#include "io/body_reader.hpp"
-#include "io/cable_reader.hpp"
 #include "io/coupling_reader.hpp"
 #include "io/fields.hpp"
-#include "io/gear_reader.hpp"
-#include "io/parameter_reader.hpp"
 #include "io/synthesis_reader.hpp"
+#include "io/unit_reader.hpp"
 #include "io/value_reader.hpp"
 
 namespace kinestat {
@@ -67,28 +64,6 @@ std::optional<Space> read_space(Fields& fields, Diagnostics& found) {
   return word ? std::optional(*word == 0 ? Space::planar : Space::spatial) : std::nullopt;
 }
 
-std::optional<OrderChoice> read_order_word(const YamlNode& node,
-                                           std::string_view what,
-                                           Diagnostics& found) {
-  static const std::vector<std::string> kOrders = {"minimal", "planar", "spatial"};
-  const auto word = read_word(node, what, kOrders, found);
-  return word ? std::optional(static_cast<OrderChoice>(*word)) : std::nullopt;
-}
-
-void read_order(const YamlNode& node, MechanismDescription& result, Diagnostics& found) {
-  result.order_where = node.where;
-  Fields fields(node, node.where, "'order'", found);
-  if (const YamlNode* order = fields.find("kinematics")) {
-    result.kinematic_order = read_order_word(*order, "the order of the kinematics", found)
-                                 .value_or(OrderChoice::minimal);
-  }
-  if (const YamlNode* order = fields.find("statics")) {
-    result.static_order =
-        read_order_word(*order, "the order of the statics", found).value_or(OrderChoice::minimal);
-  }
-  fields.finish();
-}
-
 // Reads one mechanism file section by section.
 class MechanismReader {
  public:
@@ -100,17 +75,14 @@ class MechanismReader {
   MechanismDescription read() {
     read_version(fields_, found_);
     read_head(fields_, result_, found_);
-    read_plain_sections();
+    section("units", [&](const YamlNode& node) { read_units(node, result_.units, found_); });
     const std::optional<Space> space = read_space(fields_, found_);
-    if (space) {
-      result_.space = *space;
-      read_structure();
-      read_sections_in_space();
-    } else {
-      pass_over_sections_in_space();
-    }
+    result_.space = space.value_or(Space::spatial);
+    read_structure(space.has_value());
     file_sections().read_keys(fields_, file(space), result_);
-    read_tasks();
+    section("synthesis", result_.synthesis, [&](const YamlNode& node) {
+      return read_synthesis(node, found_);
+    });
     fields_.ignore_prefix("x-");  // the user's own notes
     fields_.finish();
     return std::move(result_);
@@ -151,19 +123,9 @@ class MechanismReader {
     return std::ranges::find(root_.entries, key, &YamlEntry::key)->key_where;
   }
 
-  void read_plain_sections() {
-    section("units", [&](const YamlNode& node) { read_units(node, result_.units, found_); });
-    section("parameters",
-            [&](const YamlNode& node) { result_.parameters = read_parameters(node, found_); });
-    section("tree", [&](const YamlNode& node) {
-      result_.tree_where = node.where;
-      result_.tree = read_references(node, "the tree", found_);
-    });
-    section("order", [&](const YamlNode& node) { read_order(node, result_, found_); });
-  }
-
   // A file may hold a synthesis task and no mechanism; then none of these keys may stand alone.
-  void read_structure() {
+  // Couplings need the space.
+  void read_structure(bool has_space) {
     const bool may_lack = root_.find("synthesis") != nullptr && root_.find("ground") == nullptr &&
                           root_.find("bodies") == nullptr && root_.find("couplings") == nullptr;
     const auto find = [&](std::string_view key) {
@@ -175,32 +137,11 @@ class MechanismReader {
         result_.ground = *ground;
       }
     }
-    if (const YamlNode* node = find("bodies")) {
-      result_.bodies = read_bodies(*node, result_.space, found_);
+    (void)find("bodies");
+    const YamlNode* couplings = find("couplings");
+    if (couplings != nullptr && has_space) {
+      result_.couplings = read_couplings(*couplings, result_.space, found_);
     }
-    if (const YamlNode* node = find("couplings")) {
-      result_.couplings = read_couplings(*node, result_.space, found_);
-    }
-  }
-
-  void read_sections_in_space() {
-    section("cables", [&](const YamlNode& node) {
-      result_.cables_where = place_of("cables");
-      result_.cables = read_cables(node, result_.space, found_);
-    });
-  }
-
-  void pass_over_sections_in_space() {
-    for (const char* key : {"ground", "bodies", "couplings", "cables"}) {
-      (void)fields_.find(key);
-    }
-  }
-
-  void read_tasks() {
-    section("gears", result_.gears, [&](const YamlNode& node) { return read_gears(node, found_); });
-    section("synthesis", result_.synthesis, [&](const YamlNode& node) {
-      return read_synthesis(node, found_);
-    });
   }
 
   const YamlNode& root_;

@@ -46,14 +46,6 @@ std::string units_text(const FileUnits& units) {
   return text.empty() ? "" : "units: {" + text + "}\n";
 }
 
-std::string body_text(const BodyDescription& body) {
-  KINESTAT_EXPECTS(!body.mass && !body.centre_of_mass && body.outline.empty());
-  return body.reference ? fmt::format("  {}: {{reference: {}}}\n",
-                                      body.name.text,
-                                      list_text(body.reference->coordinates))
-                        : fmt::format("  {}:\n", body.name.text);
-}
-
 std::string coupling_text(const CouplingDescription& coupling) {
   KINESTAT_EXPECTS(coupling.type == CouplingType::revolute ||
                    coupling.type == CouplingType::prismatic);
@@ -72,34 +64,19 @@ std::string coupling_text(const CouplingDescription& coupling) {
   return text + "}\n";
 }
 
-template <class Items, class Write>
-std::string section_text(std::string_view key, const Items& items, Write write) {
+std::string couplings_text(const std::vector<CouplingDescription>& couplings) {
   std::string text;
-  for (const auto& item : items) {
-    text += write(item);
+  for (const CouplingDescription& one : couplings) {
+    text += coupling_text(one);
   }
-  return text.empty() ? "" : fmt::format("\n{}:\n{}", key, text);
-}
-
-// Those that are declared.
-std::string sections_text(const MechanismDescription& description) {
-  std::string text;
-  for (const auto& [key, value] : file_sections().text(description).entries) {
-    text += fmt::format("\n{}:{}", key, behind_key(value, 0));
-  }
-  return text;
-}
-
-bool has_more(const MechanismDescription& d) {
-  return !d.parameters.empty() || d.tree || d.kinematic_order != OrderChoice::minimal ||
-         d.static_order != OrderChoice::minimal || d.gears || !d.cables.empty() || d.synthesis;
+  return text.empty() ? "" : "\ncouplings:\n" + text;
 }
 
 }  // namespace
 
 std::string mechanism_text(const MechanismDescription& description,
                            std::span<const std::string> head) {
-  KINESTAT_EXPECTS(!has_more(description));
+  KINESTAT_EXPECTS(!description.synthesis);
   std::string text;
   for (const std::string& line : head) {
     text += line.empty() ? "#\n" : fmt::format("# {}\n", printable(line));
@@ -111,9 +88,10 @@ std::string mechanism_text(const MechanismDescription& description,
   text += description.space == Space::planar ? "space: planar\n" : "";
   text += units_text(description.units);
   text += fmt::format("\nground: {}\n", description.ground.text);
-  text += section_text("bodies", description.bodies, body_text);
-  text += section_text("couplings", description.couplings, coupling_text);
-  text += sections_text(description);
+  for (const auto& [key, value] : file_sections().text(description).entries) {
+    text += fmt::format("\n{}:{}", key, behind_key(value, 0));
+    text += key == "bodies" ? couplings_text(description.couplings) : "";
+  }
   return text;
 }
 

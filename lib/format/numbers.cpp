@@ -126,6 +126,10 @@ Form<Value> efficiency() {
       "efficiency", "A fraction above 0 and at most 1.", {"0.98"}, {.most = 1, .above = 0});
 }
 
+Form<Value> component() {
+  return number_form("component", "Component of a direction, without a unit.", {"1", "0.5"});
+}
+
 Form<Value> length() {
   return number_form("length",
                      "A length: a bare number counts in the file's unit of length (default m), or "

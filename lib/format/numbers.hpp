@@ -34,6 +34,7 @@ Form<Value> not_zero();
 Form<Value> at_least_one();
 Form<Value> fraction();
 Form<Value> efficiency();
+Form<Value> component();  ///< of a direction
 Form<Value> length();
 Form<Value> size();
 Form<Value> radius();

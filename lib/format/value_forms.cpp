@@ -77,6 +77,35 @@ Form<PointDescription> point() {
       {"[6, 5]", "[ground_length, 0, 25 mm]"});
 }
 
+Form<AxisDescription> turning_axis() {
+  const std::string against = "what is along it is named without a letter: w, v, R, T";
+  const FormShape words{.kind = FormKind::word,
+                        .words = {{"x", "along +x"},
+                                  {"y", "along +y"},
+                                  {"z", "along +z; in the plane, perpendicular to it"},
+                                  {"-x", "along -x; " + against},
+                                  {"-y", "along -y; " + against},
+                                  {"-z", "along -z; " + against}}};
+  const FormShape vector{
+      .kind = FormKind::list, .least = 3, .most = 3, .items = {component().shape}};
+  return {.shape = {.kind = FormKind::by_shape,
+                    .definition = "axis",
+                    .meaning = "The axis: x, y, z, -x, -y, -z or a vector [ax, ay, az] of any "
+                               "length but zero. In the plane it is z, which need not be written.",
+                    .examples = {"z", "[0, 0.6, 0.8]"},
+                    .items = {words, vector}},
+          .read =
+              [](const FileValue& value) {
+                return read_axis(value.node, value.what, Space::spatial, value.found);
+              },
+          .write =
+              [](const AxisDescription& one) {
+                return one.keyword == 0
+                           ? text_of(one.components)
+                           : single_text(std::string(one.sign < 0.0 ? "-" : "") + one.keyword);
+              }};
+}
+
 Form<std::string> text() {
   return {.shape = {.kind = FormKind::text, .definition = "text"},
           .read = [](const FileValue& v) { return read_text(v.node, v.what, v.found); },

@@ -39,6 +39,9 @@ Form<PointDescription> point();
 /// Free text.
 Form<std::string> text();
 
+/// x, -y, z, … or a vector of three numbers, also in the plane.
+Form<AxisDescription> turning_axis();
+
 /// true or false; what is not there is false.
 Form<bool> flag();
 

@@ -22,18 +22,6 @@ std::optional<Value> find_value(Fields& fields, std::string_view key, Diagnostic
   return node == nullptr ? std::nullopt : read_value(*node, title(key, fields), found);
 }
 
-std::optional<Name> find_reference(Fields& fields, std::string_view key, Diagnostics& found) {
-  const YamlNode* node = fields.find(key);
-  return node == nullptr ? std::nullopt : read_reference(*node, title(key, fields), found);
-}
-
-std::vector<Name> find_references(Fields& fields, std::string_view key, Diagnostics& found) {
-  const YamlNode* node = fields.find(key);
-  return node == nullptr
-             ? std::vector<Name>()
-             : read_references(*node, title(key, fields), found).value_or(std::vector<Name>{});
-}
-
 bool find_bool(Fields& fields, std::string_view key, Diagnostics& found) {
   const YamlNode* node = fields.find(key);
   return node != nullptr && read_bool(*node, title(key, fields), found).value_or(false);
@@ -59,26 +47,6 @@ Value require_value(Fields& fields, std::string_view key, Diagnostics& found) {
   const YamlNode* node = fields.require(key);
   const auto value = node == nullptr ? std::nullopt : read_value(*node, title(key, fields), found);
   return value.value_or(Value{});
-}
-
-Name require_reference(Fields& fields, std::string_view key, Diagnostics& found) {
-  const YamlNode* node = fields.require(key);
-  const auto name =
-      node == nullptr ? std::nullopt : read_reference(*node, title(key, fields), found);
-  return name.value_or(Name{});
-}
-
-std::vector<Name> require_references(Fields& fields, std::string_view key, Diagnostics& found) {
-  const YamlNode* node = fields.require(key);
-  const auto names =
-      node == nullptr ? std::nullopt : read_references(*node, title(key, fields), found);
-  if (names && names->empty()) {
-    found.error("E0304",
-                node->where,
-                fmt::format("{} names nothing", title(key, fields)),
-                fmt::format("write {}: [NAME, NAME, …]", key));
-  }
-  return names.value_or(std::vector<Name>{});
 }
 
 PointDescription require_point(Fields& fields,

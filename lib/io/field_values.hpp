@@ -16,8 +16,6 @@ namespace kinestat {
 /// Each is empty if the key is absent, or if an error was added. In messages the value is called
 /// "'radius' of cable 'rope'".
 std::optional<Value> find_value(Fields& fields, std::string_view key, Diagnostics& found);
-std::optional<Name> find_reference(Fields& fields, std::string_view key, Diagnostics& found);
-std::vector<Name> find_references(Fields& fields, std::string_view key, Diagnostics& found);
 bool find_bool(Fields& fields, std::string_view key, Diagnostics& found);
 std::optional<PointDescription> find_point(Fields& fields,
                                            std::string_view key,
@@ -30,8 +28,6 @@ std::optional<std::size_t> find_word(Fields& fields,
 
 /// The same for a key that must be there; a default after an error.
 Value require_value(Fields& fields, std::string_view key, Diagnostics& found);
-Name require_reference(Fields& fields, std::string_view key, Diagnostics& found);
-std::vector<Name> require_references(Fields& fields, std::string_view key, Diagnostics& found);
 PointDescription require_point(Fields& fields,
                                std::string_view key,
                                Space space,

@@ -29,27 +29,11 @@ std::string example_of(std::string_view key) {
       {"bodies", "'bodies: [NAME, NAME, …]'; of a coupling 'bodies: [TAIL, HEAD]'"},
       {"couplings", "'couplings:' and below it lines 'name: {type: …, bodies: […], …}'"},
       {"type", "for example 'type: revolute'"},
-      {"coupling", "'coupling: NAME', the coupling that it drives"},
-      {"free", "'free: VALUE', the value that is used in numbers"},
-      {"members", "'members:' with lines 'sun: {body: …, teeth: …}'; of a mesh two of their names"},
-      {"meshes", "'meshes:' and below it lines 'h: {members: [sun, planet], carrier: …}'"},
-      {"body", "'body: NAME', one of 'bodies' or the ground"},
-      {"teeth", "for example 'teeth: 19'"},
-      {"over", "'over:' and below it lines '- {body: …, at: …}' or '- {pulley: …, …}'"},
       {"radius", "for example 'radius: 20 mm'"},
-      {"wrap", "'wrap: clockwise' or 'wrap: counterclockwise', seen along the cable"},
-      {"input", "'input: NAME', an actuator"},
-      {"output", "'output: NAME', an actuator"},
-      {"elements", "'elements: [C1, C2, B1]', the clutches and brakes"},
-      {"drive", "'drive: NAME', an actuator"},
-      {"vary", "'vary: {N1: {from: 15, to: 40, step: 1}}', the parameters that change"},
       {"positions", "'positions:' and below it lines '- {at: [x, y], angle: 30 deg}'"},
       {"angle", "for example 'angle: 30 deg'"},
       {"from", "'from: VALUE', where it begins"},
       {"to", "'to: VALUE', where it ends"},
-      {"step", "for example 'step: 1'"},
-      {"value", "'value: /cases/…', a JSON Pointer into the report"},
-      {"tolerance", "for example 'tolerance: 1e-3'; only a whole number needs none"},
   });
   const auto at = std::ranges::find(kExamples, key, &Example::key);
   return at != kExamples.end() ? std::string(at->text) : fmt::format("'{}: …'", key);
@@ -70,7 +54,9 @@ Fields::Fields(const YamlNode& node, SourceRange where, std::string what, Diagno
 }
 
 const YamlNode* Fields::find(std::string_view key) {
-  known_.emplace_back(key);
+  if (std::ranges::find(known_, key) == known_.end()) {
+    known_.emplace_back(key);
+  }
   return node_ == nullptr ? nullptr : node_->find(key);
 }
 

@@ -14,6 +14,20 @@ Json has(const std::string& key) {
   return {{"required", Json::array({key})}};
 }
 
+Json is_true(const std::string& key) {
+  Json condition = has(key);
+  condition["properties"] = {{key, {{"const", true}}}};
+  return condition;
+}
+
+Json refused(const std::vector<std::string>& keys) {
+  Json properties = Json::object();
+  for (const std::string& key : keys) {
+    properties[key] = false;
+  }
+  return properties;
+}
+
 // Either the key, or what is needed of those that it replaces.
 void add_instead(const FormShape& shape, const FormRule& rule, Json& schema) {
   Json refused = Json::object();
@@ -63,7 +77,7 @@ void add_needed_unless_whole(const FormRule& rule, Json& schema) {
 
 bool is_replaceable(const FormShape& shape, const std::string& key) {
   return std::ranges::any_of(shape.rules, [&](const FormRule& rule) {
-    return rule.kind == FormRule::Kind::instead &&
+    return (rule.kind == FormRule::Kind::instead || rule.kind == FormRule::Kind::spares) &&
            std::ranges::find(rule.others, key) != rule.others.end();
   });
 }
@@ -80,6 +94,14 @@ void add_rules(const FormShape& shape, Json& schema) {
       case FormRule::Kind::one_of:
         add_any_of(rule, schema);
         add_no_two_of(rule, schema);
+        break;
+      case FormRule::Kind::spares:
+        schema["allOf"].push_back(
+            {{"if", {{"not", has(rule.key)}}}, {"then", {{"required", rule.others}}}});
+        break;
+      case FormRule::Kind::unless_true:
+        schema["allOf"].push_back(
+            {{"if", is_true(rule.key)}, {"then", {{"properties", refused(rule.others)}}}});
         break;
       case FormRule::Kind::needed_unless_whole:
         add_needed_unless_whole(rule, schema);

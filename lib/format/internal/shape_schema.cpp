@@ -28,8 +28,9 @@ Json types_of(const FormShape& shape) {
     case FormKind::couple:
       return Json::array({"array", "number", "string"});
     case FormKind::names:
+    case FormKind::variants:
     case FormKind::mapping:
-      return "object";
+      return shape.may_be_empty ? Json::array({"object", "null"}) : Json("object");
     case FormKind::by_shape: {
       Json types = Json::array();
       for (const FormShape& one : shape.items) {
@@ -47,7 +48,8 @@ Json types_of(const FormShape& shape) {
 }
 
 bool is_collection(const FormShape& shape) {
-  return types_of(shape) == "array" || types_of(shape) == "object";
+  const Json types = types_of(shape);
+  return types == "array" || types == "object" || shape.may_be_empty;
 }
 
 void add_range(const NumberRange& range, Json& schema) {
@@ -112,11 +114,24 @@ Json named_snippet(const FormShape& shape, const Json& example) {
   return snippet(shape.item, "${0:" + example.begin().key() + "}" + body.substr(body.find(':')));
 }
 
+bool fits(const FormShape& shape, const Json& example) {
+  const bool is_mapping = types_of(shape).dump().find("object") != std::string::npos;
+  return is_collection(shape) ? (is_mapping ? example.is_object() : example.is_array())
+                              : !example.is_object() && !example.is_array();
+}
+
 // What an editor offers for a list or a mapping: the first example to be filled in.
 Json snippets_of(const FormShape& shape, const Json& examples) {
   const bool is_vector = shape.kind == FormKind::vector;
-  const auto at = std::ranges::find_if(
-      examples, [](const Json& one) { return one.is_array() || one.is_object(); });
+  if (shape.kind == FormKind::variants) {
+    Json snippets = Json::array();
+    for (const FormShape& one : shape.items) {
+      const Json example = example_json(one.examples.front());
+      snippets.push_back(snippet(outline(example), flow_snippet(example), one.meaning));
+    }
+    return snippets;
+  }
+  const auto at = std::ranges::find_if(examples, [&](const Json& one) { return fits(shape, one); });
   if (at == examples.end()) {
     return Json::array();
   }
@@ -132,12 +147,6 @@ FormShape couple_alternatives(const FormShape& couple) {
   const FormShape& moment = couple.items.front();
   const FormShape vector{.kind = FormKind::list, .least = 3, .most = 3, .items = {moment}};
   return {.kind = FormKind::by_shape, .items = {moment, vector}};
-}
-
-bool fits(const FormShape& shape, const Json& example) {
-  const Json type = types_of(shape);
-  const char* given = example.is_array() ? "array" : example.is_object() ? "object" : "";
-  return is_collection(shape) ? type == given : *given == '\0';
 }
 
 }  // namespace
@@ -205,6 +214,12 @@ void ShapeSchema::add_values(const FormShape& shape, Json& schema) {
     case FormKind::mapping:
       add_mapping(shape, schema);
       break;
+    case FormKind::variants:
+      add_variants(shape, schema);
+      break;
+    case FormKind::word:
+      add_words(shape.words, schema);
+      break;
     default:
       break;
   }
@@ -225,6 +240,37 @@ void ShapeSchema::add_mapping(const FormShape& shape, Json& schema) {
   }
   schema["properties"] = properties;
   add_rules(shape, schema);
+}
+
+// All keys of the mappings; the first key of each says which of them may stand.
+void ShapeSchema::add_variants(const FormShape& shape, Json& schema) {
+  Json properties = Json::object();
+  for (const FormShape& one : shape.items) {
+    Json mapping = Json::object();
+    add_mapping(one, mapping);
+    for (const auto& [key, value] : mapping["properties"].items()) {
+      if (!properties.contains(key)) {
+        properties[key] = value;
+      }
+    }
+  }
+  schema["additionalProperties"] = false;
+  schema["properties"] = properties;
+  for (const FormShape& one : shape.items) {
+    Json mapping = Json::object();
+    add_mapping(one, mapping);
+    const Json first = {{"required", Json::array({one.keys.front().key})}};
+    Json refused = Json::object();
+    for (const auto& [key, value] : properties.items()) {
+      if (!mapping["properties"].contains(key)) {
+        refused[key] = false;
+      }
+    }
+    mapping["properties"] = refused;
+    mapping.erase("additionalProperties");
+    schema["anyOf"].push_back(first);
+    schema["allOf"].push_back({{"if", first}, {"then", mapping}});
+  }
 }
 
 // The alternatives after the first condition that holds; the last needs none.
@@ -275,7 +321,7 @@ Json ShapeSchema::in_place(const FormKey& key) {
     schema["type"] = types_of(shape);
   }
   if (shape.kind == FormKind::word) {
-    add_words(shape.words, schema);
+    add_values(shape, schema);
   }
   Json snippets = Json::array();
   if (shape.kind == FormKind::by_shape) {
@@ -305,6 +351,11 @@ Json ShapeSchema::in_place(const FormKey& key) {
     }
   }
   const bool is_list = types_of(shape).dump().find("array") != std::string::npos;
+  for (const FormShape& one : shape.items) {
+    for (const Word& word : shape.kind == FormKind::by_shape ? one.words : std::vector<Word>()) {
+      snippets.push_back(snippet(word.text, word.text, word.meaning));
+    }
+  }
   for (const Suggestion& one : key.suggestions) {
     snippets.push_back(
         snippet(one.value, is_list ? "[" + one.value + "]" : one.value, one.meaning));
@@ -343,8 +394,8 @@ Json components_schema(const FormShape& shape, Space space) {
     if (inside.is_null()) {
       continue;
     }
-    if (shape.kind == FormKind::by_shape) {
-      schema.update(inside);
+    if (shape.kind == FormKind::by_shape || shape.kind == FormKind::variants) {
+      schema.update(inside, true);
     } else {
       schema[shape.kind == FormKind::list ? "items" : "additionalProperties"] = inside;
     }

@@ -25,6 +25,7 @@ class ShapeSchema {
   Json of_shape(const FormShape& shape);
   void add_values(const FormShape& shape, Json& schema);
   void add_mapping(const FormShape& shape, Json& schema);
+  void add_variants(const FormShape& shape, Json& schema);
   void add_alternatives(const FormShape& shape, const Json& examples, Json& schema);
   void define(const FormShape& shape);
 

@@ -25,6 +25,59 @@ const Mapping<File>& statics_section() {
   return mapping;
 }
 
+Form<OrderChoice> order_word() {
+  return choice_of<OrderChoice>(
+      {{"minimal", "only the coordinates that the screws of the mechanism need"},
+       {"planar", "three coordinates"},
+       {"spatial", "six coordinates"}});
+}
+
+const Mapping<File>& order_section() {
+  static const Mapping<File> mapping(
+      "", "", "{kinematics: minimal, statics: minimal}", [](auto& m) {
+        m.key("kinematics", "Order of the screws of motion.")
+            .may(&File::kinematic_order, order_word(), "planar")
+            .usual("minimal");
+        m.key("statics", "Order of the screws of action.")
+            .may(&File::static_order, order_word(), "spatial")
+            .usual("minimal");
+      });
+  return mapping;
+}
+
+void declare_structure(Mapping<File>& m) {
+  m.key("parameters",
+        "Numbers with a name, for use in expressions, in any order. They can be changed by --set "
+        "NAME=VALUE.")
+      .may(&File::parameters, parameters(), "{N1: 19, alpha: 20 deg, crank: 2.5 * 1.2}");
+  m.key("tree",
+        "The couplings of the spanning tree, as many as there are moving bodies; default: chosen "
+        "by the program. It decides which circuits and cut-sets are used, not the results.")
+      .may(&File::tree, one_or_more(coupling_name()), "[a, b, c]")
+      .at_value(&File::tree_where);
+  m.key("order", "In how many coordinates the equations are written.")
+      .group(order_section())
+      .at_value(&File::order_where);
+  m.key("bodies",
+        "The moving bodies: a list of names, or a mapping of names to attributes, which may be "
+        "empty.")
+      .may(&File::bodies, bodies(), "[crank, coupler, rocker]")
+      .example("{crank: , planet: {reference: [0, 17, 0]}}");
+}
+
+void declare_trains(Mapping<File>& m) {
+  m.key("gears",
+        "Gear trains in teeth, from which the geometry follows: suns and rings centre on the world "
+        "z axis, the first planet stands on +y.")
+      .may(&File::gears, gears_section().form());
+  m.key("cables", "Cables, belts and chains over pulleys, each with a name.")
+      .may(&File::cables,
+           cables(),
+           "{rope: {over: [{body: block_a, at: [0, 0]}, {pulley: wheel, radius: 1, wrap: "
+           "clockwise}, {body: block_b, at: [2, 0]}]}}")
+      .at(&File::cables_where);
+}
+
 void declare_loads(Mapping<File>& m) {
   m.key("loads",
         "Forces and couples on bodies from outside, in every case; a case may replace them by "
@@ -41,7 +94,7 @@ void declare_loads(Mapping<File>& m) {
         "What the meshes lose, from which efficiencies follow. Bearings and guides have 'friction' "
         "of their own.")
       .may(&File::losses, losses_section().form());
-  m.key("statics", "How the statics are solved.").group(statics_section(), &File::statics_where);
+  m.key("statics", "How the statics are solved.").group(statics_section()).at(&File::statics_where);
 }
 
 void declare_tasks(Mapping<File>& m) {
@@ -71,6 +124,8 @@ void declare_tasks(Mapping<File>& m) {
 
 const Mapping<MechanismDescription>& file_sections() {
   static const Mapping<File> mapping("", "", "", [](auto& m) {
+    declare_structure(m);
+    declare_trains(m);
     m.key("actuators",
           "Active couplings by name: where motions and actions are brought in or taken out. "
           "Clutches and brakes are actuators of their own names already.")

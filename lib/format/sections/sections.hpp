@@ -8,6 +8,10 @@
 
 namespace kinestat {
 
+Form<std::vector<ParameterDescription>> parameters();
+Form<std::vector<BodyDescription>> bodies();
+const Mapping<GearsDescription>& gears_section();
+Form<std::vector<CableDescription>> cables();
 const Mapping<ActuatorDescription>& actuator();
 Form<std::vector<LoadDescription>> loads();
 Form<std::vector<CaseDescription>> cases();

@@ -1,17 +1,16 @@
-#include "io/gear_reader.hpp"
-
 #include <gtest/gtest.h>
 
-#include "support/read_text.hpp"
+#include "format/sections/sections.hpp"
+#include "support/read_section.hpp"
 
 namespace kinestat {
 namespace {
 
-Reading<std::optional<GearsDescription>> gears_of(const std::string& text) {
-  return read_text(text, read_gears);
+auto gears_of(const std::string& text) {
+  return read_section(gears_section(), "'gears'", text);
 }
 
-TEST(GearReader, ReadsTheSmallestSection) {
+TEST(GearSection, ReadsTheSmallestSection) {
   const auto reading = gears_of(
       "members: {sun: {body: s, teeth: 19}, planet: {body: p, teeth: 15}}\n"
       "meshes: {h: {members: [sun, planet]}}\n");
@@ -33,7 +32,7 @@ TEST(GearReader, ReadsTheSmallestSection) {
   EXPECT_FALSE(gears.meshes[0].carrier);
 }
 
-TEST(GearReader, ReadsEveryKey) {
+TEST(GearSection, ReadsEveryKey) {
   const auto reading = gears_of(
       "module: 2 mm\n"
       "pressure_angle: alpha\n"
@@ -64,20 +63,20 @@ TEST(GearReader, ReadsEveryKey) {
   EXPECT_EQ(mesh.helix_angle->expression.text(), "1");
 }
 
-TEST(GearReader, NeedsMembersAndMeshes) {
+TEST(GearSection, NeedsMembersAndMeshes) {
   EXPECT_EQ(gears_of("module: 1\n").complaints(),
             (Complaints{"1:1 E0303 'gears' lacks the key 'members'",
                         "1:1 E0303 'gears' lacks the key 'meshes'"}));
 }
 
-TEST(GearReader, NeedsBodyAndTeethOfAMember) {
+TEST(GearSection, NeedsBodyAndTeethOfAMember) {
   EXPECT_EQ(gears_of("members: {sun: {}}\nmeshes: {h: {}}\n").complaints(),
             (Complaints{"1:11 E0303 gear member 'sun' lacks the key 'body'",
                         "1:11 E0303 gear member 'sun' lacks the key 'teeth'",
                         "2:10 E0303 mesh 'h' lacks the key 'members'"}));
 }
 
-TEST(GearReader, ReportsEveryUnknownKeyAtItsPlace) {
+TEST(GearSection, ReportsEveryUnknownKeyAtItsPlace) {
   const auto reading = gears_of(
       "modul: 1\n"
       "members: {sun: {body: s, teth: 19}}\n"
@@ -92,7 +91,7 @@ TEST(GearReader, ReportsEveryUnknownKeyAtItsPlace) {
             "members, meshes");
 }
 
-TEST(GearReader, RefusesWordsThatItDoesNotKnow) {
+TEST(GearSection, RefusesWordsThatItDoesNotKnow) {
   EXPECT_EQ(gears_of("flank: lodaed\n"
                      "members: {sun: {body: s, teeth: 9, side: top, internal: yes}}\n"
                      "meshes: {}\n")
@@ -102,7 +101,7 @@ TEST(GearReader, RefusesWordsThatItDoesNotKnow) {
                         "2:42 E0305 'side' of gear member 'sun' cannot be 'top'"}));
 }
 
-TEST(GearReader, RefusesNamesThatCannotBeWritten) {
+TEST(GearSection, RefusesNamesThatCannotBeWritten) {
   EXPECT_EQ(gears_of("members: {2nd: {body: s, teeth: 9}}\n"
                      "meshes: {h 1: {members: [a, b]}}\n")
                 .complaints(),
@@ -110,16 +109,16 @@ TEST(GearReader, RefusesNamesThatCannotBeWritten) {
                         "2:10 E0306 'h 1' cannot be the name of a mesh"}));
 }
 
-TEST(GearReader, RefusesAMeshOfThree) {
+TEST(GearSection, RefusesAMeshOfThree) {
   const auto reading =
       gears_of("members: {}\nmeshes: {h: {members: [a, b, c]}, k: {members: a}}\n");
 
   EXPECT_EQ(reading.complaints(),
-            (Complaints{"2:23 E0304 mesh 'h' must join two gear members",
-                        "2:48 E0304 mesh 'k' must join two gear members"}));
+            (Complaints{"2:23 E0304 'members' of mesh 'h' must be a list of two",
+                        "2:48 E0304 'members' of mesh 'k' must be a list of two"}));
 }
 
-TEST(GearReader, RefusesKeysOfAPlanetOnARing) {
+TEST(GearSection, RefusesKeysOfAPlanetOnARing) {
   EXPECT_EQ(gears_of("members:\n"
                      "  r: {body: b, teeth: 85, internal: true, count: 3, side: left}\n"
                      "meshes: {}\n")
@@ -128,13 +127,13 @@ TEST(GearReader, RefusesKeysOfAPlanetOnARing) {
                         "2:53 E0302 gear member 'r' is a ring and cannot have 'side'"}));
 }
 
-TEST(GearReader, RefusesAList) {
+TEST(GearSection, RefusesAList) {
   EXPECT_EQ(gears_of("members: [a, b]\nmeshes: 3\n").complaints(),
-            (Complaints{"1:10 E0304 'members' must be a mapping of names",
-                        "2:9 E0304 'meshes' must be a mapping of names"}));
+            (Complaints{"1:10 E0304 'members' of 'gears' must be a mapping of names",
+                        "2:9 E0304 'meshes' of 'gears' must be a mapping of names"}));
 }
 
-TEST(GearReader, MarksTheWrongPartOfAnExpression) {
+TEST(GearSection, MarksTheWrongPartOfAnExpression) {
   EXPECT_EQ(gears_of("module: 2 +\nmembers: {s: {body: s, teeth: (9}}\nmeshes: {}\n")
                 .found.items()
                 .size(),

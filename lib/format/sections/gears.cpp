@@ -1,0 +1,129 @@
+// The section `gears`.
+#include "format/numbers.hpp"
+#include "format/sections/sections.hpp"
+#include "format/value_forms.hpp"
+
+namespace kinestat {
+
+namespace {
+
+const Mapping<GearMember>& gear_member() {
+  static const Mapping<GearMember> mapping(
+      "gear_member",
+      "A gear wheel. Two members may share a body (stepped planets).",
+      "{body: sun1, teeth: 19}",
+      [](auto& m) {
+        m.key("body", "The body that carries the wheel.")
+            .needed(&GearMember::body, body_name(), "sun1");
+        m.key("teeth", "Number of teeth, a whole number.")
+            .needed(&GearMember::teeth, teeth(), "19");
+        m.key("internal", "true for a ring with internal teeth. Default false.")
+            .may(&GearMember::internal, flag(), "true");
+        m.key("count",
+              "How many equal planets there are; more than one adds checks of assembly and "
+              "neighbours, and loads of each planet. One stands for all: actions are those of all "
+              "together.")
+            .may(&GearMember::count, planet_count(), "3")
+            .usual("1");
+        m.key("centre_distance",
+              "Distance of a planet's centre from the main axis; default the mean of what its "
+              "meshes with gears on the main axis ask for. A gear that has one is a planet.")
+            .may(&GearMember::centre_distance, size(), "50 mm");
+        m.key("side",
+              "On which side of the line from the main axis to its neighbour a further planet "
+              "stands, if it meshes with another planet.")
+            .may(&GearMember::side,
+                 choice_of<PlanetSide>(
+                     {{"left", "to the left, seen from the main axis"}, {"right", "to the right"}}),
+                 "right")
+            .usual("left");
+        m.rule({.kind = FormRule::Kind::unless_true,
+                .key = "internal",
+                .others = {"count", "centre_distance", "side"},
+                .message = "{0} is a ring and cannot have '{1}'",
+                .hint = "remove '{1}', or 'internal: true' if it is a planet"});
+      });
+  return mapping;
+}
+
+const Mapping<MeshDescription>& mesh() {
+  static const Mapping<MeshDescription> mapping(
+      "mesh",
+      "Two members in mesh; it becomes a coupling of type gear of this name.",
+      "{members: [sun1, planet5], carrier: carrier}",
+      [](auto& m) {
+        m.key("members", "The two members in mesh: [tail, head].")
+            .pair(&MeshDescription::first,
+                  &MeshDescription::second,
+                  name_of("two gear members"),
+                  "[sun1, planet5]",
+                  "write members: [first, second]; a gear that meets two others has two meshes");
+        m.key("carrier", "The body that holds the two centres apart; default the ground.")
+            .may(&MeshDescription::carrier, body_name(), "carrier");
+        m.key("at", "Position of the mesh along the axis.")
+            .may(&MeshDescription::at, length(), "10 mm");
+        m.key("module", "Module of this mesh; default that of 'gears'.")
+            .may(&MeshDescription::module, size(), "2.5 mm");
+        m.key("pressure_angle", "Pressure angle of this mesh; default that of 'gears'.")
+            .may(&MeshDescription::pressure_angle, acute_angle(), "25 deg");
+        m.key("helix_angle",
+              "Helix angle of this mesh, positive if its tail is right-handed; default that of "
+              "'gears'.")
+            .may(&MeshDescription::helix_angle, angle(), "15 deg");
+      });
+  return mapping;
+}
+
+void declare_teeth(Mapping<GearsDescription>& m) {
+  m.key("module",
+        "Module of the teeth, the pitch diameter by the number of teeth. May be left out where "
+        "meshes have their own or members have a centre_distance.")
+      .may(&GearsDescription::module, size(), "2 mm");
+  m.key("pressure_angle", "Pressure angle of the teeth in the transverse plane.")
+      .may(&GearsDescription::pressure_angle, acute_angle(), "20 deg")
+      .usual("20 deg");
+  m.key("helix_angle",
+        "Helix angle of the teeth; positive if the first gear of the first mesh is right-handed. "
+        "Hands alternate along the train.")
+      .may(&GearsDescription::helix_angle, angle(), "15 deg")
+      .usual("0");
+  m.key("flank", "Which flank carries the load.")
+      .may(&GearsDescription::flank,
+           choice_of<Flank>(
+               {{"loaded", "in each case the one on which the torque presses, as with real teeth"},
+                {"fixed", "always the same, as in sources with one line of action"}}),
+           "fixed")
+      .usual("loaded");
+}
+
+}  // namespace
+
+const Mapping<GearsDescription>& gears_section() {
+  static const Mapping<GearsDescription> mapping(
+      "",
+      "",
+      "{module: 2 mm, members: {sun: {body: sun, teeth: 24}, planet: {body: planet, teeth: 18}}, "
+      "meshes: {sp: {members: [sun, planet], carrier: carrier}}}",
+      [](auto& m) {
+        declare_teeth(m);
+        m.key("members", "The gear wheels, each with a name.")
+            .needed(&GearsDescription::members,
+                    named(&GearMember::name,
+                          gear_member().form(),
+                          {.item = "a gear member", .name_definition = "new_name"},
+                          "gear member '{0}'"),
+                    "{sun1: {body: sun1, teeth: 19}, planet5: {body: planet5, teeth: 15}}")
+            .add_hint("'members:' with lines 'sun: {body: …, teeth: …}'");
+        m.key("meshes", "Which wheels mesh; each becomes a coupling of this name.")
+            .needed(&GearsDescription::meshes,
+                    named(&MeshDescription::name,
+                          mesh().form(),
+                          {.item = "a mesh", .name_definition = "new_name"},
+                          "mesh '{0}'"),
+                    "{h: {members: [sun1, planet5], carrier: carrier}}")
+            .add_hint("'meshes:' and below it lines 'h: {members: [sun, planet], carrier: …}'");
+      });
+  return mapping;
+}
+
+}  // namespace kinestat

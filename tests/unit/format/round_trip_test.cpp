@@ -1,0 +1,86 @@
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "description/cable_expansion.hpp"
+#include "format/mechanism_reader.hpp"
+#include "format/sections/sections.hpp"
+#include "support/read_text.hpp"
+
+namespace kinestat {
+namespace {
+
+std::string content_of(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+// The declared sections as they are written.
+std::string sections_text(const MechanismDescription& description) {
+  std::string text;
+  for (const auto& [key, value] : file_sections().text(without_cable_parts(description)).entries) {
+    text += key + ":" + behind_key(value, 0);
+  }
+  return text;
+}
+
+// They alone, read again.
+std::string read_and_written(const std::string& text, Space space) {
+  const auto reading = read_text(text, [space](const YamlNode& root, Diagnostics& found) {
+    MechanismDescription description;
+    const SourceRange where{.line = 1, .column = 1, .length = 1};
+    Fields fields(root, where, "the mechanism", found);
+    file_sections().read_keys(fields,
+                              {.node = root,
+                               .what = "",
+                               .key = nullptr,
+                               .owner = "",
+                               .where = where,
+                               .place = where,
+                               .space = space,
+                               .found = found},
+                              description);
+    fields.finish();
+    return description;
+  });
+  EXPECT_EQ(reading.complaints(), Complaints{});
+  return sections_text(reading.value);
+}
+
+TEST(RoundTrip, WritesTheSectionsOfEveryMechanismAsTheyReadBack) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(KINESTAT_MECHANISMS)) {
+    if (entry.path().extension() != ".yaml") {
+      continue;
+    }
+    SCOPED_TRACE(entry.path().filename());
+    std::vector<std::string> sections;
+    const auto reading =
+        read_text(content_of(entry.path()), [&](const YamlNode& root, Diagnostics& found) {
+          for (const YamlEntry& one : root.entries) {
+            sections.push_back(one.key);
+          }
+          return read_mechanism(root, found);
+        });
+    ASSERT_TRUE(reading.value) << testing::PrintToString(reading.complaints());
+    const std::string text = sections_text(*reading.value);
+
+    if (!text.empty()) {
+      EXPECT_EQ(read_and_written(text, reading.value->space), text);
+    }
+    for (const FormKey& key : file_sections().shape().keys) {
+      const bool is_in_file = std::ranges::find(sections, key.key) != sections.end();
+      EXPECT_EQ(("\n" + text).find("\n" + key.key + ":") != std::string::npos, is_in_file)
+          << key.key;
+    }
+    ++count;
+  }
+  EXPECT_GT(count, 50);
+}
+
+}  // namespace
+}  // namespace kinestat
