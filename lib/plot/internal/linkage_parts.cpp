@@ -147,7 +147,7 @@ class PartFinder {
     if (!from || !to) {
       return;
     }
-    const CableLine span = tangent_span<double>(*from, *to);
+    const CableSpan span = tangent_span<double>(*from, *to);
     result_.spans.push_back({.coupling = id, .from = span.from, .to = span.to});
     add_station(id, written.part->from, *from, span.from);
     add_station(id, written.part->to, *to, span.to);
