@@ -1,7 +1,9 @@
 // How a value is written in a mechanism file: read from it, written to it, and told in the schema.
 #pragma once
 
+#include <concepts>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,12 +29,30 @@ struct FileValue {
   Diagnostics& found;
 };
 
+/// A function whose copies share what it holds.
+template <class Signature>
+class SharedFunction;
+
+template <class Result, class Argument>
+class SharedFunction<Result(Argument)> {
+ public:
+  template <class F>
+
+  requires(!std::same_as<F, SharedFunction>) SharedFunction(F function)
+      : function_(std::make_shared<const std::function<Result(Argument)>>(std::move(function))) {}
+
+  Result operator()(Argument argument) const { return (*function_)(argument); }
+
+ private:
+  std::shared_ptr<const std::function<Result(Argument)>> function_;
+};
+
 /// `read` answers empty iff it added an error.
 template <class T>
 struct Form {
   FormShape shape;
-  std::function<std::optional<T>(const FileValue&)> read;
-  std::function<FileText(const T&)> write;
+  SharedFunction<std::optional<T>(const FileValue&)> read;
+  SharedFunction<FileText(const T&)> write;
 };
 
 }  // namespace kinestat

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "description/coupling_description.hpp"
+#include "format/shared_list.hpp"
 
 namespace kinestat {
 
@@ -81,8 +82,8 @@ struct FormShape {
   bool may_be_empty = false;         ///< of a mapping: nothing may stand behind its key
   std::size_t least = 0;             ///< how many items
   std::size_t most = kAnyNumber;
-  std::vector<FormShape> items = {};
-  std::vector<FormKey> keys = {};
+  SharedList<FormShape> items = {};
+  SharedList<FormKey> keys = {};
   std::vector<FormRule> rules = {};
 };
 

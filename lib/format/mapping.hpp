@@ -126,15 +126,7 @@ class Mapping {
     return text;
   }
 
-  Form<T> form() const {
-    return {.shape = shape_,
-            .read = [this](const FileValue& value) { return read(value); },
-            .write =
-                [this](const T& object) {
-                  FileText written = text(object);
-                  return shape_.may_be_empty && written.entries.empty() ? FileText() : written;
-                }};
-  }
+  Form<T> form() const;
 
  private:
   template <class>
@@ -154,3 +146,4 @@ class Mapping {
 }  // namespace kinestat
 
 #include "format/mapping_key.hpp"
+#include "format/mapping_parts.hpp"

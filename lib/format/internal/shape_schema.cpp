@@ -275,7 +275,7 @@ void ShapeSchema::add_variants(const FormShape& shape, Json& schema) {
 
 // The alternatives after the first condition that holds; the last needs none.
 void ShapeSchema::add_alternatives(const FormShape& shape, const Json& examples, Json& schema) {
-  std::vector<FormShape> ordered = shape.items;
+  std::vector<FormShape> ordered(shape.items.begin(), shape.items.end());
   std::ranges::stable_partition(ordered, is_collection);
   Json* at = &schema;
   for (std::size_t i = 0; i < ordered.size(); ++i) {

@@ -1,4 +1,4 @@
-#include "format/collections.hpp"
+#include "format/parts.hpp"
 
 #include <array>
 #include <string_view>
