@@ -22,7 +22,7 @@ std::string needed_keys(const FormShape& shape, Space space) {
 std::string words_of(const FormShape& shape) {
   std::string text;
   for (const Word& word : shape.words) {
-    text += (text.empty() ? "" : " or ") + word.text;
+    text += fmt::format("{}{}", text.empty() ? "" : " or ", word.text);
   }
   return text;
 }
@@ -31,7 +31,7 @@ std::string words_of(const FormShape& shape) {
 
 std::string sketch_of(const FormShape& shape, Space space) {
   if (!shape.sketch.empty()) {
-    return shape.sketch;
+    return std::string(shape.sketch);
   }
   const bool is_planar = space == Space::planar;
   switch (shape.kind) {

@@ -29,8 +29,8 @@ enum class FormKind {
 };
 
 struct Word {
-  std::string text = {};
-  std::string meaning = {};
+  std::string_view text = {};
+  std::string_view meaning = {};
 };
 
 /// What a bare number may be. Expressions are judged where their value is known.
@@ -57,10 +57,10 @@ struct FormRule {
   };
 
   Kind kind = Kind::instead;
-  std::string key = {};
-  std::vector<std::string> others = {};
-  std::string message = {};
-  std::string hint = {};
+  std::string_view key = {};
+  SharedList<std::string_view> others = {};
+  std::string_view message = {};
+  std::string_view hint = {};
 };
 
 struct FormKey;
@@ -69,39 +69,39 @@ struct FormShape {
   static constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
 
   FormKind kind = FormKind::text;
-  std::string definition = {};  ///< its name in the schema; empty: written where it stands
-  std::string meaning = {};     ///< a sentence
-  std::vector<std::string> examples = {};  ///< as in a file
-  std::string sketch = {};                 ///< "NAME", in hints; empty: follows from the rest
-  std::string remark = {};                 ///< behind the sketch: "an actuator"
-  NumberRange range = {};                  ///< of a number
-  std::vector<Word> words = {};
-  std::string item = {};             ///< what an item is: "a load"
-  std::string elements = {};         ///< of `names`: "meshes to losses"
-  std::string name_definition = {};  ///< of `names`: the schema of the names
-  bool may_be_empty = false;         ///< of a mapping: nothing may stand behind its key
-  std::size_t least = 0;             ///< how many items
+  std::string_view definition = {};  ///< its name in the schema; empty: written where it stands
+  std::string_view meaning = {};     ///< a sentence
+  SharedList<std::string_view> examples = {};  ///< as in a file
+  std::string_view sketch = {};                ///< "NAME", in hints; empty: follows from the rest
+  std::string_view remark = {};                ///< behind the sketch: "an actuator"
+  NumberRange range = {};                      ///< of a number
+  SharedList<Word> words = {};
+  std::string_view item = {};             ///< what an item is: "a load"
+  std::string_view elements = {};         ///< of `names`: "meshes to losses"
+  std::string_view name_definition = {};  ///< of `names`: the schema of the names
+  bool may_be_empty = false;              ///< of a mapping: nothing may stand behind its key
+  std::size_t least = 0;                  ///< how many items
   std::size_t most = kAnyNumber;
   SharedList<FormShape> items = {};
   SharedList<FormKey> keys = {};
-  std::vector<FormRule> rules = {};
+  SharedList<FormRule> rules = {};
 };
 
 /// A value that an editor offers.
 struct Suggestion {
-  std::string value = {};
-  std::string meaning = {};
+  std::string_view value = {};
+  std::string_view meaning = {};
 };
 
 struct FormKey {
-  std::string key = {};
-  std::string meaning = {};  ///< a sentence
+  std::string_view key = {};
+  std::string_view meaning = {};  ///< a sentence
   bool is_needed = false;
   FormShape shape = {};
-  std::vector<std::string> examples = {};  ///< as in a file
-  std::string usual = {};                  ///< what holds without the key; empty: nothing does
-  std::string missing = {};                ///< what to add; empty: follows from the shape
-  std::vector<Suggestion> suggestions = {};
+  SharedList<std::string_view> examples = {};  ///< as in a file
+  std::string_view usual = {};                 ///< what holds without the key; empty: nothing does
+  std::string_view missing = {};               ///< what to add; empty: follows from the shape
+  SharedList<Suggestion> suggestions = {};
 };
 
 /// The form in a few characters: "[x, y]", "NAME", "{body: NAME, at: [x, y]}".

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,31 +27,31 @@ class Mapping {
 
   /// The definition is the name of the mapping in the schema; empty: it is written where it stands.
   template <class Declare>
-  Mapping(std::string definition, std::string meaning, std::string example, Declare declare) {
+  Mapping(std::string_view definition,
+          std::string_view meaning,
+          std::string_view example,
+          Declare declare) {
     shape_.kind = FormKind::mapping;
-    shape_.definition = std::move(definition);
-    shape_.meaning = std::move(meaning);
+    shape_.definition = definition;
+    shape_.meaning = meaning;
     if (!example.empty()) {
-      shape_.examples.push_back(std::move(example));
+      shape_.examples.push_back(example);
     }
     declare(*this);
   }
 
   /// Begins the declaration of a key; the meaning is a sentence.
-  Key key(std::string name, std::string meaning) {
-    FormKey key;
-    key.key = std::move(name);
-    key.meaning = std::move(meaning);
-    return Key(*this, std::move(key));
+  Key key(std::string_view name, std::string_view meaning) {
+    return Key(*this, {.key = name, .meaning = meaning});
   }
 
   /// `key` stands instead of `others`.
-  void instead(std::string key, std::vector<std::string> others, std::string hint) {
+  void instead(std::string_view key, SharedList<std::string_view> others, std::string_view hint) {
     shape_.rules.push_back({.kind = FormRule::Kind::instead,
-                            .key = std::move(key),
+                            .key = key,
                             .others = std::move(others),
                             .message = "{} cannot have '{}' beside '{}'",
-                            .hint = std::move(hint)});
+                            .hint = hint});
   }
 
   void rule(FormRule rule) { shape_.rules.push_back(std::move(rule)); }
@@ -66,14 +67,12 @@ class Mapping {
   void one_or_several(const Mapping<Item>& item,
                       std::vector<Item> T::*member,
                       FormKey list_key,
-                      const std::string& title,
-                      const std::string& hint);
+                      std::string_view title,
+                      std::string_view hint);
 
-  /// Nothing may stand behind its name.
-  void may_be_empty() { shape_.may_be_empty = true; }
+  void may_be_empty() { shape_.may_be_empty = true; }  ///< nothing need stand behind its name
 
-  /// A line for each key where it is written.
-  void write_in_lines() { is_in_lines_ = true; }
+  void write_in_lines() { is_in_lines_ = true; }  ///< a line for each key
 
   const FormShape& shape() const { return shape_; }
 

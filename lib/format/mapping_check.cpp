@@ -10,7 +10,7 @@ namespace kinestat {
 
 namespace {
 
-bool has(const FileValue& mapping, const std::string& key) {
+bool has(const FileValue& mapping, std::string_view key) {
   return mapping.node.find(key) != nullptr;
 }
 
@@ -19,7 +19,7 @@ bool is_in_place_of(const FormRule& rule) {
 }
 
 // Whether a key that stands instead of this one is there.
-bool is_replaced(const FormShape& shape, const std::string& key, const FileValue& mapping) {
+bool is_replaced(const FormShape& shape, std::string_view key, const FileValue& mapping) {
   return std::ranges::any_of(shape.rules, [&](const FormRule& rule) {
     return is_in_place_of(rule) && has(mapping, rule.key) &&
            std::ranges::find(rule.others, key) != rule.others.end();
@@ -31,26 +31,26 @@ std::string what_to_add(const FormKey& key, std::optional<Space> space) {
   if (key.shape.kind == FormKind::number && !key.examples.empty()) {
     return fmt::format("for example '{}: {}'", key.key, key.examples.front());
   }
-  const std::string remark = key.shape.remark.empty() ? "" : ", " + key.shape.remark;
+  const std::string remark = key.shape.remark.empty() ? "" : fmt::format(", {}", key.shape.remark);
   return fmt::format(
       "'{}: {}'{}", key.key, sketch_of(key.shape, space.value_or(Space::spatial)), remark);
 }
 
 void check_instead(const FormRule& rule, const FileValue& mapping) {
-  for (const std::string& key : rule.others) {
+  for (const std::string_view key : rule.others) {
     if (has(mapping, rule.key) && has(mapping, key)) {
       mapping.found.error(
           "E0302",
           place_of_key(mapping.node, key),
           fmt::format("{} cannot have '{}' beside '{}'", mapping.what, key, rule.key),
-          rule.hint);
+          std::string(rule.hint));
     }
   }
 }
 
 void check_unless_true(const FormRule& rule, const FileValue& mapping) {
   const YamlNode* flag = mapping.node.find(rule.key);
-  for (const std::string& key : rule.others) {
+  for (const std::string_view key : rule.others) {
     if (flag != nullptr && flag->text == "true" && !flag->quoted && has(mapping, key)) {
       mapping.found.error("E0302",
                           place_of_key(mapping.node, key),
@@ -67,7 +67,7 @@ void check_one_of(const FormRule& rule, const FileValue& mapping, int errors_bef
     mapping.found.error(count == 0 ? "E0303" : "E0302",
                         mapping.place,
                         fmt::format(fmt::runtime(rule.message), mapping.what),
-                        rule.hint);
+                        std::string(rule.hint));
   }
 }
 
@@ -87,10 +87,11 @@ std::optional<FileValue> find_key(const FormShape& shape,
     return std::nullopt;
   }
   const bool is_needed = key.is_needed && !is_replaced(shape, key.key, mapping);
-  const YamlNode* node =
-      is_needed ? fields.require(
-                      key.key, key.missing.empty() ? what_to_add(key, mapping.space) : key.missing)
-                : fields.find(key.key);
+  const YamlNode* node = is_needed
+                             ? fields.require(key.key,
+                                              key.missing.empty() ? what_to_add(key, mapping.space)
+                                                                  : std::string(key.missing))
+                             : fields.find(key.key);
   if (node == nullptr) {
     return std::nullopt;
   }
@@ -112,7 +113,7 @@ void check_rules(const FormShape& shape, const FileValue& mapping, int errors_be
     if (mapping.found.error_count() > keys_before) {
       return;  // the rest may follow from it
     }
-    const auto has_key = [&](const std::string& key) { return has(mapping, key); };
+    const auto has_key = [&](std::string_view key) { return has(mapping, key); };
     const bool has_any = std::ranges::any_of(rule.others, has_key);
     if (rule.kind == FormRule::Kind::instead) {
       check_instead(rule, mapping);
@@ -121,13 +122,15 @@ void check_rules(const FormShape& shape, const FileValue& mapping, int errors_be
     } else if (rule.kind == FormRule::Kind::one_of) {
       check_one_of(rule, mapping, errors_before);
     } else if (rule.kind == FormRule::Kind::any_of && !has_any) {
-      mapping.found.error(
-          "E0303", mapping.where, fmt::format(fmt::runtime(rule.message), mapping.what), rule.hint);
+      mapping.found.error("E0303",
+                          mapping.where,
+                          fmt::format(fmt::runtime(rule.message), mapping.what),
+                          std::string(rule.hint));
     } else if (is_about_one(rule) && has_key(rule.key) && !has_any) {
       mapping.found.error(rule.kind == FormRule::Kind::together ? "E0303" : "E0302",
                           place_of_key(mapping.node, rule.key),
                           fmt::format(fmt::runtime(rule.message), mapping.what),
-                          rule.hint);
+                          std::string(rule.hint));
     }
   }
 }

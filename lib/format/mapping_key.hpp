@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,17 +20,17 @@ class Mapping<T>::Key {
 
   /// The key must be there.
   template <class Member, class Read>
-  Key& needed(Member T::*member, const Form<Read>& form, std::string example = {}) {
+  Key& needed(Member T::*member, const Form<Read>& form, std::string_view example = {}) {
     key_.is_needed = true;
-    return may(member, form, std::move(example));
+    return may(member, form, example);
   }
 
   /// It may be left out.
   template <class Member, class Read>
-  Key& may(Member T::*member, const Form<Read>& form, std::string example = {}) {
+  Key& may(Member T::*member, const Form<Read>& form, std::string_view example = {}) {
     key_.shape = form.shape;
     if (!example.empty()) {
-      key_.examples.push_back(std::move(example));
+      key_.examples.push_back(example);
     }
     const bool is_needed = key_.is_needed;
     add({.read =
@@ -51,8 +52,8 @@ class Mapping<T>::Key {
   Key& pair(Member T::*first,
             Member T::*second,
             const Form<Member>& form,
-            std::string example,
-            const std::string& hint);
+            std::string_view example,
+            std::string_view hint);
 
   /// It must be there, but is not written as long as it says what is usual.
   Key& required() {
@@ -65,7 +66,7 @@ class Mapping<T>::Key {
 
   /// It is checked, but not kept.
   template <class Read>
-  Key& passed_over(const Form<Read>& form, std::string example);
+  Key& passed_over(const Form<Read>& form, std::string_view example);
 
   /// The member says whether the key is there; then it is written even if there is nothing in it.
   Key& noted(bool T::*is_there);
@@ -85,26 +86,26 @@ class Mapping<T>::Key {
   }
 
   /// What to add where it is missing.
-  Key& add_hint(std::string hint) {
-    added().missing = std::move(hint);
+  Key& add_hint(std::string_view hint) {
+    added().missing = hint;
     return *this;
   }
 
   /// What holds if it is left out.
-  Key& usual(std::string value) {
-    added().usual = std::move(value);
+  Key& usual(std::string_view value) {
+    added().usual = value;
     return *this;
   }
 
   /// Another example.
-  Key& example(std::string text) {
-    added().examples.push_back(std::move(text));
+  Key& example(std::string_view text) {
+    added().examples.push_back(text);
     return *this;
   }
 
   /// A value that an editor offers.
-  Key& offer(std::string value, std::string meaning) {
-    added().suggestions.push_back({.value = std::move(value), .meaning = std::move(meaning)});
+  Key& offer(std::string_view value, std::string_view meaning) {
+    added().suggestions.push_back({.value = value, .meaning = meaning});
     return *this;
   }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -35,9 +36,9 @@ typename Mapping<T>::Key& Mapping<T>::Key::group(const Mapping& part) {
 template <class T>
 template <class Read>
 typename Mapping<T>::Key& Mapping<T>::Key::passed_over(const Form<Read>& form,
-                                                       std::string example) {
+                                                       std::string_view example) {
   key_.shape = form.shape;
-  key_.examples.push_back(std::move(example));
+  key_.examples.push_back(example);
   add({.read = [read = form.read](const FileValue& value, T&) { (void)read(value); },
        .write = [](const T&) { return std::optional<FileText>(); }});
   return *this;
@@ -77,11 +78,11 @@ template <class Member>
 typename Mapping<T>::Key& Mapping<T>::Key::pair(Member T::*first,
                                                 Member T::*second,
                                                 const Form<Member>& form,
-                                                std::string example,
-                                                const std::string& hint) {
-  const auto list = list_of(form, "", hint, {.least = 2, .most = 2});
+                                                std::string_view example,
+                                                std::string_view hint) {
+  const auto list = list_of(form, "", std::string(hint), {.least = 2, .most = 2});
   key_.shape = list.shape;
-  key_.examples.push_back(std::move(example));
+  key_.examples.push_back(example);
   key_.is_needed = true;
   add({.read =
            [first, second, list](const FileValue& value, T& object) {
@@ -102,9 +103,9 @@ template <class Item>
 void Mapping<T>::one_or_several(const Mapping<Item>& item,
                                 std::vector<Item> T::*member,
                                 FormKey list_key,
-                                const std::string& title,
-                                const std::string& hint) {
-  std::vector<std::string> replaced;
+                                std::string_view title,
+                                std::string_view hint) {
+  SharedList<std::string_view> replaced;
   for (std::size_t i = 0; i < item.steps_.size(); ++i) {
     replaced.push_back(item.shape_.keys[i].key);
     shape_.keys.push_back(item.shape_.keys[i]);
@@ -120,7 +121,7 @@ void Mapping<T>::one_or_several(const Mapping<Item>& item,
                                                      : std::nullopt;
                           }});
   }
-  const auto list = list_of(item.form(), title, hint);
+  const auto list = list_of(item.form(), std::string(title), std::string(hint));
   list_key.shape = list.shape;
   instead(list_key.key, std::move(replaced), hint);
   shape_.keys.push_back(std::move(list_key));

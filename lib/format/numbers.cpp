@@ -9,13 +9,13 @@
 
 namespace kinestat {
 
-Form<Value> number_form(std::string definition,
-                        std::string meaning,
-                        std::vector<std::string> examples,
+Form<Value> number_form(std::string_view definition,
+                        std::string_view meaning,
+                        SharedList<std::string_view> examples,
                         NumberRange range) {
   return {.shape = {.kind = FormKind::number,
-                    .definition = std::move(definition),
-                    .meaning = std::move(meaning),
+                    .definition = definition,
+                    .meaning = meaning,
                     .examples = std::move(examples),
                     .range = range},
           .read = [](const FileValue& v) { return read_value(v.node, v.what, v.found); },

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "description/value.hpp"
@@ -11,9 +12,9 @@ namespace kinestat {
 
 /// A number with its range: of a bare number, which the schema knows. What an expression comes to
 /// is judged when it is bound.
-Form<Value> number_form(std::string definition,
-                        std::string meaning,
-                        std::vector<std::string> examples,
+Form<Value> number_form(std::string_view definition,
+                        std::string_view meaning,
+                        SharedList<std::string_view> examples,
                         NumberRange range = {});
 
 /// The same without a unit and without parameters, known at once.

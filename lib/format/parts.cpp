@@ -36,7 +36,7 @@ FileValue part_of(const FileValue& whole, const YamlNode& node, SourceRange wher
           .found = whole.found};
 }
 
-std::string key_of(const FileValue& value) {
+std::string_view key_of(const FileValue& value) {
   return value.key != nullptr ? value.key->key : "key";
 }
 
@@ -96,7 +96,7 @@ bool check_names(const FileValue& value, const FormShape& shape) {
   if (node.kind == YamlKind::mapping && node.entries.size() >= shape.least) {
     return true;
   }
-  const std::string elements = shape.name_definition.empty() ? "labels" : "names";
+  const std::string_view elements = shape.name_definition.empty() ? "labels" : "names";
   value.found.error("E0304",
                     node.where,
                     fmt::format("{} must be a mapping of {}",

@@ -19,7 +19,7 @@ void add_components(const FormKey& key, Json& schema) {
     const Json components = components_schema(key.shape, space);
     const char* name = space == Space::planar ? "planar_components" : "spatial_components";
     if (!components.is_null()) {
-      schema["definitions"][name]["properties"][key.key] = components;
+      schema["definitions"][name]["properties"][std::string(key.key)] = components;
     }
   }
 }
@@ -30,8 +30,8 @@ std::string mechanism_schema() {
   Json schema = Json::parse(find_text(embedded_kept_schema(), "kept_schema")->text);
   ShapeSchema declared;
   for (const FormKey& key : file_sections().shape().keys) {
-    KINESTAT_EXPECTS(schema["properties"][key.key] == kDeclared);
-    schema["properties"][key.key] = declared.of_section(key);
+    KINESTAT_EXPECTS(schema["properties"][std::string(key.key)] == kDeclared);
+    schema["properties"][std::string(key.key)] = declared.of_section(key);
     add_components(key, schema);
   }
   for (const auto& [name, definition] : declared.definitions()) {

@@ -20,7 +20,7 @@ Form<Name> reference(FormShape shape) {
 }  // namespace
 
 Form<Name> name_of(std::string_view remark) {
-  return reference({.kind = FormKind::name, .definition = "name", .remark = std::string(remark)});
+  return reference({.kind = FormKind::name, .definition = "name", .remark = remark});
 }
 
 Form<Name> body_name() {
@@ -50,12 +50,12 @@ Form<Name> label() {
 }
 
 Form<PointDescription> vector_of(const Form<Value>& component,
-                                 std::string definition,
-                                 std::string meaning,
-                                 std::vector<std::string> examples) {
+                                 std::string_view definition,
+                                 std::string_view meaning,
+                                 SharedList<std::string_view> examples) {
   return {.shape = {.kind = FormKind::vector,
-                    .definition = std::move(definition),
-                    .meaning = std::move(meaning),
+                    .definition = definition,
+                    .meaning = meaning,
                     .examples = std::move(examples),
                     .items = {component.shape}},
           .read = [](const FileValue& value) -> std::optional<PointDescription> {
@@ -78,14 +78,14 @@ Form<PointDescription> point() {
 }
 
 Form<AxisDescription> turning_axis() {
-  const std::string against = "what is along it is named without a letter: w, v, R, T";
-  const FormShape words{.kind = FormKind::word,
-                        .words = {{"x", "along +x"},
-                                  {"y", "along +y"},
-                                  {"z", "along +z; in the plane, perpendicular to it"},
-                                  {"-x", "along -x; " + against},
-                                  {"-y", "along -y; " + against},
-                                  {"-z", "along -z; " + against}}};
+  const FormShape words{
+      .kind = FormKind::word,
+      .words = {{"x", "along +x"},
+                {"y", "along +y"},
+                {"z", "along +z; in the plane, perpendicular to it"},
+                {"-x", "along -x; what is along it is named without a letter: w, v, R, T"},
+                {"-y", "along -y; what is along it is named without a letter: w, v, R, T"},
+                {"-z", "along -z; what is along it is named without a letter: w, v, R, T"}}};
   const FormShape vector{
       .kind = FormKind::list, .least = 3, .most = 3, .items = {component().shape}};
   return {.shape = {.kind = FormKind::by_shape,
@@ -126,10 +126,10 @@ FileText text_of(const std::vector<Value>& values) {
   return list_text(std::move(texts));
 }
 
-std::optional<std::size_t> read_word_of(const FileValue& value, const std::vector<Word>& words) {
+std::optional<std::size_t> read_word_of(const FileValue& value, const SharedList<Word>& words) {
   std::vector<std::string> texts;
   for (const Word& word : words) {
-    texts.push_back(word.text);
+    texts.emplace_back(word.text);
   }
   return read_word(value.node, value.what, texts, value.found);
 }

@@ -29,9 +29,9 @@ Form<Name> label();
 
 /// As many components as the space has.
 Form<PointDescription> vector_of(const Form<Value>& component,
-                                 std::string definition,
-                                 std::string meaning,
-                                 std::vector<std::string> examples);
+                                 std::string_view definition,
+                                 std::string_view meaning,
+                                 SharedList<std::string_view> examples);
 
 /// A point [length].
 Form<PointDescription> point();
@@ -48,19 +48,20 @@ Form<bool> flag();
 FileText text_of(const std::vector<Value>& values);
 
 /// The index of the word.
-std::optional<std::size_t> read_word_of(const FileValue& value, const std::vector<Word>& words);
+std::optional<std::size_t> read_word_of(const FileValue& value, const SharedList<Word>& words);
 
 /// One of the words, in the order of the enumeration.
 template <class Enum>
-Form<Enum> choice_of(std::vector<Word> words) {
-  return {
-      .shape = {.kind = FormKind::word, .words = words},
-      .read = [words](const FileValue& value) -> std::optional<Enum> {
-        const auto index = read_word_of(value, words);
-        return index ? std::optional(static_cast<Enum>(*index)) : std::nullopt;
-      },
-      .write =
-          [words](Enum one) { return single_text(words.at(static_cast<std::size_t>(one)).text); }};
+Form<Enum> choice_of(SharedList<Word> words) {
+  return {.shape = {.kind = FormKind::word, .words = words},
+          .read = [words](const FileValue& value) -> std::optional<Enum> {
+            const auto index = read_word_of(value, words);
+            return index ? std::optional(static_cast<Enum>(*index)) : std::nullopt;
+          },
+          .write =
+              [words](Enum one) {
+                return single_text(std::string(words[static_cast<std::size_t>(one)].text));
+              }};
 }
 
 }  // namespace kinestat

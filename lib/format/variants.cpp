@@ -9,7 +9,7 @@ namespace kinestat {
 
 namespace {
 
-const std::string& first_key(const FormShape& mapping) {
+std::string_view first_key(const FormShape& mapping) {
   return mapping.keys.front().key;
 }
 
@@ -17,7 +17,7 @@ const std::string& first_key(const FormShape& mapping) {
 void complain_of_none(const FileValue& value, const FormShape& shape, const VariantTexts& texts) {
   std::vector<std::string> words;
   for (const FormShape& one : shape.items) {
-    words.push_back(first_key(one));
+    words.emplace_back(first_key(one));
   }
   for (const YamlEntry& entry : value.node.entries) {
     const std::string guess = did_you_mean(entry.key, words);

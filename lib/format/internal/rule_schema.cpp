@@ -4,26 +4,32 @@
 
 #include <fmt/format.h>
 
-#include "core/text.hpp"
-
 namespace kinestat {
 
 namespace {
 
-Json has(const std::string& key) {
-  return {{"required", Json::array({key})}};
+Json has(std::string_view key) {
+  return {{"required", Json::array({std::string(key)})}};
 }
 
-Json is_true(const std::string& key) {
+Json json_list(const SharedList<std::string_view>& keys) {
+  Json list = Json::array();
+  for (const std::string_view key : keys) {
+    list.push_back(std::string(key));
+  }
+  return list;
+}
+
+Json is_true(std::string_view key) {
   Json condition = has(key);
-  condition["properties"] = {{key, {{"const", true}}}};
+  condition["properties"] = {{std::string(key), {{"const", true}}}};
   return condition;
 }
 
-Json refused(const std::vector<std::string>& keys) {
+Json refused(const SharedList<std::string_view>& keys) {
   Json properties = Json::object();
-  for (const std::string& key : keys) {
-    properties[key] = false;
+  for (const std::string_view key : keys) {
+    properties[std::string(key)] = false;
   }
   return properties;
 }
@@ -34,9 +40,9 @@ void add_instead(const FormShape& shape, const FormRule& rule, Json& schema) {
   Json needed = Json::array();
   for (const FormKey& key : shape.keys) {
     if (std::ranges::find(rule.others, key.key) != rule.others.end()) {
-      refused[key.key] = false;
+      refused[std::string(key.key)] = false;
       if (key.is_needed) {
-        needed.push_back(key.key);
+        needed.push_back(std::string(key.key));
       }
     }
   }
@@ -48,10 +54,10 @@ void add_instead(const FormShape& shape, const FormRule& rule, Json& schema) {
 }
 
 void add_any_of(const FormRule& rule, Json& schema) {
-  for (const std::string& key : rule.others) {
+  for (const std::string_view key : rule.others) {
     Json alternative = has(key);
     alternative["errorMessage"] =
-        fmt::format("One of these is needed: {}.", plain_list(rule.others));
+        fmt::format("One of these is needed: {}.", fmt::join(rule.others, ", "));
     schema["anyOf"].push_back(alternative);
   }
 }
@@ -60,7 +66,7 @@ void add_no_two_of(const FormRule& rule, Json& schema) {
   for (std::size_t i = 0; i + 1 < rule.others.size(); ++i) {
     Json refused = Json::object();
     for (std::size_t j = i + 1; j < rule.others.size(); ++j) {
-      refused[rule.others[j]] = false;
+      refused[std::string(rule.others[j])] = false;
     }
     schema["allOf"].push_back({{"if", has(rule.others[i])}, {"then", {{"properties", refused}}}});
   }
@@ -69,13 +75,13 @@ void add_no_two_of(const FormRule& rule, Json& schema) {
 void add_needed_unless_whole(const FormRule& rule, Json& schema) {
   const Json broken = {{"type", "number"}, {"not", {{"type", "integer"}}}};
   Json condition = has(rule.others.front());
-  condition["properties"] = {{rule.others.front(), broken}};
+  condition["properties"] = {{std::string(rule.others.front()), broken}};
   schema["allOf"].push_back({{"if", condition}, {"then", has(rule.key)}});
 }
 
 }  // namespace
 
-bool is_replaceable(const FormShape& shape, const std::string& key) {
+bool is_replaceable(const FormShape& shape, std::string_view key) {
   return std::ranges::any_of(shape.rules, [&](const FormRule& rule) {
     return (rule.kind == FormRule::Kind::instead || rule.kind == FormRule::Kind::spares) &&
            std::ranges::find(rule.others, key) != rule.others.end();
@@ -97,7 +103,7 @@ void add_rules(const FormShape& shape, Json& schema) {
         break;
       case FormRule::Kind::spares:
         schema["allOf"].push_back(
-            {{"if", {{"not", has(rule.key)}}}, {"then", {{"required", rule.others}}}});
+            {{"if", {{"not", has(rule.key)}}}, {"then", {{"required", json_list(rule.others)}}}});
         break;
       case FormRule::Kind::unless_true:
         schema["allOf"].push_back(
@@ -108,7 +114,7 @@ void add_rules(const FormShape& shape, Json& schema) {
         break;
       case FormRule::Kind::together:
       case FormRule::Kind::pointless:
-        schema["dependencies"][rule.key] = rule.others;
+        schema["dependencies"][std::string(rule.key)] = json_list(rule.others);
         break;
     }
   }

@@ -1,7 +1,7 @@
 // How keys belong together, as JSON Schema.
 #pragma once
 
-#include <string>
+#include <string_view>
 
 #include "format/form_shape.hpp"
 #include "format/internal/json.hpp"
@@ -9,7 +9,7 @@
 namespace kinestat {
 
 /// Whether another key may stand instead of it.
-bool is_replaceable(const FormShape& shape, const std::string& key);
+bool is_replaceable(const FormShape& shape, std::string_view key);
 
 /// Adds the rules of a mapping to the schema of its keys.
 void add_rules(const FormShape& shape, Json& schema);

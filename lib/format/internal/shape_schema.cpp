@@ -72,13 +72,13 @@ void add_range(const NumberRange& range, Json& schema) {
   }
 }
 
-void add_words(const std::vector<Word>& words, Json& schema) {
+void add_words(const SharedList<Word>& words, Json& schema) {
   schema["type"] = "string";
   schema["enum"] = Json::array();
   schema["enumDescriptions"] = Json::array();
   for (const Word& word : words) {
-    schema["enum"].push_back(word.text);
-    schema["enumDescriptions"].push_back(word.meaning);
+    schema["enum"].push_back(std::string(word.text));
+    schema["enumDescriptions"].push_back(std::string(word.meaning));
   }
 }
 
@@ -91,18 +91,22 @@ void add_count(const FormShape& shape, Json& schema) {
   }
 }
 
-Json examples_json(const std::vector<std::string>& texts) {
+Json reference(std::string_view definition) {
+  return {{"$ref", fmt::format("#/definitions/{}", definition)}};
+}
+
+Json examples_json(const SharedList<std::string_view>& texts) {
   Json examples = Json::array();
-  for (const std::string& text : texts) {
-    examples.push_back(example_json(text));
+  for (const std::string_view text : texts) {
+    examples.push_back(example_json(std::string(text)));
   }
   return examples;
 }
 
-Json snippet(const std::string& label, const Json& body, const std::string& meaning = {}) {
-  Json result = {{"label", label}, {body.is_object() ? "body" : "bodyText", body}};
+Json snippet(std::string_view label, const Json& body, std::string_view meaning = {}) {
+  Json result = {{"label", std::string(label)}, {body.is_object() ? "body" : "bodyText", body}};
   if (!meaning.empty()) {
-    result["description"] = meaning;
+    result["description"] = std::string(meaning);
   }
   return result;
 }
@@ -126,7 +130,7 @@ Json snippets_of(const FormShape& shape, const Json& examples) {
   if (shape.kind == FormKind::variants) {
     Json snippets = Json::array();
     for (const FormShape& one : shape.items) {
-      const Json example = example_json(one.examples.front());
+      const Json example = example_json(std::string(one.examples.front()));
       snippets.push_back(snippet(outline(example), flow_snippet(example), one.meaning));
     }
     return snippets;
@@ -152,18 +156,19 @@ FormShape couple_alternatives(const FormShape& couple) {
 }  // namespace
 
 void ShapeSchema::define(const FormShape& shape) {
+  const std::string name(shape.definition);
   const bool has_content = !shape.meaning.empty() || shape.kind == FormKind::mapping;
-  if (shape.definition.empty() || !has_content || definitions_.contains(shape.definition)) {
+  if (shape.definition.empty() || !has_content || definitions_.contains(name)) {
     return;
   }
-  definitions_[shape.definition];  // it may refer to itself
-  definitions_[shape.definition] = of_shape(shape);
+  definitions_[name];  // it may refer to itself
+  definitions_[name] = of_shape(shape);
 }
 
 // A whole schema of its own.
 Json ShapeSchema::of_shape(const FormShape& shape) {
   FormShape plain = shape;
-  plain.definition.clear();
+  plain.definition = {};
   return in_place({.meaning = shape.meaning, .shape = plain, .examples = shape.examples});
 }
 
@@ -172,7 +177,7 @@ Json ShapeSchema::of_item(const FormShape& shape) {
     return of_shape(shape);
   }
   define(shape);
-  return {{"$ref", "#/definitions/" + shape.definition}};
+  return reference(shape.definition);
 }
 
 Json ShapeSchema::of_key(const FormKey& key) {
@@ -180,9 +185,9 @@ Json ShapeSchema::of_key(const FormKey& key) {
     return in_place(key);
   }
   Json schema = of_item(key.shape);
-  schema["description"] = key.meaning;
+  schema["description"] = std::string(key.meaning);
   if (!key.usual.empty()) {
-    schema["default"] = example_json(key.usual);
+    schema["default"] = example_json(std::string(key.usual));
   }
   if (!key.examples.empty()) {
     schema["examples"] = examples_json(key.examples);
@@ -204,7 +209,7 @@ void ShapeSchema::add_values(const FormShape& shape, Json& schema) {
       break;
     case FormKind::names:
       if (!shape.name_definition.empty()) {
-        schema["propertyNames"] = {{"$ref", "#/definitions/" + shape.name_definition}};
+        schema["propertyNames"] = reference(shape.name_definition);
       }
       if (shape.least > 0) {
         schema["minProperties"] = shape.least;
@@ -230,9 +235,9 @@ void ShapeSchema::add_mapping(const FormShape& shape, Json& schema) {
   Json needed = Json::array();
   Json properties = Json::object();
   for (const FormKey& key : shape.keys) {
-    properties[key.key] = of_key(key);
+    properties[std::string(key.key)] = of_key(key);
     if (key.is_needed && !is_replaceable(shape, key.key)) {
-      needed.push_back(key.key);
+      needed.push_back(std::string(key.key));
     }
   }
   if (!needed.empty()) {
@@ -259,7 +264,7 @@ void ShapeSchema::add_variants(const FormShape& shape, Json& schema) {
   for (const FormShape& one : shape.items) {
     Json mapping = Json::object();
     add_mapping(one, mapping);
-    const Json first = {{"required", Json::array({one.keys.front().key})}};
+    const Json first = {{"required", Json::array({std::string(one.keys.front().key)})}};
     Json refused = Json::object();
     for (const auto& [key, value] : properties.items()) {
       if (!mapping["properties"].contains(key)) {
@@ -312,7 +317,7 @@ Json ShapeSchema::in_place(const FormKey& key) {
   const Json examples = examples_json(key.examples);
   Json schema = Json::object();
   if (!key.meaning.empty()) {
-    schema["description"] = key.meaning;
+    schema["description"] = std::string(key.meaning);
   }
   if (shape.kind == FormKind::number) {
     schema["allOf"] = Json::array({{{"$ref", "#/definitions/expression"}}});
@@ -343,7 +348,7 @@ Json ShapeSchema::in_place(const FormKey& key) {
     snippets = snippets_of(shape, examples);
   }
   if (!key.usual.empty()) {
-    schema["default"] = example_json(key.usual);
+    schema["default"] = example_json(std::string(key.usual));
   }
   for (const Json& example : examples) {
     if (!is_collection(shape) && !example.is_array() && !example.is_object()) {
@@ -352,13 +357,13 @@ Json ShapeSchema::in_place(const FormKey& key) {
   }
   const bool is_list = types_of(shape).dump().find("array") != std::string::npos;
   for (const FormShape& one : shape.items) {
-    for (const Word& word : shape.kind == FormKind::by_shape ? one.words : std::vector<Word>()) {
-      snippets.push_back(snippet(word.text, word.text, word.meaning));
+    for (const Word& word : shape.kind == FormKind::by_shape ? one.words : SharedList<Word>()) {
+      snippets.push_back(snippet(word.text, std::string(word.text), word.meaning));
     }
   }
   for (const Suggestion& one : key.suggestions) {
-    snippets.push_back(
-        snippet(one.value, is_list ? "[" + one.value + "]" : one.value, one.meaning));
+    snippets.push_back(snippet(
+        one.value, is_list ? fmt::format("[{}]", one.value) : std::string(one.value), one.meaning));
   }
   if (!snippets.empty()) {
     schema["defaultSnippets"] = snippets;
@@ -373,9 +378,9 @@ Json ShapeSchema::of_section(const FormKey& key) {
   }
   Json schema = of_key(section);
   if (key.shape.kind == FormKind::mapping) {
-    schema["title"] = key.key;
-    schema["defaultSnippets"] =
-        Json::array({snippet("the section", line_snippet(example_json(section.examples.front())))});
+    schema["title"] = std::string(key.key);
+    schema["defaultSnippets"] = Json::array({snippet(
+        "the section", line_snippet(example_json(std::string(section.examples.front()))))});
   }
   return schema;
 }
@@ -403,7 +408,7 @@ Json components_schema(const FormShape& shape, Space space) {
   for (const FormKey& key : shape.keys) {
     const Json inside = components_schema(key.shape, space);
     if (!inside.is_null()) {
-      schema["properties"][key.key] = inside;
+      schema["properties"][std::string(key.key)] = inside;
     }
   }
   if (schema.empty()) {

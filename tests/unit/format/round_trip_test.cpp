@@ -74,7 +74,8 @@ TEST(RoundTrip, WritesTheSectionsOfEveryMechanismAsTheyReadBack) {
     }
     for (const FormKey& key : file_sections().shape().keys) {
       const bool is_in_file = std::ranges::find(sections, key.key) != sections.end();
-      EXPECT_EQ(("\n" + text).find("\n" + key.key + ":") != std::string::npos, is_in_file)
+      EXPECT_EQ(("\n" + text).find("\n" + std::string(key.key) + ":") != std::string::npos,
+                is_in_file)
           << key.key;
     }
     ++count;
