@@ -1,4 +1,5 @@
 // What a value of the file may look like, as data: the schema, hints and snippets follow from it.
+// All texts are literals; a declaration does not copy them.
 #pragma once
 
 #include <cstddef>

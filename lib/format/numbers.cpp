@@ -80,20 +80,6 @@ Form<Value> step_count() {
                      {.least = 1, .most = 1000000, .is_whole = true});
 }
 
-Form<Value> point_count() {
-  return number_form("points",
-                     "A whole number from 2 to 1000000.",
-                     {"400"},
-                     {.least = 2, .most = 1000000, .is_whole = true});
-}
-
-Form<Value> digit_count() {
-  return number_form("digits",
-                     "A whole number from 17 to 100.",
-                     {"40"},
-                     {.least = 17, .most = 100, .is_whole = true});
-}
-
 Form<Value> not_negative() {
   return number_form(
       "not_negative", "A number of at least 0, without a unit.", {"0.1"}, {.least = 0});
@@ -104,16 +90,6 @@ Form<Value> not_negative_whole() {
                      "A whole number of at least 0, without a unit.",
                      {"2"},
                      {.least = 0, .is_whole = true});
-}
-
-Form<Value> not_zero() {
-  return number_form(
-      "not_zero", "A number other than 0, without a unit.", {"0.58"}, {.is_not_zero = true});
-}
-
-Form<Value> at_least_one() {
-  return number_form(
-      "at_least_one", "A number of at least 1, without a unit.", {"12"}, {.least = 1});
 }
 
 Form<Value> fraction() {
@@ -144,14 +120,6 @@ Form<Value> size() {
       "m), or write the unit.",
       {"25 mm"},
       {.above = 0});
-}
-
-Form<Value> radius() {
-  return number_form("radius",
-                     "A length of at least zero: a bare number counts in the file's unit of length "
-                     "(default m), or write the unit.",
-                     {"12 mm"},
-                     {.least = 0});
 }
 
 Form<Value> acute_angle() {
@@ -199,58 +167,6 @@ Form<Value> acceleration() {
       "An acceleration: a bare number counts in the file's unit of length per its unit "
       "of time squared (default m/s^2), or write the unit.",
       {"-9.81", "9.81 m/s^2", "0"});
-}
-
-Form<Value> pitch() {
-  return number_form("pitch",
-                     "A pitch, the length per radian: a bare number counts in the file's unit of "
-                     "length per radian, or write the unit.",
-                     {"2 mm/rad", "5 mm/rev", "0.8"});
-}
-
-Form<Value> lead() {
-  return number_form(
-      "lead",
-      "A lead, the length per turn: a bare number counts in the file's unit of length, "
-      "or write the unit.",
-      {"5 mm", "5 mm/rev", "5"});
-}
-
-Form<Value> stiffness() {
-  return number_form(
-      "stiffness",
-      "Stiffness of a constraint, which must be positive. Of a force it is a force per "
-      "length: a bare number counts in the file's unit of stiffness (default N/m). Of a"
-      " couple it is a moment per angle: a bare number counts in the file's unit of "
-      "moment per rad (default N*m/rad), whatever the unit of stiffness or of angle is.",
-      {"2e6 N/m", "300 N*m/rad"},
-      {.above = 0});
-}
-
-Form<Value> friction_moment() {
-  return number_form("friction_moment",
-                     "A moment of at least zero: a bare number counts in the file's unit of moment "
-                     "(default N*m), or write the unit.",
-                     {"0.2 N*m"},
-                     {.least = 0});
-}
-
-Form<Value> viscous_couple() {
-  return number_form(
-      "viscous_couple",
-      "A couple per angular velocity: a bare number counts in the file's unit of moment"
-      " per its unit of angular velocity (default N*m*s/rad).",
-      {"0.02", "0.02 N*m*s/rad"},
-      {.least = 0});
-}
-
-Form<Value> viscous_force() {
-  return number_form(
-      "viscous_force",
-      "A force per velocity: a bare number counts in the file's unit of force per its "
-      "unit of velocity (default N*s/m).",
-      {"5", "5 N*s/m"},
-      {.least = 0});
 }
 
 Form<Value> speed() {
