@@ -29,7 +29,7 @@ RELATIVE_ZERO = re.compile(
 # Where that is another decision than whether a value is zero: file, and why.
 DECISIONS = {
     "lib/inputs/solution_space.cpp": "rank: which freedoms a motion of the null space moves",
-    "lib/inputs/taut_ropes.cpp": "consistency: pretensions of 1 that are in equilibrium already",
+    "lib/inputs/cable_tension.cpp": "consistency: pretensions of 1 that are in equilibrium already",
     "lib/mechanism/internal/cable_contact_check.cpp": "drawing: contacts lie on the rim",
     "lib/mechanism/internal/extent.cpp": "consistency: all corners at an end move alike",
     "lib/mechanism/internal/rounding_slopes.cpp": "rank: parameters that move a screw by rounding",

@@ -352,12 +352,10 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      no_answer,
      "friction leaves open how it is pressed",
      "Without friction the known actions contradict equilibrium, as a torque on a crank at its "
-     "dead "
-     "centre does. With friction they may be in equilibrium, because what the unknown actions "
-     "press "
-     "rubs and holds them; but a bearing rubs as much pressed one way as the other, so that the "
-     "sign of these actions does not follow. The message has the equilibria that were found. Give "
-     "an action of the other member instead, or another position."},
+     "dead centre does. With friction they may be in equilibrium, because what the unknown actions "
+     "press holds them; but a bearing has as much friction pressed one way as the other, so that "
+     "the sign of these actions does not follow. The message has the equilibria that were found. "
+     "Give an action of the other member instead, or another position."},
     {"E0701",
      no_answer,
      "power balance is violated",

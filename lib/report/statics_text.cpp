@@ -218,7 +218,7 @@ TextBlocks contacts_blocks(const Mechanism& mechanism, const CaseAnalysis& one, 
                "ratio",
                "limit",
                head("slip", QuantityKind::velocity),
-               "belt_state"});
+               "state"});
   for (std::size_t i = 0; i < one.contacts.size(); ++i) {
     const ContactState& state = one.contacts[i];
     const std::optional<double>& wrap = mechanism.contacts[i].wrap;

@@ -44,7 +44,7 @@ WITH_REPORT = {0, 5}
 COLUMNS = ["mechanism", "case", "pass", "element", "quantity", "value", "unit", "status"]
 MOTION_COLUMNS = [*COLUMNS, "step", "drive"]
 # Rounding alone, which differs from machine to machine.
-RESIDUALS = {"balance_residual", "misclosure", "residual", "uncertainty"}
+RESIDUALS = {"balance_residual", "closure_error", "residual", "uncertainty"}
 # Parts of a report whose words are sentences, are in the tables, or repeat the file.
 NO_WORDS = {"arcs", "columns", "diagnostics", "engaged", "evidence", "graph", "kinestat",
             "mechanism", "primary", "reason", "reasons", "remarks", "rows"}

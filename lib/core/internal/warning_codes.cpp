@@ -202,7 +202,7 @@ constexpr auto kWarningCodes = std::to_array<Code>({
     {"W0608",
      done,
      "friction allows another equilibrium",
-     "What a bearing rubs depends on the size of its load and not on the sense. Where friction is "
+     "The friction of a bearing depends on the size of its load and not on the sense. Where friction is "
      "large beside what it works against, as near a dead centre or in a wedge, the known actions "
      "may be in equilibrium in two ways: pressed one way, or the other way and so hard that "
      "friction holds what would drive. The report has the one into which the equilibrium without "
