@@ -42,11 +42,12 @@ void operator delete(void* place, const std::nothrow_t& /*nothrow*/) noexcept {
   std::free(place);
 }
 
-void operator delete(void* place) noexcept {
+// Inlined, g++ takes them for a mismatch with the operator new of the library.
+[[gnu::noinline]] void operator delete(void* place) noexcept {
   std::free(place);
 }
 
-void operator delete(void* place, std::size_t /*size*/) noexcept {
+[[gnu::noinline]] void operator delete(void* place, std::size_t /*size*/) noexcept {
   std::free(place);
 }
 
