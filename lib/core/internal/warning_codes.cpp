@@ -202,13 +202,13 @@ constexpr auto kWarningCodes = std::to_array<Code>({
     {"W0608",
      done,
      "friction allows another equilibrium",
-     "The friction of a bearing depends on the size of its load and not on the sense. Where friction is "
-     "large beside what it works against, as near a dead centre or in a wedge, the known actions "
-     "may be in equilibrium in two ways: pressed one way, or the other way and so hard that "
-     "friction holds what would drive. The report has the one into which the equilibrium without "
-     "friction changes as the friction grows from nothing, and the message has the other. Which "
-     "holds depends on what happened before, unless one of them asks of a member what it cannot "
-     "give. Give the action of that member instead of a known one, and there is one answer."},
+     "The friction of a bearing depends on the size of its load and not on the sense. Where "
+     "friction is large beside what it works against, as near a dead centre or in a wedge, the "
+     "known actions may be in equilibrium in two ways: pressed one way, or the other way and so "
+     "hard that friction holds what would drive. The report has the one into which the equilibrium "
+     "without friction changes as the friction grows from nothing, and the message has the other. "
+     "Which holds depends on what happened before, unless one of them asks of a member what it "
+     "cannot give. Give the action of that member instead of a known one, and there is one answer."},
     {"W0701",
      done,
      "loss of a mesh is not known",
