@@ -25,7 +25,7 @@ class CableTension(ReferenceTest):
         for name in self.FILES:
             with self.subTest(name):
                 text = (MECHANISMS / "cables" / f"{name}.yaml").read_text(encoding="utf-8")
-                ropes = program.run("inputs", "-", text=text)["inputs"]["ropes"]
+                ropes = program.run("inputs", "-", text=text)["inputs"]["cables"]
                 self.assertTrue(ropes["possible"])
                 self.assertGreater(len(ropes["drives"]), 1)
                 pulled = self.with_drives(text, ropes["drives"])
@@ -85,7 +85,7 @@ class Tables(ReferenceTest):
                               ("finger_rehabilitation", 3), ("pulley_without_slip", 0)):
             with self.subTest(name):
                 path = MECHANISMS / "cables" / f"{name}.yaml"
-                ropes = program.run("inputs", str(path))["inputs"]["ropes"]
+                ropes = program.run("inputs", str(path))["inputs"]["cables"]
                 self.assertEqual(ropes["net_freedom"], self.PRINTED[name][-1])
                 self.assertEqual(ropes["without_slip"], self.PRINTED[name][-1] - pulleys)
 

@@ -208,7 +208,8 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "hard that friction holds what would drive. The report has the one into which the equilibrium "
      "without friction changes as the friction grows from nothing, and the message has the other. "
      "Which holds depends on what happened before, unless one of them asks of a member what it "
-     "cannot give. Give the action of that member instead of a known one, and there is one answer."},
+     "cannot give. Give the action of that member instead of a known one, and there is one "
+     "answer."},
     {"W0701",
      done,
      "loss of a mesh is not known",
