@@ -29,7 +29,7 @@ class CableTension(ReferenceTest):
                 self.assertTrue(ropes["possible"])
                 self.assertGreater(len(ropes["drives"]), 1)
                 pulled = self.with_drives(text, ropes["drives"])
-                actions = program.run("analyze", "-", text=pulled)["cases"]["taut"]["statics"]
+                actions = program.run("analyze", "-", text=pulled)["cases"]["in tension"]["statics"]
                 tensions = [value for key, value in actions["actions"].items()
                             if key.endswith(".F")]
                 self.assertEqual(len(tensions), ropes["segments"])
