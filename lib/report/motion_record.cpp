@@ -202,7 +202,7 @@ void add_rows(Record<MotionTable>& keys) {
       column_record(),
       "What the cells of a row are: the step, the positions of the drives, what was asked "
       "for, the status: solved, limit, singular, that of the actions (indeterminate, "
-      "inconsistent, locked, …), or cable_slack, contact_pulls or cable_slips where the "
+      "inconsistent, ambiguous, locked, …), or cable_slack, contact_pulls or cable_slips where the "
       "numbers hold only for a cable that could push, surfaces that could pull on each other, "
       "or a cable held by more friction.",
       emit_columns);

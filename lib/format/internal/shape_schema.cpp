@@ -55,8 +55,8 @@ bool is_collection(const FormShape& shape) {
 void add_range(const NumberRange& range, Json& schema) {
   const auto add = [&schema](const char* key, const std::optional<double>& bound) {
     if (bound) {
-      schema[key] =
-          *bound == static_cast<long>(*bound) ? Json(static_cast<long>(*bound)) : Json(*bound);
+      const auto whole = static_cast<long>(*bound);
+      schema[key] = *bound == static_cast<double>(whole) ? Json(whole) : Json(*bound);
     }
   };
   add("minimum", range.least);
@@ -281,7 +281,7 @@ void ShapeSchema::add_variants(const FormShape& shape, Json& schema) {
 // The alternatives after the first condition that holds; the last needs none.
 void ShapeSchema::add_alternatives(const FormShape& shape, const Json& examples, Json& schema) {
   std::vector<FormShape> ordered(shape.items.begin(), shape.items.end());
-  std::ranges::stable_partition(ordered, is_collection);
+  std::stable_partition(ordered.begin(), ordered.end(), is_collection);
   Json* at = &schema;
   for (std::size_t i = 0; i < ordered.size(); ++i) {
     const FormShape& one = ordered[i];
