@@ -6,6 +6,7 @@
 
 #include "core/tolerance.hpp"
 #include "graph/components.hpp"
+#include "mechanism/teeth.hpp"
 #include "screw/screw_axis.hpp"
 
 namespace kinestat {
@@ -13,10 +14,6 @@ namespace kinestat {
 namespace {
 
 using enum CouplingType;
-
-bool is_mesh(CouplingType type) {
-  return type == gear || type == bevel_gear;
-}
 
 bool is_hinge(CouplingType type) {
   return type == revolute || type == cylindrical || type == clutch || type == brake;
@@ -180,13 +177,13 @@ class CarrierSearch {
 
 std::vector<Mesh> find_meshes(const Topology& topology, const Geometry& geometry) {
   std::vector<Mesh> meshes;
-  if (std::ranges::none_of(topology.couplings, is_mesh, &CouplingTopology::type)) {
+  if (std::ranges::none_of(topology.couplings, joins_wheels, &CouplingTopology::type)) {
     return meshes;
   }
   const CarrierSearch search(topology, geometry);
   for (int e = 0; e < topology.coupling_count(); ++e) {
     const CouplingTopology& coupling = topology.coupling(CouplingId{e});
-    if (is_mesh(coupling.type)) {
+    if (joins_wheels(coupling.type)) {
       meshes.push_back({.coupling = CouplingId{e},
                         .carrier = search.carrier_of(coupling.tail.value, coupling.head.value)});
     }

@@ -4,6 +4,7 @@
 
 #include "mechanism/coupling_catalogue.hpp"
 #include "mechanism/finite_law.hpp"
+#include "mechanism/teeth.hpp"
 
 namespace kinestat {
 
@@ -23,14 +24,9 @@ constexpr Rule kWithCarrier = {.direction = Follows::carrier, .point = Follows::
 constexpr Rule kAtTail = {.direction = Follows::world, .point = Follows::tail};
 constexpr Rule kHeadAtTail = {.direction = Follows::head, .point = Follows::tail};
 
-bool is_teeth(CouplingType type) {
-  using enum CouplingType;
-  return type == gear || type == bevel_gear || type == worm || type == rack;
-}
-
 Rule rule_of_motion(CouplingType type, int index) {
   using enum CouplingType;
-  if (is_teeth(type)) {
+  if (has_teeth(type)) {
     return kWithCarrier;
   }
   if (type == spherical || (type == sphere_in_tube && index < 3)) {
@@ -44,7 +40,7 @@ Rule rule_of_motion(CouplingType type, int index) {
 
 Rule rule_of_action(CouplingType type, bool is_couple) {
   using enum CouplingType;
-  if (is_teeth(type)) {
+  if (has_teeth(type)) {
     return kWithCarrier;
   }
   switch (type) {
@@ -131,7 +127,7 @@ class Mover {
 
   // What slides takes its point along; teeth touch in their carrier.
   void place() {
-    const Follows who = is_teeth(coupling_.type)                    ? Follows::carrier
+    const Follows who = has_teeth(coupling_.type)                   ? Follows::carrier
                         : coupling_.type == CouplingType::prismatic ? Follows::head
                                                                     : Follows::tail;
     const Vec3 at =

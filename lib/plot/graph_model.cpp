@@ -9,6 +9,7 @@
 #include "core/tolerance.hpp"
 #include "graph/circuit.hpp"
 #include "graph/cutsets.hpp"
+#include "mechanism/teeth.hpp"
 #include "plot/internal/symbols.hpp"
 #include "plot/picture_title.hpp"
 
@@ -38,8 +39,7 @@ GraphModel bare_model(const Analysis& analysis, std::string name, std::string_vi
                            .label = coupling.name,
                            .lines = 1,
                            .stroke = EdgeStroke::chord,
-                           .is_mesh = coupling.type == CouplingType::gear ||
-                                      coupling.type == CouplingType::bevel_gear});
+                           .is_mesh = joins_wheels(coupling.type)});
   }
   for (const int branch : analysis.mechanism.graph.tree.branches) {
     model.edges[static_cast<std::size_t>(branch)].stroke = EdgeStroke::branch;

@@ -5,15 +5,11 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "mechanism/teeth.hpp"
 
 namespace kinestat {
 
 namespace {
-
-bool is_gear(CouplingType type) {
-  using enum CouplingType;
-  return type == gear || type == bevel_gear || type == worm || type == rack;
-}
 
 DriveKind kind_of(const CouplingDescription& coupling, const std::optional<Name>& freedom) {
   using enum CouplingType;
@@ -75,7 +71,7 @@ class NameCollector {
       }
       names_.couplings.add(coupling.name);
       taken_.emplace(coupling.name.text, coupling.name.where);
-      if (is_gear(coupling.type)) {
+      if (has_teeth(coupling.type)) {
         names_.meshes.add(coupling.name);
       }
       if (coupling.type == CouplingType::clutch || coupling.type == CouplingType::brake) {

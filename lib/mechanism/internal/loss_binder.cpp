@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "mechanism/teeth.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -22,9 +24,7 @@ class LossBinder {
     std::vector<LossyMesh> result;
     for (std::size_t e = 0; e < description_.couplings.size(); ++e) {
       const CouplingDescription& coupling = description_.couplings[e];
-      const bool is_mesh =
-          coupling.type == CouplingType::gear || coupling.type == CouplingType::bevel_gear;
-      const LossValue* loss = is_mesh ? loss_of(coupling) : nullptr;
+      const LossValue* loss = joins_wheels(coupling.type) ? loss_of(coupling) : nullptr;
       if (loss != nullptr) {
         result.push_back({.coupling = CouplingId{static_cast<int>(e)},
                           .share = share_of(*loss, coupling.name.text),

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "mechanism/teeth.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -47,8 +49,7 @@ bool has_teeth(const Name& coupling, const MechanismDescription& description) {
 const CouplingDescription* find_unlike(const std::string& name,
                                        const MechanismDescription& description) {
   const auto at = std::ranges::find_if(description.couplings, [&](const auto& coupling) {
-    const bool is_unlike =
-        coupling.type == CouplingType::worm || coupling.type == CouplingType::rack;
+    const bool is_unlike = has_teeth(coupling.type) && !joins_wheels(coupling.type);
     return is_unlike && coupling.name.text == name;
   });
   return at == description.couplings.end() ? nullptr : &*at;

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/tolerance.hpp"
+#include "mechanism/teeth.hpp"
 #include "plot/internal/file_numbers.hpp"
 
 namespace kinestat {
@@ -108,12 +109,10 @@ class PartFinder {
   // A mesh of teeth is drawn by its wheels, so that its pitch point is no place of a link.
   void add_points(CouplingId id) {
     const CouplingTopology& coupling = topology_.coupling(id);
-    const bool has_teeth = coupling.type == gear || coupling.type == bevel_gear ||
-                           coupling.type == rack || coupling.type == worm;
     const Vec3 at = mechanism_.geometry.points[static_cast<std::size_t>(id.value)];
     for (const BodyId body : {coupling.tail, coupling.head}) {
       const bool is_rack = coupling.type == rack && !turns(body);
-      if (!has_teeth || is_rack) {
+      if (!has_teeth(coupling.type) || is_rack) {
         add_point(body, moved(body, at), id);
       }
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "mechanism/teeth.hpp"
 #include "plot/internal/symbols.hpp"
 
 namespace kinestat {
@@ -29,8 +30,7 @@ class PlanarCouplings : private PlanarDrawer {
  private:
   void draw_coupling(CouplingId id) {
     const CouplingTopology& coupling = topology_.coupling(id);
-    if (is_hidden(coupling) || coupling.type == cable || coupling.type == gear ||
-        coupling.type == bevel_gear) {
+    if (is_hidden(coupling) || coupling.type == cable || joins_wheels(coupling.type)) {
       return;
     }
     canvas_.open_body(carrier(coupling));

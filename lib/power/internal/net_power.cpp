@@ -5,15 +5,12 @@
 #include <optional>
 
 #include "kinematics/bounded_motion.hpp"
+#include "mechanism/teeth.hpp"
 #include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
 
 namespace {
-
-bool is_mesh(const CouplingTopology& coupling) {
-  return coupling.type == CouplingType::gear || coupling.type == CouplingType::bevel_gear;
-}
 
 // Planets, and the shaft that each body counts as.
 class PlanetGroups {
@@ -45,7 +42,7 @@ class PlanetGroups {
     return std::ranges::all_of(topology_.couplings, [&](const CouplingTopology& coupling) {
       const bool is_at = coupling.tail == gear || coupling.head == gear;
       const BodyId other = coupling.tail == gear ? coupling.head : coupling.tail;
-      return !is_at || is_mesh(coupling) || other == carrier;
+      return !is_at || joins_wheels(coupling.type) || other == carrier;
     });
   }
 
