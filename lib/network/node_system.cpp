@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/tolerance.hpp"
+#include "network/node_layout.hpp"
 
 namespace kinestat {
 
@@ -12,23 +13,32 @@ namespace {
 // their product and the direction of the basis.
 constexpr double kRoundingsOfLoad = 4.0;
 
-// Adds factor · (the screw's coordinates in the basis) as a column piece that begins at `at`.
+// Adds factor · (the screw's coordinates in the basis) as a column piece that begins at `first`.
 void add_screw(const Vec6& screw,
                const CoordinateBasis& basis,
                double factor,
-               SparseEntry at,
+               int first,
+               int column,
                SparseMatrix& to) {
   if (basis.is_made_of_coordinates()) {
     for (int i = 0; i < basis.order(); ++i) {
       const int c = basis.coordinates[static_cast<std::size_t>(i)];
-      to.add(at.row + i, at.column, factor * screw[c] / basis.unit[c]);
+      to.add(first + i, column, factor * screw[c] / basis.unit[c]);
     }
     return;
   }
   const VecX coordinates = basis.coordinates_of(screw);
   for (int i = 0; i < basis.order(); ++i) {
-    to.add(at.row + i, at.column, factor * coordinates[i]);
+    to.add(first + i, column, factor * coordinates[i]);
   }
+}
+
+SparseMatrix empty_system(const SystemSize& size, std::size_t entries) {
+  SparseMatrix system;
+  system.rows = size.rows;
+  system.columns = size.columns;
+  system.entries.reserve(entries);
+  return system;
 }
 
 }  // namespace
@@ -36,29 +46,18 @@ void add_screw(const Vec6& screw,
 SparseMatrix velocity_system(const Topology& topology,
                              const Geometry& geometry,
                              const CoordinateBasis& basis) {
-  const int order = basis.order();
-  SparseMatrix system;
-  system.rows = order * topology.coupling_count();
-  system.columns = order * (topology.body_count() - 1) + topology.freedom_count();
-  system.entries.reserve(static_cast<std::size_t>(order) *
-                         (2 * topology.couplings.size() + topology.freedoms.size()));
-  for (int e = 0; e < topology.coupling_count(); ++e) {
-    const CouplingTopology& coupling = topology.couplings[static_cast<std::size_t>(e)];
-    for (int i = 0; i < order; ++i) {
-      if (coupling.head.value > 0) {
-        system.add(order * e + i, order * (coupling.head.value - 1) + i, 1.0);
-      }
-      if (coupling.tail.value > 0) {
-        system.add(order * e + i, order * (coupling.tail.value - 1) + i, -1.0);
-      }
-    }
-    for (int f = coupling.first_freedom; f < coupling.first_freedom + coupling.freedom_count; ++f) {
-      const Vec6 screw = geometry.motions[static_cast<std::size_t>(f)].coordinates();
-      const SparseEntry at{
-          .row = order * e, .column = velocity_column(topology, basis, f), .value = 0.0};
-      add_screw(screw, basis, -rate_unit(topology, basis, f), at, system);
-    }
-  }
+  const auto order = static_cast<std::size_t>(basis.order());
+  SparseMatrix system =
+      empty_system(velocity_system_size(topology, basis),
+                   order * (2 * topology.couplings.size() + topology.freedoms.size()));
+  lay_velocity_system(
+      topology,
+      basis,
+      [&](int row, int column, double value) { system.add(row, column, value); },
+      [&](int f, int first, int column, double factor) {
+        const Vec6 screw = geometry.motions[static_cast<std::size_t>(f)].coordinates();
+        add_screw(screw, basis, factor, first, column, system);
+      });
   return system;
 }
 
@@ -87,25 +86,13 @@ Twist body_twist(const VecX& solution, const CoordinateBasis& basis, BodyId body
 SparseMatrix action_system(const Topology& topology,
                            const Geometry& geometry,
                            const CoordinateBasis& basis) {
-  const int order = basis.order();
-  SparseMatrix system;
-  system.rows = order * (topology.body_count() - 1);
-  system.columns = topology.action_count();
-  system.entries.reserve(static_cast<std::size_t>(2 * order) * topology.actions.size());
-  for (const CouplingTopology& coupling : topology.couplings) {
-    for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
-      const Vec6 screw = geometry.actions[static_cast<std::size_t>(a)].coordinates();
-      const double unit = action_unit(topology, basis, a);
-      if (coupling.head.value > 0) {
-        const int row = order * (coupling.head.value - 1);
-        add_screw(screw, basis, unit, {.row = row, .column = a, .value = 0.0}, system);
-      }
-      if (coupling.tail.value > 0) {
-        const int row = order * (coupling.tail.value - 1);
-        add_screw(screw, basis, -unit, {.row = row, .column = a, .value = 0.0}, system);
-      }
-    }
-  }
+  const auto order = static_cast<std::size_t>(basis.order());
+  SparseMatrix system =
+      empty_system(action_system_size(topology, basis), 2 * order * topology.actions.size());
+  lay_action_system(topology, basis, [&](int a, int first, int column, double factor) {
+    const Vec6 screw = geometry.actions[static_cast<std::size_t>(a)].coordinates();
+    add_screw(screw, basis, factor, first, column, system);
+  });
   return system;
 }
 

@@ -2,7 +2,7 @@
 
 #include "core/contract.hpp"
 #include "graph/structural_rank.hpp"
-#include "network/node_system.hpp"
+#include "network/node_layout.hpp"
 
 namespace kinestat {
 
@@ -42,29 +42,17 @@ TypedMatrix typed_velocity_system(const Topology& topology,
                                   const std::vector<TypedScrew>& motions,
                                   const CoordinateBasis& basis) {
   KINESTAT_EXPECTS(basis.is_made_of_coordinates());
-  const int order = basis.order();
-  TypedMatrix system{.rows = order * topology.coupling_count(),
-                     .columns = order * (topology.body_count() - 1) + topology.freedom_count(),
-                     .entries = {}};
-  const auto add_body = [&](BodyId body, int first, double sign) {
-    for (int i = 0; body.value > 0 && i < order; ++i) {
-      system.entries.push_back(
-          {.row = first + i, .column = order * (body.value - 1) + i, .value = Typed(sign)});
-    }
-  };
-  for (int e = 0; e < topology.coupling_count(); ++e) {
-    const CouplingTopology& coupling = topology.couplings[static_cast<std::size_t>(e)];
-    add_body(coupling.head, order * e, 1.0);
-    add_body(coupling.tail, order * e, -1.0);
-    for (int f = coupling.first_freedom; f < coupling.first_freedom + coupling.freedom_count; ++f) {
-      add_screw(motions[static_cast<std::size_t>(f)],
-                basis,
-                -rate_unit(topology, basis, f),
-                order * e,
-                velocity_column(topology, basis, f),
-                system);
-    }
-  }
+  const SystemSize size = velocity_system_size(topology, basis);
+  TypedMatrix system{.rows = size.rows, .columns = size.columns, .entries = {}};
+  lay_velocity_system(
+      topology,
+      basis,
+      [&](int row, int column, double value) {
+        system.entries.push_back({.row = row, .column = column, .value = Typed(value)});
+      },
+      [&](int f, int first, int column, double factor) {
+        add_screw(motions[static_cast<std::size_t>(f)], basis, factor, first, column, system);
+      });
   return system;
 }
 
@@ -72,22 +60,11 @@ TypedMatrix typed_action_system(const Topology& topology,
                                 const std::vector<TypedScrew>& actions,
                                 const CoordinateBasis& basis) {
   KINESTAT_EXPECTS(basis.is_made_of_coordinates());
-  const int order = basis.order();
-  TypedMatrix system{.rows = order * (topology.body_count() - 1),
-                     .columns = topology.action_count(),
-                     .entries = {}};
-  for (const CouplingTopology& coupling : topology.couplings) {
-    for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
-      const TypedScrew& screw = actions[static_cast<std::size_t>(a)];
-      const double unit = action_unit(topology, basis, a);
-      if (coupling.head.value > 0) {
-        add_screw(screw, basis, unit, order * (coupling.head.value - 1), a, system);
-      }
-      if (coupling.tail.value > 0) {
-        add_screw(screw, basis, -unit, order * (coupling.tail.value - 1), a, system);
-      }
-    }
-  }
+  const SystemSize size = action_system_size(topology, basis);
+  TypedMatrix system{.rows = size.rows, .columns = size.columns, .entries = {}};
+  lay_action_system(topology, basis, [&](int a, int first, int column, double factor) {
+    add_screw(actions[static_cast<std::size_t>(a)], basis, factor, first, column, system);
+  });
   return system;
 }
 

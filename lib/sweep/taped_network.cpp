@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "network/node_system.hpp"
+#include "network/node_layout.hpp"
 
 namespace kinestat {
 
@@ -53,47 +53,32 @@ class NetworkRecorder {
                                                : action_unit(topology_, *system_.basis, index);
   }
 
-  // As velocity_system has it.
+  auto screw_adder() {
+    return [this](int index, int first, int column, double factor) {
+      add_screw(index, first, column, factor);
+    };
+  }
+
   void add_velocities() {
-    const int order = system_.basis->order();
-    matrix_.rows = order * topology_.coupling_count();
-    matrix_.columns = order * (topology_.body_count() - 1) + topology_.freedom_count();
-    for (int e = 0; e < topology_.coupling_count(); ++e) {
-      const CouplingTopology& coupling = topology_.couplings[static_cast<std::size_t>(e)];
-      for (int i = 0; i < order; ++i) {
-        add_constant(order * e + i, coupling.head, i, 1.0);
-        add_constant(order * e + i, coupling.tail, i, -1.0);
-      }
-      for (int f = coupling.first_freedom; f < coupling.first_freedom + coupling.freedom_count;
-           ++f) {
-        add_screw(f, order * e, -unit_of(f));
-      }
-    }
+    resize(velocity_system_size(topology_, *system_.basis));
+    lay_velocity_system(
+        topology_,
+        *system_.basis,
+        [&](int row, int column, double value) {
+          matrix_.entries.push_back(
+              {.row = row, .column = column, .value = recorder_.constant(value)});
+        },
+        screw_adder());
   }
 
-  void add_constant(int row, BodyId body, int i, double value) {
-    if (body.value > 0) {
-      matrix_.entries.push_back({.row = row,
-                                 .column = system_.basis->order() * (body.value - 1) + i,
-                                 .value = recorder_.constant(value)});
-    }
-  }
-
-  // As action_system has it.
   void add_actions() {
-    const int order = system_.basis->order();
-    matrix_.rows = order * (topology_.body_count() - 1);
-    matrix_.columns = topology_.action_count();
-    for (const CouplingTopology& coupling : topology_.couplings) {
-      for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
-        if (coupling.head.value > 0) {
-          add_screw(a, order * (coupling.head.value - 1), unit_of(a));
-        }
-        if (coupling.tail.value > 0) {
-          add_screw(a, order * (coupling.tail.value - 1), -unit_of(a));
-        }
-      }
-    }
+    resize(action_system_size(topology_, *system_.basis));
+    lay_action_system(topology_, *system_.basis, screw_adder());
+  }
+
+  void resize(const SystemSize& size) {
+    matrix_.rows = size.rows;
+    matrix_.columns = size.columns;
   }
 
   bool is_zero_throughout(std::size_t screw, int i) const {
@@ -105,7 +90,7 @@ class NetworkRecorder {
             }));
   }
 
-  void add_screw(int index, int first_row, double factor) {
+  void add_screw(int index, int first_row, int column, double factor) {
     const CoordinateBasis& basis = *system_.basis;
     const auto screw = static_cast<std::size_t>(index);
     int row = first_row;
@@ -116,9 +101,8 @@ class NetworkRecorder {
         recorder_.demand_at_most(number, recorder_.constant(0.0));
       } else {
         const TapeNumber factor_in_units = recorder_.constant(factor / basis.unit[i]);
-        matrix_.entries.push_back({.row = row,
-                                   .column = column_of(index),
-                                   .value = recorder_.multiply(number, factor_in_units)});
+        matrix_.entries.push_back(
+            {.row = row, .column = column, .value = recorder_.multiply(number, factor_in_units)});
       }
       row += is_in_basis ? 1 : 0;
     }
