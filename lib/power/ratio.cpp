@@ -57,18 +57,6 @@ std::optional<double> bound_of_ratio(const Mechanism& mechanism,
       .relative_bound();
 }
 
-void add_torque_ratio(const BoundedNumber& in,
-                      const BoundedNumber& out,
-                      bool has_bound,
-                      Ratios& ratios) {
-  ratios.torque_ratio = share_of(in.zeroed(), out.zeroed());
-  const std::optional<double> advantage = share_of(out.zeroed(), in.zeroed());
-  ratios.advantage = advantage ? std::optional(std::abs(*advantage)) : std::nullopt;
-  if (ratios.torque_ratio && has_bound) {
-    ratios.torque_ratio_bound = (in / out).relative_bound();
-  }
-}
-
 }  // namespace
 
 std::optional<double> common_rate(std::span<const double> rates) {
@@ -104,17 +92,31 @@ Ratios find_ratios(const Mechanism& mechanism,
   } else {
     ratios.ratio_bound = bound_of_ratio(mechanism, which, motion);
   }
-  if (action == nullptr) {
-    return ratios;
-  }
-  const std::optional<BoundedNumber> in = total_action(mechanism, which, *action);
-  const bool has_output = action->magnitudes[static_cast<std::size_t>(output.action)] &&
-                          !is_by_convention(*action, output.action);
-  if (in && has_output) {
-    add_torque_ratio(
-        *in, bounded_action(*action, output.action), has_bounds(action->answer), ratios);
+  if (action != nullptr) {
+    add_torque_ratio(mechanism, which, *action, ratios);
   }
   return ratios;
+}
+
+void add_torque_ratio(const Mechanism& mechanism,
+                      const Case& which,
+                      const StaticSolution& action,
+                      Ratios& ratios) {
+  const ActuatorTopology& output =
+      mechanism.topology.actuators[static_cast<std::size_t>(which.outputs.front())];
+  const std::optional<BoundedNumber> in = total_action(mechanism, which, action);
+  const bool has_output = action.magnitudes[static_cast<std::size_t>(output.action)] &&
+                          !is_by_convention(action, output.action);
+  if (!in || !has_output) {
+    return;
+  }
+  const BoundedNumber out = bounded_action(action, output.action);
+  ratios.torque_ratio = share_of(in->zeroed(), out.zeroed());
+  const std::optional<double> advantage = share_of(out.zeroed(), in->zeroed());
+  ratios.advantage = advantage ? std::optional(std::abs(*advantage)) : std::nullopt;
+  if (ratios.torque_ratio && has_bounds(action.answer)) {
+    ratios.torque_ratio_bound = (*in / out).relative_bound();
+  }
 }
 
 }  // namespace kinestat

@@ -31,4 +31,11 @@ Ratios find_ratios(const Mechanism& mechanism,
                    const KinematicSolution& motion,
                    const StaticSolution* action);
 
+/// Adds Γ and the mechanical advantage of such a case; nothing where an action is open or rests on
+/// a convention.
+void add_torque_ratio(const Mechanism& mechanism,
+                      const Case& which,
+                      const StaticSolution& action,
+                      Ratios& ratios);
+
 }  // namespace kinestat

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "mechanism/teeth.hpp"
+
 namespace kinestat {
 
 namespace {
-
-bool is_mesh(CouplingType type) {
-  using enum CouplingType;
-  return type == gear || type == bevel_gear || type == worm || type == rack;
-}
 
 bool is_bearing(CouplingType type) {
   using enum CouplingType;
@@ -31,7 +28,7 @@ class GearReader {
       add_element(e);
     }
     values_.bearing = most_loaded(is_bearing);
-    values_.mesh = most_loaded(is_mesh);
+    values_.mesh = most_loaded(has_teeth);
     return std::move(values_);
   }
 
@@ -49,41 +46,19 @@ class GearReader {
   // Where a gear leaves freedoms beside it, its case has no velocities; the state has the ratio.
   void add_ratios(std::size_t o) {
     const ShiftState& state = gear_.state.state;
+    Case which = gear_.which;
+    which.outputs = {plan_.outputs[o]};
+    const StaticSolution* action = has_actions() ? gear_.action : nullptr;
     Ratios ratios;
     if (is_solved()) {
-      Case which = gear_.which;
-      which.outputs = {plan_.outputs[o]};
-      ratios = find_ratios(
-          gear_.mechanism, which, *gear_.motion, has_actions() ? gear_.action : nullptr);
+      ratios = find_ratios(gear_.mechanism, which, *gear_.motion, action);
     } else if (const double slow = state.outputs[o].value_or(0.0); slow != 0.0) {
       ratios.ratio = state.inputs.front() / slow;
-      ratios.torque_ratio = torque_ratio_to(plan_.outputs[o]);
+      if (action != nullptr) {
+        add_torque_ratio(gear_.mechanism, which, *action, ratios);
+      }
     }
     values_.ratios.push_back(std::move(ratios));
-  }
-
-  // The actions of all inputs over that of the output.
-  std::optional<double> torque_ratio_to(int output) const {
-    if (!has_actions()) {
-      return std::nullopt;
-    }
-    double sum = 0.0;
-    for (const ShiftInput& input : plan_.inputs) {
-      const std::optional<double> action = action_of(input.actuator);
-      if (!action) {
-        return std::nullopt;
-      }
-      sum += *action;
-    }
-    const std::optional<double> out = action_of(output);
-    return out && *out != 0.0 ? std::optional(sum / *out) : std::nullopt;
-  }
-
-  std::optional<double> action_of(int index) const {
-    const int action = actuator(index).action;
-    return is_by_convention(*gear_.action, action)
-               ? std::nullopt
-               : gear_.action->magnitudes[static_cast<std::size_t>(action)];
   }
 
   void add_element(std::size_t e) {
