@@ -60,9 +60,9 @@ class ReasonWriter {
             "{} held: {}; {}", outputs_text(), held_text(), freedoms_text(state_.freedom, false));
       case ShiftCause::redundant:
         return fmt::format("{}; {}", redundancy_text(), held_text());
-      case ShiftCause::freewheel_lets_go:
+      case ShiftCause::freewheel_overruns:
         return freewheel_text("overruns: its torque would be", "holds only a", "one");
-      case ShiftCause::freewheel_engages:
+      case ShiftCause::freewheel_locks:
         return freewheel_text("locks: its slip would be", "slips only in the", "sense");
     }
     return "";

@@ -228,12 +228,12 @@ class StateSolver {
       }
       if (!is_engaged(e)) {
         if (holds * state_.slips[e].value_or(0.0) < 0.0) {
-          refuse(ShiftClass::tie_up, ShiftCause::freewheel_engages, e);
+          refuse(ShiftClass::tie_up, ShiftCause::freewheel_locks, e);
         }
       } else if (state_.torques.empty()) {
         state_.open_freewheels.push_back(static_cast<int>(e));
       } else if (holds * state_.torques[e] < 0.0) {
-        refuse(ShiftClass::neutral, ShiftCause::freewheel_lets_go, e);
+        refuse(ShiftClass::neutral, ShiftCause::freewheel_overruns, e);
       }
     }
   }

@@ -31,13 +31,13 @@ constexpr std::string_view word_of(ShiftClass kind) {
 /// Why a state is no gear.
 enum class ShiftCause {
   none,
-  input_held,         ///< the input `which` cannot move
-  inputs_coupled,     ///< the input `which` cannot have its speed beside those before it
-  output_free,        ///< the output `which` moves while the inputs rest
-  outputs_held,       ///< no output moves
-  redundant,          ///< an element more than needed, and it follows from the others
-  freewheel_lets_go,  ///< the element `which` would have to hold a torque that it does not hold
-  freewheel_engages   ///< the element `which` would have to slip in the sense in which it holds
+  input_held,          ///< the input `which` cannot move
+  inputs_coupled,      ///< the input `which` cannot have its speed beside those before it
+  output_free,         ///< the output `which` moves while the inputs rest
+  outputs_held,        ///< no output moves
+  redundant,           ///< an element more than needed, and it follows from the others
+  freewheel_overruns,  ///< the element `which` would have to hold a torque that it does not hold
+  freewheel_locks      ///< the element `which` would have to slip in the sense in which it holds
 };
 
 /// Numbers in SI, in the order of the plan. A rate is empty where it is not determined; of a state

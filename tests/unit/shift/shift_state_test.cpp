@@ -101,7 +101,7 @@ TEST_F(TwoSpeedTrain, IdlesWithAFreewheelOfTheOtherSign) {
   plan_.elements[1].one_way = -1;
 
   EXPECT_EQ(state({1}).kind, ShiftClass::neutral);
-  EXPECT_EQ(state({1}).cause, ShiftCause::freewheel_lets_go);
+  EXPECT_EQ(state({1}).cause, ShiftCause::freewheel_overruns);
   EXPECT_EQ(state({1}).which, 1);
 }
 
@@ -113,14 +113,14 @@ TEST_F(TwoSpeedTrain, TakesAnInputWithoutActionToDrive) {
   EXPECT_TRUE(state({1}).torques.empty());
 
   plan_.elements[1].one_way = -1;
-  EXPECT_EQ(state({1}).cause, ShiftCause::freewheel_lets_go);
+  EXPECT_EQ(state({1}).cause, ShiftCause::freewheel_overruns);
 }
 
 // With the clutch engaged the ring turns forwards: a freewheel that holds it in that sense ties up.
 TEST_F(TwoSpeedTrain, TiesUpWhereAnOpenFreewheelWouldHold) {
   plan_.elements[1].one_way = -1;
   EXPECT_EQ(state({0}).kind, ShiftClass::tie_up);
-  EXPECT_EQ(state({0}).cause, ShiftCause::freewheel_engages);
+  EXPECT_EQ(state({0}).cause, ShiftCause::freewheel_locks);
 
   plan_.elements[1].one_way = 1;
   EXPECT_EQ(state({0}).kind, ShiftClass::gear);
