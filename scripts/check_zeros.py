@@ -51,7 +51,7 @@ DECISIONS = {
     "lib/sensitivity/internal/power_value.cpp": "consistency: as of power/efficiency",
     "lib/sensitivity/reported_value.cpp": "rank: on which actions a value depends",
     "lib/statics/completed_actions.cpp": "rank: what a self-stress loads",
-    "lib/statics/friction.cpp": "search: whether another equilibrium, told of, pushes and pulls",
+    "lib/statics/one_sided_action.cpp": "search: whether another equilibrium, told of, pushes and pulls",
     "lib/statics/internal/friction_system.cpp": "rank: which actions a friction reaches",
     "lib/statics/lossy_actions.cpp": "search: which gear of a mesh drives",
 }

@@ -1,14 +1,14 @@
 #include "statics/friction.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
-#include "core/tolerance.hpp"
 #include "statics/action.hpp"
 #include "statics/coupling_wrenches.hpp"
 #include "statics/internal/friction_function.hpp"
+#include "statics/internal/friction_hold.hpp"
+#include "statics/internal/friction_loads.hpp"
 #include "statics/internal/friction_system.hpp"
 #include "statics/internal/tied_action.hpp"
 #include "statics/one_sided_action.hpp"
@@ -17,23 +17,8 @@ namespace kinestat {
 
 namespace {
 
-// What acts in a case.
-struct FrictionLoads {
-  std::span<const Primary> primaries;
-  std::span<const BodyWrench> loads;
-  std::span<const FrictionLaw> laws;
-};
-
 bool has_answer(const StaticSolution& solution) {
   return solution.status == SolveStatus::solved || solution.status == SolveStatus::underdetermined;
-}
-
-// Whether surfaces push and cables pull, but for rounding.
-bool is_one_sided(const VecX& actions, const Topology& topology) {
-  const double rounding = kConsistency * actions.cwiseAbs().maxCoeff();
-  const auto holds = [&](int a) { return actions[a] >= -rounding; };
-  return std::ranges::all_of(find_tensions(topology), holds) &&
-         std::ranges::all_of(find_contact_forces(topology), holds);
 }
 
 // The equilibrium that grows out of the one without friction, which must have an answer.
@@ -70,89 +55,6 @@ StaticSolution follow(const Mechanism& mechanism,
     }
   }
   return solution;
-}
-
-// The action that is to be known instead of the primary which nothing but friction holds: one of
-// an actuator, if there is any.
-std::optional<int> instead_of_primary(const Topology& topology, const StaticSolution& solution) {
-  const std::vector<int>& open = solution.check.undetermined;
-  for (const int a : topology.driving_actions()) {
-    if (std::ranges::find(open, a) != open.end()) {
-      return a;
-    }
-  }
-  return open.empty() ? std::nullopt : std::optional(open.front());
-}
-
-// Where equilibrium without friction contradicts one known action, that of another member is
-// unknown in its place: the equilibria in which it presses one way or the other, and friction holds
-// what is known. None where some of them stay unknown.
-std::vector<VecX> find_held_by_friction(const Mechanism& mechanism,
-                                        const CoordinateBasis& basis,
-                                        const FrictionLoads& given,
-                                        const StaticSolution& frictionless) {
-  const std::vector<Dependence>& relations = frictionless.check.dependences;
-  const std::optional<int> open = instead_of_primary(mechanism.topology, frictionless);
-  if (relations.size() != 1 || relations.front().terms.empty() || !open) {
-    return {};
-  }
-  const int held = relations.front().terms.front().index;
-  std::vector<Primary> primaries(given.primaries.begin(), given.primaries.end());
-  const auto place = std::ranges::find(primaries, held, &Primary::index);
-  if (place == primaries.end()) {
-    return {};
-  }
-  const double known = place->value;
-  place->index = *open;
-  place->value = 0.0;
-  if (solve_action(mechanism, basis, primaries, given.loads).status != SolveStatus::solved) {
-    return {};
-  }
-  const FrictionSystem system(mechanism, basis, primaries, given.loads, given.laws);
-  place->value = 1.0;
-  const FrictionSystem with_one(mechanism, basis, primaries, given.loads, given.laws);
-  ChosenFrictions chosen;
-  for (std::size_t i = 0; i < given.laws.size(); ++i) {
-    chosen.laws.push_back(i);
-  }
-  const auto count = static_cast<Eigen::Index>(given.laws.size());
-  const VecX by_one = with_one.frictionless() - system.frictionless();
-  FrictionCondition condition{.constant = system.frictionless()[held] - known,
-                              .slopes = VecX(count + 1)};
-  std::vector<FrictionFunction> functions;
-  for (const std::size_t i : chosen.laws) {
-    FrictionFunction function = system.function_of(i, chosen.laws);
-    const FrictionFunction moved = with_one.function_of(i, chosen.laws);
-    for (std::size_t p = 0; p < function.forces.size(); ++p) {
-      PressingForce& force = function.forces[p];
-      force.slopes.conservativeResize(Eigen::NoChange, count + 1);
-      force.slopes.col(count) = moved.forces[p].constant - force.constant;
-    }
-    functions.push_back(std::move(function));
-    condition.slopes[static_cast<Eigen::Index>(i)] = system.response(i)[held];
-  }
-  condition.slopes[count] = by_one[held];
-  // From so far that nothing but the open action presses.
-  constexpr double kFar = 1e6;
-  const double size = std::abs(known) / mechanism.geometry.length + std::abs(known) +
-                      system.frictionless().cwiseAbs().maxCoeff();
-  std::vector<VecX> found;
-  for (const double side : {1.0, -1.0}) {
-    VecX start = VecX::Zero(count + 1);
-    start[count] = side * kFar * size;
-    const std::optional<VecX> f = solve_friction(functions, condition, start);
-    if (!f) {
-      continue;
-    }
-    chosen.magnitudes = f->head(count);
-    const VecX actions = system.actions_with(chosen) + (*f)[count] * by_one;
-    const bool is_new =
-        found.empty() || (actions - found.front()).norm() > kConsistency * actions.norm();
-    if (is_new && is_one_sided(actions, mechanism.topology)) {
-      found.push_back(actions);
-    }
-  }
-  return found;
 }
 
 double drag_of(const PressingPart& cable,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/tolerance.hpp"
 #include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
@@ -62,6 +63,13 @@ std::vector<CouplingId> find_pushed_segments(const Mechanism& mechanism,
 
 std::vector<int> find_pulling_contacts(const Mechanism& mechanism, const StaticSolution& solution) {
   return find_negative(solution, find_contact_forces(mechanism.topology));
+}
+
+bool is_one_sided(const VecX& actions, const Topology& topology) {
+  const double rounding = kConsistency * actions.cwiseAbs().maxCoeff();
+  const auto holds = [&](int a) { return actions[a] >= -rounding; };
+  return std::ranges::all_of(find_tensions(topology), holds) &&
+         std::ranges::all_of(find_contact_forces(topology), holds);
 }
 
 }  // namespace kinestat

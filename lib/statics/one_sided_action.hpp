@@ -24,4 +24,7 @@ std::vector<CouplingId> find_pushed_segments(const Mechanism& mechanism,
 /// The actions of contacts that are negative, beyond rounding.
 std::vector<int> find_pulling_contacts(const Mechanism& mechanism, const StaticSolution& solution);
 
+/// Whether of all actions [N·m or N] surfaces push and cables pull, but for rounding.
+bool is_one_sided(const VecX& actions, const Topology& topology);
+
 }  // namespace kinestat
