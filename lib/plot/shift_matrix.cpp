@@ -64,7 +64,9 @@ class MatrixDrawing {
   }
 
   void make_columns() {
-    TextCells ratio = {.head = "ratio", .cells = {}};
+    const std::string unit = gear_ratio_units(analysis_).front().ratio.unit;
+    TextCells ratio = {.head = unit.empty() ? "ratio" : fmt::format("ratio [{}]", unit),
+                       .cells = {}};
     TextCells step = {.head = "step", .cells = {}};
     TextCells efficiency = {.head = "efficiency", .cells = {}};
     bool is_lossy = false;

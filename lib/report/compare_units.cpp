@@ -54,7 +54,7 @@ std::optional<ReportUnits> ReportUnits::read(const Json& report, std::string& pr
     }
   }
   result.read_couplings(report);
-  result.read_cases(report);
+  result.read_ratios(report);
   result.read_motion(report);
   result.read_synthesis(report);
   return result;
@@ -107,8 +107,8 @@ void ReportUnits::read_couplings(const Json& report) {
   }
 }
 
-// One that is no unit is not told.
-void ReportUnits::read_cases(const Json& report) {
+// One that is no unit is not reported.
+void ReportUnits::read_ratios(const Json& report) {
   const auto read = [this](const Json& text) {
     const auto unit = read_unit(text.is_string() ? text.get<std::string>() : "");
     const auto* known = std::get_if<ValueUnit>(&unit);
@@ -116,10 +116,17 @@ void ReportUnits::read_cases(const Json& report) {
     result.kind = "ratio";
     return result;
   };
-  for (const auto& [label, one] : member(report, "cases").items()) {
-    rate_ratios_[label] = read(member(one, "ratio_unit"));
-    action_ratios_[label] = read(member(one, "torque_ratio_unit"));
-  }
+  const Json& shift = member(report, "shift");
+  const auto read_all = [&](const char* key, RatioUnits& units) {
+    for (const auto& [label, one] : member(report, "cases").items()) {
+      units.of_cases[label] = read(member(one, key));
+    }
+    for (const auto& [output, unit] : member(shift, key).items()) {
+      units.of_outputs[output] = read(unit);
+    }
+  };
+  read_all("ratio_unit", rate_ratios_);
+  read_all("torque_ratio_unit", action_ratios_);
 }
 
 // A motion writes the unit of each drive and of each column beside it. One that is no unit is not
@@ -178,9 +185,9 @@ ValueUnit ReportUnits::unit_of(const Shape* shape, const std::vector<std::string
     case Told::action:
       return action(label);
     case Told::rate_ratio:
-      return ratio(rate_ratios_, label);
+      return ratio(rate_ratios_, labels);
     case Told::action_ratio:
-      return ratio(action_ratios_, label);
+      return ratio(action_ratios_, labels);
     case Told::coefficient:
       return labels.size() < 2 ? unknown() : coefficient(labels[labels.size() - 2], label);
     case Told::drive:
@@ -233,10 +240,17 @@ ValueUnit ReportUnits::action(std::string_view name) const {
   return is_force ? of(QuantityKind::force) : unknown();
 }
 
-// Its case names the unit where input and output differ. Where there is no such case, the ratio of
-// two alike is bare; which two it is of, the report does not tell.
-ValueUnit ReportUnits::ratio(const Units& of_cases, std::string_view label) const {
-  if (const auto at = of_cases.find(label); at != of_cases.end()) {
+// Its case names the unit where input and output differ, or the shift table, there by output if it
+// has several. Where neither does, the ratio of two alike is bare; which two it is of, the report
+// does not say.
+ValueUnit ReportUnits::ratio(const RatioUnits& units,
+                             const std::vector<std::string>& labels) const {
+  if (const auto at = units.of_cases.find(labels.empty() ? "" : labels.back());
+      labels.size() < 2 && at != units.of_cases.end()) {
+    return at->second;
+  }
+  if (const auto at = units.of_outputs.find(labels.size() < 2 ? "" : labels.back());
+      at != units.of_outputs.end()) {
     return at->second;
   }
   const bool are_alike = std::ranges::all_of(actuators_, [this](const auto& one) {

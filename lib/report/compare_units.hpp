@@ -38,10 +38,15 @@ class ReportUnits {
  private:
   using Units = std::map<std::string, ValueUnit, std::less<>>;
 
+  struct RatioUnits {
+    Units of_cases;
+    Units of_outputs;  // of a shift table; a single one without a name
+  };
+
   std::optional<std::string> read_file_units(const Json& report);
   std::optional<std::string> read_parameters(const Json& report);
   void read_couplings(const Json& report);
-  void read_cases(const Json& report);
+  void read_ratios(const Json& report);
   void read_motion(const Json& report);
   void read_synthesis(const Json& report);
 
@@ -49,7 +54,7 @@ class ReportUnits {
   ValueUnit unknown() const;
   ValueUnit rate(std::string_view freedom) const;
   ValueUnit action(std::string_view name) const;
-  ValueUnit ratio(const Units& of_cases, std::string_view label) const;
+  ValueUnit ratio(const RatioUnits& units, const std::vector<std::string>& labels) const;
   ValueUnit magnitude(std::string_view name) const;
   ValueUnit parameter(std::string_view name) const;
   ValueUnit per_length() const;
@@ -59,8 +64,8 @@ class ReportUnits {
   ValueUnit coefficient(std::string_view magnitude, std::string_view parameter) const;
 
   FileUnits units_;
-  Units rate_ratios_;    // by case
-  Units action_ratios_;  // likewise
+  RatioUnits rate_ratios_;
+  RatioUnits action_ratios_;
   Units parameters_;
   std::vector<std::pair<std::string, ValueUnit>> drives_;  // by name
   Units columns_;

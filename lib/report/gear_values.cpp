@@ -25,6 +25,25 @@ const CaseAnalysis* find_gear_case(const Analysis& analysis, const NamedShiftSta
   return &*at;
 }
 
+namespace {
+
+// One to each output.
+std::vector<RatiosInUnits> in_file_units(const Analysis& analysis,
+                                         int input,
+                                         const std::vector<Ratios>& to_outputs) {
+  const std::vector<int>& outputs = analysis.shift->plan.outputs;
+  std::vector<RatiosInUnits> ratios;
+  for (std::size_t o = 0; o < outputs.size(); ++o) {
+    ratios.push_back(ratios_in_units(to_outputs[o],
+                                     {.input = input, .output = outputs[o]},
+                                     analysis.mechanism,
+                                     analysis.description.units));
+  }
+  return ratios;
+}
+
+}  // namespace
+
 GearValues gear_values(const Analysis& analysis, std::size_t state) {
   const NamedShiftState& gear = analysis.shift->solution.states[state];
   const CaseAnalysis& one = *find_gear_case(analysis, gear);
@@ -39,16 +58,14 @@ GearValues gear_values(const Analysis& analysis, std::size_t state) {
 std::vector<RatiosInUnits> gear_ratios(const Analysis& analysis,
                                        std::size_t state,
                                        const GearValues& gear) {
-  const ShiftPlan& plan = analysis.shift->plan;
   const CaseAnalysis& one = *find_gear_case(analysis, analysis.shift->solution.states[state]);
-  std::vector<RatiosInUnits> ratios;
-  for (std::size_t o = 0; o < plan.outputs.size(); ++o) {
-    ratios.push_back(ratios_in_units(gear.ratios[o],
-                                     {.input = one.which.inputs.front(), .output = plan.outputs[o]},
-                                     analysis.mechanism,
-                                     analysis.description.units));
-  }
-  return ratios;
+  return in_file_units(analysis, one.which.inputs.front(), gear.ratios);
+}
+
+std::vector<RatiosInUnits> gear_ratio_units(const Analysis& analysis) {
+  const ShiftPlan& plan = analysis.shift->plan;
+  return in_file_units(
+      analysis, plan.inputs.front().actuator, std::vector<Ratios>(plan.outputs.size(), Ratios{}));
 }
 
 }  // namespace kinestat

@@ -20,4 +20,7 @@ std::vector<RatiosInUnits> gear_ratios(const Analysis& analysis,
                                        std::size_t state,
                                        const GearValues& gear);
 
+/// The units of these ratios, which are those of every gear, without values.
+std::vector<RatiosInUnits> gear_ratio_units(const Analysis& analysis);
+
 }  // namespace kinestat

@@ -1,5 +1,6 @@
 #include "report/shift_record.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "report/gear_values.hpp"
@@ -39,29 +40,51 @@ std::string reason_of(const StateView& v) {
   return reason;
 }
 
-// One output has its value, several a value each by name.
-auto write_by_output(RatioInUnits RatiosInUnits::*which) {
+// What one output has, or a map of what several have by name.
+template <class Write>
+void write_outputs(const Analysis& analysis, Archive& to, const Write& write) {
+  const std::vector<int>& outputs = analysis.shift->plan.outputs;
+  if (outputs.size() == 1) {
+    write(std::size_t{0});
+    return;
+  }
+  to.begin_map();
+  for (std::size_t o = 0; o < outputs.size(); ++o) {
+    Property output;
+    output.key = output.table_quantity = name_of_actuator(analysis, outputs[o]);
+    if (to.begin(output)) {
+      write(o);
+      to.end(output);
+    }
+  }
+  to.end_map();
+}
+
+auto write_ratio(RatioInUnits RatiosInUnits::*which) {
   return [which](const StateView& v, Archive& to) {
-    if (v.ratios.size() <= 1) {
-      to.number(v.ratios.empty() ? std::nullopt : (v.ratios.front().*which).value, {});
+    if (v.ratios.empty()) {
+      to.number(std::nullopt, {});
       return;
     }
-    to.begin_map();
-    for (std::size_t o = 0; o < v.ratios.size(); ++o) {
-      Property output;
-      output.key = output.table_quantity =
-          name_of_actuator(v.analysis, v.analysis.shift->plan.outputs[o]);
-      if (to.begin(output)) {
-        to.number((v.ratios[o].*which).value, {});
-        to.end(output);
-      }
-    }
-    to.end_map();
+    write_outputs(v.analysis, to, [&](std::size_t o) {
+      to.number((v.ratios[o].*which).value, (v.ratios[o].*which).unit);
+    });
   };
 }
 
-Shape by_output_shape(Told measure) {
-  Shape shape = number_shape(measure, true);
+auto write_ratio_unit(RatioInUnits RatiosInUnits::*which) {
+  return [which](const Analysis& v, Archive& to) {
+    const std::vector<RatiosInUnits> units = gear_ratio_units(v);
+    write_outputs(v, to, [&](std::size_t o) { to.text((units[o].*which).unit); });
+  };
+}
+
+bool have_ratios_units(const Analysis& v) {
+  return std::ranges::any_of(gear_ratio_units(v),
+                             [](const RatiosInUnits& one) { return !one.ratio.unit.empty(); });
+}
+
+Shape by_output(Shape shape) {
   shape.may_be_by_name = true;
   return shape;
 }
@@ -163,10 +186,10 @@ void add_gear(Record<StateView>& keys) {
               [](const StateView& v) { return v.step; })
       .only_if(is_gear);
   keys.custom("torque_ratio",
-              by_output_shape(Told::action_ratio),
+              by_output(number_shape(Told::action_ratio, true)),
               "Action of the input over that of the output without losses, of several outputs by "
               "name.",
-              write_by_output(&RatiosInUnits::torque_ratio))
+              write_ratio(&RatiosInUnits::torque_ratio))
       .only_if(is_gear);
   keys.word("direction",
             {"forward", "reverse"},
@@ -235,10 +258,10 @@ const Record<StateView>& state_record() {
                "What the engaged elements leave of the net degree of freedom.",
                [](const View& v) { return v.state.state.freedom; });
     keys.custom("ratio",
-                by_output_shape(Told::rate_ratio),
+                by_output(number_shape(Told::rate_ratio, true)),
                 "Rate of the input over that of the output, of several outputs by name; null "
                 "where it does not exist.",
-                write_by_output(&RatiosInUnits::ratio));
+                write_ratio(&RatiosInUnits::ratio));
     add_gear(keys);
   });
   return record;
@@ -335,6 +358,21 @@ const Record<Analysis>& shift_record() {
                    "Number of elements that a gear engages: the net degree of freedom less the "
                    "inputs.",
                    [](const Analysis& v) { return v.shift->solution.needed; });
+        keys.custom("ratio_unit",
+                    by_output(word_shape({}, false)),
+                    "Unit of the ratios, of several outputs by name; no key where input and "
+                    "outputs are alike.",
+                    write_ratio_unit(&RatiosInUnits::ratio))
+            .not_in_tables()
+            .not_compared()
+            .only_if(have_ratios_units);
+        keys.custom("torque_ratio_unit",
+                    by_output(word_shape({}, false)),
+                    "Likewise of the torque ratios.",
+                    write_ratio_unit(&RatiosInUnits::torque_ratio))
+            .not_in_tables()
+            .not_compared()
+            .only_if(have_ratios_units);
         keys.map("states",
                  state_record(),
                  "By label, or by elements joined with +; gears by falling ratio, then reverse "

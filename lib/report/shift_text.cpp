@@ -151,10 +151,14 @@ class ShiftTables {
     }
     std::vector<TextColumn> columns = {names("Gear", 0, gears_.size())};
     add_marks(0, gears_.size(), columns);
+    const std::vector<RatiosInUnits> units = gear_ratio_units(analysis_);
+    const auto with_unit = [](std::string head, const RatioInUnits& ratio) {
+      return ratio.unit.empty() ? head : fmt::format("{} [{}]", head, ratio.unit);
+    };
     for (std::size_t o = 0; o < plan_.outputs.size(); ++o) {
       const std::string to = plan_.outputs.size() == 1 ? "" : " " + actuator_name(plan_.outputs[o]);
       add_column(
-          "ratio" + to,
+          with_unit("ratio" + to, units[o].ratio),
           [o](const ShownGear& gear) { return number_or_dash(gear.ratios[o].ratio.value); },
           columns);
     }
@@ -165,7 +169,7 @@ class ShiftTables {
     add_efficiencies(columns);
     if (plan_.outputs.size() == 1 && plan_.asks_actions) {
       add_column(
-          "torque ratio",
+          with_unit("torque ratio", units.front().torque_ratio),
           [](const ShownGear& gear) {
             return number_or_dash(gear.ratios.front().torque_ratio.value);
           },
