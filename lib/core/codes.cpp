@@ -279,8 +279,8 @@ constexpr auto kErrorCodes = std::to_array<Code>({
     {"E0503",
      no_answer,
      "velocities are too large",
-     "A velocity is beyond what a double holds (about 1e308). The answer is proportional to the "
-     "known motions, so smaller ones show it."},
+     "A velocity is above 1e150 in SI units: products with it would leave the range of a double. "
+     "The answer is proportional to the known motions, so smaller ones show it."},
     {"E0504",
      no_answer,
      "mechanism cannot be assembled",
@@ -340,7 +340,8 @@ constexpr auto kErrorCodes = std::to_array<Code>({
     {"E0603",
      no_answer,
      "actions are too large",
-     "An action is beyond what a double holds (about 1e308). The answer is proportional to the "
+     "An action is above 1e150 in SI units: products with it would leave the range of a double. "
+     "The answer is proportional to the "
      "known actions and loads, so smaller ones show it."},
     {"E0604",
      wrong_input,

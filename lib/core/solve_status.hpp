@@ -10,7 +10,7 @@ enum class SolveStatus {
   underdetermined,  ///< too few known magnitudes
   dependent,        ///< known magnitudes follow from each other
   inconsistent,     ///< known magnitudes contradict the equations
-  overflow,         ///< the answer is too large for a number
+  overflow,         ///< a magnitude is above kLargestMagnitude
   locked,           ///< friction grows without bound: nothing moves so
   at_rest           ///< friction has no direction, because what it acts on does not move
 };

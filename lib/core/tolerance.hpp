@@ -68,6 +68,10 @@ inline constexpr double kFarOrigin = 8.0;
 /// The largest length or angle [SI]. Products of five of them still stay within a double.
 inline constexpr double kLargestNumber = 1e60;
 
+/// The largest velocity, force or moment, given or found [SI]. Products of two of them, and sums of
+/// these, still stay within a double.
+inline constexpr double kLargestMagnitude = 1e150;
+
 /// An axis shorter than this (of components given as plain numbers) has no direction.
 inline constexpr double kZeroAxis = 1e-12;
 

@@ -81,7 +81,7 @@ class ExpressionRecorder {
                : std::nullopt;
   }
 
-  // As operate does it.
+  // The operations of `operate` that a tape can record; none of the others.
   std::optional<TapeQuantity> record_operation(const Node& node,
                                                const TapeQuantity& a,
                                                const TapeQuantity& b,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/rounding.hpp"
+#include "core/tolerance.hpp"
 #include "kinematics/bounded_motion.hpp"
 #include "math/bounded_solve.hpp"
 #include "math/data_zero.hpp"
@@ -65,10 +66,13 @@ double drawing_error(const Mechanism& mechanism) {
   return mechanism.frictions.empty() && mechanism.lossy_meshes.empty() ? 0.0 : kDataRounding;
 }
 
-bool is_finite(const KinematicSolution& solution) {
-  return std::ranges::all_of(solution.rates, [](double rate) { return std::isfinite(rate); }) &&
-         std::ranges::all_of(solution.bodies,
-                             [](const Twist& twist) { return twist.coordinates().allFinite(); });
+// Whether no number is too large, or none at all.
+bool is_in_range(const KinematicSolution& solution) {
+  const auto holds = [](double x) { return std::abs(x) <= kLargestMagnitude; };
+  return std::ranges::all_of(solution.rates, holds) &&
+         std::ranges::all_of(solution.bodies, [&](const Twist& twist) {
+           return std::ranges::all_of(twist.coordinates(), holds);
+         });
 }
 
 }  // namespace
@@ -115,7 +119,7 @@ KinematicSolution solve_velocity(const Mechanism& mechanism,
   solution.residual = solved.solution.residual;
   solution.answer = evidence_of(topology, basis, solved, counts);
   fill(mechanism, basis, solved.solution.x, solution);
-  if (!is_finite(solution)) {
+  if (!is_in_range(solution)) {
     solution.status = SolveStatus::overflow;
   }
   return solution;

@@ -76,7 +76,7 @@ std::optional<double> number_of(const SlotExpression& value,
   const std::optional<Quantity> quantity = value.evaluate(slots, scratch);
   if (quantity && is_bare(quantity->dimension) && units.scale(kind) == UnitScale{} &&
       std::abs(quantity->value) <= kLargestNumber) {
-    return quantity->value;  // as fit has it
+    return quantity->value;  // no unit and no limit for `fit` to look at
   }
   const auto fitted = quantity ? fit<double>(*quantity, kind, units)
                                : std::variant<double, ExpressionError>(ExpressionError{});

@@ -44,12 +44,14 @@ std::vector<bool> determined_actions(const Mechanism& mechanism, const PrimaryCh
   return result;
 }
 
-bool is_finite(const StaticSolution& solution) {
+// Whether no number is too large, or none at all.
+bool is_in_range(const StaticSolution& solution) {
+  const auto holds = [](double x) { return std::abs(x) <= kLargestMagnitude; };
   return std::ranges::all_of(
              solution.magnitudes,
-             [](const std::optional<double>& m) { return std::isfinite(m.value_or(0.0)); }) &&
-         std::ranges::all_of(solution.wrenches, [](const std::optional<Wrench>& wrench) {
-           return wrench.value_or(Wrench{}).coordinates().allFinite();
+             [&](const std::optional<double>& m) { return holds(m.value_or(0.0)); }) &&
+         std::ranges::all_of(solution.wrenches, [&](const std::optional<Wrench>& wrench) {
+           return std::ranges::all_of(wrench.value_or(Wrench{}).coordinates(), holds);
          });
 }
 
@@ -103,7 +105,7 @@ StaticSolution solve_tied_action(const Mechanism& mechanism,
   }
   fill_magnitudes(actions.magnitudes, solution);
   make_wrenches(mechanism, solution);
-  if (!is_finite(solution)) {
+  if (!is_in_range(solution)) {
     solution.status = SolveStatus::overflow;
     solution.magnitudes.clear();
     solution.wrenches.clear();

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <concepts>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,7 +30,7 @@ Number in_si(const Number& count, const UnitScale& unit) {
   }
 }
 
-/// Whether answers are proportional to it: what is too large then shows in the answer.
+/// Whether answers are proportional to it.
 inline bool is_known_magnitude(QuantityKind kind) {
   using enum QuantityKind;
   return kind == force || kind == moment || kind == velocity || kind == angular_velocity;
@@ -39,7 +38,7 @@ inline bool is_known_magnitude(QuantityKind kind) {
 
 /// The largest number of a kind that is computed with [SI].
 inline double largest_number(QuantityKind kind) {
-  return is_known_magnitude(kind) ? std::numeric_limits<double>::max() : kLargestNumber;
+  return is_known_magnitude(kind) ? kLargestMagnitude : kLargestNumber;
 }
 
 /// The number in SI that a value has become, unless it is too large to be computed with or a unit
@@ -54,7 +53,7 @@ std::variant<Number, ExpressionError> in_range(const Number& given,
     return too_large();
   }
   if (std::abs(after) > largest_number(kind)) {
-    return beyond_computing();
+    return beyond_computing(largest_number(kind));
   }
   if (after == 0.0 && before != 0.0) {
     return too_small();

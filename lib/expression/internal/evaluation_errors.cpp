@@ -51,12 +51,16 @@ ExpressionError too_large() {
           .hint = "write a smaller number"};
 }
 
-ExpressionError beyond_computing() {
+ExpressionError beyond_computing(double largest) {
   return {.code = "E0320",
           .message = "the value is beyond what can be computed with",
-          .hint = fmt::format("numbers of a mechanism reach to {:g} in SI units; for a point that "
-                              "is infinitely far write a direction",
-                              kLargestNumber)};
+          .hint = largest == kLargestNumber
+                      ? fmt::format("numbers of a mechanism reach to {:g} in SI units; for a point "
+                                    "that is infinitely far write a direction",
+                                    largest)
+                      : fmt::format("velocities, forces and moments reach to {:g} in SI units; "
+                                    "write a smaller one, to which the answer is proportional",
+                                    largest)};
 }
 
 ExpressionError too_small() {

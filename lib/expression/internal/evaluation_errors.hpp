@@ -24,8 +24,8 @@ ExpressionError misfit(const Dimension& dimension, QuantityKind kind);
 /// A value that a unit of the file makes infinite.
 ExpressionError too_large();
 
-/// A value above kLargestNumber in SI.
-ExpressionError beyond_computing();
+/// A value above the largest of its kind in SI, kLargestNumber or kLargestMagnitude.
+ExpressionError beyond_computing(double largest);
 
 /// A value that is not zero until a unit of the file makes it so.
 ExpressionError too_small();

@@ -333,7 +333,7 @@ void add_action_status_findings(const JudgedFile& file,
   } else if (action.status == SolveStatus::overflow) {
     found.error("E0603",
                 one.which.where,
-                fmt::format("case '{}': actions are too large for a number", one.which.label),
+                fmt::format("case '{}': actions are too large to be computed with", one.which.label),
                 one.which.loads.empty()
                     ? "give smaller actions; the answer is proportional to them"
                     : "give smaller actions and loads; the answer is proportional to them");

@@ -65,7 +65,7 @@ void add_motion_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFi
   } else if (motion.status == SolveStatus::overflow) {
     found.error("E0503",
                 one.which.where,
-                fmt::format("case '{}': velocities are too large for a number", one.which.label),
+                fmt::format("case '{}': velocities are too large to be computed with", one.which.label),
                 "give smaller motions; the answer is proportional to them");
   } else if (motion.status == SolveStatus::underdetermined && !is_idle_gear(file, one)) {
     found.error("E0501",

@@ -37,7 +37,7 @@ bool has_solved_motion(const CaseAnalysis& one) {
   return one.motion && one.motion->status == SolveStatus::solved;
 }
 
-// Of a case whose ratio is asked for and has no value: 0/0 where the input rests, too.
+// Of a case whose ratio is asked for and has no value.
 std::string_view ratio_status(const CaseAnalysis& one, const Topology& topology) {
   if (!has_solved_motion(one) || one.which.inputs.empty()) {
     return "solved";
@@ -47,10 +47,14 @@ std::string_view ratio_status(const CaseAnalysis& one, const Topology& topology)
         static_cast<std::size_t>(topology.actuators[static_cast<std::size_t>(input)].freedom);
     return one.motion->rates[freedom] == 0.0;
   });
-  return is_input_at_rest ? "locked" : "no_ratio";
+  return status_without_ratio(is_input_at_rest);
 }
 
 }  // namespace
+
+std::string_view status_without_ratio(bool is_input_at_rest) {
+  return is_input_at_rest ? "locked" : "no_ratio";
+}
 
 std::string_view row_status(const CaseAnalysis& one,
                             const SweepTask& task,

@@ -254,7 +254,6 @@ TapedSolver::TapedRatios TapedSolver::find_ratios(const TapedCase& taped, std::s
   return ratios;
 }
 
-// As row_status says it of what is solved.
 std::string_view TapedSolver::status_of(const TapedCase& taped,
                                         const TapedRatios& ratios,
                                         std::size_t lane) {
@@ -263,7 +262,7 @@ std::string_view TapedSolver::status_of(const TapedCase& taped,
   }
   const bool rests =
       std::ranges::all_of(read(taped.input_rates, lane), [](double rate) { return rate == 0.0; });
-  return rests ? "locked" : "no_ratio";
+  return status_without_ratio(rests);
 }
 
 void TapedSolver::fill_ratios(const TapedCase& taped,
@@ -282,13 +281,13 @@ void TapedSolver::fill_ratios(const TapedCase& taped,
 bool TapedSolver::fill_columns(std::span<const TapedColumn> columns,
                                std::size_t lane,
                                SweepRow& row) const {
-  int infinite = 0;
+  int too_large = 0;
   for (const TapedColumn& one : columns) {
     const double value = workspace_.number(one.cell, lane);
     row.values[one.column] = value;
-    infinite += std::isfinite(value) ? 0 : 1;
+    too_large += std::abs(value) <= kLargestMagnitude ? 0 : 1;
   }
-  return infinite == 0;
+  return too_large == 0;
 }
 
 // Whether no cable pushes and no contact pulls.
@@ -297,7 +296,7 @@ bool TapedSolver::is_possible(const TapedCase& taped, std::size_t lane) const {
       taped.one_sided, [&](std::size_t cell) { return workspace_.number(cell, lane) >= 0.0; });
 }
 
-// False where a number is not finite, or the case is no gear or not possible in this state.
+// False where a number is too large, or the case is no gear or not possible in this state.
 bool TapedSolver::fill_case(std::size_t i, std::size_t lane, SweepRow& row) {
   const TapedCase& taped = tapes_.cases[i];
   if ((task_.gears[i] && !drives_output(taped, lane)) || !is_possible(taped, lane) ||
