@@ -4,6 +4,7 @@
 
 #include "core/utf8.hpp"
 #include "report/case_text.hpp"
+#include "report/report_parts.hpp"
 #include "report/shift_text.hpp"
 #include "report/table.hpp"
 
@@ -69,12 +70,6 @@ std::string mobility_text(const MobilityCounts& counts) {
 }
 
 }  // namespace
-
-std::string title_text(const std::string& file, const MechanismDescription& description) {
-  const std::string name = printable(description.name.empty() ? file : description.name);
-  return description.source.empty() ? name + "\n"
-                                    : fmt::format("{} ({})\n", name, printable(description.source));
-}
 
 std::string analysis_text(const Analysis& analysis) {
   std::string text = head_text(analysis) + mobility_text(analysis.mobility);

@@ -11,7 +11,4 @@ namespace kinestat {
 /// with units. Columns that are zero throughout are left out.
 std::string analysis_text(const Analysis& analysis);
 
-/// The first line of a report: the mechanism's name, or its file, and its source.
-std::string title_text(const std::string& file, const MechanismDescription& description);
-
 }  // namespace kinestat

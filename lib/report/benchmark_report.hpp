@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "benchmark/trade_off.hpp"
-#include "report/file_report.hpp"
+#include "core/diagnostic.hpp"
+#include "description/mechanism_description.hpp"
+#include "report/report_forms.hpp"
 
 namespace kinestat {
 

@@ -15,7 +15,7 @@
 #include "report/compare_json_text.hpp"
 #include "report/compare_place.hpp"
 #include "report/compare_units.hpp"
-#include "report/record_schema.hpp"
+#include "report/report_kinds.hpp"
 
 namespace kinestat {
 

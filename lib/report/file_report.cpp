@@ -13,15 +13,6 @@
 
 namespace kinestat {
 
-std::string_view json_signature() {
-  return "{\n  \"kinestat\": {";
-}
-
-std::string_view csv_signature() {
-  // Tables may have more columns.
-  return kCsvHeader.substr(0, kCsvHeader.size() - 1);
-}
-
 FileReport make_report(const Analysis& analysis, const ReportForms& forms, Diagnostics& found) {
   return make_certified_report(analysis, {}, nullptr, forms, found);
 }

@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "description/mechanism_description.hpp"
 #include "mechanism/mechanism.hpp"
 #include "network/network_matrices.hpp"
-#include "report/file_report.hpp"
+#include "report/report_forms.hpp"
 
 namespace kinestat {
 

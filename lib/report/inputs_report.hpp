@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "core/diagnostic.hpp"
+#include "description/mechanism_description.hpp"
 #include "inputs/cable_tension.hpp"
 #include "inputs/input_sets.hpp"
 #include "math/rank.hpp"
-#include "report/file_report.hpp"
+#include "report/report_forms.hpp"
 
 namespace kinestat {
 

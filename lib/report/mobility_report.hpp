@@ -4,9 +4,11 @@
 #include <optional>
 #include <string>
 
+#include "core/diagnostic.hpp"
+#include "description/mechanism_description.hpp"
 #include "mobility/mobility.hpp"
 #include "motion/finite_mobility.hpp"
-#include "report/file_report.hpp"
+#include "report/report_forms.hpp"
 
 namespace kinestat {
 

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include "mechanism/label_kind.hpp"
-#include "report/analysis_text.hpp"
 #include "report/in_units.hpp"
 #include "report/mobility_words.hpp"
 #include "report/numbers.hpp"
 #include "report/redundancy_text.hpp"
+#include "report/report_parts.hpp"
 
 namespace kinestat {
 

@@ -1,6 +1,5 @@
 #include "report/motion_report.hpp"
 
-#include "report/analysis_text.hpp"
 #include "report/motion_csv.hpp"
 #include "report/motion_text.hpp"
 #include "report/report_parts.hpp"

@@ -3,9 +3,10 @@
 
 #include <string>
 
+#include "core/diagnostic.hpp"
 #include "report/analysis.hpp"
-#include "report/file_report.hpp"
 #include "report/motion_table.hpp"
+#include "report/report_forms.hpp"
 
 namespace kinestat {
 

@@ -1,20 +1,11 @@
 #include "report/record_schema.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "core/version.hpp"
-#include "report/benchmark_record.hpp"
-#include "report/compare_text.hpp"
-#include "report/diagnostic_json.hpp"
-#include "report/inputs_record.hpp"
-#include "report/mobility_record.hpp"
-#include "report/report_record.hpp"
-#include "report/sensitivity_record.hpp"
-#include "report/sweep_record.hpp"
-#include "report/synthesis_record.hpp"
+#include "report/json_values.hpp"
 
 namespace kinestat {
 
@@ -142,7 +133,9 @@ Json schema_of(const Shape& shape, const std::string& meaning) {
   return schema;
 }
 
-NamedSchema named(const std::string& name, const RecordShape& record) {
+}  // namespace
+
+std::string schema_text_of(std::string_view name, const RecordShape& record) {
   Shape whole;
   whole.form = Shape::Form::object;
   whole.record = &record;
@@ -150,55 +143,7 @@ NamedSchema named(const std::string& name, const RecordShape& record) {
   schema["$schema"] = "http://json-schema.org/draft-07/schema#";
   schema["title"] = fmt::format("kinestat {}, version {}", name, kReportVersion);
   schema.update(schema_of(whole, record.meaning));
-  return {.name = name, .text = schema.dump(2) + "\n"};
-}
-
-// Those of reports on mechanism files that are told by their keys.
-std::span<const RecordShape* const> own_reports() {
-  static const std::vector<const RecordShape*> records = {&benchmark_report_record(),
-                                                          &inputs_report_record(),
-                                                          &mobility_report_record(),
-                                                          &sensitivity_report_record(),
-                                                          &synthesis_report_record()};
-  return records;
-}
-
-// Whether the report has no other keys, and all that it must have.
-bool has_keys_of(const RecordShape& record, const Json& report) {
-  const auto is_known = [&](const auto& item) {
-    return std::ranges::find(record.properties, item.key(), &Property::key) !=
-           record.properties.end();
-  };
-  const auto keys = report.items();
-  return std::all_of(keys.begin(), keys.end(), is_known) &&
-         std::ranges::all_of(record.properties, [&](const Property& property) {
-           return property.is_optional || report.contains(property.key);
-         });
-}
-
-}  // namespace
-
-const RecordShape& record_of(const Json& report) {
-  for (const RecordShape* record : own_reports()) {
-    if (has_keys_of(*record, report)) {
-      return *record;
-    }
-  }
-  return report_record();
-}
-
-std::span<const NamedSchema> record_schemas() {
-  static const std::vector<NamedSchema> schemas = {
-      named("bench", benchmark_report_record()),
-      named("comparison", comparison_record()),
-      named("diagnostics", diagnostics_line_record()),
-      named("inputs", inputs_report_record()),
-      named("mobility", mobility_report_record()),
-      named("report", report_record()),
-      named("sensitivity", sensitivity_report_record()),
-      named("sweep", sweep_summary_record()),
-      named("synthesis", synthesis_report_record())};
-  return schemas;
+  return schema.dump(2) + "\n";
 }
 
 }  // namespace kinestat

@@ -1,24 +1,14 @@
-// JSON Schemas of what the program writes, from its records.
+// The JSON Schema of what the program writes, from its record.
 #pragma once
 
-#include <span>
 #include <string>
+#include <string_view>
 
 #include "record/shape.hpp"
-#include "report/json_values.hpp"
 
 namespace kinestat {
 
-/// A schema and the name by which it is asked for.
-struct NamedSchema {
-  std::string name;
-  std::string text;  ///< draft 07
-};
-
-/// Of every JSON that has a record.
-std::span<const NamedSchema> record_schemas();
-
-/// The record of a report by the keys that it has; that of an analysis where none fits.
-const RecordShape& record_of(const Json& report);
+/// Draft 07; the name is that by which the schema is asked for.
+std::string schema_text_of(std::string_view name, const RecordShape& record);
 
 }  // namespace kinestat

@@ -1,8 +1,8 @@
 // The keys that reports of all forms share.
 #pragma once
 
+#include "report/diagnostic_record.hpp"
 #include "report/mechanism_record.hpp"
-#include "report/report_record.hpp"
 
 namespace kinestat {
 

@@ -1,7 +1,9 @@
 #include "report/report_parts.hpp"
 
+#include <fmt/format.h>
+
 #include "core/utf8.hpp"
-#include "report/report_record.hpp"
+#include "report/diagnostic_record.hpp"
 
 namespace kinestat {
 
@@ -14,6 +16,12 @@ Json diagnostics_json(const Diagnostics& found) {
 
 std::string name_in_tables(const std::string& file, const MechanismDescription& description) {
   return description.name.empty() ? printable(file) : description.name;
+}
+
+std::string title_text(const std::string& file, const MechanismDescription& description) {
+  const std::string name = printable(description.name.empty() ? file : description.name);
+  return description.source.empty() ? name + "\n"
+                                    : fmt::format("{} ({})\n", name, printable(description.source));
 }
 
 void add_json(const Json& json, const ReportForms& forms, FileReport& report) {

@@ -16,6 +16,9 @@ Json diagnostics_json(const Diagnostics& found);
 /// The name by which tables call the mechanism: its title or, without one, its file.
 std::string name_in_tables(const std::string& file, const MechanismDescription& description);
 
+/// The first line of a report: the mechanism's name, or its file, and its source.
+std::string title_text(const std::string& file, const MechanismDescription& description);
+
 /// JSON as the forms want it.
 void add_json(const Json& json, const ReportForms& forms, FileReport& report);
 

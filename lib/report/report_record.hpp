@@ -27,8 +27,4 @@ struct ReportView {
 
 const Record<ReportView>& report_record();
 
-/// Writes the diagnostics as a list.
-void write_diagnostics(const Diagnostics& found, Archive& to);
-Shape diagnostics_shape();
-
 }  // namespace kinestat

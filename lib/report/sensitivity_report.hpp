@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "report/file_report.hpp"
+#include "core/diagnostic.hpp"
+#include "description/mechanism_description.hpp"
+#include "report/report_forms.hpp"
 #include "report/text_blocks.hpp"
 
 namespace kinestat {

@@ -1,6 +1,5 @@
 #include "report/shift_report.hpp"
 
-#include "report/analysis_text.hpp"
 #include "report/report_parts.hpp"
 #include "report/report_record.hpp"
 #include "report/shift_text.hpp"

@@ -1,8 +1,9 @@
 // The shift table of one file in the forms of a report.
 #pragma once
 
+#include "core/diagnostic.hpp"
 #include "report/analysis.hpp"
-#include "report/file_report.hpp"
+#include "report/report_forms.hpp"
 
 namespace kinestat {
 

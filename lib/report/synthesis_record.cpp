@@ -8,6 +8,7 @@
 
 #include "core/utf8.hpp"
 #include "math/digit_limits.hpp"
+#include "report/diagnostic_record.hpp"
 #include "report/found_linkage_record.hpp"
 #include "report/mechanism_record.hpp"
 #include "report/report_record.hpp"

@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "core/diagnostic.hpp"
 #include "description/mechanism_description.hpp"
-#include "report/file_report.hpp"
+#include "report/report_forms.hpp"
 #include "synthesis/burmester.hpp"
 #include "synthesis/few_positions.hpp"
 #include "synthesis/selection.hpp"

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "math/digit_limits.hpp"
-#include "report/analysis_text.hpp"
 #include "report/linkage_text.hpp"
 #include "report/position_text.hpp"
+#include "report/report_parts.hpp"
 
 namespace kinestat {
 

@@ -6,7 +6,7 @@
 
 #include "expression/file_units.hpp"
 #include "record/record.hpp"
-#include "report/file_report.hpp"
+#include "report/report_forms.hpp"
 
 namespace kinestat {
 

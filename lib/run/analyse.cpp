@@ -10,10 +10,10 @@
 #include "report/certified_report.hpp"
 #include "run/certainty_findings.hpp"
 #include "run/each_file.hpp"
+#include "run/find_motion.hpp"
+#include "run/find_synthesis.hpp"
 #include "run/findings.hpp"
 #include "run/gears.hpp"
-#include "run/motion.hpp"
-#include "run/synthesis.hpp"
 
 namespace kinestat {
 

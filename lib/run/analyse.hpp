@@ -5,27 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "core/accuracy.hpp"
 #include "run/certified_cases.hpp"
-#include "run/load.hpp"
-#include "run/outcome.hpp"
-#include "run/output.hpp"
+#include "run/file_options.hpp"
+#include "run/loaded.hpp"
 
 namespace kinestat {
-
-/// What goes to standard output.
-enum class StreamFormat { table, json, csv };
-
-struct AnalyseOptions {
-  LoadOptions load;
-  StreamFormat format = StreamFormat::table;
-  OutputOptions output;
-  Strictness strictness = Strictness::normal;
-  DiagnosticsForm diagnostics = DiagnosticsForm::text;
-  AccuracyRequest accuracy{.accuracy = Accuracy::automatic};
-  bool is_quiet = false;   ///< no table on standard output
-  bool fail_fast = false;  ///< stop after the first file that fails
-};
 
 /// Analyses every file; one that fails does not stop the others. JSON of several files is one
 /// object a line.

@@ -7,7 +7,7 @@
 
 #include "benchmark/interleaved_times.hpp"
 #include "report/benchmark_report.hpp"
-#include "run/analyse.hpp"
+#include "run/file_options.hpp"
 
 namespace kinestat {
 

@@ -5,7 +5,7 @@
 
 #include "report/analysis.hpp"
 #include "report/certainty.hpp"
-#include "run/load.hpp"
+#include "run/loaded.hpp"
 
 namespace kinestat {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "report/compare_tolerance.hpp"
-#include "run/analyse.hpp"
+#include "run/file_options.hpp"
 #include "run/outcome.hpp"
 
 namespace kinestat {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "report/file_report.hpp"
-#include "run/analyse.hpp"
+#include "run/file_options.hpp"
 
 namespace kinestat {
 

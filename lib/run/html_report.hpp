@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/atomic_file.hpp"
-#include "run/analyse.hpp"
+#include "run/file_options.hpp"
 
 namespace kinestat {
 

@@ -8,8 +8,7 @@
 #include "core/diagnostic.hpp"
 #include "core/source.hpp"
 #include "io/read_file.hpp"
-#include "mechanism/mechanism.hpp"
-#include "report/analysis.hpp"
+#include "run/loaded.hpp"
 
 namespace kinestat {
 
@@ -20,12 +19,6 @@ using Override = std::string;
 struct LoadOptions {
   std::vector<Override> overrides;  ///< of --set
   ReadLimits limits;                ///< of --max-file-size
-};
-
-struct Loaded {
-  MechanismDescription description;
-  Mechanism mechanism;
-  std::optional<ShiftAnalysis> shift;  ///< whose gears are among the cases
 };
 
 /// Reads and applies the overrides. `source` keeps the text for messages, also when the result is

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "report/mobility_report.hpp"
-#include "run/analyse.hpp"
+#include "run/file_options.hpp"
 
 namespace kinestat {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "benchmark/interleaved_times.hpp"
-#include "run/analyse.hpp"
+#include "run/file_options.hpp"
 
 namespace kinestat {
 

@@ -7,9 +7,26 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "format/schema.hpp"
+#include "report/compare_text.hpp"
+#include "report/diagnostic_json.hpp"
 #include "report/record_schema.hpp"
+#include "report/report_kinds.hpp"
+#include "report/sweep_record.hpp"
 
 namespace kinestat {
+
+namespace {
+
+// All JSON that the program writes.
+std::vector<ReportKind> written_kinds() {
+  std::vector<ReportKind> kinds = {{"comparison", &comparison_record()},
+                                   {"diagnostics", &diagnostics_line_record()},
+                                   {"sweep", &sweep_summary_record()}};
+  kinds.insert(kinds.end(), report_kinds().begin(), report_kinds().end());
+  return kinds;
+}
+
+}  // namespace
 
 Outcome schema_text(const std::string& name) {
   Outcome outcome;
@@ -18,12 +35,12 @@ Outcome schema_text(const std::string& name) {
     return outcome;
   }
   std::vector<std::string> names = {"mechanism"};
-  for (const NamedSchema& schema : record_schemas()) {
-    if (schema.name == name) {
-      outcome.out = schema.text;
+  for (const ReportKind& kind : written_kinds()) {
+    if (kind.name == name) {
+      outcome.out = schema_text_of(kind.name, *kind.record);
       return outcome;
     }
-    names.push_back(schema.name);
+    names.emplace_back(kind.name);
   }
   std::ranges::sort(names);
   const std::string guess = did_you_mean(name, names);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "run/analyse.hpp"
+#include "run/file_options.hpp"
 
 namespace kinestat {
 

@@ -6,7 +6,7 @@
 
 #include "core/accuracy.hpp"
 #include "report/analysis.hpp"
-#include "run/load.hpp"
+#include "run/loaded.hpp"
 
 namespace kinestat {
 

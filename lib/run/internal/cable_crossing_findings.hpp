@@ -5,7 +5,7 @@
 
 #include "motion/configuration.hpp"
 #include "run/internal/case_findings.hpp"
-#include "run/motion.hpp"
+#include "run/internal/found_motion.hpp"
 
 namespace kinestat {
 

@@ -3,7 +3,7 @@
 
 #include "core/diagnostic.hpp"
 #include "report/synthesis_report.hpp"
-#include "run/synthesis.hpp"
+#include "run/internal/synthesis_options.hpp"
 
 namespace kinestat {
 

@@ -3,7 +3,8 @@
 
 #include "core/diagnostic.hpp"
 #include "report/synthesis_report.hpp"
-#include "run/synthesis.hpp"
+#include "run/internal/synthesis_options.hpp"
+#include "run/output.hpp"
 
 namespace kinestat {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "report/motion_table.hpp"
-#include "run/motion.hpp"
+#include "run/internal/found_motion.hpp"
 
 namespace kinestat {
 

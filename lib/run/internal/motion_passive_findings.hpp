@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/diagnostic.hpp"
-#include "run/motion.hpp"
+#include "run/internal/found_motion.hpp"
 
 namespace kinestat {
 

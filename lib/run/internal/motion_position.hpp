@@ -8,7 +8,7 @@
 #include "motion/motion_state.hpp"
 #include "report/analysis.hpp"
 #include "run/internal/case_speeds.hpp"
-#include "run/motion.hpp"
+#include "run/internal/found_motion.hpp"
 
 namespace kinestat {
 

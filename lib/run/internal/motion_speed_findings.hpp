@@ -1,7 +1,7 @@
 // Why rows of a finite motion have no velocities or accelerations.
 #pragma once
 
-#include "run/motion.hpp"
+#include "run/internal/found_motion.hpp"
 
 namespace kinestat {
 

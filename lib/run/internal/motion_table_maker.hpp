@@ -2,8 +2,8 @@
 #pragma once
 
 #include "report/motion_table.hpp"
+#include "run/internal/found_motion.hpp"
 #include "run/internal/position_findings.hpp"
-#include "run/motion.hpp"
 
 namespace kinestat {
 

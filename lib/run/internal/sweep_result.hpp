@@ -6,7 +6,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/chunk_record.hpp"
-#include "run/sweep.hpp"
+#include "run/internal/sweep_options.hpp"
 
 namespace kinestat {
 

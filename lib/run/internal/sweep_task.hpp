@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "report/sweep_quantity.hpp"
+#include "run/internal/sweep_options.hpp"
 #include "run/internal/sweep_tapes.hpp"
 #include "run/internal/swept_gears.hpp"
 #include "run/load.hpp"
-#include "run/sweep.hpp"
 #include "sweep/sweep_plan.hpp"
 
 namespace kinestat {
