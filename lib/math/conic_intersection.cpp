@@ -9,7 +9,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include "core/tolerance.hpp"
+#include "core/synthesis_tolerance.hpp"
 #include "math/internal/macaulay_matrix.hpp"
 
 namespace kinestat {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/contract.hpp"
-#include "core/tolerance.hpp"
+#include "core/synthesis_tolerance.hpp"
 #include "math/conic_intersection.hpp"
 #include "synthesis/internal/condition_rows.hpp"
 #include "synthesis/internal/condition_space.hpp"

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/synthesis_tolerance.hpp"
 #include "synthesis/degeneracy.hpp"
 #include "synthesis/dyad.hpp"
 #include "synthesis/position_jets.hpp"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/contract.hpp"
+#include "core/synthesis_tolerance.hpp"
 #include "core/tolerance.hpp"
 #include "math/polynomial.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/synthesis_tolerance.hpp"
 #include "core/tolerance.hpp"
 #include "synthesis/internal/condition_rows.hpp"
 #include "synthesis/internal/jets.hpp"

@@ -7,6 +7,7 @@
 
 #include "core/contract.hpp"
 #include "core/rounding.hpp"
+#include "core/synthesis_tolerance.hpp"
 #include "core/tolerance.hpp"
 #include "core/types.hpp"
 #include "synthesis/bounded_point.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/tolerance.hpp"
+#include "core/synthesis_tolerance.hpp"
 
 namespace kinestat {
 

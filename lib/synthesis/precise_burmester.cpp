@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/contract.hpp"
+#include "core/synthesis_tolerance.hpp"
 #include "core/tolerance.hpp"
 #include "math/conic_intersection.hpp"
 #include "synthesis/bounded_point.hpp"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/contract.hpp"
+#include "core/synthesis_tolerance.hpp"
 #include "core/tolerance.hpp"
 
 namespace kinestat {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/contract.hpp"
+#include "core/synthesis_tolerance.hpp"
 #include "core/tolerance.hpp"
 #include "synthesis/special_frame.hpp"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/synthesis_tolerance.hpp"
 #include "core/tolerance.hpp"
 
 namespace kinestat {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/contract.hpp"
-#include "core/tolerance.hpp"
+#include "core/synthesis_tolerance.hpp"
 
 namespace kinestat {
 

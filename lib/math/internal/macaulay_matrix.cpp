@@ -11,7 +11,7 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
-#include "core/tolerance.hpp"
+#include "core/synthesis_tolerance.hpp"
 
 namespace kinestat {
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "core/tolerance.hpp"
+#include "core/synthesis_tolerance.hpp"
 
 namespace kinestat {
 

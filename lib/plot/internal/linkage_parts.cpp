@@ -125,7 +125,7 @@ class PartFinder {
   }
 
   void add_wheel(const Wheel& wheel) {
-    const double near = kSameLinkage * mechanism_.geometry.length;
+    const double near = kDrawnTogether * mechanism_.geometry.length;
     const bool is_known = std::ranges::any_of(result_.wheels, [&](const Wheel& other) {
       return other.body == wheel.body && other.kind == wheel.kind &&
              (other.centre - wheel.centre).norm() <= near &&

@@ -87,7 +87,7 @@ class WheelFinder {
     const std::vector<HingeLine> lines = lines_of(*carrier);
     const bool is_shared = std::ranges::any_of(lines, [&](const HingeLine& of_carrier) {
       const Vec3 between = of_carrier.point - line.point;
-      return between.cross(line.direction).norm() <= kSameLinkage * mechanism_.geometry.length;
+      return between.cross(line.direction).norm() <= kDrawnTogether * mechanism_.geometry.length;
     });
     return is_shared ? 1 : 2;
   }

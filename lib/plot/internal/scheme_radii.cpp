@@ -240,7 +240,7 @@ class ColumnFinder {
 
   static bool overlap(const Span& a, const Span& b) {
     const double common = std::min(a.high, b.high) - std::max(a.low, b.low);
-    return common > kRoughPoint * std::max(a.high, b.high);
+    return common > kDrawnTogether * std::max(a.high, b.high);
   }
 
   const SchemeTrain& train_;

@@ -118,7 +118,7 @@ class TrainFinder {
     return (point - line).cross(along).norm();
   }
 
-  double near() const { return kSameLinkage * analysis_.mechanism.geometry.length; }
+  double near() const { return kDrawnTogether * analysis_.mechanism.geometry.length; }
 
   // About which most wheels turn; rings above all.
   Vec3 main_axis(const std::vector<MeshWheels>& meshes, const Vec3& along) const {

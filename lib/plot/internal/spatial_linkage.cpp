@@ -42,7 +42,7 @@ double least_distance(const LinkageView& view, const std::vector<Vec3>& places, 
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < places.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if ((places[i] - places[j]).norm() > kSameLinkage * length) {
+      if ((places[i] - places[j]).norm() > kDrawnTogether * length) {
         const PixelPoint between = view.at(places[i]) - view.at(places[j]);
         least = std::min(least, length_of(between));
       }
@@ -122,7 +122,7 @@ class SpatialDrawing : private LinkageDrawer {
   bool is_shared_place(CouplingId id) const {
     for (int other = 0; other < topology_.coupling_count(); ++other) {
       const double apart = (place(CouplingId{other}) - place(id)).norm();
-      if (other != id.value && apart <= kSameLinkage * geometry_.length) {
+      if (other != id.value && apart <= kDrawnTogether * geometry_.length) {
         return true;
       }
     }

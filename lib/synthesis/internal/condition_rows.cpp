@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/contract.hpp"
-#include "core/tolerance.hpp"
+#include "core/synthesis_tolerance.hpp"
 #include "math/big_float.hpp"
 
 namespace kinestat {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/synthesis_tolerance.hpp"
 #include "core/tolerance.hpp"
 
 namespace kinestat {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/rounding.hpp"
+#include "core/synthesis_tolerance.hpp"
 #include "core/tolerance.hpp"
 #include "math/dense_solve.hpp"
 #include "synthesis/bounded_point.hpp"
