@@ -11,7 +11,6 @@
 #include "report/diagnostic_record.hpp"
 #include "report/found_linkage_record.hpp"
 #include "report/mechanism_record.hpp"
-#include "report/report_record.hpp"
 #include "report/selection_record.hpp"
 #include "synthesis/dyad_record.hpp"
 #include "synthesis/plane_record.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "report/file_report.hpp"
+#include "report/report_forms.hpp"
 #include "run/file_options.hpp"
 
 namespace kinestat {

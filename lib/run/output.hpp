@@ -6,7 +6,7 @@
 
 #include "core/diagnostic.hpp"
 #include "io/atomic_file.hpp"
-#include "report/file_report.hpp"
+#include "report/report_forms.hpp"
 
 namespace kinestat {
 
