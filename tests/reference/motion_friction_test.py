@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+"""Holds motions with friction against closed forms where what slides comes to rest.
+
+Usage: motion_friction_test.py PROGRAM MECHANISMS [unittest arguments]
+"""
+
+from __future__ import annotations
+
+import motion_case
+import program
+from motion_case import Motion, MotionTest
+
+# Upright, the crank is a quarter of a turn past the dead centre of a slide with friction.
+SLIDE_WITH_FRICTION = """\
+kinestat: 1
+space: planar
+units: {length: mm, angle: deg}
+ground: g
+bodies: [crank, rod, ram]
+couplings:
+  a: {type: revolute, bodies: [g, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, rod], at: [0, 40]}
+  c: {type: revolute, bodies: [rod, ram], at: [120, 0]}
+  d: {type: prismatic, bodies: [g, ram], at: [120, 0], axis: x, friction: 0.1}
+actuators: {m: {coupling: a}, o: {coupling: d}}
+cases: {c: {motion: {m: 10 rad/s}, action: {o: 900 N}}}
+motion: {drive: m, to: 360 deg, steps: %d, case: c, report: [action]}
+"""
+
+# The pin slides in its slot by cos of the angle of the crank, which starts at atan(3/4).
+YOKE = """\
+kinestat: 1
+space: planar
+ground: frame
+bodies: [crank, yoke]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  s: {type: pin_in_slot, bodies: [crank, yoke], at: [0.8, 0.6], slot: y, friction: 0.2}
+  d: {type: prismatic, bodies: [frame, yoke], at: [2, 0], axis: x}
+actuators: {Tin: {coupling: a}, F: {coupling: d}}
+cases: {one: {motion: {Tin: 1 rad/s}, action: {F: -10 N}, input: Tin, output: F}}
+motion:
+  drive: Tin
+  to: 2*(90 deg - atan(0.75))
+  steps: %d
+  case: one
+  report: [velocity, action]
+"""
+
+
+class FrictionInSlides(MotionTest):
+    def test_turns_round_at_dead_points_whatever_the_steps(self) -> None:
+        for steps in (36, 50, 71, 72):
+            done = program.call("motion", "-", text=SLIDE_WITH_FRICTION % steps)
+            self.assertEqual(done.returncode, 0, f"{steps} steps: {done.stderr}")
+            self.assertNotIn("E0604", done.stderr, f"{steps} steps")
+            self.assertIn("friction of 'd' turns round", done.stderr, f"{steps} steps")
+            self.assertIn("and 1 more time", done.stderr, f"{steps} steps")
+
+
+class FrictionInSlots(MotionTest):
+    def test_turns_round_where_the_pin_does_whatever_the_steps(self) -> None:
+        for steps in (1, 2, 3, 6, 7):
+            done = program.call("motion", "-", text=YOKE % steps)
+            self.assertEqual(done.returncode, 0, f"{steps} steps: {done.stderr}")
+            self.assertIn("friction of 's' turns round", done.stderr, f"{steps} steps")
+            self.assertNotIn("E0604", done.stderr, f"{steps} steps")
+            status = Motion(program.report(done))["status"]
+            dead = {steps // 2} if steps % 2 == 0 else set()
+            self.assertEqual({r for r, one in enumerate(status) if one == "dead_point"}, dead)
+
+    def test_rests_at_the_ends_of_a_range_as_it_does_within(self) -> None:
+        """The pin runs along the slot as sin(a), from -90 to 90 deg."""
+        ends = YOKE.replace("to:", "from: -90 deg - atan(0.75)\n  to:")
+        ends = ends.replace("2*(90 deg - atan(0.75))", "90 deg - atan(0.75)")
+        for steps in (2, 3, 8):
+            done = program.call("motion", "-", text=ends % steps)
+            self.assertEqual(done.returncode, 0, f"{steps} steps: {done.stderr}")
+            self.assertIn("friction of 's' turns round at Tin = -2.2143 rad, and 1 more time",
+                          done.stderr)
+            status = Motion(program.report(done))["status"]
+            self.assertEqual(status, ["dead_point", *["solved"] * (steps - 1), "dead_point"])
+
+
+IN_LINE_WITH_FRICTION = """kinestat: 1
+name: in-line slider-crank, drawn at its outer dead centre
+units: {angle: deg}
+space: planar
+ground: frame
+bodies: [crank, rod, slide]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, rod], at: [1, 0]}
+  c: {type: revolute, bodies: [rod, slide], at: [4, 0]}
+  d: {type: prismatic, bodies: [frame, slide], at: [4, 0], axis: x, friction: 0.1}
+actuators: {Tin: {coupling: a}, F: {coupling: d}}
+cases: {one: {motion: {Tin: 1 rad/s}, action: {F: -10 N}, input: Tin, output: F}}
+motion: {drive: Tin, to: %s deg, steps: %d, case: one, report: [action]}
+"""
+
+
+class DeadCentresAtTheEnds(MotionTest):
+    def test_are_events_and_leave_open_what_those_on_the_way_do(self) -> None:
+        for end, steps in ((360, 4), (360, 8), (360, 7), (180, 3), (-180, 3), (540, 12)):
+            done = program.call("motion", "-", text=IN_LINE_WITH_FRICTION % (end, steps))
+            self.assertEqual(done.returncode, 0, f"{end} deg: {done.stderr}")
+            self.assertNotIn("E0604", done.stderr)
+            self.assertIn("friction of 'd' turns round at Tin = 0 deg", done.stderr)
+            motion = Motion(program.report(done))
+            dead = [r for r in range(steps + 1) if r * end % (180 * steps) == 0]
+            self.assertEqual([r for r, one in enumerate(motion["status"]) if one == "dead_point"],
+                             dead)
+            places = motion.events("dead_point", "d.vx")
+            sense = 1 if end > 0 else -1
+            self.assertEqual(len(places), abs(end) // 180 + 1)
+            for k, place in enumerate(places):
+                self.close(place, sense * 180.0 * k, 1e-6, f"to {end} deg")
+
+    def test_a_friction_that_never_slides_has_no_dead_point(self) -> None:
+        still = IN_LINE_WITH_FRICTION.replace("Tin: 1 rad/s", "Tin: 0 rad/s") % (180, 3)
+        done = program.call("motion", "-", text=still)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("E0604", done.stderr)
+
+
+if __name__ == "__main__":
+    motion_case.main()
