@@ -87,7 +87,7 @@ const Record<KinematicView>& kinematic_record() {
                    [](const KinematicView& v) { return v.motion.counts.net_freedom; })
             .not_in_tables();
         keys.numbers("freedoms",
-                     Told::rate,
+                     ByContext::rate,
                      "Rate of every freedom (head relative to tail) by coupling.freedom, in the "
                      "unit of angular velocity or of velocity; null where it is not determined.",
                      emit_rates)

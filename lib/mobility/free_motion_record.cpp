@@ -64,7 +64,7 @@ const Record<FreeMotionView>& free_motion_record() {
           return v.motion.is_passive();
         });
         keys.numbers("freedoms",
-                     Told::relative,
+                     ByContext::relative,
                      "Rates by the name of the freedom, in the units of the file; those at rest "
                      "are left out.",
                      emit_rates);

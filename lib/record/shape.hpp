@@ -21,7 +21,7 @@ enum class Bare {
 };
 
 /// Where another part of the report says what a number measures.
-enum class Told {
+enum class ByContext {
   rate,          ///< velocity or angular velocity: the name of the freedom
   action,        ///< force or moment: the name of the action or the actuator
   rate_ratio,    ///< of input and output: the unit beside it, bare where both are alike
@@ -38,9 +38,9 @@ enum class Told {
 
 /// The word in schemas, and of those without a unit also in tolerances of `compare`.
 std::string_view word_of(Bare measure);
-std::string_view word_of(Told measure);
+std::string_view word_of(ByContext measure);
 
-using Measure = std::variant<QuantityKind, Bare, Told>;
+using Measure = std::variant<QuantityKind, Bare, ByContext>;
 
 struct RecordShape;
 

@@ -18,31 +18,31 @@ std::string_view word_of(Bare measure) {
   return "";
 }
 
-std::string_view word_of(Told measure) {
+std::string_view word_of(ByContext measure) {
   switch (measure) {
-    case Told::rate:
+    case ByContext::rate:
       return "velocity or angular velocity, as the freedom says";
-    case Told::action:
+    case ByContext::action:
       return "force or moment, as the action says";
-    case Told::rate_ratio:
+    case ByContext::rate_ratio:
       return "ratio of the rates of input and output";
-    case Told::action_ratio:
+    case ByContext::action_ratio:
       return "ratio of the actions of input and output";
-    case Told::coefficient:
+    case ByContext::coefficient:
       return "rate or action per parameter";
-    case Told::beside:
+    case ByContext::beside:
       return "in the unit beside it";
-    case Told::drive:
+    case ByContext::drive:
       return "in the unit of the drive";
-    case Told::column:
+    case ByContext::column:
       return "in the unit of the column";
-    case Told::coordinate:
+    case ByContext::coordinate:
       return "angle or length, as the input says";
-    case Told::per_length:
+    case ByContext::per_length:
       return "per length";
-    case Told::per_first:
+    case ByContext::per_first:
       return "rate or action per the first of them";
-    case Told::relative:
+    case ByContext::relative:
       return "relative to other numbers";
   }
   return "";

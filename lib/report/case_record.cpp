@@ -70,14 +70,14 @@ void add_ratios(Record<CaseView>& keys) {
     return v.one.ratios && !read_ratio_unit(&RatiosInUnits::ratio)(v).empty();
   };
   keys.converted("ratio",
-                 Told::rate_ratio,
+                 ByContext::rate_ratio,
                  "Rate of the input over rate of the output; null where it does not exist, see "
                  "reason. Without unit where both are alike.",
                  read_ratio(&RatiosInUnits::ratio))
       .not_in_tables()
       .only_if(has_ratios);
   keys.converted("torque_ratio",
-                 Told::action_ratio,
+                 ByContext::action_ratio,
                  "Action of the input over action of the output; null where it does not exist. "
                  "Without unit where both are alike.",
                  read_ratio(&RatiosInUnits::torque_ratio))
@@ -143,7 +143,7 @@ void write_all_affine(const CaseView& v, Archive& to) {
 }
 
 Shape affine_shape() {
-  Shape of_magnitude = map_shape(number_shape(Told::coefficient, false));
+  Shape of_magnitude = map_shape(number_shape(ByContext::coefficient, false));
   of_magnitude.is_nullable = true;
   return map_shape(std::move(of_magnitude));
 }
@@ -165,7 +165,7 @@ const Record<CaseView>& case_kinematic_record() {
   static const Record<CaseView> record(kinematic_record().meaning, [](Record<CaseView>& keys) {
     keys.include(kinematic_record(), motion_of);
     keys.converted(
-            "ratio", Told::rate_ratio, "That of the case.", read_ratio(&RatiosInUnits::ratio))
+            "ratio", ByContext::rate_ratio, "That of the case.", read_ratio(&RatiosInUnits::ratio))
         .only_in_tables()
         .only_if(has_ratios);
   });
@@ -176,7 +176,7 @@ const Record<CaseView>& case_static_record() {
   static const Record<CaseView> record(static_record().meaning, [](Record<CaseView>& keys) {
     keys.include(static_record(), actions_of);
     keys.converted("torque_ratio",
-                   Told::action_ratio,
+                   ByContext::action_ratio,
                    "That of the case.",
                    read_ratio(&RatiosInUnits::torque_ratio))
         .only_in_tables()

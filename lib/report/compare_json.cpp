@@ -104,14 +104,14 @@ class Collector {
 
  private:
   ValueUnit unit_of(const Visited& at) const {
-    const auto* told = at.shape != nullptr ? std::get_if<Told>(&at.shape->measure) : nullptr;
+    const auto* told = at.shape != nullptr ? std::get_if<ByContext>(&at.shape->measure) : nullptr;
     if (told == nullptr || at.object == nullptr) {
       return units_.unit_of(at.shape, at.labels);
     }
     switch (*told) {
-      case Told::beside:
+      case ByContext::beside:
         return units_.beside(*at.object);
-      case Told::per_first:
+      case ByContext::per_first:
         return units_.magnitude_per(at.labels.back(), at.object->begin().key());
       default:
         return units_.unit_of(at.shape, at.labels);

@@ -123,7 +123,7 @@ void write_compared(const std::optional<ReportValue>& value, Archive& to) {
 }
 
 Shape compared_shape() {
-  Shape shape = number_shape(Told::beside, true);
+  Shape shape = number_shape(ByContext::beside, true);
   shape.form = Shape::Form::cell;
   return shape;
 }
@@ -160,13 +160,13 @@ void add_amounts(Record<Difference>& keys) {
   using View = Difference;
   const auto has_amount = [](const View& v) { return v.type == DifferenceType::number; };
   keys.number("difference",
-              Told::beside,
+              ByContext::beside,
               "Of two numbers: the magnitude of their difference.",
               [](const View& v) { return v.amount; })
       .at_least(0)
       .only_if(has_amount);
   keys.number("tolerance",
-              Told::beside,
+              ByContext::beside,
               "Of two numbers: the difference that would still be equal.",
               [](const View& v) { return v.allowed; })
       .at_least(0)

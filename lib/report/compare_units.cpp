@@ -179,28 +179,28 @@ ValueUnit ReportUnits::unit_of(const Shape* shape, const std::vector<std::string
     return *bare == Bare::count ? count_unit() : bare_unit(std::string(word_of(*bare)));
   }
   const std::string label = labels.empty() ? "" : labels.back();
-  switch (std::get<Told>(shape->measure)) {
-    case Told::rate:
+  switch (std::get<ByContext>(shape->measure)) {
+    case ByContext::rate:
       return rate(label);
-    case Told::action:
+    case ByContext::action:
       return action(label);
-    case Told::rate_ratio:
+    case ByContext::rate_ratio:
       return ratio(rate_ratios_, labels);
-    case Told::action_ratio:
+    case ByContext::action_ratio:
       return ratio(action_ratios_, labels);
-    case Told::coefficient:
+    case ByContext::coefficient:
       return labels.size() < 2 ? unknown() : coefficient(labels[labels.size() - 2], label);
-    case Told::drive:
+    case ByContext::drive:
       return drive(label);
-    case Told::column:
+    case ByContext::column:
       return column(label);
-    case Told::coordinate:
+    case ByContext::coordinate:
       return coordinate(labels);
-    case Told::per_length:
+    case ByContext::per_length:
       return per_length();
-    case Told::beside:
-    case Told::per_first:
-    case Told::relative:
+    case ByContext::beside:
+    case ByContext::per_first:
+    case ByContext::relative:
       return unknown();
   }
   return unknown();

@@ -201,7 +201,7 @@ void add_actuators(Record<CableTensionView>& keys) {
             "No smaller number does; false: another choice of drives might need fewer.",
             [](const View& v) { return v.cables.is_possible && v.cables.is_least(); });
   keys.numbers("drives",
-               Told::action,
+               ByContext::action,
                "Freedoms whose actuators pull against each other, with their actions, of tail on "
                "head, for a tension of at least one unit of force in each segment; empty where the "
                "cables keep themselves in tension.",

@@ -24,7 +24,7 @@ const Record<ParameterView>& parameter_record() {
               [](const View& v) { return v.parameter.value.expression.text(); })
         .not_compared();
     keys.number("value",
-                Told::beside,
+                ByContext::beside,
                 "Its value.",
                 [](const View& v) { return v.unit.scale.from_si(v.value->value); })
         .only_if(has_value);
@@ -205,7 +205,7 @@ const Record<LabelledMatrix>& matrix_record() {
                [](const View& v, const EachName& each) { emit_labels(v.columns, each); })
         .ordered();
     keys.custom("values",
-                list_shape(list_shape(number_shape(Told::relative, false))),
+                list_shape(list_shape(number_shape(ByContext::relative, false))),
                 "Entries row by row; lengths in the unit of length.",
                 write_entries);
   });

@@ -102,7 +102,7 @@ const Record<RedundantConstraintView>& redundant_constraint_record() {
           return view_of(v.one.axis, v.mechanism.geometry.origin);
         });
         keys.numbers("actions",
-                     Told::relative,
+                     ByContext::relative,
                      "Shares by the name of the action, in the units of the file: for one unit of "
                      "the wrench, or of the first action where it flows through several circuits.",
                      emit_shares);

@@ -11,16 +11,16 @@ const Record<DriveTravel>& drive_record() {
     keys.text("freedom", "The freedom that it drives, coupling.freedom.", [](const View& v) {
       return v.freedom;
     });
-    keys.number(
-        "from", Told::drive, "Where the range begins, from the drawn position.", [](const View& v) {
-          return v.from;
-        });
-    keys.number(
-        "to", Told::drive, "Where the range ends, from the drawn position.", [](const View& v) {
-          return v.to;
-        });
+    keys.number("from",
+                ByContext::drive,
+                "Where the range begins, from the drawn position.",
+                [](const View& v) { return v.from; });
+    keys.number("to",
+                ByContext::drive,
+                "Where the range ends, from the drawn position.",
+                [](const View& v) { return v.to; });
     keys.number("reached",
-                Told::drive,
+                ByContext::drive,
                 "The last position of the drive; null if there is none.",
                 [](const View& v) { return v.reached; });
     keys.text("unit",
@@ -75,7 +75,7 @@ void write_rows(const MotionTable& v, Archive& to) {
 }
 
 Shape rows_shape() {
-  Shape cell = number_shape(Told::column, true);
+  Shape cell = number_shape(ByContext::column, true);
   cell.form = Shape::Form::cell;
   return list_shape(list_shape(std::move(cell)));
 }
@@ -97,7 +97,7 @@ const Record<MotionEvent>& event_record() {
                [](const View& v) { return v.step; })
         .at_least(-1);
     keys.custom("drive",
-                list_shape(number_shape(Told::drive, true)),
+                list_shape(number_shape(ByContext::drive, true)),
                 "Position of each drive.",
                 [](const View& v, Archive& to) {
                   to.begin_list();
@@ -107,7 +107,7 @@ const Record<MotionEvent>& event_record() {
                   to.end_list();
                 });
     keys.number("uncertainty",
-                Told::drive,
+                ByContext::drive,
                 "Of the position of the first drive: half of the bracket that holds it.",
                 [](const View& v) { return v.uncertainty; })
         .at_least(0)

@@ -16,7 +16,7 @@ std::string word_of(const Measure& measure) {
     return std::string(name_of(*kind));
   }
   const auto* bare = std::get_if<Bare>(&measure);
-  return std::string(bare != nullptr ? word_of(*bare) : word_of(std::get<Told>(measure)));
+  return std::string(bare != nullptr ? word_of(*bare) : word_of(std::get<ByContext>(measure)));
 }
 
 Json schema_of(const Shape& shape, const std::string& meaning);

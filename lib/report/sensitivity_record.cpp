@@ -28,7 +28,7 @@ const Record<DerivativeView>& derivative_record() {
   static const Record<View> record(
       "What one parameter does, the others being as they are.", [](Record<View>& keys) {
         keys.converted("derivative",
-                       Told::beside,
+                       ByContext::beside,
                        "d value / d parameter; null where there is none: at a corner of a formula, "
                        "or where redundant couplings would no longer fit or begin to bind.",
                        [](const View& v) {
@@ -64,8 +64,10 @@ bool is_completed(const SensitivityValue& value) {
 const Record<SensitiveValueView>& sensitive_value_record() {
   using View = SensitiveValueView;
   static const Record<View> record("One value of the report.", [](Record<View>& keys) {
-    keys.number(
-            "value", Told::beside, "The value itself.", [](const View& v) { return v.value.value; })
+    keys.number("value",
+                ByContext::beside,
+                "The value itself.",
+                [](const View& v) { return v.value.value; })
         .not_in_tables();
     keys.text("unit",
               "Unit of the value; empty if it is a plain number.",

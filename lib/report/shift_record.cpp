@@ -186,7 +186,7 @@ void add_gear(Record<StateView>& keys) {
               [](const StateView& v) { return v.step; })
       .only_if(is_gear);
   keys.custom("torque_ratio",
-              by_output(number_shape(Told::action_ratio, true)),
+              by_output(number_shape(ByContext::action_ratio, true)),
               "Action of the input over that of the output without losses, of several outputs by "
               "name.",
               write_ratio(&RatiosInUnits::torque_ratio))
@@ -258,7 +258,7 @@ const Record<StateView>& state_record() {
                "What the engaged elements leave of the net degree of freedom.",
                [](const View& v) { return v.state.state.freedom; });
     keys.custom("ratio",
-                by_output(number_shape(Told::rate_ratio, true)),
+                by_output(number_shape(ByContext::rate_ratio, true)),
                 "Rate of the input over that of the output, of several outputs by name; null "
                 "where it does not exist.",
                 write_ratio(&RatiosInUnits::ratio));

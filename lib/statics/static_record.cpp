@@ -102,7 +102,7 @@ void add_answer(Record<StaticView>& keys) {
              [](const StaticView& v) { return v.action.counts.net_constraint; })
       .not_in_tables();
   keys.numbers("actions",
-               Told::action,
+               ByContext::action,
                "Magnitude of every action (of tail on head) by coupling.action or actuator, in the "
                "unit of moment or force; null where it is not determined. See completion for those "
                "that equilibrium alone leaves open.",

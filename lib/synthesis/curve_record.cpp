@@ -28,7 +28,7 @@ const Record<PlaneCubic>& coefficients_record() {
   static const Record<View> record(
       "In the file's unit of length, the largest 1.", [](Record<View>& keys) {
         const auto add = [&](const char* key, auto get) {
-          keys.number(key, Told::relative, fmt::format("Coefficient {}.", key), get);
+          keys.number(key, ByContext::relative, fmt::format("Coefficient {}.", key), get);
         };
         add("k1", [](const View& v) { return v.k[0]; });
         add("k2", [](const View& v) { return v.k[1]; });

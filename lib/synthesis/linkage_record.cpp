@@ -92,7 +92,7 @@ void add_places(Record<DriveView>& keys) {
     return driven_dyad(v.candidate, v.verdict.drive);
   });
   keys.custom("coordinates",
-              list_shape(number_shape(Told::coordinate, true)),
+              list_shape(number_shape(ByContext::coordinate, true)),
               "Of the input in the positions: the angle of a crank from the line of centres, the "
               "displacement of a slider.",
               [](const View& v, Archive& to) {
@@ -130,7 +130,7 @@ void add_passage(Record<DriveView>& keys) {
     return v.verdict.turns_fully;
   });
   keys.told("arc",
-            Told::coordinate,
+            ByContext::coordinate,
             "What the input moves from first to last; null where it passes them in no order.",
             [](const View& v) {
               const bool passes = v.verdict.passage != Passage::none;

@@ -38,14 +38,14 @@ struct FrameView {
 void add_stationary_curvature(Record<FrameView>& keys) {
   using View = FrameView;
   keys.converted("inverse_m",
-                 Told::per_length,
+                 ByContext::per_length,
                  "1/M of the cubic of stationary curvature.",
                  [](const View& v) {
                    const auto cubic = find_stationary_curvature(v.frame);
                    return per_length(cubic ? std::optional(cubic->inverse_m) : std::nullopt,
                                      v.units);
                  });
-  keys.converted("inverse_n", Told::per_length, "1/N of it.", [](const View& v) {
+  keys.converted("inverse_n", ByContext::per_length, "1/N of it.", [](const View& v) {
     const auto cubic = find_stationary_curvature(v.frame);
     return per_length(cubic ? std::optional(cubic->inverse_n) : std::nullopt, v.units);
   });
@@ -125,7 +125,7 @@ const Record<PositionView>& position_record() {
               "not turn.",
               [](const View& v) { return find_pole(v.position); });
     keys.custom("path_curvature",
-                tuple_shape(number_shape(Told::per_length, true), 3, false),
+                tuple_shape(number_shape(ByContext::per_length, true), 3, false),
                 "K of the path of the origin, and K' and K'', its derivatives by the parameter of "
                 "the position: the angle in radians, unless 'derivatives' of the file have an "
                 "angle of their own.",

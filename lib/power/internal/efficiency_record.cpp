@@ -181,7 +181,7 @@ const Record<LossesView>& losses_record() {
             .in_tables_as("lossy_friction")
             .only_if([](const LossesView& v) { return !v.state.friction.empty(); });
         keys.numbers("actuators",
-                     Told::action,
+                     ByContext::action,
                      "Action of each actuator with all losses, of tail on head, in the unit of "
                      "moment or force; null where equilibrium leaves it open.",
                      emit_lossy_actuators)

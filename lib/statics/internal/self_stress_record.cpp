@@ -35,7 +35,7 @@ const Record<SelfStressView>& self_stress_record() {
       "One of them; its first action stands in no other.", [](Record<SelfStressView>& keys) {
         keys.names("couplings", "Couplings that take part.", emit_couplings);
         keys.numbers("actions",
-                     Told::per_first,
+                     ByContext::per_first,
                      "Magnitudes that go with 1 unit of the first action.",
                      emit_actions)
             .in_tables_as("");

@@ -120,7 +120,7 @@ const Record<PlanetShare>& planet_record() {
                    [](const PlanetShare& v) { return v.count; })
             .at_least(2);
         keys.told("each",
-                  Told::action,
+                  ByContext::action,
                   "Action of one planet, in the unit of force or of moment; null if it is not "
                   "determined.",
                   [](const PlanetShare& v) {
