@@ -41,9 +41,9 @@ std::vector<PictureKind> all_kinds() {
 
 }  // namespace
 
-std::string lack_in_cases(const PictureSource& source,
-                          bool (*counts)(const CaseAnalysis&),
-                          std::string_view what) {
+std::string why_not_in_cases(const PictureSource& source,
+                             bool (*counts)(const CaseAnalysis&),
+                             std::string_view what) {
   if (any_case(source, counts)) {
     return "";
   }
@@ -65,7 +65,7 @@ const PictureKind* find_picture_kind(std::string_view name) {
 }
 
 bool has_picture(const PictureKind& kind, const PictureSource& source) {
-  return has_need(kind.need, source) && kind.lack(source).empty();
+  return has_need(kind.need, source) && kind.why_not(source).empty();
 }
 
 }  // namespace kinestat

@@ -35,15 +35,15 @@ enum class PictureNeed { analysis, motion, synthesis, benchmark, sweep };
 /// Whether a picture is of the file, or of one of its cases.
 enum class PictureScope { file, one_case };
 
-/// A row of the catalogue. `lack` says why there is no picture, "the file has no section 'shift'",
-/// and is empty if there is one; only then the others may be called. Null where there is no such
-/// text.
+/// A row of the catalogue. `why_not` says why there is no picture, "the file has no section
+/// 'shift'", and is empty if there is one; only then the others may be called. Null where there is
+/// no such text.
 struct PictureKind {
   std::string_view name;      ///< "shift-matrix": the word of the command, and Picture::name
   std::string_view sentence;  ///< what it shows, in a few words
   PictureNeed need = PictureNeed::analysis;
   PictureScope scope = PictureScope::file;
-  std::string (*lack)(const PictureSource&) = nullptr;
+  std::string (*why_not)(const PictureSource&) = nullptr;
   Picture (*draw)(const PictureSource&) = nullptr;
   std::string (*gnuplot)(const PictureSource&) = nullptr;
   std::string (*dot)(const PictureSource&) = nullptr;

@@ -112,7 +112,7 @@ std::vector<const Line*> shown_lines(const std::vector<Line>& lines) {
 
 }  // namespace
 
-std::string sweep_lack(const SweepTable& sweep) {
+std::string why_no_curves_of_sweep(const SweepTable& sweep) {
   if (sweep.states > kMostSweptStates) {
     return fmt::format(
         "its sweep has {} states, and curves are drawn of up to {}; vary less or in larger steps, "

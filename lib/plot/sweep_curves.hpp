@@ -10,7 +10,7 @@ namespace kinestat {
 
 /// Why there are no curves, and what to do: "its 'require:' allows none of its 40 states"; empty if
 /// there are some.
-std::string sweep_lack(const SweepTable& sweep);
+std::string why_no_curves_of_sweep(const SweepTable& sweep);
 
 /// One chart a quantity, over the parameter with the most values; a series for every case and every
 /// choice of the other parameters, as far as lines can be told apart. No charts if no parameter has

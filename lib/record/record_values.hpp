@@ -49,7 +49,7 @@ class RecordValues : public RecordKeys<View> {
 
   /// Of a kind that the rest of the report tells: `get` answers value and kind.
   template <class Get>
-  Mark told(std::string key, ByContext measure, std::string text, Get get) {
+  Mark by_context(std::string key, ByContext measure, std::string text, Get get) {
     return this->add(std::move(key),
                      std::move(text),
                      number_shape(measure, true),

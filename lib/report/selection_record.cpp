@@ -9,8 +9,8 @@ namespace kinestat {
 
 namespace {
 
-// By Lack.
-constexpr std::array<const char*, kLackCount> kLackTexts = {
+// By Missing.
+constexpr std::array<const char*, kMissingCount> kMissingTexts = {
     "Their positions contradict themselves.",
     "Fewer than two real dyads that stand alone.",
     "No linkage of the kind that 'linkage' asks for."};
@@ -30,10 +30,10 @@ const Record<SelectionCounts>& rejected_record() {
   static const Record<View> record(
       "Why choices are not usable: each counts once, by the defect of its best linkage.",
       [](Record<View>& keys) {
-        for (std::size_t i = 0; i < kLackCount; ++i) {
-          keys.count(std::string(word_of(static_cast<Lack>(i))), kLackTexts[i], [i](const View& v) {
-            return v.lacks[i];
-          });
+        for (std::size_t i = 0; i < kMissingCount; ++i) {
+          keys.count(std::string(word_of(static_cast<Missing>(i))),
+                     kMissingTexts[i],
+                     [i](const View& v) { return v.missing[i]; });
         }
         for (std::size_t i = 1; i < kDefectCount; ++i) {
           keys.count(std::string(word_of(static_cast<Defect>(i))),

@@ -61,8 +61,8 @@ struct SelectionCounts {
   int samples = 0;
   int with_linkage = 0;
   int usable = 0;
-  std::array<int, kDefectCount> defects{};  ///< by Defect; of none, as many as are usable
-  std::array<int, kLackCount> lacks{};      ///< by Lack
+  std::array<int, kDefectCount> defects{};   ///< by Defect; of none, as many as are usable
+  std::array<int, kMissingCount> missing{};  ///< by Missing
 };
 
 /// A selection for one choice of the angles that a file lists.

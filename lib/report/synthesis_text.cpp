@@ -14,13 +14,13 @@ namespace kinestat {
 
 namespace {
 
-std::string_view phrase_of(Lack lack) {
-  switch (lack) {
-    case Lack::motion:
+std::string_view phrase_of(Missing missing) {
+  switch (missing) {
+    case Missing::motion:
       return "contradictory positions";
-    case Lack::dyads:
+    case Missing::dyads:
       return "fewer than two real dyads";
-    case Lack::kind:
+    case Missing::kind:
       return "no linkage of the kind that 'linkage' asks for";
   }
   return "";
@@ -29,9 +29,10 @@ std::string_view phrase_of(Lack lack) {
 // Why samples fell out: each is counted once.
 std::string rejected_text(const SelectionCounts& counts) {
   std::vector<std::string> reasons;
-  for (std::size_t i = 0; i < kLackCount; ++i) {
-    if (counts.lacks[i] > 0) {
-      reasons.push_back(fmt::format("{} {}", phrase_of(static_cast<Lack>(i)), counts.lacks[i]));
+  for (std::size_t i = 0; i < kMissingCount; ++i) {
+    if (counts.missing[i] > 0) {
+      reasons.push_back(
+          fmt::format("{} {}", phrase_of(static_cast<Missing>(i)), counts.missing[i]));
     }
   }
   for (std::size_t i = 1; i < kDefectCount; ++i) {

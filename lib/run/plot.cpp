@@ -101,17 +101,17 @@ class PictureJob {
     if (!choose_case(source)) {
       return std::nullopt;
     }
-    if (const std::string lack = kind->lack(source); !lack.empty()) {
-      refuse(lack);
+    if (const std::string why_not = kind->why_not(source); !why_not.empty()) {
+      refuse(why_not);
       return std::nullopt;
     }
     return text_of(*kind, source);
   }
 
-  void refuse(const std::string& lack) {
+  void refuse(const std::string& why_not) {
     found_.error("E0909",
                  {},
-                 fmt::format("there is no picture '{}' of this file: {}", choice_.picture, lack),
+                 fmt::format("there is no picture '{}' of this file: {}", choice_.picture, why_not),
                  fmt::format("'kinestat plot {} FILE' says which pictures it has", kListPictures));
   }
 
@@ -250,16 +250,16 @@ class PictureJob {
   std::string list_text() {
     std::string text;
     for (const PictureKind& kind : picture_kinds()) {
-      const std::string lack = lack_of(kind);
+      const std::string why_not = why_not_of(kind);
       text += fmt::format("{}  {:<15} {}\n",
-                          lack.empty() ? "yes" : "no ",
+                          why_not.empty() ? "yes" : "no ",
                           kind.name,
-                          lack.empty() ? std::string(kind.sentence) : lack);
+                          why_not.empty() ? std::string(kind.sentence) : why_not);
     }
     return text;
   }
 
-  std::string lack_of(const PictureKind& kind) {
+  std::string why_not_of(const PictureKind& kind) {
     const bool is_of_synthesis = kind.need == PictureNeed::synthesis;
     if (is_of_synthesis && !description_->synthesis) {
       return "the file has no section 'synthesis'";
@@ -281,7 +281,7 @@ class PictureJob {
     if (!find(is_of_time ? PictureNeed::analysis : kind.need)) {
       return "the file has errors";
     }
-    return is_of_time ? "" : kind.lack(solutions_.source());
+    return is_of_time ? "" : kind.why_not(solutions_.source());
   }
 
   OutputFile output(std::string content) const {

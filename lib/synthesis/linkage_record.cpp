@@ -129,14 +129,14 @@ void add_passage(Record<DriveView>& keys) {
   keys.flag("turns_fully", "Whether the input meets no dead point.", [](const View& v) {
     return v.verdict.turns_fully;
   });
-  keys.told("arc",
-            ByContext::coordinate,
-            "What the input moves from first to last; null where it passes them in no order.",
-            [](const View& v) {
-              const bool passes = v.verdict.passage != Passage::none;
-              return std::pair(passes ? std::optional(v.verdict.arc) : std::nullopt,
-                               coordinate_kind(v));
-            });
+  keys.by_context("arc",
+                  ByContext::coordinate,
+                  "What the input moves from first to last; null where it passes them in no order.",
+                  [](const View& v) {
+                    const bool passes = v.verdict.passage != Passage::none;
+                    return std::pair(passes ? std::optional(v.verdict.arc) : std::nullopt,
+                                     coordinate_kind(v));
+                  });
 }
 
 const Record<DriveView>& drive_record() {

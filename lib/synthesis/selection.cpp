@@ -35,7 +35,7 @@ struct Sample {
   double margin = -1.0;  // below zero without a usable linkage
   Standing standing;  // its margin is what reached_by says; the rank is negative without a linkage
   Defect defect = Defect::none;
-  Lack lack = Lack::dyads;  // without a linkage
+  Missing missing = Missing::dyads;  // without a linkage
 };
 
 Sample sample_of(const LinkageCandidate& candidate) {
@@ -49,8 +49,8 @@ Sample sample_of(const LinkageCandidate& candidate) {
 
 Sample sample_of(const Shortfall& shortfall) {
   Sample sample;
-  sample.lack = shortfall.lack;
-  sample.standing.rank = static_cast<int>(shortfall.lack) - static_cast<int>(kLackCount);
+  sample.missing = shortfall.missing;
+  sample.standing.rank = static_cast<int>(shortfall.missing) - static_cast<int>(kMissingCount);
   sample.standing.margin = -shortfall.residual;
   return sample;
 }
@@ -115,7 +115,7 @@ class Selector {
         ++selection_.with_linkage;
         ++selection_.defects[static_cast<std::size_t>(sample.defect)];
       } else {
-        ++selection_.lacks[static_cast<std::size_t>(sample.lack)];
+        ++selection_.missing[static_cast<std::size_t>(sample.missing)];
       }
       selection_.usable += sample.margin >= 0.0 ? 1 : 0;
       nearest = sample.standing.is_better_than(best.standing) ? i : nearest;
@@ -124,7 +124,7 @@ class Selector {
       selection_.nearest = selected(nearest);
     }
     if (selection_.with_linkage == 0 && !samples_.empty() &&
-        samples_[nearest].lack != Lack::motion) {
+        samples_[nearest].missing != Missing::motion) {
       selection_.nearest_choice = choice_at(index_of(nearest));
     }
   }

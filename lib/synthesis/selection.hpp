@@ -44,15 +44,15 @@ struct Selection {
   int samples = 0;
   int with_linkage = 0;  ///< samples that have a linkage at all
   int usable = 0;        ///< samples that have one without defect and within the limits
-  std::array<int, kDefectCount> defects{};  ///< samples with a linkage by its Defect
-  std::array<int, kLackCount> lacks{};      ///< the others by their Lack
+  std::array<int, kDefectCount> defects{};   ///< samples with a linkage by its Defect
+  std::array<int, kMissingCount> missing{};  ///< the others by their Missing
 };
 
 /// Every combination of the ranges; of those that no neighbour surpasses the `keep` best are
 /// improved between their neighbours, step by step along each number, as long as the margin of the
 /// transmission angle grows. Where none is usable, the nearest has the mildest defect, and of those
 /// that miss a limit it misses it least. The same result in every run, whatever `for_each` does at
-/// once. Without `lacking` a choice without a linkage lacks dyads.
+/// once. Without `lacking` a choice without a linkage misses dyads.
 Selection select_linkages(std::span<const SelectionRange> ranges,
                           const CandidateMaker& make,
                           int keep,

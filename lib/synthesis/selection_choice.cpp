@@ -16,13 +16,13 @@ CandidateMaker candidates_of(const TaskMaker& make_task, const LinkageLimits& li
   };
 }
 
-std::string_view word_of(Lack lack) {
-  switch (lack) {
-    case Lack::motion:
+std::string_view word_of(Missing missing) {
+  switch (missing) {
+    case Missing::motion:
       return "contradiction";
-    case Lack::dyads:
+    case Missing::dyads:
       return "dyads";
-    case Lack::kind:
+    case Missing::kind:
       return "kind";
   }
   return "";
@@ -32,13 +32,14 @@ ShortfallFinder shortfalls_of(const TaskMaker& make_task) {
   return [make_task](std::span<const double> choice) -> Shortfall {
     const auto positions = make_task(choice);
     if (!positions) {
-      return {.lack = Lack::motion};
+      return {.missing = Missing::motion};
     }
     const BurmesterSolution solution = solve_burmester(*positions);
     if (solution.dyads.size() >= 2) {
-      return {.lack = Lack::kind};
+      return {.missing = Missing::kind};
     }
-    return {.lack = Lack::dyads, .residual = solution.nearest ? solution.nearest->residual : 0.0};
+    return {.missing = Missing::dyads,
+            .residual = solution.nearest ? solution.nearest->residual : 0.0};
   };
 }
 

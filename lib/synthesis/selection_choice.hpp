@@ -1,4 +1,4 @@
-// What a choice of the free numbers of a selection gives: a linkage, or what it lacks for one.
+// What a choice of the free numbers of a selection gives: a linkage, or what is missing for one.
 #pragma once
 
 #include <cstddef>
@@ -24,23 +24,23 @@ using TaskMaker =
 CandidateMaker candidates_of(const TaskMaker& make_task, const LinkageLimits& limits);
 
 /// Why a choice has no linkage, worst first.
-enum class Lack {
+enum class Missing {
   motion,  ///< its positions contradict themselves
   dyads,   ///< fewer than two real dyads stand alone
   kind     ///< its dyads make linkages of other kinds than the limits ask for
 };
 
-inline constexpr std::size_t kLackCount = static_cast<std::size_t>(Lack::kind) + 1;
+inline constexpr std::size_t kMissingCount = static_cast<std::size_t>(Missing::kind) + 1;
 
 /// The word in reports.
-std::string_view word_of(Lack lack);
+std::string_view word_of(Missing missing);
 
 struct Shortfall {
-  Lack lack = Lack::dyads;
+  Missing missing = Missing::dyads;
   double residual = 0.0;  ///< of what comes nearest to a real dyad
 };
 
-/// What a choice without a linkage lacks.
+/// What a choice without a linkage misses.
 using ShortfallFinder = std::function<Shortfall(std::span<const double>)>;
 
 /// Five positions a task.

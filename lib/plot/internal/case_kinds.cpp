@@ -28,39 +28,39 @@ Analysis chosen(const PictureSource& source) {
   return analysis;
 }
 
-std::string lack_of_velocities(const PictureSource& source) {
-  return lack_in_cases(source, has_velocities, "velocities that are solved");
+std::string why_no_velocities(const PictureSource& source) {
+  return why_not_in_cases(source, has_velocities, "velocities that are solved");
 }
 
-std::string lack_of_actions(const PictureSource& source) {
-  return lack_in_cases(source, has_actions, "actions that are solved");
+std::string why_no_actions(const PictureSource& source) {
+  return why_not_in_cases(source, has_actions, "actions that are solved");
 }
 
 // Bars of nothing say nothing.
-std::string lack_of_speeds(const PictureSource& source) {
-  const std::string lack = lack_of_velocities(source);
-  return lack.empty() && speed_map(chosen(source)).blocks.empty() ? "no body moves" : lack;
+std::string why_no_speeds(const PictureSource& source) {
+  const std::string why_not = why_no_velocities(source);
+  return why_not.empty() && speed_map(chosen(source)).blocks.empty() ? "no body moves" : why_not;
 }
 
-std::string lack_of_torques(const PictureSource& source) {
-  const std::string lack = lack_of_actions(source);
-  return lack.empty() && torque_map(chosen(source)).blocks.empty() ? "no coupling bears a moment"
-                                                                   : lack;
+std::string why_no_torques(const PictureSource& source) {
+  const std::string why_not = why_no_actions(source);
+  return why_not.empty() && torque_map(chosen(source)).blocks.empty() ? "no coupling bears a moment"
+                                                                      : why_not;
 }
 
-std::string lack_of_forces(const PictureSource& source) {
-  const std::string lack = lack_of_actions(source);
-  return lack.empty() && force_map(chosen(source)).blocks.empty() ? "no coupling bears a force"
-                                                                  : lack;
+std::string why_no_forces(const PictureSource& source) {
+  const std::string why_not = why_no_actions(source);
+  return why_not.empty() && force_map(chosen(source)).blocks.empty() ? "no coupling bears a force"
+                                                                     : why_not;
 }
 
-std::string lack_of_shift(const PictureSource& source) {
+std::string why_no_shift(const PictureSource& source) {
   return source.analysis->shift ? "" : "the file has no section 'shift'";
 }
 
-std::string lack_of_ratios(const PictureSource& source) {
-  const std::string lack = lack_of_shift(source);
-  return lack.empty() && !has_ratios(*source.analysis) ? "no gear has a ratio" : lack;
+std::string why_no_ratios(const PictureSource& source) {
+  const std::string why_not = why_no_shift(source);
+  return why_not.empty() && !has_ratios(*source.analysis) ? "no gear has a ratio" : why_not;
 }
 
 std::vector<Lever> levers_of(const PictureSource& source) {
@@ -68,12 +68,12 @@ std::vector<Lever> levers_of(const PictureSource& source) {
   return find_levers(mechanism.topology, mechanism.geometry);
 }
 
-std::string lack_of_levers(const PictureSource& source) {
+std::string why_no_levers(const PictureSource& source) {
   if (levers_of(source).empty()) {
     return "no two gears turn about the axis on which their carrier turns, so that no speeds lie "
            "on a lever";
   }
-  return lack_of_velocities(source);
+  return why_no_velocities(source);
 }
 
 Picture draw_speeds(const PictureSource& source) {
@@ -115,30 +115,30 @@ std::string forces_text(const PictureSource& source) {
 constexpr auto kCaseKinds = std::to_array<PictureKind>({
     {.name = "speeds",
      .sentence = "bars of the velocities of all bodies, case by case",
-     .lack = lack_of_speeds,
+     .why_not = why_no_speeds,
      .draw = draw_speeds,
      .gnuplot = speeds_text},
     {.name = "torques",
      .sentence = "bars of the moments in all couplings, case by case",
-     .lack = lack_of_torques,
+     .why_not = why_no_torques,
      .draw = draw_torques,
      .gnuplot = torques_text},
     {.name = "forces",
      .sentence = "bars of the forces in all couplings, case by case",
-     .lack = lack_of_forces,
+     .why_not = why_no_forces,
      .draw = draw_forces,
      .gnuplot = forces_text},
     {.name = "lever",
      .sentence = "planetary sets as levers, with the speeds of each case",
-     .lack = lack_of_levers,
+     .why_not = why_no_levers,
      .draw = draw_levers},
     {.name = "shift-matrix",
      .sentence = "which clutches and brakes each gear engages",
-     .lack = lack_of_shift,
+     .why_not = why_no_shift,
      .draw = draw_matrix},
     {.name = "ratio-ladder",
      .sentence = "the ratios of the gears and the steps between them",
-     .lack = lack_of_ratios,
+     .why_not = why_no_ratios,
      .draw = draw_ladder},
 });
 

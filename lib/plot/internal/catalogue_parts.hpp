@@ -19,8 +19,8 @@ std::span<const PictureKind> case_kinds();
 std::span<const PictureKind> study_kinds();
 
 /// Why no case that is asked for counts; `what` is "velocities that are solved". Empty if one does.
-std::string lack_in_cases(const PictureSource& source,
-                          bool (*counts)(const CaseAnalysis&),
-                          std::string_view what);
+std::string why_not_in_cases(const PictureSource& source,
+                             bool (*counts)(const CaseAnalysis&),
+                             std::string_view what);
 
 }  // namespace kinestat

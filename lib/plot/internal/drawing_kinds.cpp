@@ -18,8 +18,8 @@ bool has_power(const CaseAnalysis& one) {
   return one.power.has_value();
 }
 
-std::string lack_of_power(const PictureSource& source) {
-  return lack_in_cases(source, has_power, "power, for which velocities and actions are needed");
+std::string why_no_power(const PictureSource& source) {
+  return why_not_in_cases(source, has_power, "power, for which velocities and actions are needed");
 }
 
 // Pictures are named as in the catalogue.
@@ -36,18 +36,18 @@ std::size_t case_of(const PictureSource& source, bool (*counts)(const CaseAnalys
              : static_cast<std::size_t>(std::ranges::find_if(cases, counts) - cases.begin());
 }
 
-std::string lack_of_gears(const PictureSource& source) {
+std::string why_no_gears(const PictureSource& source) {
   return has_gear_scheme(*source.analysis) ? "" : "no gears with parallel axes mesh";
 }
 
-std::string lack_of_nothing(const PictureSource&) {
+std::string why_no_nothing(const PictureSource&) {
   return "";
 }
 
 // How many graphs one picture may show.
 constexpr int kMostGraphs = 60;
 
-std::string lack_of_circuits(const PictureSource& source) {
+std::string why_no_circuits(const PictureSource& source) {
   const int count = source.analysis->mechanism.graph.circuit_count();
   if (count > kMostGraphs) {
     return fmt::format("its graph has {} circuits, more than a picture shows", count);
@@ -55,7 +55,7 @@ std::string lack_of_circuits(const PictureSource& source) {
   return count == 0 ? "its graph has no circuit" : "";
 }
 
-std::string lack_of_cutsets(const PictureSource& source) {
+std::string why_no_cutsets(const PictureSource& source) {
   const int count = source.analysis->mechanism.graph.cutset_count();
   return count > kMostGraphs
              ? fmt::format("its graph has {} cut-sets, more than a picture shows", count)
@@ -126,40 +126,40 @@ constexpr auto kDrawingKinds = std::to_array<PictureKind>({
     {.name = "linkage",
      .sentence = "the mechanism to scale, with the forces of a case",
      .scope = PictureScope::one_case,
-     .lack = lack_of_nothing,
+     .why_not = why_no_nothing,
      .draw = draw_mechanism},
     {.name = "gear-scheme",
      .sentence = "a gear train along its axis, with its clutches and brakes",
      .scope = PictureScope::one_case,
-     .lack = lack_of_gears,
+     .why_not = why_no_gears,
      .draw = draw_scheme},
     {.name = "coupling-graph",
      .sentence = "bodies and couplings as a graph, with its tree",
-     .lack = lack_of_nothing,
+     .why_not = why_no_nothing,
      .draw = draw_coupling_graph,
      .dot = coupling_graph_text},
     {.name = "motion-graph",
      .sentence = "the graph with a line for each freedom",
-     .lack = lack_of_nothing,
+     .why_not = why_no_nothing,
      .draw = draw_motion_graph,
      .dot = motion_graph_text},
     {.name = "action-graph",
      .sentence = "the graph with a line for each constraint",
-     .lack = lack_of_nothing,
+     .why_not = why_no_nothing,
      .draw = draw_action_graph,
      .dot = action_graph_text},
     {.name = "circuits",
      .sentence = "the fundamental circuits in the graph",
-     .lack = lack_of_circuits,
+     .why_not = why_no_circuits,
      .draw = draw_circuits},
     {.name = "cut-sets",
      .sentence = "the fundamental cut-sets in the graph",
-     .lack = lack_of_cutsets,
+     .why_not = why_no_cutsets,
      .draw = draw_cutsets},
     {.name = "power-flow",
      .sentence = "where the power of a case goes, by its size",
      .scope = PictureScope::one_case,
-     .lack = lack_of_power,
+     .why_not = why_no_power,
      .draw = draw_power,
      .dot = power_text},
 });

@@ -19,11 +19,11 @@ std::string titled(std::string_view what, const PictureSource& source) {
   return source.name.empty() ? std::string(what) : fmt::format("{}: {}", what, source.name);
 }
 
-std::string lack_of_task(const PictureSource& source) {
+std::string why_no_task(const PictureSource& source) {
   return source.synthesis->tasks.empty() ? "no choice of the task is left" : "";
 }
 
-std::string lack_of_times(const PictureSource& source) {
+std::string why_no_times(const PictureSource& source) {
   return pareto_figure("", *source.benchmark).charts.empty()
              ? "no case has as many magnitudes known as its equations need"
              : "";
@@ -41,12 +41,12 @@ Figure paths_of(const PictureSource& source) {
   return path_figure(*source.motion, titled("Paths of points", source));
 }
 
-std::string lack_of_curves(const PictureSource& source) {
+std::string why_no_curves(const PictureSource& source) {
   return motion_of(source).charts.empty() ? "its motion has no positions, or nothing but paths"
                                           : "";
 }
 
-std::string lack_of_paths(const PictureSource& source) {
+std::string why_no_paths(const PictureSource& source) {
   return paths_of(source).charts.empty() ? "in its motion no point moves whose place is reported"
                                          : "";
 }
@@ -55,8 +55,8 @@ Figure sweep_of(const PictureSource& source) {
   return sweep_figure(*source.sweep, titled("Sweep", source));
 }
 
-std::string lack_of_sweep(const PictureSource& source) {
-  return sweep_lack(*source.sweep);
+std::string why_no_sweep(const PictureSource& source) {
+  return why_no_curves_of_sweep(*source.sweep);
 }
 
 Picture draw_sweep(const PictureSource& source) {
@@ -99,30 +99,30 @@ constexpr auto kStudyKinds = std::to_array<PictureKind>({
     {.name = "motion-curves",
      .sentence = "positions, velocities and more of a motion against its drive",
      .need = PictureNeed::motion,
-     .lack = lack_of_curves,
+     .why_not = why_no_curves,
      .draw = draw_motion,
      .gnuplot = motion_text},
     {.name = "paths",
      .sentence = "the paths of points in a motion, to scale",
      .need = PictureNeed::motion,
-     .lack = lack_of_paths,
+     .why_not = why_no_paths,
      .draw = draw_paths,
      .gnuplot = paths_text},
     {.name = "sweep-curves",
      .sentence = "quantities of a sweep over a parameter",
      .need = PictureNeed::sweep,
-     .lack = lack_of_sweep,
+     .why_not = why_no_sweep,
      .draw = draw_sweep,
      .gnuplot = sweep_text},
     {.name = "burmester",
      .sentence = "the positions of a synthesis with poles, curves and dyads",
      .need = PictureNeed::synthesis,
-     .lack = lack_of_task,
+     .why_not = why_no_task,
      .draw = draw_plane},
     {.name = "pareto",
      .sentence = "time against error of the methods of solution",
      .need = PictureNeed::benchmark,
-     .lack = lack_of_times,
+     .why_not = why_no_times,
      .draw = draw_pareto,
      .gnuplot = pareto_text},
 });

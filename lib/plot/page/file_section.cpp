@@ -156,8 +156,8 @@ class FileSection {
       return;
     }
     section_.open_part("sweep", "Sweep");
-    if (const std::string lack = sweep_lack(*page_.sweep); !lack.empty()) {
-      html_.element("p", fmt::format("There is no picture: {}.", lack));
+    if (const std::string why_not = why_no_curves_of_sweep(*page_.sweep); !why_not.empty()) {
+      html_.element("p", fmt::format("There is no picture: {}.", why_not));
     } else {
       const Figure figure = sweep_figure(*page_.sweep, "");
       html_.element("p", figure.description);

@@ -43,8 +43,8 @@ void add_counts(const Selection& selection, SynthesisAnalysis& analysis) {
     for (std::size_t i = 0; i < kDefectCount; ++i) {
       counts->defects[i] += selection.defects[i];
     }
-    for (std::size_t i = 0; i < kLackCount; ++i) {
-      counts->lacks[i] += selection.lacks[i];
+    for (std::size_t i = 0; i < kMissingCount; ++i) {
+      counts->missing[i] += selection.missing[i];
     }
   }
 }

@@ -119,14 +119,15 @@ const Record<PlanetShare>& planet_record() {
                    "How many planets there are.",
                    [](const PlanetShare& v) { return v.count; })
             .at_least(2);
-        keys.told("each",
-                  ByContext::action,
-                  "Action of one planet, in the unit of force or of moment; null if it is not "
-                  "determined.",
-                  [](const PlanetShare& v) {
-                    const auto one = v.all ? std::optional(*v.all / v.count) : std::nullopt;
-                    return std::pair(one, v.kind);
-                  });
+        keys.by_context(
+            "each",
+            ByContext::action,
+            "Action of one planet, in the unit of force or of moment; null if it is not "
+            "determined.",
+            [](const PlanetShare& v) {
+              const auto one = v.all ? std::optional(*v.all / v.count) : std::nullopt;
+              return std::pair(one, v.kind);
+            });
       });
   return record;
 }

@@ -46,14 +46,15 @@ TEST(SweepFigure, LeavesAGapWhereACaseHasNoValue) {
 }
 
 TEST(SweepLack, IsEmptyWhereThereAreCurves) {
-  EXPECT_EQ(sweep_lack(small_sweep()), "");
+  EXPECT_EQ(why_no_curves_of_sweep(small_sweep()), "");
 }
 
 TEST(SweepLack, IsAParameterWithTwoValues) {
   SweepTable sweep = small_sweep();
   sweep.rows.resize(1);
 
-  EXPECT_TRUE(sweep_lack(sweep).starts_with("its sweep has no parameter with two values"));
+  EXPECT_TRUE(
+      why_no_curves_of_sweep(sweep).starts_with("its sweep has no parameter with two values"));
   EXPECT_TRUE(sweep_figure(sweep, "Sweep").charts.empty());
 }
 
@@ -62,7 +63,7 @@ TEST(SweepLack, SaysHowManyStatesAreTooMany) {
   sweep.states = 20'001;
   sweep.rows.clear();
 
-  EXPECT_TRUE(sweep_lack(sweep).starts_with(
+  EXPECT_TRUE(why_no_curves_of_sweep(sweep).starts_with(
       "its sweep has 20001 states, and curves are drawn of up to 20000"));
 }
 
@@ -70,8 +71,8 @@ TEST(SweepLack, SaysThatNoStateIsAllowed) {
   SweepTable sweep = small_sweep();
   sweep.rows.clear();
 
-  EXPECT_TRUE(
-      sweep_lack(sweep).starts_with("the requirements of its sweep exclude all of its 6 states"));
+  EXPECT_TRUE(why_no_curves_of_sweep(sweep).starts_with(
+      "the requirements of its sweep exclude all of its 6 states"));
 }
 
 }  // namespace

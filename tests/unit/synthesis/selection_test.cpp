@@ -240,7 +240,7 @@ TEST(Selection, CountsEverySampleByWhatSpeaksAgainstIt) {
   const Selection found = select_linkages(std::span(&range, 1), candidates_of(table_3, limits), 1);
 
   EXPECT_EQ(found.defects, expected.defects);
-  EXPECT_EQ(found.lacks[static_cast<std::size_t>(Lack::dyads)], expected.without_linkage);
+  EXPECT_EQ(found.missing[static_cast<std::size_t>(Missing::dyads)], expected.without_linkage);
   EXPECT_EQ(found.usable, found.defects[0]);
 }
 
@@ -268,10 +268,10 @@ TEST(Selection, ComesNearestToALinkageWithTheDyadsOfAnotherKind) {
                       shortfalls_of(table_3));
 
   EXPECT_EQ(found.with_linkage, 0);
-  EXPECT_EQ(found.lacks[static_cast<std::size_t>(Lack::dyads)],
+  EXPECT_EQ(found.missing[static_cast<std::size_t>(Missing::dyads)],
             try_table_3(range, {}).without_linkage);
-  EXPECT_EQ(found.lacks[static_cast<std::size_t>(Lack::kind)] +
-                found.lacks[static_cast<std::size_t>(Lack::dyads)],
+  EXPECT_EQ(found.missing[static_cast<std::size_t>(Missing::kind)] +
+                found.missing[static_cast<std::size_t>(Missing::dyads)],
             200);
   ASSERT_TRUE(found.nearest_choice.has_value());
   EXPECT_GE(solve_burmester(*table_3(*found.nearest_choice)).dyads.size(), 2U);
@@ -284,7 +284,7 @@ TEST(Selection, OfATaskWithoutMotionIsEmpty) {
   const Selection found =
       select_linkages(ranges, candidates_of(none, {}), 3, one_after_another, shortfalls_of(none));
 
-  EXPECT_EQ(found.lacks[static_cast<std::size_t>(Lack::motion)], 3);
+  EXPECT_EQ(found.missing[static_cast<std::size_t>(Missing::motion)], 3);
   EXPECT_FALSE(found.nearest_choice.has_value());
   EXPECT_EQ(found.samples, 3);
   EXPECT_EQ(found.with_linkage, 0);
