@@ -261,7 +261,7 @@ std::string comparison_json(const ReportComparison& comparison,
                             const std::string& a,
                             const std::string& b) {
   const ComparisonView view{.comparison = comparison, .a = a, .b = b};
-  return json_of(comparison_record(), view, FileUnits()).dump(2) + "\n";
+  return json_text(comparison_record(), view, FileUnits(), JsonLayout::indented);
 }
 
 }  // namespace kinestat

@@ -131,8 +131,7 @@ std::string diagnostics_line(const SourceFile& source,
                              ExitStatus status) {
   const DiagnosticsLineView view{.source = source, .found = found, .status = status};
   const FileUnits units;  // there are no quantities
-  constexpr bool kAscii = true;
-  return json_of(diagnostics_line_record(), view, units).dump(-1, ' ', kAscii) + "\n";
+  return json_text(diagnostics_line_record(), view, units, JsonLayout::ascii_line);
 }
 
 }  // namespace kinestat

@@ -22,27 +22,23 @@ FileReport make_certified_report(const Analysis& analysis,
                                  const MotionTable* motion,
                                  const ReportForms& forms,
                                  Diagnostics& found) {
-  FileReport report;
-  const ReportView view{.file = analysis.file,
-                        .description = analysis.description,
-                        .mechanism = &analysis.mechanism,
-                        .analysis = &analysis,
-                        .certainty = &certainty,
-                        .transmission = analysis.shift ? &analysis : nullptr,
-                        .motion = motion};
   const FileUnits& units = analysis.description.units;
-  const std::vector<PublishedValue>& published = analysis.description.published;
-  if (forms.json || forms.json_line) {
-    Json json = json_of(report_record(), view, units);
-    check_published(json, published, found);
-    json["diagnostics"] = diagnostics_json(found);
-    add_json(json, forms, report);
-  } else if (!published.empty()) {
+  ReportView view{.file = analysis.file,
+                  .description = analysis.description,
+                  .mechanism = &analysis.mechanism,
+                  .analysis = &analysis,
+                  .certainty = &certainty,
+                  .transmission = analysis.shift ? &analysis : nullptr,
+                  .motion = motion};
+  if (const auto& published = analysis.description.published; !published.empty()) {
     const WantedKeys wanted = keys_of(published);
     PartialArchive partial(units, wanted);
     report_record().write(view, partial);
     check_published(partial.take(), published, found);
   }
+  view.found = &found;
+  FileReport report;
+  add_json(report_record(), view, units, forms, report);
   if (forms.csv) {
     const std::string name = name_in_tables(analysis.file, analysis.description);
     report.csv = tables_of(report_record(), view, name, units);
@@ -63,7 +59,7 @@ FileReport make_head_report(const std::string& file,
                             const Diagnostics& found) {
   FileReport report;
   const ReportView view{.file = file, .description = description, .found = &found};
-  add_json(json_of(report_record(), view, description.units), forms, report);
+  add_json(report_record(), view, description.units, forms, report);
   if (forms.text) {
     report.text = title_text(file, description);
   }

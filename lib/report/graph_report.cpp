@@ -137,11 +137,9 @@ FileReport make_graph_report(const std::string& file,
                              const std::vector<LabelledMatrix>& matrices,
                              const ReportForms& forms) {
   FileReport report;
-  if (forms.json || forms.json_line) {
-    const ReportView view{
-        .file = file, .description = description, .mechanism = &mechanism, .matrices = matrices};
-    add_json(json_of(report_record(), view, description.units), forms, report);
-  }
+  const ReportView view{
+      .file = file, .description = description, .mechanism = &mechanism, .matrices = matrices};
+  add_json(report_record(), view, description.units, forms, report);
   if (forms.csv) {
     report.csv.push_back(
         {.pass = "graph", .text = matrices.empty() ? edge_csv(mechanism) : matrix_csv(matrices)});

@@ -1,29 +1,30 @@
 #include "report/json_archive.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
-#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "report/json_values.hpp"
+#include "report/numbers.hpp"
 
 namespace kinestat {
 
 namespace {
 
-// Most lists are vectors, of three components or of twice three.
-constexpr std::size_t kFewItems = 6;
-
-// At once in its full size: growing, it would copy the values that it holds.
-Json object_of(std::span<std::pair<std::string, Json>> members) {
-  Json::object_t object;
-  object.reserve(members.size());
-  for (auto& [key, value] : members) {
-    object.emplace_back(std::move(key), std::move(value));
-  }
-  return object;
+// Whether a text stands in JSON as it is.
+bool is_plain(std::string_view text) {
+  return std::ranges::all_of(text,
+                             [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
 }
 
 }  // namespace
 
-Json JsonArchive::take() {
-  return members_.empty() ? Json() : std::move(members_.back().second);
+std::string JsonArchive::take() {
+  out_ += '\n';
+  return std::move(out_);
 }
 
 bool JsonArchive::begin(const Property& property) {
@@ -62,49 +63,76 @@ void JsonArchive::end_list() {
 }
 
 void JsonArchive::quantity(const std::optional<double>& si, QuantityKind kind) {
-  put(si ? kinestat::number(in_.of(kind, *si)) : Json(nullptr));
+  number(si ? std::optional(in_.of(kind, *si)) : std::nullopt, {});
 }
 
 void JsonArchive::number(const std::optional<double>& value, std::string_view /*unit*/) {
-  put(kinestat::number(value));
+  start();
+  out_ += value && std::isfinite(*value) ? format_exact(*value) : "null";
 }
 
 void JsonArchive::whole(std::int64_t value) {
-  put(value);
+  start();
+  fmt::format_to(std::back_inserter(out_), "{}", value);
 }
 
 void JsonArchive::text(std::string_view value) {
-  put(value);
+  start();
+  append(value);
 }
 
 void JsonArchive::flag(bool value) {
-  put(value);
+  start();
+  out_ += value ? "true" : "false";
 }
 
 void JsonArchive::null() {
-  put(nullptr);
+  start();
+  out_ += "null";
 }
 
 void JsonArchive::open(bool is_list) {
-  Open& opened = open_.emplace_back();
-  opened.key = std::exchange(key_, {});
-  opened.begin = members_.size();
-  opened.is_list = is_list;
-  opened.items.reserve(is_list ? kFewItems : 0);
+  start();
+  out_ += is_list ? '[' : '{';
+  open_.push_back({.is_list = is_list});
 }
 
 void JsonArchive::close() {
-  Open closed = std::move(open_.back());
+  const Open closed = open_.back();
   open_.pop_back();
-  key_ = std::move(closed.key);
-  if (closed.is_list) {
-    put(std::move(closed.items));
+  if (!closed.is_empty) {
+    break_line();
+  }
+  out_ += closed.is_list ? ']' : '}';
+}
+
+void JsonArchive::start() {
+  if (open_.empty()) {
     return;
   }
-  const auto begin = members_.begin() + static_cast<std::ptrdiff_t>(closed.begin);
-  Json object = object_of(std::span(begin, members_.end()));
-  members_.erase(begin, members_.end());
-  put(std::move(object));
+  out_ += std::exchange(open_.back().is_empty, false) ? "" : ",";
+  break_line();
+  if (!open_.back().is_list) {
+    append(key_);
+    out_ += layout_ == JsonLayout::indented ? ": " : ":";
+  }
+}
+
+void JsonArchive::break_line() {
+  if (layout_ == JsonLayout::indented) {
+    out_ += '\n';
+    out_.append(2 * open_.size(), ' ');
+  }
+}
+
+void JsonArchive::append(std::string_view text) {
+  if (is_plain(text)) {
+    out_ += '"';
+    out_ += text;
+    out_ += '"';
+  } else {
+    out_ += Json(text).dump(-1, ' ', layout_ == JsonLayout::ascii_line);
+  }
 }
 
 }  // namespace kinestat

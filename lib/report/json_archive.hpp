@@ -1,24 +1,28 @@
-// A record as JSON.
+// A record as JSON text.
 #pragma once
 
-#include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "record/record.hpp"
 #include "report/in_units.hpp"
-#include "report/json_values.hpp"
 
 namespace kinestat {
 
-/// Builds one value, in the units of the file.
+enum class JsonLayout {
+  indented,   ///< a key or item a line, indented by two
+  line,       ///< all on one line
+  ascii_line  ///< the same with nothing but ASCII
+};
+
+/// Writes one value, in the units of the file. Numbers are finite and never -0; null where there is
+/// no value.
 class JsonArchive : public Archive {
  public:
-  explicit JsonArchive(const FileUnits& units) : in_(units) {}
+  JsonArchive(const FileUnits& units, JsonLayout layout) : in_(units), layout_(layout) {}
 
-  /// What was written; once.
-  Json take();
+  /// What was written, with a line feed at its end; once.
+  std::string take();
 
   bool begin(const Property& property) override;
   void end(const Property& property) override;
@@ -37,38 +41,32 @@ class JsonArchive : public Archive {
   void null() override;
 
  private:
-  using Member = std::pair<std::string, Json>;
-
-  // What is written and not closed yet.
+  // An object, a map or a list that is not closed yet.
   struct Open {
-    std::string key;        // in what contains it
-    std::size_t begin = 0;  // of its members
     bool is_list = false;
-    Json::array_t items;  // of a list
+    bool is_empty = true;
   };
 
   void open(bool is_list);
   void close();
-
-  template <class Value>
-  void put(Value&& value) {
-    if (!open_.empty() && open_.back().is_list) {
-      open_.back().items.emplace_back(std::forward<Value>(value));
-    } else {
-      members_.emplace_back(key_, std::forward<Value>(value));
-    }
-  }
+  void start();  // a value: what stands before it
+  void break_line();
+  void append(std::string_view text);  // as a JSON string
 
   InUnits in_;
+  JsonLayout layout_;
+  std::string out_;
+  std::string key_;  // of the next value
   std::vector<Open> open_;
-  std::vector<Member> members_;  // of all objects and maps that are open
-  std::string key_;
 };
 
 /// What a view shows, by its record.
 template <class View>
-Json json_of(const Record<View>& record, const View& view, const FileUnits& units) {
-  JsonArchive archive(units);
+std::string json_text(const Record<View>& record,
+                      const View& view,
+                      const FileUnits& units,
+                      JsonLayout layout) {
+  JsonArchive archive(units, layout);
   record.write(view, archive);
   return archive.take();
 }

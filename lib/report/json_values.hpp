@@ -11,13 +11,6 @@ namespace kinestat {
 
 using Json = nlohmann::ordered_json;
 
-/// An object with room for its keys: growing, it would copy the values that it holds.
-inline Json object_of(std::size_t count) {
-  Json::object_t object;
-  object.reserve(count);
-  return object;
-}
-
 inline Json number(double value) {
   return std::isfinite(value) ? Json(value == 0.0 ? 0.0 : value) : Json(nullptr);
 }

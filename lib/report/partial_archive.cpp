@@ -17,7 +17,7 @@ WantedKeys& WantedKeys::with(std::string name) {
 }
 
 bool PartialArchive::begin(const Property& property) {
-  if (within_.back() == nullptr || !JsonArchive::begin(property)) {
+  if (within_.back() == nullptr || !JsonTree::begin(property)) {
     return false;
   }
   const WantedKeys* inner = wanted_below(within_.back(), property.key);
@@ -31,32 +31,32 @@ bool PartialArchive::begin(const Property& property) {
 
 void PartialArchive::end(const Property& property) {
   within_.pop_back();
-  JsonArchive::end(property);
+  JsonTree::end(property);
 }
 
 void PartialArchive::element(std::string_view name, std::string_view status) {
   within_.back() = wanted_below(within_[within_.size() - 2], name);
-  JsonArchive::element(name, status);
+  JsonTree::element(name, status);
 }
 
 void PartialArchive::begin_map() {
   within_.push_back(within_.back());
-  JsonArchive::begin_map();
+  JsonTree::begin_map();
 }
 
 void PartialArchive::end_map() {
   within_.pop_back();
-  JsonArchive::end_map();
+  JsonTree::end_map();
 }
 
 void PartialArchive::begin_list() {
   within_.push_back(&all_);
-  JsonArchive::begin_list();
+  JsonTree::begin_list();
 }
 
 void PartialArchive::end_list() {
   within_.pop_back();
-  JsonArchive::end_list();
+  JsonTree::end_list();
 }
 
 const WantedKeys* PartialArchive::wanted_below(const WantedKeys* keys,

@@ -7,6 +7,7 @@
 #include "core/utf8.hpp"
 #include "core/version.hpp"
 #include "report/json_archive.hpp"
+#include "report/json_tree.hpp"
 #include "report/sweep_record.hpp"
 
 namespace kinestat {
@@ -20,14 +21,10 @@ std::string_view word_of(RowFormat format) {
   return format == RowFormat::csv ? "csv" : "json";
 }
 
-// There are no quantities.
-template <class View>
-Json json_without_units(const Record<View>& record, const View& view) {
-  return json_of(record, view, FileUnits());
-}
+const FileUnits kNoUnits;  // there are no quantities
 
 Json top_json(const std::optional<TopChoice>& top) {
-  return top ? json_without_units(top_record(), *top) : Json(nullptr);
+  return top ? json_of(top_record(), *top, kNoUnits) : Json(nullptr);
 }
 
 std::optional<TopChoice> top_of(const Json& json) {
@@ -122,9 +119,8 @@ std::optional<ShardHeader> read_shard_header(const std::string& line) {
 }
 
 std::string write_sweep_summary(const SweepHeader& header, const SweepCounts& counts) {
-  const Json json =
-      json_without_units(sweep_summary_record(), {.header = header, .counts = counts});
-  return json.dump(2) + "\n";
+  const SweepSummaryView view{.header = header, .counts = counts};
+  return json_text(sweep_summary_record(), view, kNoUnits, JsonLayout::indented);
 }
 
 std::optional<std::string> read_plan_of_summary(const std::string& text) {
