@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/tolerance.hpp"
 #include "mechanism/teeth.hpp"
 
 namespace kinestat {
@@ -94,7 +95,8 @@ class GearReader {
         continue;
       }
       const double force = gear_.action->wrenches[e]->force.norm() / planets;
-      if (force > (most ? most->force : 0.0)) {
+      // Of equal ones the first: rounding decides nothing.
+      if (force > (most ? most->force * (1.0 + kSameValue) : 0.0)) {
         most = {.name = coupling.name, .force = force};
       }
     }
