@@ -6,7 +6,7 @@
 namespace kinestat {
 
 /// The part of the schema of mechanism files that is kept by hand: sections that are not declared
-/// yet. "declared" stands where those are put in that are.
+/// yet.
 std::span<const EmbeddedText> embedded_kept_schema();
 
 }  // namespace kinestat

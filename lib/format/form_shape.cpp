@@ -40,6 +40,8 @@ std::string sketch_of(const FormShape& shape, Space space) {
     case FormKind::name:
       return "NAME";
     case FormKind::text:
+    case FormKind::literal:
+    case FormKind::constant:
       return "TEXT";
     case FormKind::word:
       return words_of(shape);

@@ -18,6 +18,8 @@ enum class FormKind {
   number,    ///< or an expression
   name,      ///< of something that the file declares
   text,      ///< free text, which may look like a number
+  literal,   ///< a text of a form of its own: a unit, a place of a report
+  constant,  ///< `sketch` and nothing else
   word,      ///< one of `words`
   flag,      ///< true or false
   vector,    ///< of `items.front()`: as many components as the space has
@@ -54,7 +56,8 @@ struct FormRule {
     spares,               ///< beside `key`, none of `others` is needed
     unless_true,          ///< where `key` is true, `others` may not stand; {1} is the one that does
     together,             ///< `key` needs `others.front()` beside it
-    pointless             ///< `key` means nothing without `others.front()`
+    pointless,            ///< `key` means nothing without `others.front()`
+    alone                 ///< `others` are needed, unless `key` stands without any of them
   };
 
   Kind kind = Kind::instead;
@@ -85,6 +88,7 @@ struct FormShape {
   std::size_t most = kAnyNumber;
   SharedList<FormShape> items = {};
   SharedList<FormKey> keys = {};
+  SharedList<FormKey> beginnings = {};  ///< of keys that the user makes up: "x-"
   SharedList<FormRule> rules = {};
 };
 
@@ -92,6 +96,12 @@ struct FormShape {
 struct Suggestion {
   std::string_view value = {};
   std::string_view meaning = {};
+};
+
+/// What is said where a key is missing.
+struct Absence {
+  std::string_view code = {};
+  std::string_view message = {};
 };
 
 struct FormKey {
@@ -102,6 +112,7 @@ struct FormKey {
   SharedList<std::string_view> examples = {};  ///< as in a file
   std::string_view usual = {};                 ///< what holds without the key; empty: nothing does
   std::string_view missing = {};               ///< what to add; empty: follows from the shape
+  Absence absence = {};                        ///< of a needed key; empty: as of every other
   SharedList<Suggestion> suggestions = {};
 };
 

@@ -56,6 +56,9 @@ class Mapping {
 
   void rule(FormRule rule) { shape_.rules.push_back(std::move(rule)); }
 
+  /// Keys that begin like this one are the user's own and pass unread.
+  void own_keys(FormKey beginning) { shape_.beginnings.push_back(std::move(beginning)); }
+
   /// What else must hold, once all keys are read without an error.
   void check(std::function<void(const T&, const FileValue&)> check) {
     checks_.push_back(std::move(check));
@@ -91,7 +94,7 @@ class Mapping {
     if (shape_.may_be_empty && value.node.kind == YamlKind::null) {
       return true;
     }
-    Fields fields(value.node, value.where, value.what, value.found);
+    Fields fields(value.node, value.where, called(value), value.found);
     read_keys(fields, value, object);
     fields.finish();
     if (value.node.kind == YamlKind::mapping) {
@@ -112,18 +115,13 @@ class Mapping {
         steps_[i].read(*behind, object);
       }
     }
+    for (const FormKey& own : shape_.beginnings) {
+      fields.ignore_prefix(own.key);
+    }
   }
 
   /// Without the keys that are as they would be if left out.
-  FileText text(const T& object) const {
-    FileText text{.kind = FileText::Kind::mapping, .in_lines = is_in_lines_};
-    for (std::size_t i = 0; i < steps_.size(); ++i) {
-      if (auto behind = steps_[i].write(object)) {
-        text.entries.emplace_back(shape_.keys[i].key, *std::move(behind));
-      }
-    }
-    return text;
-  }
+  FileText text(const T& object) const;
 
   Form<T> form() const;
 
@@ -144,5 +142,6 @@ class Mapping {
 
 }  // namespace kinestat
 
+#include "format/mapping_groups.hpp"
 #include "format/mapping_key.hpp"
 #include "format/mapping_parts.hpp"

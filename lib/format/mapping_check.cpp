@@ -18,10 +18,16 @@ bool is_in_place_of(const FormRule& rule) {
   return rule.kind == FormRule::Kind::instead || rule.kind == FormRule::Kind::spares;
 }
 
+bool has_any_of(const FormRule& rule, const FileValue& mapping) {
+  return std::ranges::any_of(rule.others, [&](const auto& key) { return has(mapping, key); });
+}
+
 // Whether a key that stands instead of this one is there.
 bool is_replaced(const FormShape& shape, std::string_view key, const FileValue& mapping) {
   return std::ranges::any_of(shape.rules, [&](const FormRule& rule) {
-    return is_in_place_of(rule) && has(mapping, rule.key) &&
+    const bool spares =
+        is_in_place_of(rule) || (rule.kind == FormRule::Kind::alone && !has_any_of(rule, mapping));
+    return spares && has(mapping, rule.key) &&
            std::ranges::find(rule.others, key) != rule.others.end();
   });
 }
@@ -77,22 +83,29 @@ bool is_about_one(const FormRule& rule) {
 
 }  // namespace
 
+std::string called(const FileValue& mapping) {
+  return mapping.what.empty() ? "the mechanism" : mapping.what;
+}
+
 std::optional<FileValue> find_key(const FormShape& shape,
                                   std::size_t index,
                                   Fields& fields,
                                   const FileValue& mapping) {
   const FormKey& key = shape.keys[index];
-  if (!mapping.space && depends_on_space(key.shape)) {
-    (void)fields.find(key.key);
-    return std::nullopt;
-  }
   const bool is_needed = key.is_needed && !is_replaced(shape, key.key, mapping);
-  const YamlNode* node = is_needed
+  const bool has_own_absence = !key.absence.code.empty();
+  if (is_needed && has_own_absence && !has(mapping, key.key)) {
+    mapping.found.error(key.absence.code,
+                        mapping.where,
+                        std::string(key.absence.message),
+                        std::string(key.missing));
+  }
+  const YamlNode* node = is_needed && !has_own_absence
                              ? fields.require(key.key,
                                               key.missing.empty() ? what_to_add(key, mapping.space)
                                                                   : std::string(key.missing))
                              : fields.find(key.key);
-  if (node == nullptr) {
+  if (node == nullptr || (!mapping.space && depends_on_space(key.shape))) {
     return std::nullopt;
   }
   const bool is_section = mapping.what.empty();
@@ -113,8 +126,7 @@ void check_rules(const FormShape& shape, const FileValue& mapping, int errors_be
     if (mapping.found.error_count() > keys_before) {
       return;  // the rest may follow from it
     }
-    const auto has_key = [&](std::string_view key) { return has(mapping, key); };
-    const bool has_any = std::ranges::any_of(rule.others, has_key);
+    const bool has_any = has_any_of(rule, mapping);
     if (rule.kind == FormRule::Kind::instead) {
       check_instead(rule, mapping);
     } else if (rule.kind == FormRule::Kind::unless_true) {
@@ -126,7 +138,7 @@ void check_rules(const FormShape& shape, const FileValue& mapping, int errors_be
                           mapping.where,
                           fmt::format(fmt::runtime(rule.message), mapping.what),
                           std::string(rule.hint));
-    } else if (is_about_one(rule) && has_key(rule.key) && !has_any) {
+    } else if (is_about_one(rule) && has(mapping, rule.key) && !has_any) {
       mapping.found.error(rule.kind == FormRule::Kind::together ? "E0303" : "E0302",
                           place_of_key(mapping.node, rule.key),
                           fmt::format(fmt::runtime(rule.message), mapping.what),

@@ -3,11 +3,15 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "format/form.hpp"
 #include "io/fields.hpp"
 
 namespace kinestat {
+
+/// The mapping in messages: the file itself is "the mechanism".
+std::string called(const FileValue& mapping);
 
 /// The value behind the key of that index; a needed one that is missing becomes an error of
 /// `fields`, unless another key stands instead of it.

@@ -1,6 +1,7 @@
 // The keys of a mapping while they are declared; to be included through format/mapping.hpp.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,23 +29,19 @@ class Mapping<T>::Key {
   /// It may be left out.
   template <class Member, class Read>
   Key& may(Member T::*member, const Form<Read>& form, std::string_view example = {}) {
-    key_.shape = form.shape;
-    if (!example.empty()) {
-      key_.examples.push_back(example);
-    }
     const bool is_needed = key_.is_needed;
-    add({.read =
-             [member, read = form.read](const FileValue& value, T& object) {
-               if (auto one = read(value)) {
-                 set_member(object.*member, *std::move(one));
-               }
-             },
-         .write =
-             [member, write = form.write, is_needed](const T& object) -> std::optional<FileText> {
-           const auto* one = present(object.*member, T{}.*member, is_needed);
-           return one != nullptr ? std::optional(write(*one)) : std::nullopt;
-         }});
-    return *this;
+    return by(
+        form.shape,
+        [member, read = form.read](const FileValue& value, T& object) {
+          if (auto one = read(value)) {
+            set_member(object.*member, *std::move(one));
+          }
+        },
+        [member, write = form.write, is_needed](const T& object) -> std::optional<FileText> {
+          const auto* one = present(object.*member, T{}.*member, is_needed);
+          return one != nullptr ? std::optional(write(*one)) : std::nullopt;
+        },
+        example);
   }
 
   /// A list of two, which must be there.
@@ -56,17 +53,28 @@ class Mapping<T>::Key {
             std::string_view hint);
 
   /// It must be there, but is not written as long as it says what is usual.
-  Key& required() {
+  Key& required(Absence absence = {}) {
     added().is_needed = true;
+    added().absence = absence;
     return *this;
   }
 
-  /// Keys of the same object in a mapping of their own.
+  /// Keys of the same object in a mapping of their own, or those of a member.
   Key& group(const Mapping& part);
+  template <class Member>
+  Key& group(Member T::*member, const Mapping<Member>& part);
 
-  /// It is checked, but not kept.
+  /// It is checked, but not kept; `written` stands for what was read.
   template <class Read>
-  Key& passed_over(const Form<Read>& form, std::string_view example);
+  Key& passed_over(const Form<Read>& form,
+                   std::string_view example,
+                   std::optional<Read> written = {});
+
+  /// In a way of its own; what is written is empty where the key is left out.
+  Key& by(const FormShape& shape,
+          std::function<void(const FileValue&, T&)> read,
+          std::function<std::optional<FileText>(const T&)> write,
+          std::string_view example = {});
 
   /// The member says whether the key is there; then it is written even if there is nothing in it.
   Key& noted(bool T::*is_there);
@@ -110,6 +118,9 @@ class Mapping<T>::Key {
   }
 
  private:
+  template <class Part, class Get>
+  Key& group(const Mapping<Part>& part, Get get);
+
   void add(Step step) {
     mapping_.shape_.keys.push_back(std::move(key_));
     mapping_.steps_.push_back(std::move(step));

@@ -1,15 +1,26 @@
 // The rarer parts of a declaration; to be included through format/mapping.hpp.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "format/mapping_key.hpp"
 
 namespace kinestat {
+
+template <class T>
+FileText Mapping<T>::text(const T& object) const {
+  FileText text{.kind = FileText::Kind::mapping, .in_lines = is_in_lines_};
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    if (auto behind = steps_[i].write(object)) {
+      text.entries.emplace_back(shape_.keys[i].key, *std::move(behind));
+    }
+  }
+  return text;
+}
 
 template <class T>
 Form<T> Mapping<T>::form() const {
@@ -23,25 +34,31 @@ Form<T> Mapping<T>::form() const {
 }
 
 template <class T>
-typename Mapping<T>::Key& Mapping<T>::Key::group(const Mapping& part) {
-  key_.shape = part.shape_;
-  add({.read = [&part](const FileValue& value, T& object) { part.read_into(object, value); },
-       .write = [&part](const T& object) -> std::optional<FileText> {
-         FileText text = part.text(object);
-         return text.entries.empty() ? std::nullopt : std::optional(std::move(text));
-       }});
+typename Mapping<T>::Key& Mapping<T>::Key::by(
+    const FormShape& shape,
+    std::function<void(const FileValue&, T&)> read,
+    std::function<std::optional<FileText>(const T&)> write,
+    std::string_view example) {
+  key_.shape = shape;
+  if (!example.empty()) {
+    key_.examples.push_back(example);
+  }
+  add({.read = std::move(read), .write = std::move(write)});
   return *this;
 }
 
 template <class T>
 template <class Read>
 typename Mapping<T>::Key& Mapping<T>::Key::passed_over(const Form<Read>& form,
-                                                       std::string_view example) {
-  key_.shape = form.shape;
-  key_.examples.push_back(example);
-  add({.read = [read = form.read](const FileValue& value, T&) { (void)read(value); },
-       .write = [](const T&) { return std::optional<FileText>(); }});
-  return *this;
+                                                       std::string_view example,
+                                                       std::optional<Read> written) {
+  return by(
+      form.shape,
+      [read = form.read](const FileValue& value, T&) { (void)read(value); },
+      [write = form.write, written](const T&) {
+        return written ? std::optional(write(*written)) : std::nullopt;
+      },
+      example);
 }
 
 template <class T>
@@ -81,59 +98,19 @@ typename Mapping<T>::Key& Mapping<T>::Key::pair(Member T::*first,
                                                 std::string_view example,
                                                 std::string_view hint) {
   const auto list = list_of(form, "", std::string(hint), {.least = 2, .most = 2});
-  key_.shape = list.shape;
-  key_.examples.push_back(example);
   key_.is_needed = true;
-  add({.read =
-           [first, second, list](const FileValue& value, T& object) {
-             if (auto both = list.read(value)) {
-               object.*first = std::move(both->front());
-               object.*second = std::move(both->back());
-             }
-           },
-       .write =
-           [first, second, list](const T& object) {
-             return std::optional(list.write({object.*first, object.*second}));
-           }});
-  return *this;
-}
-
-template <class T>
-template <class Item>
-void Mapping<T>::one_or_several(const Mapping<Item>& item,
-                                std::vector<Item> T::*member,
-                                FormKey list_key,
-                                std::string_view title,
-                                std::string_view hint) {
-  SharedList<std::string_view> replaced;
-  for (std::size_t i = 0; i < item.steps_.size(); ++i) {
-    replaced.push_back(item.shape_.keys[i].key);
-    shape_.keys.push_back(item.shape_.keys[i]);
-    steps_.push_back({.read =
-                          [&item, member, i](const FileValue& value, T& object) {
-                            (object.*member).resize(1);
-                            item.steps_[i].read(value, (object.*member).front());
-                          },
-                      .write =
-                          [&item, member, i](const T& object) {
-                            const std::vector<Item>& items = object.*member;
-                            return items.size() == 1 ? item.steps_[i].write(items.front())
-                                                     : std::nullopt;
-                          }});
-  }
-  const auto list = list_of(item.form(), std::string(title), std::string(hint));
-  list_key.shape = list.shape;
-  instead(list_key.key, std::move(replaced), hint);
-  shape_.keys.push_back(std::move(list_key));
-  steps_.push_back({.read =
-                        [list, member](const FileValue& value, T& object) {
-                          object.*member = list.read(value).value_or(std::vector<Item>{});
-                        },
-                    .write =
-                        [list, member](const T& object) {
-                          const std::vector<Item>& items = object.*member;
-                          return items.size() > 1 ? std::optional(list.write(items)) : std::nullopt;
-                        }});
+  return by(
+      list.shape,
+      [first, second, list](const FileValue& value, T& object) {
+        if (auto both = list.read(value)) {
+          object.*first = std::move(both->front());
+          object.*second = std::move(both->back());
+        }
+      },
+      [first, second, list](const T& object) {
+        return std::optional(list.write({object.*first, object.*second}));
+      },
+      example);
 }
 
 }  // namespace kinestat

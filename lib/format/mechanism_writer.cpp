@@ -1,6 +1,9 @@
 #include "format/mechanism_writer.hpp"
 
+#include <algorithm>
+#include <array>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +18,12 @@ namespace kinestat {
 
 namespace {
 
+using FileEntry = std::pair<std::string, FileText>;
+
+// In this order and without empty lines between them.
+constexpr auto kHead =
+    std::to_array<std::string_view>({"kinestat", "name", "source", "space", "units"});
+
 std::string list_text(const std::vector<Value>& values) {
   std::string text;
   for (const Value& value : values) {
@@ -26,24 +35,6 @@ std::string list_text(const std::vector<Value>& values) {
 std::string axis_text(const AxisDescription& axis) {
   return axis.keyword == 0 ? list_text(axis.components)
                            : std::string(axis.sign < 0.0 ? "-" : "") + axis.keyword;
-}
-
-void set_unit(FileUnits& units, QuantityKind kind, const std::string& text) {
-  const auto error = units.set(kind, text);
-  KINESTAT_EXPECTS(!error);
-}
-
-// Only what the units before it do not imply, as the velocity follows from the length.
-std::string units_text(const FileUnits& units) {
-  FileUnits implied;
-  std::string text;
-  for (const QuantityKind kind : all_quantity_kinds()) {
-    if (!key_of(kind).empty() && implied.text(kind) != units.text(kind)) {
-      set_unit(implied, kind, units.text(kind));
-      text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", key_of(kind), units.text(kind));
-    }
-  }
-  return text.empty() ? "" : "units: {" + text + "}\n";
 }
 
 std::string coupling_text(const CouplingDescription& coupling) {
@@ -81,16 +72,16 @@ std::string mechanism_text(const MechanismDescription& description,
   for (const std::string& line : head) {
     text += line.empty() ? "#\n" : fmt::format("# {}\n", printable(line));
   }
-  text += "kinestat: 1\n";
-  text += description.name.empty() ? "" : fmt::format("name: {}\n", in_quotes(description.name));
-  text +=
-      description.source.empty() ? "" : fmt::format("source: {}\n", in_quotes(description.source));
-  text += description.space == Space::planar ? "space: planar\n" : "";
-  text += units_text(description.units);
-  text += fmt::format("\nground: {}\n", description.ground.text);
-  for (const auto& [key, value] : file_sections().text(description).entries) {
-    text += fmt::format("\n{}:{}", key, behind_key(value, 0));
-    text += key == "bodies" ? couplings_text(description.couplings) : "";
+  const FileText file = file_sections().text(description);
+  for (const std::string_view key : kHead) {
+    const auto at = std::ranges::find(file.entries, key, &FileEntry::first);
+    text += at != file.entries.end() ? fmt::format("{}:{}", key, behind_key(at->second, 0)) : "";
+  }
+  for (const auto& [key, value] : file.entries) {
+    if (std::ranges::find(kHead, key) == kHead.end()) {
+      text += fmt::format("\n{}:{}", key, behind_key(value, 0));
+      text += key == "bodies" ? couplings_text(description.couplings) : "";
+    }
   }
   return text;
 }

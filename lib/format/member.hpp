@@ -45,6 +45,11 @@ const std::vector<T>* present(const std::vector<T>& member, const std::vector<T>
   return is_needed || !member.empty() ? &member : nullptr;
 }
 
+/// A name is there if it has a text.
+inline const Name* present(const Name& member, const Name&, bool is_needed) {
+  return is_needed || !member.text.empty() ? &member : nullptr;
+}
+
 template <class T>
 const T* present(const T& member, const T& usual, bool is_needed) {
   if constexpr (std::equality_comparable<T>) {

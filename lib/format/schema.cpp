@@ -2,7 +2,10 @@
 
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "core/contract.hpp"
+#include "core/version.hpp"
 #include "format/embedded.hpp"
 #include "format/internal/shape_schema.hpp"
 #include "format/sections/sections.hpp"
@@ -11,15 +14,20 @@ namespace kinestat {
 
 namespace {
 
-// What stands in the kept part for a section that is declared.
-constexpr std::string_view kDeclared = "declared";
+constexpr const char* kDraft = "http://json-schema.org/draft-07/schema#";
 
-void add_components(const FormKey& key, Json& schema) {
+// How many components points and vectors have follows from the space.
+constexpr const char* kComponents =
+    R"({"if": {"properties": {"space": {"const": "planar"}}, "required": ["space"]},
+        "then": {"$ref": "#/definitions/planar_components"},
+        "else": {"$ref": "#/definitions/spatial_components"}})";
+
+void add_components(const FormKey& key, Json& definitions) {
   for (const Space space : {Space::planar, Space::spatial}) {
     const Json components = components_schema(key.shape, space);
     const char* name = space == Space::planar ? "planar_components" : "spatial_components";
     if (!components.is_null()) {
-      schema["definitions"][name]["properties"][std::string(key.key)] = components;
+      definitions[name]["properties"][std::string(key.key)] = components;
     }
   }
 }
@@ -27,17 +35,27 @@ void add_components(const FormKey& key, Json& schema) {
 }  // namespace
 
 std::string mechanism_schema() {
-  Json schema = Json::parse(find_text(embedded_kept_schema(), "kept_schema")->text);
+  const Json kept = Json::parse(find_text(embedded_kept_schema(), "kept_schema")->text);
+  const FormShape& file = file_sections().shape();
   ShapeSchema declared;
-  for (const FormKey& key : file_sections().shape().keys) {
-    KINESTAT_EXPECTS(schema["properties"][std::string(key.key)] == kDeclared);
-    schema["properties"][std::string(key.key)] = declared.of_section(key);
-    add_components(key, schema);
+  Json schema = {{"$schema", kDraft},
+                 {"title", fmt::format("kinestat mechanism, format {}", kFormatVersion)}};
+  schema.update(declared.of_file(file));
+  schema["allOf"].push_back(Json::parse(kComponents));
+  Json definitions = kept["definitions"];
+  for (const FormKey& key : file.keys) {
+    const std::string name(key.key);
+    if (kept["properties"].contains(name)) {
+      schema["properties"][name] = kept["properties"][name];
+    } else {
+      add_components(key, definitions);
+    }
   }
   for (const auto& [name, definition] : declared.definitions()) {
-    KINESTAT_EXPECTS(!schema["definitions"].contains(name));
-    schema["definitions"][name] = definition;
+    KINESTAT_EXPECTS(!definitions.contains(name));
+    definitions[name] = definition;
   }
+  schema["definitions"] = definitions;
   return schema.dump(2) + "\n";
 }
 

@@ -29,6 +29,16 @@ Form<Name> body_name() {
                     .remark = "one of 'bodies' or the ground"});
 }
 
+Form<Name> new_body_name(std::string what) {
+  Form<Name> form = body_name();
+  form.read = [what = std::move(what),
+               read = form.read](const FileValue& value) -> std::optional<Name> {
+    auto name = read(value);
+    return name && check_name(*name, what, value.found) ? name : std::nullopt;
+  };
+  return form;
+}
+
 Form<Name> coupling_name() {
   return reference({.kind = FormKind::name,
                     .definition = "coupling_name",
@@ -36,7 +46,7 @@ Form<Name> coupling_name() {
 }
 
 Form<Name> free_name() {
-  return reference({.kind = FormKind::name});
+  return reference({.kind = FormKind::literal});
 }
 
 Form<Name> target() {

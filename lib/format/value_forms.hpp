@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "description/value.hpp"
@@ -17,6 +18,9 @@ Form<Name> name_of(std::string_view remark);
 Form<Name> body_name();
 
 Form<Name> coupling_name();
+
+/// Likewise, where a body is declared; `what` names it in messages: "a body".
+Form<Name> new_body_name(std::string what);
 
 /// Something that no pattern describes.
 Form<Name> free_name();
@@ -44,6 +48,17 @@ Form<AxisDescription> turning_axis();
 
 /// true or false; what is not there is false.
 Form<bool> flag();
+
+/// The same form of a value that messages call so: "the ground".
+template <class T>
+Form<T> titled(std::string what, Form<T> form) {
+  form.read = [what = std::move(what), read = form.read](const FileValue& value) {
+    FileValue one = value;
+    one.what = what;
+    return read(one);
+  };
+  return form;
+}
 
 FileText text_of(const std::vector<Value>& values);
 

@@ -25,9 +25,7 @@ std::string example_of(std::string_view key) {
   };
 
   constexpr auto kExamples = std::to_array<Example>({
-      {"ground", "'ground: NAME', the body that stands still"},
       {"bodies", "'bodies: [NAME, NAME, …]'; of a coupling 'bodies: [TAIL, HEAD]'"},
-      {"couplings", "'couplings:' and below it lines 'name: {type: …, bodies: […], …}'"},
       {"type", "for example 'type: revolute'"},
       {"radius", "for example 'radius: 20 mm'"},
       {"positions", "'positions:' and below it lines '- {at: [x, y], angle: 30 deg}'"},

@@ -79,12 +79,25 @@ void add_needed_unless_whole(const FormRule& rule, Json& schema) {
   schema["allOf"].push_back({{"if", condition}, {"then", has(rule.key)}});
 }
 
+// Needed, unless the key stands without any of them.
+Json all_unless_alone(const FormRule& rule) {
+  Json alone = has(rule.key);
+  for (const std::string_view other : rule.others) {
+    alone["not"]["anyOf"].push_back(has(other));
+  }
+  return {{"if", alone}, {"else", {{"required", json_list(rule.others)}}}};
+}
+
+bool is_spared_by(const FormRule& rule) {
+  return rule.kind == FormRule::Kind::instead || rule.kind == FormRule::Kind::spares ||
+         rule.kind == FormRule::Kind::alone;
+}
+
 }  // namespace
 
 bool is_replaceable(const FormShape& shape, std::string_view key) {
   return std::ranges::any_of(shape.rules, [&](const FormRule& rule) {
-    return (rule.kind == FormRule::Kind::instead || rule.kind == FormRule::Kind::spares) &&
-           std::ranges::find(rule.others, key) != rule.others.end();
+    return is_spared_by(rule) && std::ranges::find(rule.others, key) != rule.others.end();
   });
 }
 
@@ -111,6 +124,9 @@ void add_rules(const FormShape& shape, Json& schema) {
         break;
       case FormRule::Kind::needed_unless_whole:
         add_needed_unless_whole(rule, schema);
+        break;
+      case FormRule::Kind::alone:
+        schema["allOf"].push_back(all_unless_alone(rule));
         break;
       case FormRule::Kind::together:
       case FormRule::Kind::pointless:

@@ -19,7 +19,10 @@ Json types_of(const FormShape& shape) {
       return Json::array({"string", "number"});
     case FormKind::name:
     case FormKind::word:
+    case FormKind::literal:
       return "string";
+    case FormKind::constant:
+      return "number";
     case FormKind::flag:
       return "boolean";
     case FormKind::vector:
@@ -230,12 +233,12 @@ void ShapeSchema::add_values(const FormShape& shape, Json& schema) {
   }
 }
 
-void ShapeSchema::add_mapping(const FormShape& shape, Json& schema) {
+void ShapeSchema::add_mapping(const FormShape& shape, Json& schema, OfKey of) {
   schema["additionalProperties"] = false;
   Json needed = Json::array();
   Json properties = Json::object();
   for (const FormKey& key : shape.keys) {
-    properties[std::string(key.key)] = of_key(key);
+    properties[std::string(key.key)] = (this->*of)(key);
     if (key.is_needed && !is_replaceable(shape, key.key)) {
       needed.push_back(std::string(key.key));
     }
@@ -244,6 +247,10 @@ void ShapeSchema::add_mapping(const FormShape& shape, Json& schema) {
     schema["required"] = needed;
   }
   schema["properties"] = properties;
+  for (const FormKey& own : shape.beginnings) {
+    schema["patternProperties"]["^" + std::string(own.key)] = {
+        {"description", std::string(own.meaning)}, {"examples", examples_json(own.examples)}};
+  }
   add_rules(shape, schema);
 }
 
@@ -322,6 +329,8 @@ Json ShapeSchema::in_place(const FormKey& key) {
   if (shape.kind == FormKind::number) {
     schema["allOf"] = Json::array({{{"$ref", "#/definitions/expression"}}});
     add_range(shape.range, schema);
+  } else if (shape.kind == FormKind::constant) {
+    schema["const"] = example_json(std::string(shape.sketch));
   } else {
     schema["type"] = types_of(shape);
   }
@@ -382,6 +391,12 @@ Json ShapeSchema::of_section(const FormKey& key) {
     schema["defaultSnippets"] = Json::array({snippet(
         "the section", line_snippet(example_json(std::string(section.examples.front()))))});
   }
+  return schema;
+}
+
+Json ShapeSchema::of_file(const FormShape& shape) {
+  Json schema = {{"description", std::string(shape.meaning)}, {"type", "object"}};
+  add_mapping(shape, schema, &ShapeSchema::of_section);
   return schema;
 }
 

@@ -12,19 +12,22 @@ namespace kinestat {
 /// Writes the schemas of keys and collects the definitions that they refer to.
 class ShapeSchema {
  public:
-  /// Of a key of the file itself, whose mapping is a section.
-  Json of_section(const FormKey& key);
+  /// Of the file itself, whose mappings are sections.
+  Json of_file(const FormShape& shape);
 
   /// Those met so far, by name.
   const std::map<std::string, Json>& definitions() const { return definitions_; }
 
  private:
+  using OfKey = Json (ShapeSchema::*)(const FormKey& key);
+
+  Json of_section(const FormKey& key);
   Json of_key(const FormKey& key);
   Json in_place(const FormKey& key);
   Json of_item(const FormShape& shape);
   Json of_shape(const FormShape& shape);
   void add_values(const FormShape& shape, Json& schema);
-  void add_mapping(const FormShape& shape, Json& schema);
+  void add_mapping(const FormShape& shape, Json& schema, OfKey of = &ShapeSchema::of_key);
   void add_variants(const FormShape& shape, Json& schema);
   void add_alternatives(const FormShape& shape, const Json& examples, Json& schema);
   void define(const FormShape& shape);

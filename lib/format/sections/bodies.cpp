@@ -3,7 +3,6 @@
 #include "format/numbers.hpp"
 #include "format/sections/sections.hpp"
 #include "format/value_forms.hpp"
-#include "io/value_reader.hpp"
 
 namespace kinestat {
 
@@ -34,19 +33,14 @@ const Mapping<BodyDescription>& body() {
 
 // A name, of which the body knows no more.
 Form<BodyDescription> name_alone() {
-  auto form = converted<BodyDescription>(
-      body_name(),
+  return converted<BodyDescription>(
+      new_body_name("a body"),
       [](Name name) {
         BodyDescription body;
         body.name = std::move(name);
         return body;
       },
       [](const BodyDescription& one) { return one.name; });
-  form.read = [read = form.read](const FileValue& value) -> std::optional<BodyDescription> {
-    auto body = read(value);
-    return body && check_name(body->name, "a body", value.found) ? std::move(body) : std::nullopt;
-  };
-  return form;
 }
 
 }  // namespace

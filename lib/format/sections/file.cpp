@@ -1,12 +1,68 @@
+// The keys of the file itself.
+#include <string>
+
+#include <fmt/format.h>
+
+#include "core/version.hpp"
 #include "format/numbers.hpp"
 #include "format/sections/sections.hpp"
 #include "format/value_forms.hpp"
+#include "io/coupling_reader.hpp"
+#include "io/synthesis_reader.hpp"
 
 namespace kinestat {
 
 namespace {
 
 using File = MechanismDescription;
+
+constexpr const char* kMeaning =
+    "A mechanism, the cases to analyse and, where wanted, a shift table, a motion, a sweep or a "
+    "synthesis task. Numbers may be expressions with units and parameters: 20 deg, "
+    "(N1 + N5)/2*module.";
+
+const std::string& version_hint() {
+  static const std::string hint = fmt::format("the file must say 'kinestat: {}'", kFormatVersion);
+  return hint;
+}
+
+bool is_positive_whole(const YamlNode& node) {
+  return node.kind == YamlKind::scalar && !node.text.empty() && node.text != "0" &&
+         node.text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+Form<int> version() {
+  static const std::string text = std::to_string(kFormatVersion);
+  return {.shape = {.kind = FormKind::constant, .sketch = text},
+          .read = [](const FileValue& value) -> std::optional<int> {
+            const YamlNode& node = value.node;
+            if (node.kind == YamlKind::scalar && node.text == text) {
+              return kFormatVersion;
+            }
+            if (is_positive_whole(node)) {
+              value.found.error("E0301",
+                                node.where,
+                                fmt::format("format version {} was made for a newer kinestat; "
+                                            "this one reads version {}",
+                                            node.text,
+                                            text),
+                                "update kinestat, or rewrite the file in the older format");
+            } else {
+              value.found.error("E0301",
+                                node.where,
+                                "the format version is not a positive whole number",
+                                version_hint());
+            }
+            return std::nullopt;
+          },
+          .write = [](int number) { return single_text(std::to_string(number)); }};
+}
+
+Form<Space> space_word() {
+  return titled("the space",
+                choice_of<Space>({{"planar", "points are [x, y]; rotations are about z"},
+                                  {"spatial", "points are [x, y, z]"}}));
+}
 
 const Mapping<File>& statics_section() {
   static const Mapping<File> mapping("", "", "{indeterminate: minimum_norm}", [](auto& m) {
@@ -45,6 +101,50 @@ const Mapping<File>& order_section() {
   return mapping;
 }
 
+void declare_head(Mapping<File>& m) {
+  m.key("kinestat", "Version of this file format.")
+      .passed_over(version(), version().shape.sketch, std::optional(kFormatVersion))
+      .required({.code = "E0301", .message = "the format version is missing"})
+      .add_hint(version_hint());
+  m.key("name", "Title of the mechanism, for reports.")
+      .may(&File::name, titled("the name", text()), "Four-bar linkage");
+  m.key("source", "Where the mechanism and its numbers come from.")
+      .may(&File::source, titled("the source", text()), "Cazangi 2008, section 3.11");
+  m.key("units",
+        "The units of bare numbers in this file; reports use the same. A unit is a name, or "
+        "several joined by '*', '/' and '^', such as N*mm.")
+      .group(&File::units, units_section());
+  m.key("space", "Whether points and vectors have two or three components.")
+      .may(&File::space, space_word(), "planar")
+      .usual("spatial");
+  m.own_keys({.key = "x-",
+              .meaning = "Your own notes, which the program ignores.",
+              .examples = {"checked against the drawing"}});
+}
+
+void declare_network(Mapping<File>& m) {
+  m.key("ground", "The body that stands still. It is not listed in 'bodies'.")
+      .may(&File::ground, titled("the ground", new_body_name("the ground")), "frame")
+      .required()
+      .add_hint("'ground: NAME', the body that stands still");
+  m.key("bodies",
+        "The moving bodies: a list of names, or a mapping of names to attributes, which may be "
+        "empty.")
+      .may(&File::bodies, bodies(), "[crank, coupler, rocker]")
+      .example("{crank: , planet: {reference: [0, 17, 0]}}")
+      .required()
+      .add_hint("'bodies: [NAME, NAME, …]'; of a coupling 'bodies: [TAIL, HEAD]'");
+  m.key("couplings", "The couplings, each with a name.")
+      .by(
+          {.kind = FormKind::names, .items = {point().shape}},
+          [](const FileValue& value, File& file) {
+            file.couplings = read_couplings(value.node, *value.space, value.found);
+          },
+          [](const File&) { return std::optional<FileText>(); })
+      .required()
+      .add_hint("'couplings:' and below it lines 'name: {type: …, bodies: […], …}'");
+}
+
 void declare_structure(Mapping<File>& m) {
   m.key("parameters",
         "Numbers with a name, for use in expressions, in any order. They can be changed by --set "
@@ -58,11 +158,6 @@ void declare_structure(Mapping<File>& m) {
   m.key("order", "In how many coordinates the equations are written.")
       .group(order_section())
       .at_value(&File::order_where);
-  m.key("bodies",
-        "The moving bodies: a list of names, or a mapping of names to attributes, which may be "
-        "empty.")
-      .may(&File::bodies, bodies(), "[crank, coupler, rocker]")
-      .example("{crank: , planet: {reference: [0, 17, 0]}}");
 }
 
 void declare_trains(Mapping<File>& m) {
@@ -118,12 +213,27 @@ void declare_tasks(Mapping<File>& m) {
       .may(&File::published,
            published(),
            "[{value: /cases/M1/ratio, is: 2.847, tolerance: 0.0005, where: Tab. 5.15}]");
+  m.key("synthesis", "A task of synthesis.")
+      .by(
+          {.kind = FormKind::literal},
+          [](const FileValue& value, File& file) {
+            file.synthesis = read_synthesis(value.node, value.found);
+            if (file.synthesis) {
+              file.synthesis->where = value.place;
+            }
+          },
+          [](const File&) { return std::optional<FileText>(); });
+  m.rule({.kind = FormRule::Kind::alone,
+          .key = "synthesis",
+          .others = {"ground", "bodies", "couplings"}});
 }
 
 }  // namespace
 
 const Mapping<MechanismDescription>& file_sections() {
-  static const Mapping<File> mapping("", "", "", [](auto& m) {
+  static const Mapping<File> mapping("", kMeaning, "", [](auto& m) {
+    declare_head(m);
+    declare_network(m);
     declare_structure(m);
     declare_trains(m);
     m.key("actuators",
@@ -139,6 +249,30 @@ const Mapping<MechanismDescription>& file_sections() {
     declare_tasks(m);
   });
   return mapping;
+}
+
+FileValue whole_file(const YamlNode& root, Diagnostics& found) {
+  constexpr SourceRange kBegin{.line = 1, .column = 1, .length = 1};
+  FileValue file{.node = root,
+                 .what = "",
+                 .key = nullptr,
+                 .owner = "",
+                 .where = kBegin,
+                 .place = kBegin,
+                 .space = Space::spatial,
+                 .found = found};
+  if (const YamlNode* word = root.find("space")) {
+    Diagnostics unheard;  // what is wrong is said once it is read
+    file.space = space_word().read({.node = *word,
+                                    .what = "",
+                                    .key = nullptr,
+                                    .owner = "",
+                                    .where = word->where,
+                                    .place = word->where,
+                                    .space = std::nullopt,
+                                    .found = unheard});
+  }
+  return file;
 }
 
 }  // namespace kinestat

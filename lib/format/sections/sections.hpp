@@ -8,6 +8,7 @@
 
 namespace kinestat {
 
+const Mapping<FileUnits>& units_section();
 Form<std::vector<ParameterDescription>> parameters();
 Form<std::vector<BodyDescription>> bodies();
 const Mapping<GearsDescription>& gears_section();
@@ -23,5 +24,8 @@ Form<std::vector<PublishedValue>> published();
 
 /// The sections as the keys of the file.
 const Mapping<MechanismDescription>& file_sections();
+
+/// The file as a value to be read. Its space is known beforehand, since all points need it.
+FileValue whole_file(const YamlNode& root, Diagnostics& found);
 
 }  // namespace kinestat
