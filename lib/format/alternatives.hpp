@@ -4,8 +4,11 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "format/form.hpp"
 
@@ -23,6 +26,18 @@ Form<T> converted(const Form<Given>& form, To to, From from) {
             return given ? std::optional<T>(to(*std::move(given))) : std::nullopt;
           },
           .write = [form, from](const T& value) { return form.write(from(value)); }};
+}
+
+/// The same, called otherwise in messages: {0} is the mapping that has the key, {1} the key.
+template <class T>
+Form<T> called(Form<T> form, std::string title) {
+  form.read = [read = form.read, title = std::move(title)](const FileValue& value) {
+    FileValue renamed = value;
+    renamed.what =
+        fmt::format(fmt::runtime(title), value.owner, value.key != nullptr ? value.key->key : "");
+    return read(renamed);
+  };
+  return form;
 }
 
 /// One of the forms; `choose` says which of them a value is written in.

@@ -52,8 +52,10 @@ Form<std::vector<T>> list_of(const Form<T>& item,
 
 /// One item, or a list of them.
 template <class T>
-Form<std::vector<T>> one_or_more(const Form<T>& item, std::size_t least = 0) {
-  const auto list = list_of(item, "", "", {.least = least});
+Form<std::vector<T>> one_or_more(const Form<T>& item,
+                                 std::size_t least = 0,
+                                 const std::string& hint = {}) {
+  const auto list = list_of(item, "", hint, {.least = least});
   return {.shape = {.kind = FormKind::by_shape, .items = {item.shape, list.shape}},
           .read = [item, list](const FileValue& value) -> std::optional<std::vector<T>> {
             if (value.node.kind == YamlKind::sequence) {

@@ -46,7 +46,8 @@ struct NumberRange {
   bool is_not_zero = false;
 };
 
-/// How several keys of a mapping belong together. In texts {} stands for the mapping.
+/// How several keys of a mapping, or of the items of a list, belong together. In texts {} stands
+/// for the mapping. A rule without a message is for the schema: who reads on complains himself.
 struct FormRule {
   enum class Kind {
     instead,              ///< `key` stands instead of `others`
@@ -57,7 +58,11 @@ struct FormRule {
     unless_true,          ///< where `key` is true, `others` may not stand; {1} is the one that does
     together,             ///< `key` needs `others.front()` beside it
     pointless,            ///< `key` means nothing without `others.front()`
-    alone                 ///< `others` are needed, unless `key` stands without any of them
+    excludes,             ///< beside `key`, none of `others` may stand
+    needs_true,           ///< where `key` is true, `others.front()` must be, too
+    alone,                ///< `others` are needed, unless `key` stands without any of them
+    all_or_none,          ///< of a list: `key` stands in all items or in none
+    instead_of_any        ///< the path `key`, "a/b/c", is needed unless one of the paths `others`
   };
 
   Kind kind = Kind::instead;

@@ -73,6 +73,8 @@ class Mapping {
                       std::string_view title,
                       std::string_view hint);
 
+  void example(std::string_view text) { shape_.examples.push_back(text); }  ///< another
+
   void may_be_empty() { shape_.may_be_empty = true; }  ///< nothing need stand behind its name
 
   void write_in_lines() { is_in_lines_ = true; }  ///< a line for each key
@@ -94,7 +96,7 @@ class Mapping {
     if (shape_.may_be_empty && value.node.kind == YamlKind::null) {
       return true;
     }
-    Fields fields(value.node, value.where, called(value), value.found);
+    Fields fields(value.node, value.where, title_of(value), value.found);
     read_keys(fields, value, object);
     fields.finish();
     if (value.node.kind == YamlKind::mapping) {

@@ -54,10 +54,14 @@ void check_instead(const FormRule& rule, const FileValue& mapping) {
   }
 }
 
+bool is_true(const FileValue& mapping, std::string_view key) {
+  const YamlNode* flag = mapping.node.find(key);
+  return flag != nullptr && flag->text == "true" && !flag->quoted;
+}
+
 void check_unless_true(const FormRule& rule, const FileValue& mapping) {
-  const YamlNode* flag = mapping.node.find(rule.key);
   for (const std::string_view key : rule.others) {
-    if (flag != nullptr && flag->text == "true" && !flag->quoted && has(mapping, key)) {
+    if (is_true(mapping, rule.key) && has(mapping, key)) {
       mapping.found.error("E0302",
                           place_of_key(mapping.node, key),
                           fmt::format(fmt::runtime(rule.message), mapping.what, key),
@@ -77,13 +81,29 @@ void check_one_of(const FormRule& rule, const FileValue& mapping, int errors_bef
   }
 }
 
-bool is_about_one(const FormRule& rule) {
-  return rule.kind == FormRule::Kind::together || rule.kind == FormRule::Kind::pointless;
+// The code of what is wrong with the key for the sake of others; empty if nothing is.
+std::string_view code_for_key(const FormRule& rule, const FileValue& mapping) {
+  if (!has(mapping, rule.key)) {
+    return {};
+  }
+  const bool has_any = has_any_of(rule, mapping);
+  switch (rule.kind) {
+    case FormRule::Kind::together:
+      return has_any ? "" : "E0303";
+    case FormRule::Kind::pointless:
+      return has_any ? "" : "E0302";
+    case FormRule::Kind::excludes:
+      return has_any ? "E0302" : "";
+    case FormRule::Kind::needs_true:
+      return is_true(mapping, rule.key) && !is_true(mapping, rule.others.front()) ? "E0303" : "";
+    default:
+      return {};
+  }
 }
 
 }  // namespace
 
-std::string called(const FileValue& mapping) {
+std::string title_of(const FileValue& mapping) {
   return mapping.what.empty() ? "the mechanism" : mapping.what;
 }
 
@@ -126,21 +146,24 @@ void check_rules(const FormShape& shape, const FileValue& mapping, int errors_be
     if (mapping.found.error_count() > keys_before) {
       return;  // the rest may follow from it
     }
-    const bool has_any = has_any_of(rule, mapping);
-    if (rule.kind == FormRule::Kind::instead) {
+    if (rule.message.empty()) {
+      continue;
+    }
+    const std::string_view code = code_for_key(rule, mapping);
+    if (!code.empty()) {
+      mapping.found.error(code,
+                          place_of_key(mapping.node, rule.key),
+                          fmt::format(fmt::runtime(rule.message), mapping.what),
+                          std::string(rule.hint));
+    } else if (rule.kind == FormRule::Kind::instead) {
       check_instead(rule, mapping);
     } else if (rule.kind == FormRule::Kind::unless_true) {
       check_unless_true(rule, mapping);
     } else if (rule.kind == FormRule::Kind::one_of) {
       check_one_of(rule, mapping, errors_before);
-    } else if (rule.kind == FormRule::Kind::any_of && !has_any) {
+    } else if (rule.kind == FormRule::Kind::any_of && !has_any_of(rule, mapping)) {
       mapping.found.error("E0303",
                           mapping.where,
-                          fmt::format(fmt::runtime(rule.message), mapping.what),
-                          std::string(rule.hint));
-    } else if (is_about_one(rule) && has(mapping, rule.key) && !has_any) {
-      mapping.found.error(rule.kind == FormRule::Kind::together ? "E0303" : "E0302",
-                          place_of_key(mapping.node, rule.key),
                           fmt::format(fmt::runtime(rule.message), mapping.what),
                           std::string(rule.hint));
     }

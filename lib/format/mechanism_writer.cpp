@@ -67,7 +67,6 @@ std::string couplings_text(const std::vector<CouplingDescription>& couplings) {
 
 std::string mechanism_text(const MechanismDescription& description,
                            std::span<const std::string> head) {
-  KINESTAT_EXPECTS(!description.synthesis);
   std::string text;
   for (const std::string& line : head) {
     text += line.empty() ? "#\n" : fmt::format("# {}\n", printable(line));

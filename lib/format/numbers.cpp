@@ -80,6 +80,30 @@ Form<Value> step_count() {
                      {.least = 1, .most = 1000000, .is_whole = true});
 }
 
+Form<Value> point_count() {
+  return number_form("points",
+                     "A whole number from 2 to 1000000.",
+                     {"400"},
+                     {.least = 2, .most = 1000000, .is_whole = true});
+}
+
+Form<Value> digit_count() {
+  return number_form("digits",
+                     "A whole number from 17 to 100.",
+                     {"40"},
+                     {.least = 17, .most = 100, .is_whole = true});
+}
+
+Form<Value> at_least_one() {
+  return number_form(
+      "at_least_one", "A number of at least 1, without a unit.", {"12"}, {.least = 1});
+}
+
+Form<Value> not_zero() {
+  return number_form(
+      "not_zero", "A number other than 0, without a unit.", {"0.58"}, {.is_not_zero = true});
+}
+
 Form<Value> not_negative() {
   return number_form(
       "not_negative", "A number of at least 0, without a unit.", {"0.1"}, {.least = 0});

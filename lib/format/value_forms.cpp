@@ -87,6 +87,22 @@ Form<PointDescription> point() {
       {"[6, 5]", "[ground_length, 0, 25 mm]"});
 }
 
+Form<PointDescription> point_in_plane() {
+  return {.shape = {.kind = FormKind::list,
+                    .definition = "point2",
+                    .meaning = "A point in the plane, [x, y]; lengths in the file's unit.",
+                    .examples = {"[0.424, 0.245]"},
+                    .sketch = "[x, y]",
+                    .least = 2,
+                    .most = 2,
+                    .items = {length().shape}},
+          .read =
+              [](const FileValue& value) {
+                return read_point(value.node, value.what, Space::planar, value.found);
+              },
+          .write = [](const PointDescription& one) { return text_of(one.coordinates); }};
+}
+
 Form<AxisDescription> turning_axis() {
   const FormShape words{
       .kind = FormKind::word,

@@ -3,7 +3,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "description/value.hpp"
@@ -40,6 +39,9 @@ Form<PointDescription> vector_of(const Form<Value>& component,
 /// A point [length].
 Form<PointDescription> point();
 
+/// A point in the plane, whatever the space of the file is.
+Form<PointDescription> point_in_plane();
+
 /// Free text.
 Form<std::string> text();
 
@@ -48,17 +50,6 @@ Form<AxisDescription> turning_axis();
 
 /// true or false; what is not there is false.
 Form<bool> flag();
-
-/// The same form of a value that messages call so: "the ground".
-template <class T>
-Form<T> titled(std::string what, Form<T> form) {
-  form.read = [what = std::move(what), read = form.read](const FileValue& value) {
-    FileValue one = value;
-    one.what = what;
-    return read(one);
-  };
-  return form;
-}
 
 FileText text_of(const std::vector<Value>& values);
 

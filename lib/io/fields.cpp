@@ -28,10 +28,6 @@ std::string example_of(std::string_view key) {
       {"bodies", "'bodies: [NAME, NAME, …]'; of a coupling 'bodies: [TAIL, HEAD]'"},
       {"type", "for example 'type: revolute'"},
       {"radius", "for example 'radius: 20 mm'"},
-      {"positions", "'positions:' and below it lines '- {at: [x, y], angle: 30 deg}'"},
-      {"angle", "for example 'angle: 30 deg'"},
-      {"from", "'from: VALUE', where it begins"},
-      {"to", "'to: VALUE', where it ends"},
   });
   const auto at = std::ranges::find(kExamples, key, &Example::key);
   return at != kExamples.end() ? std::string(at->text) : fmt::format("'{}: …'", key);

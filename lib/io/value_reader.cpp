@@ -148,22 +148,6 @@ bool check_mapping(const YamlNode& node, std::string_view section, Diagnostics& 
   return false;
 }
 
-bool check_list(const YamlNode& node,
-                std::string_view what,
-                std::string_view hint,
-                Diagnostics& found) {
-  if (node.kind == YamlKind::sequence && !node.items.empty()) {
-    return true;
-  }
-  found.error("E0304",
-              node.where,
-              fmt::format("{} must be a list{}",
-                          what,
-                          node.kind == YamlKind::sequence ? " with something in it" : ""),
-              std::string(hint));
-  return false;
-}
-
 std::string with_commas(const YamlNode& node) {
   if (node.kind != YamlKind::scalar || node.text.find(' ') == std::string::npos) {
     return {};

@@ -18,12 +18,6 @@ namespace kinestat {
 /// Whether a section is a mapping of names; adds an error if not.
 bool check_mapping(const YamlNode& node, std::string_view section, Diagnostics& found);
 
-/// Whether a value is a list with something in it; adds an error with the hint if not.
-bool check_list(const YamlNode& node,
-                std::string_view what,
-                std::string_view hint,
-                Diagnostics& found);
-
 /// The words of a scalar with commas between them, "crank, coupler" of "crank coupler", for lists
 /// whose commas were forgotten; empty if it is one word.
 std::string with_commas(const YamlNode& node);

@@ -88,6 +88,61 @@ Json all_unless_alone(const FormRule& rule) {
   return {{"if", alone}, {"else", {{"required", json_list(rule.others)}}}};
 }
 
+// The value at a path must have the last key: "positions/curvature/m". Lists are passed through.
+Json at_path(const FormShape& shape, std::string_view path, const Json& demand) {
+  if (shape.kind == FormKind::list) {
+    return {{"items", at_path(shape.items.front(), path, demand)}};
+  }
+  const std::size_t slash = path.find('/');
+  const std::string_view first = path.substr(0, slash);
+  if (slash == std::string_view::npos) {
+    return demand;
+  }
+  const auto key = std::ranges::find(shape.keys, first, &FormKey::key);
+  Json inside = at_path(key->shape, path.substr(slash + 1), demand);
+  inside["doNotSuggest"] = true;
+  return {{"properties", {{std::string(first), inside}}}};
+}
+
+std::string_view last_of(std::string_view path) {
+  return path.substr(path.rfind('/') + 1);
+}
+
+// Whether a path with one slash is there.
+Json has_path(std::string_view path) {
+  const std::string first(path.substr(0, path.find('/')));
+  return {{"properties", {{first, has(last_of(path))}}}, {"required", {first}}};
+}
+
+// Needed where none of the others is there, and refused where one is.
+Json instead_of_any(const FormShape& shape, const FormRule& rule) {
+  Json others = Json::array();
+  for (const std::string_view other : rule.others) {
+    others.push_back(has_path(other));
+  }
+  Json needed = has(last_of(rule.key));
+  needed["errorMessage"] = std::string(rule.hint);
+  const Json spare = {{"properties", {{std::string(last_of(rule.key)), false}}},
+                      {"errorMessage", std::string(rule.hint)}};
+  return {{"if", {{"anyOf", others}}},
+          {"then", at_path(shape, rule.key, spare)},
+          {"else", at_path(shape, rule.key, needed)}};
+}
+
+// All items have the key if one has it.
+void add_all_or_none(const FormRule& rule, Json& schema) {
+  schema["if"] = {{"contains", has(rule.key)}};
+  schema["then"] = {{"items", has(rule.key)}};
+  schema["then"]["items"]["errorMessage"] = std::string(rule.hint);
+}
+
+Json both_true(const FormRule& rule) {
+  return {{"if", is_true(rule.key)},
+          {"then",
+           {{"properties",
+             {{std::string(rule.others.front()), {{"const", true}, {"doNotSuggest", true}}}}}}}};
+}
+
 bool is_spared_by(const FormRule& rule) {
   return rule.kind == FormRule::Kind::instead || rule.kind == FormRule::Kind::spares ||
          rule.kind == FormRule::Kind::alone;
@@ -124,6 +179,19 @@ void add_rules(const FormShape& shape, Json& schema) {
         break;
       case FormRule::Kind::needed_unless_whole:
         add_needed_unless_whole(rule, schema);
+        break;
+      case FormRule::Kind::excludes:
+        schema["allOf"].push_back(
+            {{"if", has(rule.key)}, {"then", {{"properties", refused(rule.others)}}}});
+        break;
+      case FormRule::Kind::needs_true:
+        schema["allOf"].push_back(both_true(rule));
+        break;
+      case FormRule::Kind::all_or_none:
+        add_all_or_none(rule, schema);
+        break;
+      case FormRule::Kind::instead_of_any:
+        schema["allOf"].push_back(instead_of_any(shape, rule));
         break;
       case FormRule::Kind::alone:
         schema["allOf"].push_back(all_unless_alone(rule));

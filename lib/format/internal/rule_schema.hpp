@@ -11,7 +11,7 @@ namespace kinestat {
 /// Whether another key may stand instead of it.
 bool is_replaceable(const FormShape& shape, std::string_view key);
 
-/// Adds the rules of a mapping to the schema of its keys.
+/// Adds the rules of a mapping or list to its schema.
 void add_rules(const FormShape& shape, Json& schema);
 
 }  // namespace kinestat

@@ -129,7 +129,7 @@ bool fits(const FormShape& shape, const Json& example) {
 
 // What an editor offers for a list or a mapping: the first example to be filled in.
 Json snippets_of(const FormShape& shape, const Json& examples) {
-  const bool is_vector = shape.kind == FormKind::vector;
+  const bool is_point = shape.kind == FormKind::vector || !shape.sketch.empty();
   if (shape.kind == FormKind::variants) {
     Json snippets = Json::array();
     for (const FormShape& one : shape.items) {
@@ -145,8 +145,14 @@ Json snippets_of(const FormShape& shape, const Json& examples) {
   if (shape.kind == FormKind::names && !shape.item.empty()) {
     return Json::array({named_snippet(shape, *at)});
   }
-  return Json::array(
-      {snippet(is_vector ? sketch_of(shape, Space::planar) : outline(*at), flow_snippet(*at))});
+  Json snippets = Json::array();
+  for (const Json& one : examples) {
+    if (one == *at || (shape.kind == FormKind::mapping && fits(shape, one))) {
+      snippets.push_back(
+          snippet(is_point ? sketch_of(shape, Space::planar) : outline(one), flow_snippet(one)));
+    }
+  }
+  return snippets;
 }
 
 // A number about z, or a vector.
@@ -209,6 +215,7 @@ void ShapeSchema::add_values(const FormShape& shape, Json& schema) {
     case FormKind::list:
       schema["items"] = of_item(shape.items.front());
       add_count(shape, schema);
+      add_rules(shape, schema);
       break;
     case FormKind::names:
       if (!shape.name_definition.empty()) {

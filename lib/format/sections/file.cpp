@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include "core/version.hpp"
+#include "format/alternatives.hpp"
 #include "format/numbers.hpp"
 #include "format/sections/sections.hpp"
 #include "format/value_forms.hpp"
 #include "io/coupling_reader.hpp"
-#include "io/synthesis_reader.hpp"
 
 namespace kinestat {
 
@@ -59,9 +59,9 @@ Form<int> version() {
 }
 
 Form<Space> space_word() {
-  return titled("the space",
-                choice_of<Space>({{"planar", "points are [x, y]; rotations are about z"},
-                                  {"spatial", "points are [x, y, z]"}}));
+  return called(choice_of<Space>({{"planar", "points are [x, y]; rotations are about z"},
+                                  {"spatial", "points are [x, y, z]"}}),
+                "the space");
 }
 
 const Mapping<File>& statics_section() {
@@ -107,9 +107,9 @@ void declare_head(Mapping<File>& m) {
       .required({.code = "E0301", .message = "the format version is missing"})
       .add_hint(version_hint());
   m.key("name", "Title of the mechanism, for reports.")
-      .may(&File::name, titled("the name", text()), "Four-bar linkage");
+      .may(&File::name, called(text(), "the name"), "Four-bar linkage");
   m.key("source", "Where the mechanism and its numbers come from.")
-      .may(&File::source, titled("the source", text()), "Cazangi 2008, section 3.11");
+      .may(&File::source, called(text(), "the source"), "Cazangi 2008, section 3.11");
   m.key("units",
         "The units of bare numbers in this file; reports use the same. A unit is a name, or "
         "several joined by '*', '/' and '^', such as N*mm.")
@@ -124,7 +124,7 @@ void declare_head(Mapping<File>& m) {
 
 void declare_network(Mapping<File>& m) {
   m.key("ground", "The body that stands still. It is not listed in 'bodies'.")
-      .may(&File::ground, titled("the ground", new_body_name("the ground")), "frame")
+      .may(&File::ground, called(new_body_name("the ground"), "the ground"), "frame")
       .required()
       .add_hint("'ground: NAME', the body that stands still");
   m.key("bodies",
@@ -213,16 +213,10 @@ void declare_tasks(Mapping<File>& m) {
       .may(&File::published,
            published(),
            "[{value: /cases/M1/ratio, is: 2.847, tolerance: 0.0005, where: Tab. 5.15}]");
-  m.key("synthesis", "A task of synthesis.")
-      .by(
-          {.kind = FormKind::literal},
-          [](const FileValue& value, File& file) {
-            file.synthesis = read_synthesis(value.node, value.found);
-            if (file.synthesis) {
-              file.synthesis->where = value.place;
-            }
-          },
-          [](const File&) { return std::optional<FileText>(); });
+  m.key("synthesis",
+        "Finds linkages that carry a plane through two to five positions, finitely or "
+        "infinitesimally near. It is planar; a file may hold this section alone.")
+      .may(&File::synthesis, synthesis_section().form());
   m.rule({.kind = FormRule::Kind::alone,
           .key = "synthesis",
           .others = {"ground", "bodies", "couplings"}});

@@ -21,6 +21,7 @@ const Mapping<ShiftDescription>& shift_section();
 const Mapping<MotionDescription>& motion_section();
 const Mapping<SweepDescription>& sweep_section();
 Form<std::vector<PublishedValue>> published();
+const Mapping<SynthesisDescription>& synthesis_section();
 
 /// The sections as the keys of the file.
 const Mapping<MechanismDescription>& file_sections();

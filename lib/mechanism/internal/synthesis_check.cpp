@@ -60,7 +60,7 @@ class SynthesisCheck {
     }
     context_.number(task_.curve_count, kCurveCount, "'count' of 'curves'");
     context_.number(task_.samples, kSamples, "'samples' of 'vary'");
-    check_together();
+    check_effective();
     context_.number(task_.digits, kDigits, "'digits' of 'synthesis'");
   }
 
@@ -230,27 +230,6 @@ class SynthesisCheck {
   }
 
   // s, tau and tau_2 stand for free point and m together, one for each order.
-  void check_together() {
-    using enum FreeNumber;
-    for (const SynthesisRange& range : task_.vary) {
-      const bool is_effective = range.which == s || range.which == tau || range.which == tau_2;
-      if (is_effective && (is_varied(m) || is_varied(free_point))) {
-        context_.found.error(
-            "E0302",
-            range.name_where,
-            fmt::format("'vary' cannot have '{}' beside 'm' or 'free_point'", word_of(range.which)),
-            "keep s, tau and tau_2, or m and free_point: both say the same");
-      }
-      if (range.which == circle_points && task_.vary.size() > 1) {
-        context_.found.error("E0302",
-                             range.name_where,
-                             "'vary' cannot have 'circle_points' beside other ranges",
-                             "keep one of them, and give numbers for what the others leave free");
-      }
-    }
-    check_effective();
-  }
-
   void check_effective() {
     using enum FreeNumber;
     const bool is_stationary = std::ranges::any_of(

@@ -75,7 +75,7 @@ TEST(MechanismWriter, PutsTheHeadInCommentsThatStayComments) {
 
 TEST(MechanismWriter, RefusesWhatItWouldLeaveOut) {
   MechanismDescription description = read_back(kSliderCrank);
-  description.synthesis.emplace();
+  description.couplings.front().type = CouplingType::spherical;
 
   EXPECT_THROW(mechanism_text(description, {}), ContractViolation);
 }

@@ -1,17 +1,16 @@
-#include "io/synthesis_reader.hpp"
-
 #include <gtest/gtest.h>
 
-#include "support/read_text.hpp"
+#include "format/sections/sections.hpp"
+#include "support/read_section.hpp"
 
 namespace kinestat {
 namespace {
 
-Reading<std::optional<SynthesisDescription>> task_of(const std::string& text) {
-  return read_text(text, read_synthesis);
+auto task_of(const std::string& text) {
+  return read_section(synthesis_section(), "'synthesis'", text, Space::spatial);
 }
 
-TEST(SynthesisReader, ReadsTheSmallestTask) {
+TEST(SynthesisSection, ReadsTheSmallestTask) {
   const auto reading =
       task_of("positions: [{at: [0, 1], angle: 30 deg}, {at: [2, 3], angle: 0}]\n");
 
@@ -25,7 +24,7 @@ TEST(SynthesisReader, ReadsTheSmallestTask) {
   EXPECT_FALSE(task.curve_count);
 }
 
-TEST(SynthesisReader, TakesCurvesWithoutACountForTheUsualOne) {
+TEST(SynthesisSection, TakesCurvesWithoutACountForTheUsualOne) {
   const auto reading =
       task_of("positions: [{at: [0, 1], angle: 0}, {at: [2, 3], angle: 0}]\ncurves: {}\n");
 
@@ -33,7 +32,7 @@ TEST(SynthesisReader, TakesCurvesWithoutACountForTheUsualOne) {
   EXPECT_EQ(reading.value->curve_count->expression.text(), "200");
 }
 
-TEST(SynthesisReader, ReadsEveryKey) {
+TEST(SynthesisSection, ReadsEveryKey) {
   const auto reading = task_of(
       "linkage: slider_crank\n"
       "positions:\n"
@@ -64,24 +63,44 @@ TEST(SynthesisReader, ReadsEveryKey) {
   EXPECT_EQ(task.curve_count->expression.text(), "400");
 }
 
-TEST(SynthesisReader, ReadsWhatMayBeFree) {
+TEST(SynthesisSection, ReadsWhatMayBeFree) {
   const auto reading = task_of(
       "positions: [{at: [0, 0], angle: 0}]\n"
-      "vary: {tau_2: {from: 1, to: 2}, tau: {from: 3, to: 4}, s: {from: 5, to: 6},\n"
-      "       circle_points: {from: [1, 2], to: [3, 4]}}\n");
+      "vary: {tau_2: {from: 1, to: 2}, tau: {from: 3, to: 4}, s: {from: 5, to: 6}}\n");
 
   ASSERT_EQ(reading.complaints(), Complaints{});
   const SynthesisDescription& task = *reading.value;
-  ASSERT_EQ(task.vary.size(), 4U);
+  ASSERT_EQ(task.vary.size(), 3U);
   EXPECT_EQ(task.vary[0].which, FreeNumber::s);
   EXPECT_EQ(task.vary[0].to[0].expression.text(), "6");
   EXPECT_EQ(task.vary[1].which, FreeNumber::tau);
   EXPECT_EQ(task.vary[2].which, FreeNumber::tau_2);
-  EXPECT_EQ(task.vary[3].which, FreeNumber::circle_points);
-  EXPECT_EQ(task.vary[3].to[1].expression.text(), "4");
 }
 
-TEST(SynthesisReader, ReadsDerivatives) {
+TEST(SynthesisSection, ReadsTheAreaOfCirclePoints) {
+  const auto reading = task_of(
+      "positions: [{at: [0, 0], angle: 0}]\n"
+      "vary: {circle_points: {from: [1, 2], to: [3, 4]}}\n");
+
+  ASSERT_EQ(reading.complaints(), Complaints{});
+  ASSERT_EQ(reading.value->vary.size(), 1U);
+  EXPECT_EQ(reading.value->vary[0].which, FreeNumber::circle_points);
+  EXPECT_EQ(reading.value->vary[0].to[1].expression.text(), "4");
+}
+
+TEST(SynthesisSection, RefusesRangesThatSayTheSame) {
+  const auto complaints_of_vary = [](const std::string& ranges) {
+    return task_of("positions: [{at: [0, 0], angle: 0}]\nvary: {" + ranges + "}\n").complaints();
+  };
+  EXPECT_EQ(complaints_of_vary("tau: {from: 3, to: 4}, m: {from: 5, to: 6}"),
+            (Complaints{"2:8 E0302 'vary' cannot have 'tau' beside 'm' or 'free_point'"}));
+  EXPECT_EQ(complaints_of_vary("s: {from: 3, to: 4}, circle_points: {from: [1, 2], to: [3, 4]}"),
+            (Complaints{"2:29 E0302 'vary' cannot have 'circle_points' beside other ranges"}));
+  EXPECT_EQ(complaints_of_vary("samples: 100"),
+            (Complaints{"2:7 E0303 'vary' names nothing that is free"}));
+}
+
+TEST(SynthesisSection, ReadsDerivatives) {
   const auto reading = task_of(
       "positions: [{at: [0, 0], angle: 0, derivatives: [{at: [1, 0], angle: 1}, {at: [0, 2], "
       "angle: 0}]}]\n");
@@ -91,7 +110,7 @@ TEST(SynthesisReader, ReadsDerivatives) {
   EXPECT_EQ(reading.value->positions[0].derivatives[1].angle->expression.text(), "0");
 }
 
-TEST(SynthesisReader, NeedsPointAndAngle) {
+TEST(SynthesisSection, NeedsPointAndAngle) {
   EXPECT_EQ(task_of("linkage: any\n").complaints(),
             (Complaints{"1:1 E0303 'synthesis' lacks the key 'positions'"}));
   EXPECT_EQ(task_of("positions: [{}, 3]\n").complaints(),
@@ -100,7 +119,7 @@ TEST(SynthesisReader, NeedsPointAndAngle) {
                         "1:17 E0304 position 2 must be a mapping of keys to values"}));
 }
 
-TEST(SynthesisReader, WantsEachOrderAfterTheOneBefore) {
+TEST(SynthesisSection, WantsEachOrderAfterTheOneBefore) {
   const auto reading = task_of(
       "positions:\n"
       "  - {at: [0, 0], angle: 0, curvature: {centre: [1, 1]}}\n"
@@ -113,7 +132,7 @@ TEST(SynthesisReader, WantsEachOrderAfterTheOneBefore) {
                         "4:28 E0303 'burmester' of position 3 needs 'stationary' beside it"}));
 }
 
-TEST(SynthesisReader, RefusesAnOrderThatTheOneBeforeDenies) {
+TEST(SynthesisSection, RefusesAnOrderThatTheOneBeforeDenies) {
   EXPECT_EQ(task_of("positions:\n"
                     "  - {at: [0, 0], angle: 0, pole: [1, 1], curvature: {centre: [1, 2]},\n"
                     "     stationary: false, burmester: true}\n")
@@ -121,14 +140,14 @@ TEST(SynthesisReader, RefusesAnOrderThatTheOneBeforeDenies) {
             (Complaints{"3:25 E0303 'burmester' of position 1 needs 'stationary: true'"}));
 }
 
-TEST(SynthesisReader, RefusesAPoleBesideDerivatives) {
+TEST(SynthesisSection, RefusesAPoleBesideDerivatives) {
   EXPECT_EQ(task_of("positions:\n"
                     "  - {at: [0, 0], angle: 0, pole: [1, 1], derivatives: [{at: [1, 2]}]}\n")
                 .complaints(),
             (Complaints{"2:28 E0302 position 1 cannot have 'pole' beside 'derivatives'"}));
 }
 
-TEST(SynthesisReader, WantsAnAngleInAllDerivativesOrInNone) {
+TEST(SynthesisSection, WantsAnAngleInAllDerivativesOrInNone) {
   EXPECT_EQ(
       task_of("positions:\n"
               "  - {at: [0, 0], angle: 0, derivatives: [{at: [1, 2]}, {at: [1, 2], angle: 3}]}\n")
@@ -136,7 +155,7 @@ TEST(SynthesisReader, WantsAnAngleInAllDerivativesOrInNone) {
       (Complaints{"2:41 E0303 only some derivatives of position 1 have an 'angle'"}));
 }
 
-TEST(SynthesisReader, ReportsWrongShapesAtTheirPlaces) {
+TEST(SynthesisSection, ReportsWrongShapesAtTheirPlaces) {
   EXPECT_EQ(task_of("linkage: fourbar\n"
                     "positions:\n"
                     "  - {at: [0, 0, 0], angle: [], pole: x, derivates: []}\n"

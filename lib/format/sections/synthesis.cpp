@@ -1,0 +1,419 @@
+// The section `synthesis`. It is planar, whatever the space of the file is.
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "format/alternatives.hpp"
+#include "format/numbers.hpp"
+#include "format/sections/sections.hpp"
+#include "format/value_forms.hpp"
+#include "io/field_values.hpp"
+
+namespace kinestat {
+
+namespace {
+
+using Task = SynthesisDescription;
+
+constexpr const char* kOrdersHint =
+    "the orders are pole, curvature, stationary, burmester; each needs the one before";
+
+constexpr const char* kUsualCurveCount = "200";
+
+const Mapping<PoseDerivative>& derivative() {
+  static const Mapping<PoseDerivative> mapping(
+      "derivative",
+      "One derivative; the parameter is the angle unless angles are given.",
+      "{at: [1, 0], angle: 0}",
+      [](auto& m) {
+        m.key("at", "Derivative of the origin, in lengths per unit of the parameter.")
+            .needed(&PoseDerivative::at, point_in_plane());
+        m.key("angle",
+              "Derivative of the angle by the parameter, in all or in none: a number counts in the "
+              "angle unit of the file, or has a unit of its own (\"-15.5 deg\"). The parameter "
+              "grows along the motion, so that the derivatives have a sense.")
+            .may(&PoseDerivative::angle, angle(), "1");
+      });
+  return mapping;
+}
+
+// Either the parameter of the motion is the angle, or every derivative says how the angle moves.
+Form<std::vector<PoseDerivative>> derivatives() {
+  const FormRule rule{
+      .kind = FormRule::Kind::all_or_none,
+      .key = "angle",
+      .message = "only some derivatives of {} have an 'angle'",
+      .hint = "give 'angle' in all of them, or in none if the parameter is the angle itself"};
+  auto form =
+      list_of(derivative().form(),
+              "derivative {0} of {1}",
+              "write derivatives: [{at: [x, y], angle: 1 rad}, …], the first derivative first",
+              {.least = 1, .most = 4});
+  form.shape.rules.push_back(rule);
+  form.read = [rule, read = form.read](const FileValue& value) {
+    auto list = read(value);
+    const auto has_angle = [](const PoseDerivative& one) { return one.angle.has_value(); };
+    if (list && std::ranges::any_of(*list, has_angle) && !std::ranges::all_of(*list, has_angle)) {
+      value.found.error("E0303",
+                        value.node.where,
+                        fmt::format(fmt::runtime(rule.message), value.owner),
+                        std::string(rule.hint));
+    }
+    return list;
+  };
+  return form;
+}
+
+const Mapping<CurvatureDescription>& curvature() {
+  static const Mapping<CurvatureDescription> mapping(
+      "", "", "{centre: [3, 2.6], free_point: [0.75, 2], m: 0.58}", [](auto& m) {
+        m.key("centre", "The centre of curvature of the path of 'at', on its line with the pole.")
+            .needed(&CurvatureDescription::centre, point_in_plane());
+        m.key("free_point", "A second point of the plane; may be left to 'vary'.")
+            .may(&CurvatureDescription::free_point, point_in_plane());
+        m.key("m",
+              "Ratio that fixes the curvature of the path of the free point, not 0; may be left to "
+              "'vary'.")
+            .may(&CurvatureDescription::m, not_zero(), "0.58");
+      });
+  return mapping;
+}
+
+// Each order of contact needs the one before; derivatives say all of them in another way.
+void declare_orders(Mapping<PositionDescription>& m) {
+  using enum FormRule::Kind;
+  m.key("pole", "The pole: the instant centre of the plane's motion in this position (PP).")
+      .may(&PositionDescription::pole, point_in_plane());
+  m.key("curvature",
+        "Curvature of the paths of 'at' and of a free point, which fixes the second order (PPP); "
+        "needs 'pole'.")
+      .may(&PositionDescription::curvature,
+           curvature().form(),
+           "{centre: [3, 2.6], free_point: [0.75, 2], m: 0.58}");
+  m.key("stationary",
+        "true makes the curvature stationary (PPPP); needs 'curvature'. Default false.")
+      .may(&PositionDescription::stationary, flag(), "true");
+  m.key("burmester",
+        "true makes 'at' and the free point Burmester points (PPPPP); needs 'stationary'. Default "
+        "false.")
+      .may(&PositionDescription::burmester, flag(), "true");
+  m.key("derivatives",
+        "Derivatives of the position by a parameter, first to fourth, instead of pole and "
+        "curvature.")
+      .may(&PositionDescription::derivatives, derivatives(), "[{at: [1, 0], angle: 0}]");
+  m.instead("derivatives",
+            {"pole", "curvature", "stationary", "burmester"},
+            "keep one of the two: both say how the plane moves there");
+  m.rule({.kind = together,
+          .key = "curvature",
+          .others = {"pole"},
+          .message = "'curvature' of {} needs 'pole' beside it",
+          .hint = kOrdersHint});
+  m.rule({.kind = together,
+          .key = "stationary",
+          .others = {"curvature"},
+          .message = "'stationary' of {} needs 'curvature' beside it",
+          .hint = kOrdersHint});
+  m.rule({.kind = together,
+          .key = "burmester",
+          .others = {"stationary"},
+          .message = "'burmester' of {} needs 'stationary' beside it",
+          .hint = kOrdersHint});
+  m.rule({.kind = needs_true,
+          .key = "burmester",
+          .others = {"stationary"},
+          .message = "'burmester' of {} needs 'stationary: true'",
+          .hint = "write stationary: true, or burmester: false"});
+}
+
+const Mapping<PositionDescription>& position() {
+  static const Mapping<PositionDescription> mapping(
+      "position",
+      "A position of the moving plane. Beside the point alone (P), a pole adds the velocity (PP), "
+      "then curvature (PPP), stationary (PPPP) and burmester (PPPPP) each a further order of "
+      "contact; derivatives may stand instead of all these.",
+      "{at: [0.49, 0.0], angle: 30 deg}",
+      [](auto& m) {
+        m.example("{at: [0.424, 0.245], angle: 30 deg, pole: [0.6, 2.019]}");
+        m.key("at", "Where the origin of the moving plane is.")
+            .needed(&PositionDescription::at, point_in_plane());
+        m.key("angle",
+              "The angle of the moving plane, counterclockwise; a list makes a task of each.")
+            .needed(&PositionDescription::angles,
+                    one_or_more(angle(), 1, "write angle: 30 deg, or a list of angles to try each"),
+                    "30 deg")
+            .example("[30 deg, 40 deg]")
+            .add_hint("for example 'angle: 30 deg'");
+        declare_orders(m);
+      });
+  return mapping;
+}
+
+const Mapping<SynthesisLimits>& limits() {
+  static const Mapping<SynthesisLimits> mapping(
+      "", "", "{transmission_angle: 30 deg, link_ratio: 12, size: 20}", [](auto& m) {
+        m.key("transmission_angle", "Least transmission angle, from 0 to below 90 deg.")
+            .may(&SynthesisLimits::transmission_angle, acute_angle(), "30 deg");
+        m.key("link_ratio", "Largest ratio of the longest link to the shortest, at least 1.")
+            .may(&SynthesisLimits::link_ratio, at_least_one(), "12");
+        m.key("size", "Largest length of a link or distance of a pivot.")
+            .may(&SynthesisLimits::size, size(), "20");
+      });
+  return mapping;
+}
+
+using RangeEnd = Form<std::vector<Value>>;
+
+RangeEnd number_end(const Form<Value>& number) {
+  return converted<std::vector<Value>>(
+      number,
+      [](Value value) { return std::vector{std::move(value)}; },
+      [](const std::vector<Value>& values) { return values.front(); });
+}
+
+RangeEnd corner() {
+  return converted<std::vector<Value>>(
+      point_in_plane(),
+      [](PointDescription point) { return std::move(point.coordinates); },
+      [](const std::vector<Value>& values) {
+        return PointDescription{.coordinates = values, .where = {}};
+      });
+}
+
+// What may be free: `from` and `to` are examples of a number; those of points have their own.
+struct FreeRange {
+  FreeNumber which = FreeNumber::m;
+  std::string_view meaning;
+  RangeEnd end;
+  std::string_view example;
+  std::string_view from = {};
+  std::string_view to = {};
+};
+
+using RangeMapping = Mapping<SynthesisRange>;
+
+std::shared_ptr<const RangeMapping> range_mapping(const FreeRange& free) {
+  return std::make_shared<const RangeMapping>("", "", free.example, [&free](auto& m) {
+    const bool has_corners = is_point(free.which);
+    m.key("from", has_corners ? "One corner of the range." : "Its least value.")
+        .needed(&SynthesisRange::from, free.end, free.from);
+    m.key("to", has_corners ? "The opposite corner." : "Its largest value.")
+        .needed(&SynthesisRange::to, free.end, free.to);
+  });
+}
+
+void declare_range(const FreeRange& free, Mapping<Task>& m) {
+  const auto range = range_mapping(free);
+  const FreeNumber which = free.which;
+  m.key(word_of(which), free.meaning)
+      .by(
+          range->shape(),
+          [range, which](const FileValue& value, Task& task) {
+            FileValue renamed = value;
+            renamed.what = fmt::format("'{}' of 'vary'", word_of(which));
+            if (auto one = range->read(renamed)) {
+              one->which = which;
+              task.vary.push_back(*std::move(one));
+            }
+          },
+          [range, which](const Task& task) {
+            const auto one = std::ranges::find(task.vary, which, &SynthesisRange::which);
+            return one != task.vary.end() ? std::optional(range->text(*one)) : std::nullopt;
+          },
+          free.example);
+}
+
+void declare_ranges(Mapping<Task>& vary) {
+  using enum FreeNumber;
+  const RangeEnd number = number_end(bare_number());
+  const RangeEnd distance = number_end(length());
+  const std::vector<FreeRange> ranges = {
+      {m, "Range of the ratio m of the curvature.", number, "{from: 0.2, to: 3}", "0.2", "3"},
+      {free_point,
+       "Range of the free point of the curvature.",
+       corner(),
+       "{from: [-1, -1], to: [1, 1]}"},
+      {s,
+       "Range of the effective freedom of the curvature, instead of free point and m: how far the "
+       "inflection pole lies to the left of the line from the pole to 'at', a length.",
+       distance,
+       "{from: -20, to: 20}",
+       "-20",
+       "20"},
+      {tau,
+       "Range of the effective freedom of stationary curvature beside s; a plain number.",
+       number,
+       "{from: -1, to: 1}",
+       "-1",
+       "1"},
+      {tau_2,
+       "Range of the effective freedom of a Burmester point beside s and tau; a plain number.",
+       number,
+       "{from: -1, to: 1}",
+       "-1",
+       "1"},
+      {circle_points,
+       "Where circle points may lie, in the moving frame; for three and four positions.",
+       corner(),
+       "{from: [-1, -1], to: [1, 1]}"},
+  };
+  for (const FreeRange& free : ranges) {
+    declare_range(free, vary);
+  }
+}
+
+// What says the same cannot vary twice. tau and tau_2 need more than the range before, which is
+// judged with the positions.
+void declare_togetherness(Mapping<Task>& m) {
+  using enum FormRule::Kind;
+  constexpr const char* kHint = "keep s, tau and tau_2, or m and free_point: both say the same";
+  m.rule({.kind = excludes,
+          .key = "s",
+          .others = {"m", "free_point"},
+          .message = "'vary' cannot have 's' beside 'm' or 'free_point'",
+          .hint = kHint});
+  m.rule({.kind = excludes,
+          .key = "tau",
+          .others = {"m", "free_point"},
+          .message = "'vary' cannot have 'tau' beside 'm' or 'free_point'",
+          .hint = kHint});
+  m.rule({.kind = excludes,
+          .key = "tau_2",
+          .others = {"m", "free_point"},
+          .message = "'vary' cannot have 'tau_2' beside 'm' or 'free_point'",
+          .hint = kHint});
+  m.rule({.kind = excludes,
+          .key = "circle_points",
+          .others = {"m", "free_point", "s", "tau", "tau_2"},
+          .message = "'vary' cannot have 'circle_points' beside other ranges",
+          .hint = "keep one of them, and give numbers for what the others leave free"});
+  m.rule({.kind = together, .key = "tau", .others = {"s"}});
+  m.rule({.kind = together, .key = "tau_2", .others = {"tau"}});
+  m.rule({.kind = any_of, .others = {"m", "free_point", "s", "circle_points"}});
+  m.check([](const Task& task, const FileValue& value) {
+    if (task.vary.empty()) {
+      value.found.error("E0303",
+                        value.where,
+                        "'vary' names nothing that is free",
+                        "write for example vary: {m: {from: 0.2, to: 3}}");
+    }
+  });
+}
+
+const Mapping<Task>& vary() {
+  static const Mapping<Task> mapping("", "", "{m: {from: 0.2, to: 3}}", [](auto& m) {
+    declare_ranges(m);
+    m.key("samples",
+          "How many combinations are tried at least: a grid with as many steps for every free "
+          "number.")
+        .may(&Task::samples, point_count(), "100000")
+        .usual("4000");
+    declare_togetherness(m);
+  });
+  return mapping;
+}
+
+const Mapping<Task>& curves() {
+  static const Mapping<Task> mapping("", "", "{count: 400}", [](auto& m) {
+    m.key("count", "Number of points of each curve.")
+        .may(&Task::curve_count, point_count(), "400")
+        .usual(kUsualCurveCount);
+  });
+  return mapping;
+}
+
+// To ask for curves is enough.
+void read_curves(const FileValue& value, Task& task) {
+  curves().read_into(task, value);
+  if (value.node.kind == YamlKind::mapping && value.node.entries.empty()) {
+    task.curve_count = {.expression = std::get<Expression>(parse_expression(kUsualCurveCount)),
+                        .where = value.node.where,
+                        .text_column = 0};
+  }
+}
+
+void read_vary(const FileValue& value, Task& task) {
+  vary().read_into(task, value);
+  for (SynthesisRange& range : task.vary) {
+    range.name_where = place_of_key(value.node, word_of(range.which));
+  }
+}
+
+std::optional<FileText> part_text(const Mapping<Task>& part, const Task& task) {
+  FileText text = part.text(task);
+  return text.entries.empty() ? std::nullopt : std::optional(std::move(text));
+}
+
+void declare_free(Mapping<Task>& m) {
+  m.key("vary",
+        "Free numbers of the task and their ranges, among which the best linkage is selected. With "
+        "five positions what 'curvature' leaves free, with three and four the circle points.")
+      .by(
+          vary().shape(),
+          read_vary,
+          [](const Task& task) { return part_text(vary(), task); },
+          "{m: {from: 0.2, to: 3}}");
+  m.key("curves",
+        "The curves of circle points and centre points of four positions. With five positions it "
+        "asks for the coupler curve of every linkage.")
+      .by(
+          curves().shape(),
+          read_curves,
+          [](const Task& task) { return part_text(curves(), task); },
+          "{count: 400}");
+  m.rule(
+      {.kind = FormRule::Kind::instead_of_any,
+       .key = "positions/curvature/free_point",
+       .others = {"vary/free_point", "vary/s"},
+       .hint = "Either 'free_point' of the curvature has a number, or 'vary' lets it or s vary."});
+  m.rule({.kind = FormRule::Kind::instead_of_any,
+          .key = "positions/curvature/m",
+          .others = {"vary/m", "vary/s"},
+          .hint = "Either 'm' of the curvature has a number, or 'vary' lets it or s vary."});
+}
+
+}  // namespace
+
+const Mapping<SynthesisDescription>& synthesis_section() {
+  static const Mapping<Task> mapping(
+      "",
+      "",
+      "{linkage: four_bar, positions: [{at: [0.424, 0.245], angle: 30 deg, pole: [0.6, 2.019]}, "
+      "{at: [0.49, 0.0], angle: 70 deg}]}",
+      [](auto& m) {
+        m.key("linkage",
+              "The linkage to find. Usable ones of other kinds are counted, and listed by 'any'.")
+            .may(&Task::linkage,
+                 choice_of<LinkageKind>(
+                     {{"any", "all of them"},
+                      {"four_bar", "four revolute couplings"},
+                      {"slider_crank", "one of the dyads is a slider"},
+                      {"inverted_slider_crank", "one of the dyads is an inverted slider"}}),
+                 "four_bar")
+            .usual("four_bar");
+        m.key("positions",
+              "The positions of the moving plane, counted by their orders two to five in all.")
+            .needed(&Task::positions,
+                    list_of(position().form(),
+                            "position {0}",
+                            "begin each position with '- {at: [x, y], angle: 30 deg}'"),
+                    "[{at: [0.424, 0.245], angle: 30 deg, pole: [0.6, 2.019]}, {at: [0.49, 0.0], "
+                    "angle: 70 deg}]")
+            .add_hint("'positions:' and below it lines '- {at: [x, y], angle: 30 deg}'");
+        m.key("limits", "What a linkage must keep to; others are listed as refused.")
+            .group(&Task::limits, limits())
+            .example("{transmission_angle: 30 deg, link_ratio: 12, size: 20}");
+        declare_free(m);
+        m.key("digits",
+              "Decimal digits that the positions have as typed, 17 to 100, where 16 leave too few "
+              "of the dyads; also --digits. For tasks of five positions.")
+            .may(&Task::digits, digit_count(), "40");
+      });
+  return mapping;
+}
+
+}  // namespace kinestat
