@@ -34,11 +34,21 @@ constexpr auto kFunctions = std::to_array<FunctionName>({
     {"hypot", Function::hypot, Arity::two_or_more},
 });
 
+constexpr auto kConditionWords = std::to_array<std::string_view>({"and", "or", "not"});
+
 std::vector<std::string> list_function_names() {
   std::vector<std::string> names;
   for (const FunctionName& row : kFunctions) {
     names.emplace_back(row.name);
   }
+  return names;
+}
+
+std::vector<std::string> list_reserved_names() {
+  std::vector<std::string> names(unit_names().begin(), unit_names().end());
+  names.insert(names.end(), function_names().begin(), function_names().end());
+  names.emplace_back("pi");
+  names.insert(names.end(), kConditionWords.begin(), kConditionWords.end());
   return names;
 }
 
@@ -59,12 +69,16 @@ std::span<const std::string> function_names() {
 }
 
 bool is_condition_word(std::string_view word) {
-  return word == "and" || word == "or" || word == "not";
+  return std::ranges::find(kConditionWords, word) != kConditionWords.end();
+}
+
+std::span<const std::string> reserved_names() {
+  static const std::vector<std::string> names = list_reserved_names();
+  return names;
 }
 
 bool is_reserved_name(std::string_view name) {
-  return name == "pi" || is_condition_word(name) || find_unit(name) != nullptr ||
-         find_function(name) != nullptr;
+  return std::ranges::find(reserved_names(), name) != reserved_names().end();
 }
 
 }  // namespace kinestat

@@ -55,8 +55,10 @@ std::span<const std::string> function_names();
 /// True for and, or, not.
 bool is_condition_word(std::string_view word);
 
-/// True for names that parameters may not have: units, functions, constants and the words of
-/// conditions.
+/// Names that parameters may not have: units, functions, constants and the words of conditions.
+std::span<const std::string> reserved_names();
+
+/// True for one of them.
 bool is_reserved_name(std::string_view name);
 
 }  // namespace kinestat

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "description/coupling_description.hpp"
+#include "description/number_range.hpp"
 #include "format/shared_list.hpp"
 
 namespace kinestat {
@@ -34,16 +35,6 @@ enum class FormKind {
 struct Word {
   std::string_view text = {};
   std::string_view meaning = {};
-};
-
-/// What a bare number may be. Expressions are judged where their value is known.
-struct NumberRange {
-  std::optional<double> least = {};
-  std::optional<double> most = {};
-  std::optional<double> above = {};
-  std::optional<double> below = {};
-  bool is_whole = false;
-  bool is_not_zero = false;
 };
 
 /// How several keys of a mapping, or of the items of a list, belong together. In texts {} stands
@@ -83,7 +74,9 @@ struct FormShape {
   SharedList<std::string_view> examples = {};  ///< as in a file
   std::string_view sketch = {};                ///< "NAME", in hints; empty: follows from the rest
   std::string_view remark = {};                ///< behind the sketch: "an actuator"
-  NumberRange range = {};                      ///< of a number
+  NumberRange range = {};                      ///< of a bare number, in whatever unit
+  std::string_view pattern = {};               ///< of a text, as a regular expression
+  std::string_view pattern_text = {};          ///< a sentence: what fits it
   SharedList<Word> words = {};
   std::string_view item = {};             ///< what an item is: "a load"
   std::string_view elements = {};         ///< of `names`: "meshes to losses"

@@ -60,70 +60,54 @@ Form<Value> bare_number() {
 }
 
 Form<Value> teeth() {
-  return number_form("teeth",
-                     "Number of teeth, a whole number from 1 to 10000.",
-                     {"19", "N1 + 2*N2"},
-                     {.least = 1, .most = 10000, .is_whole = true});
+  return number_form(
+      "teeth", "Number of teeth, a whole number from 1 to 10000.", {"19", "N1 + 2*N2"}, kTeeth);
 }
 
 Form<Value> planet_count() {
-  return number_form("planets",
-                     "Number of equal planets, a whole number from 1 to 64.",
-                     {"3"},
-                     {.least = 1, .most = 64, .is_whole = true});
+  return number_form(
+      "planets", "Number of equal planets, a whole number from 1 to 64.", {"3"}, kPlanets);
 }
 
 Form<Value> step_count() {
-  return number_form("steps",
-                     "A whole number from 1 to 1000000.",
-                     {"360"},
-                     {.least = 1, .most = 1000000, .is_whole = true});
+  return number_form("steps", "A whole number from 1 to 1000000.", {"360"}, kSteps);
 }
 
 Form<Value> point_count() {
-  return number_form("points",
-                     "A whole number from 2 to 1000000.",
-                     {"400"},
-                     {.least = 2, .most = 1000000, .is_whole = true});
+  return number_form("points", "A whole number from 2 to 1000000.", {"400"}, kPoints);
 }
 
 Form<Value> digit_count() {
-  return number_form("digits",
-                     "A whole number from 17 to 100.",
-                     {"40"},
-                     {.least = 17, .most = 100, .is_whole = true});
+  return number_form("digits", "A whole number from 17 to 100.", {"40"}, kDigits);
 }
 
 Form<Value> at_least_one() {
   return number_form(
-      "at_least_one", "A number of at least 1, without a unit.", {"12"}, {.least = 1});
+      "at_least_one", "A number of at least 1, without a unit.", {"12"}, kAtLeastOne);
 }
 
 Form<Value> not_zero() {
-  return number_form(
-      "not_zero", "A number other than 0, without a unit.", {"0.58"}, {.is_not_zero = true});
+  return number_form("not_zero", "A number other than 0, without a unit.", {"0.58"}, kNotZero);
 }
 
 Form<Value> not_negative() {
   return number_form(
-      "not_negative", "A number of at least 0, without a unit.", {"0.1"}, {.least = 0});
+      "not_negative", "A number of at least 0, without a unit.", {"0.1"}, kNotNegative);
 }
 
 Form<Value> not_negative_whole() {
   return number_form("not_negative_whole",
                      "A whole number of at least 0, without a unit.",
                      {"2"},
-                     {.least = 0, .is_whole = true});
+                     kNotNegativeWhole);
 }
 
 Form<Value> fraction() {
-  return number_form(
-      "fraction", "A fraction from 0 to below 1.", {"0.02"}, {.least = 0, .below = 1});
+  return number_form("fraction", "A fraction from 0 to below 1.", {"0.02"}, kLostShare);
 }
 
 Form<Value> efficiency() {
-  return number_form(
-      "efficiency", "A fraction above 0 and at most 1.", {"0.98"}, {.most = 1, .above = 0});
+  return number_form("efficiency", "A fraction above 0 and at most 1.", {"0.98"}, kKeptShare);
 }
 
 Form<Value> component() {
@@ -143,7 +127,7 @@ Form<Value> size() {
       "A length above zero: a bare number counts in the file's unit of length (default "
       "m), or write the unit.",
       {"25 mm"},
-      {.above = 0});
+      kAboveZero);
 }
 
 Form<Value> acute_angle() {
@@ -151,7 +135,7 @@ Form<Value> acute_angle() {
                      "An angle from 0 to below 90 deg: a bare number counts in the file's unit of "
                      "angle (default rad), or write the unit.",
                      {"20 deg"},
-                     {.least = 0});
+                     in_any_unit(kAcuteAngle));
 }
 
 Form<Value> angle() {
@@ -162,11 +146,12 @@ Form<Value> angle() {
 }
 
 Form<Value> mass() {
-  return number_form(
-      "mass",
-      "A mass: a bare number counts in the file's unit of mass (default kg), or write "
-      "the unit.",
-      {"2.5", "500 g"});
+  return number_form("mass",
+                     "A mass of at least zero: a bare number counts in the file's unit of mass "
+                     "(default kg), or write "
+                     "the unit.",
+                     {"2.5", "500 g"},
+                     kNotNegative);
 }
 
 Form<Value> force() {
@@ -213,7 +198,7 @@ Form<Value> increment() {
   return number_form("step",
                      "A number other than 0, with the units of the parameter.",
                      {"1", "2.5 deg"},
-                     {.is_not_zero = true});
+                     kNotZero);
 }
 
 Form<Value> input_speed() {
@@ -222,14 +207,14 @@ Form<Value> input_speed() {
       "Speed of an input, not 0: angular velocity (default rad/s) or velocity (default "
       "m/s).",
       {"1 rad/s"},
-      {.is_not_zero = true});
+      kNotZero);
 }
 
 Form<Value> input_load() {
   return number_form("input_load",
                      "Torque (default N*m) or force (default N) of an input, not 0.",
                      {"100 N*m"},
-                     {.is_not_zero = true});
+                     kNotZero);
 }
 
 Form<Value> any_number() {

@@ -16,6 +16,13 @@ namespace {
 
 constexpr const char* kDraft = "http://json-schema.org/draft-07/schema#";
 
+// Lists of two and of three, if they are lists.
+constexpr const char* kCounted = R"({
+  "two": {"$comment": "A list of two, if it is a list.",
+          "minItems": 2, "maxItems": 2, "doNotSuggest": true},
+  "three": {"$comment": "A list of three, if it is a list.",
+            "minItems": 3, "maxItems": 3, "doNotSuggest": true}})";
+
 // How many components points and vectors have follows from the space.
 constexpr const char* kComponents =
     R"({"if": {"properties": {"space": {"const": "planar"}}, "required": ["space"]},
@@ -26,6 +33,8 @@ void add_components(const FormKey& key, Json& definitions) {
   for (const Space space : {Space::planar, Space::spatial}) {
     const Json components = components_schema(key.shape, space);
     const char* name = space == Space::planar ? "planar_components" : "spatial_components";
+    definitions[name]["$comment"] =
+        "How many components points and vectors have; what they are is said above.";
     if (!components.is_null()) {
       definitions[name]["properties"][std::string(key.key)] = components;
     }
@@ -42,7 +51,8 @@ std::string mechanism_schema() {
                  {"title", fmt::format("kinestat mechanism, format {}", kFormatVersion)}};
   schema.update(declared.of_file(file));
   schema["allOf"].push_back(Json::parse(kComponents));
-  Json definitions = kept["definitions"];
+  Json definitions = Json::parse(kCounted);
+  definitions.update(kept["definitions"]);
   for (const FormKey& key : file.keys) {
     const std::string name(key.key);
     if (kept["properties"].contains(name)) {

@@ -1,6 +1,12 @@
 #include "format/value_forms.hpp"
 
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/contract.hpp"
 #include "core/utf8.hpp"
+#include "expression/functions.hpp"
 #include "format/numbers.hpp"
 #include "io/value_reader.hpp"
 
@@ -8,8 +14,68 @@ namespace kinestat {
 
 namespace {
 
-Form<Name> reference(FormShape shape) {
-  return {.shape = std::move(shape),
+constexpr const char* kNamePattern = "^[A-Za-z_][A-Za-z0-9_-]*$";
+constexpr const char* kNameText =
+    "A name is letters, digits, '_' and '-', and begins with a letter or '_'.";
+
+// Upper and lower case differ.
+std::string parameter_pattern() {
+  return fmt::format("^(?!({})$)[A-Za-z_][A-Za-z0-9_]*$", fmt::join(reserved_names(), "|"));
+}
+
+const std::vector<FormShape>& text_shapes() {
+  static const std::string parameter = parameter_pattern();
+  static const std::vector<FormShape> shapes = {
+      {.kind = FormKind::text,
+       .definition = "text",
+       .meaning = "Free text. A text that looks like a number may stand without quotes."},
+      {.kind = FormKind::text,
+       .definition = "label",
+       .meaning = "Free text that names a case or a gear."},
+      {.kind = FormKind::name,
+       .definition = "name",
+       .meaning = "A name that this file declares.",
+       .pattern = kNamePattern,
+       .pattern_text = kNameText},
+      {.kind = FormKind::name,
+       .definition = "new_name",
+       .meaning = "A name of your choice: letters, digits, '_' and '-', beginning with a letter or "
+                  "'_'.",
+       .pattern = kNamePattern,
+       .pattern_text = kNameText},
+      {.kind = FormKind::name,
+       .definition = "body_name",
+       .meaning = "Name of a body of 'bodies', or the ground.",
+       .examples = {"crank"},
+       .remark = "one of 'bodies' or the ground",
+       .pattern = kNamePattern,
+       .pattern_text = kNameText},
+      {.kind = FormKind::name,
+       .definition = "coupling_name",
+       .meaning = "Name of a coupling of this file.",
+       .examples = {"a"},
+       .remark = "the coupling that it drives",
+       .pattern = kNamePattern,
+       .pattern_text = kNameText},
+      {.kind = FormKind::name,
+       .definition = "target",
+       .meaning = "An actuator, or COUPLING.FREEDOM, or COUPLING.ACTION.",
+       .pattern = "^[A-Za-z_][A-Za-z0-9_-]*(\\.[A-Za-z0-9_-]+)?$",
+       .pattern_text = "Write the name of an actuator, or of a coupling with its freedom or "
+                       "action, such as d.wz or c.Rx."},
+      {.kind = FormKind::name,
+       .definition = "parameter_name",
+       .meaning = "A name of your choice: letters, digits and '_', beginning with a letter or '_'; "
+                  "not that of a unit or a function, pi, and, or, not.",
+       .pattern = parameter,
+       .pattern_text = "A parameter's name is letters, digits and '_', begins with a letter or "
+                       "'_', and is not that of a unit (m, N, g …), a function (sin, min …), pi, "
+                       "and, or, not."}};
+  return shapes;
+}
+
+Form<Name> reference(const FormShape& shape) {
+  return {.shape = shape,
           .read =
               [](const FileValue& value) {
                 return read_reference(value.node, value.what, value.found);
@@ -19,14 +85,20 @@ Form<Name> reference(FormShape shape) {
 
 }  // namespace
 
+const FormShape& text_shape(std::string_view definition) {
+  const auto at = std::ranges::find(text_shapes(), definition, &FormShape::definition);
+  KINESTAT_EXPECTS(at != text_shapes().end());
+  return *at;
+}
+
 Form<Name> name_of(std::string_view remark) {
-  return reference({.kind = FormKind::name, .definition = "name", .remark = remark});
+  Form<Name> form = reference(text_shape("name"));
+  form.shape.remark = remark;
+  return form;
 }
 
 Form<Name> body_name() {
-  return reference({.kind = FormKind::name,
-                    .definition = "body_name",
-                    .remark = "one of 'bodies' or the ground"});
+  return reference(text_shape("body_name"));
 }
 
 Form<Name> new_body_name(std::string what) {
@@ -40,9 +112,7 @@ Form<Name> new_body_name(std::string what) {
 }
 
 Form<Name> coupling_name() {
-  return reference({.kind = FormKind::name,
-                    .definition = "coupling_name",
-                    .remark = "the coupling that it drives"});
+  return reference(text_shape("coupling_name"));
 }
 
 Form<Name> free_name() {
@@ -50,11 +120,11 @@ Form<Name> free_name() {
 }
 
 Form<Name> target() {
-  return reference({.kind = FormKind::name, .definition = "target"});
+  return reference(text_shape("target"));
 }
 
 Form<Name> label() {
-  Form<Name> form = reference({.kind = FormKind::text, .definition = "label"});
+  Form<Name> form = reference(text_shape("label"));
   form.write = [](const Name& name) { return single_text(in_quotes(name.text)); };
   return form;
 }
@@ -133,7 +203,7 @@ Form<AxisDescription> turning_axis() {
 }
 
 Form<std::string> text() {
-  return {.shape = {.kind = FormKind::text, .definition = "text"},
+  return {.shape = text_shape("text"),
           .read = [](const FileValue& v) { return read_text(v.node, v.what, v.found); },
           .write = [](const std::string& one) { return single_text(in_quotes(one)); }};
 }

@@ -10,6 +10,9 @@
 
 namespace kinestat {
 
+/// How the texts look that have a name in the schema: "new_name", "target", "label".
+const FormShape& text_shape(std::string_view definition);
+
 /// The name of something that the file declares; `remark` says of what: "an actuator".
 Form<Name> name_of(std::string_view remark);
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/digit_limits.hpp"
 #include "core/utf8.hpp"
-#include "math/digit_limits.hpp"
 #include "report/diagnostic_record.hpp"
 #include "report/found_linkage_record.hpp"
 #include "report/mechanism_record.hpp"

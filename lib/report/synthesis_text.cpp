@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "math/digit_limits.hpp"
+#include "core/digit_limits.hpp"
 #include "report/linkage_text.hpp"
 #include "report/position_text.hpp"
 #include "report/report_parts.hpp"

@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include "core/digit_limits.hpp"
 #include "math/big_float.hpp"
-#include "math/digit_limits.hpp"
 #include "synthesis/burmester.hpp"
 
 namespace kinestat {

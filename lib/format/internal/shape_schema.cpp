@@ -6,10 +6,18 @@
 
 #include "format/internal/example_json.hpp"
 #include "format/internal/rule_schema.hpp"
+#include "format/value_forms.hpp"
 
 namespace kinestat {
 
 namespace {
+
+constexpr const char* kExpression = R"json({
+  "$comment": "What every number may be: a YAML number, or an expression of numbers, units, parameters and functions. 017, 0x1F and .nan are refused by the program only, as a schema does not see how a number is written.",
+  "type": ["number", "string"],
+  "pattern": "^(?!\\s*$|\\s*[-+]?\\d+,)",
+  "patternErrorMessage": "Write a number, with a decimal point, or an expression such as (N1 + N2)/2*module."
+})json";
 
 Json types_of(const FormShape& shape) {
   switch (shape.kind) {
@@ -219,7 +227,7 @@ void ShapeSchema::add_values(const FormShape& shape, Json& schema) {
       break;
     case FormKind::names:
       if (!shape.name_definition.empty()) {
-        schema["propertyNames"] = reference(shape.name_definition);
+        schema["propertyNames"] = of_item(text_shape(shape.name_definition));
       }
       if (shape.least > 0) {
         schema["minProperties"] = shape.least;
@@ -334,7 +342,8 @@ Json ShapeSchema::in_place(const FormKey& key) {
     schema["description"] = std::string(key.meaning);
   }
   if (shape.kind == FormKind::number) {
-    schema["allOf"] = Json::array({{{"$ref", "#/definitions/expression"}}});
+    definitions_.try_emplace("expression", Json::parse(kExpression));
+    schema["allOf"] = Json::array({reference("expression")});
     add_range(shape.range, schema);
   } else if (shape.kind == FormKind::constant) {
     schema["const"] = example_json(std::string(shape.sketch));
@@ -343,6 +352,10 @@ Json ShapeSchema::in_place(const FormKey& key) {
   }
   if (shape.kind == FormKind::word) {
     add_values(shape, schema);
+  }
+  if (!shape.pattern.empty()) {
+    schema["pattern"] = std::string(shape.pattern);
+    schema["patternErrorMessage"] = std::string(shape.pattern_text);
   }
   Json snippets = Json::array();
   if (shape.kind == FormKind::by_shape) {

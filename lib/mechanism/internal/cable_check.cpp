@@ -13,16 +13,16 @@ namespace kinestat {
 namespace {
 
 constexpr NumberRule kFriction = {.kind = QuantityKind::dimensionless,
-                                  .accepts = [](double x) { return x >= 0.0; },
+                                  .range = kNotNegative,
                                   .allowed = "a coefficient that is not negative"};
 
 constexpr NumberRule kPulleyEfficiency = {
     .kind = QuantityKind::dimensionless,
-    .accepts = [](double x) { return x > 0.0 && x <= 1.0; },
+    .range = kKeptShare,
     .allowed = "an efficiency above 0 and at most 1: 95 % is 0.95"};
 
 constexpr NumberRule kTurns = {.kind = QuantityKind::dimensionless,
-                               .accepts = [](double x) { return x >= 0.0 && is_whole(x); },
+                               .range = kNotNegativeWhole,
                                .allowed = "a whole number, of full turns"};
 
 // The revolute coupling on which a body turns, or null.

@@ -1,8 +1,6 @@
 #include "mechanism/internal/gear_check.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -13,26 +11,22 @@ namespace kinestat {
 
 namespace {
 
-constexpr double kRightAngle = std::numbers::pi / 2;
+constexpr NumberRule kToothCount = {.kind = QuantityKind::dimensionless,
+                                    .range = kTeeth,
+                                    .allowed = "a whole number from 1 to 10000"};
 
-constexpr NumberRule kTeeth = {
-    .kind = QuantityKind::dimensionless,
-    .accepts = [](double x) { return is_whole(x) && x >= 1.0 && x <= 10000.0; },
-    .allowed = "a whole number from 1 to 10000"};
-
-constexpr NumberRule kCount = {
-    .kind = QuantityKind::dimensionless,
-    .accepts = [](double x) { return is_whole(x) && x >= 1.0 && x <= 64.0; },
-    .allowed = "a whole number from 1 to 64"};
+constexpr NumberRule kPlanetCount = {.kind = QuantityKind::dimensionless,
+                                     .range = kPlanets,
+                                     .allowed = "a whole number from 1 to 64"};
 
 constexpr NumberRule kPressureAngle = {
     .kind = QuantityKind::angle,
-    .accepts = [](double x) { return x >= 0.0 && x < kRightAngle; },
+    .range = kAcuteAngle,
     .allowed = "an angle from 0 deg to below 90 deg, for example 20 deg"};
 
 constexpr NumberRule kHelixAngle = {
     .kind = QuantityKind::angle,
-    .accepts = [](double x) { return std::abs(x) < kRightAngle; },
+    .range = kBelowRightAngle,
     .allowed = "an angle between -90 deg and 90 deg, above zero for right-handed teeth"};
 
 class GearCheck {
@@ -65,8 +59,8 @@ class GearCheck {
   void check_member(const GearMember& member) {
     const std::string what = fmt::format("gear member '{}'", member.name.text);
     context_.names.bodies.check(member.body, what + " is fixed to", context_.found);
-    teeth_.push_back(context_.number(member.teeth, kTeeth, "'teeth' of " + what));
-    context_.number(member.count, kCount, "'count' of " + what);
+    teeth_.push_back(context_.number(member.teeth, kToothCount, "'teeth' of " + what));
+    context_.number(member.count, kPlanetCount, "'count' of " + what);
     context_.number(member.centre_distance, kAboveZeroLength, "'centre_distance' of " + what);
   }
 

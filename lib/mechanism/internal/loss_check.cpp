@@ -12,16 +12,16 @@ namespace {
 
 constexpr NumberRule kLoss = {
     .kind = QuantityKind::dimensionless,
-    .accepts = [](double x) { return x >= 0.0 && x < 1.0; },
+    .range = kLostShare,
     .allowed = "the share of the power that is lost, from 0 to below 1: 2 % is 0.02"};
 
 constexpr NumberRule kLossEfficiency = {
     .kind = QuantityKind::dimensionless,
-    .accepts = [](double x) { return x > 0.0 && x <= 1.0; },
+    .range = kKeptShare,
     .allowed = "the share of the power that is left, above 0 and at most 1: 98 % is 0.98"};
 
 constexpr NumberRule kToothFactor = {.kind = QuantityKind::dimensionless,
-                                     .accepts = [](double x) { return x >= 0.0; },
+                                     .range = kNotNegative,
                                      .allowed = "a number that is not negative"};
 
 void check_value(const LossValue& loss, const std::string& what, const SectionContext& context) {

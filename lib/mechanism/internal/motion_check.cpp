@@ -8,10 +8,9 @@ namespace kinestat {
 
 namespace {
 
-constexpr NumberRule kSteps = {
-    .kind = QuantityKind::dimensionless,
-    .accepts = [](double x) { return is_whole(x) && x >= 1.0 && x <= 1'000'000.0; },
-    .allowed = "a whole number from 1 to 1000000"};
+constexpr NumberRule kStepCount = {.kind = QuantityKind::dimensionless,
+                                   .range = kSteps,
+                                   .allowed = "a whole number from 1 to 1000000"};
 
 std::optional<double> position(const std::optional<Value>& value,
                                DriveKind kind,
@@ -59,7 +58,7 @@ void check_motion(const SectionContext& context) {
     drives.push_back(range.actuator);
   }
   context.repeats(drives, "'drives' of 'motion'");
-  context.number(motion.steps, kSteps, "'steps' of 'motion'");
+  context.number(motion.steps, kStepCount, "'steps' of 'motion'");
   if (motion.label) {
     context.names.cases.check(*motion.label, "'motion' takes its speeds from", context.found);
   }

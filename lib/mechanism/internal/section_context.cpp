@@ -1,12 +1,9 @@
 #include "mechanism/internal/section_context.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
-
-#include "core/tolerance.hpp"
 
 namespace kinestat {
 
@@ -33,15 +30,11 @@ std::string shown(const Value& value, double number, QuantityKind kind, const Fi
 
 }  // namespace
 
-bool is_whole(double number) {
-  return std::abs(number - std::round(number)) <= kCancellation * std::abs(number);
-}
-
 std::optional<double> SectionContext::number(const std::optional<Value>& value,
                                              const NumberRule& rule,
                                              std::string_view what) const {
   const std::optional<double> result = value ? evaluator.number(*value, rule.kind) : std::nullopt;
-  if (!result || rule.accepts(*result)) {
+  if (!result || rule.range.holds(*result)) {
     return result;
   }
   found.error(

@@ -8,30 +8,27 @@
 
 #include "core/diagnostic.hpp"
 #include "description/mechanism_description.hpp"
+#include "description/number_range.hpp"
 #include "mechanism/internal/declared_names.hpp"
 #include "mechanism/internal/evaluator.hpp"
 
 namespace kinestat {
 
-/// What a number may be.
+/// What a number may be, and how that is said.
 struct NumberRule {
   QuantityKind kind = QuantityKind::dimensionless;
-  bool (*accepts)(double) = nullptr;  ///< of the value in SI
-  std::string_view allowed;           ///< "a whole number from 1 to 10000"
+  NumberRange range;
+  std::string_view allowed;  ///< "a whole number from 1 to 10000"
 };
 
-/// A number without a fraction, up to rounding.
-bool is_whole(double number);
-
 inline constexpr NumberRule kAnyLength = {
-    .kind = QuantityKind::length, .accepts = [](double) { return true; }, .allowed = "a length"};
+    .kind = QuantityKind::length, .range = kAnyNumber, .allowed = "a length"};
 
 inline constexpr NumberRule kAnyAngle = {
-    .kind = QuantityKind::angle, .accepts = [](double) { return true; }, .allowed = "an angle"};
+    .kind = QuantityKind::angle, .range = kAnyNumber, .allowed = "an angle"};
 
-inline constexpr NumberRule kAboveZeroLength = {.kind = QuantityKind::length,
-                                                .accepts = [](double x) { return x > 0.0; },
-                                                .allowed = "a length above zero"};
+inline constexpr NumberRule kAboveZeroLength = {
+    .kind = QuantityKind::length, .range = kAboveZero, .allowed = "a length above zero"};
 
 /// One description on its way through the checks.
 struct SectionContext {

@@ -177,11 +177,10 @@ class ShiftCheck {
       return std::nullopt;
     }
     const auto kind_of_value = kind == DriveKind::sliding ? sides.sliding : sides.turning;
-    const NumberRule any = {
-        .kind = kind_of_value, .accepts = [](double) { return true; }, .allowed = "a value"};
+    const NumberRule any = {.kind = kind_of_value, .range = kAnyNumber, .allowed = "a value"};
     const NumberRule rule = {
         .kind = kind_of_value,
-        .accepts = [](double x) { return x != 0.0; },
+        .range = kNotZero,
         .allowed = "a value other than zero: gears are seen only when the input works"};
     return context_.number(value, may_rest ? any : rule, what);
   }

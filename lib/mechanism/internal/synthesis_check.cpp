@@ -1,43 +1,33 @@
 #include "mechanism/internal/synthesis_check.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include <fmt/format.h>
-
-#include "math/digit_limits.hpp"
 
 namespace kinestat {
 
 namespace {
 
-constexpr NumberRule kPathRatio = {.kind = QuantityKind::dimensionless,
-                                   .accepts = [](double x) { return x != 0.0; },
-                                   .allowed = "a ratio other than zero"};
+constexpr NumberRule kPathRatio = {
+    .kind = QuantityKind::dimensionless, .range = kNotZero, .allowed = "a ratio other than zero"};
 
 constexpr NumberRule kTransmissionAngle = {
     .kind = QuantityKind::angle,
-    .accepts = [](double x) { return x >= 0.0 && x < std::numbers::pi / 2; },
+    .range = kAcuteAngle,
     .allowed = "the least angle allowed, from 0 deg to below 90 deg, for example 30 deg"};
 
 constexpr NumberRule kLinkRatio = {
     .kind = QuantityKind::dimensionless,
-    .accepts = [](double x) { return x >= 1.0; },
+    .range = kAtLeastOne,
     .allowed = "the largest ratio of two links allowed, at least 1, for example 12"};
 
-constexpr NumberRule kCurveCount = {
-    .kind = QuantityKind::dimensionless,
-    .accepts = [](double x) { return is_whole(x) && x >= 2.0 && x <= 1'000'000.0; },
-    .allowed = "a whole number from 2 to 1000000"};
+constexpr NumberRule kPointCount = {.kind = QuantityKind::dimensionless,
+                                    .range = kPoints,
+                                    .allowed = "a whole number from 2 to 1000000"};
 
-constexpr NumberRule kSamples = {
+constexpr NumberRule kDigitCount = {
     .kind = QuantityKind::dimensionless,
-    .accepts = [](double x) { return is_whole(x) && x >= 2.0 && x <= 1'000'000.0; },
-    .allowed = "a whole number from 2 to 1000000"};
-
-constexpr NumberRule kDigits = {
-    .kind = QuantityKind::dimensionless,
-    .accepts = [](double x) { return is_whole(x) && x >= kLeastDigits && x <= kMostDigits; },
+    .range = kDigits,
     .allowed = "a whole number of decimal digits from 17 to 100; without it there are 16"};
 
 class SynthesisCheck {
@@ -58,10 +48,10 @@ class SynthesisCheck {
     for (const SynthesisRange& range : task_.vary) {
       check_range(range);
     }
-    context_.number(task_.curve_count, kCurveCount, "'count' of 'curves'");
-    context_.number(task_.samples, kSamples, "'samples' of 'vary'");
+    context_.number(task_.curve_count, kPointCount, "'count' of 'curves'");
+    context_.number(task_.samples, kPointCount, "'samples' of 'vary'");
     check_effective();
-    context_.number(task_.digits, kDigits, "'digits' of 'synthesis'");
+    context_.number(task_.digits, kDigitCount, "'digits' of 'synthesis'");
   }
 
  private:

@@ -10,9 +10,8 @@ namespace kinestat {
 
 namespace {
 
-constexpr NumberRule kMass = {.kind = QuantityKind::mass,
-                              .accepts = [](double x) { return x >= 0.0; },
-                              .allowed = "a mass that is not negative"};
+constexpr NumberRule kMass = {
+    .kind = QuantityKind::mass, .range = kNotNegative, .allowed = "a mass that is not negative"};
 
 void complain_of_missing_centre(const BodyDescription& body, const SectionContext& context) {
   const bool is_planar = context.description.space == Space::planar;
