@@ -8,7 +8,8 @@ namespace kinestat {
 /// Commented mechanism files to begin with, named by their kind.
 std::span<const EmbeddedText> embedded_starters();
 
-/// Pages of help; the first line of each is its title.
+/// Pages of help; the first line of each is its title. A line "{{keys SECTION}}" stands for the
+/// keys of a section of the format, "{{sections}}" for the sections.
 std::span<const EmbeddedText> embedded_topics();
 
 /// An example for each diagnostic code, named by the code. A line begins with "- " if it stands in

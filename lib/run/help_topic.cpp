@@ -1,9 +1,13 @@
 #include "run/help_topic.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "format/key_table.hpp"
 #include "run/embedded.hpp"
 
 namespace kinestat {
@@ -15,6 +19,42 @@ std::string_view title_of(const EmbeddedText& page) {
   const std::string_view line = page.text.substr(0, page.text.find('\n'));
   const std::size_t colon = line.find(": ");
   return colon == std::string_view::npos ? line : line.substr(colon + 2);
+}
+
+// The page in which a line "{{keys SECTION}}" stands for the keys of the section, else that of its
+// name.
+std::string page_of(std::string_view section) {
+  const std::string line = fmt::format("{{{{keys {}}}}}\n", section);
+  for (const EmbeddedText& page : embedded_topics()) {
+    if (page.text.find(line) != std::string_view::npos) {
+      return std::string(page.name);
+    }
+  }
+  const EmbeddedText* same = find_text(embedded_topics(), section);
+  return same != nullptr ? std::string(same->name) : std::string();
+}
+
+// A line between braces in the page, as what it stands for.
+std::string table_of(std::string_view line, const EmbeddedText& page) {
+  constexpr std::string_view kKeys = "{{keys ";
+  if (line.starts_with(kKeys)) {
+    return key_table(line.substr(kKeys.size(), line.find('}') - kKeys.size()));
+  }
+  KINESTAT_EXPECTS(line == "{{sections}}");
+  return section_table([&](std::string_view section) {
+    const std::string other = page_of(section);
+    return other == page.name ? std::string() : other;
+  });
+}
+
+std::string filled(const EmbeddedText& page) {
+  std::string text;
+  for (std::string_view rest = page.text; !rest.empty();) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    text += line.starts_with("{{") ? table_of(line, page) : fmt::format("{}\n", line);
+  }
+  return text;
 }
 
 std::string list_of_topics() {
@@ -40,7 +80,7 @@ Outcome help_topic(const std::string& word, std::span<const std::string> command
     return outcome;
   }
   if (const EmbeddedText* page = find_text(embedded_topics(), word)) {
-    outcome.out = page->text;
+    outcome.out = filled(*page);
     return outcome;
   }
   std::vector<std::string> words = help_topics();

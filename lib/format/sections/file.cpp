@@ -119,6 +119,7 @@ void declare_head(Mapping<File>& m) {
       .usual("spatial");
   m.own_keys({.key = "x-",
               .meaning = "Your own notes, which the program ignores.",
+              .shape = {.sketch = "anything"},
               .examples = {"checked against the drawing"}});
 }
 
@@ -134,9 +135,13 @@ void declare_network(Mapping<File>& m) {
       .example("{crank: , planet: {reference: [0, 17, 0]}}")
       .required()
       .add_hint("'bodies: [NAME, NAME, …]'; of a coupling 'bodies: [TAIL, HEAD]'");
-  m.key("couplings", "The couplings, each with a name.")
+  m.key("couplings",
+        "The couplings: NAME: {type: …, bodies: [tail, head], …}. Motions are those of the head "
+        "relative to the tail, actions those of the tail on the head.")
       .by(
-          {.kind = FormKind::names, .items = {point().shape}},
+          {.kind = FormKind::names,
+           .sketch = "{NAME: {type: …, bodies: [TAIL, HEAD]}}",
+           .items = {point().shape}},
           [](const FileValue& value, File& file) {
             file.couplings = read_couplings(value.node, *value.space, value.found);
           },

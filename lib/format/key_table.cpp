@@ -1,0 +1,175 @@
+#include "format/key_table.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/contract.hpp"
+#include "format/sections/sections.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr std::size_t kWidth = 95;
+
+// Characters, not bytes.
+std::size_t columns_of(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string form_text(const FormShape& shape) {
+  if (shape.kind == FormKind::flag) {
+    return "true or false";
+  }
+  if (shape.kind != FormKind::by_shape) {
+    return sketch_of(shape, Space::spatial);
+  }
+  std::string text;
+  for (const FormShape& one : shape.items) {
+    text += (text.empty() ? "" : " or ") + form_text(one);
+  }
+  return text;
+}
+
+// The keys behind a value, whatever lists, names and alternatives they stand in.
+void collect_keys(const FormShape& shape, std::vector<FormKey>& keys) {
+  for (const FormKey& key : shape.keys) {
+    if (std::ranges::find(keys, key.key, &FormKey::key) == keys.end()) {
+      keys.push_back(key);
+    }
+  }
+  for (const FormShape& item : shape.items) {
+    collect_keys(item, keys);
+  }
+}
+
+std::vector<FormKey> keys_of(const FormShape& shape) {
+  std::vector<FormKey> keys;
+  collect_keys(shape, keys);
+  return keys;
+}
+
+// Of words and flags the form has them all.
+std::string example_of(const FormKey& key) {
+  const auto at =
+      std::ranges::find_if(key.examples, [&](std::string_view one) { return one != key.usual; });
+  const bool is_listed = key.shape.kind == FormKind::word || key.shape.kind == FormKind::flag ||
+                         key.shape.kind == FormKind::constant;
+  return is_listed || at == key.examples.end() ? "" : fmt::format("; e.g. {}", *at);
+}
+
+// "[x, y]; needed; e.g. [6, 5]", as far as there is room.
+std::string facts_of(const FormKey& key, const std::string& page, std::size_t room) {
+  const std::string need = key.is_needed        ? "; needed"
+                           : !key.usual.empty() ? fmt::format("; default {}", key.usual)
+                                                : "";
+  const std::string rest = need + (page.empty() ? "" : "; help " + page);
+  const std::string form = form_text(key.shape);
+  for (const std::string& text : {form + rest + example_of(key), form + rest}) {
+    if (columns_of(text) <= room) {
+      return text;
+    }
+  }
+  return (form.starts_with('[') ? "[…]" : "{…}") + rest;
+}
+
+class KeyTable {
+ public:
+  void add(const std::vector<FormKey>& keys, std::size_t indent) {
+    std::size_t longest = 0;
+    for (const FormKey& key : keys) {
+      longest = std::max(longest, columns_of(key.key));
+    }
+    for (const FormKey& key : keys) {
+      told_.insert({std::string(key.key), std::string(key.meaning)});
+    }
+    for (const FormKey& key : keys) {
+      add_entry(key, "", indent, longest);
+      add_below(key, indent);
+    }
+  }
+
+  void add_entry(const FormKey& key,
+                 const std::string& page,
+                 std::size_t indent,
+                 std::size_t longest) {
+    const std::size_t begin = indent + longest + 2;
+    text_ += fmt::format("{:{}}{}{:{}}{}\n",
+                         "",
+                         indent,
+                         key.key,
+                         "",
+                         begin - indent - columns_of(key.key),
+                         facts_of(key, page, kWidth - begin));
+    add_wrapped(key.meaning, begin);
+    for (const Word& word : key.shape.words) {
+      add_wrapped(fmt::format("{}: {}", word.text, word.meaning), begin);
+    }
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  // But for keys of which another place has told the same.
+  void add_below(const FormKey& key, std::size_t indent) {
+    std::vector<FormKey> below = keys_of(key.shape);
+    std::erase_if(below, [&](const FormKey& one) {
+      return told_.contains({std::string(one.key), std::string(one.meaning)});
+    });
+    add(below, indent + 2);
+  }
+
+  void add_wrapped(std::string_view words, std::size_t indent) {
+    std::string line(indent, ' ');
+    while (!words.empty()) {
+      const std::string_view word = words.substr(0, words.find(' '));
+      words.remove_prefix(std::min(words.size(), word.size() + 1));
+      const bool is_first = columns_of(line) == indent;
+      if (!is_first && columns_of(line) + 1 + columns_of(word) > kWidth) {
+        text_ += line + "\n";
+        line = std::string(indent, ' ') + std::string(word);
+      } else {
+        line += (is_first ? "" : " ") + std::string(word);
+      }
+    }
+    text_ += line + "\n";
+  }
+
+  std::string text_;
+  std::set<std::pair<std::string, std::string>> told_;  // keys with their meaning
+};
+
+}  // namespace
+
+std::string key_table(std::string_view section) {
+  const FormShape& file = file_sections().shape();
+  const auto at = std::ranges::find(file.keys, section, &FormKey::key);
+  KINESTAT_EXPECTS(at != file.keys.end());
+  KeyTable table;
+  table.add(keys_of(at->shape), 2);
+  return table.text();
+}
+
+std::string section_table(const std::function<std::string(std::string_view section)>& page_of) {
+  const FormShape& file = file_sections().shape();
+  KeyTable table;
+  std::size_t longest = 0;
+  for (const FormKey& key : file.keys) {
+    longest = std::max(longest, columns_of(key.key));
+  }
+  for (const FormKey& key : file.keys) {
+    table.add_entry(key, page_of(key.key), 2, longest);
+  }
+  for (const FormKey& own : file.beginnings) {
+    table.add_entry(own, "", 2, longest);
+  }
+  return table.text();
+}
+
+}  // namespace kinestat
