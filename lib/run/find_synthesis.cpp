@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "math/digit_limits.hpp"
+#include "core/digit_limits.hpp"
 #include "mechanism/bind.hpp"
 #include "run/internal/last_decimal.hpp"
 #include "run/internal/synthesis_selection.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "math/digit_limits.hpp"
+#include "core/digit_limits.hpp"
 
 namespace kinestat {
 
