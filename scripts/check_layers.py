@@ -16,7 +16,7 @@ from typing import Callable, Iterator
 
 # The table
 
-_MECHANICS = "core math expression record graph screw mechanism network"
+_MECHANICS = "core math expression record couplings graph screw mechanism network"
 _BOTH_SIDES = f"{_MECHANICS} kinematics statics"
 
 # From the bottom upwards: a module, and the modules that it may include beside itself.
@@ -28,11 +28,12 @@ MAY_INCLUDE: dict[str, set[str]] = {
         "expression": "core math",
         "record": "core expression",
         "description": "core expression",
-        "io": "core expression description",
-        "format": "core expression description io",
+        "couplings": "core expression description",
+        "io": "core expression description couplings",
+        "format": "core expression description couplings io",
         "graph": "core",
         "screw": "core math expression record",
-        "mechanism": "core math expression record description graph screw",
+        "mechanism": "core math expression record description couplings graph screw",
         "network": "core math expression record graph screw mechanism",
         "mobility": _MECHANICS,
         "inputs": _MECHANICS,

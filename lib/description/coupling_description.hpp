@@ -17,6 +17,7 @@ namespace kinestat {
 
 enum class Space { planar, spatial };
 
+/// What each is, lib/couplings says.
 enum class CouplingType {
   revolute,
   prismatic,
@@ -40,15 +41,6 @@ enum class CouplingType {
   cable,
   screws
 };
-
-/// The word of the file for a type.
-std::string_view word_of(CouplingType type);
-
-/// The type of a word, or empty.
-std::optional<CouplingType> find_coupling_type(std::string_view word);
-
-/// All words, in the order of the enumeration.
-std::vector<std::string> coupling_type_words();
 
 /// Where a coupling is. Usually one point; a point for each body where the drawing shows the two
 /// apart, or a single number along the axis where `gears` places the bodies. If it has none of

@@ -14,6 +14,7 @@ YamlKind kind_of(const FormShape& shape) {
     case FormKind::names:
     case FormKind::mapping:
     case FormKind::variants:
+    case FormKind::by_word:
       return YamlKind::mapping;
     default:
       return YamlKind::scalar;

@@ -40,6 +40,20 @@ Form<T> called(Form<T> form, std::string title) {
   return form;
 }
 
+/// The same, with a complaint of its own of a value that `fits` says is none; {} is the value.
+template <class T, class Fits>
+Form<T> only_if(Form<T> form, Fits fits, std::string message, std::string hint) {
+  form.read = [=, read = form.read](const FileValue& value) -> std::optional<T> {
+    if (fits(value.node)) {
+      return read(value);
+    }
+    value.found.error(
+        "E0304", value.node.where, fmt::format(fmt::runtime(message), value.what), hint);
+    return std::nullopt;
+  };
+  return form;
+}
+
 /// One of the forms; `choose` says which of them a value is written in.
 template <class T>
 Form<T> by_shape(std::vector<Form<T>> forms, std::function<std::size_t(const T&)> choose) {

@@ -85,7 +85,7 @@ Form<std::vector<T>> by_name(NameMember T::*name,
             }
             const int errors_before = value.found.error_count();
             std::vector<T> elements;
-            elements.reserve(value.node.entries.size());
+            elements.reserve(count_whole(value.node, element.shape));
             for (const YamlEntry& entry : value.node.entries) {
               const Name given{.text = entry.key, .where = entry.key_where};
               check_element_name(given, shape, value.found);
@@ -100,7 +100,7 @@ Form<std::vector<T>> by_name(NameMember T::*name,
           .write =
               [=](const std::vector<T>& elements) {
                 FileText text{.kind = FileText::Kind::mapping};
-                text.in_lines = element.shape.kind == FormKind::mapping;
+                text.in_lines = is_mapping(element.shape);
                 for (const T& one : elements) {
                   text.entries.emplace_back(element_key(one.*name, shape), element.write(get(one)));
                 }

@@ -63,10 +63,15 @@ std::string sketch_of(const FormShape& shape, Space space) {
     case FormKind::mapping:
       return needed_keys(shape, space);
     case FormKind::variants:
+    case FormKind::by_word:
     case FormKind::by_shape:
       return sketch_of(shape.items.front(), space);
   }
   return {};
+}
+
+bool is_mapping(const FormShape& shape) {
+  return shape.kind == FormKind::mapping || shape.kind == FormKind::by_word;
 }
 
 bool depends_on_space(const FormShape& shape) {

@@ -29,12 +29,19 @@ enum class FormKind {
   names,     ///< a mapping from names to `items.front()`
   mapping,   ///< with `keys`
   variants,  ///< one of the mappings `items`, each with a first key of its own
+  by_word,   ///< one of the mappings `items`, by which of `words` stands behind their first key
   by_shape   ///< one of `items`, which differ in being a list, a mapping or a single value
 };
 
 struct Word {
   std::string_view text = {};
   std::string_view meaning = {};
+};
+
+/// Names of which a mapping of names may not consist, and what to write instead.
+struct ForeignNames {
+  SharedList<std::string_view> names = {};
+  std::string_view instead = {};
 };
 
 /// How several keys of a mapping, or of the items of a list, belong together. In texts {} stands
@@ -44,6 +51,8 @@ struct FormRule {
     instead,              ///< `key` stands instead of `others`
     any_of,               ///< at least one of `others`
     one_of,               ///< exactly one of `others`
+    needed_beside,        ///< `key`, where `others.front()` stands
+    needed_by_part,       ///< `key`, where one of the rest of `others` stands in `others.front()`
     needed_unless_whole,  ///< `key`, unless the bare number behind `others.front()` is whole
     spares,               ///< beside `key`, none of `others` is needed
     unless_true,          ///< where `key` is true, `others` may not stand; {1} is the one that does
@@ -77,12 +86,13 @@ struct FormShape {
   NumberRange range = {};                      ///< of a bare number, in whatever unit
   std::string_view pattern = {};               ///< of a text, as a regular expression
   std::string_view pattern_text = {};          ///< a sentence: what fits it
-  SharedList<Word> words = {};
-  std::string_view item = {};             ///< what an item is: "a load"
-  std::string_view elements = {};         ///< of `names`: "meshes to losses"
-  std::string_view name_definition = {};  ///< of `names`: the schema of the names
-  bool may_be_empty = false;              ///< of a mapping: nothing may stand behind its key
-  std::size_t least = 0;                  ///< how many items
+  SharedList<Word> words = {};                 ///< of a number: what may stand instead of it
+  std::string_view item = {};                  ///< what an item is: "a load"
+  std::string_view elements = {};              ///< of `names`: "meshes to losses"
+  std::string_view name_definition = {};       ///< of `names`: the schema of the names
+  ForeignNames foreign = {};                   ///< of `names`
+  bool may_be_empty = false;                   ///< of a mapping: nothing may stand behind its key
+  std::size_t least = 0;                       ///< how many items
   std::size_t most = kAnyNumber;
   SharedList<FormShape> items = {};
   SharedList<FormKey> keys = {};
@@ -116,6 +126,9 @@ struct FormKey {
 
 /// The form in a few characters: "[x, y]", "NAME", "{body: NAME, at: [x, y]}".
 std::string sketch_of(const FormShape& shape, Space space);
+
+/// Whether it is a mapping with keys, of one kind or several.
+bool is_mapping(const FormShape& shape);
 
 /// Whether points or vectors are part of it, so that it cannot be read while the space is unknown.
 bool depends_on_space(const FormShape& shape);

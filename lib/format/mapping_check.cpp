@@ -32,6 +32,14 @@ bool is_replaced(const FormShape& shape, std::string_view key, const FileValue& 
   });
 }
 
+// Whether a key is there that needs this one.
+bool is_called_for(const FormShape& shape, std::string_view key, const FileValue& mapping) {
+  return std::ranges::any_of(shape.rules, [&](const FormRule& rule) {
+    return rule.kind == FormRule::Kind::needed_beside && rule.key == key &&
+           has(mapping, rule.others.front());
+  });
+}
+
 // "'drive: NAME', an actuator", or "for example 'to: 360 deg'".
 std::string what_to_add(const FormKey& key, std::optional<Space> space) {
   if (key.shape.kind == FormKind::number && !key.examples.empty()) {
@@ -112,7 +120,8 @@ std::optional<FileValue> find_key(const FormShape& shape,
                                   Fields& fields,
                                   const FileValue& mapping) {
   const FormKey& key = shape.keys[index];
-  const bool is_needed = key.is_needed && !is_replaced(shape, key.key, mapping);
+  const bool is_needed = (key.is_needed && !is_replaced(shape, key.key, mapping)) ||
+                         is_called_for(shape, key.key, mapping);
   const bool has_own_absence = !key.absence.code.empty();
   if (is_needed && has_own_absence && !has(mapping, key.key)) {
     mapping.found.error(key.absence.code,

@@ -44,7 +44,7 @@ class Mapping<T>::Key {
         example);
   }
 
-  /// A list of two, which must be there.
+  /// A list of two, which must be there; of a form of each, or of both.
   template <class Member>
   Key& pair(Member T::*first,
             Member T::*second,
@@ -58,6 +58,13 @@ class Mapping<T>::Key {
     added().absence = absence;
     return *this;
   }
+
+  /// The same of a form for both.
+  template <class Member>
+  Key& pair(Member T::*first,
+            Member T::*second,
+            const Form<std::vector<Member>>& list,
+            std::string_view example);
 
   /// Keys of the same object in a mapping of their own, or those of a member.
   Key& group(const Mapping& part);
@@ -106,10 +113,7 @@ class Mapping<T>::Key {
   }
 
   /// Another example.
-  Key& example(std::string_view text) {
-    added().examples.push_back(text);
-    return *this;
-  }
+  Key& example(std::string_view text);
 
   /// A value that an editor offers.
   Key& offer(std::string_view value, std::string_view meaning) {

@@ -48,6 +48,12 @@ typename Mapping<T>::Key& Mapping<T>::Key::by(
 }
 
 template <class T>
+typename Mapping<T>::Key& Mapping<T>::Key::example(std::string_view text) {
+  added().examples.push_back(text);
+  return *this;
+}
+
+template <class T>
 template <class Read>
 typename Mapping<T>::Key& Mapping<T>::Key::passed_over(const Form<Read>& form,
                                                        std::string_view example,
@@ -97,7 +103,16 @@ typename Mapping<T>::Key& Mapping<T>::Key::pair(Member T::*first,
                                                 const Form<Member>& form,
                                                 std::string_view example,
                                                 std::string_view hint) {
-  const auto list = list_of(form, "", std::string(hint), {.least = 2, .most = 2});
+  return pair(
+      first, second, list_of(form, "", std::string(hint), {.least = 2, .most = 2}), example);
+}
+
+template <class T>
+template <class Member>
+typename Mapping<T>::Key& Mapping<T>::Key::pair(Member T::*first,
+                                                Member T::*second,
+                                                const Form<std::vector<Member>>& list,
+                                                std::string_view example) {
   key_.is_needed = true;
   return by(
       list.shape,

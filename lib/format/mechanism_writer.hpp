@@ -8,8 +8,7 @@
 
 namespace kinestat {
 
-/// The file that reads back as the description, whose couplings are revolute or prismatic with one
-/// point and an axis: others are a broken contract. `head` are the comment lines before it; what
+/// The file that reads back as the description. `head` are the comment lines before it; what
 /// cannot be printed in them and in the names stands as \xNN.
 std::string mechanism_text(const MechanismDescription& description,
                            std::span<const std::string> head);

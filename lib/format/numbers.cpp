@@ -130,6 +130,64 @@ Form<Value> size() {
       kAboveZero);
 }
 
+Form<Value> radius() {
+  return number_form("radius",
+                     "A length of at least zero: a bare number counts in the file's unit of length "
+                     "(default m), or write the unit.",
+                     {"12 mm"},
+                     kNotNegative);
+}
+
+Form<Value> pitch() {
+  return number_form("pitch",
+                     "A pitch, the length per radian: a bare number counts in the file's unit of "
+                     "length per radian, or write the unit.",
+                     {"2 mm/rad", "5 mm/rev", "0.8"});
+}
+
+Form<Value> lead() {
+  return number_form("lead",
+                     "A lead, the length per turn: a bare number counts in the file's unit of "
+                     "length, or write the unit.",
+                     {"5 mm", "5 mm/rev", "5"});
+}
+
+Form<Value> stiffness() {
+  return number_form(
+      "stiffness",
+      "Stiffness of a constraint, which must be positive. Of a force it is a force per length: a "
+      "bare number counts in the file's unit of stiffness (default N/m). Of a couple it is a "
+      "moment "
+      "per angle: a bare number counts in the file's unit of moment per rad (default N*m/rad), "
+      "whatever the unit of stiffness or of angle is.",
+      {"2e6 N/m", "300 N*m/rad"},
+      kAboveZero);
+}
+
+Form<Value> friction_moment() {
+  return number_form("friction_moment",
+                     "A moment of at least zero: a bare number counts in the file's unit of moment "
+                     "(default N*m), or write the unit.",
+                     {"0.2 N*m"},
+                     kNotNegative);
+}
+
+Form<Value> viscous_couple() {
+  return number_form("viscous_couple",
+                     "A couple per angular velocity: a bare number counts in the file's unit of "
+                     "moment per its unit of angular velocity (default N*m*s/rad).",
+                     {"0.02", "0.02 N*m*s/rad"},
+                     kNotNegative);
+}
+
+Form<Value> viscous_force() {
+  return number_form("viscous_force",
+                     "A force per velocity: a bare number counts in the file's unit of force per "
+                     "its unit of velocity (default N*s/m).",
+                     {"5", "5 N*s/m"},
+                     kNotNegative);
+}
+
 Form<Value> acute_angle() {
   return number_form("acute_angle",
                      "An angle from 0 to below 90 deg: a bare number counts in the file's unit of "

@@ -38,6 +38,13 @@ Form<Value> efficiency();
 Form<Value> component();  ///< of a direction
 Form<Value> length();
 Form<Value> size();
+Form<Value> radius();  ///< may be zero
+Form<Value> pitch();
+Form<Value> lead();
+Form<Value> stiffness();
+Form<Value> friction_moment();
+Form<Value> viscous_couple();
+Form<Value> viscous_force();
 Form<Value> acute_angle();
 Form<Value> angle();
 Form<Value> mass();

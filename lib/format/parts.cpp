@@ -1,6 +1,8 @@
 #include "format/parts.hpp"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -49,7 +51,7 @@ std::string list_hint(const FileValue& value, const FormShape& shape) {
 // Of names the lines that are meant, of values an example.
 std::string names_hint(const FileValue& value, const FormShape& shape) {
   const bool has_example = value.key != nullptr && !value.key->examples.empty();
-  if (shape.items.front().kind != FormKind::mapping && has_example) {
+  if (!is_mapping(shape.items.front()) && has_example) {
     return fmt::format("write for example {}: {}", key_of(value), value.key->examples.front());
   }
   return fmt::format("write {}: and below it indented lines '{}: {{…}}'",
@@ -104,6 +106,14 @@ bool check_names(const FileValue& value, const FormShape& shape) {
                                 shape.elements.empty() ? elements : shape.elements),
                     names_hint(value, shape));
   return false;
+}
+
+std::size_t count_whole(const YamlNode& names, const FormShape& element) {
+  const SharedList<FormKey>& keys =
+      element.kind == FormKind::by_word ? element.items.front().keys : element.keys;
+  const auto needed = std::ranges::count_if(keys, &FormKey::is_needed);
+  return static_cast<std::size_t>(std::ranges::count_if(
+      names.entries, [&](const auto& entry) { return std::ssize(entry.value.entries) >= needed; }));
 }
 
 bool check_element_name(const Name& name, const FormShape& shape, Diagnostics& found) {

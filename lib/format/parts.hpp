@@ -24,6 +24,9 @@ bool check_items(const FileValue& value, const FormShape& shape, const std::stri
 /// Whether the value is a mapping of names, with an element if the shape wants one.
 bool check_names(const FileValue& value, const FormShape& shape);
 
+/// How many entries have as many keys as an element needs, so that room is made for no others.
+std::size_t count_whole(const YamlNode& names, const FormShape& element);
+
 /// Whether the name of an element is as the shape wants it; adds an error if not.
 bool check_element_name(const Name& name, const FormShape& shape, Diagnostics& found);
 

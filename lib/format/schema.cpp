@@ -6,7 +6,6 @@
 
 #include "core/contract.hpp"
 #include "core/version.hpp"
-#include "format/embedded.hpp"
 #include "format/internal/shape_schema.hpp"
 #include "format/sections/sections.hpp"
 
@@ -44,7 +43,6 @@ void add_components(const FormKey& key, Json& definitions) {
 }  // namespace
 
 std::string mechanism_schema() {
-  const Json kept = Json::parse(find_text(embedded_kept_schema(), "kept_schema")->text);
   const FormShape& file = file_sections().shape();
   ShapeSchema declared;
   Json schema = {{"$schema", kDraft},
@@ -52,14 +50,8 @@ std::string mechanism_schema() {
   schema.update(declared.of_file(file));
   schema["allOf"].push_back(Json::parse(kComponents));
   Json definitions = Json::parse(kCounted);
-  definitions.update(kept["definitions"]);
   for (const FormKey& key : file.keys) {
-    const std::string name(key.key);
-    if (kept["properties"].contains(name)) {
-      schema["properties"][name] = kept["properties"][name];
-    } else {
-      add_components(key, definitions);
-    }
+    add_components(key, definitions);
   }
   for (const auto& [name, definition] : declared.definitions()) {
     KINESTAT_EXPECTS(!definitions.contains(name));

@@ -83,6 +83,33 @@ Form<Name> reference(const FormShape& shape) {
           .write = [](const Name& name) { return single_text(name.text); }};
 }
 
+FormShape axis_words() {
+  return {.kind = FormKind::word,
+          .words = {{"x", "along +x"},
+                    {"y", "along +y"},
+                    {"z", "along +z; in the plane, perpendicular to it"},
+                    {"-x", "along -x; what is along it is named without a letter: w, v, R, T"},
+                    {"-y", "along -y; what is along it is named without a letter: w, v, R, T"},
+                    {"-z", "along -z; what is along it is named without a letter: w, v, R, T"}}};
+}
+
+// Of the components that the space has, by default that of the file.
+Form<AxisDescription> axis_of(FormShape shape, std::optional<Space> space) {
+  shape.kind = FormKind::by_shape;
+  return {.shape = std::move(shape),
+          .read =
+              [space](const FileValue& value) {
+                return read_axis(
+                    value.node, value.what, space ? *space : value.space.value(), value.found);
+              },
+          .write =
+              [](const AxisDescription& one) {
+                return one.keyword == 0
+                           ? text_of(one.components)
+                           : single_text(std::string(one.sign < 0.0 ? "-" : "") + one.keyword);
+              }};
+}
+
 }  // namespace
 
 const FormShape& text_shape(std::string_view definition) {
@@ -174,32 +201,24 @@ Form<PointDescription> point_in_plane() {
 }
 
 Form<AxisDescription> turning_axis() {
-  const FormShape words{
-      .kind = FormKind::word,
-      .words = {{"x", "along +x"},
-                {"y", "along +y"},
-                {"z", "along +z; in the plane, perpendicular to it"},
-                {"-x", "along -x; what is along it is named without a letter: w, v, R, T"},
-                {"-y", "along -y; what is along it is named without a letter: w, v, R, T"},
-                {"-z", "along -z; what is along it is named without a letter: w, v, R, T"}}};
-  const FormShape vector{
-      .kind = FormKind::list, .least = 3, .most = 3, .items = {component().shape}};
-  return {.shape = {.kind = FormKind::by_shape,
-                    .definition = "axis",
-                    .meaning = "The axis: x, y, z, -x, -y, -z or a vector [ax, ay, az] of any "
-                               "length but zero. In the plane it is z, which need not be written.",
-                    .examples = {"z", "[0, 0.6, 0.8]"},
-                    .items = {words, vector}},
-          .read =
-              [](const FileValue& value) {
-                return read_axis(value.node, value.what, Space::spatial, value.found);
-              },
-          .write =
-              [](const AxisDescription& one) {
-                return one.keyword == 0
-                           ? text_of(one.components)
-                           : single_text(std::string(one.sign < 0.0 ? "-" : "") + one.keyword);
-              }};
+  return axis_of(
+      {.definition = "axis",
+       .meaning = "The axis: x, y, z, -x, -y, -z or a vector [ax, ay, az] of any "
+                  "length but zero. In the plane it is z, which need not be written.",
+       .examples = {"z", "[0, 0.6, 0.8]"},
+       .items = {axis_words(),
+                 {.kind = FormKind::list, .least = 3, .most = 3, .items = {component().shape}}}},
+      Space::spatial);
+}
+
+Form<AxisDescription> direction() {
+  return axis_of(
+      {.definition = "direction",
+       .meaning = "A direction: x, y, z, -x, -y, -z or a vector of any length but zero, [ax, ay] "
+                  "in the plane, [ax, ay, az] in space.",
+       .examples = {"x", "[1, 0.5]", "[1, 0, 0.5]"},
+       .items = {axis_words(), {.kind = FormKind::vector, .items = {component().shape}}}},
+      std::nullopt);
 }
 
 Form<std::string> text() {

@@ -51,6 +51,9 @@ Form<std::string> text();
 /// x, -y, z, … or a vector of three numbers, also in the plane.
 Form<AxisDescription> turning_axis();
 
+/// The same, of as many components as the space has.
+Form<AxisDescription> direction();
+
 /// true or false; what is not there is false.
 Form<bool> flag();
 

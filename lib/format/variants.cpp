@@ -33,6 +33,16 @@ void complain_of_none(const FileValue& value, const FormShape& shape, const Vari
       "E0303", value.where, fmt::format(fmt::runtime(texts.none), value.what), texts.none_hint);
 }
 
+std::vector<std::size_t> variants_there(const FileValue& value, const FormShape& shape) {
+  std::vector<std::size_t> there;
+  for (std::size_t i = 0; i < shape.items.size(); ++i) {
+    if (value.node.find(first_key(shape.items[i])) != nullptr) {
+      there.push_back(i);
+    }
+  }
+  return there;
+}
+
 }  // namespace
 
 std::optional<std::size_t> find_variant(const FileValue& value,
@@ -42,12 +52,7 @@ std::optional<std::size_t> find_variant(const FileValue& value,
     Fields(value.node, value.where, value.what, value.found).finish();
     return std::nullopt;
   }
-  std::vector<std::size_t> there;
-  for (std::size_t i = 0; i < shape.items.size(); ++i) {
-    if (value.node.find(first_key(shape.items[i])) != nullptr) {
-      there.push_back(i);
-    }
-  }
+  const std::vector<std::size_t> there = variants_there(value, shape);
   if (there.size() == 1) {
     return there.front();
   }
@@ -59,6 +64,28 @@ std::optional<std::size_t> find_variant(const FileValue& value,
                       fmt::format(fmt::runtime(texts.both), value.what),
                       texts.both_hint);
   }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> find_only_variant(const FileValue& value,
+                                             const FormShape& shape,
+                                             const std::string& message,
+                                             const std::string& hint) {
+  Fields fields(value.node, value.where, value.what, value.found);
+  if (value.node.kind != YamlKind::mapping) {
+    return std::nullopt;
+  }
+  const std::vector<std::size_t> there = variants_there(value, shape);
+  if (there.size() == 1) {
+    return there.front();
+  }
+  value.found.error("E0303", value.where, fmt::format(fmt::runtime(message), value.what), hint);
+  for (const FormShape& one : shape.items) {
+    for (const FormKey& key : one.keys) {
+      (void)fields.find(key.key);
+    }
+  }
+  fields.finish();
   return std::nullopt;
 }
 

@@ -43,4 +43,38 @@ Form<T> one_mapping_of(std::vector<const Mapping<T>*> mappings,
       .write = [mappings, choose](const T& value) { return mappings[choose(value)]->text(value); }};
 }
 
+/// Whether there is exactly one of the first keys; if not, adds an error, and of keys that none of
+/// the mappings has.
+std::optional<std::size_t> find_only_variant(const FileValue& value,
+                                             const FormShape& shape,
+                                             const std::string& message,
+                                             const std::string& hint);
+
+/// One of the mappings, all of whose first keys count as known.
+template <class T>
+Form<T> only_one_of(std::vector<const Mapping<T>*> mappings,
+                    std::string message,
+                    std::string hint,
+                    std::function<std::size_t(const T&)> choose) {
+  auto form = one_mapping_of<T>(mappings, {}, std::move(choose));
+  form.read = [=, shape = form.shape](const FileValue& value) -> std::optional<T> {
+    const int errors_before = value.found.error_count();
+    const auto index = find_only_variant(value, shape, message, hint);
+    if (!index) {
+      return std::nullopt;
+    }
+    Fields fields(value.node, value.where, value.what, value.found);
+    for (const FormShape& one : shape.items) {
+      (void)fields.find(one.keys.front().key);
+    }
+    T object;
+    object.where = value.place;
+    mappings[*index]->read_keys(fields, value, object);
+    fields.finish();
+    return value.found.error_count() == errors_before ? std::optional(std::move(object))
+                                                      : std::nullopt;
+  };
+  return form;
+}
+
 }  // namespace kinestat

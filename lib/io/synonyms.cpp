@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "couplings/kinds.hpp"
 
 namespace kinestat {
 
@@ -16,7 +17,8 @@ struct Synonym {
   std::string_view meant;
 };
 
-// Where a word may mean several things, the first that is a candidate at the place counts.
+// Beside those of coupling types. Where a word may mean several things, the first that is a
+// candidate at the place counts.
 constexpr auto kSynonyms = std::to_array<Synonym>({
     {"version", "kinestat"},
     {"format", "kinestat"},
@@ -75,41 +77,8 @@ constexpr auto kSynonyms = std::to_array<Synonym>({
     {"cog", "centre_of_mass"},
     {"center", "centre"},
     {"center_distance", "centre_distance"},
-    {"pin", "revolute"},
-    {"hinge", "revolute"},
-    {"pivot", "revolute"},
-    {"revolution", "revolute"},
-    {"rotation", "revolute"},
-    {"rotational", "revolute"},
-    {"r", "revolute"},
-    {"slider", "prismatic"},
-    {"slide", "prismatic"},
-    {"translation", "prismatic"},
-    {"translational", "prismatic"},
-    {"sliding", "prismatic"},
-    {"p", "prismatic"},
-    {"screw", "helical"},
-    {"c", "cylindrical"},
-    {"cylinder", "cylindrical"},
-    {"cardan", "universal"},
-    {"hooke", "universal"},
-    {"u", "universal"},
-    {"ball", "spherical"},
-    {"s", "spherical"},
-    {"plane", "planar"},
     {"2d", "planar"},
     {"3d", "spatial"},
-    {"fixed", "rigid"},
-    {"weld", "rigid"},
-    {"welded", "rigid"},
-    {"spur_gear", "gear"},
-    {"gears", "gear"},
-    {"mesh", "gear"},
-    {"bevel", "bevel_gear"},
-    {"worm_gear", "worm"},
-    {"pin_slot", "pin_in_slot"},
-    {"rope", "cable"},
-    {"belt", "cable"},
     {"cw", "clockwise"},
     {"ccw", "counterclockwise"},
     {"anticlockwise", "counterclockwise"},
@@ -132,6 +101,12 @@ std::string meant_name(std::string_view word, std::span<const std::string> candi
   for (const Synonym& row : kSynonyms) {
     if (row.word == lower && std::ranges::find(candidates, row.meant) != candidates.end()) {
       return std::string(row.meant);
+    }
+  }
+  for (const CouplingKind* kind : coupling_kinds()) {
+    const bool is_so_called = std::ranges::find(kind->others, lower) != kind->others.end();
+    if (is_so_called && std::ranges::find(candidates, kind->word) != candidates.end()) {
+      return std::string(kind->word);
     }
   }
   return nearest_name(word, candidates);

@@ -137,17 +137,6 @@ std::optional<std::vector<Value>> read_components(const YamlNode& node,
 
 }  // namespace
 
-bool check_mapping(const YamlNode& node, std::string_view section, Diagnostics& found) {
-  if (node.kind == YamlKind::mapping) {
-    return true;
-  }
-  found.error("E0304",
-              node.where,
-              fmt::format("'{}' must be a mapping of names", section),
-              fmt::format("write {}: and below it indented lines 'name: {{…}}'", section));
-  return false;
-}
-
 std::string with_commas(const YamlNode& node) {
   if (node.kind != YamlKind::scalar || node.text.find(' ') == std::string::npos) {
     return {};
@@ -172,20 +161,6 @@ std::optional<Name> read_reference(const YamlNode& node,
     return std::nullopt;
   }
   return Name{.text = node.text, .where = node.where};
-}
-
-std::optional<std::vector<Name>> read_references(const YamlNode& node,
-                                                 std::string_view what,
-                                                 Diagnostics& found) {
-  std::vector<Name> names;
-  const std::span<const YamlNode> items =
-      node.kind == YamlKind::sequence ? std::span(node.items) : std::span(&node, 1);
-  for (const YamlNode& item : items) {
-    if (std::optional<Name> name = read_reference(item, what, found)) {
-      names.push_back(*std::move(name));
-    }
-  }
-  return names.size() == items.size() ? std::optional(std::move(names)) : std::nullopt;
 }
 
 bool check_name(const Name& name, std::string_view what, Diagnostics& found) {

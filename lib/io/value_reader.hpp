@@ -15,9 +15,6 @@ namespace kinestat {
 
 /// Each answers empty iff it added an error. `what` names the value in messages.
 
-/// Whether a section is a mapping of names; adds an error if not.
-bool check_mapping(const YamlNode& node, std::string_view section, Diagnostics& found);
-
 /// The words of a scalar with commas between them, "crank, coupler" of "crank coupler", for lists
 /// whose commas were forgotten; empty if it is one word.
 std::string with_commas(const YamlNode& node);
@@ -29,11 +26,6 @@ std::optional<std::string> read_text(const YamlNode& node,
 
 /// A reference to something declared elsewhere; its form is not checked.
 std::optional<Name> read_reference(const YamlNode& node, std::string_view what, Diagnostics& found);
-
-/// A list of references, or a single one.
-std::optional<std::vector<Name>> read_references(const YamlNode& node,
-                                                 std::string_view what,
-                                                 Diagnostics& found);
 
 /// Whether a declared name has the form [A-Za-z_][A-Za-z0-9_-]*; adds an error if not.
 bool check_name(const Name& name, std::string_view what, Diagnostics& found);

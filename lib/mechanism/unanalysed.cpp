@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "couplings/kinds.hpp"
 #include "mechanism/internal/friction_binder.hpp"
 #include "mechanism/internal/geometry_check.hpp"
 

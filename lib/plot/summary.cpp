@@ -7,6 +7,7 @@
 
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "couplings/kinds.hpp"
 #include "plot/internal/counted.hpp"
 #include "plot/internal/synthesis_summary.hpp"
 #include "report/gear_values.hpp"

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "couplings/kinds.hpp"
 #include "graph/cutsets.hpp"
 #include "report/csv.hpp"
 #include "report/numbers.hpp"

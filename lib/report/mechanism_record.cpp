@@ -4,6 +4,7 @@
 
 #include "core/utf8.hpp"
 #include "core/version.hpp"
+#include "couplings/kinds.hpp"
 
 namespace kinestat {
 

@@ -1,5 +1,6 @@
 #include "report/mobility_record.hpp"
 
+#include "couplings/kinds.hpp"
 #include "mechanism/label_kind.hpp"
 #include "mobility/counts_record.hpp"
 #include "mobility/free_motion_record.hpp"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "couplings/kinds.hpp"
 #include "mechanism/label_kind.hpp"
 #include "report/mobility_words.hpp"
 #include "report/numbers.hpp"

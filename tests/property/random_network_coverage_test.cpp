@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "couplings/kinds.hpp"
 #include "property/network_case.hpp"
 #include "property/shard.hpp"
 #include "support/random_network_catalogue.hpp"

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "couplings/kinds.hpp"
 #include "format/mechanism_reader.hpp"
 #include "mechanism/bind.hpp"
 #include "support/random_network.hpp"

@@ -53,15 +53,6 @@ void add_instead(const FormShape& shape, const FormRule& rule, Json& schema) {
   schema["allOf"].push_back(condition);
 }
 
-void add_any_of(const FormRule& rule, Json& schema) {
-  for (const std::string_view key : rule.others) {
-    Json alternative = has(key);
-    alternative["errorMessage"] =
-        fmt::format("One of these is needed: {}.", fmt::join(rule.others, ", "));
-    schema["anyOf"].push_back(alternative);
-  }
-}
-
 void add_no_two_of(const FormRule& rule, Json& schema) {
   for (std::size_t i = 0; i + 1 < rule.others.size(); ++i) {
     Json refused = Json::object();
@@ -70,6 +61,16 @@ void add_no_two_of(const FormRule& rule, Json& schema) {
     }
     schema["allOf"].push_back({{"if", has(rule.others[i])}, {"then", {{"properties", refused}}}});
   }
+}
+
+void add_needed_by_part(const FormRule& rule, Json& schema) {
+  Json part = {{"type", "object"}, {"anyOf", Json::array()}};
+  for (std::size_t i = 1; i < rule.others.size(); ++i) {
+    part["anyOf"].push_back(has(rule.others[i]));
+  }
+  Json condition = has(rule.others.front());
+  condition["properties"] = {{std::string(rule.others.front()), part}};
+  schema["allOf"].push_back({{"if", condition}, {"then", has(rule.key)}});
 }
 
 void add_needed_unless_whole(const FormRule& rule, Json& schema) {
@@ -150,6 +151,14 @@ bool is_spared_by(const FormRule& rule) {
 
 }  // namespace
 
+void add_any_of(const SharedList<std::string_view>& keys, Json& schema) {
+  for (const std::string_view key : keys) {
+    Json alternative = has(key);
+    alternative["errorMessage"] = fmt::format("One of these is needed: {}.", fmt::join(keys, ", "));
+    schema["anyOf"].push_back(alternative);
+  }
+}
+
 bool is_replaceable(const FormShape& shape, std::string_view key) {
   return std::ranges::any_of(shape.rules, [&](const FormRule& rule) {
     return is_spared_by(rule) && std::ranges::find(rule.others, key) != rule.others.end();
@@ -163,10 +172,16 @@ void add_rules(const FormShape& shape, Json& schema) {
         add_instead(shape, rule, schema);
         break;
       case FormRule::Kind::any_of:
-        add_any_of(rule, schema);
+        add_any_of(rule.others, schema);
+        break;
+      case FormRule::Kind::needed_beside:
+        schema["dependencies"][std::string(rule.others.front())] = {std::string(rule.key)};
+        break;
+      case FormRule::Kind::needed_by_part:
+        add_needed_by_part(rule, schema);
         break;
       case FormRule::Kind::one_of:
-        add_any_of(rule, schema);
+        add_any_of(rule.others, schema);
         add_no_two_of(rule, schema);
         break;
       case FormRule::Kind::spares:

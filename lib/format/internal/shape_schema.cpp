@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 
 #include "format/internal/example_json.hpp"
+#include "format/internal/json_types.hpp"
 #include "format/internal/rule_schema.hpp"
+#include "format/internal/snippets.hpp"
+#include "format/internal/worded_schema.hpp"
 #include "format/value_forms.hpp"
 
 namespace kinestat {
@@ -18,50 +21,6 @@ constexpr const char* kExpression = R"json({
   "pattern": "^(?!\\s*$|\\s*[-+]?\\d+,)",
   "patternErrorMessage": "Write a number, with a decimal point, or an expression such as (N1 + N2)/2*module."
 })json";
-
-Json types_of(const FormShape& shape) {
-  switch (shape.kind) {
-    case FormKind::number:
-      return Json::array({"number", "string"});
-    case FormKind::text:
-      return Json::array({"string", "number"});
-    case FormKind::name:
-    case FormKind::word:
-    case FormKind::literal:
-      return "string";
-    case FormKind::constant:
-      return "number";
-    case FormKind::flag:
-      return "boolean";
-    case FormKind::vector:
-    case FormKind::list:
-      return "array";
-    case FormKind::couple:
-      return Json::array({"array", "number", "string"});
-    case FormKind::names:
-    case FormKind::variants:
-    case FormKind::mapping:
-      return shape.may_be_empty ? Json::array({"object", "null"}) : Json("object");
-    case FormKind::by_shape: {
-      Json types = Json::array();
-      for (const FormShape& one : shape.items) {
-        const Json type = types_of(one);
-        for (const Json& word : type.is_array() ? type : Json::array({type})) {
-          if (std::ranges::find(types, word) == types.end()) {
-            types.push_back(word);
-          }
-        }
-      }
-      return types;
-    }
-  }
-  return {};
-}
-
-bool is_collection(const FormShape& shape) {
-  const Json types = types_of(shape);
-  return types == "array" || types == "object" || shape.may_be_empty;
-}
 
 void add_range(const NumberRange& range, Json& schema) {
   const auto add = [&schema](const char* key, const std::optional<double>& bound) {
@@ -114,53 +73,17 @@ Json examples_json(const SharedList<std::string_view>& texts) {
   return examples;
 }
 
-Json snippet(std::string_view label, const Json& body, std::string_view meaning = {}) {
-  Json result = {{"label", std::string(label)}, {body.is_object() ? "body" : "bodyText", body}};
-  if (!meaning.empty()) {
-    result["description"] = std::string(meaning);
+// A mapping of such names alone is something else.
+void refuse_foreign(const ForeignNames& foreign, Json& schema) {
+  if (foreign.names.empty()) {
+    return;
   }
-  return result;
-}
-
-// "${1:wind}:\n  body: …" would be long: the element stands behind its name in brackets.
-Json named_snippet(const FormShape& shape, const Json& example) {
-  std::string body = flow_snippet(example);
-  body = body.substr(1, body.size() - 2);
-  return snippet(shape.item, "${0:" + example.begin().key() + "}" + body.substr(body.find(':')));
-}
-
-bool fits(const FormShape& shape, const Json& example) {
-  const bool is_mapping = types_of(shape).dump().find("object") != std::string::npos;
-  return is_collection(shape) ? (is_mapping ? example.is_object() : example.is_array())
-                              : !example.is_object() && !example.is_array();
-}
-
-// What an editor offers for a list or a mapping: the first example to be filled in.
-Json snippets_of(const FormShape& shape, const Json& examples) {
-  const bool is_point = shape.kind == FormKind::vector || !shape.sketch.empty();
-  if (shape.kind == FormKind::variants) {
-    Json snippets = Json::array();
-    for (const FormShape& one : shape.items) {
-      const Json example = example_json(std::string(one.examples.front()));
-      snippets.push_back(snippet(outline(example), flow_snippet(example), one.meaning));
-    }
-    return snippets;
+  Json names = Json::array();
+  for (const std::string_view name : foreign.names) {
+    names.push_back(std::string(name));
   }
-  const auto at = std::ranges::find_if(examples, [&](const Json& one) { return fits(shape, one); });
-  if (at == examples.end()) {
-    return Json::array();
-  }
-  if (shape.kind == FormKind::names && !shape.item.empty()) {
-    return Json::array({named_snippet(shape, *at)});
-  }
-  Json snippets = Json::array();
-  for (const Json& one : examples) {
-    if (one == *at || (shape.kind == FormKind::mapping && fits(shape, one))) {
-      snippets.push_back(
-          snippet(is_point ? sketch_of(shape, Space::planar) : outline(one), flow_snippet(one)));
-    }
-  }
-  return snippets;
+  const Json refused = {{"type", "array"}, {"errorMessage", std::string(foreign.instead)}};
+  schema = {{"if", {{"propertyNames", {{"enum", names}}}}}, {"then", refused}, {"else", schema}};
 }
 
 // A number about z, or a vector.
@@ -184,9 +107,7 @@ void ShapeSchema::define(const FormShape& shape) {
 
 // A whole schema of its own.
 Json ShapeSchema::of_shape(const FormShape& shape) {
-  FormShape plain = shape;
-  plain.definition = {};
-  return in_place({.meaning = shape.meaning, .shape = plain, .examples = shape.examples});
+  return in_place({.meaning = shape.meaning, .shape = shape, .examples = shape.examples});
 }
 
 Json ShapeSchema::of_item(const FormShape& shape) {
@@ -202,7 +123,9 @@ Json ShapeSchema::of_key(const FormKey& key) {
     return in_place(key);
   }
   Json schema = of_item(key.shape);
-  schema["description"] = std::string(key.meaning);
+  if (!key.meaning.empty()) {
+    schema["description"] = std::string(key.meaning);
+  }
   if (!key.usual.empty()) {
     schema["default"] = example_json(std::string(key.usual));
   }
@@ -232,13 +155,20 @@ void ShapeSchema::add_values(const FormShape& shape, Json& schema) {
       if (shape.least > 0) {
         schema["minProperties"] = shape.least;
       }
+      if (shape.most != FormShape::kAnyNumber) {
+        schema["maxProperties"] = shape.most;
+      }
       schema["additionalProperties"] = of_item(shape.items.front());
+      refuse_foreign(shape.foreign, schema);
       break;
     case FormKind::mapping:
       add_mapping(shape, schema);
       break;
     case FormKind::variants:
       add_variants(shape, schema);
+      break;
+    case FormKind::by_word:
+      add_worded(shape, schema);
       break;
     case FormKind::word:
       add_words(shape.words, schema);
@@ -283,6 +213,7 @@ void ShapeSchema::add_variants(const FormShape& shape, Json& schema) {
   }
   schema["additionalProperties"] = false;
   schema["properties"] = properties;
+  SharedList<std::string_view> firsts;
   for (const FormShape& one : shape.items) {
     Json mapping = Json::object();
     add_mapping(one, mapping);
@@ -295,8 +226,34 @@ void ShapeSchema::add_variants(const FormShape& shape, Json& schema) {
     }
     mapping["properties"] = refused;
     mapping.erase("additionalProperties");
-    schema["anyOf"].push_back(first);
+    firsts.push_back(one.keys.front().key);
     schema["allOf"].push_back({{"if", first}, {"then", mapping}});
+  }
+  add_any_of(firsts, schema);
+}
+
+// What all need stands first, then under each word what it may have beside. What is the same of
+// several words is written once, in a definition.
+void ShapeSchema::add_worded(const FormShape& shape, Json& schema) {
+  std::vector<Json> mappings(shape.items.size(), Json::object());
+  for (std::size_t i = 0; i < mappings.size(); ++i) {
+    add_mapping(shape.items[i], mappings[i]);
+  }
+  const Json needed = needed_by_all(mappings);
+  schema["required"] = needed;
+  for (const Json& key : needed) {
+    schema["properties"][key.get<std::string>()] =
+        mappings.front()["properties"][key.get<std::string>()];
+  }
+  for (Json& mapping : mappings) {
+    settle(mapping, needed);
+  }
+  const std::string definition = fmt::format("{}_keys", shape.definition);
+  definitions_[definition] = share_keys(shape, mappings, definition);
+  const std::string chooser(shape.items.front().keys.front().key);
+  for (std::size_t i = 0; i < mappings.size(); ++i) {
+    schema["allOf"].push_back(
+        {{"if", has_word(chooser, shape.words[i].text)}, {"then", mappings[i]}});
   }
 }
 
@@ -343,8 +300,12 @@ Json ShapeSchema::in_place(const FormKey& key) {
   }
   if (shape.kind == FormKind::number) {
     definitions_.try_emplace("expression", Json::parse(kExpression));
-    schema["allOf"] = Json::array({reference("expression")});
-    add_range(shape.range, schema);
+    Json number = {{"allOf", Json::array({reference("expression")})}};
+    add_range(shape.range, number);
+    if (!shape.words.empty()) {
+      number = {{"if", {{"const", std::string(shape.words.front().text)}}}, {"else", number}};
+    }
+    schema.update(number);
   } else if (shape.kind == FormKind::constant) {
     schema["const"] = example_json(std::string(shape.sketch));
   } else {
@@ -420,8 +381,27 @@ Json ShapeSchema::of_file(const FormShape& shape) {
   return schema;
 }
 
+namespace {
+
+// A reference hides what stands beside it.
+Json without_reference(const Json& components, Space space) {
+  const int count = space == Space::planar ? 2 : 3;
+  return components.contains("$ref") ? Json{{"minItems", count}, {"maxItems", count}} : components;
+}
+
+}  // namespace
+
 Json components_schema(const FormShape& shape, Space space) {
   const bool is_planar = space == Space::planar;
+  if (shape.kind == FormKind::by_word) {
+    std::vector<Json> components;
+    for (const FormShape& one : shape.items) {
+      components.push_back(components_schema(one, space));
+    }
+    Json schema = worded_counts(shape, components);
+    schema["doNotSuggest"] = true;
+    return schema;
+  }
   if (shape.kind == FormKind::vector) {
     return {{"$ref", is_planar ? "#/definitions/two" : "#/definitions/three"}};
   }
@@ -435,7 +415,7 @@ Json components_schema(const FormShape& shape, Space space) {
       continue;
     }
     if (shape.kind == FormKind::by_shape || shape.kind == FormKind::variants) {
-      schema.update(inside, true);
+      schema.update(without_reference(inside, space), true);
     } else {
       schema[shape.kind == FormKind::list ? "items" : "additionalProperties"] = inside;
     }

@@ -29,6 +29,7 @@ class ShapeSchema {
   void add_values(const FormShape& shape, Json& schema);
   void add_mapping(const FormShape& shape, Json& schema, OfKey of = &ShapeSchema::of_key);
   void add_variants(const FormShape& shape, Json& schema);
+  void add_worded(const FormShape& shape, Json& schema);
   void add_alternatives(const FormShape& shape, const Json& examples, Json& schema);
   void define(const FormShape& shape);
 

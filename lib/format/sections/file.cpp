@@ -8,7 +8,6 @@
 #include "format/numbers.hpp"
 #include "format/sections/sections.hpp"
 #include "format/value_forms.hpp"
-#include "io/coupling_reader.hpp"
 
 namespace kinestat {
 
@@ -138,14 +137,9 @@ void declare_network(Mapping<File>& m) {
   m.key("couplings",
         "The couplings: NAME: {type: …, bodies: [tail, head], …}. Motions are those of the head "
         "relative to the tail, actions those of the tail on the head.")
-      .by(
-          {.kind = FormKind::names,
-           .sketch = "{NAME: {type: …, bodies: [TAIL, HEAD]}}",
-           .items = {point().shape}},
-          [](const FileValue& value, File& file) {
-            file.couplings = read_couplings(value.node, *value.space, value.found);
-          },
-          [](const File&) { return std::optional<FileText>(); })
+      .may(&File::couplings,
+           couplings(),
+           "{a: {type: revolute, bodies: [frame, crank], at: [0, 0]}}")
       .required()
       .add_hint("'couplings:' and below it lines 'name: {type: …, bodies: […], …}'");
 }

@@ -11,6 +11,7 @@ namespace kinestat {
 const Mapping<FileUnits>& units_section();
 Form<std::vector<ParameterDescription>> parameters();
 Form<std::vector<BodyDescription>> bodies();
+Form<std::vector<CouplingDescription>> couplings();
 const Mapping<GearsDescription>& gears_section();
 Form<std::vector<CableDescription>> cables();
 const Mapping<ActuatorDescription>& actuator();

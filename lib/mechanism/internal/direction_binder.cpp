@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
+#include "couplings/kinds.hpp"
 #include "mechanism/internal/geometry_check.hpp"
 #include "mechanism/internal/typed_vector.hpp"
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
+#include "couplings/kinds.hpp"
 #include "math/dual.hpp"
 
 namespace kinestat {

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "couplings/kinds.hpp"
+
 namespace kinestat {
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "couplings/kinds.hpp"
 #include "mechanism/teeth.hpp"
 
 namespace kinestat {

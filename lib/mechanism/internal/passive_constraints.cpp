@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "couplings/kinds.hpp"
 
 namespace kinestat {
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "couplings/kinds.hpp"
 #include "mechanism/internal/cable_station_binder.hpp"
 #include "mechanism/internal/typed_vector.hpp"
 

@@ -9,6 +9,7 @@
 #include "core/text.hpp"
 #include "core/tolerance.hpp"
 #include "core/utf8.hpp"
+#include "couplings/kinds.hpp"
 #include "mechanism/internal/passive_constraints.hpp"
 #include "mechanism/reciprocity.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "couplings/kinds.hpp"
 #include "mobility_case.hpp"
 
 namespace kinestat {

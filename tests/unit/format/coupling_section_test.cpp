@@ -1,17 +1,18 @@
-#include "io/coupling_reader.hpp"
-
 #include <gtest/gtest.h>
 
-#include "support/read_text.hpp"
+#include "couplings/kinds.hpp"
+#include "format/sections/sections.hpp"
+#include "support/read_section.hpp"
 
 namespace kinestat {
 namespace {
 
-Reading<std::vector<CouplingDescription>> couplings_of(const std::string& text,
-                                                       Space space = Space::spatial) {
-  return read_text(text, [space](const YamlNode& root, Diagnostics& found) {
-    return read_couplings(root, space, found);
-  });
+auto couplings_of(const std::string& text, Space space = Space::spatial) {
+  return read_form(couplings(), "'couplings'", text, space);
+}
+
+std::string written_text(const std::vector<CouplingDescription>& all) {
+  return behind_key(couplings().write(all), 0);
 }
 
 // Every type with the keys that the format gives it.
@@ -50,12 +51,30 @@ TEST_P(EveryCoupling, TakesItsKeys) {
   const auto reading = couplings_of("a: " + GetParam() + "\n");
 
   EXPECT_EQ(reading.complaints(), Complaints{});
-  EXPECT_EQ(reading.value.size(), 1U);
+  EXPECT_EQ(reading.value->size(), 1U);
 }
 
-INSTANTIATE_TEST_SUITE_P(CouplingReader, EveryCoupling, testing::ValuesIn(kFullest));
+INSTANTIATE_TEST_SUITE_P(CouplingSection, EveryCoupling, testing::ValuesIn(kFullest));
 
-TEST(CouplingReader, TakesTheKeysOfFrictionThatTheTypeUses) {
+TEST(CouplingSection, TakesTheExampleOfEveryKindAndWritesItAsItWasRead) {
+  for (const CouplingKind* kind : coupling_kinds()) {
+    SCOPED_TRACE(kind->word);
+    const std::string text = "a: " + std::string(kind->example) + "\n";
+    const bool is_planar = couplings_of(text, Space::planar).complaints().empty();
+    const Space space = is_planar ? Space::planar : Space::spatial;
+    const auto reading = couplings_of(text, space);
+    ASSERT_EQ(reading.complaints(), Complaints{});
+    ASSERT_EQ(reading.value->front().type, kind->type);
+
+    const std::string written = written_text(*reading.value);
+
+    const auto again = couplings_of(written, space);
+    ASSERT_EQ(again.complaints(), Complaints{});
+    EXPECT_EQ(written_text(*again.value), written);
+  }
+}
+
+TEST(CouplingSection, TakesTheKeysOfFrictionThatTheTypeUses) {
   const auto complaints = [](const std::string& coupling) {
     return couplings_of("a: {" + coupling + "}\n").complaints();
   };
@@ -72,14 +91,14 @@ TEST(CouplingReader, TakesTheKeysOfFrictionThatTheTypeUses) {
   EXPECT_EQ(complaints(guide + "{mu: 0.1, thrust_radius: 5 mm}").size(), 1U);
 }
 
-TEST(CouplingReader, ReadsWhatIsWritten) {
+TEST(CouplingSection, ReadsWhatIsWritten) {
   const auto reading = couplings_of(
       "a: {type: worm, bodies: [f, g], at: [0, 0, 1], line_of_action: x, "
       "screw: {rotation: -z, at: [0, 2, 0], pitch: 3 mm}, "
       "friction: {mu: 0.1}, stiffness: {Rx: 4, Tz: 5}}\n");
 
   ASSERT_EQ(reading.complaints(), Complaints{});
-  const CouplingDescription& a = reading.value[0];
+  const CouplingDescription& a = (*reading.value)[0];
   EXPECT_EQ(a.type, CouplingType::worm);
   EXPECT_EQ(a.tail.text, "f");
   EXPECT_EQ(a.at->point->coordinates[2].expression.text(), "1");
@@ -92,7 +111,7 @@ TEST(CouplingReader, ReadsWhatIsWritten) {
   EXPECT_FALSE(a.passive);
 }
 
-TEST(CouplingReader, KnowsTheKeysOfEachTypeOnly) {
+TEST(CouplingSection, KnowsTheKeysOfEachTypeOnly) {
   EXPECT_EQ(couplings_of("a: {type: spherical, bodies: [f, g], at: [0, 0, 0], axis: z}\n"
                          "b: {type: revolute, bodies: [f, g], at: [0, 0, 0], axes: [x, y]}\n"
                          "c: {type: rigid, bodies: [f, g], pressure_angle: 20 deg}\n")
@@ -102,26 +121,26 @@ TEST(CouplingReader, KnowsTheKeysOfEachTypeOnly) {
                         "3:34 E0302 coupling 'c' has no key 'pressure_angle'"}));
 }
 
-TEST(CouplingReader, ReadsThePointAsDrawnOnEachBody) {
+TEST(CouplingSection, ReadsThePointAsDrawnOnEachBody) {
   const auto reading = couplings_of(
       "a: {type: revolute, bodies: [f, g], at: {f: [1, 3], g: [1.02, 3]}}\n", Space::planar);
 
   ASSERT_EQ(reading.complaints(), Complaints{});
-  const CouplingPoint& at = *reading.value[0].at;
+  const CouplingPoint& at = *(*reading.value)[0].at;
   EXPECT_FALSE(at.point);
   ASSERT_EQ(at.of_bodies.size(), 2U);
   EXPECT_EQ(at.of_bodies[1].first.text, "g");
   EXPECT_EQ(at.of_bodies[1].second.coordinates[0].expression.text(), "1.02");
 }
 
-TEST(CouplingReader, ReadsAPositionAlongTheAxis) {
+TEST(CouplingSection, ReadsAPositionAlongTheAxis) {
   const auto reading = couplings_of("a: {type: revolute, bodies: [f, g], at: 10 mm, axis: z}\n");
 
   ASSERT_EQ(reading.complaints(), Complaints{});
-  EXPECT_EQ(reading.value[0].at->along_axis->expression.text(), "10 mm");
+  EXPECT_EQ((*reading.value)[0].at->along_axis->expression.text(), "10 mm");
 }
 
-TEST(CouplingReader, ExplainsPointsOfOtherForms) {
+TEST(CouplingSection, ExplainsPointsOfOtherForms) {
   EXPECT_EQ(couplings_of("a: {type: revolute, bodies: [f, g], at: {x: 1, y: 3}}\n"
                          "b: {type: revolute, bodies: [f, g], at: {f: [1, 3]}}\n"
                          "c: {type: revolute, bodies: [f, g], at: [1, 2, 3]}\n"
@@ -136,7 +155,7 @@ TEST(CouplingReader, ExplainsPointsOfOtherForms) {
                         "needs 2"}));
 }
 
-TEST(CouplingReader, WantsOneKindOfAScrew) {
+TEST(CouplingSection, WantsOneKindOfAScrew) {
   EXPECT_EQ(couplings_of("a: {type: screws, bodies: [f, g], freedoms: [{}, {rotation: z, "
                          "translation: x}, {translation: x, at: [0, 0, 0]}]}\n")
                 .complaints(),
@@ -147,7 +166,7 @@ TEST(CouplingReader, WantsOneKindOfAScrew) {
                         "1:98 E0302 a screw of coupling 'a' has no key 'at'"}));
 }
 
-TEST(CouplingReader, GuessesTypesByTheirOtherNames) {
+TEST(CouplingSection, GuessesTypesByTheirOtherNames) {
   const auto reading = couplings_of("a: {type: hinge, bodies: [f, g]}\n");
 
   ASSERT_EQ(reading.found.items().size(), 1U);

@@ -1,0 +1,64 @@
+// What a kind of coupling is: its word, the keys that it takes, and what follows from them.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "description/coupling_description.hpp"
+
+namespace kinestat {
+
+/// What some kinds take in the file, in the order in which it is read and written. Every kind has
+/// type, bodies, passive, friction and stiffness beside.
+enum class CouplingKey {
+  at,
+  turning_axis,  ///< of three components, also in the plane
+  sliding_axis,  ///< of as many as the space has
+  axes,
+  normal,
+  line,
+  radii,
+  slot,
+  pitch,
+  lead,
+  tangent,
+  pressure_angle,
+  helix_angle,
+  internal,
+  contact,
+  line_of_action,
+  screw,
+  from,
+  to,
+  freedoms,
+  constraints,
+  one_way
+};
+
+/// A key of a kind; the meaning is a sentence, empty where it is that of the key in every kind.
+struct KindKey {
+  CouplingKey key = CouplingKey::at;
+  std::string_view meaning = {};
+};
+
+/// Where friction acts, and with it what may be said of it.
+enum class FrictionKind {
+  journal,  ///< mu with radius, thrust_radius, length, tau, c
+  thread,   ///< mu with radius, tau, c
+  guide,    ///< mu, length, radius, c
+  sliding,  ///< mu; of contacts and teeth
+  no_law    ///< all, as it is not analysed yet
+};
+
+/// A row of the list of kinds. All texts are literals.
+struct CouplingKind {
+  CouplingType type = CouplingType::revolute;
+  std::string_view word = {};                     ///< behind 'type:'
+  std::string_view meaning = {};                  ///< what it frees and needs
+  std::string_view example = {};                  ///< as in a file
+  std::span<const std::string_view> others = {};  ///< what it is called elsewhere, in lower case
+  std::span<const KindKey> keys = {};
+  FrictionKind friction = FrictionKind::no_law;
+};
+
+}  // namespace kinestat

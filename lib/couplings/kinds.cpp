@@ -1,0 +1,22 @@
+#include "couplings/kinds.hpp"
+
+#include "core/contract.hpp"
+#include "couplings/internal/kind_rows.hpp"
+
+namespace kinestat {
+
+std::span<const CouplingKind* const> coupling_kinds() {
+  return kKinds;
+}
+
+const CouplingKind& kind_of(CouplingType type) {
+  const CouplingKind& kind = *kKinds.at(static_cast<std::size_t>(type));
+  KINESTAT_EXPECTS(kind.type == type);
+  return kind;
+}
+
+std::string_view word_of(CouplingType type) {
+  return kind_of(type).word;
+}
+
+}  // namespace kinestat

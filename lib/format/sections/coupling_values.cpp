@@ -1,0 +1,257 @@
+#include "format/sections/coupling_values.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "format/alternatives.hpp"
+#include "format/mapping.hpp"
+#include "format/numbers.hpp"
+#include "format/value_forms.hpp"
+#include "format/variants.hpp"
+#include "io/value_reader.hpp"
+
+namespace kinestat {
+
+namespace {
+
+using PointOfBody = std::pair<Name, PointDescription>;
+
+const SharedList<std::string_view>& letters() {
+  static const SharedList<std::string_view> names = {"x", "y", "z", "X", "Y", "Z"};
+  return names;
+}
+
+// {x: 1, y: 2}, as other programs write points.
+bool has_letter_keys(const YamlNode& node) {
+  return !node.entries.empty() && std::ranges::all_of(node.entries, [](const YamlEntry& entry) {
+    return std::ranges::find(letters(), entry.key) != letters().end();
+  });
+}
+
+bool check_points_of_bodies(const FileValue& value) {
+  const std::size_t count = value.node.entries.size();
+  const bool has_letters = has_letter_keys(value.node);
+  if (!has_letters && count == 2) {
+    return true;
+  }
+  value.found.error(
+      "E0304",
+      value.node.where,
+      has_letters
+          ? fmt::format("{} is a mapping of coordinates", value.what)
+          : fmt::format("{} is given for {} bod{}", value.what, count, count == 1 ? "y" : "ies"),
+      fmt::format(
+          "write {0}, or {{TAIL: {0}, HEAD: {0}}} for the point as drawn on each of the two bodies",
+          sketch_of(point().shape, value.space.value())));
+  return false;
+}
+
+Form<std::vector<PointOfBody>> points_of_bodies() {
+  auto form = by_name(
+      &PointOfBody::first,
+      point(),
+      {.name_definition = "name",
+       .foreign = {.names = letters(), .instead = "Write a point as [x, y] or [x, y, z]."},
+       .least = 2,
+       .most = 2},
+      "{1}",
+      [](PointOfBody& one, PointDescription&& at) { one.second = std::move(at); },
+      [](const PointOfBody& one) -> const PointDescription& { return one.second; });
+  form.read = [read =
+                   form.read](const FileValue& value) -> std::optional<std::vector<PointOfBody>> {
+    return check_points_of_bodies(value) ? read(value) : std::nullopt;
+  };
+  return form;
+}
+
+// A coupling point of which one member is given.
+template <class Member, class Given>
+Form<CouplingPoint> point_given_by(Member CouplingPoint::*member, const Form<Given>& form) {
+  return converted<CouplingPoint>(
+      form,
+      [member](Given given) {
+        CouplingPoint result;
+        result.*member = std::move(given);
+        return result;
+      },
+      [member](const CouplingPoint& one) { return *present(one.*member, Member(), true); });
+}
+
+// A length, or the word flat.
+Form<std::optional<Value>> contact_radius() {
+  const Form<Value> number = called(length(), "the radius of {0}");
+  FormShape shape = number.shape;
+  shape.definition = {};
+  shape.words = {{"flat", "a plane"}};
+  return {.shape = std::move(shape),
+          .read = [number](const FileValue& value) -> std::optional<std::optional<Value>> {
+            if (value.node.kind == YamlKind::scalar && value.node.text == "flat") {
+              return std::optional<Value>();
+            }
+            auto one = number.read(value);
+            return one ? std::optional(std::optional(*std::move(one))) : std::nullopt;
+          },
+          .write =
+              [number](const std::optional<Value>& one) {
+                return one ? number.write(*one) : single_text("flat");
+              }};
+}
+
+void refuse_ends(const FileValue& value) {
+  const YamlNode& node = value.node;
+  const std::size_t count = node.items.size();
+  const std::string listed = count == 1 ? with_commas(node.items.front()) : with_commas(node);
+  value.found.error(
+      "E0304",
+      node.where,
+      node.kind == YamlKind::sequence
+          ? fmt::format(
+                "{} joins {} bod{}, it must join two", value.owner, count, count == 1 ? "y" : "ies")
+          : fmt::format("{} must join two bodies", value.owner),
+      fmt::format("write bodies: [{}]{}; motions are those of the head relative to the tail",
+                  listed.empty() ? "tail, head" : listed,
+                  listed.empty() ? "" : ": a comma between the names"));
+}
+
+constexpr const char* kScrewForms =
+    "write {rotation: z, at: [x, y, z]}, {translation: x}, {force: y, at: [x, y, z]} or "
+    "{couple: z}; rotation and force may have a pitch";
+
+void declare_line(Mapping<ScrewDescription>& m) {
+  m.key("at",
+        "A point on the axis of the rotation or on the line of the force; default the origin.")
+      .may(&ScrewDescription::at, called(point(), "the point of a screw"));
+  m.key("pitch", "Pitch of the screw, the length per radian, right-handed if positive; default 0.")
+      .may(&ScrewDescription::pitch, called(pitch(), "the pitch"), "2 mm/rad")
+      .usual("0");
+}
+
+const Mapping<ScrewDescription>& rotation() {
+  static const Mapping<ScrewDescription> mapping(
+      "", "a turn about a line", "{rotation: z, at: [0, 0, 0]}", [](auto& m) {
+        m.key("rotation",
+              "Axis of a rotation: x, y, z, -x, -y, -z or a vector [ax, ay, az], also in the "
+              "plane.")
+            .needed(&ScrewDescription::direction, called(turning_axis(), "the {1}"), "z")
+            .selects(&ScrewDescription::kind, ScrewWord::rotation);
+        declare_line(m);
+      });
+  return mapping;
+}
+
+const Mapping<ScrewDescription>& translation() {
+  static const Mapping<ScrewDescription> mapping("", "a slide", "{translation: x}", [](auto& m) {
+    m.key("translation", "Direction of a translation.")
+        .needed(&ScrewDescription::direction, called(direction(), "the {1}"), "x")
+        .selects(&ScrewDescription::kind, ScrewWord::translation);
+  });
+  return mapping;
+}
+
+const Mapping<ScrewDescription>& force_along() {
+  static const Mapping<ScrewDescription> mapping(
+      "", "a force along a line", "{force: y, at: [0, 0, 0]}", [](auto& m) {
+        m.key("force", "Line of action of a force.")
+            .needed(&ScrewDescription::direction, called(direction(), "the {1}"), "y")
+            .selects(&ScrewDescription::kind, ScrewWord::force);
+        declare_line(m);
+      });
+  return mapping;
+}
+
+const Mapping<ScrewDescription>& couple_about() {
+  static const Mapping<ScrewDescription> mapping("", "a couple", "{couple: z}", [](auto& m) {
+    m.key("couple",
+          "Axis of a couple: x, y, z, -x, -y, -z or a vector [ax, ay, az], also in the plane.")
+        .needed(&ScrewDescription::direction, called(turning_axis(), "the {1}"), "z")
+        .selects(&ScrewDescription::kind, ScrewWord::couple);
+  });
+  return mapping;
+}
+
+}  // namespace
+
+bool is_pair(const YamlNode& node) {
+  return node.kind == YamlKind::sequence && node.items.size() == 2;
+}
+
+Form<CouplingPoint> coupling_point() {
+  auto form = by_shape<CouplingPoint>(
+      {point_given_by(&CouplingPoint::point, point()),
+       point_given_by(&CouplingPoint::of_bodies, points_of_bodies()),
+       point_given_by(&CouplingPoint::along_axis, length())},
+      [](const CouplingPoint& one) {
+        return one.point ? std::size_t{0} : one.of_bodies.empty() ? std::size_t{2} : std::size_t{1};
+      });
+  form.shape.definition = "coupling_point";
+  form.shape.meaning =
+      "Where the coupling is, in the drawn position: a point [x, y] in the plane or [x, y, z] in "
+      "space, lengths in the file's unit. {TAIL: point, HEAD: point} gives it as drawn on each of "
+      "the two bodies; a difference is closed by the finite motion first. Where 'gears' places the "
+      "bodies, one number gives the position along their axis. Without a point the file is only "
+      "counted.";
+  form.shape.examples = {"[6, 5]", "[6, 5, 0]", "{crank: [1, 3], coupler: [1.02, 3]}"};
+  form.read = [read = form.read](const FileValue& value) {
+    auto one = read(value);
+    if (one) {
+      one->where = value.node.where;
+    }
+    return one;
+  };
+  return form;
+}
+
+Form<std::vector<Name>> coupling_ends() {
+  auto form = list_of(body_name(), "", "", {.least = 2, .most = 2});
+  form.read = [](const FileValue& value) -> std::optional<std::vector<Name>> {
+    if (!is_pair(value.node)) {
+      refuse_ends(value);
+      return std::nullopt;
+    }
+    auto tail = read_reference(value.node.items[0], "the tail", value.found);
+    auto head = read_reference(value.node.items[1], "the head", value.found);
+    return tail && head ? std::optional(std::vector{*std::move(tail), *std::move(head)})
+                        : std::nullopt;
+  };
+  return form;
+}
+
+Form<std::vector<std::optional<Value>>> contact_radii() {
+  return only_if(list_of(contact_radius(), "", "", {.least = 2, .most = 2}),
+                 is_pair,
+                 "{} must be two, of the tail and of the head",
+                 "write for example radii: [31, 10], or radii: [31, flat]");
+}
+
+Form<ScrewDescription> screw() {
+  auto form = only_one_of<ScrewDescription>(
+      {&rotation(), &translation(), &force_along(), &couple_about()},
+      "{} needs one of rotation, translation, force and couple",
+      kScrewForms,
+      [](const ScrewDescription& one) { return static_cast<std::size_t>(one.kind); });
+  form.shape.definition = "screw";
+  form.shape.meaning =
+      "A screw given directly: exactly one of rotation, translation, force and couple; a rotation "
+      "or a force has a line through 'at' and may have a pitch.";
+  form.shape.examples = {"{rotation: [0, 0, 1], at: [0, 0, 0], pitch: 2 mm/rad}"};
+  return form;
+}
+
+Form<std::vector<ScrewDescription>> screw_list() {
+  return only_if(
+      list_of(called(screw(), "a screw of {0}"), "", "", {.least = 0}),
+      [](const YamlNode& node) { return node.kind == YamlKind::sequence; },
+      "{} needs a list of screws",
+      kScrewForms);
+}
+
+Form<std::vector<StiffnessDescription>> stiffness_of_actions() {
+  return values_by_name(&StiffnessDescription::action,
+                        &StiffnessDescription::value,
+                        stiffness(),
+                        {.elements = "actions to values", .name_definition = "name"},
+                        "'{0}'");
+}
+
+}  // namespace kinestat
