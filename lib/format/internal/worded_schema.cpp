@@ -25,6 +25,19 @@ Sharing sharing_of(const std::vector<Json>& mappings, const std::string& key, co
   return result;
 }
 
+// The key, with the first word for which it means something else than it did before.
+std::string shared_name(const Json& shared,
+                        const std::string& key,
+                        const Json& value,
+                        std::string_view word) {
+  for (const auto& [name, one] : shared.items()) {
+    if (one == value && (name == key || name.starts_with(key + "_"))) {
+      return name;
+    }
+  }
+  return shared.contains(key) ? fmt::format("{}_{}", key, word) : key;
+}
+
 bool is_reference(const Json& schema) {
   return schema.size() == 1 && schema.contains("$ref");
 }
@@ -59,13 +72,7 @@ Json share_keys(const FormShape& shape,
       if (!value.is_object() || is_reference(value) || sharing_of(whole, key, value).saying < 2) {
         continue;
       }
-      std::string name = key;
-      if (shared.contains(name) && shared[name] != value) {
-        const auto first = std::ranges::find_if(
-            whole, [&](const Json& one) { return one["properties"].value(key, Json()) == value; });
-        name = fmt::format(
-            "{}_{}", key, shape.words[static_cast<std::size_t>(first - whole.begin())].text);
-      }
+      const std::string name = shared_name(shared, key, value, shape.words[i].text);
       shared[name] = value;
       value = {{"$ref", fmt::format("#/definitions/{}/properties/{}", definition, name)}};
     }
