@@ -24,7 +24,7 @@ constinit const CouplingKind kCable = {
     .example = "{type: cable, bodies: [frame, load], from: [0, 5], to: [0, 1]}",
     .others = kNamesOfCable,
     .keys = kKeysOfCable,
-    .friction = FrictionKind::no_law,
+    .needs_place = false,
 };
 
 }  // namespace kinestat

@@ -22,7 +22,7 @@ constinit const CouplingKind kClutch = {
         "in space axis",
     .example = "{type: clutch, bodies: [shaft, drum], at: [0, 0]}",
     .keys = kKeysOfClutches,
-    .friction = FrictionKind::no_law,
+    .engages = true,
 };
 
 constinit const CouplingKind kBrake = {
@@ -33,7 +33,7 @@ constinit const CouplingKind kBrake = {
         "axis",
     .example = "{type: brake, bodies: [frame, ring], at: [0, 0]}",
     .keys = kKeysOfClutches,
-    .friction = FrictionKind::no_law,
+    .engages = true,
 };
 
 }  // namespace kinestat

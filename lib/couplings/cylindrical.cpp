@@ -23,7 +23,7 @@ constinit const CouplingKind kCylindrical = {
     .example = "{type: cylindrical, bodies: [frame, rod], at: [0, 0, 0], axis: z}",
     .others = kNamesOfCylindrical,
     .keys = kKeysOfCylindrical,
-    .friction = FrictionKind::no_law,
+    .is_in_plane = false,
 };
 
 }  // namespace kinestat

@@ -37,6 +37,7 @@ constinit const CouplingKind kGear = {
     .others = kNamesOfGear,
     .keys = kKeysOfGear,
     .friction = FrictionKind::sliding,
+    .teeth = Teeth::of_wheels,
 };
 
 }  // namespace kinestat

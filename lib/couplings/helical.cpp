@@ -26,6 +26,8 @@ constinit const CouplingKind kHelical = {
     .others = kNamesOfHelical,
     .keys = kKeysOfHelical,
     .friction = FrictionKind::thread,
+    .has_friction_law = true,
+    .is_in_plane = false,
 };
 
 }  // namespace kinestat

@@ -50,6 +50,13 @@ enum class FrictionKind {
   no_law    ///< all, as it is not analysed yet
 };
 
+/// Between which bodies teeth mesh.
+enum class Teeth {
+  none,
+  of_wheels,  ///< each of which may be a planet
+  of_any      ///< of any two bodies
+};
+
 /// A row of the list of kinds. All texts are literals.
 struct CouplingKind {
   CouplingType type = CouplingType::revolute;
@@ -59,6 +66,13 @@ struct CouplingKind {
   std::span<const std::string_view> others = {};  ///< what it is called elsewhere, in lower case
   std::span<const KindKey> keys = {};
   FrictionKind friction = FrictionKind::no_law;
+  bool has_friction_law = false;  ///< always; a gear has one where its teeth are in contact
+  bool is_in_plane = true;        ///< may stand in a planar mechanism
+  bool is_in_space = true;        ///< may stand in a spatial one
+  bool needs_place = true;        ///< 'at', without which it is only counted
+  Teeth teeth = Teeth::none;
+  bool only_pushes = false;  ///< surfaces that part rather than pull
+  bool engages = false;      ///< and opens: an actuator of its own name
 };
 
 }  // namespace kinestat

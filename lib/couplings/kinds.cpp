@@ -15,6 +15,14 @@ const CouplingKind& kind_of(CouplingType type) {
   return kind;
 }
 
+bool has_teeth(CouplingType type) {
+  return kind_of(type).teeth != Teeth::none;
+}
+
+bool joins_wheels(CouplingType type) {
+  return kind_of(type).teeth == Teeth::of_wheels;
+}
+
 std::string_view word_of(CouplingType type) {
   return kind_of(type).word;
 }

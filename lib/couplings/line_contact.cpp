@@ -23,6 +23,9 @@ constinit const CouplingKind kLineContact = {
     .example = "{type: line_contact, bodies: [frame, roller], at: [0, 0, 0], normal: z, line: x}",
     .keys = kKeysOfLineContact,
     .friction = FrictionKind::sliding,
+    .has_friction_law = true,
+    .is_in_plane = false,
+    .only_pushes = true,
 };
 
 }  // namespace kinestat

@@ -23,6 +23,8 @@ constinit const CouplingKind kPinInSlot = {
     .others = kNamesOfPinInSlot,
     .keys = kKeysOfPinInSlot,
     .friction = FrictionKind::sliding,
+    .has_friction_law = true,
+    .is_in_space = false,
 };
 
 }  // namespace kinestat

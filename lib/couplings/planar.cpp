@@ -23,7 +23,8 @@ constinit const CouplingKind kPlanar = {
     .example = "{type: planar, bodies: [frame, block], at: [0, 0, 0], normal: z}",
     .others = kNamesOfPlanar,
     .keys = kKeysOfPlanar,
-    .friction = FrictionKind::no_law,
+    .is_in_plane = false,
+    .needs_place = false,
 };
 
 }  // namespace kinestat

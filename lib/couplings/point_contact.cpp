@@ -22,6 +22,8 @@ constinit const CouplingKind kPointContact = {
     .example = "{type: point_contact, bodies: [frame, ball], at: [0, 0, 0], normal: z}",
     .keys = kKeysOfContacts,
     .friction = FrictionKind::sliding,
+    .has_friction_law = true,
+    .only_pushes = true,
 };
 
 constinit const CouplingKind kCam = {
@@ -32,6 +34,8 @@ constinit const CouplingKind kCam = {
     .example = "{type: cam, bodies: [cam, follower], at: [0, 31], normal: y, radii: [31, flat]}",
     .keys = kKeysOfContacts,
     .friction = FrictionKind::sliding,
+    .has_friction_law = true,
+    .only_pushes = true,
 };
 
 }  // namespace kinestat

@@ -25,6 +25,8 @@ constinit const CouplingKind kPrismatic = {
     .others = kNamesOfPrismatic,
     .keys = kKeysOfPrismatic,
     .friction = FrictionKind::guide,
+    .has_friction_law = true,
+    .needs_place = false,
 };
 
 }  // namespace kinestat

@@ -24,6 +24,7 @@ constinit const CouplingKind kRevolute = {
     .others = kNamesOfRevolute,
     .keys = kKeysOfRevolute,
     .friction = FrictionKind::journal,
+    .has_friction_law = true,
 };
 
 }  // namespace kinestat

@@ -22,7 +22,7 @@ constinit const CouplingKind kRigid = {
     .example = "{type: rigid, bodies: [frame, ring]}",
     .others = kNamesOfRigid,
     .keys = kKeysOfRigid,
-    .friction = FrictionKind::no_law,
+    .needs_place = false,
 };
 
 }  // namespace kinestat

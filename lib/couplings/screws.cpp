@@ -19,7 +19,7 @@ constinit const CouplingKind kScrews = {
     .meaning = "freedoms and constraints given as screws; needs freedoms or constraints",
     .example = "{type: screws, bodies: [frame, table], freedoms: [{rotation: z, at: [0, 0, 0]}]}",
     .keys = kKeysOfScrews,
-    .friction = FrictionKind::no_law,
+    .needs_place = false,
 };
 
 }  // namespace kinestat

@@ -20,7 +20,7 @@ constinit const CouplingKind kSphereInTube = {
     .meaning = "a ball in a tube, in space: 4 freedoms; needs at, axis",
     .example = "{type: sphere_in_tube, bodies: [rod, tube], at: [0, 0, 0], axis: z}",
     .keys = kKeysOfSphereInTube,
-    .friction = FrictionKind::no_law,
+    .is_in_plane = false,
 };
 
 }  // namespace kinestat

@@ -21,7 +21,7 @@ constinit const CouplingKind kSpherical = {
     .example = "{type: spherical, bodies: [rocker, rod], at: [0, 0, 0]}",
     .others = kNamesOfSpherical,
     .keys = kKeysOfSpherical,
-    .friction = FrictionKind::no_law,
+    .is_in_plane = false,
 };
 
 }  // namespace kinestat

@@ -31,6 +31,8 @@ constinit const CouplingKind kBevelGear = {
     .others = kNamesOfBevelGear,
     .keys = kKeysOfTeeth,
     .friction = FrictionKind::sliding,
+    .is_in_plane = false,
+    .teeth = Teeth::of_wheels,
 };
 
 constinit const CouplingKind kWorm = {
@@ -43,6 +45,9 @@ constinit const CouplingKind kWorm = {
     .others = kNamesOfWorm,
     .keys = kKeysOfTeeth,
     .friction = FrictionKind::sliding,
+    .has_friction_law = true,
+    .is_in_plane = false,
+    .teeth = Teeth::of_any,
 };
 
 constinit const CouplingKind kRack = {
@@ -52,6 +57,7 @@ constinit const CouplingKind kRack = {
     .example = "{type: rack, bodies: [pinion, rack], at: [0, 0], line_of_action: x}",
     .keys = kKeysOfTeeth,
     .friction = FrictionKind::sliding,
+    .teeth = Teeth::of_any,
 };
 
 }  // namespace kinestat

@@ -22,7 +22,7 @@ constinit const CouplingKind kUniversal = {
     .example = "{type: universal, bodies: [shaft, driven], at: [0, 0, 0], axes: [x, z]}",
     .others = kNamesOfUniversal,
     .keys = kKeysOfUniversal,
-    .friction = FrictionKind::no_law,
+    .is_in_plane = false,
 };
 
 }  // namespace kinestat

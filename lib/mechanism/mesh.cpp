@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/tolerance.hpp"
+#include "couplings/kinds.hpp"
 #include "graph/components.hpp"
-#include "mechanism/teeth.hpp"
 #include "screw/screw_axis.hpp"
 
 namespace kinestat {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "couplings/kinds.hpp"
 #include "mechanism/coupling_catalogue.hpp"
 #include "mechanism/finite_law.hpp"
-#include "mechanism/teeth.hpp"
 
 namespace kinestat {
 

@@ -7,9 +7,9 @@
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
+#include "couplings/kinds.hpp"
 #include "graph/circuit.hpp"
 #include "graph/cutsets.hpp"
-#include "mechanism/teeth.hpp"
 #include "plot/internal/symbols.hpp"
 #include "plot/picture_title.hpp"
 

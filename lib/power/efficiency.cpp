@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/rounding.hpp"
+#include "couplings/kinds.hpp"
 #include "math/bounded_number.hpp"
 #include "power/internal/no_efficiency.hpp"
 
@@ -56,7 +57,7 @@ std::vector<bool> find_slipping(const Topology& topology) {
   for (const ActuatorTopology& actuator : topology.actuators) {
     const auto freedom = static_cast<std::size_t>(actuator.freedom);
     const CouplingType type = topology.coupling(topology.freedoms[freedom].coupling).type;
-    slips.push_back(type == CouplingType::clutch || type == CouplingType::brake);
+    slips.push_back(kind_of(type).engages);
   }
   return slips;
 }

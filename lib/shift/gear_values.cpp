@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
-#include "mechanism/teeth.hpp"
+#include "couplings/kinds.hpp"
 
 namespace kinestat {
 

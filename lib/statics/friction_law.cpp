@@ -8,6 +8,7 @@
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
+#include "couplings/kinds.hpp"
 #include "kinematics/bounded_motion.hpp"
 #include "math/dual_vector.hpp"
 #include "statics/one_sided_action.hpp"
@@ -167,7 +168,7 @@ void add_cables(const SlidingOf<Scalar>& s, FrictionLawOf<Scalar>& law) {
 }
 
 template <class Scalar>
-FrictionLawOf<Scalar> revolute(const SlidingOf<Scalar>& s) {
+FrictionLawOf<Scalar> journal(const SlidingOf<Scalar>& s) {
   const Vec3Of<Scalar> axis = s.unit.angular;
   const Scalar mu = s.friction.mu;
   FrictionLawOf<Scalar> law = turning(s);
@@ -199,7 +200,7 @@ Scalar couple_of_thread(const SlidingOf<Scalar>& s, const Scalar& rise) {
 }
 
 template <class Scalar>
-FrictionLawOf<Scalar> helical(const SlidingOf<Scalar>& s) {
+FrictionLawOf<Scalar> thread(const SlidingOf<Scalar>& s) {
   FrictionLawOf<Scalar> law = turning(s);
   if (value_of(s.friction.radius) == 0.0) {
     return law;
@@ -216,7 +217,7 @@ FrictionLawOf<Scalar> helical(const SlidingOf<Scalar>& s) {
 }
 
 template <class Scalar>
-FrictionLawOf<Scalar> prismatic(const SlidingOf<Scalar>& s) {
+FrictionLawOf<Scalar> guide(const SlidingOf<Scalar>& s) {
   const Vec3Of<Scalar> axis = s.unit.linear;
   const Scalar rate = s.twist.linear.dot(axis);
   const Scalar sense = against(rate);
@@ -261,7 +262,7 @@ FrictionLawOf<Scalar> contact(const SlidingOf<Scalar>& s) {
   const int pressing = normal_action(s.topology, coupling);
   const Vec3Of<Scalar> normal = s.unit_action(pressing).force;
   law.parts = {force_part<Scalar>(normal * normal.transpose(), s.friction.mu)};
-  if (only_pushes(coupling.type)) {
+  if (kind_of(coupling.type).only_pushes) {
     law.pushed_by = pressing;
   }
   return law;
@@ -282,13 +283,13 @@ FrictionLaw law_at_rest(FrictionLaw law) {
 
 template <class Scalar>
 FrictionLawOf<Scalar> make_friction_law(const SlidingOf<Scalar>& sliding) {
-  switch (sliding.topology.coupling(sliding.friction.coupling).type) {
-    case CouplingType::revolute:
-      return revolute(sliding);
-    case CouplingType::helical:
-      return helical(sliding);
-    case CouplingType::prismatic:
-      return prismatic(sliding);
+  switch (kind_of(sliding.topology.coupling(sliding.friction.coupling).type).friction) {
+    case FrictionKind::journal:
+      return journal(sliding);
+    case FrictionKind::thread:
+      return thread(sliding);
+    case FrictionKind::guide:
+      return guide(sliding);
     default:
       return contact(sliding);
   }

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "core/tolerance.hpp"
+#include "couplings/kinds.hpp"
 #include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
@@ -25,11 +26,6 @@ std::vector<int> find_negative(const StaticSolution& solution, const std::vector
 
 }  // namespace
 
-bool only_pushes(CouplingType type) {
-  return type == CouplingType::point_contact || type == CouplingType::cam ||
-         type == CouplingType::line_contact;
-}
-
 std::vector<int> find_tensions(const Topology& topology) {
   std::vector<int> tensions;
   for (const CouplingTopology& coupling : topology.couplings) {
@@ -44,7 +40,7 @@ std::vector<int> find_contact_forces(const Topology& topology) {
   std::vector<int> forces;
   for (std::size_t a = 0; a < topology.actions.size(); ++a) {
     const ActionLabel& label = topology.actions[a];
-    if (only_pushes(topology.coupling(label.coupling).type) && !label.is_couple &&
+    if (kind_of(topology.coupling(label.coupling).type).only_pushes && !label.is_couple &&
         label.actuator < 0) {
       forces.push_back(static_cast<int>(a));
     }

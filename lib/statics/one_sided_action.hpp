@@ -8,9 +8,6 @@
 
 namespace kinestat {
 
-/// Whether a coupling of this type is two surfaces that part rather than pull on each other.
-bool only_pushes(CouplingType type);
-
 /// The tensions of segments (couplings of type cable): negative, the cable would push.
 std::vector<int> find_tensions(const Topology& topology);
 

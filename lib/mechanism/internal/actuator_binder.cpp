@@ -7,6 +7,7 @@
 
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "couplings/kinds.hpp"
 
 namespace kinestat {
 
@@ -72,7 +73,7 @@ void ActuatorBinder::refuse(const ActuatorDescription& actuator) {
 // A clutch or brake is an actuator of its own name.
 std::vector<ActuatorBinder::Pending> ActuatorBinder::take(const CouplingDescription& coupling) {
   std::vector<Pending> pending;
-  if (coupling.type == CouplingType::clutch || coupling.type == CouplingType::brake) {
+  if (kind_of(coupling.type).engages) {
     pending.push_back({.name = coupling.name.text, .freedom = {}, .where = coupling.name.where});
   }
   const auto declared = pending_.find(coupling.name.text);

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
-#include "mechanism/teeth.hpp"
+#include "couplings/kinds.hpp"
 
 namespace kinestat {
 
@@ -74,7 +74,7 @@ class NameCollector {
       if (has_teeth(coupling.type)) {
         names_.meshes.add(coupling.name);
       }
-      if (coupling.type == CouplingType::clutch || coupling.type == CouplingType::brake) {
+      if (kind_of(coupling.type).engages) {
         add_actuator(coupling.name, DriveKind::turning);
       }
     }

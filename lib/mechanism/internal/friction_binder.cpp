@@ -14,8 +14,6 @@ namespace kinestat {
 
 namespace {
 
-using enum CouplingType;
-
 std::string title_of(const CouplingDescription& coupling) {
   return fmt::format("{} '{}'", word_of(coupling.type), coupling.name.text);
 }
@@ -72,7 +70,7 @@ class FrictionReader {
     if (!quantity) {
       return 0.0;
     }
-    const bool slides = coupling_.type == prismatic;
+    const bool slides = kind_ == FrictionKind::guide;
     const QuantityKind action = slides ? QuantityKind::force : QuantityKind::moment;
     const QuantityKind rate = slides ? QuantityKind::velocity : QuantityKind::angular_velocity;
     Scalar number = quantity->value;
@@ -92,6 +90,7 @@ class FrictionReader {
   }
 
   const CouplingDescription& coupling_;
+  FrictionKind kind_ = kind_of(coupling_.type).friction;
   const FileUnits& units_;
   EvaluatorOf<Scalar>& evaluator_;
   Diagnostics& found_;
@@ -129,7 +128,7 @@ class FrictionCheck {
  private:
   // A couple that presses is one about the place of the coupling.
   void check_place(const FrictionDescription& friction) {
-    const bool is_without = coupling_.type == prismatic && !coupling_.at;
+    const bool is_without = kind_ == FrictionKind::guide && !coupling_.at;
     const std::optional<Value>& value = friction.length ? friction.length : friction.radius;
     if (is_without && value) {
       refuse(found_,
@@ -142,12 +141,12 @@ class FrictionCheck {
 
   // Whether the coupling bears one of the actions that its law counts.
   bool has_pressing_action(const CouplingFriction& friction) const {
-    const bool turns = coupling_.type == revolute;
+    const bool turns = kind_ == FrictionKind::journal;
     const Vec3 axis = !turns || screws_.freedoms.empty()
                           ? Vec3::Zero()
                           : Vec3(screws_.freedoms.front().screw.angular.normalized());
     return std::ranges::any_of(screws_.constraints, [&](const NamedWrench& one) {
-      if (coupling_.type == prismatic) {
+      if (kind_ == FrictionKind::guide) {
         return !one.is_couple || friction.length || friction.radius > 0.0;
       }
       if (!turns || one.is_couple) {
@@ -167,10 +166,11 @@ class FrictionCheck {
       refuse(found_,
              friction.where,
              fmt::format("the friction of {} has no coefficient", title_of(coupling_)),
-             coupling_.type == revolute || coupling_.type == helical ? "add 'mu', 'tau' or 'c'"
-                                                                     : "add 'mu' or 'c'");
+             kind_ == FrictionKind::journal || kind_ == FrictionKind::thread
+                 ? "add 'mu', 'tau' or 'c'"
+                 : "add 'mu' or 'c'");
     }
-    if (coupling_.type == helical && friction.radius && bound.radius == 0.0) {
+    if (kind_ == FrictionKind::thread && friction.radius && bound.radius == 0.0) {
       refuse(found_,
              friction.radius->where,
              fmt::format("the thread of {} has the radius zero", title_of(coupling_)),
@@ -179,6 +179,7 @@ class FrictionCheck {
   }
 
   const CouplingDescription& coupling_;
+  FrictionKind kind_ = kind_of(coupling_.type).friction;
   const CouplingScrews& screws_;
   Diagnostics& found_;
 };
@@ -186,21 +187,7 @@ class FrictionCheck {
 }  // namespace
 
 bool has_friction_law(const CouplingDescription& coupling) {
-  switch (coupling.type) {
-    case revolute:
-    case helical:
-    case prismatic:
-    case point_contact:
-    case cam:
-    case line_contact:
-    case pin_in_slot:
-    case worm:
-      return true;
-    case gear:
-      return coupling.contact;
-    default:
-      return false;
-  }
+  return kind_of(coupling.type).has_friction_law || coupling.contact;
 }
 
 template <class Scalar>

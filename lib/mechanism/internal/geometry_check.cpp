@@ -1,7 +1,6 @@
 #include "mechanism/internal/geometry_check.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -12,42 +11,6 @@ namespace kinestat {
 namespace {
 
 using enum CouplingType;
-
-// What a type demands beside its bodies and directions.
-struct Demand {
-  CouplingType type = revolute;
-  bool in_plane = true;
-  bool in_space = true;
-  bool at = true;
-};
-
-constexpr auto kDemands = std::to_array<Demand>({
-    {revolute, true, true, true},
-    {prismatic, true, true, false},
-    {helical, false, true, true},
-    {cylindrical, false, true, true},
-    {universal, false, true, true},
-    {spherical, false, true, true},
-    {planar, false, true, false},
-    {point_contact, true, true, true},
-    {cam, true, true, true},
-    {line_contact, false, true, true},
-    {sphere_in_tube, false, true, true},
-    {pin_in_slot, true, false, true},
-    {rigid, true, true, false},
-    {gear, true, true, true},
-    {bevel_gear, false, true, true},
-    {worm, false, true, true},
-    {rack, true, true, true},
-    {clutch, true, true, true},
-    {brake, true, true, true},
-    {cable, true, true, false},
-    {screws, true, true, false},
-});
-
-const Demand& demand_of(CouplingType type) {
-  return *std::ranges::find(kDemands, type, &Demand::type);
-}
 
 std::string title(const CouplingDescription& coupling) {
   return fmt::format("{} '{}'", word_of(coupling.type), coupling.name.text);
@@ -75,12 +38,12 @@ class GeometryCheck {
   }
 
   void check_space(Space space) {
-    const Demand& demand = demand_of(coupling_.type);
-    if (space == Space::planar && !demand.in_plane) {
+    const CouplingKind& kind = kind_of(coupling_.type);
+    if (space == Space::planar && !kind.is_in_plane) {
       refuse(fmt::format("{} needs a spatial mechanism", title(coupling_)),
              "write 'space: spatial' at the top of the file, or choose a planar type");
     }
-    if (space == Space::spatial && !demand.in_space) {
+    if (space == Space::spatial && !kind.is_in_space) {
       refuse(fmt::format("{} needs a planar mechanism", title(coupling_)),
              "write 'space: planar' at the top of the file; in space a cylindrical or a "
              "sphere_in_tube coupling may serve");
@@ -169,7 +132,7 @@ class GeometryCheck {
 bool is_counted_only(const CouplingDescription& coupling) {
   const bool has_no_ends =
       coupling.type == cable && !coupling.is_segment() && !coupling.from && !coupling.to;
-  return has_no_ends || (!coupling.at && !coupling.is_mesh() && demand_of(coupling.type).at);
+  return has_no_ends || (!coupling.at && !coupling.is_mesh() && kind_of(coupling.type).needs_place);
 }
 
 bool check_geometry(const CouplingDescription& coupling,

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "mechanism/teeth.hpp"
+#include "couplings/kinds.hpp"
 
 namespace kinestat {
 

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "couplings/kinds.hpp"
-#include "mechanism/teeth.hpp"
 
 namespace kinestat {
 

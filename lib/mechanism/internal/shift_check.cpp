@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "couplings/kinds.hpp"
 
 namespace kinestat {
 
@@ -105,8 +106,7 @@ class ShiftCheck {
   void check_elements() {
     for (const Name& element : shift_.elements) {
       const CouplingDescription* coupling = find_coupling(element);
-      const bool shifts = coupling != nullptr && (coupling->type == CouplingType::clutch ||
-                                                  coupling->type == CouplingType::brake);
+      const bool shifts = coupling != nullptr && kind_of(coupling->type).engages;
       if (!shifts && context_.names.actuators.contains(element.text) &&
           !holds(shift_.inputs, element.text) && !holds(shift_.outputs, element.text)) {
         context_.found.error("E0305",

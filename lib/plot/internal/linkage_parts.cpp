@@ -5,7 +5,7 @@
 #include <map>
 
 #include "core/tolerance.hpp"
-#include "mechanism/teeth.hpp"
+#include "couplings/kinds.hpp"
 #include "plot/internal/file_numbers.hpp"
 
 namespace kinestat {

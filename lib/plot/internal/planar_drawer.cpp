@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "mechanism/teeth.hpp"
+#include "couplings/kinds.hpp"
 #include "plot/internal/symbols.hpp"
 
 namespace kinestat {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "couplings/kinds.hpp"
 #include "kinematics/bounded_motion.hpp"
-#include "mechanism/teeth.hpp"
 #include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
