@@ -126,12 +126,12 @@ Outcome remainder(const Quantity& a, const Quantity& b) {
   return checked({has_other_sign ? rest + b.value : rest + 0.0, a.dimension});
 }
 
-bool is_whole(double value) {
+bool is_whole_number(double value) {
   return std::floor(value) == value && std::abs(value) <= kLargestWhole;
 }
 
-Outcome common_divisor(const Quantity& a, const Quantity& b) {
-  if (!is_bare(a.dimension) || !is_whole(a.value) || !is_whole(b.value)) {
+Outcome divisor_of(const Quantity& a, const Quantity& b) {
+  if (!is_bare(a.dimension) || !is_whole_number(a.value) || !is_whole_number(b.value)) {
     return Fault{.code = is_bare(a.dimension) ? "E0316" : "E0309",
                  .message = "'gcd' takes whole numbers",
                  .hint = "write whole numbers such as teeth"};
@@ -160,7 +160,7 @@ Outcome apply_to_pair(Function function, const Quantity& a, const Quantity& b) {
     case mod:
       return remainder(a, b);
     case gcd:
-      return common_divisor(a, b);
+      return divisor_of(a, b);
     default:
       KINESTAT_EXPECTS(function == hypot);
       return checked({std::hypot(a.value, b.value), a.dimension});
