@@ -4,6 +4,7 @@
 
 #include "core/contract.hpp"
 #include "core/index.hpp"
+#include "mechanism/capstan.hpp"
 #include "motion/internal/coupling_poses.hpp"
 
 namespace kinestat {
@@ -82,7 +83,7 @@ class MechanismMover {
         CableFriction& cable = moved.frictions[f].cables[r];
         if (cable.arrives == drawn.arrives && cable.leaves == drawn.leaves) {
           cable.ratio = mechanism_.frictions[f].cables[r].ratio *
-                        std::exp(*drawn.friction * (arc - *drawn.wrap));
+                        capstan_ratio(*drawn.friction, arc - *drawn.wrap);
         }
       }
     }

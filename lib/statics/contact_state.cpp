@@ -5,6 +5,7 @@
 
 #include "core/rounding.hpp"
 #include "kinematics/bounded_motion.hpp"
+#include "mechanism/capstan.hpp"
 #include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
@@ -69,7 +70,7 @@ std::vector<ContactState> find_contact_states(const Mechanism& mechanism,
       state.ratio = high / low;
     }
     if (contact.friction && contact.wrap) {
-      state.limit = std::exp(*contact.friction * *contact.wrap);
+      state.limit = capstan_ratio(*contact.friction, *contact.wrap);
     }
     if (motion != nullptr) {
       const BoundedNumber speed = slip_speed(mechanism, contact, *motion);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
+#include "mechanism/capstan.hpp"
 #include "mechanism/internal/cable_station_binder.hpp"
 
 namespace kinestat {
@@ -110,7 +111,8 @@ class ContactBinder {
     if ((mu.value_or(0.0) > 0.0 || eta < 1.0) && !check_sense(station)) {
       return;
     }
-    if (!std::isfinite(std::exp(mu.value_or(0.0) * wrap.value_or(0.0)))) {
+    const double held = capstan_ratio(mu.value_or(0.0), wrap.value_or(0.0));
+    if (!std::isfinite(held)) {
       found_.error("E0316",
                    station.where,
                    fmt::format("the tensions that friction holds on pulley '{}' have a ratio of "
@@ -122,7 +124,7 @@ class ContactBinder {
     }
     // Friction acts where the cable slips; elsewhere it is a limit.
     drag.radius = pulley.radius;
-    drag.ratio = (slips ? std::exp(mu.value_or(0.0) * wrap.value_or(0.0)) : 1.0) / eta;
+    drag.ratio = (slips ? held : 1.0) / eta;
     if (drag.ratio > 1.0) {
       add_friction(station, pulley, slips, drag);
     }
