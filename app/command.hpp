@@ -5,7 +5,7 @@
 #include <string>
 
 #include "file_options.hpp"
-#include "run/outcome.hpp"
+#include "files/outcome.hpp"
 
 namespace kinestat::app {
 

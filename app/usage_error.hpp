@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "run/outcome.hpp"
+#include "files/outcome.hpp"
 
 namespace kinestat::app {
 

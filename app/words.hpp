@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "run/outcome.hpp"
+#include "files/outcome.hpp"
 
 namespace kinestat::app {
 

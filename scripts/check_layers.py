@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Checks that lib/ and app/ keep to the table of modules below.
+"""Checks that lib/ and app/ keep to the table of modules in lib/CMakeLists.txt, and to their shape.
 
 Usage: check_layers.py [--root FOLDER]   Prints `file:line: message` per violation; exit status 1
-if there is any. A new module is a new row of MAY_INCLUDE.
+if there is any. What a module may include is what it DEPENDS on in that table, which is written
+from the bottom upwards.
 """
 
 from __future__ import annotations
@@ -10,63 +11,28 @@ from __future__ import annotations
 import argparse
 import re
 import sys
+from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable, Iterator
 
-# The table
+TABLE = "lib/CMakeLists.txt"
 
-_MECHANICS = "core math expression record couplings graph screw mechanism network"
-_BOTH_SIDES = f"{_MECHANICS} kinematics statics"
+# What a module may include of lib/, beside itself: `app` knows no more than these.
+OF_APP = {"core", "files", "run"}
 
-# From the bottom upwards: a module, and the modules that it may include beside itself.
-MAY_INCLUDE: dict[str, set[str]] = {
-    name: set(allowed.split())
-    for name, allowed in {
-        "core": "",
-        "math": "core",
-        "expression": "core math",
-        "record": "core expression",
-        "description": "core expression",
-        "couplings": "core expression description",
-        "io": "core expression description couplings",
-        "format": "core expression description couplings io",
-        "graph": "core",
-        "screw": "core math expression record",
-        "mechanism": "core math expression record description couplings graph screw",
-        "network": "core math expression record graph screw mechanism",
-        "mobility": _MECHANICS,
-        "inputs": _MECHANICS,
-        "kinematics": _MECHANICS,
-        "statics": f"{_MECHANICS} kinematics",
-        "sensitivity": _BOTH_SIDES,
-        "power": _BOTH_SIDES,
-        "shift": f"{_BOTH_SIDES} power",
-        "motion": f"{_MECHANICS} mobility kinematics",
-        "synthesis": "core math expression record screw description",
-        "benchmark": _MECHANICS,
-        "sweep": f"{_BOTH_SIDES} description power shift",
-    }.items()
-}
-MAY_INCLUDE["report"] = set(MAY_INCLUDE) - {"io", "format"}
-MAY_INCLUDE["plot"] = MAY_INCLUDE["report"] | {"report"}
-MAY_INCLUDE["run"] = set(MAY_INCLUDE)
-MAY_INCLUDE["app"] = {"core", "run"}
-
-LIBRARY = set(MAY_INCLUDE) - {"app"}
-
-# A header of others begins with ... : it may be included by ...
-THIRD_PARTY: dict[str, set[str]] = {
+# A header of others begins with ... : it may be included by ...; None: by all modules.
+THIRD_PARTY: dict[str, set[str] | None] = {
     "yaml-cpp/": {"io"},
     "nlohmann/": {"format", "report"},
     "Eigen/": {"math"},  # and core/types.hpp, see EIGEN_CORE
-    "fmt/": LIBRARY,
+    "fmt/": None,
     "CLI/": {"app"},
     "boost/": {"math"},
     "gmp": {"math"},
     "klu": {"math"},
     "suitesparse/": {"math"},
-    "sys/": LIBRARY | {"app"},
+    "sys/": None,
 }
 EIGEN_CORE = {"Eigen/Core", "Eigen/Dense", "Eigen/Eigen"}
 EIGEN_HOME = "lib/core/types.hpp"
@@ -96,6 +62,10 @@ FORBIDDEN_HEADERS = {"iostream": "prints", "print": "prints"}
 
 HEADER_LINES = 150
 SOURCE_LINES = 500
+FOLDER_FILES = 40
+DEPENDS = 12
+# They put together what all others offer.
+ASSEMBLIES = {"run", "pages", "draw/catalogue", "studies/sweep/task"}
 
 
 # Reading
@@ -116,10 +86,39 @@ class Include:
     line: int
     target: str
     quoted: bool
+    module: str  # of the target; empty: none
 
-    @property
-    def module(self) -> str:
-        return self.target.split("/")[0] if "/" in self.target else ""
+
+@dataclass(frozen=True)
+class Module:
+    """A row of the table."""
+
+    name: str
+    line: int
+    depends: tuple[str, ...]
+
+
+Modules = dict[str, Module]
+
+
+def read_modules(root: Path) -> Modules:
+    modules: Modules = {}
+    table = root / TABLE
+    text = table.read_text(encoding="utf-8") if table.exists() else ""
+    text = re.sub(r"#[^\n]*", lambda m: blank(m[0]), text)
+    for match in re.finditer(r"^kinestat_module\s*\(\s*([\w/]+)([^)]*)\)", text, re.M):
+        depends = re.search(r"\bDEPENDS\b((?:\s+(?!LINKS|PARTS)[\w/]+)*)", match[2])
+        names = tuple(depends[1].split()) if depends else ()
+        modules[match[1]] = Module(match[1], line_of(text, match.start()), names)
+    return modules
+
+
+def module_of(path: str, modules: Modules) -> str:
+    """The module of a path from lib/ on: that of the innermost folder that is one; else the first
+    folder."""
+    folders = path.split("/")[:-1]
+    names = ["/".join(folders[: i + 1]) for i in range(len(folders))]
+    return next((n for n in reversed(names) if n in modules), names[0] if names else "")
 
 
 @dataclass(frozen=True)
@@ -129,6 +128,7 @@ class File:
     path: str
     module: str
     text: str
+    modules: Modules
 
     @property
     def is_header(self) -> bool:
@@ -139,7 +139,12 @@ class File:
         pattern = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"\n]+)"|<([^>\n]+)>)', re.M)
         code = without_comments(self.text)
         return [
-            Include(line_of(code, m.start(m.lastindex or 0)), m[1] or m[2], bool(m[1]))
+            Include(
+                line_of(code, m.start(m.lastindex or 0)),
+                m[1] or m[2],
+                bool(m[1]),
+                module_of(m[1] or "", self.modules),
+            )
             for m in pattern.finditer(code)
         ]
 
@@ -170,16 +175,24 @@ def line_of(text: str, position: int) -> int:
 
 
 def read_files(root: Path) -> list[File]:
+    modules = read_modules(root)
     files = []
     for path in sorted([*root.glob("lib/**/*"), *root.glob("app/**/*")]):
         if path.name.endswith((".hpp", ".cpp", ".hpp.in", ".cpp.in")) and path.is_file():
             parts = path.relative_to(root).parts
-            module = "app" if parts[0] == "app" else parts[1]
-            files.append(File("/".join(parts), module, path.read_text(encoding="utf-8")))
+            module = "app" if parts[0] == "app" else module_of("/".join(parts[1:]), modules)
+            files.append(File("/".join(parts), module, path.read_text(encoding="utf-8"), modules))
     return files
 
 
 # Rules about one file
+
+
+def may_include(file: File) -> set[str]:
+    if file.module == "app":
+        return OF_APP
+    row = file.modules.get(file.module)
+    return set(row.depends) if row else set()
 
 
 def check_own_includes(file: File) -> Iterator[Violation]:
@@ -192,7 +205,7 @@ def check_own_includes(file: File) -> Iterator[Violation]:
             message = f'"{target}" is not written from lib/ on, as in "screw/twist.hpp"'
         elif "/internal/" in target:
             message = f"{target} is internal to {module}"
-        elif module not in MAY_INCLUDE.get(file.module, set()):
+        elif module not in may_include(file):
             message = f"{file.module} may not include {module}"
         else:
             continue
@@ -207,12 +220,14 @@ def check_third_party(file: File) -> Iterator[Violation]:
             yield Violation(file.path, include.line, f'<{target}> comes through "core/types.hpp"')
         elif prefix is None and "/" in target:
             yield Violation(file.path, include.line, f"<{target}> has no row in THIRD_PARTY")
-        elif prefix and file.module not in THIRD_PARTY[prefix] and not is_eigen_home(file, prefix):
+        elif prefix and not may_use(file, prefix):
             yield Violation(file.path, include.line, f"{file.module} may not include <{target}>")
 
 
-def is_eigen_home(file: File, prefix: str) -> bool:
-    return prefix == "Eigen/" and file.path == EIGEN_HOME
+def may_use(file: File, prefix: str) -> bool:
+    allowed = THIRD_PARTY[prefix]
+    is_eigen_home = prefix == "Eigen/" and file.path == EIGEN_HOME
+    return allowed is None or file.module in allowed or is_eigen_home
 
 
 def check_forbidden(file: File) -> Iterator[Violation]:
@@ -260,106 +275,42 @@ FILE_RULES: list[Callable[[File], Iterator[Violation]]] = [
 # Rules about modules
 
 
-def check_rows(root: Path) -> Iterator[Violation]:
-    for folder in sorted(path for path in root.glob("lib/*") if path.is_dir()):
-        if folder.name not in LIBRARY and any(folder.iterdir()):
-            yield Violation(f"lib/{folder.name}", 1, "the module has no row in check_layers.py")
+def check_folders(files: list[File]) -> Iterator[Violation]:
+    counts = Counter(file.path.rsplit("/", 1)[0] for file in files if file.path.startswith("lib/"))
+    for folder, count in sorted(counts.items()):
+        if count > FOLDER_FILES:
+            yield Violation(folder, 1, f"{count} files, above the limit of {FOLDER_FILES}")
 
 
-@dataclass(frozen=True)
-class Module:
-    """What the CMakeLists.txt of a module declares."""
-
-    path: str
-    line: int
-    name: str
-    depends: list[str]
-
-
-def read_modules(root: Path) -> dict[str, Module]:
-    modules = {}
-    for path in sorted(root.glob("lib/*/CMakeLists.txt")):
-        text = re.sub(r"#[^\n]*", blank_match, path.read_text(encoding="utf-8"))
-        match = re.search(r"\bkinestat_module\s*\(\s*(\w+)([^)]*)\)", text)
-        if match:
-            depends = re.search(r"\bDEPENDS\b((?:\s+[a-z_]+\b)*)", match[2])
-            names = depends[1].split() if depends else []
-            place = str(path.relative_to(root))
-            modules[path.parent.name] = Module(
-                place, line_of(text, match.start()), match[1], names
-            )
-    return modules
-
-
-def blank_match(match: re.Match[str]) -> str:
-    return blank(match[0])
-
-
-def reachable(modules: dict[str, Module], start: str) -> set[str]:
-    seen: set[str] = set()
-    waiting = [start]
-    while waiting:
-        module = modules.get(waiting.pop())
-        new = set(module.depends) - seen if module else set()
-        seen |= new
-        waiting += new
-    return seen
-
-
-def check_cmake(modules: dict[str, Module], files: list[File]) -> Iterator[Violation]:
-    for folder, module in modules.items():
-        if module.name != folder:
-            message = f"the module is called {folder} by its folder"
-            yield Violation(module.path, module.line, message)
+def check_table(modules: Modules, files: list[File]) -> Iterator[Violation]:
+    """Each folder has a row, and each row stands below what it depends on and needs all of it."""
+    for name in sorted({f.module for f in files} - modules.keys() - {"app"}):
+        yield Violation(f"lib/{name}", 1, f"the module has no row in {TABLE}")
+    above: set[str] = set()
+    for module in modules.values():
+        included = {i.module for f in files if f.module == module.name for i in f.includes}
         for name in module.depends:
-            if name not in MAY_INCLUDE.get(folder, set()):
-                yield Violation(module.path, module.line, f"{folder} may not depend on {name}")
-        included = {i.module for f in files if f.module == folder for i in f.includes if i.quoted}
-        for name in sorted((included & LIBRARY) - {folder} - reachable(modules, folder)):
-            message = f"{folder} includes {name}, which DEPENDS does not name"
-            yield Violation(module.path, module.line, message)
-
-
-def check_cycles(modules: dict[str, Module], files: list[File]) -> Iterator[Violation]:
-    """Cycles of what is there, whatever the table says."""
-    edges: dict[str, set[str]] = {}
-    for file in files:
-        used = {i.module for i in file.includes if i.quoted} - {"", file.module}
-        edges.setdefault(file.module, set()).update(used)
-    for folder, module in modules.items():
-        edges.setdefault(folder, set()).update(module.depends)
-    cycle = find_cycle(edges)
-    if cycle:
-        yield Violation(f"lib/{cycle[0]}", 1, f"modules in a circle: {' -> '.join(cycle)}")
-
-
-def find_cycle(edges: dict[str, set[str]]) -> list[str]:
-    done: set[str] = set()
-
-    def visit(node: str, trail: list[str]) -> list[str]:
-        if node in trail:
-            return [*trail[trail.index(node):], node]
-        if node in done:
-            return []
-        for successor in sorted(edges.get(node, ())):
-            if found := visit(successor, [*trail, node]):
-                return found
-        done.add(node)
-        return []
-
-    return next((found for node in sorted(edges) if (found := visit(node, []))), [])
+            if name not in above:
+                message = f"{module.name} depends on {name}, which does not stand above it"
+                yield Violation(TABLE, module.line, message)
+            elif name not in included:
+                message = f"{module.name} depends on {name} and includes nothing of it"
+                yield Violation(TABLE, module.line, message)
+        if len(module.depends) > DEPENDS and module.name not in ASSEMBLIES:
+            message = f"{module.name} depends on {len(module.depends)} modules, above {DEPENDS}"
+            yield Violation(TABLE, module.line, message)
+        above.add(module.name)
 
 
 # The command
 
 
 def find_violations(root: Path) -> list[Violation]:
-    files = read_files(root)
     modules = read_modules(root)
+    files = read_files(root)
     found = [violation for file in files for rule in FILE_RULES for violation in rule(file)]
-    found += check_rows(root)
-    found += check_cmake(modules, files)
-    found += check_cycles(modules, files)
+    found += check_folders(files)
+    found += check_table(modules, files)
     return sorted(found, key=lambda v: (v.path, v.line, v.message))
 
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "expression/internal/condition_parser.hpp"
-#include "expression/internal/condition_value.hpp"
-#include "expression/internal/limits.hpp"
+#include "expression/evaluate/condition_value.hpp"
+#include "expression/parse/condition_parser.hpp"
+#include "expression/parse/limits.hpp"
 
 namespace kinestat {
 

@@ -1,6 +1,6 @@
 #include "expression/evaluate.hpp"
 
-#include "expression/internal/evaluate_as.hpp"
+#include "expression/evaluate/evaluate_as.hpp"
 
 namespace kinestat {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "math/rational.hpp"
+#include "math/numbers/rational.hpp"
 
 namespace kinestat {
 

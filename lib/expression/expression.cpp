@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "expression/internal/limits.hpp"
-#include "expression/internal/parser.hpp"
-#include "expression/internal/scanner.hpp"
+#include "expression/parse/limits.hpp"
+#include "expression/parse/parser.hpp"
+#include "expression/parse/scanner.hpp"
 
 namespace kinestat {
 

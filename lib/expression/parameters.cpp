@@ -1,6 +1,6 @@
 #include "expression/parameters.hpp"
 
-#include "expression/internal/parameter_values.hpp"
+#include "expression/parameters/parameter_values.hpp"
 
 namespace kinestat {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "math/big_float.hpp"
+#include "math/numbers/big_float.hpp"
 
 namespace kinestat {
 

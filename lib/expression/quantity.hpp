@@ -31,9 +31,9 @@ Dimension power(const Dimension& base, int exponent);
 /// True for a bare number: all exponents are zero.
 bool is_bare(const Dimension& dimension);
 
-/// A value in SI: metre, kilogram, second, radian. `Number` is double, Dual (math/dual.hpp: with
-/// derivatives), Exact (exact.hpp: with its exact value where it has one) or Precise (precise.hpp:
-/// with a hundred digits).
+/// A value in SI: metre, kilogram, second, radian. `Number` is double, Dual (math/numbers/dual.hpp:
+/// with derivatives), Exact (exact.hpp: with its exact value where it has one) or Precise
+/// (precise.hpp: with a hundred digits).
 template <class Number>
 struct BasicQuantity {
   Number value{};

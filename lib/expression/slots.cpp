@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "core/contract.hpp"
-#include "expression/internal/arithmetic.hpp"
-#include "expression/internal/condition_value.hpp"
+#include "expression/evaluate/arithmetic.hpp"
+#include "expression/evaluate/condition_value.hpp"
 
 namespace kinestat {
 

@@ -6,8 +6,8 @@
 
 #include "core/contract.hpp"
 #include "expression/evaluate.hpp"
-#include "expression/internal/arithmetic.hpp"
-#include "expression/internal/evaluate_as.hpp"
+#include "expression/evaluate/arithmetic.hpp"
+#include "expression/evaluate/evaluate_as.hpp"
 
 namespace kinestat {
 

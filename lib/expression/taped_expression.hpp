@@ -7,7 +7,7 @@
 #include "expression/file_units.hpp"
 #include "expression/quantity.hpp"
 #include "expression/slots.hpp"
-#include "math/lane_recorder.hpp"
+#include "math/tapes/lane_recorder.hpp"
 
 namespace kinestat {
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "expression/expression.hpp"
-#include "expression/internal/suggestion.hpp"
+#include "expression/parse/suggestion.hpp"
 
 namespace kinestat {
 

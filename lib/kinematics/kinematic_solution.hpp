@@ -5,7 +5,7 @@
 
 #include "core/accuracy.hpp"
 #include "core/solve_status.hpp"
-#include "math/rank.hpp"
+#include "math/elimination/rank.hpp"
 #include "network/counts.hpp"
 #include "network/primary_check.hpp"
 #include "screw/twist.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "kinematics/bounded_motion.hpp"
-#include "math/bounded_solve.hpp"
+#include "math/elimination/bounded_solve.hpp"
 #include "network/node_system.hpp"
 #include "network/typed_system.hpp"
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "kinematics/kinematic_solution.hpp"
-#include "mechanism/typed_mechanism.hpp"
+#include "mechanism/bind/typed_mechanism.hpp"
 
 namespace kinestat {
 

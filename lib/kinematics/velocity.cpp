@@ -6,8 +6,8 @@
 #include "core/rounding.hpp"
 #include "core/tolerance.hpp"
 #include "kinematics/bounded_motion.hpp"
-#include "math/bounded_solve.hpp"
-#include "math/data_zero.hpp"
+#include "math/elimination/bounded_solve.hpp"
+#include "math/elimination/data_zero.hpp"
 #include "mechanism/place_error.hpp"
 #include "network/node_system.hpp"
 

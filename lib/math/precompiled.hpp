@@ -26,5 +26,5 @@
 #include <fmt/format.h>
 
 #include "core/types.hpp"
-#include "math/big_float.hpp"
-#include "math/rational.hpp"
+#include "math/numbers/big_float.hpp"
+#include "math/numbers/rational.hpp"

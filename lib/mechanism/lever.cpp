@@ -5,7 +5,7 @@
 
 #include "core/tolerance.hpp"
 #include "graph/components.hpp"
-#include "mechanism/mesh.hpp"
+#include "mechanism/gears/mesh.hpp"
 #include "screw/screw_axis.hpp"
 
 namespace kinestat {

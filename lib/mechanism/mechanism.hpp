@@ -8,11 +8,11 @@
 #include "description/mechanism_description.hpp"
 #include "expression/file_units.hpp"
 #include "graph/coupling_graph.hpp"
-#include "mechanism/cable_contact.hpp"
-#include "mechanism/case.hpp"
-#include "mechanism/friction.hpp"
+#include "mechanism/cables/cable_contact.hpp"
+#include "mechanism/cases/case.hpp"
+#include "mechanism/couplings/friction.hpp"
+#include "mechanism/gears/lossy_mesh.hpp"
 #include "mechanism/geometry.hpp"
-#include "mechanism/lossy_mesh.hpp"
 #include "mechanism/topology.hpp"
 
 namespace kinestat {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/contract.hpp"
-#include "mechanism/internal/evaluator.hpp"
+#include "mechanism/bind/evaluator.hpp"
 
 namespace kinestat {
 

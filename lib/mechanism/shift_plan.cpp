@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/contract.hpp"
-#include "mechanism/internal/case_binder.hpp"
-#include "mechanism/internal/load_binder.hpp"
+#include "mechanism/cases/case_binder.hpp"
+#include "mechanism/cases/load_binder.hpp"
 #include "mechanism/label_kind.hpp"
 
 namespace kinestat {

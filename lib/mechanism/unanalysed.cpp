@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "couplings/kinds.hpp"
-#include "mechanism/internal/friction_binder.hpp"
-#include "mechanism/internal/geometry_check.hpp"
+#include "mechanism/check/geometry_check.hpp"
+#include "mechanism/couplings/internal/friction_binder.hpp"
 
 namespace kinestat {
 

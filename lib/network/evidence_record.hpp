@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/accuracy.hpp"
-#include "math/rank.hpp"
+#include "math/elimination/rank.hpp"
 #include "record/record.hpp"
 
 namespace kinestat {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "graph/cutsets.hpp"
-#include "math/echelon.hpp"
+#include "math/elimination/echelon.hpp"
 
 namespace kinestat {
 

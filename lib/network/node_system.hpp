@@ -3,9 +3,9 @@
 
 #include <span>
 
-#include "math/sparse_matrix.hpp"
+#include "math/elimination/sparse_matrix.hpp"
+#include "mechanism/cases/load.hpp"
 #include "mechanism/geometry.hpp"
-#include "mechanism/load.hpp"
 #include "mechanism/topology.hpp"
 #include "screw/coordinate_basis.hpp"
 

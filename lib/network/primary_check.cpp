@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/tolerance.hpp"
-#include "math/rank.hpp"
+#include "math/elimination/rank.hpp"
 
 namespace kinestat {
 

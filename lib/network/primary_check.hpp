@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "math/elimination.hpp"
+#include "math/elimination/elimination.hpp"
 
 namespace kinestat {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "math/typed_elimination.hpp"
-#include "mechanism/typed_mechanism.hpp"
+#include "math/elimination/typed_elimination.hpp"
+#include "mechanism/bind/typed_mechanism.hpp"
 #include "screw/coordinate_basis.hpp"
 
 namespace kinestat {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
-#include "math/elimination.hpp"
+#include "math/elimination/elimination.hpp"
 
 namespace kinestat {
 

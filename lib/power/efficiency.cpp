@@ -6,7 +6,7 @@
 
 #include "core/rounding.hpp"
 #include "couplings/kinds.hpp"
-#include "math/bounded_number.hpp"
+#include "math/numbers/bounded_number.hpp"
 #include "power/internal/no_efficiency.hpp"
 
 namespace kinestat {

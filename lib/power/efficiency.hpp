@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mechanism/case.hpp"
+#include "mechanism/cases/case.hpp"
 #include "mechanism/topology.hpp"
 
 namespace kinestat {

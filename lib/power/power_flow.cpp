@@ -6,7 +6,7 @@
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
-#include "math/settled.hpp"
+#include "math/numbers/settled.hpp"
 #include "mechanism/place_error.hpp"
 #include "power/efficiency.hpp"
 #include "power/internal/bounded_magnitude.hpp"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "kinematics/kinematic_solution.hpp"
+#include "mechanism/gears/mesh.hpp"
 #include "mechanism/mechanism.hpp"
-#include "mechanism/mesh.hpp"
 #include "power/power_flow.hpp"
 #include "statics/static_solution.hpp"
 

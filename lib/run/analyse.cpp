@@ -6,14 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "mechanism/bind.hpp"
-#include "report/certified_report.hpp"
-#include "run/certainty_findings.hpp"
-#include "run/each_file.hpp"
-#include "run/find_motion.hpp"
-#include "run/find_synthesis.hpp"
-#include "run/findings.hpp"
-#include "run/gears.hpp"
+#include "cases/certainty_findings.hpp"
+#include "cases/findings.hpp"
+#include "files/each_file.hpp"
+#include "mechanism/bind/bind.hpp"
+#include "report/file/certified_report.hpp"
+#include "studies/motion/task/find_motion.hpp"
+#include "studies/shift/task/gears.hpp"
+#include "studies/synthesis/task/find_synthesis.hpp"
 
 namespace kinestat {
 

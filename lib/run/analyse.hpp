@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "run/certified_cases.hpp"
-#include "run/file_options.hpp"
-#include "run/loaded.hpp"
+#include "cases/certified_cases.hpp"
+#include "cases/loaded.hpp"
+#include "files/file_options.hpp"
 
 namespace kinestat {
 

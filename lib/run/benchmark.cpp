@@ -4,14 +4,14 @@
 #include <optional>
 #include <utility>
 
+#include "cases/chosen_case.hpp"
+#include "files/each_file.hpp"
+#include "files/load.hpp"
 #include "format/mechanism_reader.hpp"
 #include "io/yaml_tree.hpp"
-#include "mechanism/bind.hpp"
-#include "report/benchmark_report.hpp"
-#include "run/each_file.hpp"
-#include "run/internal/chosen_case.hpp"
-#include "run/internal/extreme_networks.hpp"
-#include "run/load.hpp"
+#include "mechanism/bind/bind.hpp"
+#include "studies/benchmark/extreme_networks.hpp"
+#include "studies/benchmark/report/benchmark_report.hpp"
 
 namespace kinestat {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "benchmark/interleaved_times.hpp"
-#include "report/benchmark_report.hpp"
-#include "run/file_options.hpp"
+#include "files/file_options.hpp"
+#include "studies/benchmark/interleaved_times.hpp"
+#include "studies/benchmark/report/benchmark_report.hpp"
 
 namespace kinestat {
 

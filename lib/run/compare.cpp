@@ -6,9 +6,9 @@
 
 #include "core/utf8.hpp"
 #include "io/read_file.hpp"
-#include "report/compare.hpp"
-#include "report/compare_report.hpp"
-#include "report/compare_text.hpp"
+#include "studies/compare/compare.hpp"
+#include "studies/compare/compare_report.hpp"
+#include "studies/compare/compare_text.hpp"
 
 namespace kinestat {
 

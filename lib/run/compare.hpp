@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "report/compare_tolerance.hpp"
-#include "run/file_options.hpp"
-#include "run/outcome.hpp"
+#include "files/file_options.hpp"
+#include "files/outcome.hpp"
+#include "studies/compare/compare_tolerance.hpp"
 
 namespace kinestat {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "run/outcome.hpp"
+#include "files/outcome.hpp"
 
 namespace kinestat {
 

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "cases/chosen_case.hpp"
 #include "core/text.hpp"
+#include "files/each_file.hpp"
 #include "network/bases.hpp"
 #include "network/network_matrices.hpp"
-#include "report/graph_report.hpp"
-#include "run/each_file.hpp"
-#include "run/internal/chosen_case.hpp"
+#include "studies/graph/graph_report.hpp"
 
 namespace kinestat {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "run/outcome.hpp"
+#include "files/outcome.hpp"
 
 namespace kinestat {
 

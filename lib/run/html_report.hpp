@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "files/file_options.hpp"
 #include "io/atomic_file.hpp"
-#include "run/file_options.hpp"
 
 namespace kinestat {
 

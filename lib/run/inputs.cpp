@@ -6,16 +6,16 @@
 
 #include <fmt/format.h>
 
+#include "cases/known_side.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
-#include "inputs/solution_space.hpp"
+#include "files/each_file.hpp"
+#include "files/load.hpp"
 #include "kinematics/velocity.hpp"
 #include "network/bases.hpp"
-#include "report/inputs_report.hpp"
-#include "run/each_file.hpp"
-#include "run/internal/known_side.hpp"
-#include "run/load.hpp"
 #include "statics/action.hpp"
+#include "studies/inputs/report/inputs_report.hpp"
+#include "studies/inputs/solution_space.hpp"
 
 namespace kinestat {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "run/file_options.hpp"
+#include "files/file_options.hpp"
 
 namespace kinestat {
 

@@ -15,7 +15,7 @@
 #include "core/utf8.hpp"
 #include "core/version.hpp"
 #include "io/chunk_record.hpp"
-#include "run/internal/sweep_result.hpp"
+#include "studies/sweep/task/sweep_result.hpp"
 
 namespace kinestat {
 

@@ -3,12 +3,12 @@
 #include <optional>
 #include <utility>
 
-#include "mechanism/bind.hpp"
-#include "mechanism/bind_counted.hpp"
-#include "motion/finite_mobility.hpp"
-#include "run/certainty_findings.hpp"
-#include "run/each_file.hpp"
-#include "run/internal/typed_numbers.hpp"
+#include "cases/certainty_findings.hpp"
+#include "cases/typed_numbers.hpp"
+#include "files/each_file.hpp"
+#include "mechanism/bind/bind.hpp"
+#include "mechanism/bind/bind_counted.hpp"
+#include "studies/motion/finite_mobility.hpp"
 
 namespace kinestat {
 

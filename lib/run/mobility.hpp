@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "report/mobility_report.hpp"
-#include "run/file_options.hpp"
+#include "files/file_options.hpp"
+#include "studies/mobility/report/mobility_report.hpp"
 
 namespace kinestat {
 

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "mechanism/bind.hpp"
-#include "report/motion_report.hpp"
-#include "run/each_file.hpp"
-#include "run/find_motion.hpp"
+#include "files/each_file.hpp"
+#include "mechanism/bind/bind.hpp"
+#include "report/file/motion_report.hpp"
+#include "studies/motion/task/find_motion.hpp"
 
 namespace kinestat {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "run/file_options.hpp"
-#include "run/internal/motion_choice.hpp"
+#include "files/file_options.hpp"
+#include "studies/motion/task/motion_choice.hpp"
 
 namespace kinestat {
 

@@ -10,19 +10,19 @@
 
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "draw/catalogue/catalogue.hpp"
+#include "draw/gnuplot.hpp"
+#include "draw/picture_title.hpp"
+#include "files/each_file.hpp"
 #include "io/atomic_file.hpp"
-#include "mechanism/bind.hpp"
-#include "plot/catalogue.hpp"
-#include "plot/gnuplot.hpp"
-#include "plot/picture_title.hpp"
+#include "mechanism/bind/bind.hpp"
 #include "run/analyse.hpp"
 #include "run/benchmark.hpp"
-#include "run/each_file.hpp"
-#include "run/find_motion.hpp"
-#include "run/find_synthesis.hpp"
 #include "run/motion.hpp"
 #include "run/sweep.hpp"
 #include "run/synthesis.hpp"
+#include "studies/motion/task/find_motion.hpp"
+#include "studies/synthesis/task/find_synthesis.hpp"
 
 namespace kinestat {
 

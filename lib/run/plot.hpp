@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "benchmark/interleaved_times.hpp"
-#include "run/file_options.hpp"
+#include "files/file_options.hpp"
+#include "studies/benchmark/interleaved_times.hpp"
 
 namespace kinestat {
 

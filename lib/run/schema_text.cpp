@@ -7,11 +7,11 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "format/schema.hpp"
-#include "report/compare_text.hpp"
 #include "report/diagnostic_json.hpp"
 #include "report/record_schema.hpp"
-#include "report/report_kinds.hpp"
-#include "report/sweep_record.hpp"
+#include "studies/compare/compare_text.hpp"
+#include "studies/compare/report_kinds.hpp"
+#include "studies/sweep/report/sweep_record.hpp"
 
 namespace kinestat {
 

@@ -7,15 +7,15 @@
 
 #include <fmt/format.h>
 
+#include "cases/findings.hpp"
+#include "cases/solve_cases.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "expression/parameters.hpp"
-#include "mechanism/derivatives.hpp"
-#include "report/sensitivity_report.hpp"
-#include "run/each_file.hpp"
-#include "run/findings.hpp"
-#include "run/solve_cases.hpp"
-#include "sensitivity/adjoint.hpp"
+#include "files/each_file.hpp"
+#include "mechanism/bind/derivatives.hpp"
+#include "studies/sensitivity/adjoint.hpp"
+#include "studies/sensitivity/report/sensitivity_report.hpp"
 
 namespace kinestat {
 

@@ -3,12 +3,12 @@
 #include <optional>
 #include <utility>
 
-#include "report/shift_report.hpp"
-#include "run/certainty_findings.hpp"
-#include "run/certified_cases.hpp"
-#include "run/each_file.hpp"
-#include "run/findings.hpp"
-#include "run/load.hpp"
+#include "cases/certainty_findings.hpp"
+#include "cases/certified_cases.hpp"
+#include "cases/findings.hpp"
+#include "files/each_file.hpp"
+#include "files/load.hpp"
+#include "report/file/shift_report.hpp"
 
 namespace kinestat {
 

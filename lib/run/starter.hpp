@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "files/outcome.hpp"
 #include "io/atomic_file.hpp"
-#include "run/outcome.hpp"
 
 namespace kinestat {
 

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "run/internal/chunk_runner.hpp"
-#include "run/internal/state_solver.hpp"
-#include "run/internal/stored_sweep.hpp"
-#include "run/internal/sweep_task.hpp"
+#include "studies/sweep/task/chunk_runner.hpp"
+#include "studies/sweep/task/state_solver.hpp"
+#include "studies/sweep/task/stored_sweep.hpp"
+#include "studies/sweep/task/sweep_task.hpp"
 
 namespace kinestat {
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "core/source.hpp"
-#include "report/sweep_table.hpp"
-#include "run/internal/sweep_options.hpp"
-#include "run/outcome.hpp"
+#include "files/outcome.hpp"
+#include "studies/sweep/report/sweep_table.hpp"
+#include "studies/sweep/task/sweep_options.hpp"
 
 namespace kinestat {
 

@@ -3,10 +3,10 @@
 #include <optional>
 #include <utility>
 
-#include "run/each_file.hpp"
-#include "run/find_synthesis.hpp"
-#include "run/internal/linkage_check.hpp"
-#include "run/internal/linkage_files.hpp"
+#include "files/each_file.hpp"
+#include "studies/synthesis/task/find_synthesis.hpp"
+#include "studies/synthesis/task/linkage_check.hpp"
+#include "studies/synthesis/task/linkage_files.hpp"
 
 namespace kinestat {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "run/file_options.hpp"
-#include "run/internal/synthesis_options.hpp"
+#include "files/file_options.hpp"
+#include "studies/synthesis/task/synthesis_options.hpp"
 
 namespace kinestat {
 

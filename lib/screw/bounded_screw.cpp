@@ -1,7 +1,7 @@
 #include "screw/bounded_screw.hpp"
 
 #include "core/rounding.hpp"
-#include "math/bounded_arithmetic.hpp"
+#include "math/numbers/bounded_arithmetic.hpp"
 
 namespace kinestat {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "math/bounded_vector.hpp"
+#include "math/numbers/bounded_vector.hpp"
 #include "screw/screw_axis.hpp"
 
 namespace kinestat {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/rounding.hpp"
-#include "math/bounded_arithmetic.hpp"
+#include "math/numbers/bounded_arithmetic.hpp"
 
 namespace kinestat {
 

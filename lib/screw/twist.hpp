@@ -5,7 +5,7 @@
 
 #include "core/tolerance.hpp"
 #include "core/types.hpp"
-#include "math/dual.hpp"
+#include "math/numbers/dual.hpp"
 
 namespace kinestat {
 

@@ -4,7 +4,7 @@
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
-#include "math/least_squares.hpp"
+#include "math/dense/least_squares.hpp"
 
 namespace kinestat {
 

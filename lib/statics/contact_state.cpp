@@ -5,7 +5,7 @@
 
 #include "core/rounding.hpp"
 #include "kinematics/bounded_motion.hpp"
-#include "mechanism/capstan.hpp"
+#include "mechanism/cables/capstan.hpp"
 #include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/accuracy.hpp"
-#include "math/elimination.hpp"
+#include "math/elimination/elimination.hpp"
 #include "mechanism/mechanism.hpp"
 #include "network/counts.hpp"
 #include "network/primary_check.hpp"

@@ -10,7 +10,7 @@
 #include "core/tolerance.hpp"
 #include "couplings/kinds.hpp"
 #include "kinematics/bounded_motion.hpp"
-#include "math/dual_vector.hpp"
+#include "math/numbers/dual_vector.hpp"
 #include "statics/one_sided_action.hpp"
 
 namespace kinestat {

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "math/readable_basis.hpp"
+#include "math/dense/readable_basis.hpp"
 #include "statics/completed_actions.hpp"
 #include "statics/coupling_wrenches.hpp"
 #include "statics/equilibrium.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
-#include "math/dense_solve.hpp"
+#include "math/dense/dense_solve.hpp"
 #include "statics/action.hpp"
 #include "statics/internal/friction_function.hpp"
 #include "statics/internal/friction_system.hpp"

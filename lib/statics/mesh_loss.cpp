@@ -5,7 +5,7 @@
 
 #include "core/contract.hpp"
 #include "kinematics/bounded_motion.hpp"
-#include "mechanism/mesh.hpp"
+#include "mechanism/gears/mesh.hpp"
 
 namespace kinestat {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "math/linear_programme.hpp"
-#include "math/orthonormal.hpp"
+#include "math/dense/linear_programme.hpp"
+#include "math/dense/orthonormal.hpp"
 #include "statics/equilibrium.hpp"
 #include "statics/one_sided_action.hpp"
 

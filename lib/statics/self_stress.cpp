@@ -1,6 +1,6 @@
 #include "statics/self_stress.hpp"
 
-#include "math/readable_basis.hpp"
+#include "math/dense/readable_basis.hpp"
 
 namespace kinestat {
 

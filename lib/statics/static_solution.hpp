@@ -7,7 +7,7 @@
 
 #include "core/accuracy.hpp"
 #include "core/solve_status.hpp"
-#include "math/rank.hpp"
+#include "math/elimination/rank.hpp"
 #include "mechanism/mechanism.hpp"
 #include "network/counts.hpp"
 #include "network/primary_check.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "math/bounded_solve.hpp"
+#include "math/elimination/bounded_solve.hpp"
 #include "network/node_system.hpp"
 #include "network/typed_system.hpp"
 #include "statics/coupling_wrenches.hpp"

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "mechanism/typed_mechanism.hpp"
+#include "mechanism/bind/typed_mechanism.hpp"
 #include "statics/static_solution.hpp"
 
 namespace kinestat {

@@ -12,9 +12,9 @@
 #include "bench_program.hpp"
 #include "dense_statics.hpp"
 #include "interleave.hpp"
-#include "math/exact_elimination.hpp"
-#include "math/exact_rank.hpp"
-#include "math/refined_solve.hpp"
+#include "math/elimination/exact_elimination.hpp"
+#include "math/elimination/exact_rank.hpp"
+#include "math/elimination/refined_solve.hpp"
 #include "network/node_system.hpp"
 #include "subject.hpp"
 

@@ -9,10 +9,10 @@
 
 #include "bench_program.hpp"
 #include "dense_statics.hpp"
-#include "inputs/input_sets.hpp"
-#include "inputs/solution_space.hpp"
 #include "interleave.hpp"
 #include "ratio_table.hpp"
+#include "studies/inputs/input_sets.hpp"
+#include "studies/inputs/solution_space.hpp"
 #include "subject.hpp"
 
 namespace kinestat::bench {

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-#include "benchmark/interleaved_times.hpp"
+#include "studies/benchmark/interleaved_times.hpp"
 
 namespace kinestat::bench {
 

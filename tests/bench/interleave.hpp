@@ -22,7 +22,7 @@ struct Interleaved {
   double unit_seconds = 0.0;  ///< median of the unit
 };
 
-/// As benchmark/interleaved_times has it, by the steady clock of the process.
+/// As studies/benchmark/interleaved_times has it, by the steady clock of the process.
 Interleaved measure(const std::function<void()>& unit, const std::vector<Job>& jobs, int rounds);
 
 /// Makes the compiler believe that `value` is looked at.

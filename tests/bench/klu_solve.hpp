@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "math/sparse_matrix.hpp"
+#include "math/elimination/sparse_matrix.hpp"
 
 namespace kinestat::bench {
 

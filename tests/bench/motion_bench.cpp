@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "bench_program.hpp"
+#include "files/load.hpp"
 #include "interleave.hpp"
-#include "motion/motion.hpp"
 #include "ratio_table.hpp"
-#include "run/load.hpp"
+#include "studies/motion/motion.hpp"
 
 namespace kinestat::bench {
 

@@ -7,10 +7,10 @@
 
 #include "bench_program.hpp"
 #include "interleave.hpp"
-#include "mechanism/bind.hpp"
-#include "mechanism/derivatives.hpp"
+#include "mechanism/bind/bind.hpp"
+#include "mechanism/bind/derivatives.hpp"
 #include "ratio_table.hpp"
-#include "sensitivity/adjoint.hpp"
+#include "studies/sensitivity/adjoint.hpp"
 #include "subject.hpp"
 
 namespace kinestat::bench {

@@ -7,20 +7,20 @@
 #include <fmt/format.h>
 
 #include "bench_program.hpp"
+#include "cases/solve_cases.hpp"
 #include "dense_statics.hpp"
 #include "format/mechanism_reader.hpp"
 #include "interleave.hpp"
 #include "io/read_file.hpp"
 #include "io/yaml_tree.hpp"
 #include "kinematics/velocity.hpp"
-#include "mechanism/bind.hpp"
-#include "mobility/counts.hpp"
+#include "mechanism/bind/bind.hpp"
 #include "network/bases.hpp"
 #include "network/node_system.hpp"
-#include "report/file_report.hpp"
+#include "report/file/file_report.hpp"
 #include "run/analyse.hpp"
-#include "run/solve_cases.hpp"
 #include "statics/action.hpp"
+#include "studies/mobility/counts.hpp"
 #include "subject.hpp"
 
 namespace kinestat::bench {

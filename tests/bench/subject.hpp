@@ -4,10 +4,10 @@
 #include <string>
 
 #include "core/source.hpp"
+#include "files/load.hpp"
 #include "io/yaml_tree.hpp"
 #include "kinematics/velocity.hpp"
 #include "network/bases.hpp"
-#include "run/load.hpp"
 #include "statics/action.hpp"
 
 namespace kinestat::bench {

@@ -19,8 +19,8 @@
 #include "dense_statics.hpp"
 #include "interleave.hpp"
 #include "ratio_table.hpp"
-#include "run/internal/state_solver.hpp"
-#include "run/internal/sweep_task.hpp"
+#include "studies/sweep/task/state_solver.hpp"
+#include "studies/sweep/task/sweep_task.hpp"
 #include "subject.hpp"
 
 namespace kinestat::bench {

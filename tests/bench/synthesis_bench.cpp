@@ -12,10 +12,10 @@
 #include "core/types.hpp"
 #include "interleave.hpp"
 #include "ratio_table.hpp"
-#include "run/internal/for_each_on_threads.hpp"
-#include "synthesis/precise_burmester.hpp"
-#include "synthesis/selection.hpp"
-#include "synthesis/specification.hpp"
+#include "studies/synthesis/dyads/precise_burmester.hpp"
+#include "studies/synthesis/positions/specification.hpp"
+#include "studies/synthesis/selection/selection.hpp"
+#include "studies/synthesis/task/for_each_on_threads.hpp"
 
 namespace kinestat::bench {
 

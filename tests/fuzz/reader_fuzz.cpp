@@ -10,7 +10,7 @@
 #include "fuzz/diagnostic_invariants.hpp"
 #include "fuzz/require.hpp"
 #include "io/yaml_tree.hpp"
-#include "mechanism/bind.hpp"
+#include "mechanism/bind/bind.hpp"
 
 namespace kinestat::fuzz {
 

@@ -1,9 +1,9 @@
-#include "plot/page/html.hpp"
+#include "pages/html.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/contract.hpp"
-#include "plot/page/tables.hpp"
+#include "pages/tables.hpp"
 
 namespace kinestat {
 namespace {

@@ -1,4 +1,4 @@
-#include "plot/page/motion_tables.hpp"
+#include "pages/motion_tables.hpp"
 
 #include <gtest/gtest.h>
 

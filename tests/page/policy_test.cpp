@@ -1,8 +1,8 @@
-#include "plot/page/policy.hpp"
+#include "pages/policy.hpp"
 
 #include <gtest/gtest.h>
 
-#include "plot/html_report.hpp"
+#include "pages/html_report.hpp"
 
 namespace kinestat {
 namespace {

@@ -1,11 +1,11 @@
-#include "plot/summary.hpp"
+#include "pages/summary.hpp"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
-#include "run/load.hpp"
-#include "run/solve_cases.hpp"
+#include "cases/solve_cases.hpp"
+#include "files/load.hpp"
 #include "run/synthesis.hpp"
 
 namespace kinestat {

@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "math/exact_elimination.hpp"
-#include "math/refined_solve.hpp"
+#include "files/load.hpp"
+#include "math/elimination/exact_elimination.hpp"
+#include "math/elimination/refined_solve.hpp"
 #include "network/node_system.hpp"
 #include "property/library_files.hpp"
 #include "property/network_case.hpp"
-#include "run/load.hpp"
 
 namespace kinestat {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "expression/evaluate.hpp"
 #include "expression/exact.hpp"
-#include "math/dual.hpp"
+#include "math/numbers/dual.hpp"
 #include "property/expression_sample.hpp"
 
 namespace kinestat {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "math/rational.hpp"
+#include "math/numbers/rational.hpp"
 
 namespace kinestat::sample {
 

@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "cases/certainty_findings.hpp"
+#include "cases/certified_cases.hpp"
 #include "format/mechanism_reader.hpp"
-#include "mechanism/bind.hpp"
-#include "run/certainty_findings.hpp"
-#include "run/certified_cases.hpp"
+#include "mechanism/bind/bind.hpp"
 
 namespace kinestat {
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "files/load.hpp"
 #include "property/identities.hpp"
 #include "property/library_files.hpp"
-#include "run/load.hpp"
 
 namespace kinestat {
 namespace {

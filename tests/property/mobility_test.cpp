@@ -1,13 +1,13 @@
 // What the mobility pass says of every mechanism of the library.
 
-#include "mobility/mobility.hpp"
+#include "studies/mobility/mobility.hpp"
 
 #include <gtest/gtest.h>
 
-#include "mechanism/bind.hpp"
+#include "files/load.hpp"
+#include "mechanism/bind/bind.hpp"
 #include "property/identities.hpp"
 #include "property/library_files.hpp"
-#include "run/load.hpp"
 
 namespace kinestat {
 namespace {

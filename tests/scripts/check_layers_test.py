@@ -15,7 +15,16 @@ CLEAN = {
         "// Names.\n#pragma once\n#include <Eigen/Core>\n#include <Eigen/Geometry>\n"
     ),
     "lib/core/tolerance.hpp": "// Tolerances.\n#pragma once\nconstexpr double kGap = 1e-9;\n",
-    "lib/core/CMakeLists.txt": "kinestat_module(core\n  SOURCES text.cpp\n  LINKS Eigen3::Eigen)\n",
+    "lib/CMakeLists.txt": (
+        "kinestat_module(core LINKS Eigen3::Eigen)\n"
+        "kinestat_module(math DEPENDS core)\n"
+        "kinestat_module(expression)\n"
+        "kinestat_module(io)\n"
+        "kinestat_module(graph)\n"
+        "kinestat_module(screw\n  DEPENDS math\n  LINKS x)\n"
+        "kinestat_module(studies/motion DEPENDS screw)\n"
+        "kinestat_module(studies/motion/report DEPENDS studies/motion)\n"
+    ),
     "lib/math/rank.hpp": (
         '// Ranks.\n#pragma once\n#include <Eigen/QR>\n#include "core/types.hpp"\n'
     ),
@@ -26,9 +35,9 @@ CLEAN = {
         "const char* text = \"exit(1) 1e-9\"; const char* raw = R\"x(\n#include <iostream>\n)x\";\n"
         "int large = 1'000'000; double m = 1e3; void f() { state.exit(); }\n"
     ),
-    "lib/math/CMakeLists.txt": "kinestat_module(math\n  SOURCES rank.cpp\n  DEPENDS core)\n",
     "lib/screw/twist.hpp": '// Twists.\n#pragma once\n#include "math/rank.hpp"\n',
-    "lib/screw/CMakeLists.txt": "kinestat_module(screw SOURCES twist.cpp DEPENDS math)\n",
+    "lib/studies/motion/path.hpp": '// Paths.\n#pragma once\n#include "screw/twist.hpp"\n',
+    "lib/studies/motion/report/text.cpp": '#include "studies/motion/path.hpp"\n',
     "lib/expression/units.cpp": "double mm = 1e-3;\n",
     "lib/io/yaml_tree.cpp": "#include <yaml-cpp/yaml.h>\n#include <sys/stat.h>\n",
     "app/command.hpp": "// A command.\n#pragma once\n",
@@ -179,37 +188,45 @@ class CheckLayers(unittest.TestCase):
 
     def test_a_module_without_a_row(self) -> None:
         self.assert_found(
-            "lib/utilities/notes.txt",
-            "",
-            "lib/utilities:1: the module has no row in check_layers.py",
+            "lib/utilities/notes.hpp",
+            HEADER,
+            "lib/utilities:1: the module has no row in lib/CMakeLists.txt",
         )
 
-    def test_a_target_that_depends_on_too_much(self) -> None:
+    def test_a_study_that_reaches_up_into_its_report(self) -> None:
         self.assert_found(
-            "lib/graph/CMakeLists.txt",
-            "# Graphs.\nkinestat_module(graph SOURCES a.cpp DEPENDS screw)\n",
-            "lib/graph/CMakeLists.txt:2: graph may not depend on screw",
+            "lib/studies/motion/a.cpp", '#include "studies/motion/report/text.hpp"\n',
+            "lib/studies/motion/a.cpp:1: studies/motion may not include studies/motion/report",
         )
 
-    def test_a_target_that_hides_what_it_includes(self) -> None:
+    def test_a_row_above_what_it_depends_on(self) -> None:
+        table = CLEAN["lib/CMakeLists.txt"].replace("(graph)", "(graph DEPENDS screw)")
         self.assert_found(
-            "lib/math/CMakeLists.txt", "kinestat_module(math\n  SOURCES rank.cpp)\n",
-            "lib/math/CMakeLists.txt:1: math includes core, which DEPENDS does not name",
+            "lib/CMakeLists.txt", table,
+            "lib/CMakeLists.txt:5: graph depends on screw, which does not stand above it",
         )
 
-    def test_a_target_with_the_name_of_another(self) -> None:
+    def test_a_row_that_names_more_than_is_included(self) -> None:
+        table = CLEAN["lib/CMakeLists.txt"].replace("DEPENDS math\n", "DEPENDS core math\n")
         self.assert_found(
-            "lib/graph/CMakeLists.txt", "kinestat_module(graphs SOURCES a.cpp)\n",
-            "lib/graph/CMakeLists.txt:1: the module is called graph by its folder",
+            "lib/CMakeLists.txt", table,
+            "lib/CMakeLists.txt:6: screw depends on core and includes nothing of it",
         )
 
-    def test_modules_in_a_circle(self) -> None:
-        self.assert_found(
-            "lib/core/text.cpp", '#include "math/rank.hpp"\n',
-            "lib/core/text.cpp:1: core may not include math",
-            "lib/core/CMakeLists.txt:1: core includes math, which DEPENDS does not name",
-            "lib/core:1: modules in a circle: core -> math -> core",
+    def test_a_module_that_knows_too_many(self) -> None:
+        many = [f"m{i}" for i in range(13)]
+        table = CLEAN["lib/CMakeLists.txt"] + "".join(f"kinestat_module({m})\n" for m in many)
+        table += f"kinestat_module(all DEPENDS {' '.join(many)})\n"
+        files = {f"lib/{m}/a.hpp": HEADER for m in many}
+        files["lib/all/a.cpp"] = "".join(f'#include "{m}/a.hpp"\n' for m in many)
+        self.assertEqual(
+            check(files | {"lib/CMakeLists.txt": table}),
+            (1, "lib/CMakeLists.txt:24: all depends on 13 modules, above 12\n"),
         )
+
+    def test_a_full_folder(self) -> None:
+        files = {f"lib/graph/a{i}.hpp": HEADER for i in range(41)}
+        self.assertEqual(check(files), (1, "lib/graph:1: 41 files, above the limit of 40\n"))
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "format/mechanism_reader.hpp"
-#include "mechanism/bind.hpp"
+#include "mechanism/bind/bind.hpp"
 
 namespace kinestat {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "math/exact_elimination.hpp"
+#include "math/elimination/exact_elimination.hpp"
 #include "support/random.hpp"
 
 namespace kinestat {

@@ -8,7 +8,7 @@
 
 #include "couplings/kinds.hpp"
 #include "format/mechanism_reader.hpp"
-#include "mechanism/bind.hpp"
+#include "mechanism/bind/bind.hpp"
 #include "support/random_network.hpp"
 
 namespace kinestat {

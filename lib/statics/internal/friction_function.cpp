@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
-#include "math/dense_solve.hpp"
+#include "math/dense/dense_solve.hpp"
 
 namespace kinestat {
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "mechanism/load.hpp"
+#include "mechanism/cases/load.hpp"
 #include "mechanism/mechanism.hpp"
 #include "statics/friction_law.hpp"
 

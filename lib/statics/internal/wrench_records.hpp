@@ -1,7 +1,7 @@
 // What reports say of what couplings bear, and of what acts on them.
 #pragma once
 
-#include "mechanism/cable_contact.hpp"
+#include "mechanism/cables/cable_contact.hpp"
 #include "record/record.hpp"
 #include "statics/contact_state.hpp"
 #include "statics/coupling_wrenches.hpp"

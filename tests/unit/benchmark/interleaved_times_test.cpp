@@ -1,4 +1,4 @@
-#include "benchmark/interleaved_times.hpp"
+#include "studies/benchmark/interleaved_times.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "run/load.hpp"
+#include "files/load.hpp"
 
 namespace kinestat {
 

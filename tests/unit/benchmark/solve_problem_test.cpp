@@ -1,4 +1,4 @@
-#include "benchmark/solve_problem.hpp"
+#include "studies/benchmark/solve_problem.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "library_mechanism.hpp"
-#include "math/dense_methods.hpp"
+#include "math/dense/dense_methods.hpp"
 
 namespace kinestat {
 namespace {

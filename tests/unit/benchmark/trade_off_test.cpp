@@ -1,4 +1,4 @@
-#include "benchmark/trade_off.hpp"
+#include "studies/benchmark/trade_off.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "expression/evaluate.hpp"
 #include "expression/parameters.hpp"
-#include "math/dual.hpp"
+#include "math/numbers/dual.hpp"
 #include "support/angles.hpp"
 
 namespace kinestat {

@@ -1,4 +1,4 @@
-#include "inputs/cable_tension.hpp"
+#include "studies/inputs/cable_tension.hpp"
 
 #include <map>
 #include <string>

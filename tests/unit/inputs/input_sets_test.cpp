@@ -1,4 +1,4 @@
-#include "inputs/input_sets.hpp"
+#include "studies/inputs/input_sets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "inputs/solution_space.hpp"
 #include "network/bases.hpp"
+#include "studies/inputs/solution_space.hpp"
 #include "support/mechanism_text.hpp"
 
 namespace kinestat {

@@ -1,4 +1,4 @@
-#include "math/bounded_number.hpp"
+#include "math/numbers/bounded_number.hpp"
 
 #include <cmath>
 #include <limits>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "math/rational.hpp"
+#include "math/numbers/rational.hpp"
 
 namespace kinestat {
 namespace {

@@ -1,10 +1,10 @@
-#include "math/bounded_solve.hpp"
+#include "math/elimination/bounded_solve.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "math/exact_elimination.hpp"
+#include "math/elimination/exact_elimination.hpp"
 
 namespace kinestat {
 namespace {

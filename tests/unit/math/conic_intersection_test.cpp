@@ -1,4 +1,4 @@
-#include "math/conic_intersection.hpp"
+#include "math/dense/conic_intersection.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "math/internal/count_queue.hpp"
+#include "math/elimination/internal/count_queue.hpp"
 
 #include <algorithm>
 #include <set>

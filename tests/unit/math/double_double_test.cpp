@@ -1,4 +1,4 @@
-#include "math/double_double.hpp"
+#include "math/numbers/double_double.hpp"
 
 #include <cmath>
 #include <limits>
@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "math/rational.hpp"
+#include "math/numbers/rational.hpp"
 #include "support/random.hpp"
 #include "unit/math/exact_value.hpp"
 

@@ -1,4 +1,4 @@
-#include "math/dual.hpp"
+#include "math/numbers/dual.hpp"
 
 #include <cmath>
 #include <limits>

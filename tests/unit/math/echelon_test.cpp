@@ -1,4 +1,4 @@
-#include "math/echelon.hpp"
+#include "math/elimination/echelon.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "math/elimination.hpp"
+#include "math/elimination/elimination.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "math/equilibrate.hpp"
+#include "math/elimination/equilibrate.hpp"
 
 #include <cmath>
 

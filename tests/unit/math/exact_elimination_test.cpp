@@ -1,4 +1,4 @@
-#include "math/exact_elimination.hpp"
+#include "math/elimination/exact_elimination.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "math/exact_rank.hpp"
+#include "math/elimination/exact_rank.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,8 +1,8 @@
 // The fractions that sums of doubles are.
 #pragma once
 
-#include "math/double_double.hpp"
-#include "math/rational.hpp"
+#include "math/numbers/double_double.hpp"
+#include "math/numbers/rational.hpp"
 
 namespace kinestat {
 

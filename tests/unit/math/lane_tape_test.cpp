@@ -1,4 +1,4 @@
-#include "math/lane_tape.hpp"
+#include "math/tapes/lane_tape.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "math/lane_recorder.hpp"
+#include "math/tapes/lane_recorder.hpp"
 
 namespace kinestat {
 

@@ -1,4 +1,4 @@
-#include "math/least_squares.hpp"
+#include "math/dense/least_squares.hpp"
 
 #include <cmath>
 

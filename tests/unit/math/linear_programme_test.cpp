@@ -1,4 +1,4 @@
-#include "math/linear_programme.hpp"
+#include "math/dense/linear_programme.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "math/normal_equations.hpp"
+#include "math/dense/normal_equations.hpp"
 
 #include <gtest/gtest.h>
 

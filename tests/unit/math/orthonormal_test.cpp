@@ -1,4 +1,4 @@
-#include "math/orthonormal.hpp"
+#include "math/dense/orthonormal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "math/polynomial.hpp"
+#include "math/dense/polynomial.hpp"
 
 #include <gtest/gtest.h>
 

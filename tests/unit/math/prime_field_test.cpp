@@ -1,8 +1,8 @@
-#include "math/prime_field.hpp"
+#include "math/numbers/prime_field.hpp"
 
 #include <gtest/gtest.h>
 
-#include "math/internal/modular_field.hpp"
+#include "math/elimination/internal/modular_field.hpp"
 #include "support/random_fractions.hpp"
 
 namespace kinestat {

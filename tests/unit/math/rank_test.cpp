@@ -1,4 +1,4 @@
-#include "math/rank.hpp"
+#include "math/elimination/rank.hpp"
 
 #include <cmath>
 

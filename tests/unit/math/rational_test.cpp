@@ -1,4 +1,4 @@
-#include "math/rational.hpp"
+#include "math/numbers/rational.hpp"
 
 #include <cmath>
 #include <limits>

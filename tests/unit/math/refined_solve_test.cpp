@@ -1,4 +1,4 @@
-#include "math/refined_solve.hpp"
+#include "math/elimination/refined_solve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "math/exact_elimination.hpp"
+#include "math/elimination/exact_elimination.hpp"
 #include "support/random.hpp"
 #include "unit/math/exact_value.hpp"
 #include "unit/math/sparse.hpp"

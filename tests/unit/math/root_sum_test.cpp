@@ -1,4 +1,4 @@
-#include "math/root_sum.hpp"
+#include "math/numbers/root_sum.hpp"
 
 #include <cmath>
 #include <numbers>

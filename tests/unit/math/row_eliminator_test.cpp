@@ -1,10 +1,10 @@
-#include "math/internal/row_eliminator.hpp"
+#include "math/elimination/internal/row_eliminator.hpp"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
-#include "math/internal/modular_field.hpp"
+#include "math/elimination/internal/modular_field.hpp"
 
 namespace kinestat {
 namespace {

@@ -1,4 +1,4 @@
-#include "math/smallest_singular_value.hpp"
+#include "math/dense/smallest_singular_value.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/types.hpp"
-#include "math/sparse_matrix.hpp"
+#include "math/elimination/sparse_matrix.hpp"
 
 namespace kinestat {
 

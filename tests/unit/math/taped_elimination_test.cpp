@@ -1,4 +1,4 @@
-#include "math/taped_elimination.hpp"
+#include "math/elimination/taped_elimination.hpp"
 
 #include <cmath>
 #include <optional>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "math/elimination.hpp"
+#include "math/elimination/elimination.hpp"
 
 namespace kinestat {
 

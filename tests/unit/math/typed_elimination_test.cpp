@@ -1,4 +1,4 @@
-#include "math/typed_elimination.hpp"
+#include "math/elimination/typed_elimination.hpp"
 
 #include <cmath>
 #include <numbers>

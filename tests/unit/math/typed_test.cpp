@@ -1,4 +1,4 @@
-#include "math/typed.hpp"
+#include "math/numbers/typed.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mechanism/bind.hpp"
+#include "mechanism/bind/bind.hpp"
 
 #include <gtest/gtest.h>
 

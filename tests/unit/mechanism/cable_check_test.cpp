@@ -1,4 +1,4 @@
-#include "mechanism/internal/cable_check.hpp"
+#include "mechanism/cables/internal/cable_check.hpp"
 
 #include <gtest/gtest.h>
 

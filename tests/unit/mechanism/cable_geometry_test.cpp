@@ -1,4 +1,4 @@
-#include "mechanism/cable_geometry.hpp"
+#include "mechanism/cables/cable_geometry.hpp"
 
 #include <array>
 #include <cmath>

@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "format/mechanism_reader.hpp"
-#include "mechanism/internal/cable_check.hpp"
-#include "mechanism/internal/gear_check.hpp"
-#include "mechanism/internal/load_binder.hpp"
-#include "mechanism/internal/section_checks.hpp"
+#include "mechanism/cables/internal/cable_check.hpp"
+#include "mechanism/cases/load_binder.hpp"
+#include "mechanism/check/section_checks.hpp"
+#include "mechanism/gears/internal/gear_check.hpp"
 #include "support/read_text.hpp"
 
 namespace kinestat {

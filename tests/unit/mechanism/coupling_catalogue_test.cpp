@@ -1,11 +1,11 @@
-#include "mechanism/coupling_catalogue.hpp"
+#include "mechanism/couplings/coupling_catalogue.hpp"
 
 #include <ostream>
 
 #include <gtest/gtest.h>
 
-#include "math/rank.hpp"
-#include "mechanism/reciprocity.hpp"
+#include "math/elimination/rank.hpp"
+#include "mechanism/couplings/reciprocity.hpp"
 
 namespace kinestat {
 namespace {

@@ -1,4 +1,4 @@
-#include "mechanism/internal/declared_names.hpp"
+#include "mechanism/check/declared_names.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mechanism/internal/gear_check.hpp"
+#include "mechanism/gears/internal/gear_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mechanism/gear_layout.hpp"
+#include "mechanism/gears/gear_layout.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "mechanism/gear_train.hpp"
+#include "mechanism/gears/gear_train.hpp"
 
 #include <gtest/gtest.h>
 

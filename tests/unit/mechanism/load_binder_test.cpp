@@ -1,4 +1,4 @@
-#include "mechanism/internal/load_binder.hpp"
+#include "mechanism/cases/load_binder.hpp"
 
 #include <gtest/gtest.h>
 

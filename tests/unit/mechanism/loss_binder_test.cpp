@@ -1,4 +1,4 @@
-#include "mechanism/internal/loss_binder.hpp"
+#include "mechanism/gears/internal/loss_binder.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "mechanism/internal/loss_check.hpp"
+#include "mechanism/gears/internal/loss_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mechanism/mesh.hpp"
+#include "mechanism/gears/mesh.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mechanism/internal/motion_check.hpp"
+#include "mechanism/check/motion_check.hpp"
 
 #include <gtest/gtest.h>
 

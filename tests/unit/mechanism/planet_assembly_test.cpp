@@ -1,4 +1,4 @@
-#include "mechanism/internal/planet_assembly.hpp"
+#include "mechanism/gears/internal/planet_assembly.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "mechanism/internal/planet_set.hpp"
+#include "mechanism/gears/internal/planet_set.hpp"
 
 #include <map>
 
 #include <gtest/gtest.h>
 
 #include "format/mechanism_reader.hpp"
-#include "mechanism/bind.hpp"
+#include "mechanism/bind/bind.hpp"
 #include "support/read_text.hpp"
 
 namespace kinestat {

@@ -1,4 +1,4 @@
-#include "mechanism/internal/report_name_check.hpp"
+#include "mechanism/check/report_name_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mechanism/internal/shift_check.hpp"
+#include "mechanism/check/shift_check.hpp"
 
 #include <gtest/gtest.h>
 

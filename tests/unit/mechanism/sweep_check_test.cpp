@@ -1,4 +1,4 @@
-#include "mechanism/internal/sweep_check.hpp"
+#include "mechanism/check/sweep_check.hpp"
 
 #include <gtest/gtest.h>
 

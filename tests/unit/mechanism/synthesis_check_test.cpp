@@ -1,4 +1,4 @@
-#include "mechanism/internal/synthesis_check.hpp"
+#include "mechanism/check/synthesis_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "format/mechanism_reader.hpp"
-#include "mechanism/bind.hpp"
+#include "mechanism/bind/bind.hpp"
 #include "support/read_text.hpp"
 
 namespace kinestat {

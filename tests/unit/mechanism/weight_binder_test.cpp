@@ -1,4 +1,4 @@
-#include "mechanism/internal/weight_binder.hpp"
+#include "mechanism/cases/weight_binder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mobility/grubler.hpp"
+#include "studies/mobility/grubler.hpp"
 
 #include "mobility_case.hpp"
 

@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "files/load.hpp"
 #include "format/mechanism_reader.hpp"
-#include "mechanism/bind.hpp"
-#include "mechanism/bind_counted.hpp"
-#include "mobility/mobility.hpp"
-#include "run/load.hpp"
+#include "mechanism/bind/bind.hpp"
+#include "mechanism/bind/bind_counted.hpp"
+#include "studies/mobility/mobility.hpp"
 
 namespace kinestat {
 

@@ -1,11 +1,11 @@
-#include "mobility/motion_space.hpp"
+#include "studies/mobility/motion_space.hpp"
 
 #include <cmath>
 
-#include "mobility/passive_freedom.hpp"
 #include "mobility_case.hpp"
 #include "network/bases.hpp"
 #include "screw/screw_axis.hpp"
+#include "studies/mobility/passive_freedom.hpp"
 #include "support/mechanism_text.hpp"
 
 namespace kinestat {

@@ -1,4 +1,4 @@
-#include "mobility/redundancy.hpp"
+#include "studies/mobility/redundancy.hpp"
 
 #include <cmath>
 

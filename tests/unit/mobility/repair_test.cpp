@@ -1,4 +1,4 @@
-#include "mobility/repair.hpp"
+#include "studies/mobility/repair.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "mobility/reshetov.hpp"
+#include "studies/mobility/reshetov.hpp"
 
 #include "mobility_case.hpp"
 

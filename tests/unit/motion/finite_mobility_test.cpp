@@ -1,4 +1,4 @@
-#include "motion/finite_mobility.hpp"
+#include "studies/motion/finite_mobility.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "motion/motion_state.hpp"
+#include "studies/motion/motion_state.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "kinematics/velocity.hpp"
-#include "mechanism/reciprocity.hpp"
-#include "motion/moved_mechanism.hpp"
+#include "mechanism/couplings/reciprocity.hpp"
 #include "network/bases.hpp"
+#include "studies/motion/moved_mechanism.hpp"
 #include "unit/motion/moving.hpp"
 
 namespace kinestat {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "motion/motion.hpp"
-#include "motion/motion_state.hpp"
+#include "studies/motion/motion.hpp"
+#include "studies/motion/motion_state.hpp"
 #include "support/mechanism_text.hpp"
 
 namespace kinestat {

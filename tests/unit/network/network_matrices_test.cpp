@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "math/rank.hpp"
-#include "run/load.hpp"
+#include "files/load.hpp"
+#include "math/elimination/rank.hpp"
 #include "support/mechanism_text.hpp"
 #include "support/near.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "math/elimination.hpp"
+#include "math/elimination/elimination.hpp"
 #include "network/counts.hpp"
 #include "support/mechanism_text.hpp"
 #include "support/near.hpp"

@@ -1,4 +1,4 @@
-#include "plot/axes.hpp"
+#include "draw/axes.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "plot/bar_map.hpp"
+#include "draw/bar_map.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "plot/burmester_drawing.hpp"
+#include "studies/synthesis/picture/burmester_drawing.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "library_analysis.hpp"
-#include "plot/internal/burmester_plane.hpp"
+#include "studies/synthesis/picture/burmester_plane.hpp"
 
 namespace kinestat {
 namespace {

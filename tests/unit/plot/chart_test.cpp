@@ -1,4 +1,4 @@
-#include "plot/chart.hpp"
+#include "draw/chart.hpp"
 
 #include <limits>
 

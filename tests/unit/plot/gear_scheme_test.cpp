@@ -1,13 +1,13 @@
-#include "plot/gear_scheme.hpp"
+#include "draw/train/gear_scheme.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "draw/train/scheme_layout.hpp"
+#include "draw/train/scheme_radii.hpp"
 #include "library_analysis.hpp"
-#include "plot/internal/scheme_layout.hpp"
-#include "plot/internal/scheme_radii.hpp"
 
 namespace kinestat {
 namespace {

@@ -1,4 +1,4 @@
-#include "plot/gnuplot.hpp"
+#include "draw/gnuplot.hpp"
 
 #include <limits>
 

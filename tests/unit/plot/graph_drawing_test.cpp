@@ -1,4 +1,4 @@
-#include "plot/graph_drawing.hpp"
+#include "draw/graph/graph_drawing.hpp"
 
 #include <algorithm>
 #include <set>
@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "draw/graph/graph_writer.hpp"
 #include "library_analysis.hpp"
-#include "plot/internal/graph_writer.hpp"
 
 namespace kinestat {
 namespace {

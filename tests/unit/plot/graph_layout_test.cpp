@@ -1,4 +1,4 @@
-#include "plot/internal/graph_layout.hpp"
+#include "draw/graph/graph_layout.hpp"
 
 #include <algorithm>
 #include <cmath>

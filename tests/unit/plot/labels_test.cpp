@@ -1,4 +1,4 @@
-#include "plot/labels.hpp"
+#include "draw/labels.hpp"
 
 #include <gtest/gtest.h>
 

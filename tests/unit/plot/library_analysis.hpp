@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "run/load.hpp"
-#include "run/solve_cases.hpp"
+#include "cases/solve_cases.hpp"
+#include "files/load.hpp"
 #include "run/synthesis.hpp"
 
 namespace kinestat {

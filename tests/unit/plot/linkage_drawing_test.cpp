@@ -1,13 +1,13 @@
-#include "plot/linkage_drawing.hpp"
+#include "draw/linkage/linkage_drawing.hpp"
 
 #include <cmath>
 #include <regex>
 
 #include <gtest/gtest.h>
 
+#include "draw/linkage/linkage_canvas.hpp"
+#include "draw/markup.hpp"
 #include "library_analysis.hpp"
-#include "plot/internal/linkage_canvas.hpp"
-#include "plot/markup.hpp"
 
 namespace kinestat {
 namespace {

@@ -1,4 +1,4 @@
-#include "plot/markup.hpp"
+#include "draw/markup.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "plot/internal/name_placer.hpp"
+#include "draw/name_placer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "plot/palette.hpp"
+#include "draw/palette.hpp"
 
 #include <algorithm>
 #include <array>

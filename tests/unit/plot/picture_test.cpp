@@ -1,4 +1,4 @@
-#include "plot/picture.hpp"
+#include "draw/picture.hpp"
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "plot/picture.hpp"
+#include "draw/picture.hpp"
 
 namespace kinestat {
 

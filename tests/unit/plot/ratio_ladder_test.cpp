@@ -1,4 +1,4 @@
-#include "plot/ratio_ladder.hpp"
+#include "studies/shift/picture/ratio_ladder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "plot/svg.hpp"
+#include "draw/svg.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "plot/sweep_curves.hpp"
+#include "studies/sweep/picture/sweep_curves.hpp"
 
 #include <cmath>
 

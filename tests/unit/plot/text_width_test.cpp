@@ -1,4 +1,4 @@
-#include "plot/text_width.hpp"
+#include "draw/text_width.hpp"
 
 #include <gtest/gtest.h>
 

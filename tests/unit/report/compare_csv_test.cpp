@@ -1,4 +1,4 @@
-#include "report/compare_csv.hpp"
+#include "studies/compare/compare_csv.hpp"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "report/compare_json.hpp"
+#include "studies/compare/compare_json.hpp"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "report/compare_place.hpp"
+#include "studies/compare/compare_place.hpp"
 
 #include <gtest/gtest.h>
 

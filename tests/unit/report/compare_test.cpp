@@ -1,12 +1,12 @@
-#include "report/compare.hpp"
+#include "studies/compare/compare.hpp"
 
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "report/compare_report.hpp"
 #include "report_texts.hpp"
+#include "studies/compare/compare_report.hpp"
 
 namespace kinestat {
 namespace {

@@ -1,12 +1,12 @@
-#include "report/compare_text.hpp"
+#include "studies/compare/compare_text.hpp"
 
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "report/compare_report.hpp"
 #include "report/json_values.hpp"
 #include "report_texts.hpp"
+#include "studies/compare/compare_report.hpp"
 
 namespace kinestat {
 namespace {

@@ -1,4 +1,4 @@
-#include "report/compare_tolerance.hpp"
+#include "studies/compare/compare_tolerance.hpp"
 
 #include <string>
 #include <variant>

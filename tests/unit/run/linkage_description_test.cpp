@@ -1,4 +1,4 @@
-#include "run/internal/linkage_description.hpp"
+#include "studies/synthesis/task/linkage_description.hpp"
 
 #include <string>
 #include <vector>
@@ -7,7 +7,7 @@
 
 #include "format/mechanism_reader.hpp"
 #include "format/mechanism_writer.hpp"
-#include "mechanism/bind.hpp"
+#include "mechanism/bind/bind.hpp"
 #include "support/read_text.hpp"
 
 namespace kinestat {

@@ -1,4 +1,4 @@
-#include "run/outcome.hpp"
+#include "files/outcome.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "run/output.hpp"
+#include "files/output.hpp"
 
 #include <gtest/gtest.h>
 

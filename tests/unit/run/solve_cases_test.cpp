@@ -1,4 +1,4 @@
-#include "run/solve_cases.hpp"
+#include "cases/solve_cases.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "run/internal/state_solver.hpp"
+#include "studies/sweep/task/state_solver.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "format/mechanism_reader.hpp"
-#include "mechanism/bind.hpp"
-#include "run/internal/state_solver.hpp"
-#include "run/internal/sweep_task.hpp"
+#include "mechanism/bind/bind.hpp"
+#include "studies/sweep/task/state_solver.hpp"
+#include "studies/sweep/task/sweep_task.hpp"
 
 namespace kinestat {
 

@@ -1,4 +1,4 @@
-#include "sensitivity/adjoint.hpp"
+#include "studies/sensitivity/adjoint.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sensitivity/affine.hpp"
+#include "studies/sensitivity/affine.hpp"
 
 #include <cmath>
 #include <functional>

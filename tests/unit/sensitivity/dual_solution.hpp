@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "mechanism/derivatives.hpp"
+#include "mechanism/bind/derivatives.hpp"
 
 namespace kinestat {
 

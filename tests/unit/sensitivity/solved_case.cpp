@@ -5,7 +5,7 @@
 #include "format/mechanism_reader.hpp"
 #include "io/yaml_tree.hpp"
 #include "kinematics/velocity.hpp"
-#include "mechanism/bind.hpp"
+#include "mechanism/bind/bind.hpp"
 #include "network/bases.hpp"
 #include "statics/friction.hpp"
 #include "statics/indeterminacy.hpp"

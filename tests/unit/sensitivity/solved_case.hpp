@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sensitivity/adjoint.hpp"
+#include "studies/sensitivity/adjoint.hpp"
 
 namespace kinestat {
 

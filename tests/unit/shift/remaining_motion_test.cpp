@@ -1,4 +1,4 @@
-#include "shift/internal/remaining_motion.hpp"
+#include "studies/shift/internal/remaining_motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shift/shift_solution.hpp"
+#include "studies/shift/shift_solution.hpp"
 
 #include <cmath>
 

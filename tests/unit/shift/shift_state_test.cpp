@@ -1,4 +1,4 @@
-#include "shift/shift_state.hpp"
+#include "studies/shift/shift_state.hpp"
 
 #include <gtest/gtest.h>
 

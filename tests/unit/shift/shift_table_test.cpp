@@ -1,4 +1,4 @@
-#include "shift/shift_table.hpp"
+#include "studies/shift/shift_table.hpp"
 
 #include <gtest/gtest.h>
 

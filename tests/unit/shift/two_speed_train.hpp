@@ -4,7 +4,7 @@
 #include <string>
 
 #include "network/bases.hpp"
-#include "shift/shift_state.hpp"
+#include "studies/shift/shift_state.hpp"
 #include "support/mechanism_text.hpp"
 
 namespace kinestat {

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "format/mechanism_reader.hpp"
-#include "mechanism/bind.hpp"
-#include "sweep/sweep_plan.hpp"
+#include "mechanism/bind/bind.hpp"
+#include "studies/sweep/sweep_plan.hpp"
 
 namespace kinestat {
 

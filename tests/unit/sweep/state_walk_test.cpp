@@ -1,4 +1,4 @@
-#include "sweep/state_walk.hpp"
+#include "studies/sweep/state_walk.hpp"
 
 #include <algorithm>
 #include <array>

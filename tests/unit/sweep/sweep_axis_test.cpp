@@ -1,4 +1,4 @@
-#include "sweep/sweep_axis.hpp"
+#include "studies/sweep/sweep_axis.hpp"
 
 #include <numbers>
 

@@ -1,10 +1,10 @@
-#include "sweep/top_rows.hpp"
+#include "studies/sweep/top_rows.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "sweep/sweep_counts.hpp"
+#include "studies/sweep/sweep_counts.hpp"
 
 namespace kinestat {
 

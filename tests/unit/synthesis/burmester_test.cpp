@@ -1,4 +1,4 @@
-#include "synthesis/burmester.hpp"
+#include "studies/synthesis/dyads/burmester.hpp"
 
 #include <algorithm>
 #include <cmath>

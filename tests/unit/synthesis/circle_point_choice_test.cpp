@@ -1,4 +1,4 @@
-#include "synthesis/circle_point_choice.hpp"
+#include "studies/synthesis/dyads/circle_point_choice.hpp"
 
 #include <cmath>
 #include <numbers>

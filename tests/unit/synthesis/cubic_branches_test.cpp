@@ -1,4 +1,4 @@
-#include "synthesis/cubic_branches.hpp"
+#include "studies/synthesis/curves/cubic_branches.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "synthesis/degeneracy.hpp"
+#include "studies/synthesis/linkages/degeneracy.hpp"
 
 #include <numbers>
 #include <string>
@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "synthesis/burmester.hpp"
-#include "synthesis/few_positions.hpp"
+#include "studies/synthesis/dyads/burmester.hpp"
+#include "studies/synthesis/dyads/few_positions.hpp"
 
 namespace kinestat {
 namespace {

@@ -9,9 +9,9 @@
 #include "known_linkage.hpp"
 #include "near_dyad.hpp"
 #include "reference_tasks.hpp"
-#include "synthesis/burmester.hpp"
-#include "synthesis/internal/dyad_point.hpp"
-#include "synthesis/synthesis.hpp"
+#include "studies/synthesis/dyads/burmester.hpp"
+#include "studies/synthesis/dyads/internal/dyad_point.hpp"
+#include "studies/synthesis/synthesis.hpp"
 
 namespace kinestat {
 namespace {

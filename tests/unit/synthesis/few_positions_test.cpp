@@ -1,4 +1,4 @@
-#include "synthesis/few_positions.hpp"
+#include "studies/synthesis/dyads/few_positions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include "known_linkage.hpp"
 #include "near_dyad.hpp"
-#include "synthesis/cubic_branches.hpp"
-#include "synthesis/specification.hpp"
+#include "studies/synthesis/curves/cubic_branches.hpp"
+#include "studies/synthesis/positions/specification.hpp"
 
 namespace kinestat {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "known_linkage.hpp"
 #include "near_dyad.hpp"
-#include "synthesis/burmester.hpp"
+#include "studies/synthesis/dyads/burmester.hpp"
 
 namespace kinestat {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "studies/synthesis/dyads/dyad.hpp"
 #include "support/random.hpp"
-#include "synthesis/dyad.hpp"
 
 namespace kinestat {
 

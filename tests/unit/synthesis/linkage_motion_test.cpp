@@ -1,4 +1,4 @@
-#include "synthesis/linkage_motion.hpp"
+#include "studies/synthesis/linkages/linkage_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "known_linkage.hpp"
+#include "studies/synthesis/linkages/verdict.hpp"
 #include "support/angles.hpp"
-#include "synthesis/verdict.hpp"
 
 namespace kinestat {
 namespace {

@@ -1,4 +1,4 @@
-#include "synthesis/linkage.hpp"
+#include "studies/synthesis/linkages/linkage.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 
 #include "reference_four_bars.hpp"
 #include "reference_tasks.hpp"
+#include "studies/synthesis/linkages/cognates.hpp"
+#include "studies/synthesis/linkages/verdict.hpp"
 #include "support/angles.hpp"
-#include "synthesis/cognates.hpp"
-#include "synthesis/verdict.hpp"
 
 namespace kinestat {
 namespace {

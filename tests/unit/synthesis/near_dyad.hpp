@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "synthesis/dyad.hpp"
+#include "studies/synthesis/dyads/dyad.hpp"
 
 namespace kinestat {
 

@@ -1,4 +1,4 @@
-#include "synthesis/plane_cubic.hpp"
+#include "studies/synthesis/curves/plane_cubic.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "synthesis/precise_burmester.hpp"
+#include "studies/synthesis/dyads/precise_burmester.hpp"
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "synthesis/linkage.hpp"
+#include "studies/synthesis/linkages/linkage.hpp"
 
 namespace kinestat {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "synthesis/dyad.hpp"
+#include "studies/synthesis/dyads/dyad.hpp"
 
 namespace kinestat {
 

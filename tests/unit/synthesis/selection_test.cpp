@@ -1,4 +1,4 @@
-#include "synthesis/selection.hpp"
+#include "studies/synthesis/selection/selection.hpp"
 
 #include <array>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "studies/synthesis/positions/specification.hpp"
 #include "support/angles.hpp"
-#include "synthesis/specification.hpp"
 
 namespace kinestat {
 namespace {

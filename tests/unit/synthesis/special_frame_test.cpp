@@ -1,4 +1,4 @@
-#include "synthesis/special_frame.hpp"
+#include "studies/synthesis/positions/special_frame.hpp"
 
 #include <cmath>
 #include <vector>
@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "near_dyad.hpp"
-#include "synthesis/path_curvature.hpp"
+#include "studies/synthesis/positions/path_curvature.hpp"
 
 namespace kinestat {
 namespace {

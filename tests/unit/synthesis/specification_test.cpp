@@ -1,4 +1,4 @@
-#include "synthesis/specification.hpp"
+#include "studies/synthesis/positions/specification.hpp"
 
 #include <cmath>
 #include <limits>
@@ -9,9 +9,9 @@
 
 #include "near_dyad.hpp"
 #include "reference_tasks.hpp"
+#include "studies/synthesis/dyads/burmester.hpp"
+#include "studies/synthesis/positions/special_frame.hpp"
 #include "support/angles.hpp"
-#include "synthesis/burmester.hpp"
-#include "synthesis/special_frame.hpp"
 
 namespace kinestat {
 namespace {

@@ -1,4 +1,4 @@
-#include "synthesis/synthesis.hpp"
+#include "studies/synthesis/synthesis.hpp"
 
 #include <algorithm>
 #include <string>

@@ -9,8 +9,8 @@
 
 #include "core/types.hpp"
 #include "known_linkage.hpp"
-#include "synthesis/linkage_motion.hpp"
-#include "synthesis/verdict.hpp"
+#include "studies/synthesis/linkages/linkage_motion.hpp"
+#include "studies/synthesis/linkages/verdict.hpp"
 
 namespace kinestat {
 namespace {

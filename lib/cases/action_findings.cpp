@@ -1,0 +1,365 @@
+#include "cases/action_findings.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "cases/cable_findings.hpp"
+#include "cases/known_side.hpp"
+#include "core/text.hpp"
+#include "screw/bounded_screw.hpp"
+#include "statics/one_sided_action.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// "body 'planet5' can turn about the axis (0, 0, 1) through (0, 17, 0) mm", lengths in file units.
+std::string unconstrained_text(const JudgedFile& file, const UnconstrainedMotion& unconstrained) {
+  const auto axis = find_axis(written(unconstrained.twist), file.mechanism.geometry.length);
+  const std::string body = file.mechanism.topology.body(unconstrained.body).name;
+  const bool is_planar = file.mechanism.space == Space::planar;
+  const auto list = [&](const Vec3& v) {
+    const Vec3 unsigned_zeros = v + Vec3::Zero();
+    const std::string first =
+        fmt::format("({:.6g}, {:.6g}", unsigned_zeros.x(), unsigned_zeros.y());
+    return first + (is_planar ? ")" : fmt::format(", {:.6g})", unsigned_zeros.z()));
+  };
+  if (!axis) {
+    return fmt::format("body '{}' can move", body);
+  }
+  if (!axis->point) {
+    return fmt::format("body '{}' can slide along {}", body, list(axis->direction));
+  }
+  const FileUnits& units = file.description.units;
+  const double metre = units.factor(QuantityKind::length);
+  const Vec3 point = (*axis->point + file.mechanism.geometry.origin) / metre;
+  const std::string& unit = units.text(QuantityKind::length);
+  if (is_planar) {
+    return fmt::format("body '{}' can turn about the point {} {}", body, list(point), unit);
+  }
+  const bool is_screw = *axis->pitch != 0.0;
+  return fmt::format(
+      "body '{}' can turn about the axis {} through {} {}{}",
+      body,
+      list(axis->direction),
+      list(point),
+      unit,
+      is_screw ? fmt::format(", sliding {:.6g} {}/rad along it", *axis->pitch / metre, unit) : "");
+}
+
+// "load 'wind'", or "loads 'wind', 'gravity.arm'".
+std::string loads_text(const std::vector<Load>& loads, const std::vector<int>& working) {
+  std::vector<std::string> names;
+  for (const int i : working) {
+    names.push_back(fmt::format("'{}'", loads[static_cast<std::size_t>(i)].name));
+  }
+  return fmt::format("load{} {}", names.size() == 1 ? "" : "s", plain_list(names));
+}
+
+// Loads act on a motion that nothing resists, whatever the primaries are.
+void add_unbalanced_loads(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const std::optional<UnconstrainedMotion>& unconstrained = one.action->unconstrained;
+  const bool is_named = unconstrained && !unconstrained->loads.empty();
+  const auto& loads = one.which.loads;
+  const std::string nameless =
+      file.mechanism.frictions.empty() ? "the loads" : "what friction causes";
+  found.error("E0602",
+              is_named ? loads[static_cast<std::size_t>(unconstrained->loads.front())].where
+                       : one.which.where,
+              fmt::format("case '{}' has no equilibrium: nothing balances {}{}",
+                          one.which.label,
+                          is_named ? loads_text(loads, unconstrained->loads) : nameless,
+                          unconstrained ? ": " + unconstrained_text(file, *unconstrained) : ""),
+              "add an actuator or a coupling that holds this motion, or remove the load");
+}
+
+void add_contradiction(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const StaticSolution& action = *one.action;
+  if (action.check.dependences.empty()) {
+    add_unbalanced_loads(file, one, found);
+    return;
+  }
+  const KnownSide side = action_side(file, one.which);
+  found.error(
+      "E0602",
+      place_of_surplus(one.which.actions, action.check, one.which.where),
+      fmt::format("case '{}' has no equilibrium: {}{}{}",
+                  one.which.label,
+                  cutsets_text(file, action, side),
+                  !action.unconstrained ? ""
+                  : !file.mechanism.frictions.empty()
+                      ? "; without friction nothing resists the motion: "
+                  : one.which.loads.empty() ? "; nothing resists the motion: "
+                                            : "; nothing balances the load: ",
+                  action.unconstrained ? unconstrained_text(file, *action.unconstrained) : ""),
+      removal_text(action.check, side) + " so that it is solved, or add what holds this motion");
+}
+
+// "work = -3305.72 N": what an equilibrium demands of the actuators that the case does not know, or
+// of the first action, if there are none.
+std::string demands_text(const JudgedFile& file, const CaseAnalysis& one, const VecX& actions) {
+  const KnownSide side = action_side(file, one.which);
+  const auto is_known = [&](int a) {
+    return std::ranges::find(one.which.actions, a, &Primary::index) != one.which.actions.end();
+  };
+  const auto is_open = [&](int a) {
+    return one.action->status == SolveStatus::underdetermined &&
+           std::ranges::find(one.action->check.undetermined, a) !=
+               one.action->check.undetermined.end();
+  };
+  std::vector<int> shown;
+  for (const int a : file.mechanism.topology.driving_actions()) {
+    if (!is_known(a) && !is_open(a)) {
+      shown.push_back(a);
+    }
+  }
+  for (int a = 0; shown.empty() && a < actions.size(); ++a) {
+    if (!is_known(a) && !is_open(a)) {
+      shown.push_back(a);
+    }
+  }
+  std::vector<std::string> parts;
+  for (const int a : shown) {
+    parts.push_back(fmt::format(
+        "{} = {:.6g} {}", side.name(a), actions[a] / side.unit(a), side.units.text(side.kind(a))));
+  }
+  return plain_list(parts);
+}
+
+// Without friction nothing balances a known action; with it, actions of either sign may.
+void add_held_by_friction(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const StaticSolution& action = *one.action;
+  std::string equilibria = demands_text(file, one, action.other_actions.front());
+  for (std::size_t i = 1; i < action.other_actions.size(); ++i) {
+    equilibria += ", or " + demands_text(file, one, action.other_actions[i]);
+  }
+  found.error(
+      "E0605",
+      place_of_surplus(one.which.actions, action.check, one.which.where),
+      fmt::format("case '{}': nothing but friction holds the known actions, which leaves "
+                  "open how it is pressed: {}",
+                  one.which.label,
+                  equilibria),
+      removal_text(action.check, action_side(file, one.which)) + " and give one of these instead");
+}
+
+void add_other_equilibrium(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  if (one.action->magnitudes.empty() || one.action->other_actions.empty()) {
+    return;
+  }
+  found.warning("W0608",
+                one.which.where,
+                fmt::format("case '{}' has another equilibrium with this friction: {}",
+                            one.which.label,
+                            demands_text(file, one, one.action->other_actions.front())),
+                "the answer is the one that grows out of that without friction; to have the other, "
+                "give one of its actions instead of a known one");
+}
+
+std::string names_of(const std::vector<CouplingId>& couplings, const Topology& topology) {
+  std::vector<std::string> names;
+  for (const CouplingId id : couplings) {
+    names.push_back(fmt::format("'{}'", topology.coupling(id).name));
+  }
+  return plain_list(names);
+}
+
+// Whether a cable rests on its pulley.
+bool is_of_cable(const StaticSolution& action, const Mechanism& mechanism) {
+  return std::ranges::any_of(mechanism.contacts, [&](const CableContact& contact) {
+    return contact.slips &&
+           std::ranges::find(action.at_rest, *contact.slips) != action.at_rest.end();
+  });
+}
+
+void add_friction_at_rest(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const bool has_motion = one.motion.has_value();
+  if (has_motion && one.motion->status != SolveStatus::solved) {
+    return;  // why it has no answer is said of the motion
+  }
+  found.error("E0604",
+              one.which.where,
+              fmt::format("case '{}': the friction of {} has no direction, because {}",
+                          one.which.label,
+                          names_of(one.action->at_rest, file.mechanism.topology),
+                          has_motion ? "nothing moves there" : "the case gives no motion"),
+              has_motion
+                  ? is_of_cable(*one.action, file.mechanism)
+                        ? "friction at rest may have any size up to its limit: declare an actuator "
+                          "on this coupling, which then holds the cable, or let the cable slip"
+                        : "friction at rest may have any size up to its limit: remove it from this "
+                          "coupling, or give a motion in which it moves"
+                  : "add 'motion:' to the case; its direction decides, and its size where there is "
+                    "viscous friction");
+}
+
+// What has no value, neither from equilibrium nor from what completes it.
+std::vector<int> find_open(const StaticSolution& action) {
+  std::vector<int> open;
+  std::ranges::copy_if(action.check.undetermined, std::back_inserter(open), [&](int a) {
+    return !is_completed(action, a);
+  });
+  return open;
+}
+
+// What to type where the known actions are too few: more of them, or what completes them.
+std::string ways_out(const JudgedFile& file, const PrimaryCheck& check, const KnownSide& side) {
+  const std::string more = completions_text(check, side);
+  if (file.mechanism.indeterminate == IndeterminateChoice::stiffness) {
+    return "give a 'stiffness:' to those of them that are not rigid" +
+           (more.empty() ? "" : "; or " + more);
+  }
+  return more + (more.empty() ? "" : "; or ") +
+         "add 'statics: {indeterminate: minimum_norm}', or 'stiffness:' to couplings and "
+         "'statics: {indeterminate: stiffness}'";
+}
+
+void add_indeterminacy(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const StaticSolution& action = *one.action;
+  const std::vector<int> open = find_open(action);
+  if (open.empty()) {
+    return;  // completed as the file asks for
+  }
+  if (found.is_reported("W0601", one.which.where)) {
+    found.warning("W0601", one.which.where, {});
+    return;
+  }
+  const KnownSide side = action_side(file, one.which);
+  const bool has_completion = action.completion.by != IndeterminateChoice::report;
+  const bool waits_for_friction = !action.open_friction.empty();
+  found.warning(
+      "W0601",
+      one.which.where,
+      fmt::format("case '{}' knows {} of the {} actions needed; {} {}{}",
+                  one.which.label,
+                  one.which.actions.size(),
+                  action.counts.net_constraint,
+                  has_completion ? "neither equilibrium nor stiffness determines"
+                                 : "equilibrium does not determine",
+                  plain_list(names_of(open, side)),
+                  waits_for_friction
+                      ? fmt::format(", on which the friction of {} depends",
+                                    names_of(action.open_friction, file.mechanism.topology))
+                      : ""),
+      waits_for_friction ? "leave out with 'passive:' what a bearing does not take; or " +
+                               completions_text(action.check, side)
+                         : ways_out(file, action.check, side));
+}
+
+struct ReactionWords {
+  std::string_view what;
+  std::string_view key;
+};
+
+ReactionWords words_of(Reaction reaction) {
+  switch (reaction) {
+    case Reaction::axial:
+      return {"force along its axis", "'thrust_radius', the mean radius of what bears it"};
+    case Reaction::tilting:
+      return {"couple across its axis", "'length', over which its two ends bear it"};
+    case Reaction::torsion:
+      return {"couple about its axis", "'radius', at which it is kept from turning"};
+  }
+  return {};
+}
+
+void add_ignored_reactions(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const FileUnits& units = file.description.units;
+  for (const IgnoredReaction& ignored : one.action->ignored) {
+    const QuantityKind kind =
+        ignored.reaction == Reaction::axial ? QuantityKind::force : QuantityKind::moment;
+    const CouplingTopology& coupling = file.mechanism.topology.coupling(ignored.coupling);
+    const ReactionWords words = words_of(ignored.reaction);
+    CaseFinding& added = found.warning(
+        "W0604",
+        coupling.where,
+        fmt::format("case '{}': the friction of '{}' does not count its {} of {:.6g} {}",
+                    one.which.label,
+                    coupling.name,
+                    words.what,
+                    ignored.size / units.factor(kind),
+                    units.text(kind)),
+        fmt::format("add to its friction {}", words.key));
+    added.element = words.what;
+    added.size = ignored.size;
+  }
+}
+
+// A contact of two surfaces can only push; positive is along its normal, from tail to head.
+void add_pulling_contacts(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const Topology& topology = file.mechanism.topology;
+  const FileUnits& units = file.description.units;
+  for (const int a : find_pulling_contacts(file.mechanism, *one.action)) {
+    const auto action = static_cast<std::size_t>(a);
+    const CouplingTopology& coupling = topology.coupling(topology.actions[action].coupling);
+    const double pull = -one.action->magnitudes[action].value_or(0.0);
+    CaseFinding& added = found.warning(
+        "W0605",
+        coupling.where,
+        fmt::format("case '{}': the surfaces of '{}' would have to pull on each other "
+                    "with {:.6g} {}",
+                    one.which.label,
+                    coupling.name,
+                    pull / units.factor(QuantityKind::force),
+                    units.text(QuantityKind::force)),
+        "they part; or turn the normal round: it points from the first of the bodies "
+        "to the second");
+    added.element = coupling.name;
+    added.size = pull;
+  }
+}
+
+}  // namespace
+
+void add_action_status_findings(const JudgedFile& file,
+                                const CaseAnalysis& one,
+                                CaseFindings& found) {
+  const StaticSolution& action = *one.action;
+  const KnownSide side = action_side(file, one.which);
+  if (!action.other_actions.empty() && action.magnitudes.empty()) {
+    add_held_by_friction(file, one, found);
+  } else if (action.status == SolveStatus::inconsistent) {
+    add_contradiction(file, one, found);
+  } else if (action.status == SolveStatus::dependent) {
+    found.error("E0601",
+                place_of_surplus(one.which.actions, action.check, one.which.where),
+                fmt::format("case '{}' gives actions that depend on each other{}: {}",
+                            one.which.label,
+                            one.which.loads.empty() ? "" : " and on the loads",
+                            cutsets_text(file, action, side)),
+                removal_text(action.check, side));
+  } else if (action.status == SolveStatus::overflow) {
+    found.error(
+        "E0603",
+        one.which.where,
+        fmt::format("case '{}': actions are too large to be computed with", one.which.label),
+        one.which.loads.empty()
+            ? "give smaller actions; the answer is proportional to them"
+            : "give smaller actions and loads; the answer is proportional to them");
+  } else if (action.status == SolveStatus::at_rest) {
+    add_friction_at_rest(file, one, found);
+  } else if (action.status == SolveStatus::locked) {
+    found.warning("W0603",
+                  one.which.where,
+                  fmt::format("case '{}' locks: the friction that the actions cause grows with "
+                              "them beyond all bounds",
+                              one.which.label),
+                  "nothing moves so, however strong the drive; known actions of another member, a "
+                  "smaller coefficient of friction or another direction of motion have an answer");
+  } else if (action.status == SolveStatus::underdetermined) {
+    add_indeterminacy(file, one, found);
+  }
+}
+
+void add_action_value_findings(const JudgedFile& file,
+                               const CaseAnalysis& one,
+                               CaseFindings& found) {
+  add_ignored_reactions(file, one, found);
+  add_other_equilibrium(file, one, found);
+  add_pulling_contacts(file, one, found);
+  add_cable_findings(file, one, found);
+}
+
+}  // namespace kinestat

@@ -1,0 +1,68 @@
+// What the report of one file is made of.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinematics/kinematic_solution.hpp"
+#include "mechanism/mechanism.hpp"
+#include "power/power_flow.hpp"
+#include "power/power_graph.hpp"
+#include "power/ratio.hpp"
+#include "power/transmission_efficiency.hpp"
+#include "statics/contact_state.hpp"
+#include "statics/static_solution.hpp"
+#include "studies/mobility/counts.hpp"
+#include "studies/sensitivity/affine.hpp"
+#include "studies/shift/shift_solution.hpp"
+
+namespace kinestat {
+
+/// The dependence of one rate or action on the free parameters, the magnitude in SI, the parameters
+/// in their units; empty if it is not affine.
+struct AffineMagnitude {
+  int index = 0;  ///< into Topology::freedoms or Topology::actions
+  std::optional<AffineValue> value;
+};
+
+/// A parameter that the file leaves free; the unit is empty for a bare number.
+struct FreeParameterLabel {
+  std::string name;
+  std::string unit;
+};
+
+/// The passes that a case asked for; a pass that it did not ask for is empty.
+struct CaseAnalysis {
+  Case which;
+  std::optional<KinematicSolution> motion;
+  std::optional<StaticSolution> action;
+  std::vector<ContactState> contacts;  ///< of cables with pulleys, in the order of the mechanism's
+  std::optional<VecX> pretension;      ///< of each action, which keeps pushed segments in tension
+  std::vector<int> coast_flanks;       ///< of geometry.other_flanks: those on which the teeth press
+  std::optional<PowerFlow> power;
+  std::optional<PowerGraph> power_graph;             ///< beside `power`
+  std::optional<TransmissionEfficiency> efficiency;  ///< beside `power`, where meshes lose any
+  std::optional<Ratios> ratios;
+  std::vector<AffineMagnitude> affine_rates;    ///< only those that depend on a free parameter
+  std::vector<AffineMagnitude> affine_actions;  ///< likewise
+};
+
+/// The section `shift` and the states of the transmission.
+struct ShiftAnalysis {
+  ShiftPlan plan;
+  ShiftSolution solution;
+};
+
+/// One mechanism with its counts and its cases, in file order, then its gears.
+struct Analysis {
+  std::string file;  ///< as the user gave it
+  MechanismDescription description;
+  Mechanism mechanism;
+  MobilityCounts mobility;
+  std::vector<CaseAnalysis> cases;
+  std::optional<ShiftAnalysis> shift;
+  std::vector<FreeParameterLabel> free_parameters;
+};
+
+}  // namespace kinestat

@@ -1,0 +1,107 @@
+#include "cases/cable_findings.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "statics/one_sided_action.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// "belt_1.F = 12 N and belt_2.F = 12 N", what the pretension adds to the segments.
+std::string pretension_text(const JudgedFile& file, const VecX& pretension) {
+  const Topology& topology = file.mechanism.topology;
+  const FileUnits& units = file.description.units;
+  std::vector<std::string> names;
+  for (const CouplingTopology& coupling : topology.couplings) {
+    const double force =
+        coupling.type == CouplingType::cable ? pretension[coupling.first_action] : 0.0;
+    if (force > 0.0) {
+      names.push_back(fmt::format("{} {:.6g} {}",
+                                  topology.action_name(coupling.first_action),
+                                  units.from_si(QuantityKind::force, force),
+                                  units.text(QuantityKind::force)));
+    }
+  }
+  return plain_list(names);
+}
+
+void add_pushed_segments(const JudgedFile& file,
+                         const CaseAnalysis& one,
+                         const std::vector<CouplingId>& pushed,
+                         CaseFindings& found) {
+  const Topology& topology = file.mechanism.topology;
+  const FileUnits& units = file.description.units;
+  const std::string hint =
+      one.pretension
+          ? fmt::format("a pretension keeps the cables in tension: add at least {}",
+                        pretension_text(file, *one.pretension))
+          : "a cable only pulls, and no self-stress beside the known actions pulls at this one: "
+            "raise a known action, turn round the load or the motion, or hold the cable by another "
+            "actuator";
+  for (const CouplingId id : pushed) {
+    const CouplingTopology& segment = topology.coupling(id);
+    const double force =
+        one.action->magnitudes[static_cast<std::size_t>(segment.first_action)].value_or(0.0);
+    CaseFinding& added =
+        found.warning("W0606",
+                      segment.where,
+                      fmt::format("case '{}': segment '{}' would be in compression with {:.6g} {}",
+                                  one.which.label,
+                                  segment.name,
+                                  units.from_si(QuantityKind::force, -force),
+                                  units.text(QuantityKind::force)),
+                      hint);
+    added.element = segment.name;
+    added.size = -force;
+  }
+}
+
+// A contact with a slack side slips for want of tension, which that side's finding says.
+void add_slipping_cables(const JudgedFile& file,
+                         const CaseAnalysis& one,
+                         const std::vector<CouplingId>& pushed,
+                         CaseFindings& found) {
+  for (std::size_t i = 0; i < one.contacts.size(); ++i) {
+    const ContactState& state = one.contacts[i];
+    const CableContact& contact = file.mechanism.contacts[i];
+    const auto is_slack = [&](CouplingId side) {
+      return std::ranges::find(pushed, side) != pushed.end();
+    };
+    if (state.belt_state != BeltState::beyond_limit || is_slack(contact.arrives) ||
+        is_slack(contact.leaves)) {
+      continue;
+    }
+    CaseFinding& added = found.warning(
+        "W0607",
+        contact.where,
+        fmt::format(
+            "case '{}': the cable would slip in '{}': friction holds tensions of a ratio of "
+            "up to {:.6g}, and this is {}",
+            one.which.label,
+            contact.name,
+            *state.limit,
+            state.ratio ? fmt::format("{:.6g}", *state.ratio) : "more than any ratio"),
+        contact.slips
+            ? "more pretension, a larger contact angle or more friction hold it; or give the "
+              "virtual link a motion, with which it slips"
+            : "more pretension, a larger contact angle or more friction hold it; or let it slip: "
+              "'slip: true', and a motion of the virtual link");
+    added.element = contact.name;
+    added.size = state.ratio.value_or(std::numeric_limits<double>::infinity());
+  }
+}
+
+}  // namespace
+
+void add_cable_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const std::vector<CouplingId> pushed = find_pushed_segments(file.mechanism, *one.action);
+  add_pushed_segments(file, one, pushed, found);
+  add_slipping_cables(file, one, pushed, found);
+}
+
+}  // namespace kinestat

@@ -1,0 +1,222 @@
+#include "cases/case_findings.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cases/action_findings.hpp"
+#include "cases/case_word.hpp"
+#include "cases/known_side.hpp"
+#include "core/text.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// The state of the shift table that the case is; null if it is none.
+const ShiftState* find_state(const JudgedFile& file, const CaseAnalysis& one) {
+  if (!file.shift) {
+    return nullptr;
+  }
+  const std::vector<NamedShiftState>& states = file.shift->solution.states;
+  const auto state = std::ranges::find(states, one.which.label, &NamedShiftState::name);
+  const bool is_gear = state != states.end() && state->state.kind == ShiftClass::gear;
+  return is_gear ? &state->state : nullptr;
+}
+
+// A gear may leave freedoms beside it: the shift table says so.
+bool is_idle_gear(const JudgedFile& file, const CaseAnalysis& one) {
+  const ShiftState* state = find_state(file, one);
+  return state != nullptr && state->idle > 0;
+}
+
+// Elements that follow from each other leave their torques open: the shift table says so.
+bool is_open_gear(const JudgedFile& file, const CaseAnalysis& one) {
+  const ShiftState* state = find_state(file, one);
+  return state != nullptr && !state->surplus.empty() &&
+         one.action->status == SolveStatus::underdetermined;
+}
+
+void add_motion_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const KinematicSolution& motion = *one.motion;
+  const KnownSide side = motion_side(file, one.which);
+  if (motion.status == SolveStatus::dependent && motion.check.dependences.empty()) {
+    found.error("E0502",
+                one.which.where,
+                fmt::format("case '{}' gives motions that depend on each other", one.which.label),
+                "the mechanism closes by least squares alone, which does not tell how; give no "
+                "more motions than it has drives");
+  } else if (motion.status == SolveStatus::underdetermined && motion.check.undetermined.empty()) {
+    found.error("E0501",
+                one.which.where,
+                fmt::format("case '{}' does not determine the motion", one.which.label),
+                "the mechanism closes by least squares alone; give the motions of its drives");
+  } else if (motion.status == SolveStatus::dependent) {
+    found.error("E0502",
+                place_of_surplus(one.which.motions, motion.check, one.which.where),
+                fmt::format("case '{}' gives motions that depend on each other: {}",
+                            one.which.label,
+                            circuits_text(file, motion, side)),
+                removal_text(motion.check, side) +
+                    (motion.check.missing > 0
+                         ? fmt::format(", and {}", completions_text(motion.check, side))
+                         : ""));
+  } else if (motion.status == SolveStatus::overflow) {
+    found.error(
+        "E0503",
+        one.which.where,
+        fmt::format("case '{}': velocities are too large to be computed with", one.which.label),
+        "give smaller motions; the answer is proportional to them");
+  } else if (motion.status == SolveStatus::underdetermined && !is_idle_gear(file, one)) {
+    found.error("E0501",
+                one.which.where,
+                fmt::format("case '{}' knows {} of the {} motions needed (net degree of freedom "
+                            "{}); undetermined are {}",
+                            one.which.label,
+                            one.which.motions.size(),
+                            motion.counts.net_freedom,
+                            motion.counts.net_freedom,
+                            plain_list(names_of(motion.check.undetermined, side))),
+                completions_text(motion.check, side));
+  }
+}
+
+// At the coupling of the output.
+void add_locking(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const Topology& topology = file.mechanism.topology;
+  const ActuatorTopology& output =
+      topology.actuators[static_cast<std::size_t>(one.which.outputs.front())];
+  const CouplingId coupling = topology.freedoms[static_cast<std::size_t>(output.freedom)].coupling;
+  const TransmissionEfficiency& efficiency = *one.efficiency;
+  found.warning(
+      "W0702",
+      topology.coupling(coupling).where,
+      fmt::format("case '{}' is self-locking: {}, so output '{}' cannot be driven like that",
+                  one.which.label,
+                  efficiency.carrier.reason,
+                  output.name),
+      efficiency.carrier_backward.value
+          ? fmt::format(
+                "driven by the output, its efficiency is {:.6g}; that may be what is wanted",
+                *efficiency.carrier_backward.value)
+          : "that may be what is wanted; smaller losses or another ratio would let it turn");
+}
+
+void add_second_answer(const CaseAnalysis& one, CaseFindings& found) {
+  const TransmissionEfficiency& efficiency = *one.efficiency;
+  for (const auto* way : {&efficiency.carrier, &efficiency.carrier_backward}) {
+    if (way->other) {
+      found.warning(
+          "W0703",
+          one.which.where,
+          fmt::format("case '{}'{} has two efficiencies with its mesh losses, {:.6g} and {:.6g}",
+                      one.which.label,
+                      way == &efficiency.carrier ? "" : ", driven by the output,",
+                      *way->value,
+                      *way->other),
+          "either may hold, and how the train was started decides; losses of some hundredths have "
+          "one answer");
+    }
+  }
+}
+
+// No motion moves the axes to another body.
+void add_missing_carriers(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  for (const CouplingId mesh : one.efficiency->without_carrier) {
+    const CouplingTopology& coupling = file.mechanism.topology.coupling(mesh);
+    found.warning("W0701",
+                  coupling.where,
+                  fmt::format("the loss of mesh '{}' is not known, since no one body holds the "
+                              "axes of its gears",
+                              coupling.name),
+                  "join each of them to its carrier by a coupling of type revolute, or take the "
+                  "mesh out of 'losses'");
+  }
+}
+
+void add_power_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const bool is_locked_anyway = one.power && one.power->is_self_locking;
+  if (is_locked_anyway) {
+    found.warning("W0602",
+                  one.which.where,
+                  fmt::format("case '{}' is self-locking: friction takes more than the input "
+                              "gives, so the output must drive too",
+                              one.which.label),
+                  "in this direction nothing moves by itself; that may be what is wanted");
+  }
+  if (one.efficiency && one.efficiency->carrier.is_self_locking && !is_locked_anyway) {
+    add_locking(file, one, found);
+  }
+  if (one.power && !one.power->is_balanced) {
+    CaseFinding& added = found.error(
+        "E0701",
+        one.which.where,
+        fmt::format("case '{}': the powers sum to {:.3g} of the largest instead of zero",
+                    one.which.label,
+                    one.power->balance_residual),
+        "the position is close to singular, or the scales are too far apart");
+    added.size = one.power->balance_residual;
+  }
+  if (one.efficiency) {
+    add_second_answer(one, found);
+    add_missing_carriers(file, one, found);
+  }
+}
+
+}  // namespace
+
+CaseFinding& CaseFindings::error(std::string_view code,
+                                 SourceRange where,
+                                 std::string message,
+                                 std::string hint) {
+  return items_.emplace_back(CaseFinding{.severity = Severity::error,
+                                         .code = code,
+                                         .where = where,
+                                         .message = std::move(message),
+                                         .hint = std::move(hint)});
+}
+
+CaseFinding& CaseFindings::warning(std::string_view code,
+                                   SourceRange where,
+                                   std::string message,
+                                   std::string hint) {
+  return items_.emplace_back(CaseFinding{.severity = Severity::warning,
+                                         .code = code,
+                                         .where = where,
+                                         .message = std::move(message),
+                                         .hint = std::move(hint)});
+}
+
+JudgedFile judged_file(const Analysis& analysis) {
+  return {.description = analysis.description,
+          .mechanism = analysis.mechanism,
+          .shift = analysis.shift};
+}
+
+CaseFindings find_case_findings(const JudgedFile& file,
+                                const CaseAnalysis& one,
+                                IsReported is_reported) {
+  CaseFindings found(std::move(is_reported));
+  if (one.motion) {
+    add_motion_findings(file, one, found);
+  }
+  if (one.action && !is_open_gear(file, one)) {
+    add_action_status_findings(file, one, found);
+  }
+  if (one.action) {
+    add_action_value_findings(file, one, found);
+  }
+  add_power_findings(file, one, found);
+  return found;
+}
+
+void add(const CaseFinding& one, Diagnostics& found) {
+  if (one.severity == Severity::error) {
+    found.error(one.code, one.where, one.message, one.hint);
+  } else {
+    found.warning(one.code, one.where, one.message, one.hint);
+  }
+}
+
+}  // namespace kinestat

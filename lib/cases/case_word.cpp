@@ -1,0 +1,47 @@
+#include "cases/case_word.hpp"
+
+#include <algorithm>
+
+#include "statics/one_sided_action.hpp"
+
+namespace kinestat {
+
+std::string_view impossible_word(const Mechanism& mechanism, const CaseAnalysis& one) {
+  if (!one.action) {
+    return {};
+  }
+  if (!find_pushed_segments(mechanism, *one.action).empty()) {
+    return "cable_slack";
+  }
+  if (!find_pulling_contacts(mechanism, *one.action).empty()) {
+    return "contact_pulls";
+  }
+  return std::ranges::find(one.contacts, BeltState::beyond_limit, &ContactState::belt_state) ==
+                 one.contacts.end()
+             ? ""
+             : "cable_slips";
+}
+
+std::string_view case_word(const Mechanism& mechanism, const CaseAnalysis& one, bool asks_power) {
+  if (one.motion && one.motion->status != SolveStatus::solved) {
+    return word_of(one.motion->status);
+  }
+  const SolveStatus status = one.action ? one.action->status : SolveStatus::solved;
+  if (status != SolveStatus::solved && status != SolveStatus::underdetermined) {
+    return one.action && !one.action->other_actions.empty() ? "ambiguous" : word_of(status);
+  }
+  if (const std::string_view word = impossible_word(mechanism, one); !word.empty()) {
+    return word;
+  }
+  if (status != SolveStatus::solved) {
+    return word_of(status);
+  }
+  if (asks_power && one.power && !one.power->is_balanced) {
+    return "unbalanced";
+  }
+  const bool is_self_locking = one.efficiency ? one.efficiency->carrier.is_self_locking
+                                              : one.power && one.power->is_self_locking;
+  return asks_power && is_self_locking ? "self_locking" : "solved";
+}
+
+}  // namespace kinestat

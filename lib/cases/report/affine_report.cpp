@@ -1,0 +1,86 @@
+#include "cases/report/affine_report.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "mechanism/label_kind.hpp"
+#include "report/numbers.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// A magnitude with what is needed to show it.
+struct Shown {
+  std::string name;
+  QuantityKind kind = QuantityKind::force;
+  const std::optional<AffineValue>& value;
+};
+
+template <class Use>
+void for_each_magnitude(const Analysis& analysis, const CaseAnalysis& one, const Use& use) {
+  const Topology& topology = analysis.mechanism.topology;
+  for (const AffineMagnitude& rate : one.affine_rates) {
+    const bool turns = topology.freedoms[static_cast<std::size_t>(rate.index)].is_rotation;
+    use(Shown{
+        .name = topology.freedom_name(rate.index), .kind = rate_kind(turns), .value = rate.value});
+  }
+  for (const AffineMagnitude& action : one.affine_actions) {
+    const bool turns = topology.actions[static_cast<std::size_t>(action.index)].is_couple;
+    use(Shown{.name = topology.action_name(action.index),
+              .kind = action_kind(turns),
+              .value = action.value});
+  }
+}
+
+// "- 3.831 h_z", or without the sign's space at the beginning.
+void add_term(double coefficient, const std::string& name, std::string& sum) {
+  const bool is_negative = coefficient < 0.0;
+  sum += sum.empty() ? (is_negative ? "-" : "") : (is_negative ? " - " : " + ");
+  sum += format_short(std::abs(coefficient));
+  sum += name.empty() ? "" : " " + name;
+}
+
+std::string sum_text(const Analysis& analysis, const Shown& shown) {
+  const FileUnits& units = analysis.description.units;
+  std::string sum;
+  if (shown.value->constant != 0.0) {
+    add_term(units.from_si(shown.kind, shown.value->constant), "", sum);
+  }
+  for (std::size_t i = 0; i < analysis.free_parameters.size(); ++i) {
+    const double coefficient = units.from_si(shown.kind, shown.value->coefficients[i]);
+    if (coefficient != 0.0) {
+      add_term(coefficient, analysis.free_parameters[i].name, sum);
+    }
+  }
+  return sum;
+}
+
+// "b_z, c_z in m, alpha in rad": the units in which the parameters count.
+std::string parameters_text(const std::vector<FreeParameterLabel>& parameters) {
+  std::vector<std::string> parts;
+  for (const FreeParameterLabel& one : parameters) {
+    parts.push_back(one.unit.empty() ? one.name : fmt::format("{} [{}]", one.name, one.unit));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+std::string affine_text(const Analysis& analysis, const CaseAnalysis& one) {
+  std::string lines;
+  for_each_magnitude(analysis, one, [&](const Shown& shown) {
+    lines += shown.value ? fmt::format("  {} [{}] = {}\n",
+                                       shown.name,
+                                       analysis.description.units.text(shown.kind),
+                                       sum_text(analysis, shown))
+                         : fmt::format("  {} is not affine in them\n", shown.name);
+  });
+  return lines.empty() ? lines
+                       : fmt::format("  With the free parameters {}:\n{}\n",
+                                     parameters_text(analysis.free_parameters),
+                                     lines);
+}
+
+}  // namespace kinestat

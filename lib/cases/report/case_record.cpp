@@ -1,0 +1,230 @@
+#include "cases/report/case_record.hpp"
+
+#include "cases/report/ratio_in_units.hpp"
+#include "kinematics/kinematic_record.hpp"
+#include "mechanism/label_kind.hpp"
+#include "power/power_record.hpp"
+#include "statics/static_record.hpp"
+
+namespace kinestat {
+
+namespace {
+
+const Record<CaseView>& primary_record() {
+  static const Record<CaseView> record(
+      "The magnitudes that the case knows.", [](Record<CaseView>& keys) {
+        keys.names("motion",
+                   "Names of the known motions, coupling.freedom.",
+                   [](const CaseView& v, const EachName& each) {
+                     for (const Primary& primary : v.one.which.motions) {
+                       each(v.analysis.mechanism.topology.freedom_name(primary.index));
+                     }
+                   });
+        keys.names("action",
+                   "Names of the known actions, coupling.action or an actuator.",
+                   [](const CaseView& v, const EachName& each) {
+                     for (const Primary& primary : v.one.which.actions) {
+                       each(v.analysis.mechanism.topology.action_name(primary.index));
+                     }
+                   });
+      });
+  return record;
+}
+
+const Record<Ratios>& ratio_evidence_record() {
+  static const Record<Ratios> record("How sure the ratios are.", [](Record<Ratios>& keys) {
+    keys.number("ratio_error_bound",
+                Bare::number,
+                "Relative error that the ratio may have at most; 1 where not one digit is sure, "
+                "null where the rates have no bound.",
+                [](const Ratios& v) { return v.ratio_bound; })
+        .at_least(0);
+    keys.number("torque_ratio_error_bound",
+                Bare::number,
+                "Relative error that the torque ratio may have at most; 1 where not one digit is "
+                "sure, null where the actions have no bound.",
+                [](const Ratios& v) { return v.torque_ratio_bound; })
+        .at_least(0);
+  });
+  return record;
+}
+
+auto read_ratio(RatioInUnits RatiosInUnits::*which) {
+  return [which](const CaseView& v) {
+    const RatiosInUnits ratios =
+        ratios_in_units(v.one, v.analysis.mechanism, v.analysis.description.units);
+    return std::pair((ratios.*which).value, (ratios.*which).unit);
+  };
+}
+
+auto read_ratio_unit(RatioInUnits RatiosInUnits::*which) {
+  return [which](const CaseView& v) { return read_ratio(which)(v).second; };
+}
+
+bool has_ratios(const CaseView& v) {
+  return v.one.ratios.has_value();
+}
+
+void add_ratios(Record<CaseView>& keys) {
+  const auto has_unit = [](const CaseView& v) {
+    return v.one.ratios && !read_ratio_unit(&RatiosInUnits::ratio)(v).empty();
+  };
+  keys.converted("ratio",
+                 ByContext::rate_ratio,
+                 "Rate of the input over rate of the output; null where it does not exist, see "
+                 "reason. Without unit where both are alike.",
+                 read_ratio(&RatiosInUnits::ratio))
+      .not_in_tables()
+      .only_if(has_ratios);
+  keys.converted("torque_ratio",
+                 ByContext::action_ratio,
+                 "Action of the input over action of the output; null where it does not exist. "
+                 "Without unit where both are alike.",
+                 read_ratio(&RatiosInUnits::torque_ratio))
+      .not_in_tables()
+      .only_if(has_ratios);
+  keys.text("ratio_unit",
+            "Unit of the ratio; no key where input and output are alike.",
+            read_ratio_unit(&RatiosInUnits::ratio))
+      .not_compared()
+      .only_if(has_unit);
+  keys.text("torque_ratio_unit",
+            "Unit of the torque ratio; no key where input and output are alike.",
+            read_ratio_unit(&RatiosInUnits::torque_ratio))
+      .not_compared()
+      .only_if(has_unit);
+  keys.text("reason",
+            "Why there is no ratio.",
+            [](const CaseView& v) { return v.one.ratios->reason; })
+      .not_compared()
+      .only_if([](const CaseView& v) { return v.one.ratios && !v.one.ratios->reason.empty(); });
+  keys.part("evidence",
+            ratio_evidence_record(),
+            [](const CaseView& v) -> const Ratios& { return *v.one.ratios; })
+      .not_compared()
+      .only_if(has_ratios);
+}
+
+// The function of the free parameters that a magnitude is, in the unit of the magnitude.
+void write_affine(std::string_view name,
+                  QuantityKind kind,
+                  const std::optional<AffineValue>& value,
+                  const Analysis& analysis,
+                  Archive& to) {
+  to.element(name, {});
+  if (!value) {
+    to.null();
+    return;
+  }
+  to.begin_map();
+  to.element("1", {});
+  to.quantity(value->constant, kind);
+  for (std::size_t i = 0; i < analysis.free_parameters.size(); ++i) {
+    if (value->coefficients[i] != 0.0) {  // without influence
+      to.element(analysis.free_parameters[i].name, {});
+      to.quantity(value->coefficients[i], kind);
+    }
+  }
+  to.end_map();
+}
+
+void write_all_affine(const CaseView& v, Archive& to) {
+  const Topology& topology = v.analysis.mechanism.topology;
+  to.begin_map();
+  for (const AffineMagnitude& rate : v.one.affine_rates) {
+    const QuantityKind kind = kind_of(topology.freedoms[static_cast<std::size_t>(rate.index)]);
+    write_affine(topology.freedom_name(rate.index), kind, rate.value, v.analysis, to);
+  }
+  for (const AffineMagnitude& action : v.one.affine_actions) {
+    const QuantityKind kind = kind_of(topology.actions[static_cast<std::size_t>(action.index)]);
+    write_affine(topology.action_name(action.index), kind, action.value, v.analysis, to);
+  }
+  to.end_map();
+}
+
+Shape affine_shape() {
+  Shape of_magnitude = map_shape(number_shape(ByContext::coefficient, false));
+  of_magnitude.is_nullable = true;
+  return map_shape(std::move(of_magnitude));
+}
+
+KinematicView motion_of(const CaseView& v) {
+  return {.mechanism = v.analysis.mechanism, .motion = *v.one.motion};
+}
+
+StaticView actions_of(const CaseView& v) {
+  return {.mechanism = v.analysis.mechanism,
+          .which = v.one.which,
+          .action = *v.one.action,
+          .contacts = v.one.contacts,
+          .units = v.analysis.description.units};
+}
+
+// Tables have each ratio in the pass of its magnitudes.
+const Record<CaseView>& case_kinematic_record() {
+  static const Record<CaseView> record(kinematic_record().meaning, [](Record<CaseView>& keys) {
+    keys.include(kinematic_record(), motion_of);
+    keys.converted(
+            "ratio", ByContext::rate_ratio, "That of the case.", read_ratio(&RatiosInUnits::ratio))
+        .only_in_tables()
+        .only_if(has_ratios);
+  });
+  return record;
+}
+
+const Record<CaseView>& case_static_record() {
+  static const Record<CaseView> record(static_record().meaning, [](Record<CaseView>& keys) {
+    keys.include(static_record(), actions_of);
+    keys.converted("torque_ratio",
+                   ByContext::action_ratio,
+                   "That of the case.",
+                   read_ratio(&RatiosInUnits::torque_ratio))
+        .only_in_tables()
+        .only_if(has_ratios);
+  });
+  return record;
+}
+
+void add_passes(Record<CaseView>& keys) {
+  keys.part("kinematics", case_kinematic_record(), [](const CaseView& v) { return v; })
+      .only_if([](const CaseView& v) { return v.one.motion.has_value(); })
+      .in_tables_is(TableRole::table);
+  keys.part("statics", case_static_record(), [](const CaseView& v) { return v; })
+      .only_if([](const CaseView& v) { return v.one.action.has_value(); })
+      .in_tables_is(TableRole::table);
+  keys.part("power",
+            power_record(),
+            [](const CaseView& v) {
+              return PowerView{.mechanism = v.analysis.mechanism,
+                               .which = v.one.which,
+                               .action = *v.one.action,
+                               .flow = *v.one.power,
+                               .graph = *v.one.power_graph,
+                               .efficiency = v.one.efficiency ? &*v.one.efficiency : nullptr};
+            })
+      .only_if([](const CaseView& v) { return v.one.power.has_value(); })
+      .in_tables_is(TableRole::table);
+}
+
+}  // namespace
+
+const Record<CaseView>& case_record() {
+  static const Record<CaseView> record("One case of the file.", [](Record<CaseView>& keys) {
+    keys.part("primary", primary_record(), [](const CaseView& v) { return v; });
+    add_ratios(keys);
+    add_passes(keys);
+    keys.custom(
+            "affine",
+            affine_shape(),
+            "Magnitudes that depend on the free parameters; only in files that have any. Each "
+            "as an affine function: the constant under \"1\", the coefficient of each parameter "
+            "under its name, in the units of the file; null for a magnitude that is not affine "
+            "in them.",
+            write_all_affine)
+        .not_in_tables()
+        .only_if([](const CaseView& v) { return !v.analysis.free_parameters.empty(); });
+  });
+  return record;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,50 @@
+#include "cases/report/ratio_in_units.hpp"
+
+#include "mechanism/label_kind.hpp"
+
+namespace kinestat {
+
+namespace {
+
+RatioInUnits converted(const std::optional<double>& value,
+                       QuantityKind input,
+                       QuantityKind output,
+                       const FileUnits& units) {
+  RatioInUnits result;
+  if (value) {
+    result.value = input == output ? *value : *value * units.factor(output) / units.factor(input);
+  }
+  if (input != output) {
+    result.unit = units.text(input) + " per " + units.text(output);
+  }
+  return result;
+}
+
+bool turns(const Mechanism& mechanism, int actuator) {
+  const int freedom = mechanism.topology.actuators[static_cast<std::size_t>(actuator)].freedom;
+  return mechanism.topology.freedoms[static_cast<std::size_t>(freedom)].is_rotation;
+}
+
+}  // namespace
+
+RatiosInUnits ratios_in_units(const Ratios& ratios,
+                              const RatioEnds& ends,
+                              const Mechanism& mechanism,
+                              const FileUnits& units) {
+  const bool input_turns = turns(mechanism, ends.input);
+  const bool output_turns = turns(mechanism, ends.output);
+  return {.ratio = converted(ratios.ratio, rate_kind(input_turns), rate_kind(output_turns), units),
+          .torque_ratio = converted(
+              ratios.torque_ratio, action_kind(input_turns), action_kind(output_turns), units)};
+}
+
+RatiosInUnits ratios_in_units(const CaseAnalysis& one,
+                              const Mechanism& mechanism,
+                              const FileUnits& units) {
+  return ratios_in_units(*one.ratios,
+                         {.input = one.which.inputs.front(), .output = one.which.outputs.front()},
+                         mechanism,
+                         units);
+}
+
+}  // namespace kinestat

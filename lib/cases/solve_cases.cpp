@@ -1,0 +1,390 @@
+#include "cases/solve_cases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cases/case_passes.hpp"
+#include "cases/certified_cases.hpp"
+#include "cases/free_parameters.hpp"
+#include "cases/typed_numbers.hpp"
+#include "core/contract.hpp"
+#include "core/tolerance.hpp"
+#include "kinematics/velocity.hpp"
+#include "mechanism/bind/bind.hpp"
+#include "mechanism/bind/typed_mechanism.hpp"
+#include "network/bases.hpp"
+#include "statics/action.hpp"
+#include "statics/coupling_wrenches.hpp"
+#include "statics/friction.hpp"
+#include "statics/indeterminacy.hpp"
+#include "statics/one_sided_action.hpp"
+#include "statics/pretension.hpp"
+
+namespace kinestat {
+
+namespace {
+
+bool is_solved(const std::optional<KinematicSolution>& motion) {
+  return motion && motion->status == SolveStatus::solved;
+}
+
+bool has_answer(const std::optional<StaticSolution>& action) {
+  return action && !action->magnitudes.empty();
+}
+
+// Whether anybody asked for statics: a case, or a file without cases, which asks for the counts.
+bool wants_statics(const Mechanism& mechanism) {
+  return mechanism.cases.empty() ||
+         std::ranges::any_of(mechanism.cases, [](const Case& c) { return c.asks_actions; });
+}
+
+// Far from the origin, the mechanism in space is rounded nearby like the other one.
+MobilityCounts counts_of(const MechanismDescription& description,
+                         const Mechanism& drawn,
+                         const Mechanism* nearby) {
+  const bool has_actions = wants_statics(drawn);
+  const Mechanism& mechanism = nearby != nullptr ? *nearby : drawn;
+  std::optional<Mechanism> in_space;
+  if (drawn.space == Space::planar && (has_actions || frees_more_in_space(description))) {
+    // It complains of nothing that the first binding did not, and that had no errors.
+    Diagnostics ignored;
+    in_space = bind_in_space(description, ignored);
+    KINESTAT_EXPECTS(in_space.has_value());
+    if (nearby != nullptr) {
+      if (std::optional<Mechanism> rounded = rounded_nearby(description, *in_space, true)) {
+        in_space = std::move(rounded);
+      }
+    }
+  }
+  const Mechanism& spatial = in_space ? *in_space : mechanism;
+  MobilityCounts counts = count_motions(mechanism, spatial);
+  if (has_actions) {
+    count_actions(mechanism, spatial, counts);
+  }
+  return counts;
+}
+
+// The coordinates of both sides are the same for every case, unless its loads need more.
+struct Bases {
+  CoordinateBasis motion;
+  CoordinateBasis action;
+};
+
+// Where a cable does not slip, the couple of an actuator holds it: its size is an action.
+bool is_held(const Mechanism& mechanism, const CouplingFriction& friction) {
+  const bool is_cable_alone = !friction.cables.empty() && friction.mu == 0.0 &&
+                              friction.tau == 0.0 && friction.viscous == 0.0;
+  const Topology& topology = mechanism.topology;
+  return is_cable_alone &&
+         std::ranges::any_of(topology.actuators, [&](const ActuatorTopology& actuator) {
+           const auto freedom = static_cast<std::size_t>(actuator.freedom);
+           return topology.freedoms[freedom].coupling == friction.coupling;
+         });
+}
+
+// The frictions of a case, and the couplings where it has no direction.
+struct Frictions {
+  std::vector<FrictionLaw> laws;
+  std::vector<CouplingId> at_rest;
+};
+
+Frictions find_frictions(const Mechanism& mechanism, const KinematicSolution* motion) {
+  Frictions result;
+  const auto found = motion != nullptr
+                         ? find_friction_laws(mechanism, *motion)
+                         : std::vector<std::optional<FrictionLaw>>(mechanism.frictions.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i]) {
+      result.laws.push_back(*found[i]);
+    } else if (!is_held(mechanism, mechanism.frictions[i])) {
+      result.at_rest.push_back(mechanism.frictions[i].coupling);
+    }
+  }
+  return result;
+}
+
+// Friction that knows no direction leaves the actions open.
+StaticSolution without_direction(StaticSolution solution, std::vector<CouplingId> at_rest) {
+  solution.status = SolveStatus::at_rest;
+  solution.at_rest = std::move(at_rest);
+  solution.magnitudes.clear();
+  solution.wrenches.clear();
+  return solution;
+}
+
+// Loads and frictions may leave the coordinates that the actions need.
+CoordinateBasis basis_for(const Mechanism& mechanism,
+                          const CoordinateBasis& common,
+                          std::vector<BodyWrench> outside,
+                          const std::vector<FrictionLaw>& laws) {
+  for (const FrictionLaw& law : laws) {
+    outside.push_back({.body = mechanism.topology.coupling(law.coupling).head, .wrench = law.unit});
+  }
+  return outside.empty() ? common
+                         : action_basis(mechanism.geometry, mechanism.static_order, outside);
+}
+
+// What is asked of a case beside its own numbers.
+struct CaseRequest {
+  const Case& which;
+  const AccuracyRequest& accuracy;
+  const Mechanism* nearby = nullptr;   // the mechanism whose screws count; null: as drawn
+  TypedNumbers* typed = nullptr;       // of all cases; null where none are wanted
+  std::size_t index = 0;               // among these
+  CaseCertainty* certainty = nullptr;  // filled in beside `typed`
+  CasePasses passes = CasePasses::all;
+  const KinematicSolution* motion = nullptr;  // null: to be solved
+};
+
+// With the screws that were rounded nearby, if there are any; wrenches are those of the drawing, at
+// whose points they are reported.
+StaticSolution solve_frictionless(const Mechanism& mechanism,
+                                  const CoordinateBasis& basis,
+                                  const CaseRequest& request,
+                                  const std::vector<BodyWrench>& loads) {
+  const std::vector<Primary>& known = request.which.actions;
+  if (request.nearby == nullptr) {
+    return solve_action(mechanism, basis, known, loads, request.accuracy);
+  }
+  StaticSolution solution = solve_action(*request.nearby, basis, known, loads, request.accuracy);
+  if (!solution.wrenches.empty()) {
+    make_wrenches(mechanism, solution);
+  }
+  return solution;
+}
+
+// Friction is followed in doubles: there is no bound for it.
+StaticSolution solve_statics(const Mechanism& mechanism,
+                             const CoordinateBasis& common,
+                             const CaseRequest& request,
+                             const KinematicSolution* motion) {
+  const Case& which = request.which;
+  const std::vector<BodyWrench> loads = wrenches_of(which.loads);
+  Frictions frictions = find_frictions(mechanism, motion);
+  const CoordinateBasis basis = basis_for(mechanism, common, loads, frictions.laws);
+  if (!frictions.at_rest.empty()) {
+    return without_direction(solve_action(mechanism, basis, which.actions, loads),
+                             std::move(frictions.at_rest));
+  }
+  StaticSolution solution =
+      frictions.laws.empty()
+          ? solve_frictionless(mechanism, basis, request, loads)
+          : solve_with_friction(mechanism, basis, which.actions, loads, frictions.laws);
+  return resolve_indeterminacy(mechanism, basis, which.actions, loads, std::move(solution));
+}
+
+// The mechanism with the flanks on which the teeth press in a case, and its actions.
+struct LoadedFlanks {
+  std::vector<int> turned;
+  std::optional<Mechanism> mechanism;  ///< empty if none is turned
+  CoordinateBasis basis = {};
+  StaticSolution action = {};
+};
+
+// Teeth press with their coast flank where their force is negative; a force that is not known, or
+// zero, leaves them as they are.
+std::vector<int> find_coast_flanks(const Geometry& geometry, const LoadedFlanks& now) {
+  std::vector<int> turned;
+  for (std::size_t i = 0; i < geometry.other_flanks.size(); ++i) {
+    const int action = geometry.other_flanks[i].action;
+    const bool is_known = now.action.magnitudes[static_cast<std::size_t>(action)].has_value();
+    const double force = is_known ? bounded_action(now.action, action).zeroed() : 0.0;
+    const bool was_turned = std::ranges::find(now.turned, static_cast<int>(i)) != now.turned.end();
+    if (force == 0.0 ? was_turned : force < 0.0) {
+      turned.push_back(static_cast<int>(i));
+    }
+  }
+  return turned;
+}
+
+LoadedFlanks solve_on_flanks(const Mechanism& drawn,
+                             const Bases& bases,
+                             const CaseRequest& request,
+                             const KinematicSolution* motion,
+                             std::vector<int> turned) {
+  LoadedFlanks result{.turned = std::move(turned), .mechanism = {}, .basis = bases.action};
+  CaseRequest own = request;
+  if (!result.turned.empty()) {
+    own.nearby = nullptr;  // its teeth are not turned
+    result.mechanism = drawn;
+    load_coast_flanks(result.turned, result.mechanism->geometry);
+    result.basis = action_basis(result.mechanism->geometry, drawn.static_order);
+  }
+  result.action =
+      solve_statics(result.mechanism ? *result.mechanism : drawn, result.basis, own, motion);
+  return result;
+}
+
+// Torques decide on the flanks wherever equilibrium does, and the second answer is the last; it may
+// take more where bearings have friction. Friction under which no flanks fit their forces lets
+// nothing move.
+LoadedFlanks solve_on_loaded_flanks(const Mechanism& drawn,
+                                    const Bases& bases,
+                                    const CaseRequest& request,
+                                    const KinematicSolution* motion) {
+  LoadedFlanks result = solve_on_flanks(drawn, bases, request, motion, {});
+  const std::size_t most_rounds = 2 * drawn.geometry.other_flanks.size();
+  for (std::size_t i = 0; i < most_rounds && !result.action.magnitudes.empty(); ++i) {
+    std::vector<int> turned = find_coast_flanks(drawn.geometry, result);
+    if (turned == result.turned) {
+      return result;
+    }
+    result = solve_on_flanks(drawn, bases, request, motion, std::move(turned));
+  }
+  const bool fits = result.action.magnitudes.empty() || most_rounds == 0 ||
+                    find_coast_flanks(drawn.geometry, result) == result.turned;
+  if (!fits) {
+    result.action.status = SolveStatus::locked;
+    result.action.magnitudes.clear();
+    result.action.wrenches.clear();
+  }
+  return result;
+}
+
+CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRequest& request) {
+  const Case& which = request.which;
+  CaseAnalysis result;
+  result.which = which;
+  if (which.asks_motions && request.motion != nullptr) {
+    result.motion = *request.motion;
+  } else if (which.asks_motions) {
+    result.motion = solve_velocity(request.nearby != nullptr ? *request.nearby : drawn,
+                                   bases.motion,
+                                   which.motions,
+                                   request.accuracy);
+  }
+  if (result.motion && request.typed != nullptr) {
+    request.certainty->has_typed_motion = request.typed->improve(request.index, *result.motion);
+  }
+  const KinematicSolution* motion = is_solved(result.motion) ? &*result.motion : nullptr;
+  LoadedFlanks flanks;
+  if (which.asks_actions) {
+    flanks = solve_on_loaded_flanks(drawn, bases, request, motion);
+    if (request.typed != nullptr && find_frictions(drawn, motion).laws.empty()) {
+      request.certainty->has_typed_action =
+          request.typed->improve(request.index, flanks.turned, flanks.action);
+    }
+    result.action = std::move(flanks.action);
+    result.coast_flanks = std::move(flanks.turned);
+  }
+  if (request.passes == CasePasses::magnitudes) {
+    return result;
+  }
+  const Mechanism& mechanism = flanks.mechanism ? *flanks.mechanism : drawn;
+  if (has_answer(result.action)) {
+    result.contacts = find_contact_states(
+        mechanism, *result.action, is_solved(result.motion) ? &*result.motion : nullptr);
+    if (!find_pushed_segments(mechanism, *result.action).empty()) {
+      result.pretension = find_pretension(mechanism, flanks.basis, *result.action);
+    }
+  }
+  if (is_solved(result.motion) && has_answer(result.action) &&
+      determines_power(mechanism, *result.action)) {
+    result.power = find_power(mechanism, which, *result.motion, *result.action);
+    const bool has_losses = !mechanism.lossy_meshes.empty();
+    if (has_losses || request.passes == CasePasses::all) {
+      result.power_graph =
+          find_power_graph(mechanism, which, *result.motion, *result.action, *result.power);
+    }
+    if (has_losses) {
+      result.efficiency = find_transmission_efficiency(mechanism,
+                                                       bases.action,
+                                                       {.which = which,
+                                                        .motion = *result.motion,
+                                                        .power = *result.power,
+                                                        .graph = *result.power_graph});
+    }
+  }
+  if (is_solved(result.motion) && !which.inputs.empty() && which.outputs.size() == 1) {
+    result.ratios = find_ratios(
+        mechanism, which, *result.motion, has_answer(result.action) ? &*result.action : nullptr);
+  }
+  return result;
+}
+
+Bases bases_of(const Mechanism& mechanism) {
+  return {.motion = motion_basis(mechanism.geometry, mechanism.kinematic_order),
+          .action = action_basis(mechanism.geometry, mechanism.static_order)};
+}
+
+}  // namespace
+
+std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism,
+                                          const AccuracyRequest& request) {
+  return solve_some_cases(mechanism, mechanism.cases, request);
+}
+
+std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism,
+                                           std::span<const Case> wanted,
+                                           const AccuracyRequest& request) {
+  const Bases bases = bases_of(mechanism);
+  std::vector<CaseAnalysis> cases;
+  for (const Case& which : wanted) {
+    cases.push_back(solve_case(mechanism, bases, {.which = which, .accuracy = request}));
+  }
+  return cases;
+}
+
+std::vector<CaseAnalysis> solve_case_passes(const Mechanism& mechanism,
+                                            std::span<const Case> wanted,
+                                            CasePasses passes) {
+  const Bases bases = bases_of(mechanism);
+  const AccuracyRequest usual;
+  std::vector<CaseAnalysis> cases;
+  for (const Case& which : wanted) {
+    cases.push_back(
+        solve_case(mechanism, bases, {.which = which, .accuracy = usual, .passes = passes}));
+  }
+  return cases;
+}
+
+CaseAnalysis solve_case_in_motion(const Mechanism& mechanism,
+                                  const Case& which,
+                                  const KinematicSolution& motion,
+                                  CasePasses passes) {
+  const AccuracyRequest usual;
+  return solve_case(mechanism,
+                    bases_of(mechanism),
+                    {.which = which, .accuracy = usual, .passes = passes, .motion = &motion});
+}
+
+Analysis solve_cases(std::string file, Loaded loaded, const AccuracyRequest& request) {
+  return solve_certified_cases(std::move(file), std::move(loaded), request).analysis;
+}
+
+CertifiedAnalysis solve_certified_cases(std::string file,
+                                        Loaded loaded,
+                                        const AccuracyRequest& request) {
+  CertifiedAnalysis result;
+  Analysis& analysis = result.analysis;
+  analysis.file = std::move(file);
+  analysis.shift = std::move(loaded.shift);
+  analysis.description = std::move(loaded.description);
+  analysis.mechanism = std::move(loaded.mechanism);
+  const Mechanism& mechanism = analysis.mechanism;
+  TypedNumbers typed(analysis.description, mechanism, request);
+  const Mechanism* nearby = typed.nearby();
+  analysis.mobility = counts_of(analysis.description, mechanism, nearby);
+  result.certainty.accuracy = request;
+  result.certainty.cases.resize(mechanism.cases.size());
+  const Bases bases = bases_of(nearby != nullptr ? *nearby : mechanism);
+  for (std::size_t c = 0; c < mechanism.cases.size(); ++c) {
+    analysis.cases.push_back(solve_case(mechanism,
+                                        bases,
+                                        {.which = mechanism.cases[c],
+                                         .accuracy = request,
+                                         .nearby = nearby,
+                                         .typed = &typed,
+                                         .index = c,
+                                         .certainty = &result.certainty.cases[c]}));
+  }
+  find_affine_dependence(analysis);
+  if (request.accuracy != Accuracy::fast) {
+    typed.find_ranks(analysis.mobility.minimal.actions.has_value(), result.certainty);
+    typed.count_as_typed(result.certainty, analysis.mobility);
+  }
+  return result;
+}
+
+}  // namespace kinestat

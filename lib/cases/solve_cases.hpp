@@ -1,0 +1,27 @@
+// Runs the passes that each case asks for, and nothing else.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cases/analysis.hpp"
+#include "cases/loaded.hpp"
+#include "core/accuracy.hpp"
+
+namespace kinestat {
+
+/// A case that names motions has its velocities solved, one that names actions or on which loads
+/// act its statics; power and ratios where both sides, or an input and an output, are there. The
+/// motions are always counted, the actions if some case asks for any or if there are no cases.
+Analysis solve_cases(std::string file, Loaded loaded, const AccuracyRequest& request = {});
+
+/// The cases alone.
+std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism,
+                                          const AccuracyRequest& request = {});
+
+/// Some cases alone, which may be others than those of the mechanism.
+std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism,
+                                           std::span<const Case> cases,
+                                           const AccuracyRequest& request = {});
+
+}  // namespace kinestat

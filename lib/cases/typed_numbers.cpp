@@ -1,0 +1,212 @@
+#include "cases/typed_numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/tolerance.hpp"
+#include "kinematics/typed_velocity.hpp"
+#include "statics/typed_action.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr int kMostMagnitudes = 500;
+
+// Of a place as share of the size of the mechanism, from whose origin it may be some sizes away.
+constexpr double kPlaceRounding = kFarOrigin * kEpsilon;
+
+// By how much the largest of the values exceeds the smallest; what is zero counts, if it may be a
+// difference that was lost.
+double spread_of(std::span<const double> values, bool counts_zeros) {
+  double largest = 0.0;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const double value : values) {
+    const double size = std::abs(value);
+    largest = std::max(largest, size);
+    smallest = size > 0.0 || counts_zeros ? std::min(smallest, size) : smallest;
+  }
+  return largest > 0.0 ? largest / smallest : 1.0;
+}
+
+// In units that hold the size of the mechanism instead of lengths.
+std::vector<double> comparable_rates(const Mechanism& mechanism, const KinematicSolution& motion) {
+  std::vector<double> values = motion.rates;
+  for (std::size_t f = 0; f < values.size(); ++f) {
+    values[f] /= mechanism.topology.freedoms[f].is_rotation ? 1.0 : mechanism.geometry.length;
+  }
+  return values;
+}
+
+std::vector<double> comparable_actions(const Mechanism& mechanism, const StaticSolution& action) {
+  std::vector<double> values;
+  for (std::size_t a = 0; a < action.magnitudes.size(); ++a) {
+    const double unit = mechanism.topology.actions[a].is_couple ? mechanism.geometry.length : 1.0;
+    values.push_back(action.magnitudes[a].value_or(0.0) / unit);
+  }
+  return values;
+}
+
+}  // namespace
+
+const TypedMechanism* TypedNumbers::find() {
+  if (!is_bound_) {
+    typed_ = bind_typed(*description_, *mechanism_);
+    is_bound_ = true;
+  }
+  return typed_ ? &*typed_ : nullptr;
+}
+
+const Mechanism* TypedNumbers::nearby() {
+  if (!has_looked_nearby_ && request_.accuracy != Accuracy::fast && is_small()) {
+    nearby_ = rounded_nearby(*description_, *mechanism_);
+  }
+  has_looked_nearby_ = true;
+  return nearby_ ? &*nearby_ : nullptr;
+}
+
+bool TypedNumbers::is_small() const {
+  const Topology& topology = mechanism_->topology;
+  return topology.freedom_count() + topology.action_count() <= kMostMagnitudes;
+}
+
+// A pivot this small, places this far away, or magnitudes that are small differences of larger ones
+// may have lost the digits asked for when the numbers were rounded to double.
+bool TypedNumbers::is_needed(SolveStatus status,
+                             const AnswerEvidence& answer,
+                             const RankEvidence& evidence,
+                             std::span<const double> values) const {
+  const bool can_improve = status == SolveStatus::solved || status == SolveStatus::dependent ||
+                           status == SolveStatus::underdetermined ||
+                           status == SolveStatus::inconsistent;
+  if (!can_improve) {
+    return false;
+  }
+  const Geometry& geometry = mechanism_->geometry;
+  const double distance = 1.0 + geometry.origin.norm() / geometry.length;
+  const double lost = kCancellation * distance / evidence.smallest_pivot;
+  const double rounded = kPlaceRounding * distance / evidence.smallest_pivot;
+  const double asked = std::pow(10.0, -request_.digits);
+  const bool is_far = distance > 1.0;
+  const bool is_sure = status == SolveStatus::solved && reaches(answer, request_.digits) &&
+                       lost <= asked && rounded * spread_of(values, is_far) <= asked;
+  switch (request_.accuracy) {
+    case Accuracy::fast:
+    case Accuracy::high:
+      return false;
+    case Accuracy::automatic:
+      return !is_sure && is_small();
+    case Accuracy::exact:
+      return true;
+  }
+  return false;
+}
+
+bool TypedNumbers::asks_for_typed(const RankCertainty& certainty) {
+  const bool is_wanted = request_.accuracy == Accuracy::exact;
+  return (is_wanted || (certainty.how != "structural" && is_small())) && find() != nullptr;
+}
+
+void TypedNumbers::find_ranks(bool with_actions, Certainty& certainty) {
+  certainty.motion_rank = find_motion_certainty(*mechanism_);
+  if (asks_for_typed(*certainty.motion_rank)) {
+    add_typed_motions(*mechanism_, *typed_, *certainty.motion_rank);
+  }
+  if (!with_actions) {
+    return;
+  }
+  certainty.action_rank = find_action_certainty(*mechanism_);
+  if (asks_for_typed(*certainty.action_rank)) {
+    add_typed_actions(*mechanism_, *typed_, *certainty.action_rank);
+  }
+}
+
+void TypedNumbers::count_as_typed(const Certainty& certainty, MobilityCounts& counts) const {
+  const int more_motions = missing_rank(certainty.motion_rank, counts.minimal.motions.rank);
+  const int more_actions = counts.minimal.actions
+                               ? missing_rank(certainty.action_rank, counts.minimal.actions->rank)
+                               : 0;
+  const auto add = [&](SideCounts& side) {
+    side.motions.rank += more_motions;
+    side.motions.net_freedom -= more_motions;
+    side.motions.net_constraint -= more_motions;
+    if (side.actions) {
+      side.actions->rank += more_actions;
+      side.actions->net_constraint -= more_actions;
+      side.actions->net_freedom -= more_actions;
+    }
+  };
+  add(counts.minimal);
+  add(counts.spatial);
+  if (counts.planar) {
+    add(*counts.planar);
+  }
+}
+
+// By how much the rank as typed exceeds the one that was counted.
+int TypedNumbers::missing_rank(const std::optional<RankCertainty>& certainty, int counted) const {
+  if (!certainty || !certainty->typed) {
+    return 0;
+  }
+  const int missing = certainty->typed->rank - counted;
+  return request_.accuracy == Accuracy::exact ? missing : std::min(missing, 0);
+}
+
+bool TypedNumbers::improve(std::size_t which, KinematicSolution& motion) {
+  if (!is_needed(
+          motion.status, motion.answer, motion.evidence, comparable_rates(*mechanism_, motion)) ||
+      find() == nullptr) {
+    return false;
+  }
+  auto better = solve_velocity_as_typed(*mechanism_,
+                                        typed_->motions,
+                                        mechanism_->cases[which].motions,
+                                        typed_->cases[which].motions,
+                                        motion);
+  if (!better) {
+    return false;
+  }
+  const bool is_new = motion.status != SolveStatus::solved;
+  if (!is_new || takes_new_answers(request_.accuracy, mechanism_->geometry)) {
+    motion = *std::move(better);
+  }
+  return is_new;
+}
+
+bool TypedNumbers::improve(std::size_t which,
+                           const std::vector<int>& turned,
+                           StaticSolution& action) {
+  const bool has_laws = !action.friction.empty() || !action.at_rest.empty() ||
+                        action.completion.by != IndeterminateChoice::report;
+  if (has_laws ||
+      !is_needed(
+          action.status, action.answer, action.evidence, comparable_actions(*mechanism_, action)) ||
+      find() == nullptr) {
+    return false;
+  }
+  std::vector<TypedScrew> actions = typed_->actions;
+  for (const int i : turned) {
+    const auto flank = static_cast<std::size_t>(i);
+    const int turning = mechanism_->geometry.other_flanks[flank].action;
+    actions[static_cast<std::size_t>(turning)] = typed_->other_flanks[flank];
+  }
+  auto better = solve_action_as_typed(
+      *mechanism_, actions, mechanism_->cases[which], typed_->cases[which], action);
+  if (!better) {
+    return false;
+  }
+  const bool is_new = action.status != better->status;
+  const bool has_answer = better->status != SolveStatus::inconsistent;
+  if (!is_new || takes_new_answers(request_.accuracy, mechanism_->geometry)) {
+    better->ignored = std::move(action.ignored);
+    if (!is_new) {
+      better->self_stresses = std::move(action.self_stresses);
+    }
+    action = *std::move(better);
+  }
+  return is_new && has_answer;
+}
+
+}  // namespace kinestat

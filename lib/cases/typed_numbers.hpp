@@ -1,0 +1,75 @@
+// The numbers of a mechanism as typed, bound when somebody first needs them.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cases/certainty.hpp"
+#include "core/accuracy.hpp"
+#include "kinematics/kinematic_solution.hpp"
+#include "mechanism/bind/typed_mechanism.hpp"
+#include "statics/static_solution.hpp"
+#include "studies/mobility/counts.hpp"
+
+namespace kinestat {
+
+/// Whether answers are taken that only the numbers as typed have: if the request is for exact ones,
+/// or places far from the origin of the world were rounded. Otherwise what is singular once rounded
+/// is nearly so as typed.
+inline bool takes_new_answers(Accuracy accuracy, const Geometry& geometry) {
+  return accuracy == Accuracy::exact ||
+         (accuracy == Accuracy::automatic && !geometry.origin.isZero(0.0));
+}
+
+/// Answers from the numbers as typed for one mechanism, whose cases are those of the description.
+/// The automatic way asks for them only in mechanisms of some hundred unknowns.
+class TypedNumbers {
+ public:
+  /// Both must outlive it; `mechanism` must be what bind made of the description.
+  TypedNumbers(const MechanismDescription& description,
+               const Mechanism& mechanism,
+               const AccuracyRequest& request)
+      : description_(&description), mechanism_(&mechanism), request_(request) {}
+
+  /// The mechanism rounded nearby, where it stands far from the origin and accuracy counts;
+  /// otherwise null.
+  const Mechanism* nearby();
+
+  /// Fills in what is proved of the ranks of motions, and of actions if wanted. The numbers as
+  /// typed are asked where the doubles prove nothing, or where the request is for exact ones.
+  void find_ranks(bool with_actions, Certainty& certainty);
+
+  /// Sets the counts to those of the ranks as typed, as far as these are known: where rounding made
+  /// what is redundant regular, and, if the request is for exact numbers, also where what is nearly
+  /// singular as typed counts as singular once rounded.
+  void count_as_typed(const Certainty& certainty, MobilityCounts& counts) const;
+
+  /// Takes the answer of a case as typed where the request, or the bound of the one in doubles,
+  /// asks for it. True if there is one as typed where the doubles have none; it is taken only if
+  /// takes_new_answers says so.
+  bool improve(std::size_t which, KinematicSolution& motion);
+
+  /// Likewise, with the teeth of `turned` on their coast flanks.
+  bool improve(std::size_t which, const std::vector<int>& turned, StaticSolution& action);
+
+ private:
+  const TypedMechanism* find();  // null if a number has no value without rounding
+  bool is_small() const;
+  bool asks_for_typed(const RankCertainty& certainty);
+  int missing_rank(const std::optional<RankCertainty>& certainty, int counted) const;
+  bool is_needed(SolveStatus status,
+                 const AnswerEvidence& answer,
+                 const RankEvidence& evidence,
+                 std::span<const double> values) const;
+
+  const MechanismDescription* description_;
+  const Mechanism* mechanism_;
+  AccuracyRequest request_;
+  bool is_bound_ = false;
+  std::optional<TypedMechanism> typed_;
+  bool has_looked_nearby_ = false;
+  std::optional<Mechanism> nearby_;
+};
+
+}  // namespace kinestat

@@ -1,0 +1,151 @@
+#include <array>
+
+#include "cases/picture/case_maps.hpp"
+#include "cases/picture/lever_diagram.hpp"
+#include "draw/catalogue/catalogue_parts.hpp"
+#include "draw/gnuplot.hpp"
+#include "studies/shift/picture/ratio_ladder.hpp"
+#include "studies/shift/picture/shift_matrix.hpp"
+
+namespace kinestat {
+
+namespace {
+
+bool has_velocities(const CaseAnalysis& one) {
+  return one.motion && one.motion->status == SolveStatus::solved;
+}
+
+bool has_actions(const CaseAnalysis& one) {
+  return one.action && !one.action->wrenches.empty();
+}
+
+// The analysis with the one case that is asked for, or all.
+Analysis chosen(const PictureSource& source) {
+  Analysis analysis = *source.analysis;
+  if (source.which) {
+    analysis.cases = {source.analysis->cases[*source.which]};
+  }
+  return analysis;
+}
+
+std::string why_no_velocities(const PictureSource& source) {
+  return why_not_in_cases(source, has_velocities, "velocities that are solved");
+}
+
+std::string why_no_actions(const PictureSource& source) {
+  return why_not_in_cases(source, has_actions, "actions that are solved");
+}
+
+// Bars of nothing say nothing.
+std::string why_no_speeds(const PictureSource& source) {
+  const std::string why_not = why_no_velocities(source);
+  return why_not.empty() && speed_map(chosen(source)).blocks.empty() ? "no body moves" : why_not;
+}
+
+std::string why_no_torques(const PictureSource& source) {
+  const std::string why_not = why_no_actions(source);
+  return why_not.empty() && torque_map(chosen(source)).blocks.empty() ? "no coupling bears a moment"
+                                                                      : why_not;
+}
+
+std::string why_no_forces(const PictureSource& source) {
+  const std::string why_not = why_no_actions(source);
+  return why_not.empty() && force_map(chosen(source)).blocks.empty() ? "no coupling bears a force"
+                                                                     : why_not;
+}
+
+std::string why_no_shift(const PictureSource& source) {
+  return source.analysis->shift ? "" : "the file has no section 'shift'";
+}
+
+std::string why_no_ratios(const PictureSource& source) {
+  const std::string why_not = why_no_shift(source);
+  return why_not.empty() && !has_ratios(*source.analysis) ? "no gear has a ratio" : why_not;
+}
+
+std::vector<Lever> levers_of(const PictureSource& source) {
+  const Mechanism& mechanism = source.analysis->mechanism;
+  return find_levers(mechanism.topology, mechanism.geometry);
+}
+
+std::string why_no_levers(const PictureSource& source) {
+  if (levers_of(source).empty()) {
+    return "no two gears turn about the axis on which their carrier turns, so that no speeds lie "
+           "on a lever";
+  }
+  return why_no_velocities(source);
+}
+
+Picture draw_speeds(const PictureSource& source) {
+  return draw_bar_map(speed_map(chosen(source)));
+}
+
+Picture draw_torques(const PictureSource& source) {
+  return draw_bar_map(torque_map(chosen(source)));
+}
+
+Picture draw_forces(const PictureSource& source) {
+  return draw_bar_map(force_map(chosen(source)));
+}
+
+Picture draw_levers(const PictureSource& source) {
+  return draw_lever_diagram(chosen(source), levers_of(source));
+}
+
+Picture draw_matrix(const PictureSource& source) {
+  return draw_shift_matrix(*source.analysis);
+}
+
+Picture draw_ladder(const PictureSource& source) {
+  return draw_ratio_ladder(*source.analysis);
+}
+
+std::string speeds_text(const PictureSource& source) {
+  return gnuplot_text(speed_map(chosen(source)));
+}
+
+std::string torques_text(const PictureSource& source) {
+  return gnuplot_text(torque_map(chosen(source)));
+}
+
+std::string forces_text(const PictureSource& source) {
+  return gnuplot_text(force_map(chosen(source)));
+}
+
+constexpr auto kCaseKinds = std::to_array<PictureKind>({
+    {.name = "speeds",
+     .sentence = "bars of the velocities of all bodies, case by case",
+     .why_not = why_no_speeds,
+     .draw = draw_speeds,
+     .gnuplot = speeds_text},
+    {.name = "torques",
+     .sentence = "bars of the moments in all couplings, case by case",
+     .why_not = why_no_torques,
+     .draw = draw_torques,
+     .gnuplot = torques_text},
+    {.name = "forces",
+     .sentence = "bars of the forces in all couplings, case by case",
+     .why_not = why_no_forces,
+     .draw = draw_forces,
+     .gnuplot = forces_text},
+    {.name = "lever",
+     .sentence = "planetary sets as levers, with the speeds of each case",
+     .why_not = why_no_levers,
+     .draw = draw_levers},
+    {.name = "shift-matrix",
+     .sentence = "which clutches and brakes each gear engages",
+     .why_not = why_no_shift,
+     .draw = draw_matrix},
+    {.name = "ratio-ladder",
+     .sentence = "the ratios of the gears and the steps between them",
+     .why_not = why_no_ratios,
+     .draw = draw_ladder},
+});
+
+}  // namespace
+
+std::span<const PictureKind> case_kinds() {
+  return kCaseKinds;
+}
+
+}  // namespace kinestat

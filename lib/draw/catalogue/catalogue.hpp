@@ -1,0 +1,61 @@
+// All pictures that there are: what each shows, what it is made of, and who draws it.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/analysis.hpp"
+#include "draw/picture.hpp"
+#include "studies/benchmark/report/benchmark_report.hpp"
+#include "studies/motion/report/motion_table.hpp"
+#include "studies/sweep/report/sweep_table.hpp"
+#include "studies/synthesis/report/synthesis_report.hpp"
+
+namespace kinestat {
+
+/// What pictures of one file are made of; null what the file does not have, or what nobody found.
+struct PictureSource {
+  const Analysis* analysis = nullptr;
+  const MotionTable* motion = nullptr;
+  const SynthesisAnalysis* synthesis = nullptr;
+  const std::vector<BenchmarkedCase>* benchmark = nullptr;
+  const SweepTable* sweep = nullptr;
+  /// Index into Analysis::cases: the case that a picture of one case shows; empty: the first that
+  /// has what it needs. Pictures of all cases show that one alone.
+  std::optional<std::size_t> which = {};
+  std::string name = {};  ///< of the mechanism or, without one, of its file
+};
+
+/// What must be found for a picture.
+enum class PictureNeed { analysis, motion, synthesis, benchmark, sweep };
+
+/// Whether a picture is of the file, or of one of its cases.
+enum class PictureScope { file, one_case };
+
+/// A row of the catalogue. `why_not` says why there is no picture, "the file has no section
+/// 'shift'", and is empty if there is one; only then the others may be called. Null where there is
+/// no such text.
+struct PictureKind {
+  std::string_view name;      ///< "shift-matrix": the word of the command, and Picture::name
+  std::string_view sentence;  ///< what it shows, in a few words
+  PictureNeed need = PictureNeed::analysis;
+  PictureScope scope = PictureScope::file;
+  std::string (*why_not)(const PictureSource&) = nullptr;
+  Picture (*draw)(const PictureSource&) = nullptr;
+  std::string (*gnuplot)(const PictureSource&) = nullptr;
+  std::string (*dot)(const PictureSource&) = nullptr;
+};
+
+/// In the order in which a report shows them.
+std::span<const PictureKind> picture_kinds();
+
+/// Null if there is no such picture.
+const PictureKind* find_picture_kind(std::string_view name);
+
+/// Whether all that the picture needs is there.
+bool has_picture(const PictureKind& kind, const PictureSource& source);
+
+}  // namespace kinestat

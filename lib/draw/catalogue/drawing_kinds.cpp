@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "draw/catalogue/catalogue_parts.hpp"
+#include "draw/graph/dot.hpp"
+#include "draw/graph/graph_drawing.hpp"
+#include "draw/linkage/linkage_drawing.hpp"
+#include "draw/picture_title.hpp"
+#include "draw/train/gear_scheme.hpp"
+
+namespace kinestat {
+
+namespace {
+
+bool has_power(const CaseAnalysis& one) {
+  return one.power.has_value();
+}
+
+std::string why_no_power(const PictureSource& source) {
+  return why_not_in_cases(source, has_power, "power, for which velocities and actions are needed");
+}
+
+// Pictures are named as in the catalogue.
+Picture named(std::string_view name, Picture picture) {
+  picture.name = name;
+  return picture;
+}
+
+// The case that is asked for, or the first that counts.
+std::size_t case_of(const PictureSource& source, bool (*counts)(const CaseAnalysis&)) {
+  const std::vector<CaseAnalysis>& cases = source.analysis->cases;
+  return source.which
+             ? *source.which
+             : static_cast<std::size_t>(std::ranges::find_if(cases, counts) - cases.begin());
+}
+
+std::string why_no_gears(const PictureSource& source) {
+  return has_gear_scheme(*source.analysis) ? "" : "no gears with parallel axes mesh";
+}
+
+std::string why_no_nothing(const PictureSource&) {
+  return "";
+}
+
+// How many graphs one picture may show.
+constexpr int kMostGraphs = 60;
+
+std::string why_no_circuits(const PictureSource& source) {
+  const int count = source.analysis->mechanism.graph.circuit_count();
+  if (count > kMostGraphs) {
+    return fmt::format("its graph has {} circuits, more than a picture shows", count);
+  }
+  return count == 0 ? "its graph has no circuit" : "";
+}
+
+std::string why_no_cutsets(const PictureSource& source) {
+  const int count = source.analysis->mechanism.graph.cutset_count();
+  return count > kMostGraphs
+             ? fmt::format("its graph has {} cut-sets, more than a picture shows", count)
+             : "";
+}
+
+Picture draw_mechanism(const PictureSource& source) {
+  LinkageOptions options;
+  if (!source.analysis->cases.empty()) {
+    options.which = source.which.value_or(0);
+  }
+  return named("linkage", draw_linkage(*source.analysis, options));
+}
+
+Picture draw_scheme(const PictureSource& source) {
+  return named("gear-scheme", *draw_gear_scheme(*source.analysis, {.which = source.which}));
+}
+
+Picture draw_coupling_graph(const PictureSource& source) {
+  return named("coupling-graph", draw_graph(coupling_graph_model(*source.analysis)));
+}
+
+Picture draw_motion_graph(const PictureSource& source) {
+  return named("motion-graph", draw_graph(motion_graph_model(*source.analysis)));
+}
+
+Picture draw_action_graph(const PictureSource& source) {
+  return named("action-graph", draw_graph(action_graph_model(*source.analysis)));
+}
+
+Picture draw_circuits(const PictureSource& source) {
+  return named("circuits",
+               *draw_graphs(circuit_models(*source.analysis),
+                            picture_title("Fundamental circuits", *source.analysis)));
+}
+
+Picture draw_cutsets(const PictureSource& source) {
+  return named("cut-sets",
+               *draw_graphs(cutset_models(*source.analysis),
+                            picture_title("Fundamental cut-sets", *source.analysis)));
+}
+
+GraphModel power_of(const PictureSource& source) {
+  return power_model(*source.analysis, case_of(source, has_power));
+}
+
+Picture draw_power(const PictureSource& source) {
+  return named("power-flow", draw_graph(power_of(source)));
+}
+
+std::string coupling_graph_text(const PictureSource& source) {
+  return dot_text(coupling_graph_model(*source.analysis));
+}
+
+std::string motion_graph_text(const PictureSource& source) {
+  return dot_text(motion_graph_model(*source.analysis));
+}
+
+std::string action_graph_text(const PictureSource& source) {
+  return dot_text(action_graph_model(*source.analysis));
+}
+
+std::string power_text(const PictureSource& source) {
+  return dot_text(power_of(source));
+}
+
+constexpr auto kDrawingKinds = std::to_array<PictureKind>({
+    {.name = "linkage",
+     .sentence = "the mechanism to scale, with the forces of a case",
+     .scope = PictureScope::one_case,
+     .why_not = why_no_nothing,
+     .draw = draw_mechanism},
+    {.name = "gear-scheme",
+     .sentence = "a gear train along its axis, with its clutches and brakes",
+     .scope = PictureScope::one_case,
+     .why_not = why_no_gears,
+     .draw = draw_scheme},
+    {.name = "coupling-graph",
+     .sentence = "bodies and couplings as a graph, with its tree",
+     .why_not = why_no_nothing,
+     .draw = draw_coupling_graph,
+     .dot = coupling_graph_text},
+    {.name = "motion-graph",
+     .sentence = "the graph with a line for each freedom",
+     .why_not = why_no_nothing,
+     .draw = draw_motion_graph,
+     .dot = motion_graph_text},
+    {.name = "action-graph",
+     .sentence = "the graph with a line for each constraint",
+     .why_not = why_no_nothing,
+     .draw = draw_action_graph,
+     .dot = action_graph_text},
+    {.name = "circuits",
+     .sentence = "the fundamental circuits in the graph",
+     .why_not = why_no_circuits,
+     .draw = draw_circuits},
+    {.name = "cut-sets",
+     .sentence = "the fundamental cut-sets in the graph",
+     .why_not = why_no_cutsets,
+     .draw = draw_cutsets},
+    {.name = "power-flow",
+     .sentence = "where the power of a case goes, by its size",
+     .scope = PictureScope::one_case,
+     .why_not = why_no_power,
+     .draw = draw_power,
+     .dot = power_text},
+});
+
+}  // namespace
+
+std::span<const PictureKind> drawing_kinds() {
+  return kDrawingKinds;
+}
+
+}  // namespace kinestat

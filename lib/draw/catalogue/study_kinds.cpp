@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "draw/catalogue/catalogue_parts.hpp"
+#include "draw/gnuplot.hpp"
+#include "studies/benchmark/picture/pareto.hpp"
+#include "studies/motion/picture/motion_curves.hpp"
+#include "studies/sweep/picture/sweep_curves.hpp"
+#include "studies/synthesis/picture/burmester_drawing.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Of solutions that do not know what they are of.
+std::string titled(std::string_view what, const PictureSource& source) {
+  return source.name.empty() ? std::string(what) : fmt::format("{}: {}", what, source.name);
+}
+
+std::string why_no_task(const PictureSource& source) {
+  return source.synthesis->tasks.empty() ? "no choice of the task is left" : "";
+}
+
+std::string why_no_times(const PictureSource& source) {
+  return pareto_figure("", *source.benchmark).charts.empty()
+             ? "no case has as many magnitudes known as its equations need"
+             : "";
+}
+
+Picture draw_plane(const PictureSource& source) {
+  return draw_burmester(*source.synthesis, 0);
+}
+
+Figure motion_of(const PictureSource& source) {
+  return motion_figure(*source.motion, titled("Motion", source));
+}
+
+Figure paths_of(const PictureSource& source) {
+  return path_figure(*source.motion, titled("Paths of points", source));
+}
+
+std::string why_no_curves(const PictureSource& source) {
+  return motion_of(source).charts.empty() ? "its motion has no positions, or nothing but paths"
+                                          : "";
+}
+
+std::string why_no_paths(const PictureSource& source) {
+  return paths_of(source).charts.empty() ? "in its motion no point moves whose place is reported"
+                                         : "";
+}
+
+Figure sweep_of(const PictureSource& source) {
+  return sweep_figure(*source.sweep, titled("Sweep", source));
+}
+
+std::string why_no_sweep(const PictureSource& source) {
+  return why_no_curves_of_sweep(*source.sweep);
+}
+
+Picture draw_sweep(const PictureSource& source) {
+  return draw_figure(sweep_of(source));
+}
+
+std::string sweep_text(const PictureSource& source) {
+  return gnuplot_text(sweep_of(source));
+}
+
+Picture draw_motion(const PictureSource& source) {
+  return draw_figure(motion_of(source));
+}
+
+Picture draw_paths(const PictureSource& source) {
+  return draw_figure(paths_of(source));
+}
+
+std::string motion_text(const PictureSource& source) {
+  return gnuplot_text(motion_of(source));
+}
+
+std::string paths_text(const PictureSource& source) {
+  return gnuplot_text(paths_of(source));
+}
+
+Figure pareto_of(const PictureSource& source) {
+  return pareto_figure(titled("Time against error of the methods", source), *source.benchmark);
+}
+
+Picture draw_pareto(const PictureSource& source) {
+  return draw_figure(pareto_of(source));
+}
+
+std::string pareto_text(const PictureSource& source) {
+  return gnuplot_text(pareto_of(source));
+}
+
+constexpr auto kStudyKinds = std::to_array<PictureKind>({
+    {.name = "motion-curves",
+     .sentence = "positions, velocities and more of a motion against its drive",
+     .need = PictureNeed::motion,
+     .why_not = why_no_curves,
+     .draw = draw_motion,
+     .gnuplot = motion_text},
+    {.name = "paths",
+     .sentence = "the paths of points in a motion, to scale",
+     .need = PictureNeed::motion,
+     .why_not = why_no_paths,
+     .draw = draw_paths,
+     .gnuplot = paths_text},
+    {.name = "sweep-curves",
+     .sentence = "quantities of a sweep over a parameter",
+     .need = PictureNeed::sweep,
+     .why_not = why_no_sweep,
+     .draw = draw_sweep,
+     .gnuplot = sweep_text},
+    {.name = "burmester",
+     .sentence = "the positions of a synthesis with poles, curves and dyads",
+     .need = PictureNeed::synthesis,
+     .why_not = why_no_task,
+     .draw = draw_plane},
+    {.name = "pareto",
+     .sentence = "time against error of the methods of solution",
+     .need = PictureNeed::benchmark,
+     .why_not = why_no_times,
+     .draw = draw_pareto,
+     .gnuplot = pareto_text},
+});
+
+}  // namespace
+
+std::span<const PictureKind> study_kinds() {
+  return kStudyKinds;
+}
+
+}  // namespace kinestat

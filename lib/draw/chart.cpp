@@ -1,0 +1,257 @@
+#include "draw/chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/contract.hpp"
+#include "draw/chart_frame.hpp"
+#include "draw/labels.hpp"
+#include "draw/marker.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr double kLineHeight = 17.0;
+constexpr double kSample = 26.0;  // length of a line in the legend
+constexpr double kSeen = 0.4;     // nearer points of a line are one
+constexpr int kMostLabelled = 40;
+
+// Points of a line that can be told apart on the picture, with its gaps; what lies outside the
+// frame is a gap too.
+std::vector<PixelPoint> visible_points(const ChartFrame& frame, const Series& series) {
+  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+  std::vector<PixelPoint> points;
+  const auto is_gap = [](const PixelPoint& point) { return !std::isfinite(point.x); };
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    const PixelPoint point = frame.place(series.x[i], series.y[i]);
+    if (!frame.holds(point)) {
+      if (!points.empty() && !is_gap(points.back())) {
+        points.push_back({.x = kGap, .y = kGap});
+      }
+      continue;
+    }
+    const bool is_near = !points.empty() && !is_gap(points.back()) &&
+                         std::hypot(point.x - points.back().x, point.y - points.back().y) < kSeen;
+    const bool is_last = i + 1 == series.x.size();
+    if (!is_near || is_last || series.style == SeriesStyle::points) {
+      points.push_back(point);
+    }
+  }
+  return points;
+}
+
+int look_of(const Chart& chart, std::size_t series) {
+  return chart.series[series].look.value_or(static_cast<int>(series));
+}
+
+Paint line_paint(int index) {
+  return {.stroke = series_ink(index), .width = 2.0, .dash = std::string(series_dash(index))};
+}
+
+void draw_series(const Series& series, int index, const std::vector<PixelPoint>& points, Svg& svg) {
+  svg.open_group(series.name);
+  if (series.style == SeriesStyle::line) {
+    svg.polyline(points, line_paint(index));
+  } else {
+    for (const PixelPoint& point : points) {
+      if (std::isfinite(point.x)) {
+        draw_marker(index, point, series_ink(index), 8.0, svg);
+      }
+    }
+  }
+  svg.close_group();
+}
+
+void draw_sample(const Series& series, int index, PixelPoint left, Svg& svg) {
+  const PixelPoint right = {.x = left.x + kSample, .y = left.y};
+  if (series.style == SeriesStyle::line) {
+    svg.line(left, right, line_paint(index));
+  } else {
+    draw_marker(index, {.x = left.x + kSample / 2, .y = left.y}, series_ink(index), 8.0, svg);
+  }
+}
+
+// Draws the legend downwards from `top`, if there is more than one series; answers where it ends.
+double draw_legend(const Chart& chart, double top, double width, Svg& svg) {
+  if (chart.series.size() < 2) {
+    return top;
+  }
+  double x = 0.0;
+  double y = top;
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    const std::string name = fitting_text(chart.series[i].name, kChartText, width - kSample - 8.0);
+    const double size = kSample + 6.0 + text_width(name, kChartText) + 18.0;
+    if (x > 0.0 && x + size > width + 18.0) {
+      x = 0.0;
+      y += kLineHeight;
+    }
+    draw_sample(chart.series[i], look_of(chart, i), {.x = x, .y = y + 8.0}, svg);
+    svg.text({.x = x + kSample + 6.0, .y = y + 12.0}, name, {.size = kChartText});
+    x += size;
+  }
+  return y + kLineHeight;
+}
+
+// The rows into which labels go that stand over an axis, so that none covers another.
+std::vector<int> label_rows(const std::vector<PixelBox>& boxes) {
+  std::vector<int> rows;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    int row = 0;
+    const auto is_taken = [&] {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (rows[j] == row && boxes[i].left < boxes[j].right && boxes[j].left < boxes[i].right) {
+          return true;
+        }
+      }
+      return false;
+    };
+    while (is_taken()) {
+      ++row;
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+struct GuideLayout {
+  std::vector<TextStyle> styles;
+  std::vector<int> rows;
+  int row_count = 0;
+};
+
+// Those beside the axis are left out.
+std::vector<ChartGuide> guides_within(const Chart& chart, const ChartFrame& frame) {
+  std::vector<ChartGuide> guides;
+  for (const ChartGuide& guide : chart.guides) {
+    if (frame.holds({.x = frame.place(guide.x, frame.y.low).x, .y = frame.box.top})) {
+      guides.push_back(guide);
+    }
+  }
+  return guides;
+}
+
+// Labels stand over their guides, turned inwards at the ends.
+GuideLayout lay_out_guides(const std::vector<ChartGuide>& guides, const ChartFrame& frame) {
+  GuideLayout layout;
+  std::vector<PixelBox> boxes;
+  for (const ChartGuide& guide : guides) {
+    TextStyle style = {.size = kTickText, .has_halo = true};
+    const double x = frame.place(guide.x, frame.y.low).x;
+    const double half = text_width(guide.label, kTickText) / 2;
+    style.anchor = x - half < frame.box.left    ? Anchor::start
+                   : x + half > frame.box.right ? Anchor::end
+                                                : Anchor::middle;
+    boxes.push_back(text_box({.x = x, .y = 0.0}, guide.label, style).grown(3.0));
+    layout.styles.push_back(style);
+  }
+  layout.rows = label_rows(boxes);
+  for (const int row : layout.rows) {
+    layout.row_count = std::max(layout.row_count, row + 1);
+  }
+  return layout;
+}
+
+// Lines first, so that no label has one across it.
+void draw_guides(const std::vector<ChartGuide>& guides,
+                 const ChartFrame& frame,
+                 const GuideLayout& layout,
+                 Svg& svg) {
+  const auto place = [&](std::size_t i) {
+    return PixelPoint{.x = frame.place(guides[i].x, frame.y.low).x,
+                      .y = frame.box.top - 6.0 - kLineHeight * layout.rows[i]};
+  };
+  for (std::size_t i = 0; i < guides.size(); ++i) {
+    const PixelPoint top = place(i);
+    svg.line({.x = top.x, .y = top.y + 2.0},
+             {.x = top.x, .y = frame.box.bottom},
+             {.stroke = Ink::ink, .width = 1.0, .dash = "4 3"});
+  }
+  for (std::size_t i = 0; i < guides.size(); ++i) {
+    svg.text(place(i), guides[i].label, layout.styles[i]);
+  }
+}
+
+void draw_marks(const Chart& chart, const ChartFrame& frame, PointLabels& placer, Svg& svg) {
+  std::vector<PixelPoint> places;
+  for (const ChartMark& mark : chart.marks) {
+    const PixelPoint place = frame.place(mark.x, mark.y);
+    if (frame.holds(place)) {
+      svg.circle(place, 4.0, {.stroke = Ink::ink, .fill = Ink::paper, .width = 1.5});
+      placer.take(
+          PixelBox{.left = place.x, .top = place.y, .right = place.x, .bottom = place.y}.grown(
+              4.0));
+    }
+    places.push_back(place);
+  }
+  const std::size_t count = std::min<std::size_t>(places.size(), kMostLabelled);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (frame.holds(places[i])) {
+      placer.write(places[i], chart.marks[i].label, {.size = kTickText, .has_halo = true}, svg);
+    }
+  }
+}
+
+void draw_data(const Chart& chart, const ChartFrame& frame, Svg& svg) {
+  PointLabels placer(frame.box.grown(-2.0));
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    const std::vector<PixelPoint> points = visible_points(frame, chart.series[i]);
+    draw_series(chart.series[i], look_of(chart, i), points, svg);
+    placer.avoid(points);
+  }
+  draw_marks(chart, frame, placer, svg);
+}
+
+// Draws downwards from `top`; answers where the chart ends.
+double draw_chart(const Chart& chart, double top, Svg& svg) {
+  double y = top;
+  if (!chart.title.empty()) {
+    svg.text({.x = 0.0, .y = y + 12.0}, chart.title, {.size = 13.0, .weight = Weight::bold});
+    y += 22.0;
+  }
+  if (!has_data(chart)) {
+    svg.text({.x = 0.0, .y = y + 12.0}, "no data", {.ink = Ink::soft});
+    return y + kLineHeight;
+  }
+  y = draw_legend(chart, y, chart.width, svg) + 8.0;
+  ChartFrame frame = make_frame(chart, y);
+  const std::vector<ChartGuide> guides = guides_within(chart, frame);
+  const GuideLayout layout = lay_out_guides(guides, frame);
+  frame.words_above = layout.row_count * kLineHeight;
+  frame.box.top += frame.words_above;
+  frame.box.bottom += frame.words_above;
+  draw_grid(frame, svg);
+  draw_guides(guides, frame, layout, svg);
+  draw_data(chart, frame, svg);
+  draw_axes(chart, frame, svg);
+  return frame.box.bottom + 40.0;
+}
+
+}  // namespace
+
+std::string axis_title(const ChartAxis& axis, int exponent) {
+  std::string unit = exponent == 0 ? axis.unit : power_of_ten(exponent) + " " + axis.unit;
+  if (!unit.empty() && unit.back() == ' ') {
+    unit.pop_back();
+  }
+  return unit.empty() ? axis.label : fmt::format("{} [{}]", axis.label, unit);
+}
+
+Picture draw_figure(const Figure& figure) {
+  KINESTAT_EXPECTS(!figure.charts.empty());
+  Svg svg;
+  double y = 0.0;
+  for (const Chart& chart : figure.charts) {
+    for (const Series& series : chart.series) {
+      KINESTAT_EXPECTS(series.x.size() == series.y.size());
+    }
+    y = draw_chart(chart, y, svg) + 14.0;
+  }
+  return make_picture(figure.name, figure.title, figure.description, svg);
+}
+
+}  // namespace kinestat

@@ -1,0 +1,71 @@
+// Charts: series of points over two axes, as data that pictures and other programs' texts are made
+// of.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "draw/axes.hpp"
+#include "draw/picture.hpp"
+
+namespace kinestat {
+
+struct ChartAxis {
+  std::string label;
+  std::string unit;  ///< empty: a bare number
+  ScaleKind scale = ScaleKind::linear;
+  std::optional<double> low = {};   ///< the axis ends there; empty: at a tick beyond the data
+  std::optional<double> high = {};  ///< likewise
+};
+
+enum class SeriesStyle { line, points };
+
+/// A value that is not a number is a gap.
+struct Series {
+  std::string name;
+  std::vector<double> x = {};
+  std::vector<double> y = {};
+  SeriesStyle style = SeriesStyle::line;
+  std::optional<int> look = {};  ///< of its colour and marker; empty: its place among the series
+};
+
+/// A point that is worth words.
+struct ChartMark {
+  double x = 0.0;
+  double y = 0.0;
+  std::string label;
+};
+
+/// A value of x that is worth words.
+struct ChartGuide {
+  double x = 0.0;
+  std::string label;
+};
+
+struct Chart {
+  std::string title = {};  ///< empty: none
+  ChartAxis x;
+  ChartAxis y;
+  std::vector<Series> series;
+  std::vector<ChartMark> marks = {};
+  std::vector<ChartGuide> guides = {};
+  bool has_equal_scales = false;  ///< a unit of x is as long as one of y
+  double width = 720.0;           ///< of its frame, if scales are not equal [px]
+};
+
+/// Charts below each other.
+struct Figure {
+  std::string name;
+  std::string title;
+  std::string description;
+  std::vector<Chart> charts;
+};
+
+/// The figure; without any finite value a chart says "no data".
+Picture draw_figure(const Figure& figure);
+
+/// "speed [rad/s]", "speed [10³ rad/s]", "speed" of a bare number.
+std::string axis_title(const ChartAxis& axis, int exponent);
+
+}  // namespace kinestat

@@ -1,0 +1,157 @@
+#include "draw/chart_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kinestat {
+
+namespace {
+
+constexpr double kFreeHeight = 210.0;  // of the frame, if scales are free
+constexpr double kTallest = 560.0;     // likewise, if they are equal
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void add(double value, ScaleKind kind) {
+    if (std::isfinite(value) && (kind == ScaleKind::linear || value > 0.0)) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+
+  bool is_empty() const { return low > high; }
+};
+
+Range range_of(const Chart& chart, const ChartAxis& axis, std::vector<double> Series::*values) {
+  Range range;
+  for (const Series& series : chart.series) {
+    for (const double value : series.*values) {
+      range.add(value, axis.scale);
+    }
+  }
+  return range;
+}
+
+AxisRange axis_range(const ChartAxis& axis, Range range, double pixels, double tick_distance) {
+  if (range.is_empty()) {
+    range = {.low = 1.0, .high = 10.0};
+  }
+  const AxisDemand demand = {.low = axis.low.value_or(range.low),
+                             .high = axis.high.value_or(range.high),
+                             .tick_count = static_cast<int>(pixels / tick_distance),
+                             .in_degrees = axis.unit == "deg"};
+  if (axis.scale == ScaleKind::logarithmic) {
+    return logarithmic_axis(demand);
+  }
+  return axis.low || axis.high ? tight_axis(demand) : linear_axis(demand);
+}
+
+// Both axes with the same pixels a unit, and a frame that the data fill.
+ChartFrame equal_frame(const Chart& chart, double top) {
+  const Range x = range_of(chart, chart.x, &Series::x);
+  const Range y = range_of(chart, chart.y, &Series::y);
+  const double largest =
+      std::max({x.high - x.low, y.high - y.low, std::numeric_limits<double>::min()});
+  const double step_count = 6.0;
+  const AxisDemand both = {.low = 0.0, .high = largest, .tick_count = static_cast<int>(step_count)};
+  const double step = linear_axis(both).ticks[1].value;
+  const auto along = [step](const Range& range) {
+    // At least a step wide, so that a straight path has a frame.
+    const double low = std::floor(range.low / step) * step;
+    const double high = std::max(std::ceil(range.high / step) * step, low + step);
+    const int count = static_cast<int>(std::lround((high - low) / step));
+    return tight_axis({.low = low, .high = high, .tick_count = count});
+  };
+  ChartFrame frame = {.box = {}, .x = along(x), .y = along(y)};
+  const double width = frame.x.high - frame.x.low;
+  const double height = frame.y.high - frame.y.low;
+  const double scale = std::min(chart.width / width, kTallest / height);
+  frame.box = {.left = 0.0, .top = top, .right = width * scale, .bottom = top + height * scale};
+  return frame;
+}
+
+ChartFrame free_frame(const Chart& chart, double top) {
+  return {.box = {.left = 0.0, .top = top, .right = chart.width, .bottom = top + kFreeHeight},
+          .x = axis_range(chart.x, range_of(chart, chart.x, &Series::x), chart.width, 80.0),
+          .y = axis_range(chart.y, range_of(chart, chart.y, &Series::y), kFreeHeight, 38.0)};
+}
+
+// Answers how far the labels reach to the left.
+double draw_tick_labels(const ChartFrame& frame, Svg& svg) {
+  TextStyle style = {.ink = Ink::soft, .size = kTickText, .anchor = Anchor::middle};
+  for (const Tick& tick : frame.x.ticks) {
+    const double x = frame.place(tick.value, frame.y.low).x;
+    svg.text({.x = x, .y = frame.box.bottom + 15.0}, tick.label, style);
+  }
+  style.anchor = Anchor::end;
+  double reach = 0.0;
+  for (const Tick& tick : frame.y.ticks) {
+    const double y = frame.place(frame.x.low, tick.value).y;
+    svg.text({.x = frame.box.left - 6.0, .y = y + 4.0}, tick.label, style);
+    reach = std::max(reach, text_width(tick.label, kTickText));
+  }
+  return reach + 6.0;
+}
+
+void draw_axis_titles(const Chart& chart, const ChartFrame& frame, double reach, Svg& svg) {
+  const TextStyle style = {.size = kChartText, .anchor = Anchor::middle};
+  svg.text({.x = frame.box.centre().x, .y = frame.box.bottom + 33.0},
+           axis_title(chart.x, frame.x.exponent),
+           style);
+  const std::string title = axis_title(chart.y, frame.y.exponent);
+  // Along the axis; above it where the axis is too short.
+  if (text_width(title, kChartText) <= frame.box.height() + 20.0) {
+    TextStyle turned = style;
+    turned.turn = -90.0;
+    svg.text({.x = frame.box.left - reach - 10.0, .y = frame.box.centre().y}, title, turned);
+  } else {
+    const double y = frame.box.top - frame.words_above - 8.0;
+    svg.text({.x = frame.box.left, .y = y}, title, {.size = kChartText});
+  }
+}
+
+}  // namespace
+
+bool ChartFrame::holds(PixelPoint point) const {
+  const PixelBox outer = box.grown(0.5);
+  return point.x >= outer.left && point.x <= outer.right && point.y >= outer.top &&
+         point.y <= outer.bottom;
+}
+
+bool has_data(const Chart& chart) {
+  return !range_of(chart, chart.x, &Series::x).is_empty() &&
+         !range_of(chart, chart.y, &Series::y).is_empty();
+}
+
+ChartFrame make_frame(const Chart& chart, double top) {
+  return chart.has_equal_scales ? equal_frame(chart, top) : free_frame(chart, top);
+}
+
+void draw_grid(const ChartFrame& frame, Svg& svg) {
+  const Paint grid = {.stroke = Ink::grid, .width = 1.0};
+  for (const Tick& tick : frame.x.ticks) {
+    const double x = frame.place(tick.value, frame.y.low).x;
+    svg.line({.x = x, .y = frame.box.top}, {.x = x, .y = frame.box.bottom}, grid);
+  }
+  for (const Tick& tick : frame.y.ticks) {
+    const double y = frame.place(frame.x.low, tick.value).y;
+    svg.line({.x = frame.box.left, .y = y}, {.x = frame.box.right, .y = y}, grid);
+  }
+  const Paint axis = {.stroke = Ink::soft, .width = 1.0};
+  const bool has_zero =
+      frame.y.kind == ScaleKind::linear && frame.y.low < 0.0 && frame.y.high > 0.0;
+  if (has_zero) {
+    const double y = frame.place(frame.x.low, 0.0).y;
+    svg.line({.x = frame.box.left, .y = y}, {.x = frame.box.right, .y = y}, axis);
+  }
+  svg.rectangle(frame.box, axis);
+}
+
+void draw_axes(const Chart& chart, const ChartFrame& frame, Svg& svg) {
+  draw_axis_titles(chart, frame, draw_tick_labels(frame, svg), svg);
+}
+
+}  // namespace kinestat

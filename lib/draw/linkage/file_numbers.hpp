@@ -1,0 +1,34 @@
+// Numbers of a description that pictures need and a Mechanism does not keep.
+#pragma once
+
+#include <optional>
+
+#include "description/mechanism_description.hpp"
+#include "expression/parameters.hpp"
+#include "mechanism/cables/cable_geometry.hpp"
+
+namespace kinestat {
+
+/// Of a description that has been bound without an error, and must outlive it. Answers are in SI,
+/// and empty where the file has no such number.
+class FileNumbers {
+ public:
+  explicit FileNumbers(const MechanismDescription& description);
+
+  std::optional<double> number(const Value& value, QuantityKind kind) const;
+
+  /// [m], in the world frame; z is 0 in the plane.
+  std::optional<Vec3> point(const PointDescription& point) const;
+
+  /// A station of a CablePart, whose centre and axis are filled in; its radius is 0 where the file
+  /// does not give it.
+  std::optional<CableStationGeometry> station(const CableStation& station) const;
+
+ private:
+  std::optional<Vec3> direction(const AxisDescription& axis) const;
+
+  const MechanismDescription& description_;
+  ParameterTable table_;
+};
+
+}  // namespace kinestat

@@ -1,0 +1,68 @@
+// What planar and spatial drawings of a mechanism ask and do alike.
+#pragma once
+
+#include <vector>
+
+#include "draw/linkage/linkage_canvas.hpp"
+
+namespace kinestat {
+
+/// Base of the classes that fill a canvas. All references must outlive it.
+class LinkageDrawer {
+ public:
+  LinkageDrawer(const Analysis& analysis,
+                const LinkageOptions& options,
+                const LinkageParts& parts,
+                LinkageCanvas& canvas)
+      : analysis_(analysis),
+        topology_(analysis.mechanism.topology),
+        geometry_(analysis.mechanism.geometry),
+        options_(options),
+        parts_(parts),
+        canvas_(canvas),
+        svg_(canvas.svg()) {}
+
+ protected:
+  const std::vector<BodyPoint>& points(BodyId body) const {
+    return parts_.points[static_cast<std::size_t>(body.value)];
+  }
+
+  bool is_virtual(BodyId body) const {
+    return parts_.is_virtual[static_cast<std::size_t>(body.value)];
+  }
+
+  /// Whether it has no symbol: between virtual links of cables.
+  bool is_hidden(const CouplingTopology& coupling) const {
+    return is_virtual(coupling.tail) || is_virtual(coupling.head);
+  }
+
+  /// The body that moves with the symbol of a coupling: its head unless that is the ground.
+  static BodyId carrier(const CouplingTopology& coupling) {
+    return coupling.head.value == 0 ? coupling.tail : coupling.head;
+  }
+
+  /// All that are drawn but the ground.
+  std::vector<BodyId> moving_bodies() const;
+
+  /// Cables are named in the middle of their straight parts.
+  void place_cables();
+
+  /// Adds a place unless the list has it already.
+  static void add_place(PixelPoint place, std::vector<PixelPoint>& places);
+
+  /// Adds those of the body's points whose path is shown.
+  void add_traced(BodyId body, std::vector<PixelPoint>& places) const;
+
+  /// Keeps names off the sides of a bar from place to place.
+  void keep_off_bar(const std::vector<PixelPoint>& places, double half);
+
+  const Analysis& analysis_;
+  const Topology& topology_;
+  const Geometry& geometry_;
+  const LinkageOptions& options_;
+  const LinkageParts& parts_;
+  LinkageCanvas& canvas_;
+  Svg& svg_;
+};
+
+}  // namespace kinestat

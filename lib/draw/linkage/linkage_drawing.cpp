@@ -1,0 +1,65 @@
+#include "draw/linkage/linkage_drawing.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "draw/linkage/linkage_canvas.hpp"
+#include "draw/linkage/planar_linkage.hpp"
+#include "draw/linkage/spatial_linkage.hpp"
+#include "draw/picture_title.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// "Mechanism with the forces of case 1".
+std::string drawn_words(const Analysis& analysis, const LinkageOptions& options) {
+  const bool has_forces =
+      options.shows_forces && options.which && *options.which < analysis.cases.size();
+  return has_forces ? fmt::format("Mechanism with the forces of case {}",
+                                  analysis.cases[*options.which].which.label)
+                    : "Mechanism";
+}
+
+std::string describe(const Topology& topology) {
+  return fmt::format("Drawing to scale of {} bodies and {} couplings.",
+                     topology.body_count(),
+                     topology.coupling_count());
+}
+
+}  // namespace
+
+Picture draw_linkage(const Analysis& analysis, const LinkageOptions& options) {
+  const LinkageParts parts = find_linkage_parts(analysis.description, analysis.mechanism);
+  const std::vector<Vec3> points = extent_points(parts, analysis, options);
+  const bool is_planar = analysis.mechanism.space == Space::planar;
+  const LinkageView view = is_planar ? fit_view({}, points) : best_view(analysis, points);
+  LinkageCanvas canvas(analysis, options, view);
+  const std::array<Attribute, 3> marks = {{
+      {"data-scale", fmt::format("{}", view.scale)},
+      {"data-x0", fmt::format("{}", view.x0)},
+      {"data-y0", fmt::format("{}", view.y0)},
+  }};
+  canvas.svg().open_group({}, marks);
+  if (is_planar) {
+    draw_planar(analysis, options, parts, canvas);
+  } else {
+    draw_spatial(analysis, options, parts, canvas);
+  }
+  canvas.svg().close_group();
+  Picture picture = make_picture("linkage",
+                                 picture_title(drawn_words(analysis, options), analysis),
+                                 describe(analysis.mechanism.topology),
+                                 canvas.svg());
+  const PixelBox bounds = canvas.bounds();
+  picture.view.add(PixelBox{.left = std::floor(bounds.left),
+                            .top = std::floor(bounds.top),
+                            .right = std::ceil(bounds.right),
+                            .bottom = std::ceil(bounds.bottom)});
+  return picture;
+}
+
+}  // namespace kinestat

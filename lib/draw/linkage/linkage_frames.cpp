@@ -1,0 +1,62 @@
+#include "draw/linkage/linkage_frames.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+namespace kinestat {
+
+namespace {
+
+// The mechanism alone, which a position moves.
+Analysis without_solutions(const Analysis& analysis) {
+  return {.file = analysis.file,
+          .description = analysis.description,
+          .mechanism = analysis.mechanism,
+          .mobility = {},
+          .cases = {},
+          .shift = {},
+          .free_parameters = {}};
+}
+
+// The traced points as they stand with these poses.
+LinkageOptions options_at(const LinkagePosition& position, const LinkageOptions& options) {
+  LinkageOptions moved;
+  moved.shows_forces = false;
+  for (const TracedPath& path : options.paths) {
+    if (path.body) {
+      const BodyPose& pose = position.poses[static_cast<std::size_t>(path.body->value)];
+      moved.paths.push_back({.name = path.name, .points = {}, .body = path.body});
+      moved.paths.back().drawn = pose.point(path.drawn);
+    }
+  }
+  return moved;
+}
+
+}  // namespace
+
+void draw_linkage_frames(const Analysis& analysis,
+                         const LinkageOptions& options,
+                         LinkageCanvas& canvas,
+                         FrameWriter write) {
+  if (options.frames.empty()) {
+    return;
+  }
+  Analysis moved = without_solutions(analysis);
+  for (std::size_t i = 0; i < options.frames.size(); ++i) {
+    const LinkagePosition& position = options.frames[i];
+    const LinkageParts parts =
+        find_linkage_parts(analysis.description, analysis.mechanism, position.poses);
+    moved.mechanism.geometry = position.geometry;
+    const LinkageOptions at_position = options_at(position, options);
+    LinkageCanvas frame(moved, at_position, canvas.view());
+    write(moved, at_position, parts, frame);
+    const std::array<Attribute, 2> marks = {
+        {{"data-frame", fmt::format("{}", i)}, {"display", "none"}}};
+    canvas.svg().open_group({}, marks);
+    canvas.svg().add(frame.svg());
+    canvas.svg().close_group();
+  }
+}
+
+}  // namespace kinestat

@@ -1,0 +1,20 @@
+// What of a mechanism no matrix moves, drawn anew for every position of a motion.
+#pragma once
+
+#include "draw/linkage/linkage_canvas.hpp"
+
+namespace kinestat {
+
+/// Draws a part of a mechanism as it stands on the canvas.
+using FrameWriter = void (*)(const Analysis& analysis,
+                             const LinkageOptions& options,
+                             const LinkageParts& parts,
+                             LinkageCanvas& canvas);
+
+/// Adds a hidden group `data-frame` to the canvas for each of LinkageOptions::frames, in its view.
+void draw_linkage_frames(const Analysis& analysis,
+                         const LinkageOptions& options,
+                         LinkageCanvas& canvas,
+                         FrameWriter write);
+
+}  // namespace kinestat

@@ -1,0 +1,171 @@
+#include "draw/name_placer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace kinestat {
+
+namespace {
+
+// What it costs to cover a pixel of a label, of something else, or of a line. Labels are never
+// covered as long as there is any other place.
+constexpr double kLabelCost = 1e6;
+constexpr double kBoxCost = 3.0;
+constexpr double kLineCost = 14.0;
+
+// What is nearer to a label than this seems to touch it, which costs less than to cover it.
+constexpr double kAir = 2.0;
+constexpr double kNearCost = 1.0;
+
+constexpr int kDirections = 16;
+
+// The share of the height that lies above the base line.
+constexpr double kAscentShare = 0.76;
+
+double overlap(const PixelBox& a, const PixelBox& b) {
+  const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
+  const double height = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
+  return width > 0.0 && height > 0.0 ? width * height : 0.0;
+}
+
+// Cuts the part [from, to] of a line to where start + t * step <= bound.
+void clip(double start, double step, double bound, double& from, double& to) {
+  if (step == 0.0) {
+    to = start <= bound ? to : -1.0;
+  } else if (step > 0.0) {
+    to = std::min(to, (bound - start) / step);
+  } else {
+    from = std::max(from, (bound - start) / step);
+  }
+}
+
+double length_within(const PixelBox& box, PixelPoint a, PixelPoint b) {
+  double from = 0.0;
+  double to = 1.0;
+  clip(a.x, b.x - a.x, box.right, from, to);
+  clip(-a.x, a.x - b.x, -box.left, from, to);
+  clip(a.y, b.y - a.y, box.bottom, from, to);
+  clip(-a.y, a.y - b.y, -box.top, from, to);
+  return to > from ? (to - from) * std::hypot(b.x - a.x, b.y - a.y) : 0.0;
+}
+
+PixelBox box_around(PixelPoint middle, double width, double height) {
+  return {.left = middle.x - width / 2,
+          .top = middle.y - height / 2,
+          .right = middle.x + width / 2,
+          .bottom = middle.y + height / 2};
+}
+
+// The middle of a box that touches the circle around the anchor in that direction.
+PixelPoint middle_at(PixelPoint anchor, double angle, double distance, PixelPoint half) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return {.x = anchor.x + c * (distance + half.x), .y = anchor.y - s * (distance + half.y)};
+}
+
+}  // namespace
+
+void NamePlacer::keep_off(PixelPoint from, PixelPoint to) {
+  segments_.push_back({.from = from, .to = to});
+}
+
+void NamePlacer::keep_off_circle(PixelPoint centre, double radius) {
+  constexpr int kSidesOfRing = 24;
+  PixelPoint last = {.x = centre.x + radius, .y = centre.y};
+  for (int i = 1; i <= kSidesOfRing; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kSidesOfRing;
+    const PixelPoint next = {.x = centre.x + radius * std::cos(angle),
+                             .y = centre.y + radius * std::sin(angle)};
+    keep_off(last, next);
+    last = next;
+  }
+}
+
+double NamePlacer::cost(const PixelBox& box) const {
+  double sum = 0.0;
+  for (const PixelBox& label : labels_) {
+    sum += kLabelCost * overlap(box, label);
+  }
+  const PixelBox around = box.grown(kAir);
+  for (const PixelBox& other : boxes_) {
+    sum += kBoxCost * overlap(box, other);
+  }
+  for (const Segment& segment : segments_) {
+    sum += kLineCost * length_within(box, segment.from, segment.to) +
+           kNearCost * length_within(around, segment.from, segment.to);
+  }
+  return sum;
+}
+
+PlacedName NamePlacer::take(const PixelBox& box, const TextStyle& style) {
+  labels_.push_back(box.grown(1.0));
+  const double base = box.top + kAscentShare * box.height();
+  const double x = style.anchor == Anchor::start    ? box.left
+                   : style.anchor == Anchor::middle ? box.centre().x
+                                                    : box.right;
+  return {.place = {.x = x, .y = base}, .box = box, .needs_line = false, .line_end = {}};
+}
+
+PlacedName NamePlacer::place(PixelPoint anchor,
+                             std::string_view text,
+                             const TextStyle& style,
+                             double distance) {
+  constexpr double kFarther[] = {0.0, 6.0, 14.0, 26.0, 42.0, 64.0, 92.0, 126.0, 168.0};
+  constexpr double kCostOfPixel = 4.0;
+  const double width = text_width(text, style.size, style.weight);
+  const PixelPoint half = {.x = width / 2, .y = style.size / 2};
+  double least = std::numeric_limits<double>::infinity();
+  PixelBox best;
+  double best_more = 0.0;
+  for (const double more : kFarther) {
+    for (int i = 0; i < kDirections; ++i) {
+      // From the upper right on, which readers expect first.
+      const double angle = std::numbers::pi / 4 + 2 * std::numbers::pi * i / kDirections;
+      const PixelPoint middle = middle_at(anchor, angle, distance + more, half);
+      const PixelBox box = box_around(middle, width, style.size);
+      const double total = cost(box) + kCostOfPixel * more;
+      if (total < least) {
+        least = total;
+        best = box;
+        best_more = more;
+      }
+    }
+  }
+  PlacedName result = take(best, style);
+  result.needs_line = best_more > kFarther[2];
+  result.line_end = {.x = std::clamp(anchor.x, best.left, best.right),
+                     .y = std::clamp(anchor.y, best.top, best.bottom)};
+  return result;
+}
+
+PlacedName NamePlacer::place_at(const std::vector<PixelPoint>& middles,
+                                std::string_view text,
+                                const TextStyle& style) {
+  const double width = text_width(text, style.size, style.weight);
+  double least = std::numeric_limits<double>::infinity();
+  PixelBox best;
+  for (std::size_t i = 0; i < middles.size(); ++i) {
+    const PixelBox box = box_around(middles[i], width, style.size);
+    const double total = cost(box) + static_cast<double>(i);
+    if (total < least) {
+      least = total;
+      best = box;
+    }
+  }
+  if (least >= kLabelCost) {
+    return place(middles.front(), text, style, 4.0);
+  }
+  return take(best, style);
+}
+
+void write_label(
+    Svg& svg, const PlacedName& label, PixelPoint anchor, std::string_view text, TextStyle style) {
+  if (label.needs_line) {
+    svg.line(anchor, label.line_end, {.stroke = Ink::soft, .width = 0.7});
+  }
+  svg.text(label.place, text, style);
+}
+
+}  // namespace kinestat

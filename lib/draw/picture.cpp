@@ -1,0 +1,124 @@
+#include "draw/picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/contract.hpp"
+#include "draw/markup.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr double kMargin = 12.0;
+constexpr double kTitleSize = 15.0;
+constexpr double kTitleLine = 20.0;
+
+// Narrower pictures get room for their title at the right.
+constexpr double kLeastWidth = 400.0;
+
+std::string with_ids(const std::string& elements, std::string_view prefix) {
+  std::string result;
+  result.reserve(elements.size());
+  for (const char character : elements) {
+    if (character == kIdMark.front()) {
+      result += fmt::format("{}-", prefix);
+    } else {
+      result += character;
+    }
+  }
+  return result;
+}
+
+// Everything of the element but the closing bracket of its begin.
+std::string opening(const Picture& picture) {
+  const PixelBox& view = picture.view;
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{}\" width=\"{}\" "
+      "height=\"{}\" viewBox=\"{} {} {} {}\" font-family=\"{}\"",
+      escape_markup(picture.title),
+      format_coordinate(view.width()),
+      format_coordinate(view.height()),
+      format_coordinate(view.left),
+      format_coordinate(view.top),
+      format_coordinate(view.width()),
+      format_coordinate(view.height()),
+      kFontFamily);
+}
+
+std::string words(const Picture& picture) {
+  return fmt::format("<title>{}</title>\n<desc>{}</desc>\n",
+                     escape_markup(picture.title),
+                     escape_markup(picture.description));
+}
+
+// The picture with its title above what it shows, in as many lines as its width asks for.
+Picture with_title(const Picture& picture) {
+  Picture whole = picture;
+  const double left = picture.view.left + kMargin;
+  const double width = std::max(picture.view.width(), kLeastWidth) - 2 * kMargin;
+  const std::vector<std::string> lines =
+      wrapped_text(picture.title, kTitleSize, width, Weight::bold);
+  Svg svg;
+  double y = picture.view.top - kTitleLine * static_cast<double>(lines.size());
+  whole.view.top = std::floor(y - kMargin);
+  for (const std::string& line : lines) {
+    y += kTitleLine;
+    svg.text(
+        {.x = left, .y = y - kTitleLine / 4}, line, {.size = kTitleSize, .weight = Weight::bold});
+  }
+  whole.view.right = std::max(whole.view.right, std::ceil(svg.bounds().right + kMargin));
+  whole.elements = svg.elements() + picture.elements;
+  return whole;
+}
+
+}  // namespace
+
+Picture make_picture(
+    std::string name, std::string title, std::string description, const Svg& svg, double margin) {
+  KINESTAT_EXPECTS(!svg.bounds().is_empty());
+  const PixelBox outer = svg.bounds().grown(margin);
+  return {.name = std::move(name),
+          .title = std::move(title),
+          .description = std::move(description),
+          .view = {.left = std::floor(outer.left),
+                   .top = std::floor(outer.top),
+                   .right = std::ceil(outer.right),
+                   .bottom = std::ceil(outer.bottom)},
+          .elements = svg.elements()};
+}
+
+std::string_view svg_signature() {
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- kinestat picture -->\n";
+}
+
+std::string svg_file(const Picture& picture) {
+  const Picture whole = with_title(picture);
+  Svg paper;
+  paper.rectangle(whole.view, {.stroke = Ink::none, .fill = Ink::paper});
+  return fmt::format(
+      "{}{}>\n{}<style>:root{{{}}}"
+      "@media (prefers-color-scheme:dark){{:root{{{}}}}}{}</style>\n{}{}</svg>\n",
+      svg_signature(),
+      opening(whole),
+      words(whole),
+      light_variables(),
+      dark_variables(),
+      ink_rules(),
+      paper.elements(),
+      with_ids(whole.elements, whole.name));
+}
+
+std::string svg_element(const Picture& picture, std::string_view prefix) {
+  return fmt::format("{} id=\"{}\">\n{}{}</svg>\n",
+                     opening(picture),
+                     prefix,
+                     words(picture),
+                     with_ids(picture.elements, prefix));
+}
+
+}  // namespace kinestat

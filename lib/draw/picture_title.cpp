@@ -1,0 +1,24 @@
+#include "draw/picture_title.hpp"
+
+#include <fmt/format.h>
+
+namespace kinestat {
+
+std::string shown_name(const std::string& file, const MechanismDescription& description) {
+  if (!description.name.empty()) {
+    return description.name;
+  }
+  return file == "-" ? "<stdin>" : file;
+}
+
+std::string picture_title(std::string_view what,
+                          const std::string& file,
+                          const MechanismDescription& description) {
+  return fmt::format("{}: {}", what, shown_name(file, description));
+}
+
+std::string picture_title(std::string_view what, const Analysis& analysis) {
+  return picture_title(what, analysis.file, analysis.description);
+}
+
+}  // namespace kinestat

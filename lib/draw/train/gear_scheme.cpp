@@ -1,0 +1,343 @@
+#include "draw/train/gear_scheme.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "draw/name_placer.hpp"
+#include "draw/picture_title.hpp"
+#include "draw/symbols.hpp"
+#include "draw/text_styles.hpp"
+#include "draw/train/scheme_layout.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr double kMeshGap = 2.2;  // half the gap between wheels in mesh [px]
+constexpr double kThick = 3.0;    // strokes of wheels
+constexpr double kShaft = 2.2;
+constexpr double kPlate = 9.0;  // half the length of the plate of an element
+
+class SchemeWriter {
+ public:
+  SchemeWriter(const Analysis& analysis,
+               const GearSchemeOptions& options,
+               const SchemeTrain& train,
+               const SchemeLayout& layout)
+      : analysis_(analysis), options_(options), train_(train), layout_(layout) {}
+
+  Svg write() {
+    draw_axis();
+    for (const DrawnShaft& shaft : layout_.shafts) {
+      const double width = shaft.body == 0 ? 1.6 : kShaft;
+      svg_.line(shaft.from, shaft.to, {.stroke = Ink::ink, .width = width, .round_ends = true});
+      placer_.keep_off(shaft.from, shaft.to);
+    }
+    for (const DrawnPin& pin : layout_.pins) {
+      draw_pin_line(pin);
+    }
+    for (const DrawnWheel& wheel : layout_.wheels) {
+      draw_wheel(wheel);
+    }
+    for (const DrawnElement& element : layout_.elements) {
+      draw_element(element);
+    }
+    for (const DrawnElement& element : layout_.elements) {
+      name_element(element);
+    }
+    name_wheels();
+    name_bodies();
+    draw_legend();
+    return std::move(svg_);
+  }
+
+ private:
+  static PixelPoint at(double x, double height) { return {.x = x, .y = -height}; }
+
+  const SchemeWheel& wheel(const DrawnWheel& drawn) const {
+    return train_.wheels[static_cast<std::size_t>(drawn.wheel)];
+  }
+
+  Ink ink(int planet) const { return planet < 0 ? Ink::ink : Ink::blue; }
+
+  void stroke(PixelPoint from, PixelPoint to, Ink ink, double width) {
+    svg_.line(from, to, {.stroke = ink, .width = width});
+    PixelBox box;
+    box.add(from);
+    box.add(to);
+    placer_.keep_off(box.grown(1.0 + width / 2));
+    placer_.keep_off(from, to);
+  }
+
+  void draw_axis() {
+    const PixelPoint from = at(layout_.box.left - 30, 0);
+    const PixelPoint to = at(layout_.box.right + 30, 0);
+    svg_.line(from, to, {.stroke = Ink::soft, .width = 0.9, .dash = "14 3 3 3"});
+    placer_.keep_off(from, to);
+  }
+
+  // The pin, on which the planet turns.
+  void draw_pin_line(const DrawnPin& pin) {
+    stroke(at(pin.left, pin.height), at(pin.right, pin.height), Ink::ink, 1.4);
+  }
+
+  void draw_wheel(const DrawnWheel& drawn) {
+    const SchemeWheel& of = wheel(drawn);
+    svg_.open_group(of.name);
+    if (of.planet >= 0) {
+      draw_planet(drawn);
+    } else {
+      const double height = drawn.high + (of.is_ring ? kMeshGap : -kMeshGap);
+      stroke(at(drawn.left, height), at(drawn.right, height), Ink::ink, kThick);
+      // From where the shaft begins.
+      for (const double x : drawn.discs) {
+        svg_.line(at(x, drawn.high), at(x, height), {.stroke = Ink::ink, .width = kShaft});
+      }
+    }
+    svg_.close_group();
+  }
+
+  // A stroke where it meshes above and below, and a disc with a bearing on the pin.
+  void draw_planet(const DrawnWheel& drawn) {
+    const double low = drawn.low + kMeshGap;
+    const double high = drawn.high - kMeshGap;
+    const double middle = (drawn.low + drawn.high) / 2;
+    for (const double height : {low, high}) {
+      stroke(at(drawn.left, height), at(drawn.right, height), Ink::blue, kThick);
+    }
+    const double x = (drawn.left + drawn.right) / 2;
+    const double bearing = 3.2;
+    stroke(at(x, low), at(x, middle - bearing), Ink::blue, kShaft);
+    stroke(at(x, middle + bearing), at(x, high), Ink::blue, kShaft);
+    for (const double side : {-bearing, bearing}) {
+      stroke(at(x - 7, middle + side), at(x + 7, middle + side), Ink::blue, 1.6);
+    }
+    join_steps(drawn, middle);
+  }
+
+  // Wheels of one planet are one body: their hubs are joined.
+  void join_steps(const DrawnWheel& drawn, double middle) {
+    for (const DrawnWheel& other : layout_.wheels) {
+      const bool is_next = wheel(other).planet == wheel(drawn).planet && other.left > drawn.right;
+      const bool has_between = std::ranges::any_of(layout_.wheels, [&](const DrawnWheel& third) {
+        return wheel(third).planet == wheel(drawn).planet && third.left > drawn.right &&
+               third.right < other.left;
+      });
+      if (is_next && !has_between) {
+        const double from = (drawn.left + drawn.right) / 2 + 7;
+        const double to = (other.left + other.right) / 2 - 7;
+        for (const double side : {-3.2, 3.2}) {
+          stroke(at(from, middle + side), at(to, middle + side), Ink::blue, 1.6);
+        }
+      }
+    }
+  }
+
+  Paint plate(bool is_engaged) const {
+    return {.stroke = is_engaged ? Ink::vermilion : Ink::ink,
+            .fill = is_engaged ? Ink::vermilion : Ink::paper,
+            .width = 1.4};
+  }
+
+  bool is_engaged(const DrawnElement& drawn) const {
+    return drawn.element >= 0 &&
+           train_.elements[static_cast<std::size_t>(drawn.element)].is_engaged;
+  }
+
+  void draw_element(const DrawnElement& drawn) {
+    const bool is_fixed = drawn.element < 0;
+    const SchemeElementKind kind =
+        is_fixed ? SchemeElementKind::brake
+                 : train_.elements[static_cast<std::size_t>(drawn.element)].kind;
+    switch (kind) {
+      case SchemeElementKind::clutch:
+        draw_clutch(drawn);
+        break;
+      case SchemeElementKind::brake:
+        draw_housing(drawn, is_fixed);
+        break;
+      case SchemeElementKind::input:
+      case SchemeElementKind::output:
+        draw_port(drawn, kind);
+        break;
+    }
+  }
+
+  // Two plates across the axis; filled, and without a gap, where they hold each other.
+  void draw_clutch(const DrawnElement& drawn) {
+    const PixelPoint along = unit_of(drawn.beyond - drawn.at);
+    const double length = length_of(drawn.beyond - drawn.at);
+    const double gap = is_engaged(drawn) ? 0.0 : 2.6;
+    const PixelPoint middle = drawn.at + 0.5 * length * along;
+    for (const double side : {-1.0, 1.0}) {
+      const PixelPoint inner = middle + (side * gap) * along;
+      const PixelPoint outer = middle + (side * (gap + 4.0)) * along;
+      PixelBox box;
+      box.add(inner);
+      box.add(outer);
+      box.top -= kPlate;
+      box.bottom += kPlate;
+      svg_.line(side < 0 ? drawn.at : drawn.beyond, outer, {.stroke = Ink::ink, .width = kShaft});
+      svg_.rectangle(box, plate(is_engaged(drawn)));
+      placer_.keep_off(box);
+    }
+  }
+
+  // A plate against the hatched housing; what is fixed has none.
+  void draw_housing(const DrawnElement& drawn, bool is_fixed) {
+    const PixelPoint out = unit_of(drawn.beyond - drawn.at);
+    const PixelPoint across = left_of(out);
+    const double gap = is_engaged(drawn) ? 0.0 : 3.0;
+    const double depth = is_fixed ? 0.0 : 4.0;
+    const PixelPoint wall = drawn.at + (gap + depth) * out;
+    if (!is_fixed) {
+      PixelBox box;
+      box.add(drawn.at + kPlate * across);
+      box.add(drawn.at - kPlate * across + depth * out);
+      svg_.rectangle(box, plate(is_engaged(drawn)));
+      placer_.keep_off(box);
+    }
+    // Hatched on the far side of the line.
+    draw_fixed_line(svg_, wall - 1.3 * kPlate * across, wall + 1.3 * kPlate * across);
+    PixelBox box;
+    box.add(wall - 1.3 * kPlate * across);
+    box.add(wall + 1.3 * kPlate * across + 7.0 * out);
+    placer_.keep_off(box);
+  }
+
+  void draw_port(const DrawnElement& drawn, SchemeElementKind kind) {
+    const PixelPoint out = unit_of(drawn.beyond - drawn.at);
+    const PixelPoint far = drawn.at + 26.0 * out;
+    const Paint paint = {.stroke = is_engaged(drawn) ? Ink::vermilion : Ink::ink, .width = 3.0};
+    if (kind == SchemeElementKind::input) {
+      svg_.arrow(far, drawn.at, paint, 11.0);
+    } else {
+      svg_.arrow(drawn.at, far, paint, 11.0);
+    }
+    placer_.keep_off(drawn.at, far);
+  }
+
+  void name_element(const DrawnElement& drawn) {
+    if (drawn.element < 0) {
+      return;
+    }
+    const SchemeElement& element = train_.elements[static_cast<std::size_t>(drawn.element)];
+    const bool is_port =
+        element.kind == SchemeElementKind::input || element.kind == SchemeElementKind::output;
+    const PixelPoint out = unit_of(drawn.beyond - drawn.at);
+    const PixelPoint anchor = is_port ? drawn.at + 28.0 * out
+                              : element.kind == SchemeElementKind::brake
+                                  ? drawn.at + 14.0 * out
+                                  : 0.5 * (drawn.at + drawn.beyond);
+    write(element.name,
+          anchor,
+          is_port                                    ? 3.0
+          : element.kind == SchemeElementKind::brake ? 2.0
+                                                     : kPlate + 2.0,
+          {.ink = element.is_engaged ? Ink::vermilion : Ink::ink,
+           .size = 13.0,
+           .weight = Weight::bold,
+           .has_halo = true});
+  }
+
+  void write(const std::string& text, PixelPoint anchor, double distance, const TextStyle& style) {
+    const PlacedName label = placer_.place(anchor, text, style, distance);
+    write_label(svg_, label, anchor, text, style);
+  }
+
+  void name_wheels() {
+    for (const DrawnWheel& drawn : layout_.wheels) {
+      const SchemeWheel& of = wheel(drawn);
+      const TextStyle style = {.ink = ink(of.planet), .size = 11.5, .has_halo = true};
+      write(of.name, at(drawn.right, drawn.high - (of.planet < 0 ? 0.0 : 9.0)), 4.0, style);
+    }
+  }
+
+  // Bodies without a wheel of their name, on their longest line.
+  void name_bodies() {
+    for (int body = 1; body < analysis_.mechanism.topology.body_count(); ++body) {
+      const std::string& name = analysis_.mechanism.topology.body(BodyId{body}).name;
+      const bool is_named = std::ranges::any_of(train_.wheels, [&](const SchemeWheel& wheel) {
+        return wheel.name == name || wheel.name.starts_with(name + " ");
+      });
+      const DrawnShaft* longest = nullptr;
+      for (const DrawnShaft& shaft : layout_.shafts) {
+        const bool is_longer = longest == nullptr || length_of(shaft.to - shaft.from) >
+                                                         length_of(longest->to - longest->from);
+        if (shaft.body == body && is_longer) {
+          longest = &shaft;
+        }
+      }
+      if (longest != nullptr && !is_named) {
+        write(name,
+              0.5 * (longest->from + longest->to),
+              4.0,
+              {.ink = Ink::soft, .size = 11.5, .has_halo = true, .is_italic = true});
+      }
+    }
+  }
+
+  void draw_legend() {
+    if (!options_.which || *options_.which >= analysis_.cases.size()) {
+      return;
+    }
+    std::vector<std::string> engaged;
+    std::vector<std::string> driven;
+    bool has_shift_elements = false;
+    for (const SchemeElement& element : train_.elements) {
+      const bool engages =
+          element.kind == SchemeElementKind::clutch || element.kind == SchemeElementKind::brake;
+      has_shift_elements = has_shift_elements || engages;
+      if (element.is_engaged && element.kind != SchemeElementKind::output) {
+        (engages ? engaged : driven).push_back(element.name);
+      }
+    }
+    std::string text = analysis_.cases[*options_.which].which.label;
+    const char* mark = ": ";
+    const auto add = [&](const std::string& words) { text += std::exchange(mark, ", ") + words; };
+    if (has_shift_elements) {
+      add(engaged.empty() ? "nothing engaged"
+                          : fmt::format("engaged {}", fmt::join(engaged, ", ")));
+    }
+    if (!driven.empty()) {
+      add(fmt::format("driven by {}", fmt::join(driven, ", ")));
+    }
+    svg_.text({.x = layout_.box.left, .y = svg_.bounds().bottom + 20}, text, kSmall);
+  }
+
+  const Analysis& analysis_;
+  const GearSchemeOptions& options_;
+  const SchemeTrain& train_;
+  const SchemeLayout& layout_;
+  Svg svg_;
+  NamePlacer placer_;
+};
+
+}  // namespace
+
+std::optional<Picture> draw_gear_scheme(const Analysis& analysis,
+                                        const GearSchemeOptions& options) {
+  const std::optional<SchemeTrain> train = find_scheme_train(analysis, options);
+  if (!train) {
+    return std::nullopt;
+  }
+  const SchemeLayout layout = lay_out_scheme(*train);
+  const Svg svg = SchemeWriter(analysis, options, *train, layout).write();
+  return make_picture("gear-scheme",
+                      picture_title("Gear scheme", analysis),
+                      fmt::format("Half section along the main axis: {} wheels, {} elements.",
+                                  train->wheels.size(),
+                                  train->elements.size()),
+                      svg);
+}
+
+bool has_gear_scheme(const Analysis& analysis) {
+  return find_scheme_train(analysis, {}).has_value();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,28 @@
+// The scheme of a gear train along its main axis, as a half section: wheels, shafts, elements.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "cases/analysis.hpp"
+#include "draw/picture.hpp"
+
+namespace kinestat {
+
+struct GearSchemeOptions {
+  std::optional<std::size_t>
+      which;  ///< index into Analysis::cases: its engaged elements are filled
+};
+
+/// Wheels are strokes at their radii, in columns along the axis; planets carry their pin, carriers
+/// and shafts are lines, clutches are two plates, brakes a plate against the hatched housing,
+/// inputs and outputs arrows. Radii are to scale where all axes of a train lie in one plane; where
+/// planets mesh with each other beside it, the half section is unrolled, and radii differ as little
+/// as possible. Empty if the mechanism has no gears with parallel axes.
+std::optional<Picture> draw_gear_scheme(const Analysis& analysis,
+                                        const GearSchemeOptions& options = {});
+
+/// Whether there is one.
+bool has_gear_scheme(const Analysis& analysis);
+
+}  // namespace kinestat

@@ -1,0 +1,72 @@
+#include "expression/evaluate/evaluation_errors.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/tolerance.hpp"
+#include "expression/parse/characters.hpp"
+#include "expression/parse/suggestion.hpp"
+
+namespace kinestat {
+
+Fault unknown_name(std::string_view name) {
+  const std::string word = in_small_letters(name);
+  if (word == "nan" || word == "inf" || word == "infinity") {
+    return {.code = "E0308",
+            .message = fmt::format("'{}' is not a finite number", name),
+            .hint = "write a finite number"};
+  }
+  return {.code = "E0311", .message = fmt::format("unknown name '{}'", name), .hint = {}};
+}
+
+ExpressionError located(const Expression& expression,
+                        const Node& node,
+                        Fault fault,
+                        std::span<const std::string> known) {
+  const int part = fault.part == Fault::Part::left    ? node.left
+                   : fault.part == Fault::Part::right ? node.right
+                                                      : -1;
+  const Node& shown = part >= 0 ? expression.nodes()[static_cast<std::size_t>(part)] : node;
+  if (node.kind == NodeKind::name && fault.hint.empty()) {
+    fault.hint = name_hint(expression.text_of(node), known);
+  }
+  return {.offset = shown.offset,
+          .length = shown.length,
+          .code = fault.code,
+          .message = std::move(fault.message),
+          .hint = std::move(fault.hint)};
+}
+
+ExpressionError misfit(const Dimension& dimension, QuantityKind kind) {
+  return {.code = "E0309",
+          .message =
+              fmt::format("{} stands where {} is expected", phrase_of(dimension), phrase_of(kind)),
+          .hint = fmt::format("write {}", example_of(kind))};
+}
+
+ExpressionError too_large() {
+  return {.code = "E0316",
+          .message = "the value is out of range in SI units",
+          .hint = "write a smaller number"};
+}
+
+ExpressionError beyond_computing(double largest) {
+  return {.code = "E0320",
+          .message = "the value is beyond what can be computed with",
+          .hint = largest == kLargestNumber
+                      ? fmt::format("numbers of a mechanism reach to {:g} in SI units; for a point "
+                                    "that is infinitely far write a direction",
+                                    largest)
+                      : fmt::format("velocities, forces and moments reach to {:g} in SI units; "
+                                    "write a smaller one, to which the answer is proportional",
+                                    largest)};
+}
+
+ExpressionError too_small() {
+  return {.code = "E0316",
+          .message = "the value is too small in SI units (underflow)",
+          .hint = "write 0, or a larger number"};
+}
+
+}  // namespace kinestat

@@ -1,0 +1,157 @@
+#include "expression/parse/characters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace kinestat {
+
+namespace {
+
+struct CodePoint {
+  std::uint32_t value = 0;
+  int length = 0;  // [bytes]; 0: not UTF-8
+};
+
+struct Advice {
+  std::uint32_t value = 0;
+  std::string_view hint;
+};
+
+// In the order of the code points.
+constexpr auto kAdvice = std::to_array<Advice>({
+    {0x00A0, "write an ordinary space"},
+    {0x00AD, "remove this invisible character"},
+    {0x00B0, "write deg for degrees"},
+    {0x00B1, "write one value: a tolerance has no place here"},
+    {0x00B2, "write ^2"},
+    {0x00B3, "write ^3"},
+    {0x00B5, "write um for micrometres"},
+    {0x00B7, "write *"},
+    {0x00B9, "write ^1"},
+    {0x00BA, "write deg for degrees"},
+    {0x00BC, "write 1/4"},
+    {0x00BD, "write 1/2"},
+    {0x00BE, "write 3/4"},
+    {0x00D7, "write *"},
+    {0x00F7, "write /"},
+    {0x03BC, "write um for micrometres"},
+    {0x03C0, "write pi"},
+    {0x2009, "write an ordinary space"},
+    {0x200B, "remove this invisible character"},
+    {0x2010, "write -"},
+    {0x2011, "write -"},
+    {0x2012, "write -"},
+    {0x2013, "write -"},
+    {0x2014, "write -"},
+    {0x2018, "write names without quotes"},
+    {0x2019, "write names without quotes"},
+    {0x201C, "write names without quotes"},
+    {0x201D, "write names without quotes"},
+    {0x2022, "write *"},
+    {0x202F, "write an ordinary space"},
+    {0x2030, "write 5/1000 for 5 per mille"},
+    {0x2032, "write the unit by its name: 5/60 deg for minutes of arc"},
+    {0x2033, "write the unit by its name: 5 in for inches, 5/3600 deg for seconds of arc"},
+    {0x2044, "write /"},
+    {0x207B, "write ^ and the exponent, such as s^-1"},
+    {0x2212, "write -"},
+    {0x2215, "write /"},
+    {0x2217, "write *"},
+    {0x221A, "write sqrt( )"},
+    {0x2220, "write the angle alone, such as 30 deg"},
+    {0x2260, "write !="},
+    {0x2264, "write <="},
+    {0x2265, "write >="},
+    {0x22C5, "write *"},
+    {0xFEFF, "remove this invisible character"},
+});
+
+std::uint8_t byte_at(std::string_view text, std::size_t at) {
+  return at < text.size() ? static_cast<std::uint8_t>(text[at]) : std::uint8_t{0};
+}
+
+CodePoint decode(std::string_view text, std::size_t at) {
+  const std::uint32_t first = byte_at(text, at);
+  if (first < 0x80U) {
+    return {first, 1};
+  }
+  const int length = first >= 0xF0U ? 4 : first >= 0xE0U ? 3 : first >= 0xC0U ? 2 : 0;
+  std::uint32_t value = length == 0 ? 0U : first & (0x7FU >> static_cast<unsigned>(length));
+  for (int i = 1; i < length; ++i) {
+    const std::uint32_t next = byte_at(text, at + static_cast<std::size_t>(i));
+    if ((next & 0xC0U) != 0x80U) {
+      return {first, 0};
+    }
+    value = (value << 6U) | (next & 0x3FU);
+  }
+  return length == 0 ? CodePoint{first, 0} : CodePoint{value, length};
+}
+
+std::string hint_for(std::uint32_t value) {
+  constexpr std::uint32_t kFullWidth = 0xFEE0U;  // from an ASCII character to its wide form
+  if (value > kFullWidth + ' ' && value <= kFullWidth + '~') {
+    return fmt::format("write {}", static_cast<char>(value - kFullWidth));
+  }
+  const auto* const known = std::ranges::find(kAdvice, value, &Advice::value);
+  return known != kAdvice.end()
+             ? std::string(known->hint)
+             : std::string("names are made of the letters A-Z and a-z, digits and '_'");
+}
+
+// Control characters and invisible ones are not repeated to the terminal.
+bool is_visible(std::uint32_t value) {
+  const bool is_control = value < 0x20U || (value >= 0x7FU && value <= 0xA0U);
+  const bool is_format = (value >= 0x2000U && value <= 0x200FU) ||
+                         (value >= 0x2028U && value <= 0x202FU) ||
+                         (value >= 0x2060U && value <= 0x206FU) || value == 0xFEFFU;
+  return !is_control && !is_format;
+}
+
+ExpressionError foreign(std::string_view text, std::size_t at) {
+  const CodePoint point = decode(text, at);
+  ExpressionError error{.offset = static_cast<int>(at),
+                        .length = std::max(point.length, 1),
+                        .code = "E0308",
+                        .message = fmt::format("byte 0x{:02X} is not UTF-8 text", point.value),
+                        .hint = "save the file as UTF-8"};
+  if (point.length > 0) {
+    const auto length = static_cast<std::size_t>(point.length);
+    const std::string shown =
+        is_visible(point.value) ? fmt::format("'{}' ", text.substr(at, length)) : std::string();
+    error.message =
+        fmt::format("character {}(U+{:04X}) cannot stand in an expression", shown, point.value);
+    error.hint = hint_for(point.value);
+  }
+  return error;
+}
+
+}  // namespace
+
+std::string in_small_letters(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return result;
+}
+
+std::string without(std::string_view text, char unwanted) {
+  std::string result(text);
+  std::erase(result, unwanted);
+  return result;
+}
+
+std::optional<ExpressionError> find_foreign_character(std::string_view text) {
+  const auto* const at =
+      std::ranges::find_if_not(text, [](char c) { return (c >= ' ' && c <= '~') || is_space(c); });
+  if (at == text.end()) {
+    return std::nullopt;
+  }
+  return foreign(text, static_cast<std::size_t>(at - text.begin()));
+}
+
+}  // namespace kinestat

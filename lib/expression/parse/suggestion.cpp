@@ -1,0 +1,113 @@
+#include "expression/parse/suggestion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "expression/functions.hpp"
+#include "expression/units.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr std::size_t kWholeList = 64;
+
+struct Spelling {
+  std::string_view word;
+  std::string_view unit;
+};
+
+constexpr auto kSpellings = std::to_array<Spelling>({
+    {"degree", "deg"},    {"radian", "rad"},    {"revolution", "rev"}, {"turn", "rev"},
+    {"meter", "m"},       {"metre", "m"},       {"millimeter", "mm"},  {"millimetre", "mm"},
+    {"micrometre", "um"}, {"centimetre", "cm"}, {"kilometre", "km"},   {"inch", "in"},
+    {"second", "s"},      {"minute", "min"},    {"hour", "h"},         {"gram", "g"},
+    {"kilogram", "kg"},   {"newton", "N"},      {"kilonewton", "kN"},  {"watt", "W"},
+    {"kilowatt", "kW"},   {"mNm", "N*mm"},      {"Nmm", "N*mm"},       {"kNm", "kN*m"},
+});
+
+// Units of everyday use that are none here.
+constexpr auto kForeignUnits = std::to_array<Spelling>({
+    {"J", "1 N*m"},
+    {"kJ", "1 kN*m"},
+    {"mN", "0.001 N"},
+    {"MN", "1000 kN"},
+    {"kgf", "9.80665 N"},
+    {"Pa", "1 N/m^2"},
+    {"MPa", "1 N/mm^2"},
+    {"Hz", "1 rev/s"},
+    {"ms", "0.001 s"},
+    {"mrad", "0.001 rad"},
+    {"ft", "12 in"},
+    {"t", "1000 kg"},
+    {"MW", "1000 kW"},
+    {"U", "1 rev, and 1 U/min is 1 rpm"},
+    {"tr", "1 rev, and 1 tr/min is 1 rpm"},
+    {"PS", "735.49875 W"},
+    {"hp", "745.69987 W"},
+});
+
+// A unit written out, in the plural, or broken off after three letters or more.
+std::string_view spelled_unit(std::string_view word) {
+  const auto* const row = std::ranges::find_if(kSpellings, [word](const Spelling& spelling) {
+    return word.size() >= 3 && (spelling.word.starts_with(word) ||
+                                (word.starts_with(spelling.word) && word.ends_with('s')));
+  });
+  return row != kSpellings.end() ? row->unit : std::string_view();
+}
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+bool differ_in_case_only(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+// Names of one or two letters are one step from each other: short words are near only if they
+// differ in case.
+std::string near_word(std::string_view word, std::span<const std::string> words) {
+  const auto same = std::ranges::find_if(
+      words, [word](const std::string& other) { return differ_in_case_only(word, other); });
+  if (same != words.end()) {
+    return fmt::format("did you mean '{}'?", *same);
+  }
+  return word.size() < 3 ? std::string() : did_you_mean(word, words);
+}
+
+}  // namespace
+
+std::string unit_hint(std::string_view word) {
+  if (const std::string_view unit = spelled_unit(word); !unit.empty()) {
+    return fmt::format("did you mean '{}'?", unit);
+  }
+  const auto* const foreign = std::ranges::find(kForeignUnits, word, &Spelling::word);
+  if (foreign != kForeignUnits.end()) {
+    return fmt::format("1 {} is {}", word, foreign->unit);
+  }
+  const std::string near = near_word(word, unit_names());
+  return near.empty() ? fmt::format("units are {}", plain_list(unit_names(), kWholeList)) : near;
+}
+
+std::string name_hint(std::string_view word, std::span<const std::string> known) {
+  std::string near = did_you_mean(word, known);
+  if (!near.empty()) {
+    return near;
+  }
+  std::vector<std::string> words(function_names().begin(), function_names().end());
+  words.insert(words.end(), unit_names().begin(), unit_names().end());
+  words.emplace_back("pi");
+  return near_word(word, words);
+}
+
+std::string function_hint(std::string_view word) {
+  const std::string near = near_word(word, function_names());
+  return near.empty() ? fmt::format("functions are {}", plain_list(function_names(), kWholeList))
+                      : near;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,269 @@
+#include "mechanism/bind/bind.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/contract.hpp"
+#include "description/cable_expansion.hpp"
+#include "description/gear_expansion.hpp"
+#include "mechanism/bind/graph_binder.hpp"
+#include "mechanism/bind/structure_binder.hpp"
+#include "mechanism/cables/internal/cable_check.hpp"
+#include "mechanism/cables/internal/cable_contact_binder.hpp"
+#include "mechanism/cases/case_binder.hpp"
+#include "mechanism/cases/load_binder.hpp"
+#include "mechanism/check/geometry_check.hpp"
+#include "mechanism/check/link_length_check.hpp"
+#include "mechanism/check/section_checks.hpp"
+#include "mechanism/couplings/internal/compliance_binder.hpp"
+#include "mechanism/gears/internal/gear_binder.hpp"
+#include "mechanism/gears/internal/gear_check.hpp"
+#include "mechanism/gears/internal/loss_binder.hpp"
+#include "mechanism/gears/internal/planet_set.hpp"
+#include "mechanism/unanalysed.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Whether a twist or a wrench has more than wz, vx, vy or Tz, Fx, Fy.
+template <class Screw>
+bool leaves_plane(const Screw& screw) {
+  const Vec6 c = screw.coordinates();
+  return c[0] != 0.0 || c[1] != 0.0 || c[5] != 0.0;
+}
+
+void refuse_planar_order(const MechanismDescription& description,
+                         std::string_view what,
+                         Diagnostics& found) {
+  found.error("E0305",
+              description.order_where,
+              fmt::format("the planar order cannot hold {}", what),
+              "write minimal or spatial");
+}
+
+// A planar order must hold every screw of its side.
+void check_order(const MechanismDescription& description,
+                 const Geometry& geometry,
+                 Diagnostics& found) {
+  if (description.kinematic_order == OrderChoice::planar &&
+      std::ranges::any_of(geometry.motions, leaves_plane<Twist>)) {
+    refuse_planar_order(description, "the motions of this mechanism", found);
+  }
+  if (description.static_order == OrderChoice::planar &&
+      std::ranges::any_of(geometry.actions, leaves_plane<Wrench>)) {
+    refuse_planar_order(description, "the actions of this mechanism", found);
+  }
+}
+
+void check_order_of_loads(const MechanismDescription& description,
+                          const std::vector<Case>& cases,
+                          Diagnostics& found) {
+  if (description.static_order != OrderChoice::planar) {
+    return;
+  }
+  for (const Case& one : cases) {
+    for (const Load& load : one.loads) {
+      if (leaves_plane(load.acts.wrench)) {
+        refuse_planar_order(description, fmt::format("load '{}'", load.name), found);
+        return;
+      }
+    }
+  }
+}
+
+bool bind_structure(const MechanismDescription& description,
+                    ScrewSpaces spaces,
+                    Evaluator& evaluator,
+                    Diagnostics& found,
+                    Mechanism& result) {
+  result.name = description.name;
+  result.space = description.space;
+  result.kinematic_order = description.kinematic_order;
+  result.static_order = description.static_order;
+  result.indeterminate = description.indeterminate;
+  bind_bodies_and_couplings(description, spaces, evaluator, found, result);
+  return !found.has_errors();  // those of the parameters too: their couplings are left out
+}
+
+bool bind_graph(const MechanismDescription& description, Diagnostics& found, Mechanism& result) {
+  const int errors_before = found.error_count();
+  check_order(description, result.geometry, found);
+  std::optional<CouplingGraph> graph = bind_coupling_graph(description, result.topology, found);
+  if (graph) {
+    result.graph = *std::move(graph);
+  }
+  return found.error_count() == errors_before;
+}
+
+// Whether all couplings have their screws, so that freedoms and actions have names.
+bool has_all_screws(const MechanismDescription& description) {
+  return has_all_meshes(description) && is_expanded(description) &&
+         std::ranges::all_of(description.couplings, [](const CouplingDescription& coupling) {
+           return !is_counted_only(coupling);
+         });
+}
+
+// A mechanism some of whose couplings have no screws yet cannot name its freedoms and actions, so
+// of its cases only values and the names before the dots are checked.
+void check_cases(const MechanismDescription& description, Evaluator& evaluator) {
+  for (const CaseDescription& one : description.cases) {
+    for (const auto* side : {&one.motions, &one.actions}) {
+      for (const Assignment& assignment : *side) {
+        (void)evaluator.quantity(assignment.value);
+      }
+    }
+  }
+}
+
+// Whether errors of the analysis or only warnings come of what is not analysed.
+enum class Purpose {
+  analyse,
+  close,  ///< what is not assembled will be closed
+  check
+};
+
+void report_unanalysed(const std::vector<Unanalysed>& list, Purpose purpose, Diagnostics& found) {
+  for (const Unanalysed& one : list) {
+    std::string message = fmt::format("{} is not analysed yet", one.what);
+    if (purpose == Purpose::close && one.is_closure_error) {
+      continue;
+    }
+    if (one.decides && purpose != Purpose::check) {
+      found.error(
+          "E0315",
+          one.where,
+          std::move(message),
+          !one.hint.empty() ? one.hint : "'kinestat help format' lists what this version analyses");
+    } else {
+      found.warning("W0302", one.where, std::move(message), one.hint);
+    }
+  }
+}
+
+// All sections beside the structure; the cases, where they are bound, get their loads.
+void bind_sections(const SectionContext& context, Mechanism& result) {
+  const int errors_before = context.found.error_count();
+  check_sections(context);
+  std::vector<std::vector<Load>> loads = bind_loads(context, result.geometry.origin);
+  if (context.found.error_count() == errors_before && !result.cases.empty()) {
+    add_loads(std::move(loads), result.cases);
+    check_order_of_loads(context.description, result.cases, context.found);
+  }
+}
+
+// Numbers of gears that are made of a parameter without a value have no complaint of their own.
+bool has_gear_numbers(const SectionContext& context) {
+  return !context.description.gears || !has_all_meshes(context.description) ||
+         bind_gear_frame<double>(context.description, context.evaluator).has_value();
+}
+
+// The couplings that gears and cables make are bound only if these are right, so that each mistake
+// has one complaint.
+bool bind_whole_structure(const SectionContext& context, ScrewSpaces spaces, Mechanism& result) {
+  const MechanismDescription& description = context.description;
+  const bool has_right_gears = check_gears(context) && has_gear_numbers(context);
+  const bool has_right_cables = description.cables.empty() || check_cables(context);
+  if (has_right_gears && has_right_cables) {
+    return bind_structure(description, spaces, context.evaluator, context.found, result);
+  }
+  MechanismDescription rest = has_right_cables ? description : without_cable_parts(description);
+  if (!has_right_gears) {
+    rest = without_meshes(rest);
+  }
+  (void)bind_structure(rest, spaces, context.evaluator, context.found, result);
+  return false;
+}
+
+std::optional<Mechanism> bind_for(Purpose purpose,
+                                  const MechanismDescription& description,
+                                  Diagnostics& found) {
+  const int errors_before = found.error_count();
+  const std::vector<Unanalysed> unanalysed = find_unanalysed(description);
+  const bool is_undecided = std::ranges::any_of(unanalysed, [purpose](const Unanalysed& one) {
+    return one.decides && !(purpose == Purpose::close && one.is_closure_error);
+  });
+  Evaluator evaluator = make_evaluator(description, found);
+  const DeclaredNames names = declare_names(description, found);
+  const SectionContext context = {
+      .description = description, .names = names, .evaluator = evaluator, .found = found};
+  Mechanism result;
+  const ScrewSpaces spaces = {.motions = description.space,
+                              .actions = description.static_order == OrderChoice::spatial
+                                             ? Space::spatial
+                                             : description.space};
+  if (description.has_mechanism()) {
+    const bool is_good = bind_whole_structure(context, spaces, result);
+    if (!is_good || !has_all_screws(description)) {
+      check_cases(description, evaluator);
+      check_case_names(context);
+    } else if (bind_graph(description, found, result)) {
+      result.cases = bind_cases(description, result.topology, evaluator, found);
+      result.planet_counts = bind_planet_counts(description, result.topology, evaluator);
+      result.compliances = bind_compliances(description, result.topology, evaluator);
+      bind_contacts(description, evaluator, found, result);
+      check_reported_quantities(description, result.topology, found);
+    }
+  } else {
+    (void)check_gears(context);
+  }
+  bind_sections(context, result);
+  if (found.error_count() == errors_before && description.losses) {
+    result.lossy_meshes = bind_losses(description, evaluator, found);
+    result.loss_model = description.losses->model;
+  }
+  if (found.error_count() == errors_before) {
+    evaluator.warn_of_unused();
+    warn_of_idle_stiffness(description, found);
+    if (description.motion) {  // at rest, coaxial bearings are as good as any
+      warn_of_links_without_length(result, found);
+    }
+    report_unanalysed(unanalysed, purpose, found);
+  }
+  const bool is_right = found.error_count() == errors_before;
+  KINESTAT_EXPECTS(!is_right || is_undecided ||
+                   (has_all_meshes(description) && is_expanded(description)));
+  return is_right && description.has_mechanism() && !is_undecided ? std::optional(std::move(result))
+                                                                  : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Mechanism> bind(const MechanismDescription& description, Diagnostics& found) {
+  return bind_for(Purpose::analyse, description, found);
+}
+
+std::optional<Mechanism> bind_unassembled(const MechanismDescription& description,
+                                          Diagnostics& found) {
+  return bind_for(Purpose::close, description, found);
+}
+
+bool check(const MechanismDescription& description, Diagnostics& found) {
+  const int errors_before = found.error_count();
+  (void)bind_for(Purpose::check, description, found);
+  return found.error_count() == errors_before;
+}
+
+std::optional<Mechanism> bind_in_space(const MechanismDescription& description,
+                                       Diagnostics& found) {
+  const int errors_before = found.error_count();
+  Evaluator evaluator = make_evaluator(description, found);
+  Mechanism result;
+  if (bind_structure(description, ScrewSpaces{}, evaluator, found, result)) {
+    bind_graph(description, found, result);
+  }
+  return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;
+}
+
+bool frees_more_in_space(const MechanismDescription& description) {
+  using enum CouplingType;
+  return description.space == Space::planar &&
+         std::ranges::any_of(description.couplings, [](const CouplingDescription& coupling) {
+           return coupling.type == cable || coupling.type == point_contact ||
+                  coupling.type == cam || coupling.contact || !coupling.constraints.empty();
+         });
+}
+
+}  // namespace kinestat

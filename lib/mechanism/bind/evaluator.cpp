@@ -1,0 +1,170 @@
+#include "mechanism/bind/evaluator.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "core/tolerance.hpp"
+#include "core/utf8.hpp"
+#include "expression/evaluate.hpp"
+#include "mechanism/couplings/internal/typed_vector.hpp"
+
+namespace kinestat {
+
+namespace {
+
+void report(const ParameterDescription& parameter, ExpressionError error, Diagnostics& found) {
+  if (parameter.set_by.empty()) {
+    const SourceRange where = place_in(parameter.value, error);
+    found.error(error.code, where, std::move(error.message), std::move(error.hint));
+  } else {
+    found.error("E0102",
+                {},
+                fmt::format("--set '{}': {}", printable(parameter.set_by), error.message),
+                error.hint);
+  }
+}
+
+void report(const MechanismDescription& description,
+            std::span<const ParameterError> errors,
+            Diagnostics& found) {
+  found.reserve(errors.size());
+  for (const ParameterError& one : errors) {
+    report(description.parameters[static_cast<std::size_t>(one.parameter)], one.error, found);
+  }
+}
+
+std::vector<int> free_parameters(const MechanismDescription& description) {
+  std::vector<int> free;
+  for (std::size_t i = 0; i < description.parameters.size(); ++i) {
+    if (description.parameters[i].is_free) {
+      free.push_back(static_cast<int>(i));
+    }
+  }
+  return free;
+}
+
+}  // namespace
+
+Evaluator make_evaluator(const MechanismDescription& description, Diagnostics& found) {
+  const std::vector<Parameter> parameters = parameters_of(description);
+  ParameterValues values = evaluate_parameters(parameters);
+  report(description, values.errors, found);
+  report(description, find_dependent(parameters, free_parameters(description)), found);
+  return {description, std::move(values.table), found};
+}
+
+template <class Scalar>
+std::span<const std::string> EvaluatorOf<Scalar>::known_names() const {
+  return found_.is_hint_worth_it() ? table_.names() : std::span<const std::string>();
+}
+
+template <class Scalar>
+std::optional<Scalar> EvaluatorOf<Scalar>::number(const Value& value, QuantityKind kind) {
+  table_.mark_used(value.expression);
+  if (table_.is_failed(value.expression)) {
+    return std::nullopt;
+  }
+  const auto result = evaluate_as<Scalar>(
+      kind, value.expression, description_.units, table_.lookup(), known_names());
+  if (const auto* error = std::get_if<ExpressionError>(&result)) {
+    found_.error(error->code, place_in(value, *error), error->message, error->hint);
+    return std::nullopt;
+  }
+  const Scalar number = std::get<Scalar>(result);
+  if (kind == QuantityKind::angle) {
+    warn_of_degrees(value, value_of(number));
+  }
+  return number;
+}
+
+// A bare number that counts in radians and is more than a full turn.
+template <class Scalar>
+void EvaluatorOf<Scalar>::warn_of_degrees(const Value& value, double angle) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  if (std::abs(angle) <= kTurn || description_.units.text(QuantityKind::angle) != "rad") {
+    return;
+  }
+  const auto result = evaluate<Scalar>(value.expression, table_.lookup());
+  if (std::holds_alternative<BasicQuantity<Scalar>>(result) &&
+      is_bare(std::get<BasicQuantity<Scalar>>(result).dimension)) {
+    found_.warning(
+        "W0303",
+        value.where,
+        fmt::format("an angle of {} rad is more than a full turn", value.expression.text()),
+        fmt::format("write {} deg, or 'units: {{angle: deg}}' for the whole file",
+                    value.expression.text()));
+  }
+}
+
+template <class Scalar>
+std::optional<BasicQuantity<Scalar>> EvaluatorOf<Scalar>::quantity(const Value& value) {
+  table_.mark_used(value.expression);
+  if (table_.is_failed(value.expression)) {
+    return std::nullopt;
+  }
+  const auto result = evaluate<Scalar>(value.expression, table_.lookup(), known_names());
+  if (const auto* error = std::get_if<ExpressionError>(&result)) {
+    found_.error(error->code, place_in(value, *error), error->message, error->hint);
+    return std::nullopt;
+  }
+  return std::get<BasicQuantity<Scalar>>(result);
+}
+
+template <class Scalar>
+std::optional<Vec3Of<Scalar>> EvaluatorOf<Scalar>::vector(const std::vector<Value>& components,
+                                                          QuantityKind kind) {
+  Vec3Of<Scalar> result = Vec3Of<Scalar>::Zero();
+  bool is_good = true;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const std::optional<Scalar> coordinate = number(components[i], kind);
+    is_good = is_good && coordinate.has_value();
+    result[static_cast<Eigen::Index>(i)] = coordinate.value_or(Scalar(0.0));
+  }
+  return is_good ? std::optional(result) : std::nullopt;
+}
+
+template <class Scalar>
+std::optional<Vec3Of<Scalar>> EvaluatorOf<Scalar>::point(const PointDescription& point) {
+  return vector(point.coordinates, QuantityKind::length);
+}
+
+template <class Scalar>
+std::optional<AxisOf<Scalar>> EvaluatorOf<Scalar>::axis(const AxisDescription& axis) {
+  if (axis.keyword != 0) {
+    return AxisOf<Scalar>{.direction = Scalar(axis.sign) * Vec3Of<Scalar>::Unit(axis.keyword - 'x'),
+                          .keyword = axis.keyword};
+  }
+  const std::optional<Vec3Of<Scalar>> components =
+      vector(axis.components, QuantityKind::dimensionless);
+  if (!components) {
+    return std::nullopt;
+  }
+  if (values_of<Scalar>(*components).norm() <= kZeroAxis) {
+    found_.error("E0314",
+                 axis.where,
+                 "a direction of zero length points nowhere",
+                 "write x, y, z, -x, … or a vector such as [1, 0, 0.5]");
+    return std::nullopt;
+  }
+  return AxisOf<Scalar>{.direction = unit_along<Scalar>(*components), .keyword = 0};
+}
+
+template <class Scalar>
+void EvaluatorOf<Scalar>::warn_of_unused() const {
+  for (const int i : table_.unused()) {
+    const Name& name = description_.parameters[static_cast<std::size_t>(i)].name;
+    found_.warning("W0301",
+                   name.where,
+                   fmt::format("parameter '{}' is never used", name.text),
+                   "use it or remove it");
+  }
+}
+
+template class EvaluatorOf<double>;
+template class EvaluatorOf<Dual>;
+template class EvaluatorOf<Typed>;
+
+}  // namespace kinestat

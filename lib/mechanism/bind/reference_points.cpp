@@ -1,0 +1,58 @@
+#include "mechanism/bind/reference_points.hpp"
+
+#include <algorithm>
+
+#include "mechanism/couplings/internal/typed_vector.hpp"
+
+namespace kinestat {
+
+template <class Scalar>
+std::vector<Vec3Of<Scalar>> bind_reference_points(const MechanismDescription& description,
+                                                  const std::vector<bool>& has_point,
+                                                  const Topology& topology,
+                                                  const GeometryOf<Scalar>& geometry,
+                                                  EvaluatorOf<Scalar>& evaluator) {
+  const Vec3Of<Scalar> origin = geometry.origin.template cast<Scalar>();
+  std::vector<Vec3Of<Scalar>> references(topology.bodies.size(), origin);
+  std::vector<bool> is_set(topology.bodies.size(), false);
+  for (const BodyDescription& body : description.bodies) {
+    if (!body.reference) {
+      continue;
+    }
+    const auto at = std::ranges::find(topology.bodies, body.name.text, &BodyTopology::name);
+    const auto b = static_cast<std::size_t>(at - topology.bodies.begin());
+    references[b] = evaluator.point(*body.reference).value_or(origin);
+    is_set[b] = true;
+  }
+  for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
+    if (!has_point[e]) {
+      continue;
+    }
+    for (const BodyId body : {topology.couplings[e].tail, topology.couplings[e].head}) {
+      const auto b = static_cast<std::size_t>(body.value);
+      if (!is_set[b]) {
+        references[b] = geometry.points[e];
+        is_set[b] = true;
+      }
+    }
+  }
+  return references;
+}
+
+template std::vector<Vec3> bind_reference_points(const MechanismDescription&,
+                                                 const std::vector<bool>&,
+                                                 const Topology&,
+                                                 const GeometryOf<double>&,
+                                                 EvaluatorOf<double>&);
+template std::vector<Vec3Of<Dual>> bind_reference_points(const MechanismDescription&,
+                                                         const std::vector<bool>&,
+                                                         const Topology&,
+                                                         const GeometryOf<Dual>&,
+                                                         EvaluatorOf<Dual>&);
+template std::vector<Vec3Of<Typed>> bind_reference_points(const MechanismDescription&,
+                                                          const std::vector<bool>&,
+                                                          const Topology&,
+                                                          const GeometryOf<Typed>&,
+                                                          EvaluatorOf<Typed>&);
+
+}  // namespace kinestat

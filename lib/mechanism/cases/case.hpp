@@ -1,0 +1,33 @@
+// A case bound to numbers: what is known of the motions and actions, and what acts from outside.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/source.hpp"
+#include "mechanism/cases/load.hpp"
+
+namespace kinestat {
+
+/// A known magnitude: of a freedom [rad/s or m/s] or of an action [N·m or N].
+struct Primary {
+  int index = 0;  ///< into Topology::freedoms or Topology::actions
+  double value = 0.0;
+  std::string given;  ///< how the file names it: an actuator, or coupling.freedom
+  SourceRange where;
+};
+
+/// Inputs and outputs are indices of actuators; empty where the file does not say.
+struct Case {
+  std::string label;
+  bool asks_motions = false;  ///< velocities are to be solved, even if none is known
+  bool asks_actions = false;  ///< actions are to be solved: the key is there, or loads act
+  std::vector<Primary> motions;
+  std::vector<Primary> actions;
+  std::vector<Load> loads;  ///< on moving bodies: those of the file, then the weights
+  std::vector<int> inputs;
+  std::vector<int> outputs;
+  SourceRange where;
+};
+
+}  // namespace kinestat

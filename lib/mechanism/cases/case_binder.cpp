@@ -1,0 +1,252 @@
+#include "mechanism/cases/case_binder.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "core/utf8.hpp"
+#include "mechanism/label_kind.hpp"
+
+namespace kinestat {
+
+namespace {
+
+enum class Side { motion, action };
+
+// Names with their places in a list of the topology; of two alike the first counts.
+class Index {
+ public:
+  void add(std::string name) {
+    index_.emplace(name, static_cast<int>(names_.size()));
+    names_.push_back(std::move(name));
+  }
+
+  std::optional<int> find(const std::string& name) const {
+    const auto at = index_.find(name);
+    return at == index_.end() ? std::nullopt : std::optional(at->second);
+  }
+
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  std::vector<std::string> names_;
+  std::unordered_map<std::string, int> index_;  // looked up only, never walked through
+};
+
+class CaseBinder {
+ public:
+  CaseBinder(const MechanismDescription& description,
+             const Topology& topology,
+             Evaluator& evaluator,
+             Diagnostics& found)
+      : topology_(topology), evaluator_(evaluator), found_(found) {
+    add_loads(description.loads);
+    for (const CaseDescription& one : description.cases) {
+      add_loads(one.loads);
+    }
+    for (int f = 0; f < topology.freedom_count(); ++f) {
+      freedoms_.add(topology.freedom_name(f));
+    }
+    for (int a = 0; a < topology.action_count(); ++a) {
+      actions_.add(topology.action_name(a));
+    }
+    for (const ActuatorTopology& actuator : topology.actuators) {
+      actuators_.add(actuator.name);
+    }
+  }
+
+  Case bind(const CaseDescription& description) {
+    Case result{.label = description.label.text,
+                .asks_motions = description.asks_motions,
+                .asks_actions = description.asks_actions,
+                .motions = bind_side(description.motions, Side::motion),
+                .actions = bind_side(description.actions, Side::action),
+                .loads = {},
+                .inputs = bind_actuators(description.inputs),
+                .outputs = bind_actuators(description.outputs),
+                .where = description.label.where};
+    check_ends(description);
+    return result;
+  }
+
+ private:
+  void add_loads(const std::vector<LoadDescription>& loads) {
+    for (const LoadDescription& load : loads) {
+      loads_.add(load.name.text);
+    }
+  }
+
+  // No actuator is named twice, be it as input, as output or as both.
+  void check_ends(const CaseDescription& description) {
+    std::vector<Name> seen;
+    const auto check = [&](const std::vector<Name>& names, std::string_view role) {
+      for (const Name& name : names) {
+        const auto twin = std::ranges::find(seen, name.text, &Name::text);
+        if (twin == seen.end()) {
+          seen.push_back(name);
+          continue;
+        }
+        const bool is_input = twin - seen.begin() < std::ssize(description.inputs);
+        const bool is_both = is_input && role == "output";
+        auto& problem = found_.error(
+            "E0307",
+            name.where,
+            is_both ? fmt::format("'{}' is input and output of case '{}'",
+                                  name.text,
+                                  printable(description.label.text))
+                    : fmt::format("'{}' is named twice as {}", name.text, role),
+            is_both ? "give one of the two another actuator" : "remove one of the two");
+        problem.notes.push_back(
+            {twin->where, is_both ? "named as input here" : "first named here"});
+      }
+    };
+    check(description.inputs, "input");
+    check(description.outputs, "output");
+  }
+
+  std::vector<Primary> bind_side(const std::vector<Assignment>& assignments, Side side) {
+    std::vector<Primary> primaries;
+    for (const Assignment& assignment : assignments) {
+      const std::optional<int> index = resolve(assignment.target, side);
+      const std::optional<double> value =
+          index ? evaluator_.number(assignment.value, kind_of(*index, side)) : std::nullopt;
+      if (!value) {
+        continue;
+      }
+      const auto twin = std::ranges::find(primaries, *index, &Primary::index);
+      if (twin != primaries.end()) {
+        auto& problem = found_.error(
+            side == Side::motion ? "E0502" : "E0601",
+            assignment.target.where,
+            fmt::format("'{}' is already given as '{}'", assignment.target.text, twin->given),
+            "keep one of the two");
+        problem.notes.push_back({twin->where, "first given here"});
+        continue;
+      }
+      primaries.push_back({.index = *index,
+                           .value = *value,
+                           .given = assignment.target.text,
+                           .where = assignment.target.where});
+    }
+    return primaries;
+  }
+
+  QuantityKind kind_of(int index, Side side) const {
+    const auto i = static_cast<std::size_t>(index);
+    if (side == Side::motion) {
+      return rate_kind(topology_.freedoms[i].is_rotation);
+    }
+    return action_kind(topology_.actions[i].is_couple);
+  }
+
+  // An actuator, or coupling.freedom, or coupling.action.
+  std::optional<int> resolve(const Name& target, Side side) {
+    if (const std::optional<int> actuator = actuators_.find(target.text)) {
+      const auto& found = topology_.actuators[static_cast<std::size_t>(*actuator)];
+      return side == Side::motion ? found.freedom : found.action;
+    }
+    const Index& index = side == Side::motion ? freedoms_ : actions_;
+    const std::optional<int> at = index.find(target.text);
+    if (!at && loads_.find(target.text)) {
+      found_.error("E0313",
+                   target.where,
+                   fmt::format("'{}' is a load and needs no value here", target.text),
+                   "remove it: loads act in every case; 'loads:' of the case replaces one");
+    } else if (!at) {
+      complain(target, side, index.names());
+    }
+    return at;
+  }
+
+  void complain(const Name& target, Side side, const std::vector<std::string>& names) {
+    const std::string_view word = side == Side::motion ? "motion" : "action";
+    auto& problem = found_.error(
+        "E0313",
+        target.where,
+        fmt::format(
+            "'{}' is neither an actuator nor the {} of a coupling", printable(target.text), word));
+    if (found_.is_hint_worth_it()) {
+      problem.hint = hint_for(target, word, names);
+    }
+  }
+
+  // "actuators are M1, M2; "
+  std::string actuators_text() const {
+    return actuators_.names().empty()
+               ? "there are no actuators; "
+               : fmt::format("actuators are {}; ", plain_list(actuators_.names()));
+  }
+
+  // "did you mean 'a.wz'? that coupling has a.wz"
+  std::string hint_for(const Name& target,
+                       std::string_view word,
+                       const std::vector<std::string>& names) const {
+    std::vector<std::string> candidates = actuators_.names();
+    std::vector<std::string> same_coupling;
+    const std::string prefix = target.text.substr(0, target.text.find('.')) + ".";
+    for (const std::string& name : names) {
+      if (std::ranges::find(candidates, name) == candidates.end()) {
+        candidates.push_back(name);
+      }
+      if (name.starts_with(prefix)) {
+        same_coupling.push_back(name);
+      }
+    }
+    const std::string guess = did_you_mean(target.text, candidates);
+    const std::string hint =
+        same_coupling.empty()
+            ? fmt::format("{}{}s are {}", actuators_text(), word, plain_list(names))
+            : fmt::format("write {}, or declare an actuator on that coupling",
+                          fmt::join(same_coupling, " or "));
+    return guess.empty() ? hint : fmt::format("{} {}", guess, hint);
+  }
+
+  std::vector<int> bind_actuators(const std::vector<Name>& names) {
+    std::vector<int> result;
+    for (const Name& name : names) {
+      if (const std::optional<int> at = actuators_.find(name.text)) {
+        result.push_back(*at);
+        continue;
+      }
+      const std::string guess = did_you_mean(name.text, actuators_.names());
+      const bool is_load = loads_.find(name.text).has_value();
+      found_.error(
+          "E0313",
+          name.where,
+          fmt::format(
+              "'{}' is {}", name.text, is_load ? "a load, not an actuator" : "not an actuator"),
+          actuators_.names().empty() ? "declare it under 'actuators:'"
+                                     : fmt::format("{}{}actuators are {}",
+                                                   guess,
+                                                   guess.empty() ? "" : " ",
+                                                   plain_list(actuators_.names())));
+    }
+    return result;
+  }
+
+  const Topology& topology_;
+  Evaluator& evaluator_;
+  Diagnostics& found_;
+  Index freedoms_;
+  Index actions_;
+  Index actuators_;
+  Index loads_;
+};
+
+}  // namespace
+
+std::vector<Case> bind_cases(const MechanismDescription& description,
+                             const Topology& topology,
+                             Evaluator& evaluator,
+                             Diagnostics& found) {
+  CaseBinder binder(description, topology, evaluator, found);
+  std::vector<Case> cases;
+  for (const CaseDescription& one : description.cases) {
+    cases.push_back(binder.bind(one));
+  }
+  return cases;
+}
+
+}  // namespace kinestat

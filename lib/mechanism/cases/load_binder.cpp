@@ -1,0 +1,118 @@
+#include "mechanism/cases/load_binder.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/contract.hpp"
+#include "core/text.hpp"
+#include "mechanism/cases/load_moment.hpp"
+#include "mechanism/cases/weight_binder.hpp"
+
+namespace kinestat {
+
+namespace {
+
+void warn_of_ground(const LoadDescription& load, const SectionContext& context) {
+  std::vector<std::string> others;
+  for (const BodyDescription& body : context.description.bodies) {
+    others.push_back(body.name.text);
+  }
+  context.found.warning("W0301",
+                        load.body.where,
+                        fmt::format("load '{}' acts on the ground '{}', where it changes nothing",
+                                    load.name.text,
+                                    load.body.text),
+                        fmt::format("name the body on which it acts: {}", plain_list(others)));
+}
+
+// A couple is one number about z in the plane.
+std::optional<Vec3> couple_of(const LoadDescription& load, const SectionContext& context) {
+  const std::optional<Vec3> couple = context.vector(load.couple, QuantityKind::moment);
+  return couple && load.couple.size() == 1 ? Vec3(0.0, 0.0, couple->x()) : couple;
+}
+
+// Empty if it is wrong, or acts on the ground.
+std::optional<Load> bind_load(const LoadDescription& load,
+                              const SectionContext& context,
+                              const Vec3& origin) {
+  context.names.bodies.check(
+      load.body, fmt::format("load '{}' acts on", load.name.text), context.found);
+  const int body = context.names.bodies.find(load.body.text);
+  const std::vector<Value> none;
+  const std::optional<Vec3> point =
+      context.vector(load.at ? load.at->coordinates : none, QuantityKind::length);
+  const std::optional<Vec3> force =
+      context.vector(load.force ? load.force->coordinates : none, QuantityKind::force);
+  const std::optional<Vec3> couple = couple_of(load, context);
+  if (body == 0) {
+    warn_of_ground(load, context);
+  }
+  if (body <= 0 || !point || !force || !couple) {
+    return std::nullopt;
+  }
+  const Vec3 moment = load.at ? moment_of_load(*point, *force, *couple, origin) : *couple;
+  return Load{.name = load.name.text,
+              .acts = {.body = BodyId{body}, .wrench = {.moment = moment, .force = *force}},
+              .point = load.at ? point : std::nullopt,
+              .where = load.name.where};
+}
+
+// A load as the file names it; the value is empty where nothing of it acts.
+struct Named {
+  std::string name;
+  std::optional<Load> load;
+};
+
+std::vector<Named> bind_all(const std::vector<LoadDescription>& descriptions,
+                            const SectionContext& context,
+                            const Vec3& origin) {
+  std::vector<Named> loads;
+  for (const LoadDescription& one : descriptions) {
+    loads.push_back({.name = one.name.text, .load = bind_load(one, context, origin)});
+  }
+  return loads;
+}
+
+// Puts the case's own loads in the place of those of the same name, or at the end.
+std::vector<Named> replaced(std::vector<Named> common, std::vector<Named> own) {
+  for (Named& one : own) {
+    const auto same = std::ranges::find(common, one.name, &Named::name);
+    if (same == common.end()) {
+      common.push_back(std::move(one));
+    } else {
+      *same = std::move(one);
+    }
+  }
+  return common;
+}
+
+}  // namespace
+
+std::vector<std::vector<Load>> bind_loads(const SectionContext& context, const Vec3& origin) {
+  const std::vector<Load> weights = bind_weights(context, origin);
+  const std::vector<Named> common = bind_all(context.description.loads, context, origin);
+  std::vector<std::vector<Load>> cases;
+  for (const CaseDescription& one : context.description.cases) {
+    std::vector<Load> loads;
+    for (Named& named : replaced(common, bind_all(one.loads, context, origin))) {
+      if (named.load) {
+        loads.push_back(*std::move(named.load));
+      }
+    }
+    loads.insert(loads.end(), weights.begin(), weights.end());
+    cases.push_back(std::move(loads));
+  }
+  return cases;
+}
+
+void add_loads(std::vector<std::vector<Load>> loads, std::vector<Case>& cases) {
+  KINESTAT_EXPECTS(loads.size() == cases.size());
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    cases[c].asks_actions = cases[c].asks_actions || !loads[c].empty();
+    cases[c].loads = std::move(loads[c]);
+  }
+}
+
+}  // namespace kinestat

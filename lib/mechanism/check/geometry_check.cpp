@@ -1,0 +1,147 @@
+#include "mechanism/check/geometry_check.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "couplings/kinds.hpp"
+
+namespace kinestat {
+
+namespace {
+
+using enum CouplingType;
+
+std::string title(const CouplingDescription& coupling) {
+  return fmt::format("{} '{}'", word_of(coupling.type), coupling.name.text);
+}
+
+class GeometryCheck {
+ public:
+  GeometryCheck(const CouplingDescription& coupling, Evaluator& evaluator, Diagnostics& found)
+      : coupling_(coupling), evaluator_(evaluator), found_(found) {}
+
+  void run(Space space) {
+    check_space(space);
+    check_helix();
+    check_ends();
+    check_listed();
+    check_radii();
+    for (const StiffnessDescription& one : coupling_.stiffness) {
+      check_stiffness(one);
+    }
+  }
+
+ private:
+  void refuse(std::string message, std::string hint) {
+    found_.error("E0314", coupling_.name.where, std::move(message), std::move(hint));
+  }
+
+  void check_space(Space space) {
+    const CouplingKind& kind = kind_of(coupling_.type);
+    if (space == Space::planar && !kind.is_in_plane) {
+      refuse(fmt::format("{} needs a spatial mechanism", title(coupling_)),
+             "write 'space: spatial' at the top of the file, or choose a planar type");
+    }
+    if (space == Space::spatial && !kind.is_in_space) {
+      refuse(fmt::format("{} needs a planar mechanism", title(coupling_)),
+             "write 'space: planar' at the top of the file; in space a cylindrical or a "
+             "sphere_in_tube coupling may serve");
+    }
+  }
+
+  void check_helix() {
+    if (coupling_.type != helical) {
+      return;
+    }
+    if (coupling_.pitch.has_value() == coupling_.lead.has_value()) {
+      refuse(coupling_.pitch ? fmt::format("{} has both a pitch and a lead", title(coupling_))
+                             : fmt::format("{} lacks its pitch", title(coupling_)),
+             "write lead: 5 mm (per turn) or pitch: 0.8 mm (per radian)");
+    }
+  }
+
+  void check_ends() {
+    if (coupling_.type != cable || coupling_.is_segment() || is_counted_only(coupling_)) {
+      return;
+    }
+    if (!coupling_.from || !coupling_.to) {
+      refuse(fmt::format("{} lacks the key '{}'", title(coupling_), coupling_.from ? "to" : "from"),
+             "write from: its end on the tail, and to: its end on the head");
+      return;
+    }
+    const auto from = evaluator_.point(*coupling_.from);
+    const auto to = evaluator_.point(*coupling_.to);
+    if (from && to && *from == *to) {
+      found_.error("E0314",
+                   coupling_.to->where,
+                   fmt::format("the ends of {} are the same point", title(coupling_)),
+                   "a cable needs a direction: move one of its ends");
+    }
+  }
+
+  void check_listed() {
+    if (coupling_.type == screws && coupling_.freedoms.empty() && coupling_.constraints.empty()) {
+      refuse(fmt::format("{} lists neither freedoms nor constraints", title(coupling_)),
+             "write for example freedoms: [{rotation: z, at: [0, 0, 0]}]; what you leave out "
+             "follows as the reciprocal complement");
+    }
+  }
+
+  // Where two bodies touch, one of them is round; a negative radius is that of a hollow.
+  void check_radii() {
+    const auto is_flat = [](const std::optional<Value>& radius) { return !radius; };
+    if (coupling_.radii.size() == 2 && std::ranges::all_of(coupling_.radii, is_flat)) {
+      refuse(fmt::format("both bodies of {} are flat", title(coupling_)),
+             "give the radius of the round one, as in radii: [31, flat]");
+    }
+    for (const std::optional<Value>& radius : coupling_.radii) {
+      const auto number =
+          radius ? evaluator_.number(*radius, QuantityKind::length) : std::optional(1.0);
+      if (number && *number == 0.0) {
+        found_.error("E0305",
+                     radius->where,
+                     fmt::format("a radius of {} is zero", title(coupling_)),
+                     "write flat for a plane; an edge is round by a small radius");
+      }
+    }
+  }
+
+  // Forces are along translations [N/m], couples along rotations [N·m/rad]: T is a couple.
+  void check_stiffness(const StiffnessDescription& one) {
+    const bool is_couple = one.action.text.starts_with('T');
+    const auto number = evaluator_.number(
+        one.value, is_couple ? QuantityKind::angular_stiffness : QuantityKind::stiffness);
+    if (number && *number <= 0.0) {
+      found_.error(
+          "E0305",
+          one.value.where,
+          fmt::format(
+              "the stiffness '{}' of {} is not positive", one.action.text, title(coupling_)),
+          "leave a rigid action out; a constraint without stiffness is none");
+    }
+  }
+
+  const CouplingDescription& coupling_;
+  Evaluator& evaluator_;
+  Diagnostics& found_;
+};
+
+}  // namespace
+
+bool is_counted_only(const CouplingDescription& coupling) {
+  const bool has_no_ends =
+      coupling.type == cable && !coupling.is_segment() && !coupling.from && !coupling.to;
+  return has_no_ends || (!coupling.at && !coupling.is_mesh() && kind_of(coupling.type).needs_place);
+}
+
+bool check_geometry(const CouplingDescription& coupling,
+                    Space space,
+                    Evaluator& evaluator,
+                    Diagnostics& found) {
+  const int errors_before = found.error_count();
+  GeometryCheck(coupling, evaluator, found).run(space);
+  return found.error_count() == errors_before;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,72 @@
+#include "mechanism/check/motion_check.hpp"
+
+#include <fmt/format.h>
+
+#include "mechanism/check/report_name_check.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr NumberRule kStepCount = {.kind = QuantityKind::dimensionless,
+                                   .range = kSteps,
+                                   .allowed = "a whole number from 1 to 1000000"};
+
+std::optional<double> position(const std::optional<Value>& value,
+                               DriveKind kind,
+                               const SectionContext& context) {
+  if (!value) {
+    return 0.0;
+  }
+  switch (kind) {
+    case DriveKind::turning:
+      return context.evaluator.number(*value, QuantityKind::angle);
+    case DriveKind::sliding:
+      return context.evaluator.number(*value, QuantityKind::length);
+    case DriveKind::unknown:
+      context.evaluator.quantity(*value);
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+// The first of several drives must move; others may hold still.
+void check_range(const DriveRange& range, bool must_move, const SectionContext& context) {
+  context.names.check_actuator(range.actuator, "'motion' drives", context.found);
+  const DriveKind kind = context.names.kind_of_actuator(range.actuator.text);
+  const std::optional<double> from = position(range.from, kind, context);
+  const std::optional<double> to = position(range.to, kind, context);
+  if (must_move && from && to && *from == *to) {
+    context.found.error("E0305",
+                        range.to->where,
+                        fmt::format("drive '{}' ends where it begins", range.actuator.text),
+                        "give 'to' another value than 'from'; a full turn is to: 360 deg; drives "
+                        "that hold still come behind one that moves");
+  }
+}
+
+}  // namespace
+
+void check_motion(const SectionContext& context) {
+  if (!context.description.motion) {
+    return;
+  }
+  const MotionDescription& motion = *context.description.motion;
+  std::vector<Name> drives;
+  for (const DriveRange& range : motion.drives) {
+    check_range(range, drives.empty(), context);
+    drives.push_back(range.actuator);
+  }
+  context.repeats(drives, "'drives' of 'motion'");
+  context.number(motion.steps, kStepCount, "'steps' of 'motion'");
+  if (motion.label) {
+    context.names.cases.check(*motion.label, "'motion' takes its speeds from", context.found);
+  }
+  for (const TracePoint& point : motion.trace) {
+    context.names.bodies.check(point.body, "'trace' of 'motion' follows", context.found);
+    context.point(point.at);
+  }
+  check_report_names(motion.report, motion_report_words(), "motion", context);
+}
+
+}  // namespace kinestat

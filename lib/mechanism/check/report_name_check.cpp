@@ -1,0 +1,121 @@
+#include "mechanism/check/report_name_check.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// All that a report may name without a dot.
+std::vector<std::string> undotted(std::span<const std::string> words,
+                                  const SectionContext& context) {
+  std::vector<std::string> candidates(words.begin(), words.end());
+  const auto actuators = context.names.actuators.names();
+  candidates.insert(candidates.end(), actuators.begin(), actuators.end());
+  return candidates;
+}
+
+std::string coupling_of(const Name& name) {
+  return name.text.substr(0, name.text.find('.'));
+}
+
+// "lossy.out": what an actuator does where meshes lose power, of which a sweep has columns.
+bool names_lossy_actuator(const Name& name,
+                          std::string_view section,
+                          const SectionContext& context) {
+  constexpr std::string_view kPrefix = "lossy.";
+  return section == "sweep" && name.text.starts_with(kPrefix) &&
+         !context.names.couplings.contains("lossy") &&
+         context.names.actuators.contains(name.text.substr(kPrefix.size()));
+}
+
+}  // namespace
+
+std::span<const std::string> motion_report_words() {
+  static const std::vector<std::string> kWords = {"position",
+                                                  "velocity",
+                                                  "acceleration",
+                                                  "action",
+                                                  "power",
+                                                  "ratio",
+                                                  "transmission_angle",
+                                                  "mechanical_advantage"};
+  return kWords;
+}
+
+std::span<const std::string> sweep_report_words() {
+  static const std::vector<std::string> kWords = {
+      "ratio", "torque_ratio", "step", "efficiency", "recirculation"};
+  return kWords;
+}
+
+void check_report_names(const std::vector<Name>& names,
+                        std::span<const std::string> words,
+                        std::string_view section,
+                        const SectionContext& context) {
+  const std::string role = fmt::format("'report' of '{}'", section);
+  for (const Name& name : names) {
+    if (names_lossy_actuator(name, section, context)) {
+      continue;
+    }
+    if (name.text.find('.') != std::string::npos) {
+      const Name coupling = {.text = coupling_of(name), .where = name.where};
+      context.names.couplings.check(coupling, role + " names", context.found);
+      continue;
+    }
+    const bool is_known = std::ranges::find(words, name.text) != words.end() ||
+                          context.names.actuators.contains(name.text);
+    if (!is_known) {
+      const std::string guess = context.found.is_hint_worth_it()
+                                    ? did_you_mean(name.text, undotted(words, context))
+                                    : std::string();
+      context.found.error(
+          "E0313",
+          name.where,
+          fmt::format("{} cannot hold '{}'", role, name.text),
+          fmt::format("{}{}write one of {}, an actuator, or coupling.freedom or coupling.action, "
+                      "for example a.wz",
+                      guess,
+                      guess.empty() ? "" : " ",
+                      plain_list(words)));
+    }
+  }
+  context.repeats(names, role);
+}
+
+void check_report_quantities(const std::vector<Name>& names,
+                             const Topology& topology,
+                             Diagnostics& found) {
+  std::map<std::string, std::vector<std::string>> by_coupling;
+  for (int f = 0; f < topology.freedom_count(); ++f) {
+    const auto c =
+        static_cast<std::size_t>(topology.freedoms[static_cast<std::size_t>(f)].coupling.value);
+    by_coupling[topology.couplings[c].name].push_back(topology.freedom_name(f));
+  }
+  for (int a = 0; a < topology.action_count(); ++a) {
+    const auto c =
+        static_cast<std::size_t>(topology.actions[static_cast<std::size_t>(a)].coupling.value);
+    by_coupling[topology.couplings[c].name].push_back(topology.action_name(a));
+  }
+  for (const Name& name : names) {
+    const auto at = by_coupling.find(coupling_of(name));
+    if (name.text.find('.') == std::string::npos || at == by_coupling.end() ||
+        std::ranges::find(at->second, name.text) != at->second.end()) {
+      continue;
+    }
+    const std::string guess = did_you_mean(name.text, at->second);
+    found.error(
+        "E0313",
+        name.where,
+        fmt::format(
+            "'{}' is neither a freedom nor an action of coupling '{}'", name.text, at->first),
+        fmt::format("{}{}it has {}", guess, guess.empty() ? "" : " ", plain_list(at->second)));
+  }
+}
+
+}  // namespace kinestat

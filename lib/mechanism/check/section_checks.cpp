@@ -1,0 +1,72 @@
+#include "mechanism/check/section_checks.hpp"
+
+#include "mechanism/check/body_check.hpp"
+#include "mechanism/check/motion_check.hpp"
+#include "mechanism/check/report_name_check.hpp"
+#include "mechanism/check/shift_check.hpp"
+#include "mechanism/check/sweep_check.hpp"
+#include "mechanism/check/synthesis_check.hpp"
+#include "mechanism/gears/internal/loss_check.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Their couplings or actuators.
+void check_knowns(const std::vector<Assignment>& knowns, const SectionContext& context) {
+  const DeclaredNames& names = context.names;
+  for (const Assignment& known : knowns) {
+    const std::string owner = known.target.text.substr(0, known.target.text.find('.'));
+    const bool is_dotted = owner.size() < known.target.text.size();
+    const bool is_declared =
+        is_dotted ? names.couplings.contains(owner) : names.actuators.contains(owner);
+    const Name target{.text = owner, .where = known.target.where};
+    if (!is_declared && is_dotted) {
+      names.couplings.check(target, "a case knows something of", context.found);
+    } else if (!is_declared) {
+      names.check_actuator(target, "a case knows", context.found);
+    }
+  }
+}
+
+}  // namespace
+
+void check_sections(const SectionContext& context) {
+  check_bodies(context);
+  check_losses(context);
+  check_shift(context);
+  check_motion(context);
+  check_sweep(context);
+  check_synthesis(context);
+}
+
+void check_case_names(const SectionContext& context) {
+  const DeclaredNames& names = context.names;
+  Diagnostics& found = context.found;
+  for (const CaseDescription& one : context.description.cases) {
+    check_knowns(one.motions, context);
+    check_knowns(one.actions, context);
+    for (const Name& input : one.inputs) {
+      names.check_actuator(input, "'input' names", found);
+    }
+    for (const Name& output : one.outputs) {
+      names.check_actuator(output, "'output' names", found);
+    }
+  }
+  for (const Name& branch : context.description.tree.value_or(std::vector<Name>{})) {
+    names.couplings.check(branch, "the tree names", found);
+  }
+}
+
+void check_reported_quantities(const MechanismDescription& description,
+                               const Topology& topology,
+                               Diagnostics& found) {
+  if (description.motion) {
+    check_report_quantities(description.motion->report, topology, found);
+  }
+  if (description.sweep) {
+    check_report_quantities(description.sweep->report, topology, found);
+  }
+}
+
+}  // namespace kinestat

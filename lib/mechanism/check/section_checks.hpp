@@ -1,0 +1,25 @@
+// All sections beside bodies, couplings, actuators, cases and loads: their numbers and references.
+#pragma once
+
+#include "mechanism/check/section_context.hpp"
+#include "mechanism/topology.hpp"
+
+namespace kinestat {
+
+/// Evaluates every number of the outlines of bodies, of `losses`, `shift`, `motion`, `sweep` and
+/// `synthesis`, resolves every reference, and complains of what is wrong without any analysis.
+/// check_gears and check_cables do the same for `gears` and `cables`.
+void check_sections(const SectionContext& context);
+
+/// Complains of inputs and outputs of cases that are no actuators, of knowns whose coupling or
+/// actuator is not declared, and of couplings of the tree that are not: for a mechanism whose
+/// freedoms and actions have no names yet.
+void check_case_names(const SectionContext& context);
+
+/// Complains of the freedoms and actions that `motion` and `sweep` report although their couplings
+/// do not have them. The topology must hold all couplings, those of gears and cables too.
+void check_reported_quantities(const MechanismDescription& description,
+                               const Topology& topology,
+                               Diagnostics& found);
+
+}  // namespace kinestat

@@ -1,0 +1,271 @@
+#include "mechanism/check/synthesis_check.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace kinestat {
+
+namespace {
+
+constexpr NumberRule kPathRatio = {
+    .kind = QuantityKind::dimensionless, .range = kNotZero, .allowed = "a ratio other than zero"};
+
+constexpr NumberRule kTransmissionAngle = {
+    .kind = QuantityKind::angle,
+    .range = kAcuteAngle,
+    .allowed = "the least angle allowed, from 0 deg to below 90 deg, for example 30 deg"};
+
+constexpr NumberRule kLinkRatio = {
+    .kind = QuantityKind::dimensionless,
+    .range = kAtLeastOne,
+    .allowed = "the largest ratio of two links allowed, at least 1, for example 12"};
+
+constexpr NumberRule kPointCount = {.kind = QuantityKind::dimensionless,
+                                    .range = kPoints,
+                                    .allowed = "a whole number from 2 to 1000000"};
+
+constexpr NumberRule kDigitCount = {
+    .kind = QuantityKind::dimensionless,
+    .range = kDigits,
+    .allowed = "a whole number of decimal digits from 17 to 100; without it there are 16"};
+
+class SynthesisCheck {
+ public:
+  SynthesisCheck(const SectionContext& context, const SynthesisDescription& task)
+      : context_(context), task_(task) {}
+
+  void run() {
+    for (std::size_t i = 0; i < task_.positions.size(); ++i) {
+      check_position(task_.positions[i], fmt::format("position {}", i + 1));
+    }
+    check_count();
+    check_tasks();
+    context_.number(
+        task_.limits.transmission_angle, kTransmissionAngle, "'transmission_angle' of 'limits'");
+    context_.number(task_.limits.link_ratio, kLinkRatio, "'link_ratio' of 'limits'");
+    context_.number(task_.limits.size, kAboveZeroLength, "'size' of 'limits'");
+    for (const SynthesisRange& range : task_.vary) {
+      check_range(range);
+    }
+    context_.number(task_.curve_count, kPointCount, "'count' of 'curves'");
+    context_.number(task_.samples, kPointCount, "'samples' of 'vary'");
+    check_effective();
+    context_.number(task_.digits, kDigitCount, "'digits' of 'synthesis'");
+  }
+
+ private:
+  void check_position(const PositionDescription& position, const std::string& what) {
+    context_.point(position.at);
+    for (const Value& angle : position.angles) {
+      context_.number(angle, kAnyAngle, "'angle' of " + what);
+    }
+    context_.point(position.pole);
+    for (const PoseDerivative& derivative : position.derivatives) {
+      context_.point(derivative.at);
+      context_.number(derivative.angle, kAnyAngle, "'angle' of a derivative of " + what);
+    }
+    if (position.curvature) {
+      check_curvature(*position.curvature, what);
+    }
+  }
+
+  void check_curvature(const CurvatureDescription& curvature, const std::string& what) {
+    context_.point(curvature.centre);
+    context_.point(curvature.free_point);
+    context_.number(curvature.m, kPathRatio, "'m' of " + what);
+    for (const FreeNumber varied : {FreeNumber::m, FreeNumber::s}) {
+      if (curvature.m && is_varied(varied)) {
+        has_both("m", varied, curvature.m->where, what);
+      }
+    }
+    for (const FreeNumber varied : {FreeNumber::free_point, FreeNumber::s}) {
+      if (curvature.free_point && is_varied(varied)) {
+        has_both("free_point", varied, curvature.free_point->where, what);
+      }
+    }
+    if (is_varied(FreeNumber::s)) {
+      return;
+    }
+    if (!curvature.free_point && !is_varied(FreeNumber::free_point)) {
+      lacks(curvature, what, "free_point", "free_point: [x, y]");
+    }
+    if (!curvature.m && !is_varied(FreeNumber::m)) {
+      lacks(curvature, what, "m", "m: 0.58");
+    }
+  }
+
+  bool is_varied(FreeNumber which) const {
+    return std::ranges::any_of(task_.vary,
+                               [&](const SynthesisRange& range) { return range.which == which; });
+  }
+
+  // A number that a range would override without a word.
+  void has_both(std::string_view key,
+                FreeNumber varied,
+                SourceRange where,
+                const std::string& what) {
+    const std::string_view word = word_of(varied);
+    context_.found.error(
+        "E0302",
+        where,
+        word == key
+            ? fmt::format("'curvature' of {} gives '{}', which 'vary' lets vary", what, key)
+            : fmt::format(
+                  "'curvature' of {} gives '{}', for which '{}' of 'vary' stands", what, key, word),
+        fmt::format(
+            "delete '{}' here to try the range, or '{}' of 'vary' to keep the number", key, word));
+  }
+
+  void lacks(const CurvatureDescription& curvature,
+             const std::string& what,
+             std::string_view key,
+             std::string_view example) {
+    context_.found.error(
+        "E0303",
+        curvature.where,
+        fmt::format("'curvature' of {} lacks the key '{}'", what, key),
+        fmt::format("add '{}', or let it vary: vary: {{{}: {{from: …, to: …}}}}", example, key));
+  }
+
+  // Each contact with a position before it counts as a position more.
+  void check_count() {
+    constexpr int kLeast = 2;
+    constexpr int kMost = 5;
+    int count = 0;
+    std::string form;
+    for (const PositionDescription& position : task_.positions) {
+      count += position.order();
+      form +=
+          (form.empty() ? "" : "-") + std::string(static_cast<std::size_t>(position.order()), 'P');
+    }
+    if (count >= kLeast && count <= kMost) {
+      return;
+    }
+    context_.found.error("E0305",
+                         task_.where,
+                         fmt::format("the task {} has {} position{}; a dyad takes two to five",
+                                     shown(form),
+                                     count,
+                                     count == 1 ? "" : "s"),
+                         count < kLeast ? "add a position, or its pole"
+                                        : "leave out a position, a pole, or an order of contact");
+  }
+
+  // The lists of angles multiply; the place is the list that makes too many tasks.
+  void check_tasks() {
+    constexpr double kMostTasks = 1000.0;
+    double count = 1.0;
+    SourceRange where;
+    for (const PositionDescription& position : task_.positions) {
+      const bool was_right = count <= kMostTasks;
+      count *= static_cast<double>(position.angles.size());
+      where = was_right ? position.angles.front().where : where;
+    }
+    if (count > kMostTasks) {
+      context_.found.error(
+          "E0305",
+          where,
+          fmt::format(
+              "the lists of angles make {:.15g} tasks; at most {} can be run", count, kMostTasks),
+          "list fewer angles, or share them among several files");
+    }
+  }
+
+  static std::string shown(const std::string& form) {
+    constexpr std::size_t kLongest = 20;
+    return form.size() <= kLongest ? form : form.substr(0, kLongest) + "…";
+  }
+
+  void check_range(const SynthesisRange& range) {
+    if (range.which == FreeNumber::circle_points) {
+      check_circle_points(range);
+      return;
+    }
+    context_.components(range.from, kind_of(range.which));
+    context_.components(range.to, kind_of(range.which));
+    const bool has_curvature = std::ranges::any_of(
+        task_.positions, [](const PositionDescription& one) { return one.curvature.has_value(); });
+    if (!has_curvature) {
+      context_.found.error(
+          "E0313",
+          range.name_where,
+          fmt::format("'vary' names '{}', but no position has 'curvature'", word_of(range.which)),
+          "remove it, or add 'curvature' to a position");
+    }
+  }
+
+  void check_circle_points(const SynthesisRange& range) {
+    const std::optional<Vec3> from = context_.vector(range.from, QuantityKind::length);
+    const std::optional<Vec3> to = context_.vector(range.to, QuantityKind::length);
+    if (from && to && *from == *to) {
+      context_.found.error("E0321",
+                           range.name_where,
+                           "the range of the circle points is a single point",
+                           "write two opposite corners of the area in which they may lie");
+    }
+    int count = 0;
+    for (const PositionDescription& position : task_.positions) {
+      count += position.order();
+    }
+    if (count != 3 && count != 4) {
+      context_.found.error(
+          "E0305",
+          range.name_where,
+          fmt::format("circle points are free with three and four positions, and this has {}",
+                      count),
+          count < 3 ? "add a position, its pole or its curvature"
+                    : "five positions have their own; let 'm', 'free_point' or 's' vary");
+    }
+  }
+
+  // s, tau and tau_2 stand for free point and m together, one for each order.
+  void check_effective() {
+    using enum FreeNumber;
+    const bool is_stationary = std::ranges::any_of(
+        task_.positions, [](const PositionDescription& one) { return one.stationary; });
+    const bool is_burmester = std::ranges::any_of(
+        task_.positions, [](const PositionDescription& one) { return one.burmester; });
+    check_needed(tau, s, is_stationary, "stationary");
+    check_needed(tau_2, tau, is_burmester, "burmester");
+  }
+
+  // An order that a position has and one that 'vary' has belong together.
+  void check_needed(FreeNumber which, FreeNumber before, bool has_order, std::string_view order) {
+    if (is_varied(before) && has_order && !is_varied(which)) {
+      context_.found.error("E0303",
+                           place_of(before),
+                           fmt::format("'vary' names '{}' and needs '{}' for '{}: true'",
+                                       word_of(before),
+                                       word_of(which),
+                                       order),
+                           fmt::format("add {}: {{from: -1, to: 1}}", word_of(which)));
+    }
+    if (is_varied(which) && !(is_varied(before) && has_order)) {
+      context_.found.error("E0313",
+                           place_of(which),
+                           fmt::format("'vary' names '{}', which needs '{}' and '{}: true'",
+                                       word_of(which),
+                                       word_of(before),
+                                       order),
+                           "remove it, or add what it needs");
+    }
+  }
+
+  SourceRange place_of(FreeNumber which) const {
+    return std::ranges::find(task_.vary, which, &SynthesisRange::which)->name_where;
+  }
+
+  const SectionContext& context_;
+  const SynthesisDescription& task_;
+};
+
+}  // namespace
+
+void check_synthesis(const SectionContext& context) {
+  if (context.description.synthesis) {
+    SynthesisCheck(context, *context.description.synthesis).run();
+  }
+}
+
+}  // namespace kinestat

@@ -1,0 +1,268 @@
+#include "mechanism/couplings/internal/coupling_binder.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "core/tolerance.hpp"
+#include "mechanism/bind/direction_binder.hpp"
+#include "mechanism/bind/place_binder.hpp"
+#include "mechanism/check/geometry_check.hpp"
+#include "mechanism/couplings/internal/typed_vector.hpp"
+#include "mechanism/gears/internal/tooth_binder.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr std::string_view kAxisHint = "add axis: x, y, z, -x, … or a vector";
+constexpr std::string_view kNormalHint = "add normal: x, y, z, -x, … or a vector";
+
+template <class Scalar>
+Scalar radians_of_a_turn() {
+  return Scalar(2.0 * std::numbers::pi);
+}
+
+template <>
+Typed radians_of_a_turn<Typed>() {
+  return Typed(2.0) * typed_pi();
+}
+
+template <class Scalar>
+class GeometryBinder {
+ public:
+  GeometryBinder(const CouplingDescription& coupling,
+                 Space space,
+                 const GearFrameOf<Scalar>* gears,
+                 EvaluatorOf<Scalar>& evaluator,
+                 Diagnostics& found)
+      : coupling_(coupling),
+        space_(space),
+        gears_(gears),
+        evaluator_(evaluator),
+        found_(found),
+        directions_(coupling, space, evaluator, found) {}
+
+  std::optional<CouplingGeometryOf<Scalar>> bind() {
+    const int errors_before = found_.error_count();
+    bind_place<Scalar>(coupling_, gears_, evaluator_, found_, geometry_);
+    bind_directions();
+    bind_pitch();
+    bind_screws(coupling_.freedoms, geometry_.freedoms);
+    bind_screws(coupling_.constraints, geometry_.constraints);
+    return found_.error_count() == errors_before ? std::optional(geometry_) : std::nullopt;
+  }
+
+ private:
+  // Notes an answer; an empty one has left its error.
+  template <class Item>
+  static void take(const std::optional<Item>& answer, Item& where) {
+    if (answer) {
+      where = *answer;
+    }
+  }
+
+  void bind_directions() {
+    using enum CouplingType;
+    switch (coupling_.type) {
+      case revolute:
+      case helical:
+      case cylindrical:
+      case sphere_in_tube:
+      case clutch:
+      case brake:
+        return bind_axis(coupling_.axis, "axis", DirectionRole::turning, kAxisHint);
+      case prismatic:
+        return bind_axis(coupling_.axis, "axis", DirectionRole::in_plane, kAxisHint);
+      case planar:
+      case point_contact:
+      case cam:
+        return bind_axis(coupling_.normal, "normal", DirectionRole::in_plane, kNormalHint);
+      case pin_in_slot:
+        return bind_axis(
+            coupling_.slot, "slot", DirectionRole::in_plane, "add slot: x or a vector");
+      case line_contact:
+        return bind_line_contact();
+      case universal:
+        return bind_universal();
+      case gear:
+      case bevel_gear:
+      case worm:
+      case rack:
+        return bind_teeth();
+      case spherical:
+      case rigid:
+      case cable:
+      case screws:
+        return;
+    }
+  }
+
+  void bind_axis(const std::optional<AxisDescription>& direction,
+                 std::string_view key,
+                 DirectionRole role,
+                 std::string_view hint) {
+    take(directions_.bind(direction, key, role, hint), geometry_.axis);
+  }
+
+  void bind_line_contact() {
+    using enum DirectionRole;
+    const int errors_before = found_.error_count();
+    bind_axis(coupling_.normal, "normal", in_plane, kNormalHint);
+    take(directions_.bind(coupling_.line,
+                          "line",
+                          in_plane,
+                          "add line: the direction of the line along which the bodies touch"),
+         geometry_.second);
+    if (found_.error_count() == errors_before && coupling_.line && coupling_.normal) {
+      directions_.check_perpendicular(
+          geometry_.axis,
+          geometry_.second,
+          coupling_.line->where,
+          fmt::format("the line of {} is not perpendicular to its normal", directions_.title()),
+          "the line lies in both surfaces, the normal is perpendicular to them");
+    }
+  }
+
+  void bind_universal() {
+    if (coupling_.axes.size() != 2) {
+      if (!is_counted_only(coupling_)) {
+        directions_.refuse(coupling_.name.where,
+                           fmt::format("{} lacks the key 'axes'", directions_.title()),
+                           "add axes: [x, z]: the first fixed in the tail, the second in the head");
+      }
+      geometry_.second = {.direction = Vec3Of<Scalar>::UnitX(), .keyword = 'x'};
+      return;
+    }
+    const int errors_before = found_.error_count();
+    take(directions_.bind(coupling_.axes[0], DirectionRole::turning), geometry_.axis);
+    take(directions_.bind(coupling_.axes[1], DirectionRole::turning), geometry_.second);
+    const Vec3 first = values_of<Scalar>(geometry_.axis.direction);
+    const Vec3 second = values_of<Scalar>(geometry_.second.direction);
+    if (found_.error_count() == errors_before && first.cross(second).norm() <= kParallelAxes) {
+      directions_.refuse(coupling_.axes[1].where,
+                         fmt::format("the axes of {} are parallel", directions_.title()),
+                         "the two axes of the cross are perpendicular to each other");
+    }
+  }
+
+  void bind_teeth() {
+    if (coupling_.is_mesh()) {
+      return bind_mesh();
+    }
+    geometry_.is_contact = coupling_.contact;
+    const int errors_before = found_.error_count();
+    if (coupling_.screw) {
+      geometry_.relative = bind_screw(*coupling_.screw);
+    } else {
+      bind_axis(coupling_.axis, "axis", DirectionRole::turning, kAxisHint);
+    }
+    if (found_.error_count() == errors_before) {
+      take(bind_line_of_action<Scalar>(coupling_, space_, geometry_.axis, evaluator_, found_),
+           geometry_.line_of_action);
+    }
+  }
+
+  void bind_mesh() {
+    const int errors_before = found_.error_count();
+    MeshTeethOf<Scalar> teeth = teeth_of<Scalar>(*gears_, coupling_);
+    take(bind_mesh_line_of_action<Scalar>(coupling_, space_, teeth, evaluator_, found_),
+         geometry_.line_of_action);
+    const bool is_good = found_.error_count() == errors_before;
+    if (is_good && gears_->gears->flank == Flank::loaded) {
+      teeth.flank = -teeth.flank;
+      geometry_.other_flank =
+          bind_mesh_line_of_action<Scalar>(coupling_, space_, teeth, evaluator_, found_);
+    }
+  }
+
+  void bind_pitch() {
+    if (coupling_.pitch) {
+      take(evaluator_.number(*coupling_.pitch, QuantityKind::pitch), geometry_.pitch);
+    } else if (coupling_.lead) {
+      take(evaluator_.number(*coupling_.lead, QuantityKind::lead), geometry_.pitch);
+      geometry_.pitch = geometry_.pitch / radians_of_a_turn<Scalar>();
+    }
+  }
+
+  // The first screw with a line places the coupling.
+  void bind_screws(const std::vector<ScrewDescription>& list,
+                   std::vector<ScrewGeometryOf<Scalar>>& screws) {
+    for (const ScrewDescription& one : list) {
+      const auto screw = bind_screw(one);
+      if (!screw) {
+        continue;
+      }
+      if (one.at && !has_place_) {
+        geometry_.at = screw->at;
+        has_place_ = true;
+      }
+      screws.push_back(*screw);
+    }
+  }
+
+  // In the plane rotations and couples are about z, without pitch; the others lie in the plane.
+  std::optional<ScrewGeometryOf<Scalar>> bind_screw(const ScrewDescription& description) {
+    ScrewGeometryOf<Scalar> screw;
+    screw.kind = description.kind;
+    const int errors_before = found_.error_count();
+    const bool turns =
+        description.kind == ScrewWord::rotation || description.kind == ScrewWord::couple;
+    take(directions_.bind(description.direction,
+                          turns ? DirectionRole::turning : DirectionRole::in_plane),
+         screw.direction);
+    if (description.at) {
+      take(evaluator_.point(*description.at), screw.at);
+    }
+    if (description.pitch) {
+      take(evaluator_.number(*description.pitch, QuantityKind::pitch), screw.pitch);
+      if (space_ == Space::planar) {
+        directions_.refuse(
+            description.pitch->where,
+            fmt::format("a screw of {} has a pitch, which leaves the plane", directions_.title()),
+            "remove 'pitch', or write 'space: spatial' at the top of the file");
+      }
+    }
+    return found_.error_count() == errors_before ? std::optional(screw) : std::nullopt;
+  }
+
+  const CouplingDescription& coupling_;
+  Space space_;
+  const GearFrameOf<Scalar>* gears_;
+  EvaluatorOf<Scalar>& evaluator_;
+  Diagnostics& found_;
+  DirectionBinder<Scalar> directions_;
+  CouplingGeometryOf<Scalar> geometry_;
+  bool has_place_ = false;  ///< of a list of screws
+};
+
+}  // namespace
+
+bool has_place(const CouplingDescription& coupling) {
+  const auto has_line = [](const ScrewDescription& screw) { return screw.at.has_value(); };
+  return coupling.at || coupling.is_mesh() || (coupling.from && coupling.to) ||
+         coupling.is_segment() || std::ranges::any_of(coupling.freedoms, has_line) ||
+         std::ranges::any_of(coupling.constraints, has_line);
+}
+
+template <class Scalar>
+std::optional<CouplingGeometryOf<Scalar>> bind_geometry(const CouplingDescription& coupling,
+                                                        Space space,
+                                                        const GearFrameOf<Scalar>* gears,
+                                                        EvaluatorOf<Scalar>& evaluator,
+                                                        Diagnostics& found) {
+  return GeometryBinder<Scalar>(coupling, space, gears, evaluator, found).bind();
+}
+
+template std::optional<CouplingGeometry> bind_geometry(
+    const CouplingDescription&, Space, const GearFrame*, Evaluator&, Diagnostics&);
+template std::optional<CouplingGeometryOf<Dual>> bind_geometry(
+    const CouplingDescription&, Space, const GearFrameOf<Dual>*, EvaluatorOf<Dual>&, Diagnostics&);
+template std::optional<CouplingGeometryOf<Typed>> bind_geometry(const CouplingDescription&,
+                                                                Space,
+                                                                const GearFrameOf<Typed>*,
+                                                                EvaluatorOf<Typed>&,
+                                                                Diagnostics&);
+
+}  // namespace kinestat

@@ -1,0 +1,220 @@
+#include "mechanism/couplings/internal/friction_binder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "core/tolerance.hpp"
+#include "couplings/kinds.hpp"
+#include "math/numbers/dual.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::string title_of(const CouplingDescription& coupling) {
+  return fmt::format("{} '{}'", word_of(coupling.type), coupling.name.text);
+}
+
+void refuse(Diagnostics& found, SourceRange where, std::string message, std::string hint) {
+  found.error("E0305", where, std::move(message), std::move(hint));
+}
+
+template <class Scalar>
+class FrictionReader {
+ public:
+  FrictionReader(const CouplingDescription& coupling,
+                 const FileUnits& units,
+                 EvaluatorOf<Scalar>& evaluator,
+                 Diagnostics& found)
+      : coupling_(coupling), units_(units), evaluator_(evaluator), found_(found) {}
+
+  CouplingFrictionOf<Scalar> read(CouplingId id) {
+    const FrictionDescription& friction = *coupling_.friction;
+    CouplingFrictionOf<Scalar> result;
+    result.coupling = id;
+    result.where = friction.where;
+    result.mu = number(friction.mu, QuantityKind::dimensionless).value_or(0.0);
+    result.radius = number(friction.radius, QuantityKind::length).value_or(0.0);
+    result.thrust_radius = number(friction.thrust_radius, QuantityKind::length).value_or(0.0);
+    result.length = number(friction.length, QuantityKind::length);
+    result.tau = number(friction.tau, QuantityKind::moment).value_or(0.0);
+    result.viscous = viscous(friction.c);
+    return result;
+  }
+
+ private:
+  void check_not_negative(const Value& value, double number) {
+    if (number < 0.0) {
+      refuse(found_,
+             value.where,
+             fmt::format("a number of the friction of {} is negative", title_of(coupling_)),
+             "friction acts against the motion by itself; write a positive number");
+    }
+  }
+
+  std::optional<Scalar> number(const std::optional<Value>& value, QuantityKind kind) {
+    const auto number = value ? evaluator_.number(*value, kind) : std::nullopt;
+    if (number) {
+      check_not_negative(*value, value_of(*number));
+    }
+    return number;
+  }
+
+  // A couple per angular velocity, of a prismatic a force per velocity. A bare number counts in the
+  // units of the file.
+  Scalar viscous(const std::optional<Value>& value) {
+    const auto quantity = value ? evaluator_.quantity(*value) : std::nullopt;
+    if (!quantity) {
+      return 0.0;
+    }
+    const bool slides = kind_ == FrictionKind::guide;
+    const QuantityKind action = slides ? QuantityKind::force : QuantityKind::moment;
+    const QuantityKind rate = slides ? QuantityKind::velocity : QuantityKind::angular_velocity;
+    Scalar number = quantity->value;
+    if (is_bare(quantity->dimension)) {
+      number = number * Scalar(units_.factor(action) / units_.factor(rate));
+    } else if (quantity->dimension != dimension_of(action) / dimension_of(rate)) {
+      found_.error("E0309",
+                   value->where,
+                   fmt::format("'c' of the friction of {} is a {} per {}",
+                               title_of(coupling_),
+                               slides ? "force" : "couple",
+                               slides ? "velocity" : "angular velocity"),
+                   slides ? "write for example c: 5 N*s/m" : "write for example c: 0.1 N*m*s/rad");
+    }
+    check_not_negative(*value, value_of(number));
+    return number;
+  }
+
+  const CouplingDescription& coupling_;
+  FrictionKind kind_ = kind_of(coupling_.type).friction;
+  const FileUnits& units_;
+  EvaluatorOf<Scalar>& evaluator_;
+  Diagnostics& found_;
+};
+
+// Whether the numbers make sense together.
+class FrictionCheck {
+ public:
+  FrictionCheck(const CouplingDescription& coupling,
+                const CouplingScrews& screws,
+                Diagnostics& found)
+      : coupling_(coupling), screws_(screws), found_(found) {}
+
+  void check(const CouplingFriction& bound) {
+    const FrictionDescription& friction = *coupling_.friction;
+    if (bound.length && *bound.length == 0.0) {
+      refuse(found_,
+             friction.length->where,
+             fmt::format("the friction of {} has a length of zero", title_of(coupling_)),
+             "leave 'length' out where the couple across the axis does not count");
+    }
+    check_numbers(friction, bound);
+    check_place(friction);
+    if (bound.mu > 0.0 && has_friction_law(coupling_) && !has_pressing_action(bound)) {
+      refuse(found_,
+             friction.mu->where,
+             fmt::format("nothing presses in {}: it bears no action that its friction depends on",
+                         title_of(coupling_)),
+             coupling_.passive
+                 ? "add the action that presses to 'passive:'"
+                 : "give the radius at which the friction acts, or remove the coefficient");
+    }
+  }
+
+ private:
+  // A couple that presses is one about the place of the coupling.
+  void check_place(const FrictionDescription& friction) {
+    const bool is_without = kind_ == FrictionKind::guide && !coupling_.at;
+    const std::optional<Value>& value = friction.length ? friction.length : friction.radius;
+    if (is_without && value) {
+      refuse(found_,
+             value->where,
+             fmt::format("the friction of {} depends on a couple, but the coupling has no place",
+                         title_of(coupling_)),
+             "add 'at:', the middle of the guide");
+    }
+  }
+
+  // Whether the coupling bears one of the actions that its law counts.
+  bool has_pressing_action(const CouplingFriction& friction) const {
+    const bool turns = kind_ == FrictionKind::journal;
+    const Vec3 axis = !turns || screws_.freedoms.empty()
+                          ? Vec3::Zero()
+                          : Vec3(screws_.freedoms.front().screw.angular.normalized());
+    return std::ranges::any_of(screws_.constraints, [&](const NamedWrench& one) {
+      if (kind_ == FrictionKind::guide) {
+        return !one.is_couple || friction.length || friction.radius > 0.0;
+      }
+      if (!turns || one.is_couple) {
+        return turns ? friction.length.has_value() : !one.is_couple;
+      }
+      const double along = std::abs(one.screw.force.dot(axis));
+      const double across = one.screw.force.cross(axis).norm();
+      return (friction.radius > 0.0 && across > kParallelAxes) ||
+             (friction.thrust_radius > 0.0 && along > kParallelAxes);
+    });
+  }
+
+  // Friction that can never be anything but zero is a mistake, or a number that is missing.
+  void check_numbers(const FrictionDescription& friction, const CouplingFriction& bound) {
+    const bool has_force = friction.mu || friction.tau || friction.c;
+    if (!has_force) {
+      refuse(found_,
+             friction.where,
+             fmt::format("the friction of {} has no coefficient", title_of(coupling_)),
+             kind_ == FrictionKind::journal || kind_ == FrictionKind::thread
+                 ? "add 'mu', 'tau' or 'c'"
+                 : "add 'mu' or 'c'");
+    }
+    if (kind_ == FrictionKind::thread && friction.radius && bound.radius == 0.0) {
+      refuse(found_,
+             friction.radius->where,
+             fmt::format("the thread of {} has the radius zero", title_of(coupling_)),
+             "write its mean radius");
+    }
+  }
+
+  const CouplingDescription& coupling_;
+  FrictionKind kind_ = kind_of(coupling_.type).friction;
+  const CouplingScrews& screws_;
+  Diagnostics& found_;
+};
+
+}  // namespace
+
+bool has_friction_law(const CouplingDescription& coupling) {
+  return kind_of(coupling.type).has_friction_law || coupling.contact;
+}
+
+template <class Scalar>
+CouplingFrictionOf<Scalar> read_friction(const CouplingDescription& coupling,
+                                         CouplingId id,
+                                         const FileUnits& units,
+                                         EvaluatorOf<Scalar>& evaluator,
+                                         Diagnostics& found) {
+  return FrictionReader<Scalar>(coupling, units, evaluator, found).read(id);
+}
+
+template CouplingFriction read_friction(
+    const CouplingDescription&, CouplingId, const FileUnits&, Evaluator&, Diagnostics&);
+template CouplingFrictionOf<Dual> read_friction(
+    const CouplingDescription&, CouplingId, const FileUnits&, EvaluatorOf<Dual>&, Diagnostics&);
+
+std::optional<CouplingFriction> bind_friction(const CouplingDescription& coupling,
+                                              CouplingId id,
+                                              const CouplingScrews& screws,
+                                              const FileUnits& units,
+                                              Evaluator& evaluator,
+                                              Diagnostics& found) {
+  const int errors_before = found.error_count();
+  const CouplingFriction result = read_friction(coupling, id, units, evaluator, found);
+  FrictionCheck(coupling, screws, found).check(result);
+  return has_friction_law(coupling) && found.error_count() == errors_before ? std::optional(result)
+                                                                            : std::nullopt;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,283 @@
+#include "mechanism/couplings/moved_coupling.hpp"
+
+#include <algorithm>
+
+#include "couplings/kinds.hpp"
+#include "mechanism/couplings/coupling_catalogue.hpp"
+#include "mechanism/couplings/finite_law.hpp"
+
+namespace kinestat {
+
+namespace {
+
+enum class Follows { world, tail, head, carrier };
+
+// Whose rotation turns a screw, and whose motion carries the point that it is measured from.
+struct Rule {
+  Follows direction = Follows::tail;
+  Follows point = Follows::tail;
+};
+
+constexpr Rule kWithTail;
+constexpr Rule kWithHead = {.direction = Follows::head, .point = Follows::head};
+constexpr Rule kWithCarrier = {.direction = Follows::carrier, .point = Follows::carrier};
+constexpr Rule kAtTail = {.direction = Follows::world, .point = Follows::tail};
+constexpr Rule kHeadAtTail = {.direction = Follows::head, .point = Follows::tail};
+
+Rule rule_of_motion(CouplingType type, int index) {
+  using enum CouplingType;
+  if (has_teeth(type)) {
+    return kWithCarrier;
+  }
+  if (type == spherical || (type == sphere_in_tube && index < 3)) {
+    return kAtTail;
+  }
+  const bool is_in_head = (type == universal && index == 1) ||
+                          (type == pin_in_slot && index == 1) || type == sphere_in_tube ||
+                          (type == planar && index == 0);
+  return is_in_head ? kWithHead : kWithTail;
+}
+
+Rule rule_of_action(CouplingType type, bool is_couple) {
+  using enum CouplingType;
+  if (has_teeth(type)) {
+    return kWithCarrier;
+  }
+  switch (type) {
+    case revolute:
+      return is_couple ? kWithTail : kAtTail;
+    case universal:
+    case spherical:
+    case rigid:
+      return kAtTail;
+    case prismatic:
+      return is_couple ? kAtTail : kWithHead;
+    case planar:
+      return kWithHead;
+    case pin_in_slot:
+    case sphere_in_tube:
+      return kHeadAtTail;
+    case helical:
+    case cylindrical:
+    case screws:
+    case clutch:
+    case brake:
+    case gear:
+    case bevel_gear:
+    case worm:
+    case rack:
+    case point_contact:
+    case cam:
+    case line_contact:
+    case cable:
+      return kWithTail;
+  }
+  return kWithTail;
+}
+
+class Mover {
+ public:
+  Mover(const Mechanism& mechanism,
+        CouplingId id,
+        const DrawnCoupling& drawn,
+        const CouplingPoses& poses)
+      : mechanism_(mechanism),
+        coupling_(mechanism.topology.coupling(id)),
+        drawn_(drawn),
+        poses_(poses),
+        origin_(mechanism.geometry.origin) {}
+
+  MovedCoupling move() {
+    place();
+    using enum CouplingType;
+    const CouplingType type = coupling_.type;
+    if (type == cable || type == point_contact || type == cam || type == line_contact) {
+      write_anew();
+    } else {
+      carry();
+    }
+    add_actuators();
+    return std::move(result_);
+  }
+
+ private:
+  const BodyPose& pose_of(Follows who) const {
+    static const BodyPose kStill;
+    switch (who) {
+      case Follows::tail:
+        return poses_.tail;
+      case Follows::head:
+        return poses_.head;
+      case Follows::carrier:
+        return poses_.carrier;
+      case Follows::world:
+        break;
+    }
+    return kStill;
+  }
+
+  int passive_count() const {
+    int count = 0;
+    for (int a = 0; a < coupling_.action_count; ++a) {
+      const auto i = static_cast<std::size_t>(coupling_.first_action + a);
+      count += mechanism_.topology.actions[i].actuator < 0 ? 1 : 0;
+    }
+    return count;
+  }
+
+  // What slides takes its point along; teeth touch in their carrier.
+  void place() {
+    const Follows who = has_teeth(coupling_.type)                   ? Follows::carrier
+                        : coupling_.type == CouplingType::prismatic ? Follows::head
+                                                                    : Follows::tail;
+    const Vec3 at =
+        who == Follows::head ? drawn_.at_head.value_or(drawn_.geometry.at) : drawn_.geometry.at;
+    result_.point = pose_of(who).point(at);
+  }
+
+  // Both parts of a screw about `origin`, the one along its line first.
+  std::pair<Vec3, Vec3> carried(const Vec3& line, const Vec3& moment, Rule rule) const {
+    const Vec3 arm = drawn_.geometry.at - origin_;
+    const BodyPose& turns = pose_of(rule.direction);
+    const Vec3 at = rule.point == Follows::head ? drawn_.at_head.value_or(drawn_.geometry.at)
+                                                : drawn_.geometry.at;
+    const Vec3 moved_arm = pose_of(rule.point).point(at) - origin_;
+    const Vec3 moved_line = turns.direction(line);
+    const Vec3 own = turns.direction(moment - arm.cross(line));
+    return {moved_line, own + moment_of_line<double>(moved_arm, moved_line)};
+  }
+
+  void carry() {
+    for (int f = 0; f < coupling_.freedom_count; ++f) {
+      const Twist& screw =
+          mechanism_.geometry.motions[static_cast<std::size_t>(coupling_.first_freedom + f)];
+      const auto [line, moment] =
+          carried(screw.angular, screw.linear, rule_of_motion(coupling_.type, f));
+      result_.motions.push_back({.angular = line, .linear = moment});
+    }
+    for (int a = 0; a < passive_count(); ++a) {
+      const auto i = static_cast<std::size_t>(coupling_.first_action + a);
+      const Wrench& screw = mechanism_.geometry.actions[i];
+      const bool is_couple = mechanism_.topology.actions[i].is_couple;
+      if (coupling_.type == CouplingType::universal && is_couple) {
+        result_.actions.push_back(couple_of_cross(screw));
+        continue;
+      }
+      const auto [line, moment] =
+          carried(screw.force, screw.moment, rule_of_action(coupling_.type, is_couple));
+      result_.actions.push_back({.moment = moment, .force = line});
+    }
+  }
+
+  // Across both axes of a universal coupling, on the side where it was drawn.
+  Wrench couple_of_cross(const Wrench& drawn) const {
+    const Vec3& first = drawn_.geometry.axis.direction;
+    const Vec3& second = drawn_.geometry.second.direction;
+    const double side = first.cross(second).dot(drawn.moment) < 0.0 ? -1.0 : 1.0;
+    const Vec3 across =
+        poses_.tail.direction(first).cross(poses_.head.direction(second)).normalized();
+    return unit_couple<double>(side * across);
+  }
+
+  // Contacts and cables by the catalogue, from where they touch now.
+  void write_anew() {
+    CouplingGeometry moved = drawn_.geometry;
+    for (AxisOf<double>* axis : {&moved.axis, &moved.second}) {
+      axis->keyword = '\0';
+    }
+    coupling_.type == CouplingType::cable ? stretch(moved) : touch(moved);
+    result_.point = moved.at;
+    const Space space = mechanism_.space;
+    const CouplingScrews screws =
+        coupling_screws(coupling_.type, space, measured_from<double>(origin_, moved));
+    for (const NamedTwist& freedom : screws.freedoms) {
+      result_.motions.push_back(freedom.screw);
+    }
+    for (const NamedWrench& constraint : screws.constraints) {
+      if (static_cast<int>(result_.actions.size()) < passive_count()) {
+        result_.actions.push_back(constraint.screw);
+      }
+    }
+  }
+
+  void stretch(CouplingGeometry& moved) const {
+    if (drawn_.from && drawn_.to) {
+      const CableSpan span = tangent_span<double>(moved_station(*drawn_.from, poses_.tail),
+                                                  moved_station(*drawn_.to, poses_.head));
+      moved.from = span.from;
+      moved.to = span.to;
+    } else {
+      moved.from = poses_.tail.point(drawn_.geometry.from);
+      moved.to = poses_.head.point(drawn_.geometry.to);
+    }
+    moved.at = moved.to;
+  }
+
+  // The normal joins the centres, or stands on the flat side.
+  void touch(CouplingGeometry& moved) const {
+    const double tail = drawn_.tail_shape ? drawn_.tail_shape->curvature : 0.0;
+    const double head = drawn_.head_shape ? drawn_.head_shape->curvature : 0.0;
+    const Vec3& normal = drawn_.geometry.axis.direction;
+    const Vec3& at = drawn_.geometry.at;
+    if (tail == 0.0) {
+      moved.axis.direction = poses_.tail.direction(normal);
+      if (head != 0.0) {
+        moved.at = poses_.head.point(at + normal / head) - moved.axis.direction / head;
+      }
+    } else if (head == 0.0) {
+      moved.axis.direction = poses_.head.direction(normal);
+      moved.at = poses_.tail.point(at - normal / tail) + moved.axis.direction / tail;
+    } else {
+      const Vec3 a = poses_.tail.point(at - normal / tail);
+      const Vec3 b = poses_.head.point(at + normal / head);
+      const double side = 1.0 / tail + 1.0 / head < 0.0 ? -1.0 : 1.0;
+      moved.axis.direction = side * (b - a).normalized();
+      moved.at = a + moved.axis.direction / tail;
+    }
+    moved.second.direction =
+        (tail == 0.0 ? poses_.head : poses_.tail).direction(drawn_.geometry.second.direction);
+  }
+
+  void add_actuators() {
+    for (int a = passive_count(); a < coupling_.action_count; ++a) {
+      const auto i = static_cast<std::size_t>(coupling_.first_action + a);
+      const int actuator = mechanism_.topology.actions[i].actuator;
+      const int freedom = mechanism_.topology.actuators[static_cast<std::size_t>(actuator)].freedom;
+      const NamedTwist driven = {
+          .name = {},
+          .is_rotation =
+              mechanism_.topology.freedoms[static_cast<std::size_t>(freedom)].is_rotation,
+          .screw = result_.motions[static_cast<std::size_t>(freedom - coupling_.first_freedom)]};
+      result_.actions.push_back(internal_action<double>(driven, result_.point - origin_).screw);
+    }
+  }
+
+  const Mechanism& mechanism_;
+  const CouplingTopology& coupling_;
+  const DrawnCoupling& drawn_;
+  const CouplingPoses& poses_;
+  const Vec3& origin_;
+  MovedCoupling result_;
+};
+
+}  // namespace
+
+MovedCoupling moved_coupling(const Mechanism& mechanism,
+                             CouplingId coupling,
+                             const DrawnCoupling& drawn,
+                             const CouplingPoses& poses) {
+  return Mover(mechanism, coupling, drawn, poses).move();
+}
+
+CableStationGeometry moved_station(CableStationGeometry station, const BodyPose& pose) {
+  station.centre = pose.point(station.centre);
+  station.axis = pose.direction(station.axis);
+  for (auto* point : {&station.meets, &station.leaves}) {
+    if (*point) {
+      *point = pose.point(**point);
+    }
+  }
+  return station;
+}
+
+}  // namespace kinestat

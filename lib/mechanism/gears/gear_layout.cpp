@@ -1,0 +1,166 @@
+#include "mechanism/gears/gear_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/tolerance.hpp"
+#include "mechanism/couplings/internal/typed_vector.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// The turn from one planet to its neighbour, seen from the main axis.
+template <class Scalar>
+struct Turn {
+  Scalar cosine = 1.0;
+  Scalar sine = 0.0;
+};
+
+// In the triangle of the distances a and b from the main axis and c between the planets; by the law
+// of cosines, and Heron's formula for the sine, which loses no digits in a flat triangle.
+template <class Scalar>
+Turn<Scalar> turn_between(const Scalar& a, const Scalar& b, const Scalar& c) {
+  using std::sqrt;
+  const double size = std::max({value_of(a), value_of(b), value_of(c)});
+  const auto is_flat = [&](const Scalar& x, const Scalar& y, const Scalar& longest) {
+    return value_of(x) + value_of(y) - value_of(longest) <= kSameValue * size;
+  };
+  if (is_flat(a, b, c)) {
+    return {.cosine = -1.0, .sine = 0.0};
+  }
+  if (is_flat(a, c, b) || is_flat(b, c, a)) {
+    return {};
+  }
+  const Scalar area = sqrt((a + b + c) * (a + b - c) * (a - b + c) * (b - a + c));
+  return {.cosine = (a * a + b * b - c * c) / (Scalar(2.0) * a * b),
+          .sine = area / (Scalar(2.0) * a * b)};
+}
+
+template <class Scalar>
+class LayoutFinder {
+ public:
+  LayoutFinder(GearTrain train, const GearNumbersOf<Scalar>& numbers) : numbers_(numbers) {
+    layout_.train = std::move(train);
+  }
+
+  std::optional<GearLayoutOf<Scalar>> find() {
+    ask_distances();
+    for (std::size_t p = 0; p < layout_.train.planets.size(); ++p) {
+      if (!place(p)) {
+        return std::nullopt;
+      }
+    }
+    for (std::size_t m = 0; m < layout_.meshes.size(); ++m) {
+      finish_mesh(m);
+    }
+    return std::move(layout_);
+  }
+
+ private:
+  const Scalar& teeth(int member) const { return numbers_.teeth[static_cast<std::size_t>(member)]; }
+
+  Scalar sum_of_teeth(std::size_t mesh) const {
+    return teeth(layout_.train.first[mesh]) + teeth(layout_.train.second[mesh]);
+  }
+
+  void ask_distances() {
+    using std::abs;
+    layout_.meshes.resize(layout_.train.first.size());
+    for (std::size_t m = 0; m < layout_.meshes.size(); ++m) {
+      if (numbers_.module[m]) {
+        layout_.meshes[m].asked = abs(sum_of_teeth(m)) * *numbers_.module[m] / Scalar(2.0);
+      }
+    }
+  }
+
+  std::optional<Scalar> distance_of(std::size_t planet) const {
+    if (numbers_.distance[planet]) {
+      return numbers_.distance[planet];
+    }
+    Scalar sum = 0.0;
+    double count = 0.0;
+    for (const int mesh : layout_.train.planets[planet].on_main) {
+      if (const auto& asked = layout_.meshes[static_cast<std::size_t>(mesh)].asked) {
+        sum = sum + *asked;
+        count += 1.0;
+      }
+    }
+    return count > 0.0 ? std::optional<Scalar>(sum / Scalar(count)) : std::nullopt;
+  }
+
+  bool place(std::size_t p) {
+    const PlanetAxis& planet = layout_.train.planets[p];
+    const std::optional<Scalar> distance = distance_of(p);
+    distances_.push_back(distance.value_or(Scalar(0.0)));
+    if (!distance) {
+      return false;
+    }
+    if (planet.neighbour < 0) {
+      layout_.centres.push_back(*distance * Vec3Of<Scalar>::UnitY());
+      return true;
+    }
+    const auto neighbour = static_cast<std::size_t>(planet.neighbour);
+    const auto& asked = layout_.meshes[static_cast<std::size_t>(planet.neighbour_mesh)].asked;
+    if (!asked) {
+      return false;
+    }
+    const Turn<Scalar> turn = turn_between<Scalar>(distances_[neighbour], *distance, *asked);
+    const Scalar side = planet.side == PlanetSide::left ? 1.0 : -1.0;
+    const Vec3Of<Scalar> towards = layout_.centres[neighbour] / distances_[neighbour];
+    const Vec3Of<Scalar> left = Vec3Of<Scalar>::UnitZ().cross(towards);
+    layout_.centres.push_back(*distance *
+                              Vec3Of<Scalar>(turn.cosine * towards + side * turn.sine * left));
+    return true;
+  }
+
+  Vec3Of<Scalar> centre_of(int member) const {
+    const int planet = layout_.train.planet_of[static_cast<std::size_t>(member)];
+    return planet < 0 ? Vec3Of<Scalar>(Vec3Of<Scalar>::Zero())
+                      : layout_.centres[static_cast<std::size_t>(planet)];
+  }
+
+  // Two gears on the main axis have no pitch point; gear_train_check has complained.
+  void finish_mesh(std::size_t m) {
+    using std::sqrt;
+    MeshLayoutOf<Scalar>& mesh = layout_.meshes[m];
+    const Vec3Of<Scalar> from = centre_of(layout_.train.first[m]);
+    const Vec3Of<Scalar> along = centre_of(layout_.train.second[m]) - from;
+    if (values_of<Scalar>(along).norm() > 0.0) {
+      mesh.distance = sqrt(along.squaredNorm());
+      mesh.tangent = unit_along<Scalar>(along.cross(Vec3Of<Scalar>::UnitZ()));
+      mesh.pitch_point = from + teeth(layout_.train.first[m]) / sum_of_teeth(m) * along;
+    }
+    mesh.pitch_point[2] = numbers_.at[m];
+  }
+
+  const GearNumbersOf<Scalar>& numbers_;
+  GearLayoutOf<Scalar> layout_;
+  std::vector<Scalar> distances_;  ///< of the planets from the main axis
+};
+
+}  // namespace
+
+template <class Scalar>
+Vec3Of<Scalar> GearLayoutOf<Scalar>::axis_of(std::string_view tail, std::string_view head) const {
+  const int on_tail = train.planet_on(tail);
+  const int planet = on_tail >= 0 ? on_tail : train.planet_on(head);
+  return planet < 0 ? Vec3Of<Scalar>(Vec3Of<Scalar>::Zero())
+                    : centres[static_cast<std::size_t>(planet)];
+}
+
+template <class Scalar>
+std::optional<GearLayoutOf<Scalar>> find_layout(GearTrain train,
+                                                const GearNumbersOf<Scalar>& numbers) {
+  return LayoutFinder<Scalar>(std::move(train), numbers).find();
+}
+
+template struct GearLayoutOf<double>;
+template struct GearLayoutOf<Dual>;
+template std::optional<GearLayout> find_layout(GearTrain, const GearNumbersOf<double>&);
+template std::optional<GearLayoutOf<Dual>> find_layout(GearTrain, const GearNumbersOf<Dual>&);
+template struct GearLayoutOf<Typed>;
+template std::optional<GearLayoutOf<Typed>> find_layout(GearTrain, const GearNumbersOf<Typed>&);
+
+}  // namespace kinestat

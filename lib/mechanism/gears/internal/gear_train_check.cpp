@@ -1,0 +1,282 @@
+#include "mechanism/gears/internal/gear_train_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/tolerance.hpp"
+#include "mechanism/gears/internal/gear_binder.hpp"
+#include "mechanism/gears/internal/planet_member_check.hpp"
+#include "mechanism/gears/internal/planet_spacing_check.hpp"
+
+namespace kinestat {
+
+namespace {
+
+class GearTrainCheck {
+ public:
+  GearTrainCheck(const SectionContext& context, const GearTrain& train, const GearNumbers& numbers)
+      : context_(context), gears_(*context.description.gears), train_(train), numbers_(numbers) {}
+
+  // Whether a layout can be found.
+  bool check_places() {
+    const int errors_before = context_.found.error_count();
+    for (std::size_t m = 0; m < gears_.meshes.size(); ++m) {
+      check_axes(m);
+    }
+    check_planet_members(context_, train_, numbers_);
+    for (const CouplingDescription& coupling : context_.description.couplings) {
+      check_axis(coupling);
+    }
+    return context_.found.error_count() == errors_before;
+  }
+
+  void check_layout(const GearLayout& layout) {
+    for (std::size_t p = 0; p < train_.planets.size(); ++p) {
+      compare_meshes(layout, p);
+    }
+    for (std::size_t m = 0; m < gears_.meshes.size(); ++m) {
+      compare_mesh(layout, m);
+    }
+    for (const CouplingDescription& coupling : context_.description.couplings) {
+      check_bearing(layout, coupling);
+      check_clutch(layout, coupling);
+    }
+  }
+
+ private:
+  const GearMember& member(int index) const {
+    return gears_.members[static_cast<std::size_t>(index)];
+  }
+
+  int planet_of(int member) const { return train_.planet_of[static_cast<std::size_t>(member)]; }
+
+  void check_axes(std::size_t m) {
+    if (planet_of(train_.first[m]) >= 0 || planet_of(train_.second[m]) >= 0) {
+      return;
+    }
+    const MeshDescription& mesh = gears_.meshes[m];
+    context_.found.error(
+        "E0314",
+        mesh.first.where,
+        fmt::format("mesh '{}' joins two gears on the main axis, '{}' and '{}'",
+                    mesh.name.text,
+                    mesh.first.text,
+                    mesh.second.text),
+        "a planet turns on its carrier alone; 'count' or 'centre_distance' say of a gear that it "
+        "is one");
+  }
+
+  std::string length(double metres) const {
+    const FileUnits& units = context_.description.units;
+    return fmt::format(
+        "{:.6g} {}", units.from_si(QuantityKind::length, metres), units.text(QuantityKind::length));
+  }
+
+  // "'sp' (30 + 23 teeth)"
+  std::string mesh_in_teeth(int mesh) const {
+    const auto m = static_cast<std::size_t>(mesh);
+    double a = numbers_.teeth[static_cast<std::size_t>(train_.first[m])];
+    double b = numbers_.teeth[static_cast<std::size_t>(train_.second[m])];
+    if (a < b) {
+      std::swap(a, b);
+    }
+    return b < 0.0 ? fmt::format("'{}' ({} - {} teeth)", gears_.meshes[m].name.text, -b, a)
+                   : fmt::format("'{}' ({} + {} teeth)", gears_.meshes[m].name.text, a, b);
+  }
+
+  // What the meshes of a planet with gears on the main axis ask for.
+  void compare_meshes(const GearLayout& layout, std::size_t p) {
+    const PlanetAxis& planet = train_.planets[p];
+    if (numbers_.distance[p]) {
+      return;
+    }
+    int nearest = -1;
+    int farthest = -1;
+    const auto asked = [&](int m) { return *layout.meshes[static_cast<std::size_t>(m)].asked; };
+    for (const int m : planet.on_main) {
+      if (!layout.meshes[static_cast<std::size_t>(m)].asked) {
+        continue;
+      }
+      nearest = nearest < 0 || asked(m) < asked(nearest) ? m : nearest;
+      farthest = farthest < 0 || asked(m) > asked(farthest) ? m : farthest;
+    }
+    if (nearest < 0 || asked(farthest) - asked(nearest) <= kReportsAgree * asked(farthest)) {
+      return;
+    }
+    const GearMember& first = member(planet.members.front());
+    context_.found.warning(
+        "W0305",
+        first.name.where,
+        fmt::format("planet '{}' stands {} from the main axis by mesh {}, but {} by mesh {}; it is "
+                    "placed at {}",
+                    first.name.text,
+                    length(asked(nearest)),
+                    mesh_in_teeth(nearest),
+                    length(asked(farthest)),
+                    mesh_in_teeth(farthest),
+                    length(layout.centres[p].norm())),
+        hint_on_distances(farthest, asked(farthest) - asked(nearest)));
+  }
+
+  // A ring that is not called one asks for much more than any profile shift can give.
+  std::string hint_on_distances(int farthest, double difference) const {
+    const auto m = static_cast<std::size_t>(farthest);
+    const int a = train_.first[m];
+    const int on_main = planet_of(a) < 0 ? a : train_.second[m];
+    if (difference > *numbers_.module[m] && !member(on_main).internal) {
+      return fmt::format("if '{}' is a ring, add 'internal: true'; else correct the teeth",
+                         member(on_main).name.text);
+    }
+    return "with profile shift write 'centre_distance' of the planet, from the drawing; else "
+           "correct "
+           "the teeth, of a plain set ring = sun + 2*planet";
+  }
+
+  bool has_member(const Name& body) const {
+    return std::ranges::any_of(gears_.members,
+                               [&](const GearMember& one) { return one.body.text == body.text; });
+  }
+
+  bool holds_gears(const Name& body) const {
+    return body.text == context_.description.ground.text ||
+           std::ranges::any_of(gears_.meshes, [&](const MeshDescription& mesh) {
+             return mesh.carrier && mesh.carrier->text == body.text;
+           });
+  }
+
+  bool is_part(const Name& body) const { return has_member(body) || holds_gears(body); }
+
+  bool is_bearing(const CouplingDescription& coupling) const {
+    return coupling.type == CouplingType::revolute && is_part(coupling.tail) &&
+           is_part(coupling.head);
+  }
+
+  void check_axis(const CouplingDescription& coupling) {
+    const bool is_in_space = context_.description.space == Space::spatial;
+    const auto axis = is_in_space && is_bearing(coupling) && coupling.axis
+                          ? context_.evaluator.axis(*coupling.axis)
+                          : std::nullopt;
+    if (axis && axis->direction.head<2>().norm() > kParallelAxes) {
+      context_.found.error(
+          "E0314",
+          coupling.axis->where,
+          fmt::format("revolute '{}' bears gears of 'gears', which turn about z",
+                      coupling.name.text),
+          "write axis: z; meshes of gears on other axes are couplings: 'kinestat help couplings'");
+    }
+  }
+
+  // A bearing whose whole point is given stands where its gear does.
+  void check_bearing(const GearLayout& layout, const CouplingDescription& coupling) {
+    const bool has_point = is_bearing(coupling) && coupling.at && coupling.at->point;
+    const auto point = has_point ? context_.evaluator.point(*coupling.at->point) : std::nullopt;
+    const Vec3 axis = layout.axis_of(coupling.tail.text, coupling.head.text);
+    if (!point || (point->head<2>() - axis.head<2>()).norm() <= kReportsAgree * point->norm() ||
+        (point->norm() == 0.0 && axis.norm() == 0.0)) {
+      return;
+    }
+    const bool is_planar = context_.description.space == Space::planar;
+    context_.found.warning(
+        "W0305",
+        coupling.at->where,
+        fmt::format("revolute '{}' stands {} from the axis on which its gears turn",
+                    coupling.name.text,
+                    length((point->head<2>() - axis.head<2>()).norm())),
+        is_planar ? "remove its 'at': 'gears' finds the axis"
+                  : "write its position along the axis alone, for example at: 0: 'gears' finds the "
+                    "axis");
+  }
+
+  bool bears(const Name& a, const Name& b) const {
+    return std::ranges::any_of(
+        context_.description.couplings, [&](const CouplingDescription& coupling) {
+          return coupling.type == CouplingType::revolute &&
+                 ((coupling.tail.text == a.text && coupling.head.text == b.text) ||
+                  (coupling.tail.text == b.text && coupling.head.text == a.text));
+        });
+  }
+
+  // What a clutch joins turns about one axis, unless one of the two bears the other.
+  void check_clutch(const GearLayout& layout, const CouplingDescription& coupling) {
+    const std::string& ground = context_.description.ground.text;
+    if (coupling.type != CouplingType::clutch || coupling.tail.text == ground ||
+        coupling.head.text == ground || bears(coupling.tail, coupling.head)) {
+      return;
+    }
+    const Vec3 tail = layout.axis_of(coupling.tail.text, coupling.tail.text);
+    const Vec3 head = layout.axis_of(coupling.head.text, coupling.head.text);
+    if ((tail - head).norm() <= kReportsAgree * std::max(tail.norm(), head.norm())) {
+      return;
+    }
+    context_.found.error(
+        "E0318",
+        coupling.name.where,
+        fmt::format("clutch '{}' joins bodies that turn about two axes: '{}' stands {} from the "
+                    "main axis, '{}' {}, with {} between them",
+                    coupling.name.text,
+                    coupling.tail.text,
+                    length(tail.norm()),
+                    coupling.head.text,
+                    length(head.norm()),
+                    length((tail - head).norm())),
+        "write the same 'centre_distance' for the gears of both, or correct the teeth; engaged "
+        "between two axes it would hold both still");
+  }
+
+  // What the mesh asks for against what others or the file have fixed.
+  void compare_mesh(const GearLayout& layout, std::size_t m) {
+    const MeshLayoutOf<double>& mesh = layout.meshes[m];
+    if (!mesh.asked) {
+      return;
+    }
+    const int a = planet_of(train_.first[m]);
+    const int b = planet_of(train_.second[m]);
+    const bool is_on_main = a < 0 || b < 0;
+    const bool is_given = numbers_.distance[static_cast<std::size_t>(std::max(a, b))].has_value();
+    // Profile shift moves centres by less than a module.
+    const double most = is_on_main ? *numbers_.module[m] : kReportsAgree * *mesh.asked;
+    if ((is_on_main && !is_given) || std::abs(mesh.distance - *mesh.asked) <= most) {
+      return;
+    }
+    const Name& name = gears_.meshes[m].name;
+    context_.found.warning(
+        "W0305",
+        name.where,
+        fmt::format("mesh {} asks for {} between its centres, which are {} apart",
+                    mesh_in_teeth(static_cast<int>(m)),
+                    length(*mesh.asked),
+                    length(mesh.distance)),
+        is_on_main ? "correct 'centre_distance', the module or the teeth; profile shift moves "
+                     "centres by less than a module"
+                   : "correct the teeth or the distances of the two planets from the main axis");
+  }
+
+  const SectionContext& context_;
+  const GearsDescription& gears_;
+  const GearTrain& train_;
+  const GearNumbers& numbers_;
+};
+
+}  // namespace
+
+void check_gear_train(const SectionContext& context) {
+  const GearTrain train = find_gear_train(context.description);
+  const auto numbers =
+      bind_gear_numbers<double>(*context.description.gears, train, context.evaluator);
+  if (!numbers) {
+    return;
+  }
+  GearTrainCheck check(context, train, *numbers);
+  if (!check.check_places()) {
+    return;
+  }
+  if (const std::optional<GearLayout> layout = find_layout<double>(train, *numbers)) {
+    check.check_layout(*layout);
+    check_planet_spacing(context, *numbers, *layout);
+  }
+}
+
+}  // namespace kinestat

@@ -1,0 +1,261 @@
+#include "mechanism/gears/internal/planet_member_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/tolerance.hpp"
+#include "description/gear_expansion.hpp"
+
+namespace kinestat {
+
+namespace {
+
+class PlanetMemberCheck {
+ public:
+  PlanetMemberCheck(const SectionContext& context,
+                    const GearTrain& train,
+                    const GearNumbers& numbers)
+      : context_(context), gears_(*context.description.gears), train_(train), numbers_(numbers) {}
+
+  void run() {
+    for (std::size_t p = 0; p < train_.planets.size(); ++p) {
+      check_distance(p);
+    }
+    for (std::size_t m = 0; m < gears_.meshes.size(); ++m) {
+      check_carrier(gears_.meshes[m], train_.first[m]);
+      check_carrier(gears_.meshes[m], train_.second[m]);
+    }
+    for (std::size_t i = 0; i < gears_.members.size(); ++i) {
+      check_words_of_planets(static_cast<int>(i));
+      check_one_distance(static_cast<int>(i));
+    }
+  }
+
+ private:
+  const GearMember& member(int index) const {
+    return gears_.members[static_cast<std::size_t>(index)];
+  }
+
+  int planet_of(int member) const { return train_.planet_of[static_cast<std::size_t>(member)]; }
+
+  // What bears a body, and what is fixed to that.
+  std::vector<std::string> holders_of(const std::string& body) const {
+    std::vector<std::string> holders;
+    const auto add = [&](const CouplingDescription& coupling, const std::string& from) {
+      const Name& other = coupling.tail.text == from ? coupling.head : coupling.tail;
+      const bool is_at = coupling.tail.text == from || coupling.head.text == from;
+      if (is_at && !coupling.is_mesh() && other.text != body &&
+          std::ranges::find(holders, other.text) == holders.end()) {
+        holders.push_back(other.text);
+      }
+    };
+    for (const CouplingDescription& coupling : context_.description.couplings) {
+      add(coupling, body);
+    }
+    for (std::size_t i = 0; i < holders.size(); ++i) {
+      const std::string holder = holders[i];
+      for (const CouplingDescription& coupling : context_.description.couplings) {
+        if (coupling.type == CouplingType::rigid) {
+          add(coupling, holder);
+        }
+      }
+    }
+    return holders;
+  }
+
+  // Losses and positions follow from the body on which the planet really turns.
+  void check_carrier(const MeshDescription& mesh, int index) {
+    const std::string& body = member(index).body.text;
+    const std::string& carrier = carrier_of(mesh, context_.description);
+    const std::vector<std::string> holders = holders_of(body);
+    if (planet_of(index) < 0 || holders.empty()) {
+      return;
+    }
+    if (is_idler_on_shaft(index, holders.front())) {
+      refuse_idler(mesh, index, holders.front());
+      return;
+    }
+    if (std::ranges::find(holders, carrier) != holders.end()) {
+      return;
+    }
+    if (mesh.carrier && holders == std::vector<std::string>{context_.description.ground.text}) {
+      refuse_second_axis(mesh, index);
+    } else if (mesh.carrier) {
+      context_.found.error("E0314",
+                           mesh.carrier->where,
+                           fmt::format("the carrier of mesh '{}' is '{}', but its planet '{}' "
+                                       "turns on '{}'",
+                                       mesh.name.text,
+                                       carrier,
+                                       member(index).name.text,
+                                       holders.front()),
+                           "name the body that bears the planet");
+    } else {
+      context_.found.error(
+          "E0303",
+          mesh.name.where,
+          fmt::format("mesh '{}' needs a carrier: its planet '{}' turns on '{}', not on the ground",
+                      mesh.name.text,
+                      member(index).name.text,
+                      holders.front()),
+          fmt::format("add 'carrier: {}'", holders.front()));
+    }
+  }
+
+  // A planet transmits what it takes from one gear to another, or to what its body drives. What
+  // meshes once, turns on a shaft and is clutched to it alone is an idler of a lay shaft.
+  bool is_idler_on_shaft(int index, const std::string& shaft) const {
+    const std::string& body = member(index).body.text;
+    const auto meshes = std::ranges::count_if(gears_.meshes, [&](const MeshDescription& mesh) {
+      return is_on(mesh.first, body) || is_on(mesh.second, body);
+    });
+    bool is_clutched = false;
+    for (const CouplingDescription& coupling : context_.description.couplings) {
+      const bool is_at = coupling.tail.text == body || coupling.head.text == body;
+      const Name& other = coupling.tail.text == body ? coupling.head : coupling.tail;
+      if (is_at && !coupling.is_mesh() && other.text != shaft) {
+        return false;
+      }
+      is_clutched = is_clutched || (is_at && coupling.type == CouplingType::clutch);
+    }
+    return shaft != context_.description.ground.text && is_clutched && meshes == 1;
+  }
+
+  bool is_on(const Name& name, const std::string& body) const {
+    const GearMember* one = find_member(gears_, name);
+    return one != nullptr && one->body.text == body;
+  }
+
+  void refuse_idler(const MeshDescription& mesh, int index, const std::string& shaft) {
+    const std::string& body = member(index).body.text;
+    const std::string& ground = context_.description.ground.text;
+    context_.found.error(
+        "E0319",
+        mesh.name.where,
+        fmt::format("gear '{}' turns on shaft '{}', meshes once and is clutched to the shaft: an "
+                    "idler, which 'gears' does not place by its shaft",
+                    member(index).name.text,
+                    shaft),
+        fmt::format("bear it on the ground, beside the shaft, bodies: [{}, {}], write its mesh{} "
+                    "and the same 'centre_distance' for the gears of '{}'",
+                    ground,
+                    body,
+                    mesh.carrier ? " without 'carrier'" : "",
+                    shaft));
+  }
+
+  // A sun on the housing that has to be a planet of the main axis, and meshes in a moving carrier.
+  void refuse_second_axis(const MeshDescription& mesh, int index) {
+    context_.found.error(
+        "E0314",
+        mesh.carrier->where,
+        fmt::format("mesh '{}' has the moving carrier '{}', but its gear '{}' turns on the ground "
+                    "beside the main axis: 'gears' has one main axis for all planetary sets",
+                    mesh.name.text,
+                    mesh.carrier->text,
+                    member(index).name.text),
+        "write the set beside it as couplings of type gear, with 'at' and 'line_of_action' for its "
+        "meshes and 'at' for its bearings: 'kinestat help couplings'; or name the body that bears "
+        "the planet");
+  }
+
+  // What only planets have, and only some of them.
+  void check_words_of_planets(int index) {
+    const GearMember& one = member(index);
+    const int planet = planet_of(index);
+    if (planet < 0 && (one.count || one.centre_distance)) {
+      context_.found.error(
+          "E0314",
+          one.count ? one.count->where : one.centre_distance->where,
+          fmt::format("gear member '{}' stands on the main axis with its body '{}' "
+                      "and has no '{}'",
+                      one.name.text,
+                      one.body.text,
+                      one.count ? "count" : "centre_distance"),
+          "write it for a planet, or remove it");
+    } else if (one.side == PlanetSide::right &&
+               (planet < 0 || train_.planets[static_cast<std::size_t>(planet)].neighbour < 0)) {
+      context_.found.warning(
+          "W0301",
+          one.name.where,
+          fmt::format("'side' of gear member '{}' is never used: it stands on {}",
+                      one.name.text,
+                      planet < 0 ? "the main axis" : "+y, as the first of its planets"),
+          "write it for another planet, which meshes with the first, or remove it");
+    }
+  }
+
+  // All gears of a planet stand on one axis.
+  void check_one_distance(int index) {
+    const GearMember& one = member(index);
+    const int p = planet_of(index);
+    if (p < 0 || !one.centre_distance) {
+      return;
+    }
+    const double first = *numbers_.distance[static_cast<std::size_t>(p)];
+    const auto own = context_.evaluator.number(*one.centre_distance, QuantityKind::length);
+    if (own && std::abs(*own - first) > kReportsAgree * first) {
+      context_.found.error(
+          "E0314",
+          one.centre_distance->where,
+          fmt::format("body '{}' stands {} from the main axis by one of its members and {} by "
+                      "'{}'",
+                      one.body.text,
+                      length(first),
+                      length(*own),
+                      one.name.text),
+          "write one 'centre_distance' for the members of a body");
+    }
+  }
+
+  void check_distance(std::size_t p) {
+    const PlanetAxis& planet = train_.planets[p];
+    const GearMember& first = member(planet.members.front());
+    const bool has_distance =
+        numbers_.distance[p] || std::ranges::any_of(planet.on_main, [&](int m) {
+          return numbers_.module[static_cast<std::size_t>(m)].has_value();
+        });
+    if (!has_distance) {
+      context_.found.error(
+          "E0303",
+          first.name.where,
+          fmt::format("planet '{}' has no distance from the main axis", first.name.text),
+          planet.on_main.empty()
+              ? "add 'centre_distance', as it meshes with no gear on the main axis"
+              : "add 'module' to 'gears' or to its mesh, or 'centre_distance' to the planet");
+    }
+    if (planet.neighbour_mesh >= 0 &&
+        !numbers_.module[static_cast<std::size_t>(planet.neighbour_mesh)]) {
+      const Name& mesh = gears_.meshes[static_cast<std::size_t>(planet.neighbour_mesh)].name;
+      context_.found.error(
+          "E0303",
+          mesh.where,
+          fmt::format("mesh '{}' between two planets lacks the key 'module'", mesh.text),
+          "add it here or to 'gears': the distance of the planets follows from it");
+    }
+  }
+
+  std::string length(double metres) const {
+    const FileUnits& units = context_.description.units;
+    return fmt::format(
+        "{:.6g} {}", units.from_si(QuantityKind::length, metres), units.text(QuantityKind::length));
+  }
+
+  const SectionContext& context_;
+  const GearsDescription& gears_;
+  const GearTrain& train_;
+  const GearNumbers& numbers_;
+};
+
+}  // namespace
+
+void check_planet_members(const SectionContext& context,
+                          const GearTrain& train,
+                          const GearNumbers& numbers) {
+  PlanetMemberCheck(context, train, numbers).run();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,154 @@
+#include "pages/case_part.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cases/report/case_text.hpp"
+#include "core/utf8.hpp"
+#include "pages/figures.hpp"
+#include "pages/tables.hpp"
+#include "studies/shift/report/gear_values.hpp"
+
+namespace kinestat {
+
+namespace {
+
+class CasePart {
+ public:
+  explicit CasePart(SectionWriter& section)
+      : section_(section), analysis_(*section.page().analysis), html_(section.html()) {}
+
+  void run() {
+    if (analysis_.cases.empty()) {
+      return;
+    }
+    const std::vector<CaseAnalysis>& cases = analysis_.cases;
+    const bool are_gears = analysis_.shift.has_value();
+    section_.open_part("cases", are_gears ? "Gears" : "Cases");
+    html_.open("div", {{"class", "chooser"}});
+    if (cases.size() > 1) {
+      add_choices(are_gears ? "Gear" : "Case");
+    }
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      add_case(i);
+    }
+    html_.close();
+    if (cases.size() > 1) {
+      add_comparison(are_gears ? "All gears" : "All cases");
+    }
+    html_.close();
+  }
+
+ private:
+  // "1: C1 + B2", the elements that a gear engages.
+  std::string case_title(const CaseAnalysis& one) const {
+    const std::string label = printable(one.which.label);
+    if (!analysis_.shift) {
+      return label;
+    }
+    const ShiftAnalysis& shift = *analysis_.shift;
+    const auto state =
+        std::ranges::find(shift.solution.states, one.which.label, &NamedShiftState::name);
+    if (state == shift.solution.states.end()) {
+      return label;
+    }
+    std::vector<std::string> elements;
+    for (const int e : state->engaged) {
+      const auto actuator =
+          static_cast<std::size_t>(shift.plan.elements[static_cast<std::size_t>(e)].actuator);
+      elements.push_back(analysis_.mechanism.topology.actuators[actuator].name);
+    }
+    return fmt::format("{}: {} engaged", label, fmt::join(elements, " and "));
+  }
+
+  std::string case_id(std::size_t index) const {
+    return fmt::format("{}-case-{}", section_.id(), index);
+  }
+
+  void add_comparison(const std::string& title) {
+    const std::vector<Picture> pictures = pictures_at(PicturePlace::compared, section_.source());
+    if (!pictures.empty()) {
+      html_.element(section_.level(1), title, {{"class", "case-title"}});
+      section_.add_pictures(pictures);
+    }
+  }
+
+  void add_choices(const std::string& what) {
+    html_.open("fieldset", {{"class", "choices script"}, {"hidden", ""}});
+    html_.element("legend", what);
+    const std::vector<CaseAnalysis>& cases = analysis_.cases;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      html_.open("label");
+      if (i == 0) {
+        html_.single("input",
+                     {{"type", "radio"},
+                      {"name", section_.id() + "-case"},
+                      {"value", case_id(i)},
+                      {"checked", ""}});
+      } else {
+        html_.single("input",
+                     {{"type", "radio"}, {"name", section_.id() + "-case"}, {"value", case_id(i)}});
+      }
+      html_.element("span", printable(cases[i].which.label));
+      html_.close();
+      html_.markup("\n");
+    }
+    html_.close();
+  }
+
+  void add_case(std::size_t index) {
+    const CaseAnalysis& one = analysis_.cases[index];
+    const CaseBlocks blocks = case_blocks(analysis_, one);
+    const std::string id = case_id(index);
+    html_.open("section", {{"class", "panel"}, {"id", id}, {"aria-labelledby", id + "-title"}});
+    html_.element(
+        section_.level(1), case_title(one), {{"id", id + "-title"}, {"class", "case-title"}});
+    add_blocks(TextBlocks(blocks.known + blocks.ratio), "Case", html_);
+    add_case_pictures(pictures_at(PicturePlace::one_case, section_.source(index)));
+    const auto add_pass = [&](const char* title, const TextBlocks& pass, PicturePlace place) {
+      if (!pass.is_empty()) {
+        html_.element(section_.level(2), title, {{"class", "pass-title"}});
+        section_.add_pair(pass, title, pictures_at(place, section_.source(index)));
+      }
+    };
+    add_pass("Velocities", blocks.motion, PicturePlace::velocities);
+    add_pass("Actions", blocks.action, PicturePlace::actions);
+    add_pass("Power", blocks.power, PicturePlace::power);
+    if (!blocks.affine.empty()) {
+      html_.element(section_.level(2), "Free parameters", {{"class", "pass-title"}});
+      add_blocks(TextBlocks(blocks.affine), "Free parameters", html_);
+    }
+    html_.close();
+  }
+
+  // Of a train the section first, and its forces in space behind a line.
+  void add_case_pictures(const std::vector<Picture>& pictures) {
+    const auto scheme = std::ranges::find(pictures, "gear-scheme", &Picture::name);
+    if (scheme == pictures.end()) {
+      section_.add_pictures(pictures);
+      return;
+    }
+    std::vector<Picture> others;
+    std::ranges::copy_if(pictures, std::back_inserter(others), [](const Picture& one) {
+      return one.name != "gear-scheme";
+    });
+    section_.add_pictures({*scheme});
+    section_.add_folded("Drawing in space with the forces", others);
+  }
+
+  SectionWriter& section_;
+  const Analysis& analysis_;
+  Html& html_;
+};
+
+}  // namespace
+
+void add_case_part(SectionWriter& section) {
+  CasePart(section).run();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,111 @@
+#include "pages/figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace kinestat {
+
+namespace {
+
+using PlacedName = std::pair<std::string_view, PicturePlace>;
+
+// Those whose place what they need does not tell.
+constexpr auto kPlaces = std::to_array<PlacedName>({
+    {"motion-graph", PicturePlace::graphs},
+    {"action-graph", PicturePlace::graphs},
+    {"circuits", PicturePlace::graphs},
+    {"cut-sets", PicturePlace::graphs},
+    {"speeds", PicturePlace::velocities},
+    {"lever", PicturePlace::velocities},
+    {"torques", PicturePlace::actions},
+    {"forces", PicturePlace::actions},
+    {"power-flow", PicturePlace::power},
+    {"shift-matrix", PicturePlace::shift},
+    {"ratio-ladder", PicturePlace::shift},
+});
+
+// Pictures of all cases, which show one alone beside its tables.
+bool compares(PicturePlace place) {
+  return place == PicturePlace::velocities || place == PicturePlace::actions;
+}
+
+PicturePlace place_of(const PictureKind& kind) {
+  const auto at = std::ranges::find(kPlaces, kind.name, &PlacedName::first);
+  if (at != kPlaces.end()) {
+    return at->second;
+  }
+  switch (kind.need) {
+    case PictureNeed::motion:
+      return PicturePlace::motion;
+    case PictureNeed::sweep:
+      return PicturePlace::sweep;
+    case PictureNeed::synthesis:
+      return PicturePlace::synthesis;
+    case PictureNeed::analysis:
+    case PictureNeed::benchmark:
+      break;
+  }
+  return kind.scope == PictureScope::one_case ? PicturePlace::one_case : PicturePlace::structure;
+}
+
+// "Shift matrix", without the name of the mechanism under which the picture stands.
+std::string caption_of(const Picture& picture, const std::string& name) {
+  const std::string end = ": " + name;
+  return picture.title.ends_with(end) ? picture.title.substr(0, picture.title.size() - end.size())
+                                      : picture.title;
+}
+
+}  // namespace
+
+std::vector<Picture> pictures_at(PicturePlace place, const PictureSource& source) {
+  std::vector<Picture> pictures;
+  for (const PictureKind& kind : picture_kinds()) {
+    const PicturePlace at = place_of(kind);
+    const bool is_here = place == PicturePlace::compared
+                             ? compares(at) && kind.scope == PictureScope::file
+                             : at == place;
+    if (is_here && has_picture(kind, source)) {
+      pictures.push_back(kind.draw(source));
+    }
+  }
+  return pictures;
+}
+
+bool is_broad(const Picture& picture) {
+  constexpr double kBroad = 780.0;  // at most 4/3 of half a page [px]
+  return picture.view.width() > kBroad;
+}
+
+void add_picture(const Picture& picture, const std::string& prefix, Html& html) {
+  constexpr double kNarrow = 420.0;  // a telephone [px]
+  const bool is_wide = picture.view.width() > kNarrow;
+  html.open("div", {{"class", is_wide ? "picture wide" : "picture"}, {"tabindex", "0"}});
+  html.markup(svg_element(picture, prefix));
+  html.close();
+}
+
+void add_figures(const std::vector<Picture>& pictures,
+                 const std::string& name,
+                 const std::string& id,
+                 int& figures,
+                 Html& html) {
+  for (const Picture& one : pictures) {
+    ++figures;
+    if (is_broad(one)) {
+      html.open("figure", {{"class", "broad"}, {"data-picture", one.name}});
+    } else {
+      html.open("figure", {{"data-picture", one.name}});
+    }
+    add_picture(one, fmt::format("{}-figure-{}", id, figures), html);
+    html.open("figcaption");
+    html.element("b", fmt::format("Figure {}. ", figures));
+    html.text(caption_of(one, name));
+    html.close();
+    html.close();
+  }
+}
+
+}  // namespace kinestat

@@ -1,0 +1,229 @@
+#include "pages/file_section.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/utf8.hpp"
+#include "draw/linkage/linkage_drawing.hpp"
+#include "draw/train/gear_scheme.hpp"
+#include "pages/case_part.hpp"
+#include "pages/figures.hpp"
+#include "pages/findings.hpp"
+#include "pages/motion_part.hpp"
+#include "pages/summary.hpp"
+#include "pages/tables.hpp"
+#include "studies/mobility/report/mobility_text.hpp"
+#include "studies/mobility/report/mobility_words.hpp"
+#include "studies/shift/report/shift_text.hpp"
+#include "studies/sweep/picture/sweep_curves.hpp"
+#include "studies/synthesis/report/synthesis_text.hpp"
+
+namespace kinestat {
+
+namespace {
+
+class FileSection {
+ public:
+  FileSection(const FilePage& page, std::string id, PageForm form, int& figures, Html& html)
+      : page_(page), section_(page, std::move(id), form, figures, html), html_(html) {}
+
+  std::vector<PageHeading> run() {
+    html_.open("section",
+               {{"id", section_.id()}, {"class", "file"}, {"aria-label", page_title(page_)}});
+    if (section_.form() == PageForm::many_files) {
+      html_.element("h2", page_title(page_), {{"class", "file-title"}});
+    }
+    add_source();
+    add_summary();
+    if (!page_.found.items().empty()) {
+      section_.open_part("found", "Findings");
+      add_findings(page_.source, page_.found, html_);
+      html_.close();
+    }
+    add_structure();
+    add_mobility();
+    add_motion_part(section_);
+    add_shift();
+    if (page_.analysis) {
+      add_case_part(section_);
+    }
+    add_sensitivity();
+    add_sweep();
+    add_synthesis();
+    add_data();
+    html_.close();
+    return section_.take_headings();
+  }
+
+ private:
+  void add_source() {
+    if (page_.description && !page_.description->source.empty()) {
+      html_.element("p", printable(page_.description->source), {{"class", "source"}});
+    }
+    const std::string& path = page_.source.path;
+    html_.open("p", {{"class", "source"}});
+    html_.element("code", path == "-" ? "<stdin>" : printable(path));
+    html_.close();
+  }
+
+  void add_summary() {
+    const std::vector<std::string> sentences = summary_sentences(page_);
+    if (sentences.empty()) {
+      return;
+    }
+    section_.open_part("summary", "Summary");
+    for (const std::string& one : sentences) {
+      html_.element("p", one);
+    }
+    html_.close();
+  }
+
+  void add_structure() {
+    if (!page_.analysis) {
+      return;
+    }
+    section_.open_part("structure", "Structure");
+    LinkageOptions plain;
+    plain.shows_forces = false;
+    const Picture linkage = draw_linkage(*page_.analysis, plain);
+    // Of a train the half section along its axis says more than a view in space.
+    const std::optional<Picture> scheme = draw_gear_scheme(*page_.analysis, {});
+    std::vector<Picture> pictures = {scheme ? *scheme : linkage};
+    for (Picture& one : pictures_at(PicturePlace::structure, section_.source())) {
+      pictures.push_back(std::move(one));
+    }
+    section_.add_pictures(pictures);
+    std::vector<Picture> graphs = pictures_at(PicturePlace::graphs, section_.source());
+    if (scheme) {
+      section_.add_folded("Drawing in space", {linkage});
+    }
+    section_.add_folded("Graphs of motions and actions, circuits and cut-sets", graphs);
+    html_.close();
+  }
+
+  void add_mobility() {
+    if (!page_.mobility) {
+      return;
+    }
+    section_.open_part("mobility", "Mobility");
+    for (const std::string& remark : mobility_remarks(*page_.mobility)) {
+      html_.element("p", remark);
+    }
+    const MobilityBlocks blocks = mobility_blocks(*page_.mobility);
+    add_blocks(blocks.counts, "Mobility", html_);
+    if (!blocks.reshetov.is_empty()) {
+      html_.open("details", {{"class", "reshetov"}});
+      html_.element("summary", "Reshetov's tables: what closes each circuit without force");
+      add_blocks(blocks.reshetov, "Reshetov", html_);
+      html_.close();
+    }
+    add_blocks(blocks.motions, "Mobility", html_);
+    html_.close();
+  }
+
+  void add_shift() {
+    if (!page_.analysis || !page_.analysis->shift) {
+      return;
+    }
+    section_.open_part("shift", "Shift table");
+    section_.add_pictures(pictures_at(PicturePlace::shift, section_.source()));
+    add_blocks(shift_blocks(*page_.analysis), "Shift table", html_);
+    html_.close();
+  }
+
+  void add_sensitivity() {
+    if (page_.sensitivity.empty()) {
+      return;
+    }
+    section_.open_part("sensitivity", "Sensitivity");
+    html_.element("p",
+                  "Exact derivatives by the parameters of the file, the strongest first; relative: "
+                  "by how many per cent a value moves if the parameter moves by one.");
+    for (const PageSensitivity& one : page_.sensitivity) {
+      const std::string label = printable(one.label);
+      html_.open("details");
+      html_.element("summary", label);
+      add_blocks(one.blocks, "Sensitivity of " + label, html_);
+      html_.close();
+    }
+    html_.close();
+  }
+
+  void add_sweep() {
+    if (!page_.sweep) {
+      section_.add_lack("sweep", "Sweep", page_.description && page_.description->sweep);
+      return;
+    }
+    section_.open_part("sweep", "Sweep");
+    if (const std::string why_not = why_no_curves_of_sweep(*page_.sweep); !why_not.empty()) {
+      html_.element("p", fmt::format("There is no picture: {}.", why_not));
+    } else {
+      const Figure figure = sweep_figure(*page_.sweep, "");
+      html_.element("p", figure.description);
+      section_.add_charts(figure, "Sweep over " + figure.charts.front().x.label);
+    }
+    html_.close();
+  }
+
+  void add_synthesis() {
+    if (!page_.synthesis) {
+      section_.add_lack(
+          "synthesis", "Synthesis", page_.description && page_.description->synthesis);
+      return;
+    }
+    section_.open_part("synthesis", "Synthesis");
+    // Its tables are too wide for a picture beside them.
+    section_.add_pictures(pictures_at(PicturePlace::synthesis, section_.source()));
+    add_blocks(synthesis_blocks(*page_.synthesis), "Synthesis", html_);
+    html_.close();
+  }
+
+  void add_data() {
+    if (page_.data.empty()) {
+      return;
+    }
+    section_.open_part("data", "Data");
+    html_.element("p", "Everything above with all digits, as files:");
+    html_.open("ul", {{"class", "downloads script"}, {"hidden", ""}});
+    for (std::size_t i = 0; i < page_.data.size(); ++i) {
+      const PageData& one = page_.data[i];
+      html_.open("li");
+      html_.element("button",
+                    one.name,
+                    {{"type", "button"},
+                     {"data-save", data_id(i)},
+                     {"data-name", one.name},
+                     {"data-type", one.type}});
+      html_.close();
+    }
+    html_.close();
+    for (std::size_t i = 0; i < page_.data.size(); ++i) {
+      const bool is_json = page_.data[i].type == "application/json";
+      html_.open("script",
+                 {{"type", "application/json"},
+                  {"id", data_id(i)},
+                  {"data-kind", is_json ? "json" : "text"}});
+      html_.markup(is_json ? script_json(page_.data[i].text) : script_string(page_.data[i].text));
+      html_.close();
+    }
+    html_.close();
+  }
+
+  std::string data_id(std::size_t index) const {
+    return fmt::format("{}-data-{}", section_.id(), index);
+  }
+
+  const FilePage& page_;
+  SectionWriter section_;
+  Html& html_;
+};
+
+}  // namespace
+
+std::vector<PageHeading> add_file_section(
+    const FilePage& page, const std::string& id, PageForm form, int& figures, Html& html) {
+  return FileSection(page, id, form, figures, html).run();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,44 @@
+#include "pages/findings.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "report/diagnostic_text.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Whether a finding goes on with "   12 | ..." or "      | ^^^".
+bool is_quotation(std::string_view text) {
+  const std::size_t mark = text.find_first_not_of(" 0123456789");
+  return mark != std::string_view::npos && text.substr(mark).starts_with('|');
+}
+
+void add_finding(std::string_view text, Html& html) {
+  while (!text.empty()) {
+    const bool is_quoted = is_quotation(text);
+    std::size_t end = 0;
+    while (end < text.size() && is_quotation(text.substr(end)) == is_quoted) {
+      end = std::min(text.find('\n', end), text.size() - 1) + 1;
+    }
+    html.open("pre", {{"class", is_quoted ? "quoted" : "words"}});
+    html.lines(text.substr(0, end));
+    html.close();
+    text.remove_prefix(end);
+  }
+}
+
+}  // namespace
+
+void add_findings(const SourceFile& source, const Diagnostics& found, Html& html) {
+  html.open("ul", {{"class", "findings"}});
+  for (const DiagnosticText& one : diagnostic_texts(source, found)) {
+    html.open("li", {{"class", one.severity == Severity::error ? "error" : "warning"}});
+    add_finding(one.text, html);
+    html.close();
+  }
+  html.close();
+}
+
+}  // namespace kinestat

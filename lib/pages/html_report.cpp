@@ -1,0 +1,130 @@
+#include "pages/html_report.hpp"
+
+#include <fmt/format.h>
+
+#include "core/version.hpp"
+#include "pages/file_section.hpp"
+#include "pages/policy.hpp"
+
+namespace kinestat {
+
+namespace {
+
+using Headings = std::vector<PageHeading>;
+
+constexpr std::string_view kBegin = "<!doctype html>\n<!-- A report of kinestat. -->\n";
+
+std::string report_title(std::span<const FilePage> pages) {
+  return pages.size() == 1 ? page_title(pages.front()) : fmt::format("{} mechanisms", pages.size());
+}
+
+void add_head(const std::string& title, Html& html) {
+  const std::string style = page_style();
+  html.open("head");
+  html.single("meta", {{"charset", "utf-8"}});
+  html.single("meta",
+              {{"http-equiv", "Content-Security-Policy"},
+               {"content", content_policy(style, page_script())}});
+  html.single("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
+  html.single("meta", {{"name", "color-scheme"}, {"content", "light dark"}});
+  html.single("meta", {{"name", "generator"}, {"content", fmt::format("kinestat {}", kVersion)}});
+  // Without it a browser may ask a server for one.
+  html.single("link", {{"rel", "icon"}, {"href", "data:,"}});
+  html.element("title", title);
+  html.open("style");
+  html.markup(style);
+  html.close();
+  html.close();
+}
+
+void add_theme_choice(Html& html) {
+  html.open("p", {{"class", "theme script"}, {"hidden", ""}});
+  html.element("label", "Colours ", {{"for", "theme"}});
+  html.open("select", {{"id", "theme"}});
+  html.open("option", {{"value", "auto"}});
+  html.text("as the system");
+  html.close();
+  html.element("option", "light", {{"value", "light"}});
+  html.element("option", "dark", {{"value", "dark"}});
+  html.close();
+  html.close();
+}
+
+void add_links(const Headings& headings, Html& html) {
+  html.open("ol");
+  for (const PageHeading& one : headings) {
+    html.open("li");
+    html.element("a", one.title, {{"href", "#" + one.id}});
+    html.close();
+  }
+  html.close();
+}
+
+void add_contents(const std::vector<Headings>& files, Html& html) {
+  html.open("nav", {{"aria-label", "Contents"}, {"class", files.size() == 1 ? "one" : "many"}});
+  if (files.size() == 1) {
+    add_links({files.front().begin() + 1, files.front().end()}, html);
+  } else {
+    html.open("ol");
+    for (const Headings& file : files) {
+      html.open("li", {{"class", "file"}});
+      html.element("a", file.front().title, {{"href", "#" + file.front().id}});
+      add_links({file.begin() + 1, file.end()}, html);
+      html.close();
+    }
+    html.close();
+  }
+  html.close();
+}
+
+}  // namespace
+
+std::string_view html_signature() {
+  return kBegin;
+}
+
+std::string html_report(std::span<const FilePage> pages) {
+  Html sections;
+  std::vector<Headings> headings;
+  const PageForm form = pages.size() == 1 ? PageForm::one_file : PageForm::many_files;
+  int figures = 0;
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    const std::string id = fmt::format("file-{}", i + 1);
+    Headings of_file = {{.id = id, .title = page_title(pages[i])}};
+    for (PageHeading& one : add_file_section(pages[i], id, form, figures, sections)) {
+      of_file.push_back(std::move(one));
+    }
+    headings.push_back(std::move(of_file));
+  }
+  const std::string title = report_title(pages);
+  Html html;
+  html.markup(kBegin);
+  html.open("html", {{"lang", "en"}});
+  add_head(title, html);
+  html.open("body");
+  html.element("a", "Skip to the report", {{"class", "skip"}, {"href", "#report"}});
+  html.open("header");
+  html.open("div", {{"class", "head"}});
+  html.open("div");
+  html.element("h1", title);
+  html.element(
+      "p",
+      fmt::format("Kinematics, statics and power flow by Davies' method, kinestat {}", kVersion),
+      {{"class", "made"}});
+  html.close();
+  add_theme_choice(html);
+  html.close();
+  add_contents(headings, html);
+  html.close();
+  html.open("main", {{"id", "report"}});
+  html.markup(sections.html());
+  html.close();
+  html.open("script");
+  html.markup(page_script());
+  html.close();
+  html.close();
+  html.close();
+  return html.html();
+}
+
+}  // namespace kinestat

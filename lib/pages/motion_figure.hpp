@@ -1,0 +1,27 @@
+// The drawing of a finite motion, which a script moves.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "pages/file_page.hpp"
+#include "pages/html.hpp"
+
+namespace kinestat {
+
+/// Of that many positions those that a page draws, the first and the last among them: more would
+/// look no smoother or, of what is drawn anew for each, make the page too long.
+std::vector<std::size_t> shown_positions(const Mechanism& mechanism, std::size_t count);
+
+/// Adds the drawing with the paths of the traced points, a slider and a button, which a script
+/// brings to life, and for it the poses of all bodies or, of a spatial mechanism, drawings of the
+/// positions. Nothing is shown that is no position of the motion. Ids begin with `id`; `figures`
+/// counts on. There must be a position.
+void add_motion_figure(const Analysis& analysis,
+                       const PageMotion& motion,
+                       const std::string& id,
+                       int& figures,
+                       Html& html);
+
+}  // namespace kinestat

@@ -1,0 +1,65 @@
+#include "pages/motion_part.hpp"
+
+#include <fmt/format.h>
+
+#include "core/utf8.hpp"
+#include "pages/motion_figure.hpp"
+#include "pages/motion_tables.hpp"
+#include "pages/tables.hpp"
+#include "studies/motion/picture/motion_curves.hpp"
+#include "studies/motion/report/motion_text.hpp"
+
+namespace kinestat {
+
+namespace {
+
+void add_motion_tables(const MotionTable& motion, Html& html) {
+  if (!motion.label.empty()) {
+    html.element("p",
+                 fmt::format("With the speeds and loads of case {}.", printable(motion.label)));
+  }
+  add_table(drive_table(motion), "Drives", html);
+  if (!motion.events.empty()) {
+    add_table(event_table(motion), "Events", html);
+  }
+  add_blocks(motion_remarks(motion), "Motion", html);
+  add_blocks(motion_extremes(motion), "Extremes", html);
+}
+
+}  // namespace
+
+void add_motion_part(SectionWriter& section) {
+  const FilePage& page = section.page();
+  Html& html = section.html();
+  if (!page.motion) {
+    section.add_lack("motion", "Motion", page.description && page.description->motion);
+    return;
+  }
+  section.open_part("motion", "Motion");
+  const bool is_drawn = page.analysis && !page.motion->positions.empty();
+  html.open("div", {{"class", is_drawn ? "pair both" : "pair"}});
+  if (is_drawn) {
+    html.open("div");
+    add_motion_figure(*page.analysis, *page.motion, section.id(), section.figures(), html);
+    html.close();
+  }
+  html.open("div");
+  add_motion_tables(page.motion->table, html);
+  html.close();
+  html.close();
+  section.add_charts(motion_figure(page.motion->table, ""), "Motion");
+  section.add_charts(path_figure(page.motion->table, ""), "Paths of points");
+  const std::size_t positions = page.motion->table.rows.size();
+  if (positions > kMostPositions) {
+    html.element("p",
+                 fmt::format("The table has some of the {} positions; the file of the motion "
+                             "under Data has all.",
+                             positions));
+  }
+  if (positions > 0) {
+    add_table(position_table(page.motion->table), "Positions", html);
+  }
+  html.close();
+}
+
+}  // namespace kinestat

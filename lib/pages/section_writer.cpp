@@ -1,0 +1,102 @@
+#include "pages/section_writer.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "pages/figures.hpp"
+#include "pages/tables.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Of the frames of two charts that stand beside each other [px].
+constexpr double kChartWidth = 480.0;
+
+}  // namespace
+
+SectionWriter::SectionWriter(
+    const FilePage& page, std::string id, PageForm form, int& figures, Html& html)
+    : page_(page), id_(std::move(id)), form_(form), figures_(figures), html_(html) {}
+
+void SectionWriter::open_part(const std::string& name, const std::string& title) {
+  const std::string part = fmt::format("{}-{}", id_, name);
+  headings_.push_back({.id = part, .title = title});
+  html_.open("section", {{"id", part}, {"class", name}, {"aria-labelledby", part + "-title"}});
+  html_.element(level(0), title, {{"id", part + "-title"}, {"class", "part-title"}});
+}
+
+std::string SectionWriter::level(int below) const {
+  return fmt::format("h{}", (form_ == PageForm::one_file ? 2 : 3) + below);
+}
+
+PictureSource SectionWriter::source(std::optional<std::size_t> which) const {
+  return {.analysis = page_.analysis ? &*page_.analysis : nullptr,
+          .motion = page_.motion ? &page_.motion->table : nullptr,
+          .synthesis = page_.synthesis ? &*page_.synthesis : nullptr,
+          .which = which,
+          .name = page_title(page_)};
+}
+
+void SectionWriter::add_pictures(const std::vector<Picture>& pictures) {
+  if (pictures.empty()) {
+    return;
+  }
+  html_.open("div", {{"class", pictures.size() == 1 ? "pictures" : "pictures two"}});
+  add_figures(pictures, page_title(page_), id_, figures_, html_);
+  html_.close();
+}
+
+void SectionWriter::add_pair(const TextBlocks& blocks,
+                             const std::string& name,
+                             std::vector<Picture> pictures) {
+  const auto below = std::stable_partition(
+      pictures.begin(), pictures.end(), [](const Picture& one) { return !is_broad(one); });
+  const std::vector<Picture> beside(pictures.begin(), below);
+  html_.open("div", {{"class", beside.empty() || blocks.is_empty() ? "pair" : "pair both"}});
+  html_.open("div");
+  add_blocks(blocks, name, html_);
+  html_.close();
+  if (!beside.empty()) {
+    html_.open("div");
+    add_figures(beside, page_title(page_), id_, figures_, html_);
+    html_.close();
+  }
+  html_.close();
+  add_pictures({below, pictures.end()});
+}
+
+void SectionWriter::add_charts(const Figure& figure, const std::string& what) {
+  std::vector<Picture> pictures;
+  for (Chart chart : figure.charts) {
+    chart.width = kChartWidth;
+    const std::string& shown = chart.title.empty() ? chart.y.label : chart.title;
+    pictures.push_back(
+        draw_figure({.name = figure.name,
+                     .title = fmt::format("{}, {}: {}", what, shown, page_title(page_)),
+                     .description = figure.description,
+                     .charts = {chart}}));
+  }
+  add_pictures(pictures);
+}
+
+void SectionWriter::add_folded(const std::string& line, const std::vector<Picture>& pictures) {
+  html_.open("details");
+  html_.element("summary", line);
+  for (const Picture& one : pictures) {
+    add_pictures({one});
+  }
+  html_.close();
+}
+
+void SectionWriter::add_lack(const std::string& name, const std::string& title, bool is_asked) {
+  if (is_asked) {
+    open_part(name, title);
+    html_.element("p", "There is nothing to show: the findings say what is wrong.");
+    html_.close();
+  }
+}
+
+}  // namespace kinestat

@@ -1,0 +1,292 @@
+#include "pages/summary.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cases/report/ratio_in_units.hpp"
+#include "core/text.hpp"
+#include "core/utf8.hpp"
+#include "couplings/kinds.hpp"
+#include "pages/counted.hpp"
+#include "pages/synthesis_summary.hpp"
+#include "report/numbers.hpp"
+#include "studies/shift/report/gear_values.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// More values than these are read from the tables.
+constexpr std::size_t kMostListed = 10;
+
+using Sentences = std::vector<std::string>;
+
+// "7 revolute, 4 gear", in the order in which the types first appear.
+std::string types_text(const Topology& topology) {
+  std::vector<std::pair<CouplingType, int>> counts;
+  for (const CouplingTopology& one : topology.couplings) {
+    const auto at =
+        std::ranges::find(counts, one.type, [](const auto& count) { return count.first; });
+    if (at == counts.end()) {
+      counts.emplace_back(one.type, 1);
+    } else {
+      ++at->second;
+    }
+  }
+  std::vector<std::string> parts;
+  for (const auto& [type, count] : counts) {
+    std::string word(word_of(type));
+    std::ranges::replace(word, '_', ' ');
+    parts.push_back(fmt::format("{} {}", count, word));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+void add_size(const Mechanism& mechanism, Sentences& sentences) {
+  const Topology& topology = mechanism.topology;
+  const int circuits = mechanism.graph.circuit_count();
+  sentences.push_back(fmt::format("{} and {} ({}) form {}.",
+                                  counted(topology.body_count(), "body", "bodies"),
+                                  counted(topology.coupling_count(), "coupling"),
+                                  types_text(topology),
+                                  counted(circuits, "independent circuit")));
+}
+
+std::string mobility_reading(int net_freedom) {
+  switch (net_freedom) {
+    case 0:
+      return "nothing can move";
+    case 1:
+      return "one given rate determines all others";
+    default:
+      return fmt::format("{} given rates determine all others", net_freedom);
+  }
+}
+
+// "21 in space, 6 in the plane"; orders in which nothing is redundant are left out.
+std::string redundancy_text(const MobilityCounts& counts) {
+  std::vector<std::string> parts;
+  const auto add = [&](const MotionCounts& one, const char* where) {
+    if (one.net_constraint > 0) {
+      parts.push_back(fmt::format("{} {}", one.net_constraint, where));
+    }
+  };
+  add(counts.spatial.motions, "in space");
+  if (counts.planar) {
+    add(counts.planar->motions, "in the plane");
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+void add_mobility(const MobilityCounts& counts, Sentences& sentences) {
+  const MotionCounts& minimal = counts.minimal.motions;
+  sentences.push_back(
+      fmt::format("Mobility {}: {}.", minimal.net_freedom, mobility_reading(minimal.net_freedom)));
+  const std::string redundant = redundancy_text(counts);
+  sentences.push_back(redundant.empty() ? "No constraint is redundant."
+                                        : fmt::format("Redundant constraints: {}.", redundant));
+}
+
+bool is_solved(const CaseAnalysis& one) {
+  return (!one.motion || one.motion->status == SolveStatus::solved) &&
+         (!one.action || one.action->status == SolveStatus::solved);
+}
+
+// "M3 (actions indeterminate)"
+std::string open_text(const CaseAnalysis& one) {
+  std::vector<std::string> parts;
+  if (one.motion && one.motion->status != SolveStatus::solved) {
+    parts.push_back(fmt::format("motions {}", word_of(one.motion->status)));
+  }
+  if (one.action && one.action->status != SolveStatus::solved) {
+    parts.push_back(fmt::format("actions {}", word_of(one.action->status)));
+  }
+  return fmt::format("{} ({})", printable(one.which.label), fmt::join(parts, ", "));
+}
+
+void add_cases(const std::vector<CaseAnalysis>& cases, Sentences& sentences) {
+  if (cases.empty()) {
+    return;
+  }
+  std::vector<std::string> open;
+  for (const CaseAnalysis& one : cases) {
+    if (!is_solved(one)) {
+      open.push_back(open_text(one));
+    }
+  }
+  const auto count = static_cast<int>(cases.size());
+  const int solved = count - static_cast<int>(open.size());
+  const std::string list = plain_list(open, kMostListed);
+  sentences.push_back(
+      open.empty() ? fmt::format("{} solved.", counted(count, "case is", "cases are"))
+      : solved == 0
+          ? fmt::format("No case is solved: {}.", list)
+          : fmt::format(
+                "Of {} cases {} solved; not so: {}.", count, counted(solved, "is", "are"), list));
+}
+
+// A value that cases have, by their labels: "M1 2.84689, M2 1.60097"; from least to most where
+// there are too many to be read.
+class CaseValues {
+ public:
+  void add(const std::string& label, std::optional<double> value) {
+    if (value) {
+      values_.emplace_back(printable(label), *value);
+    }
+  }
+
+  void tell(std::string_view what, Sentences& sentences) const {
+    if (values_.empty()) {
+      return;
+    }
+    std::vector<std::string> parts;
+    for (const auto& [label, value] : values_) {
+      parts.push_back(fmt::format("{} {}", label, format_short(value)));
+    }
+    if (parts.size() <= kMostListed) {
+      sentences.push_back(fmt::format("{}: {}.", what, fmt::join(parts, ", ")));
+      return;
+    }
+    const auto by_value = [](const auto& one) { return one.second; };
+    const auto [least, most] = std::ranges::minmax_element(values_, {}, by_value);
+    sentences.push_back(fmt::format("{}: from {} ({}) to {} ({}) in {} cases.",
+                                    what,
+                                    format_short(least->second),
+                                    least->first,
+                                    format_short(most->second),
+                                    most->first,
+                                    values_.size()));
+  }
+
+ private:
+  std::vector<std::pair<std::string, double>> values_;
+};
+
+void add_ratios(const Analysis& analysis, Sentences& sentences) {
+  CaseValues ratios;
+  CaseValues with_friction;
+  CaseValues with_losses;
+  std::string unit;
+  for (const CaseAnalysis& one : analysis.cases) {
+    if (one.ratios) {
+      const RatioInUnits ratio =
+          ratios_in_units(one, analysis.mechanism, analysis.description.units).ratio;
+      ratios.add(one.which.label, ratio.value);
+      unit = ratio.unit.empty() ? unit : fmt::format(" [{}]", ratio.unit);
+    }
+    if (one.power) {
+      with_friction.add(one.which.label, one.power->efficiency);
+    }
+    if (one.efficiency) {
+      with_losses.add(one.which.label,
+                      analysis.mechanism.loss_model == LossModel::carrier
+                          ? one.efficiency->carrier.value
+                          : one.efficiency->absolute.value);
+    }
+  }
+  ratios.tell(fmt::format("Ratio, input to output{}", unit), sentences);
+  with_losses.tell("Efficiency with the losses of meshes", sentences);
+  with_friction.tell("Efficiency with friction alone", sentences);
+}
+
+void add_circulation(const Analysis& analysis, Sentences& sentences) {
+  std::vector<std::string> labels;
+  for (const CaseAnalysis& one : analysis.cases) {
+    if (one.power_graph && !one.power_graph->loops.empty()) {
+      labels.push_back(printable(one.which.label));
+    }
+  }
+  if (!labels.empty()) {
+    sentences.push_back(fmt::format("Power circulates in {}.", plain_list(labels, kMostListed)));
+  }
+}
+
+void add_shift(const ShiftAnalysis& shift, Sentences& sentences) {
+  const ShiftSolution& solution = shift.solution;
+  const auto elements = static_cast<int>(shift.plan.elements.size());
+  const auto gears = static_cast<int>(solution.table.steps.size());
+  std::string text = fmt::format("A gear engages {} of {} shift elements; {} of {} {} a gear",
+                                 solution.needed,
+                                 elements,
+                                 gears,
+                                 counted(static_cast<int>(solution.states.size()), "combination"),
+                                 gears == 1 ? "is" : "are");
+  if (solution.table.span) {
+    text += fmt::format(", and the forward ones span {}", format_short(*solution.table.span));
+  }
+  sentences.push_back(text + ".");
+}
+
+std::string end_text(const MotionTable& motion, const DriveTravel& drive) {
+  switch (motion.end) {
+    case MotionEnd::complete:
+      return "";
+    case MotionEnd::limited:
+    case MotionEnd::lost:
+      return drive.reached ? fmt::format(", but comes no further than {} {}",
+                                         format_short(*drive.reached),
+                                         drive.unit)
+                           : "";
+    case MotionEnd::locked:
+      return motion.drives.size() > 1 ? ", but cannot run with the others" : ", but cannot run";
+    case MotionEnd::not_assembled:
+      return ", but the drawn position cannot be assembled";
+  }
+  return "";
+}
+
+// "30 to 390 deg", or as far as the drive goes.
+void add_motion(const MotionTable& motion, Sentences& sentences) {
+  for (const DriveTravel& drive : motion.drives) {
+    std::string text = fmt::format("Drive {} goes from {} to {} {}",
+                                   drive.name,
+                                   format_short(drive.from),
+                                   format_short(drive.to),
+                                   drive.unit);
+    text += end_text(motion, drive);
+    sentences.push_back(text + ".");
+  }
+  const auto count = [&](std::string_view kind) {
+    return static_cast<int>(std::ranges::count(motion.events, kind, &MotionEvent::kind));
+  };
+  std::vector<std::string> passed;
+  const auto add = [&](int number, std::string_view noun) {
+    if (number > 0) {
+      passed.push_back(counted(number, noun));
+    }
+  };
+  add(count("dead_point"), "dead point");
+  add(count("singular"), "singular position");
+  if (!passed.empty()) {
+    sentences.push_back(fmt::format("On the way it passes {}.", fmt::join(passed, " and ")));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> summary_sentences(const FilePage& page) {
+  Sentences sentences;
+  if (page.analysis) {
+    add_size(page.analysis->mechanism, sentences);
+    add_mobility(page.analysis->mobility, sentences);
+    add_cases(page.analysis->cases, sentences);
+    add_ratios(*page.analysis, sentences);
+    add_circulation(*page.analysis, sentences);
+    if (page.analysis->shift) {
+      add_shift(*page.analysis->shift, sentences);
+    }
+  }
+  if (page.motion) {
+    add_motion(page.motion->table, sentences);
+  }
+  if (page.synthesis) {
+    for (std::string& one : synthesis_sentences(*page.synthesis)) {
+      sentences.push_back(std::move(one));
+    }
+  }
+  return sentences;
+}
+
+}  // namespace kinestat

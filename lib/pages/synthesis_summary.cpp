@@ -1,0 +1,84 @@
+#include "pages/synthesis_summary.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "pages/counted.hpp"
+#include "report/numbers.hpp"
+#include "studies/synthesis/report/linkage_text.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// "crank-rocker"
+std::string hyphenated(std::string_view word) {
+  std::string words(word);
+  std::ranges::replace(words, '_', '-');
+  return words;
+}
+
+// "an inverted-slider-crank"
+std::string with_article(const std::string& noun) {
+  constexpr std::string_view kVowels = "aeio";
+  return fmt::format("{} {}", kVowels.find(noun.front()) == kVowels.npos ? "a" : "an", noun);
+}
+
+void add_best(const SynthesisTask& task,
+              const FileUnits& units,
+              std::vector<std::string>& sentences) {
+  const auto usable = static_cast<int>(std::ranges::count(
+      task.linkages, Defect::none, [](const LinkageCandidate& one) { return one.defect; }));
+  const LinkageCandidate& best = task.linkages.front();
+  std::string text =
+      fmt::format("{} of {} usable; the {} is {}",
+                  usable,
+                  counted(static_cast<int>(task.linkages.size()), "linkage is", "linkages are"),
+                  usable > 0 ? "best" : "nearest",
+                  with_article(hyphenated(word_of(best.linkage.type()))));
+  text += best.grashof ? fmt::format(", class {}", hyphenated(word_of(best.grashof->kind))) : "";
+  text += usable > 0 ? fmt::format(", whose transmission angle keeps {} {} from the dead points",
+                                   format_short(units.from_si(QuantityKind::angle, best.margin())),
+                                   units.text(QuantityKind::angle))
+                     : fmt::format(", with this against it: {}", phrase_of(best.defect));
+  sentences.push_back(text + ".");
+}
+
+}  // namespace
+
+std::vector<std::string> synthesis_sentences(const SynthesisAnalysis& synthesis) {
+  std::vector<std::string> sentences;
+  const auto choices = static_cast<int>(synthesis.tasks.size());
+  sentences.push_back(
+      choices == 1
+          ? fmt::format("Synthesis task {}.", synthesis.form)
+          : fmt::format("Synthesis task {} with {}.", synthesis.form, counted(choices, "choice")));
+  for (const SynthesisTask& task : synthesis.tasks) {
+    if (task.dyads && task.dyads->status == BurmesterStatus::solved) {
+      const int real = static_cast<int>(task.dyads->dyads.size());
+      const int imaginary = task.dyads->imaginary_count;
+      sentences.push_back(
+          imaginary == 0
+              ? fmt::format("{} real.", counted(real, "dyad is", "dyads are"))
+              : fmt::format("Of {} dyads {} real.", real + imaginary, counted(real, "is", "are")));
+    }
+    if (task.dyads && task.dyads->status == BurmesterStatus::family) {
+      std::string why = family_text(task.dyads->reason, task.positions);
+      why.front() = why.front() == 'a' ? 'A' : 'N';  // "a family ...", "no dyads ..."
+      sentences.push_back(fmt::format("{}.", why.substr(0, why.find('\n'))));
+    }
+    if (!task.linkages.empty()) {
+      add_best(task, synthesis.description.units, sentences);
+    } else if (task.dyads && task.dyads->status != BurmesterStatus::family) {
+      sentences.emplace_back("No linkage is found.");
+    }
+    if (choices > 1) {
+      break;
+    }
+  }
+  return sentences;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,143 @@
+#include "pages/tables.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace kinestat {
+
+namespace {
+
+// Tables of more rows scroll within a box that can be folded.
+constexpr std::size_t kLong = 24;
+
+// Cells of more characters may be broken into lines.
+constexpr std::size_t kWide = 40;
+
+bool is_sign(const std::string& cell) {
+  return cell == "●" || cell == "·";
+}
+
+// What stands for a number that is not there, too.
+bool is_number(const std::string& cell) {
+  constexpr std::string_view kNone = "?-·.";
+  if (cell.size() == 1 || cell == "·") {
+    return kNone.find(cell) != std::string_view::npos || (cell[0] >= '0' && cell[0] <= '9');
+  }
+  const std::size_t first = cell.find_first_not_of("-*");
+  return cell.empty() || (first != std::string::npos && cell[first] >= '0' && cell[first] <= '9' &&
+                          cell.find_first_not_of("0123456789.e+-*") == std::string::npos);
+}
+
+// The class of a column: numbers to the right, signs in the middle.
+std::string class_of(const Table& table, std::size_t column) {
+  const auto all = [&](auto&& is) {
+    return std::ranges::all_of(table.rows(), [&](const auto& row) { return is(row[column]); });
+  };
+  if (column == 0) {
+    return "";
+  }
+  if (all(is_sign)) {
+    return "c";
+  }
+  if (all(is_number)) {
+    return "n";
+  }
+  const bool is_wide = std::ranges::any_of(
+      table.rows(), [&](const auto& row) { return row[column].size() > kWide; });
+  return is_wide ? "w" : "t";
+}
+
+// "Fx [N]": the unit is set apart.
+void add_head(const std::string& head, const std::string& kind, Html& html) {
+  html.open("th", {{"scope", "col"}, {"class", kind.empty() ? "t" : kind}});
+  const std::size_t unit = head.find(" [");
+  html.text(head.substr(0, unit));
+  if (unit != std::string::npos) {
+    html.text(" ");
+    html.element("span", head.substr(unit + 1), {{"class", "unit"}});
+  }
+  html.close();
+}
+
+void add_rows(const Table& table, const std::vector<std::string>& kinds, Html& html) {
+  html.open("tbody");
+  for (const auto& row : table.rows()) {
+    html.open("tr");
+    html.element("th", row.front(), {{"scope", "row"}});
+    for (std::size_t c = 1; c < row.size(); ++c) {
+      html.element("td", row[c], {{"class", kinds[c]}});
+    }
+    html.close();
+  }
+  html.close();
+}
+
+void add_box(const Table& table, std::string_view name, Html& html) {
+  std::vector<std::string> kinds;
+  for (std::size_t c = 0; c < table.head().size(); ++c) {
+    kinds.push_back(class_of(table, c));
+  }
+  html.open("div",
+            {{"class", "box"},
+             {"role", "region"},
+             {"tabindex", "0"},
+             {"aria-label", fmt::format("{}: {}", name, table.head().front())}});
+  html.open("table");
+  html.open("thead");
+  html.open("tr");
+  for (std::size_t c = 0; c < kinds.size(); ++c) {
+    add_head(table.head()[c], kinds[c], html);
+  }
+  html.close();
+  html.close();
+  add_rows(table, kinds, html);
+  html.close();
+  html.close();
+}
+
+// A paragraph for each line that is not empty.
+void add_lines(std::string_view lines, Html& html) {
+  if (lines.find_first_not_of(" \n") == std::string_view::npos) {
+    return;
+  }
+  html.open("div", {{"class", "lines"}});
+  while (!lines.empty()) {
+    const std::size_t end = std::min(lines.find('\n'), lines.size());
+    std::string_view line = lines.substr(0, end);
+    lines.remove_prefix(std::min(end + 1, lines.size()));
+    const std::size_t first = line.find_first_not_of(' ');
+    if (first != std::string_view::npos) {
+      html.element("p", line.substr(first));
+    }
+  }
+  html.close();
+}
+
+}  // namespace
+
+void add_table(const Table& table, std::string_view name, Html& html) {
+  if (table.rows().size() <= kLong) {
+    add_box(table, name, html);
+    return;
+  }
+  html.open("details", {{"class", "long"}, {"open", ""}});
+  html.element("summary", fmt::format("{}: {} rows", table.head().front(), table.rows().size()));
+  add_box(table, name, html);
+  html.close();
+}
+
+void add_blocks(const TextBlocks& blocks, std::string_view name, Html& html) {
+  html.open("div", {{"class", "blocks"}});
+  for (const TextBlock& one : blocks.blocks()) {
+    if (one.table) {
+      add_table(*one.table, name, html);
+    } else {
+      add_lines(one.lines, html);
+    }
+  }
+  html.close();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,230 @@
+#include "studies/compare/compare.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "studies/compare/compare_place.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr double kLargestFinite = std::numeric_limits<double>::max();
+
+// Whether it says something by itself.
+bool is_word(const ReportValue& value) {
+  return value.type == ValueType::number || value.type == ValueType::text;
+}
+
+// The beginning of a place with so many keys.
+std::string_view first_keys(std::string_view place, std::size_t count) {
+  std::size_t end = 0;
+  for (std::size_t i = 0; i < count && end != std::string_view::npos; ++i) {
+    end = place.find('/', end + 1);
+  }
+  return place.substr(0, end);
+}
+
+// Every place that a report has, with those above the values.
+std::unordered_set<std::string_view> places_of(const ReportValues& report) {
+  std::unordered_set<std::string_view> places;
+  for (const ReportValue& value : report.items()) {
+    std::string_view place = value.place;
+    while (!place.empty() && places.insert(place).second) {
+      place = place.substr(0, place.rfind('/'));
+    }
+  }
+  return places;
+}
+
+// The largest magnitude of each kind in each case, in SI.
+class Largest {
+ public:
+  void add(const ReportValues& report) {
+    for (const ReportValue& value : report.items()) {
+      if (value.type == ValueType::number) {
+        const ValueUnit& unit = report.unit_of(value);
+        double& largest = by_kind_[key_of(value.place, unit)];
+        largest =
+            std::min(std::max(largest, std::abs(unit.scale.to_si(value.number))), kLargestFinite);
+      }
+    }
+  }
+
+  // In the unit of the value.
+  double of(std::string_view place, const ValueUnit& unit) const {
+    return std::min(unit.scale.from_si(by_kind_.at(key_of(place, unit))), kLargestFinite);
+  }
+
+ private:
+  // A case, a coupling, … is named by the first two keys.
+  static std::string key_of(std::string_view place, const ValueUnit& unit) {
+    return std::string(first_keys(place, 2)) + "\n" + unit.kind;
+  }
+
+  std::unordered_map<std::string, double> by_kind_;
+};
+
+class Comparer {
+ public:
+  Comparer(const ReportValues& a, const ReportValues& b, const Tolerances& tolerances)
+      : a_(a),
+        b_(b),
+        tolerances_(tolerances),
+        places_of_a_(places_of(a)),
+        places_of_b_(places_of(b)) {
+    largest_.add(a);
+    largest_.add(b);
+  }
+
+  ReportComparison run() {
+    for (const ReportValue& value : a_.items()) {
+      if (const ReportValue* other = b_.find(value.place)) {
+        ++result_.value_count;
+        compare_values(value, *other);
+      } else {
+        add_missing(DifferenceType::only_in_a, value);
+      }
+    }
+    for (const ReportValue& value : b_.items()) {
+      if (a_.find(value.place) == nullptr) {
+        add_missing(DifferenceType::only_in_b, value);
+      }
+    }
+    for (const ToleranceRule& rule : tolerances_.rules) {
+      if (rule.is_place() && !is_met(a_, rule.key) && !is_met(b_, rule.key)) {
+        result_.unmet_places.push_back(rule.key);
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  static bool is_met(const ReportValues& values, std::string_view pattern) {
+    return std::ranges::any_of(
+        values.items(), [&](const ReportValue& value) { return is_within(value.place, pattern); });
+  }
+
+  void compare_values(const ReportValue& a, const ReportValue& b) {
+    const bool are_numbers = a.type == ValueType::number && b.type == ValueType::number;
+    if (are_numbers) {
+      compare_numbers(a, b);
+    } else if (a.type != b.type || a.text != b.text) {
+      const bool are_words = is_word(a) && is_word(b);
+      add(are_words ? DifferenceType::text : DifferenceType::no_value, a.place, &a, &b);
+    }
+  }
+
+  void compare_numbers(const ReportValue& a, const ReportValue& b) {
+    const ValueUnit& unit = a_.unit_of(a);
+    const ValueUnit& other = b_.unit_of(b);
+    if (unit.dimension != other.dimension || unit.assumes != other.assumes) {
+      add(DifferenceType::unit, a.place, &a, &b).other_unit = other.text;
+      return;
+    }
+    ReportValue converted = b;
+    if (unit.scale != other.scale) {
+      converted.number = std::clamp(
+          unit.scale.from_si(other.scale.to_si(b.number)), -kLargestFinite, kLargestFinite);
+    }
+    const NumberPair pair{.place = a.place,
+                          .a = a.number,
+                          .b = converted.number,
+                          .unit = unit,
+                          .largest = largest_.of(a.place, unit)};
+    const double allowed = allowed_difference(pair, tolerances_);
+    if (!are_equal(pair, allowed)) {
+      Difference& difference = add(DifferenceType::number, a.place, &a, &converted);
+      difference.amount = std::min(std::abs(pair.a - pair.b), kLargestFinite);
+      difference.allowed = std::min(allowed, kLargestFinite);
+    }
+  }
+
+  Difference& add(DifferenceType type,
+                  std::string_view place,
+                  const ReportValue* a,
+                  const ReportValue* b) {
+    Difference difference;
+    difference.type = type;
+    difference.place = place;
+    if (b != nullptr) {
+      difference.b = *b;
+      difference.unit = b->type == ValueType::number ? b_.unit_of(*b) : ValueUnit{};
+    }
+    if (a != nullptr) {
+      difference.a = *a;
+      difference.unit = a->type == ValueType::number ? a_.unit_of(*a) : difference.unit;
+    }
+    result_.differences.push_back(std::move(difference));
+    return result_.differences.back();
+  }
+
+  void add_missing(DifferenceType type, const ReportValue& value) {
+    ++result_.value_count;
+    const bool is_in_a = type == DifferenceType::only_in_a;
+    const ReportValue* a = is_in_a ? &value : nullptr;
+    const ReportValue* b = is_in_a ? nullptr : &value;
+    const ReportValues& others = is_in_a ? b_ : a_;
+    const auto& places = is_in_a ? places_of_b_ : places_of_a_;
+    if (places.contains(value.place)) {  // one value here, several below it there
+      add(is_word(value) ? DifferenceType::text : DifferenceType::no_value, value.place, a, b);
+      return;
+    }
+    // What the other lacks as a whole is one difference, at least two keys below the top.
+    std::size_t keys = 2;
+    while (places.contains(first_keys(value.place, keys))) {
+      ++keys;
+    }
+    const std::string_view place = first_keys(value.place, keys);
+    if (others.find(place.substr(0, place.rfind('/'))) != nullptr) {
+      return;  // several values here, one there: said of the one
+    }
+    const auto [at, is_new] = missing_.emplace(place, result_.differences.size());
+    if (is_new) {
+      add(type, place, a, b);
+    } else {
+      ++result_.differences[at->second].count;
+    }
+  }
+
+  const ReportValues& a_;
+  const ReportValues& b_;
+  const Tolerances& tolerances_;
+  std::unordered_set<std::string_view> places_of_a_;
+  std::unordered_set<std::string_view> places_of_b_;
+  Largest largest_;
+  std::unordered_map<std::string, std::size_t> missing_;  // place, index of its difference
+  ReportComparison result_;
+};
+
+}  // namespace
+
+std::string_view word_of(DifferenceType type) {
+  switch (type) {
+    case DifferenceType::number:
+      return "number";
+    case DifferenceType::text:
+      return "text";
+    case DifferenceType::no_value:
+      return "no value";
+    case DifferenceType::unit:
+      return "unit";
+    case DifferenceType::only_in_a:
+      return "only in A";
+    case DifferenceType::only_in_b:
+      return "only in B";
+  }
+  return "";
+}
+
+ReportComparison compare(const ReportValues& a,
+                         const ReportValues& b,
+                         const Tolerances& tolerances) {
+  return Comparer(a, b, tolerances).run();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,20 @@
+// A JSON report as values at their places.
+#pragma once
+
+#include <optional>
+
+#include "core/diagnostic.hpp"
+#include "core/source.hpp"
+#include "studies/compare/compare_values.hpp"
+
+namespace kinestat {
+
+/// Reads a report that this program wrote, or another that keeps to its format. Things in a list
+/// that have a name stand under their name, and so do the names of a list of names, but for the
+/// bodies of a coupling and the labels of a matrix, whose order matters. Left out is what differs
+/// between two runs of the same: version, path of the file, evidence and residuals, wording; of the
+/// diagnostics remains how often each code occurs. Errors: E0903 for what is no report, E0904 for
+/// one of another version of the format. Empty iff an error was added.
+std::optional<ReportValues> read_json_report(const SourceFile& source, Diagnostics& found);
+
+}  // namespace kinestat

@@ -1,0 +1,34 @@
+#include "studies/compare/compare_report.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "core/utf8.hpp"
+#include "studies/compare/compare_csv.hpp"
+#include "studies/compare/compare_json.hpp"
+
+namespace kinestat {
+
+std::optional<ReportValues> read_report(const SourceFile& source, Diagnostics& found) {
+  std::string_view text = source.text;
+  if (text.starts_with(kByteOrderMark)) {
+    text.remove_prefix(kByteOrderMark.size());
+  }
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (text.starts_with('{')) {
+    return read_json_report(source, found);
+  }
+  const std::string_view first_line = text.substr(0, text.find('\n'));
+  if (first_line.find(',') != std::string_view::npos) {
+    return read_csv_report(source, found);
+  }
+  found.error(
+      "E0903",
+      {},
+      text.empty() ? "this is no report: the file is empty"
+                   : "this is no report: it begins neither as JSON nor as a table",
+      "reports are written by 'kinestat analyze' with --out, --format json or --format csv");
+  return {};
+}
+
+}  // namespace kinestat

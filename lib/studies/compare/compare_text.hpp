@@ -1,0 +1,28 @@
+// What a comparison says, as a table and as JSON.
+#pragma once
+
+#include <string>
+
+#include "record/record.hpp"
+#include "studies/compare/compare.hpp"
+
+namespace kinestat {
+
+/// The places that differ, at most the first 50, and the count of values. Two numbers have so many
+/// digits that three of them show the difference.
+std::string comparison_text(const ReportComparison& comparison);
+
+struct ComparisonView {
+  const ReportComparison& comparison;
+  const std::string& a;  ///< paths of the reports
+  const std::string& b;
+};
+
+const Record<ComparisonView>& comparison_record();
+
+/// All differences; `a` and `b` are the paths of the reports.
+std::string comparison_json(const ReportComparison& comparison,
+                            const std::string& a,
+                            const std::string& b);
+
+}  // namespace kinestat

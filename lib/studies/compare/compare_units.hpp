@@ -1,0 +1,76 @@
+// Which unit a number of a JSON report has.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "expression/file_units.hpp"
+#include "record/shape.hpp"
+#include "report/json_values.hpp"
+#include "studies/compare/compare_values.hpp"
+
+namespace kinestat {
+
+/// What a report says about its units: mechanism.units, the units of the parameters, of drives and
+/// columns of a motion, the freedoms of its couplings, which tell rotations from translations, and
+/// the dyads of its linkages, which do so for their drives.
+class ReportUnits {
+ public:
+  /// Reads them; empty, with what is wrong, if a unit is none.
+  static std::optional<ReportUnits> read(const Json& report, std::string& problem);
+
+  /// The unit of a number by what the record of reports says of it; `labels` are the names of the
+  /// elements and the numbers of the items on the way to it. One that the report does not tell
+  /// (the entries of matrices, what this program does not know) assumes all units of the report.
+  ValueUnit unit_of(const Shape* shape, const std::vector<std::string>& labels) const;
+
+  /// The unit that the object names; unknown if that is none.
+  ValueUnit beside(const Json& object) const;
+
+  /// Of a magnitude for one unit of another, by their names.
+  ValueUnit magnitude_per(std::string_view magnitude, std::string_view other) const;
+
+ private:
+  using Units = std::map<std::string, ValueUnit, std::less<>>;
+
+  struct RatioUnits {
+    Units of_cases;
+    Units of_outputs;  // of a shift table; a single one without a name
+  };
+
+  std::optional<std::string> read_file_units(const Json& report);
+  std::optional<std::string> read_parameters(const Json& report);
+  void read_couplings(const Json& report);
+  void read_ratios(const Json& report);
+  void read_motion(const Json& report);
+  void read_synthesis(const Json& report);
+
+  ValueUnit of(QuantityKind kind) const;
+  ValueUnit unknown() const;
+  ValueUnit rate(std::string_view freedom) const;
+  ValueUnit action(std::string_view name) const;
+  ValueUnit ratio(const RatioUnits& units, const std::vector<std::string>& labels) const;
+  ValueUnit magnitude(std::string_view name) const;
+  ValueUnit parameter(std::string_view name) const;
+  ValueUnit per_length() const;
+  ValueUnit coordinate(const std::vector<std::string>& labels) const;
+  ValueUnit drive(std::string_view label) const;
+  ValueUnit column(std::string_view name) const;
+  ValueUnit coefficient(std::string_view magnitude, std::string_view parameter) const;
+
+  FileUnits units_;
+  RatioUnits rate_ratios_;
+  RatioUnits action_ratios_;
+  Units parameters_;
+  std::vector<std::pair<std::string, ValueUnit>> drives_;  // by name
+  Units columns_;
+  std::set<std::string> sliding_drives_;  // of linkages: "task/linkage/drive", by number
+  std::map<std::string, char, std::less<>> actuators_;  // 'w' turn, 'v' slide, '?' not told
+};
+
+}  // namespace kinestat

@@ -1,0 +1,157 @@
+#include "studies/graph/graph_report.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "couplings/kinds.hpp"
+#include "graph/cutsets.hpp"
+#include "report/csv.hpp"
+#include "report/file/report_record.hpp"
+#include "report/numbers.hpp"
+#include "report/report_parts.hpp"
+#include "report/table.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::string matrix_csv(const std::vector<LabelledMatrix>& matrices) {
+  std::string text = "matrix,row,column,value\n";
+  for (const LabelledMatrix& matrix : matrices) {
+    for (std::size_t r = 0; r < matrix.rows.size(); ++r) {
+      for (std::size_t c = 0; c < matrix.columns.size(); ++c) {
+        const double value =
+            matrix.value(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c));
+        text += csv_line(
+            std::array{matrix.symbol, matrix.rows[r], matrix.columns[c], format_exact(value)});
+      }
+    }
+  }
+  return text;
+}
+
+std::string part_of(const CouplingGraph& graph, std::size_t edge) {
+  for (const int branch : graph.tree.branches) {
+    if (branch == static_cast<int>(edge)) {
+      return "branch";
+    }
+  }
+  return "chord";
+}
+
+std::string edge_csv(const Mechanism& mechanism) {
+  std::string text = "coupling,type,tail,head,part\n";
+  const Topology& topology = mechanism.topology;
+  for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
+    const CouplingTopology& coupling = topology.couplings[e];
+    text += csv_line(std::array{coupling.name,
+                                std::string(word_of(coupling.type)),
+                                topology.body(coupling.tail).name,
+                                topology.body(coupling.head).name,
+                                part_of(mechanism.graph, e)});
+  }
+  return text;
+}
+
+// "h: h + a - e - f": the couplings of a circuit or cut-set with their signs, its own first.
+std::string signed_sum(const Topology& topology,
+                       const CouplingGraph& graph,
+                       const MatXi& rows,
+                       Eigen::Index row,
+                       int own) {
+  const auto name = [&](int e) { return topology.couplings[static_cast<std::size_t>(e)].name; };
+  std::string text = fmt::format("  {}: {}", name(own), name(own));
+  for (Eigen::Index c = 0; c < rows.cols(); ++c) {
+    const int edge = graph.columns[static_cast<std::size_t>(c)];
+    if (edge != own && rows(row, c) != 0) {
+      text += fmt::format(" {} {}", rows(row, c) > 0 ? '+' : '-', name(edge));
+    }
+  }
+  return text + "\n";
+}
+
+std::string sums_text(const Mechanism& mechanism) {
+  const CouplingGraph& graph = mechanism.graph;
+  const MatXi cutsets = cutset_matrix(graph);
+  const MatXi circuits = circuit_matrix(cutsets);
+  std::string text = "Cut-sets\n";
+  for (std::size_t i = 0; i < graph.tree.branches.size(); ++i) {
+    text += signed_sum(
+        mechanism.topology, graph, cutsets, static_cast<Eigen::Index>(i), graph.tree.branches[i]);
+  }
+  text += "\nCircuits\n";
+  for (std::size_t i = 0; i < graph.tree.chords.size(); ++i) {
+    text += signed_sum(
+        mechanism.topology, graph, circuits, static_cast<Eigen::Index>(i), graph.tree.chords[i]);
+  }
+  return text + "\n";
+}
+
+std::string matrix_text(const LabelledMatrix& matrix) {
+  std::vector<std::string> head = {matrix.symbol};
+  head.insert(head.end(), matrix.columns.begin(), matrix.columns.end());
+  Table table(std::move(head));
+  for (std::size_t r = 0; r < matrix.rows.size(); ++r) {
+    std::vector<std::string> row = {matrix.rows[r]};
+    for (Eigen::Index c = 0; c < matrix.value.cols(); ++c) {
+      const double value = matrix.value(static_cast<Eigen::Index>(r), c);
+      row.push_back(value == 0.0 ? "." : format_short(value));
+    }
+    table.add(std::move(row));
+  }
+  return fmt::format("{} ({} x {}): {}\n{}\n",
+                     matrix.symbol,
+                     matrix.value.rows(),
+                     matrix.value.cols(),
+                     matrix.meaning,
+                     table.text("  "));
+}
+
+std::string graph_text(const MechanismDescription& description, const Mechanism& mechanism) {
+  const Topology& topology = mechanism.topology;
+  const int chords = mechanism.graph.circuit_count();
+  std::string text = fmt::format("{}\n  {} bodies, {} couplings: {} in the tree, {} chord{}\n\n",
+                                 description.name,
+                                 topology.body_count(),
+                                 topology.coupling_count(),
+                                 mechanism.graph.cutset_count(),
+                                 chords,
+                                 chords == 1 ? "" : "s");
+  Table table({"Coupling", "type", "tail", "head", "part"});
+  for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
+    const CouplingTopology& coupling = topology.couplings[e];
+    table.add({coupling.name,
+               std::string(word_of(coupling.type)),
+               topology.body(coupling.tail).name,
+               topology.body(coupling.head).name,
+               part_of(mechanism.graph, e)});
+  }
+  return text + table.text("  ") + "\n" + sums_text(mechanism);
+}
+
+}  // namespace
+
+FileReport make_graph_report(const std::string& file,
+                             const MechanismDescription& description,
+                             const Mechanism& mechanism,
+                             const std::vector<LabelledMatrix>& matrices,
+                             const ReportForms& forms) {
+  FileReport report;
+  const ReportView view{
+      .file = file, .description = description, .mechanism = &mechanism, .matrices = matrices};
+  add_json(report_record(), view, description.units, forms, report);
+  if (forms.csv) {
+    report.csv.push_back(
+        {.pass = "graph", .text = matrices.empty() ? edge_csv(mechanism) : matrix_csv(matrices)});
+  }
+  if (forms.text) {
+    report.text = graph_text(description, mechanism);
+    for (const LabelledMatrix& matrix : matrices) {
+      report.text += matrix_text(matrix);
+    }
+  }
+  return report;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,137 @@
+#include "studies/mobility/motion_space.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "math/dense/readable_basis.hpp"
+#include "math/elimination/elimination.hpp"
+#include "network/node_system.hpp"
+#include "studies/mobility/passive_freedom.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Rows of numbers: the rates in the order in which they are told, then six of each moving body.
+class MotionRows {
+ public:
+  MotionRows(const Mechanism& mechanism, const CoordinateBasis& basis)
+      : mechanism_(mechanism), basis_(basis), order_(mechanism.topology.freedoms.size()) {
+    std::iota(order_.begin(), order_.end(), 0);
+    std::vector<bool> is_actuated(order_.size());
+    for (const ActuatorTopology& actuator : mechanism.topology.actuators) {
+      is_actuated[static_cast<std::size_t>(actuator.freedom)] = true;
+    }
+    std::stable_partition(order_.begin(), order_.end(), [&](int f) {
+      return is_actuated[static_cast<std::size_t>(f)];
+    });
+  }
+
+  Eigen::Index columns() const { return freedoms() + 6 * bodies(); }
+
+  // Lengths count in that of the mechanism.
+  VecX scales() const {
+    VecX scales = VecX::Ones(columns());
+    for (Eigen::Index i = 0; i < freedoms(); ++i) {
+      const auto f = static_cast<std::size_t>(order_[static_cast<std::size_t>(i)]);
+      if (!mechanism_.topology.freedoms[f].is_rotation) {
+        scales[i] = mechanism_.geometry.length;
+      }
+    }
+    for (Eigen::Index b = 0; b < bodies(); ++b) {
+      scales.segment(freedoms() + 6 * b + 3, 3).setConstant(mechanism_.geometry.length);
+    }
+    return scales;
+  }
+
+  VecX row_of(const VecX& solution) const {
+    VecX row(columns());
+    for (Eigen::Index i = 0; i < freedoms(); ++i) {
+      const int f = order_[static_cast<std::size_t>(i)];
+      row[i] = solution[velocity_column(mechanism_.topology, basis_, f)] *
+               rate_unit(mechanism_.topology, basis_, f);
+    }
+    for (int b = 0; b < bodies(); ++b) {
+      row.segment<6>(freedoms() + 6 * b) = body_twist(solution, basis_, {b + 1}).coordinates();
+    }
+    return row;
+  }
+
+  VecX row_of(const PassiveFreedom& passive) const {
+    VecX row = VecX::Zero(columns());
+    for (Eigen::Index i = 0; i < freedoms(); ++i) {
+      row[i] = passive.rates[order_[static_cast<std::size_t>(i)]];
+    }
+    for (const BodyId body : passive.bodies) {
+      row.segment<6>(freedoms() + 6 * (body.value - 1)) = passive.twist.coordinates();
+    }
+    return row;
+  }
+
+  FreeMotion motion_of(const VecX& row) const {
+    FreeMotion motion;
+    motion.rates.resize(freedoms());
+    for (Eigen::Index i = 0; i < freedoms(); ++i) {
+      motion.rates[order_[static_cast<std::size_t>(i)]] = row[i];
+    }
+    Eigen::Index first = 0;
+    while (first + 1 < freedoms() && row[first] == 0.0) {
+      ++first;
+    }
+    motion.first = order_[static_cast<std::size_t>(first)];
+    motion.bodies.emplace_back();
+    for (Eigen::Index b = 0; b < bodies(); ++b) {
+      const Vec6 twist = row.segment<6>(freedoms() + 6 * b);
+      motion.bodies.push_back(Twist::from_coordinates(twist));
+    }
+    return motion;
+  }
+
+ private:
+  Eigen::Index freedoms() const { return static_cast<Eigen::Index>(order_.size()); }
+
+  int bodies() const { return mechanism_.topology.body_count() - 1; }
+
+  const Mechanism& mechanism_;
+  const CoordinateBasis& basis_;
+  std::vector<int> order_;  ///< freedoms as they are told
+};
+
+}  // namespace
+
+MotionSpace find_motion_space(const Mechanism& mechanism, const CoordinateBasis& basis) {
+  const Elimination elimination(velocity_system(mechanism.topology, mechanism.geometry, basis), {});
+  const MotionRows rows(mechanism, basis);
+  MotionSpace space;
+  space.net_freedom = static_cast<int>(elimination.free_columns().size());
+  const std::size_t size = elimination.free_columns().size();
+  if (size == 0 || size * static_cast<std::size_t>(rows.columns()) > kLongestList) {
+    return space;
+  }
+  const std::vector<PassiveFreedom> found = find_passive_freedoms(mechanism, basis);
+  std::vector<VecX> all;
+  for (const VecX& solution : elimination.null_vectors()) {
+    all.push_back(rows.row_of(solution));
+  }
+  std::vector<FreeMotion> passive;
+  MatX told(0, rows.columns());
+  for (const PassiveFreedom& one : found) {
+    const VecX row = rows.row_of(one);
+    const MatX beside = readable_basis(row.transpose(), rows.scales(), told);
+    if (beside.rows() == 0) {
+      continue;  // it follows from those before
+    }
+    told.conservativeResize(told.rows() + 1, Eigen::NoChange);
+    told.row(told.rows() - 1) = row.transpose();
+    passive.push_back(rows.motion_of(readable_basis(row.transpose(), rows.scales()).row(0)));
+    passive.back().passive = one.bodies;
+  }
+  const MatX basis_rows = readable_basis(rows_of(all, rows.columns()), rows.scales(), told);
+  for (Eigen::Index j = 0; j < basis_rows.rows(); ++j) {
+    space.motions.push_back(rows.motion_of(basis_rows.row(j)));
+  }
+  space.motions.insert(space.motions.end(), passive.begin(), passive.end());
+  return space;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,21 @@
+// The mobility of one file for people.
+#pragma once
+
+#include "report/text_blocks.hpp"
+#include "studies/mobility/report/mobility_report.hpp"
+
+namespace kinestat {
+
+/// Title, size, and the sentences of mobility_remarks, then all of mobility_blocks.
+std::string mobility_text(const MobilityAnalysis& analysis);
+
+/// The tables of the mobility, in reading order.
+struct MobilityBlocks {
+  TextBlocks counts;
+  TextBlocks reshetov;  ///< a table a circuit
+  TextBlocks motions;   ///< and redundant constraints and repairs
+};
+
+MobilityBlocks mobility_blocks(const MobilityAnalysis& analysis);
+
+}  // namespace kinestat

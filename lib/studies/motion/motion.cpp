@@ -1,0 +1,327 @@
+#include "studies/motion/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/contract.hpp"
+#include "core/index.hpp"
+#include "studies/motion/configuration.hpp"
+#include "studies/motion/internal/motion_limits.hpp"
+#include "studies/motion/internal/path_tracker.hpp"
+
+namespace kinestat {
+
+namespace {
+
+template <class Frames>
+class MotionSolver {
+ public:
+  MotionSolver(const MotionNetwork& network, const MotionTask& task)
+      : network_(network), task_(task), tracker_(network) {
+    solution_.drives = task.drives;
+    solution_.coordinate_count = network.coordinate_count;
+    solution_.angle_count = network.angle_count;
+    for (const MotionDrive& drive : task.drives) {
+      const double unit = unit_of(drive.freedom);
+      from_.push_back(drive.from / unit);
+      to_.push_back(drive.to / unit);
+    }
+  }
+
+  MotionSolution solve() {
+    PathPoint now = tracker_.make_point();
+    if (!assemble(now)) {
+      solution_.status = MotionStatus::not_assembled;
+    } else if (is_determined(now) && go_to_start(now)) {
+      follow(now);
+    }
+    return std::move(solution_);
+  }
+
+  std::optional<Configuration> follow_between(const Configuration& start,
+                                              double start_share,
+                                              double share) {
+    (void)tracker_.take_special();
+    if (tracker_.is_beside_change_point()) {
+      tracker_ = PathTracker<Frames>(network_);  // There the last way would go on.
+    }
+    tracker_.set_range(from_, to_);
+    PathPoint now = tracker_.make_point();
+    now.coordinates = start.coordinates;
+    now.angles = start.angles;
+    now.share = start_share;
+    double moved = 0.0;
+    if (!tracker_.close(now, moved)) {
+      return std::nullopt;
+    }
+    tracker_.find_rates(now);
+    PathPoint before = tracker_.make_point();
+    return tracker_.advance(now, before, share) == Arrival::reached
+               ? std::optional(configuration_of(now))
+               : std::nullopt;
+  }
+
+ private:
+  double unit_of(int freedom) const {
+    for (const MotionJoint& joint : network_.joints) {
+      if (joint.freedom == freedom && joint.motion.kind == ElementaryKind::slide) {
+        return network_.length;
+      }
+    }
+    return 1.0;
+  }
+
+  static Configuration configuration_of(const PathPoint& point) {
+    return {.coordinates = point.coordinates, .angles = point.angles};
+  }
+
+  // Closes the drawn position with the drives at zero.
+  bool assemble(PathPoint& now) {
+    const std::vector<double> still(task_.drives.size(), 0.0);
+    tracker_.set_range(still, still);
+    const PathPoint drawn = now;
+    Assembly& assembly = solution_.assembly;
+    assembly.drawn_misses = network_.drawn_misses;
+    double moved = 0.0;
+    if (!tracker_.close(now, moved)) {
+      now = drawn;
+      tracker_.find_nearest(now, false);
+      assembly.closes = tracker_.close(now, moved);
+    }
+    if (!assembly.closes) {
+      PathPoint free = drawn;
+      tracker_.find_nearest(free, true);
+      assembly.closes_elsewhere = free.closure_error <= kMotionClosure;
+      now = free;
+    }
+    assembly.nearest = configuration_of(now);
+    if (!assembly.closes) {
+      assembly.nearest_misses = find_misses(network_, assembly.nearest, kSilentCorrection);
+    }
+    if (!assembly.drawn_misses.empty()) {
+      assembly.corrections = body_poses(network_, assembly.nearest);
+    }
+    return assembly.closes;
+  }
+
+  // Whether the drives leave nothing open that other bodies feel.
+  bool is_determined(PathPoint& now) {
+    solution_.passive_freedoms = network_.passive_freedoms;
+    tracker_.set_range(from_, to_);
+    tracker_.find_rates(now);
+    const bool can_move = tracker_.missed_rate(now) <= kAcceptedRateMiss;
+    const int surplus = tracker_.open_count() - static_cast<int>(network_.passive_motions.size());
+    if (surplus <= 0) {
+      solution_.status = can_move ? MotionStatus::completed : MotionStatus::locked;
+      return can_move;
+    }
+    if (!can_move) {
+      note_dead_start(now);
+      return false;
+    }
+    // A rank that only drops where it was drawn is a singular position.
+    PathPoint near = now;
+    PathPoint none = tracker_.make_point();
+    for (std::size_t i = 0; i < near.rates.size(); ++i) {
+      near.arrival[i] = kNearby * near.rates[i];
+    }
+    const std::vector<VecX> open = tracker_.open_directions();
+    tracker_.system().move(near.arrival, near.coordinates);
+    double moved = 0.0;
+    const bool closes = tracker_.close(near, moved);
+    if (closes && tracker_.open_count() >= surplus) {
+      solution_.status = MotionStatus::undetermined;
+      note_open(open);
+    } else {
+      solution_.status = MotionStatus::singular;
+    }
+    return false;
+  }
+
+  // The drawn position is a limit itself.
+  void note_dead_start(const PathPoint& now) {
+    solution_.status = MotionStatus::limit;
+    solution_.special.push_back({.kind = SpecialKind::limit,
+                                 .step = -1,
+                                 .drive_values = std::vector<double>(task_.drives.size(), 0.0),
+                                 .configuration = configuration_of(now)});
+  }
+
+  // The freedoms that move most in what is open and not passive.
+  void note_open(const std::vector<VecX>& directions) {
+    std::vector<VecX> known = network_.passive_motions;
+    for (VecX& one : known) {
+      one.normalize();
+    }
+    for (VecX direction : directions) {
+      for (const VecX& one : known) {
+        direction -= one.dot(direction) * one;
+      }
+      if (direction.norm() <= kSilentCorrection) {
+        continue;
+      }
+      known.push_back(direction.normalized());
+      Eigen::Index most = 0;
+      direction.cwiseAbs().maxCoeff(&most);
+      for (const MotionJoint& joint : network_.joints) {
+        const int count = joint.motion.kind == ElementaryKind::ball ? 3 : 1;
+        if (joint.rate >= 0 && joint.freedom >= 0 && most >= joint.rate &&
+            most < joint.rate + count) {
+          solution_.open_freedoms.push_back(joint.freedom + static_cast<int>(most) - joint.rate);
+        }
+      }
+    }
+  }
+
+  // To where all drives begin, in steps of its own.
+  bool go_to_start(PathPoint& now) {
+    const std::vector<double> zero(task_.drives.size(), 0.0);
+    double farthest = 0.0;
+    for (const double one : from_) {
+      farthest = std::max(farthest, std::abs(one));
+    }
+    if (farthest == 0.0) {
+      return true;
+    }
+    tracker_.set_range(zero, from_);
+    tracker_.find_rates(now);
+    PathPoint before = tracker_.make_point();
+    const int steps = static_cast<int>(std::ceil(farthest / kStepToStart));
+    for (int k = 1; k <= steps; ++k) {
+      const Arrival arrival = tracker_.advance(now, before, static_cast<double>(k) / steps);
+      note_special(-1, true);
+      if (arrival != Arrival::reached) {
+        solution_.status =
+            arrival == Arrival::lift_off ? MotionStatus::lift_off : MotionStatus::limit;
+        if (arrival == Arrival::lost) {
+          note_lost(drive_values(now.share, true));
+        }
+        return false;
+      }
+    }
+    now.share = 0.0;
+    now.arrival_share = 0.0;
+    return true;
+  }
+
+  // On the way to where the motion begins, or in it.
+  std::vector<double> drive_values(double share, bool is_on_the_way) const {
+    std::vector<double> values;
+    for (const MotionDrive& drive : solution_.drives) {
+      values.push_back(is_on_the_way ? share * drive.from
+                                     : drive.from + share * (drive.to - drive.from));
+    }
+    return values;
+  }
+
+  void note_lost(std::vector<double> drive_values) {
+    solution_.status = MotionStatus::lost_branch;
+    solution_.lost_at = std::move(drive_values);
+  }
+
+  void note_special(int step, bool is_on_the_way) {
+    for (SpecialPosition& one : tracker_.take_special()) {
+      one.step = step;
+      one.drive_values = drive_values(one.share, is_on_the_way);
+      solution_.special.push_back(std::move(one));
+    }
+  }
+
+  void keep(const PathPoint& point) {
+    solution_.shares.push_back(point.share);
+    solution_.closure_errors.push_back(point.closure_error);
+    if (tracker_.closes_by_least_squares(point)) {
+      solution_.closes_by_least_squares = true;
+    }
+    solution_.coordinates.insert(
+        solution_.coordinates.end(), point.coordinates.begin(), point.coordinates.end());
+    solution_.angles.insert(solution_.angles.end(), point.angles.begin(), point.angles.end());
+  }
+
+  void follow(PathPoint& now) {
+    tracker_.set_range(from_, to_);
+    if (!tracker_.is_beside_change_point()) {
+      double moved = 0.0;
+      if (!tracker_.close(now, moved)) {
+        note_lost(drive_values(0.0, false));
+        return;
+      }
+      tracker_.find_rates(now);
+    }
+    const auto positions = at(task_.steps + 1);
+    solution_.shares.reserve(positions);
+    solution_.closure_errors.reserve(positions);
+    solution_.coordinates.reserve(positions * now.coordinates.size());
+    solution_.angles.reserve(positions * now.angles.size());
+    keep(now);
+    PathPoint before = tracker_.make_point();
+    for (int k = 1; k <= task_.steps; ++k) {
+      const double share = k == task_.steps ? 1.0 : static_cast<double>(k) / task_.steps;
+      const Arrival arrival = tracker_.advance(now, before, share);
+      if (tracker_.has_special()) {
+        note_special(k - 1, false);
+      }
+      if (arrival == Arrival::lost) {
+        note_lost(drive_values(now.share, false));
+        return;
+      }
+      keep(now);
+      if (arrival != Arrival::reached) {
+        solution_.status =
+            arrival == Arrival::lift_off ? MotionStatus::lift_off : MotionStatus::limit;
+        return;
+      }
+    }
+  }
+
+  const MotionNetwork& network_;
+  const MotionTask& task_;
+  PathTracker<Frames> tracker_;
+  MotionSolution solution_;
+  std::vector<double> from_;
+  std::vector<double> to_;
+};
+
+}  // namespace
+
+MotionSolution solve_motion(const MotionNetwork& network, const MotionTask& task) {
+  KINESTAT_EXPECTS(task.drives.size() == network.driven_freedoms.size() && task.steps > 0);
+  if (!network.is_movable()) {
+    MotionSolution solution;
+    solution.status = MotionStatus::not_movable;
+    solution.drives = task.drives;
+    return solution;
+  }
+  return network.space == Space::planar ? MotionSolver<PlanarFrames>(network, task).solve()
+                                        : MotionSolver<SpatialFrames>(network, task).solve();
+}
+
+struct WayBetween::Solver {
+  Solver(const MotionNetwork& network, std::vector<MotionDrive> drives)
+      : task{.drives = std::move(drives), .steps = 1} {
+    if (network.space == Space::planar) {
+      planar.emplace(network, task);
+    } else {
+      spatial.emplace(network, task);
+    }
+  }
+
+  MotionTask task;
+  std::optional<MotionSolver<PlanarFrames>> planar;
+  std::optional<MotionSolver<SpatialFrames>> spatial;
+};
+
+WayBetween::WayBetween(const MotionNetwork& network, std::vector<MotionDrive> drives)
+    : solver_(std::make_unique<Solver>(network, std::move(drives))) {}
+
+WayBetween::~WayBetween() = default;
+
+std::optional<Configuration> WayBetween::follow(const Configuration& start,
+                                                double start_share,
+                                                double share) {
+  return solver_->planar ? solver_->planar->follow_between(start, start_share, share)
+                         : solver_->spatial->follow_between(start, start_share, share);
+}
+
+}  // namespace kinestat

@@ -1,0 +1,500 @@
+#include "studies/motion/motion_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/contract.hpp"
+#include "core/index.hpp"
+#include "core/motion_tolerance.hpp"
+#include "core/tolerance.hpp"
+#include "math/numbers/settled.hpp"
+#include "studies/motion/internal/closure_system.hpp"
+#include "studies/motion/internal/joint_errors.hpp"
+#include "studies/motion/internal/motion_limits.hpp"
+#include "studies/motion/internal/pivoted_qr.hpp"
+
+namespace kinestat {
+
+namespace {
+
+struct MovingTwist {
+  Twist twist;
+  Twist rate;
+};
+
+// From a frame that moves: ω from dR/dt Rᵀ, and the velocity of its point at the origin.
+MovingTwist twist_of(const PlanarFrames::Frame<Jet>& f, double length) {
+  const double turn = f.c.value * f.s.first - f.s.value * f.c.first;
+  const double turn_rate = f.c.value * f.s.second - f.s.value * f.c.second;
+  const Vec3 angular(0.0, 0.0, turn);
+  const Vec3 angular_rate(0.0, 0.0, turn_rate);
+  const Vec3 shift(f.shift[0].value, f.shift[1].value, 0.0);
+  const Vec3 speed(f.shift[0].first, f.shift[1].first, 0.0);
+  const Vec3 bend(f.shift[0].second, f.shift[1].second, 0.0);
+  return {.twist = {.angular = angular, .linear = length * (speed - angular.cross(shift))},
+          .rate = {.angular = angular_rate,
+                   .linear = length * (bend - angular_rate.cross(shift) - angular.cross(speed))}};
+}
+
+Vec3 vector_of(const Mat3& skew) {
+  return 0.5 * Vec3(skew(2, 1) - skew(1, 2), skew(0, 2) - skew(2, 0), skew(1, 0) - skew(0, 1));
+}
+
+MovingTwist twist_of(const SpatialFrames::Frame<Jet>& f, double length) {
+  Mat3 R;
+  Mat3 first;
+  Mat3 second;
+  Vec3 shift;
+  Vec3 speed;
+  Vec3 bend;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      R(i, j) = f.rotation(i, j).value;
+      first(i, j) = f.rotation(i, j).first;
+      second(i, j) = f.rotation(i, j).second;
+    }
+    shift[i] = f.shift[i].value;
+    speed[i] = f.shift[i].first;
+    bend[i] = f.shift[i].second;
+  }
+  const Vec3 angular = vector_of(first * R.transpose());
+  // d/dt (dR/dt Rᵀ) = d²R/dt² Rᵀ + dR/dt dRᵀ/dt, whose last term is symmetric.
+  const Vec3 angular_rate = vector_of(second * R.transpose());
+  return {.twist = {.angular = angular, .linear = length * (speed - angular.cross(shift))},
+          .rate = {.angular = angular_rate,
+                   .linear = length * (bend - angular_rate.cross(shift) - angular.cross(speed))}};
+}
+
+Vec3 settled_rates(const Vec3& value, double bound, double rounding) {
+  return value.unaryExpr([&](double x) { return settled_rate(x, bound, rounding); });
+}
+
+// Makes zero what the bounds do not tell from it, as far as they are rounding.
+void settle(const Topology& topology, MotionState& state) {
+  const StateBounds& all = state.bounds;
+  for (std::size_t f = 0; f < state.rates.size(); ++f) {
+    const double unit = topology.freedoms[f].is_rotation ? 1.0 : all.reach;
+    if (state.rates[f]) {
+      state.rates[f] = settled_rate(*state.rates[f], all.rates[f], unit * all.rate_rounding);
+    }
+    if (f < state.rate_rates.size() && state.rate_rates[f]) {
+      state.rate_rates[f] =
+          settled_rate(*state.rate_rates[f], all.rate_rates[f], unit * all.rate_rate_rounding);
+    }
+  }
+  for (std::size_t b = 0; b < state.twists.size(); ++b) {
+    const BodyBounds& bounds = all.bodies[b];
+    Twist& twist = state.twists[b];
+    twist = {.angular = settled_rates(twist.angular, bounds.angular, all.rate_rounding),
+             .linear = settled_rates(twist.linear, bounds.linear, all.reach * all.rate_rounding)};
+    if (!state.twist_rates.empty()) {
+      Twist& rate = state.twist_rates[b];
+      rate = {.angular = settled_rates(rate.angular, bounds.angular_rate, all.rate_rate_rounding),
+              .linear = settled_rates(
+                  rate.linear, bounds.linear_rate, all.reach * all.rate_rate_rounding)};
+    }
+  }
+}
+
+template <class Frames>
+class StateSolver {
+ public:
+  StateSolver(const MotionNetwork& network, const Mechanism& mechanism)
+      : network_(network), mechanism_(mechanism), system_(network) {
+    for (int rate = 0; rate < network.rate_count; ++rate) {
+      if (std::ranges::find(network.driven_rates, rate) == network.driven_rates.end()) {
+        unknown_.push_back(rate);
+      }
+    }
+  }
+
+  MotionState solve_in(const Configuration& configuration,
+                       const GivenSpeeds& speeds,
+                       StateDetail detail) {
+    stand_in(configuration);
+    return solve(speeds, detail, nullptr);
+  }
+
+  MotionState solve_bounded_in(const Configuration& configuration,
+                               const GivenSpeeds& speeds,
+                               StateDetail detail) {
+    stand_in(configuration);
+    JointErrors errors({.network = network_,
+                        .rates_of_rows = system_.rates_of_rows(),
+                        .residuals = system_.residuals(),
+                        .jacobian = system_.jacobian(),
+                        .unknown = unknown_,
+                        .qr = qr_,
+                        .reach = system_.reach()},
+                       configuration_.coordinates,
+                       is_singular());
+    MotionState state = solve(speeds, detail, &errors);
+    state.bounds = errors.bounds(mechanism_.topology);
+    settle(mechanism_.topology, state);
+    return state;
+  }
+
+ private:
+  // One configuration serves several speeds.
+  void stand_in(const Configuration& configuration) {
+    const bool is_there = has_stood_ && configuration.coordinates == configuration_.coordinates &&
+                          configuration.angles == configuration_.angles;
+    if (!is_there) {
+      configuration_ = configuration;
+      system_.evaluate(configuration_.coordinates, configuration_.angles);
+      factor();
+      has_stood_ = true;
+    }
+  }
+
+  MotionState solve(const GivenSpeeds& speeds, StateDetail detail, JointErrors* errors) {
+    MotionState state;
+    state.origin = network_.origin;
+    for (const int frame : network_.frame_of_body) {
+      BodyPose pose = Frames::pose(system_.frames()[at(frame)]);
+      pose.shift = network_.length * pose.shift + network_.origin - pose.rotation * network_.origin;
+      state.poses.push_back(pose);
+    }
+    state.is_singular = is_singular();
+    if (state.is_singular) {
+      return state;
+    }
+    std::vector<double> rates(at(network_.rate_count), 0.0);
+    std::vector<double> bends = rates;
+    for (std::size_t d = 0; d < speeds.drives.size(); ++d) {
+      const double unit = unit_of_rate(network_.driven_rates[d]);
+      rates[at(network_.driven_rates[d])] = speeds.drives[d].speed / unit;
+      bends[at(network_.driven_rates[d])] = speeds.drives[d].acceleration / unit;
+    }
+    complete(rates, std::vector<double>(at(system_.row_count()), 0.0));
+    const bool has_open = open_count() > 0;
+    if (has_open) {
+      find_effects(speeds.passive);
+      meet_speeds(speeds.passive, rates);
+    }
+    if (detail == StateDetail::acceleration) {
+      // What is left of the second derivative while the unknown rates do not change.
+      const auto frames = system_.moving_frames(configuration_.coordinates, rates, bends);
+      const std::vector<double> left = system_.residual_bends(frames, bends, configuration_.angles);
+      solve_unknown(left, bends);
+      if (has_open) {
+        hold_speeds(speeds.passive, rates, bends);
+      }
+    }
+    if (errors != nullptr) {
+      find_errors(speeds, rates, bends, *errors);
+    }
+    fill(rates, bends, detail, state);
+    return state;
+  }
+
+  void find_errors(const GivenSpeeds& speeds,
+                   const std::vector<double>& rates,
+                   const std::vector<double>& bends,
+                   JointErrors& errors) const {
+    std::vector<double> driven_errors;
+    std::vector<double> driven_bend_errors;
+    for (std::size_t d = 0; d < speeds.drives.size(); ++d) {
+      const double unit = unit_of_rate(network_.driven_rates[d]);
+      driven_errors.push_back(speeds.drives[d].speed_bound / unit);
+      driven_bend_errors.push_back(speeds.drives[d].acceleration_bound / unit);
+    }
+    errors.follow(rates, bends, driven_errors, driven_bend_errors);
+  }
+
+  int open_count() const { return static_cast<int>(unknown_.size()) - qr_.rank(); }
+
+  bool is_singular() const {
+    return open_count() > static_cast<int>(network_.passive_motions.size()) || is_too_flat();
+  }
+
+  void factor() {
+    const int rows = system_.row_count();
+    matrix_.clear();
+    for (const int column : unknown_) {
+      const auto first = system_.jacobian().begin() + column * rows;
+      matrix_.insert(matrix_.end(), first, first + rows);
+    }
+    qr_.factor(matrix_, rows, static_cast<int>(unknown_.size()), kSize);
+  }
+
+  // A closure by least squares misses something everywhere.
+  bool is_too_flat() const {
+    const double reciprocal_condition = unknown_.empty() ? 1.0 : qr_.reciprocal_condition();
+    const bool is_square = system_.row_count() == static_cast<int>(unknown_.size());
+    return reciprocal_condition < kFlatVelocity ||
+           (is_square && system_.largest_residual() >
+                             kMostVelocityError * reciprocal_condition * reciprocal_condition);
+  }
+
+  double unit_of_rate(int rate) const {
+    for (const MotionJoint& joint : network_.joints) {
+      if (joint.rate == rate && joint.motion.kind == ElementaryKind::slide) {
+        return network_.length;
+      }
+    }
+    return 1.0;
+  }
+
+  // The unknown rates that answer the known ones.
+  void complete(std::vector<double>& rates, std::vector<double> left) {
+    const int rows = system_.row_count();
+    for (const int driven : network_.driven_rates) {
+      for (int r = 0; r < rows; ++r) {
+        left[at(r)] += system_.jacobian()[at(driven * rows + r)] * rates[at(driven)];
+      }
+    }
+    solve_unknown(left, rates);
+  }
+
+  void solve_unknown(std::vector<double> left, std::vector<double>& rates) {
+    for (double& one : left) {
+      one = -one;
+    }
+    left.resize(std::max(left.size(), unknown_.size()));
+    std::vector<double> x(unknown_.size());
+    qr_.solve(left, x);
+    for (std::size_t i = 0; i < unknown_.size(); ++i) {
+      rates[at(unknown_[i])] = x[i];
+    }
+  }
+
+  // How much each open motion changes the rates of the freedoms whose speed is given.
+  void find_effects(const std::vector<PassiveSpeed>& given) {
+    const std::vector<double>& open = qr_.null_vectors();
+    const std::vector<double> none(at(network_.rate_count), 0.0);
+    std::vector<double> effects;
+    for (std::size_t first = 0; first < open.size(); first += unknown_.size()) {
+      std::vector<double> rates = none;
+      for (std::size_t i = 0; i < unknown_.size(); ++i) {
+        rates[at(unknown_[i])] = open[first + i];
+      }
+      MotionState motion;
+      fill_freedoms(rates, none, motion);
+      for (const PassiveSpeed& one : given) {
+        effects.push_back(motion.rates[at(one.freedom)].value_or(0.0) / unit_of(one));
+      }
+    }
+    const auto count = static_cast<int>(given.size());
+    effects_.factor(effects, count, static_cast<int>(open.size() / unknown_.size()), kSize);
+  }
+
+  void meet_speeds(const std::vector<PassiveSpeed>& given, std::vector<double>& rates) {
+    MotionState motion;
+    fill_freedoms(rates, std::vector<double>(rates.size(), 0.0), motion);
+    std::vector<double> missed;
+    for (const PassiveSpeed& one : given) {
+      missed.push_back((one.speed - motion.rates[at(one.freedom)].value_or(0.0)) / unit_of(one));
+    }
+    add_open(missed, rates);
+  }
+
+  void hold_speeds(const std::vector<PassiveSpeed>& given,
+                   const std::vector<double>& rates,
+                   std::vector<double>& bends) {
+    MotionState motion;
+    fill_freedoms(rates, bends, motion);
+    std::vector<double> missed;
+    for (const PassiveSpeed& one : given) {
+      missed.push_back(-motion.rate_rates[at(one.freedom)].value_or(0.0) / unit_of(one));
+    }
+    add_open(missed, bends);
+  }
+
+  // Open motions that make up for what the freedoms miss.
+  void add_open(const std::vector<double>& missed, std::vector<double>& rates) {
+    std::vector<double> shares(at(effects_.columns()));
+    effects_.solve(missed, shares);
+    const std::vector<double>& open = qr_.null_vectors();
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      for (std::size_t i = 0; i < unknown_.size(); ++i) {
+        rates[at(unknown_[i])] += shares[k] * open[k * unknown_.size() + i];
+      }
+    }
+  }
+
+  double unit_of(const PassiveSpeed& given) const {
+    return mechanism_.topology.freedoms[at(given.freedom)].is_rotation ? 1.0 : network_.length;
+  }
+
+  void fill(const std::vector<double>& rates,
+            const std::vector<double>& bends,
+            StateDetail detail,
+            MotionState& state) const {
+    const auto frames = fill_freedoms(rates, bends, state);
+    for (const int frame : network_.frame_of_body) {
+      const MovingTwist moving = twist_of(frames[at(frame)], network_.length);
+      state.twists.push_back(moving.twist);
+      state.twist_rates.push_back(moving.rate);
+    }
+    if (detail == StateDetail::velocity || qr_.reciprocal_condition() < kFlatAcceleration) {
+      state.twist_rates.clear();
+      state.rate_rates.clear();
+    }
+  }
+
+  // Their rates and the derivatives of these.
+  std::vector<typename Frames::template Frame<Jet>> fill_freedoms(const std::vector<double>& rates,
+                                                                  const std::vector<double>& bends,
+                                                                  MotionState& state) const {
+    auto frames = system_.moving_frames(configuration_.coordinates, rates, bends);
+    state.rates.resize(mechanism_.topology.freedoms.size());
+    state.rate_rates.resize(mechanism_.topology.freedoms.size());
+    fill_joints(rates, bends, state);
+    for (const MeasuredFreedom& one : network_.measures) {
+      const Jet position = system_.template position<Jet>(system_.in_sizes(one), frames);
+      const double unit = one.measure.is_turn ? 1.0 : network_.length;
+      state.rates[at(one.freedom)] = unit * position.first;
+      state.rate_rates[at(one.freedom)] = unit * position.second;
+    }
+    for (const BallFreedoms& ball : network_.balls) {
+      const MovingTwist tail = twist_of(frames[at(ball.tail_frame)], network_.length);
+      const MovingTwist head = twist_of(frames[at(ball.head_frame)], network_.length);
+      for (int i = 0; i < 3; ++i) {
+        state.rates[at(ball.first_freedom + i)] = head.twist.angular[i] - tail.twist.angular[i];
+        state.rate_rates[at(ball.first_freedom + i)] = head.rate.angular[i] - tail.rate.angular[i];
+      }
+    }
+    return frames;
+  }
+
+  void fill_joints(const std::vector<double>& rates,
+                   const std::vector<double>& bends,
+                   MotionState& state) const {
+    for (const MotionJoint& joint : network_.joints) {
+      if (joint.freedom >= 0 && joint.coordinate >= 0) {
+        const double unit = joint.motion.kind == ElementaryKind::slide ? network_.length : 1.0;
+        state.rates[at(joint.freedom)] = unit * rates[at(joint.rate)];
+        state.rate_rates[at(joint.freedom)] = unit * bends[at(joint.rate)];
+      }
+    }
+    for (const RollingRow& rolling : network_.rollings) {
+      const CouplingTopology& coupling = mechanism_.topology.coupling(rolling.coupling);
+      if (coupling.freedom_count != 1) {
+        continue;
+      }
+      double rate = 0.0;
+      double bend = 0.0;
+      for (std::size_t i = 0; i < rolling.rates.size(); ++i) {
+        rate += rolling.freedom_factors[i] * rates[at(rolling.rates[i])];
+        bend += rolling.freedom_factors[i] * bends[at(rolling.rates[i])];
+      }
+      state.rates[at(coupling.first_freedom)] = rate;
+      state.rate_rates[at(coupling.first_freedom)] = bend;
+    }
+  }
+
+  const MotionNetwork& network_;
+  const Mechanism& mechanism_;
+  ClosureSystem<Frames> system_;
+  Configuration configuration_;  // in which it stands
+  bool has_stood_ = false;
+  std::vector<double> matrix_;
+  PivotedQr qr_;
+  PivotedQr effects_;  // of the open motions on what is given of them
+  std::vector<int> unknown_;
+};
+
+}  // namespace
+
+struct MotionStates::Solver {
+  Solver(const MotionNetwork& network, const Mechanism& mechanism) {
+    if (network.space == Space::planar) {
+      planar.emplace(network, mechanism);
+    } else {
+      spatial.emplace(network, mechanism);
+    }
+  }
+
+  std::optional<StateSolver<PlanarFrames>> planar;
+  std::optional<StateSolver<SpatialFrames>> spatial;
+};
+
+MotionStates::MotionStates(const MotionNetwork& network, const Mechanism& mechanism)
+    : drive_count_(network.driven_rates.size()),
+      solver_(std::make_unique<Solver>(network, mechanism)) {}
+
+MotionStates::~MotionStates() = default;
+
+MotionState MotionStates::solve(const Configuration& configuration,
+                                const GivenSpeeds& speeds,
+                                StateDetail detail) {
+  KINESTAT_EXPECTS(speeds.drives.size() == drive_count_);
+  return solver_->planar ? solver_->planar->solve_in(configuration, speeds, detail)
+                         : solver_->spatial->solve_in(configuration, speeds, detail);
+}
+
+MotionState MotionStates::solve_bounded(const Configuration& configuration,
+                                        const GivenSpeeds& speeds,
+                                        StateDetail detail) {
+  KINESTAT_EXPECTS(speeds.drives.size() == drive_count_);
+  return solver_->planar ? solver_->planar->solve_bounded_in(configuration, speeds, detail)
+                         : solver_->spatial->solve_bounded_in(configuration, speeds, detail);
+}
+
+MotionState solve_state(const MotionNetwork& network,
+                        const Mechanism& mechanism,
+                        const Configuration& configuration,
+                        const GivenSpeeds& speeds,
+                        StateDetail detail) {
+  return MotionStates(network, mechanism).solve(configuration, speeds, detail);
+}
+
+Vec3 point_position(const MotionState& state,
+                    BodyId body,
+                    const Vec3& drawn,
+                    const Vec3& world_origin) {
+  const std::size_t b = at(body.value);
+  const Vec3 position = state.poses[b].point(drawn);
+  const Vec3 in_world = world_origin + position;
+  if (state.bounds.bodies.empty()) {
+    return in_world;
+  }
+  const double bound = position_bound(state.bounds.bodies[b], position - state.origin, position);
+  return in_world.binaryExpr(world_origin, [&](double x, double shift) {
+    return settled(x, bound + kEpsilon * std::abs(shift));
+  });
+}
+
+BoundedRate point_velocity(const MotionState& state, BodyId body, const Vec3& drawn) {
+  const std::size_t b = at(body.value);
+  if (state.twists.empty()) {
+    return {};
+  }
+  const Vec3 position = state.poses[b].point(drawn);
+  const Vec3 arm = position - state.origin;
+  const Vec3 velocity = velocity_at(state.twists[b], arm);
+  if (state.bounds.bodies.empty()) {
+    return {.value = velocity};
+  }
+  const double bound = velocity_bound(state.bounds.bodies[b], arm, position, state.twists[b]);
+  const double rounding = state.bounds.rate_rounding * (state.bounds.reach + arm.norm());
+  return {.value = settled_rates(velocity, bound, rounding), .bound = bound};
+}
+
+BoundedRate point_acceleration(const MotionState& state, BodyId body, const Vec3& drawn) {
+  const std::size_t b = at(body.value);
+  if (state.twists.empty() || state.twist_rates.empty()) {
+    return {};
+  }
+  const Vec3 position = state.poses[b].point(drawn);
+  const Vec3 arm = position - state.origin;
+  const Vec3 acceleration = velocity_at(state.twist_rates[b], arm) +
+                            state.twists[b].angular.cross(velocity_at(state.twists[b], arm));
+  if (state.bounds.bodies.empty()) {
+    return {.value = acceleration};
+  }
+  const double bound = acceleration_bound(
+      state.bounds.bodies[b], arm, position, state.twists[b], state.twist_rates[b]);
+  const double rounding = state.bounds.rate_rate_rounding * (state.bounds.reach + arm.norm());
+  return {.value = settled_rates(acceleration, bound, rounding), .bound = bound};
+}
+
+PointMotion point_motion(const MotionState& state, BodyId body, const Vec3& drawn) {
+  return {.position = point_position(state, body, drawn),
+          .velocity = point_velocity(state, body, drawn).value,
+          .acceleration = point_acceleration(state, body, drawn).value};
+}
+
+}  // namespace kinestat

@@ -1,0 +1,260 @@
+#include "studies/motion/picture/motion_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/tolerance.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr std::size_t kMostSeries = 6;  // of one chart; more go into the next
+constexpr std::size_t kMostMarked = 2;  // series of a chart whose extremes are marked
+constexpr const char* kPlace = "at/";
+
+std::vector<double> values_of(const MotionTable& motion, std::size_t column) {
+  std::vector<double> values;
+  for (const MotionRow& row : motion.rows) {
+    values.push_back(row.values[column].value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  return values;
+}
+
+// Whether there are different values, and not by rounding alone.
+bool changes(const std::vector<double>& values) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const double value : values) {
+    if (std::isfinite(value)) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  return high - low > kSameValue * std::max(std::abs(low), std::abs(high));
+}
+
+// "transmission_angle" in words.
+std::string words_of(std::string quantity) {
+  std::ranges::replace(quantity, '_', ' ');
+  std::ranges::replace(quantity, '/', ' ');
+  return quantity;
+}
+
+std::string words_of_event(const MotionEvent& event, const std::string& unit) {
+  const std::string where =
+      event.drive.empty() ? "" : label_number(event.drive.front(), 5) + (unit == "deg" ? "°" : "");
+  return fmt::format("{}{}{}",
+                     words_of(event.kind),
+                     event.element.empty() ? "" : " of " + event.element,
+                     where.empty() ? "" : " at " + where);
+}
+
+std::vector<ChartGuide> guides_of(const MotionTable& motion) {
+  std::vector<ChartGuide> guides;
+  for (const MotionEvent& event : motion.events) {
+    if (!event.drive.empty() && std::isfinite(event.drive.front())) {
+      guides.push_back(
+          {.x = event.drive.front(), .label = words_of_event(event, motion.columns.front().unit)});
+    }
+  }
+  return guides;
+}
+
+// Whether a value is larger (for the smallest: smaller) than all near it, and no end of the range.
+void mark_extreme(const Series& series, bool largest, std::vector<ChartMark>& marks) {
+  std::size_t best = series.y.size();
+  for (std::size_t i = 0; i < series.y.size(); ++i) {
+    const bool is_better = best == series.y.size() ||
+                           (largest ? series.y[i] > series.y[best] : series.y[i] < series.y[best]);
+    if (std::isfinite(series.y[i]) && is_better) {
+      best = i;
+    }
+  }
+  const bool is_inside = best > 0 && best + 1 < series.y.size();
+  if (is_inside) {
+    marks.push_back(
+        {.x = series.x[best],
+         .y = series.y[best],
+         .label = fmt::format("{} {}", largest ? "max" : "min", label_number(series.y[best]))});
+  }
+}
+
+void mark_extremes(Chart& chart) {
+  if (chart.series.size() > kMostMarked) {
+    return;
+  }
+  for (const Series& series : chart.series) {
+    if (changes(series.y)) {
+      mark_extreme(series, true, chart.marks);
+      mark_extreme(series, false, chart.marks);
+    }
+  }
+}
+
+// Columns that belong into one chart.
+struct Group {
+  std::string quantity;
+  std::string unit;
+  std::vector<std::size_t> columns;
+};
+
+std::vector<Group> groups_of(const MotionTable& motion) {
+  std::vector<Group> groups;
+  for (std::size_t c = motion.drives.size(); c < motion.columns.size(); ++c) {
+    const MotionColumn& column = motion.columns[c];
+    // How well circuits close is rounding, of which there is nothing to see.
+    if (column.quantity.starts_with(kPlace) || column.quantity == kClosureErrorColumn) {
+      continue;
+    }
+    const auto at = std::ranges::find_if(groups, [&column](const Group& group) {
+      return group.quantity == column.quantity && group.unit == column.unit &&
+             group.columns.size() < kMostSeries;
+    });
+    if (at == groups.end()) {
+      groups.push_back({.quantity = column.quantity, .unit = column.unit, .columns = {c}});
+    } else {
+      at->columns.push_back(c);
+    }
+  }
+  return groups;
+}
+
+ChartAxis drive_axis(const MotionTable& motion) {
+  const MotionColumn& drive = motion.columns.front();
+  return {.label = "position of " + drive.element, .unit = drive.unit};
+}
+
+Chart chart_of(const Group& group, const MotionTable& motion) {
+  Chart chart = {.x = drive_axis(motion),
+                 .y = {.label = words_of(group.quantity), .unit = group.unit},
+                 .series = {}};
+  for (const std::size_t c : group.columns) {
+    chart.series.push_back(
+        {.name = motion.columns[c].element, .x = values_of(motion, 0), .y = values_of(motion, c)});
+  }
+  if (chart.series.size() == 1 && !chart.series.front().name.empty()) {
+    chart.y.label += " of " + chart.series.front().name;
+  }
+  chart.guides = guides_of(motion);
+  return chart;
+}
+
+// The columns of the places of a point; as many as there are columns where there is none.
+struct PlaceColumns {
+  std::string element;
+  std::size_t x = 0;
+  std::size_t y = 0;
+  std::size_t z = 0;
+};
+
+std::vector<PlaceColumns> places_of(const MotionTable& motion) {
+  std::vector<PlaceColumns> places;
+  const std::size_t none = motion.columns.size();
+  for (std::size_t c = 0; c < none; ++c) {
+    const MotionColumn& column = motion.columns[c];
+    if (!column.quantity.starts_with(kPlace)) {
+      continue;
+    }
+    if (places.empty() || places.back().element != column.element) {
+      places.push_back({.element = column.element, .x = none, .y = none, .z = none});
+    }
+    const char axis = column.quantity.back();
+    (axis == 'x' ? places.back().x : axis == 'y' ? places.back().y : places.back().z) = c;
+  }
+  // Points of bodies are numbered, "coupler.1"; the places of bodies themselves come second.
+  const auto is_traced = [](const PlaceColumns& one) {
+    return one.element.find('.') != std::string::npos;
+  };
+  if (std::ranges::any_of(places, is_traced)) {
+    places.erase(
+        std::remove_if(
+            places.begin(), places.end(), [&](const PlaceColumns& one) { return !is_traced(one); }),
+        places.end());
+  }
+  return places;
+}
+
+Chart path_chart(const MotionTable& motion, char up, std::size_t PlaceColumns::*vertical) {
+  Chart chart = {.x = {.label = "x", .unit = motion.length_unit},
+                 .y = {.label = std::string(1, up), .unit = motion.length_unit},
+                 .series = {},
+                 .has_equal_scales = true};
+  const std::size_t none = motion.columns.size();
+  for (const PlaceColumns& place : places_of(motion)) {
+    if (place.x == none || place.*vertical == none) {
+      continue;
+    }
+    Series series = {.name = place.element,
+                     .x = values_of(motion, place.x),
+                     .y = values_of(motion, place.*vertical)};
+    // A point that rests has no path.
+    if (changes(series.x) || changes(series.y)) {
+      chart.series.push_back(std::move(series));
+    }
+  }
+  if (chart.series.size() > 1) {
+    chart.title = fmt::format("{} over x", up);
+  }
+  for (const Series& series : chart.series) {
+    if (chart.series.size() <= kMostMarked) {
+      chart.marks.push_back({.x = series.x.front(), .y = series.y.front(), .label = "begin"});
+    }
+  }
+  if (chart.series.size() == 1) {
+    chart.title = chart.series.front().name;
+  }
+  return chart;
+}
+
+bool changes_height(const MotionTable& motion) {
+  return std::ranges::any_of(places_of(motion), [&motion](const PlaceColumns& place) {
+    return place.z < motion.columns.size() && changes(values_of(motion, place.z));
+  });
+}
+
+}  // namespace
+
+Figure motion_figure(const MotionTable& motion, const std::string& title) {
+  Figure figure = {.name = "motion-curves",
+                   .title = title,
+                   .description =
+                       "What the positions of the motion have, against the position of "
+                       "the drive; dead points and limits are marked.",
+                   .charts = {}};
+  if (motion.rows.empty() || motion.columns.empty()) {
+    return figure;
+  }
+  for (const Group& group : groups_of(motion)) {
+    figure.charts.push_back(chart_of(group, motion));
+    mark_extremes(figure.charts.back());
+  }
+  return figure;
+}
+
+Figure path_figure(const MotionTable& motion, const std::string& title) {
+  Figure figure = {.name = "paths",
+                   .title = title,
+                   .description = "The paths of points during the motion, to scale.",
+                   .charts = {}};
+  if (motion.rows.empty()) {
+    return figure;
+  }
+  Chart flat = path_chart(motion, 'y', &PlaceColumns::y);
+  if (!flat.series.empty()) {
+    figure.charts.push_back(std::move(flat));
+  }
+  if (changes_height(motion)) {
+    Chart upright = path_chart(motion, 'z', &PlaceColumns::z);
+    if (!upright.series.empty()) {
+      figure.charts.push_back(std::move(upright));
+    }
+  }
+  return figure;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,97 @@
+#include "studies/motion/report/motion_csv.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "report/csv.hpp"
+#include "report/numbers.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::string cell(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? format_exact(*value) : "";
+}
+
+class MotionCsv {
+ public:
+  MotionCsv(const std::string& mechanism, const MotionTable& motion)
+      : mechanism_(mechanism), motion_(motion) {}
+
+  std::string run() {
+    for (const MotionRow& row : motion_.rows) {
+      for (std::size_t c = 0; c < row.values.size(); ++c) {
+        line(motion_.columns[c], row.values[c], row.status, row.step, row.values[0]);
+      }
+    }
+    for (const MotionEvent& event : motion_.events) {
+      for (std::size_t d = 0; d < event.drive.size(); ++d) {
+        const MotionColumn column{.element = event.element,
+                                  .quantity = "event/" + event.kind + "/" + motion_.drives[d].name,
+                                  .unit = motion_.drives[d].unit};
+        line(column, event.drive[d], event.kind, event.step, event.drive[0]);
+      }
+      const MotionColumn width{.element = event.element,
+                               .quantity = "event/" + event.kind + "/uncertainty",
+                               .unit = motion_.drives[0].unit};
+      line(width, event.uncertainty, event.kind, event.step, event.drive[0]);
+    }
+    add_gaps(motion_.drawn_gaps, "drawn_gap");
+    add_corrections();
+    add_gaps(motion_.nearest_gaps, "nearest_gap");
+    return std::move(text_);
+  }
+
+ private:
+  void line(const MotionColumn& column,
+            const std::optional<double>& value,
+            const std::string& status,
+            const std::optional<int>& step,
+            const std::optional<double>& drive) {
+    text_ += csv_line(std::array<std::string, 10>{mechanism_,
+                                                  motion_.label,
+                                                  "motion",
+                                                  column.element,
+                                                  column.quantity,
+                                                  cell(value),
+                                                  column.unit,
+                                                  status,
+                                                  step ? std::to_string(*step) : "",
+                                                  cell(drive)});
+  }
+
+  void fixed_line(const MotionColumn& column, double value) {
+    line(column, value, std::string(word_of(motion_.end)), std::nullopt, std::nullopt);
+  }
+
+  void add_gaps(const std::vector<CouplingGap>& gaps, const std::string& quantity) {
+    for (const CouplingGap& gap : gaps) {
+      fixed_line({gap.coupling, quantity + "/distance", motion_.length_unit}, gap.distance);
+      fixed_line({gap.coupling, quantity + "/angle", motion_.angle_unit}, gap.angle);
+    }
+  }
+
+  void add_corrections() {
+    for (const BodyCorrection& one : motion_.corrections) {
+      for (int i = 0; i < 3; ++i) {
+        fixed_line({one.body, "correction/shift/" + std::to_string(i), motion_.length_unit},
+                   one.shift[i]);
+      }
+      fixed_line({one.body, "correction/angle", motion_.angle_unit}, one.angle);
+    }
+  }
+
+  const std::string& mechanism_;
+  const MotionTable& motion_;
+  std::string text_ = std::string(kMotionCsvHeader);
+};
+
+}  // namespace
+
+std::string motion_csv(const std::string& mechanism, const MotionTable& motion) {
+  return MotionCsv(mechanism, motion).run();
+}
+
+}  // namespace kinestat

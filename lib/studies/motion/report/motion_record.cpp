@@ -1,0 +1,265 @@
+#include "studies/motion/report/motion_record.hpp"
+
+namespace kinestat {
+
+namespace {
+
+const Record<DriveTravel>& drive_record() {
+  using View = DriveTravel;
+  static const Record<View> record("One drive.", [](Record<View>& keys) {
+    keys.text("name", "The actuator.", [](const View& v) { return v.name; });
+    keys.text("freedom", "The freedom that it drives, coupling.freedom.", [](const View& v) {
+      return v.freedom;
+    });
+    keys.number("from",
+                ByContext::drive,
+                "Where the range begins, from the drawn position.",
+                [](const View& v) { return v.from; });
+    keys.number("to",
+                ByContext::drive,
+                "Where the range ends, from the drawn position.",
+                [](const View& v) { return v.to; });
+    keys.number("reached",
+                ByContext::drive,
+                "The last position of the drive; null if there is none.",
+                [](const View& v) { return v.reached; });
+    keys.text("unit",
+              "Of these positions: the unit of angle or of length.",
+              [](const View& v) { return v.unit; })
+        .not_compared();
+  });
+  return record;
+}
+
+const Record<MotionColumn>& column_record() {
+  using View = MotionColumn;
+  static const Record<View> record("One column.", [](Record<View>& keys) {
+    keys.text("name", "Element and quantity, as in a.wz/position.", [](const View& v) {
+      return v.name();
+    });
+    keys.text("element",
+              "coupling.freedom, coupling.action, actuator, body or traced point; empty of what "
+              "concerns the whole.",
+              [](const View& v) { return v.element; });
+    keys.text("quantity", "position, velocity, linear/x and so on.", [](const View& v) {
+      return v.quantity;
+    });
+    keys.text("unit",
+              "That of the file; empty for a bare number and for words.",
+              [](const View& v) { return v.unit; })
+        .not_compared();
+  });
+  return record;
+}
+
+void emit_columns(const MotionTable& v, const Each<MotionColumn>& each) {
+  each({.element = "", .quantity = "step", .unit = ""});
+  for (const MotionColumn& column : v.columns) {
+    each(column);
+  }
+  each({.element = "", .quantity = "status", .unit = ""});
+}
+
+void write_rows(const MotionTable& v, Archive& to) {
+  to.begin_list();
+  for (const MotionRow& row : v.rows) {
+    to.begin_list();
+    to.whole(row.step);
+    for (const std::optional<double>& value : row.values) {
+      to.number(value, {});
+    }
+    to.text(row.status);
+    to.end_list();
+  }
+  to.end_list();
+}
+
+Shape rows_shape() {
+  Shape cell = number_shape(ByContext::column, true);
+  cell.form = Shape::Form::cell;
+  return list_shape(list_shape(std::move(cell)));
+}
+
+const Record<MotionEvent>& event_record() {
+  using View = MotionEvent;
+  static const Record<View> record("One event.", [](Record<View>& keys) {
+    keys.word("kind",
+              {"dead_point", "singular", "limit", "lift_off"},
+              "dead_point: a freedom comes to rest and turns back; singular: the drives do not "
+              "determine the motion there; limit: a drive can go no further; lift_off: a cable "
+              "leaves its pulley, and the motion ends.",
+              [](const View& v) { return v.kind; });
+    keys.text("element", "The freedom or the drive concerned; may be empty.", [](const View& v) {
+      return v.element;
+    });
+    keys.count("step",
+               "The last step before; -1 on the way from the drawn position to the first.",
+               [](const View& v) { return v.step; })
+        .at_least(-1);
+    keys.custom("drive",
+                list_shape(number_shape(ByContext::drive, true)),
+                "Position of each drive.",
+                [](const View& v, Archive& to) {
+                  to.begin_list();
+                  for (const double position : v.drive) {
+                    to.number(position, {});
+                  }
+                  to.end_list();
+                });
+    keys.number("uncertainty",
+                ByContext::drive,
+                "Of the position of the first drive: half of the bracket that holds it.",
+                [](const View& v) { return v.uncertainty; })
+        .at_least(0)
+        .not_compared();
+  });
+  return record;
+}
+
+const Record<MotionTable>& closure_record() {
+  static const Record<MotionTable> record(
+      "How well the circuits close in the rows; null without rows.", [](Record<MotionTable>& keys) {
+        keys.number("largest",
+                    Bare::number,
+                    "Largest closure error relative to the size of the mechanism.",
+                    [](const MotionTable& v) { return v.worst_closure; })
+            .at_least(0);
+        keys.count("step", "Where it is.", [](const MotionTable& v) { return v.worst_step; });
+      });
+  return record;
+}
+
+const Record<CouplingGap>& gap_record() {
+  static const Record<CouplingGap> record("Of one coupling.", [](Record<CouplingGap>& keys) {
+    keys.number("distance",
+                QuantityKind::length,
+                "Between the point on its tail and that on its head, as far as the coupling does "
+                "not free it; unit of length.",
+                [](const CouplingGap& v) { return v.distance; })
+        .at_least(0);
+    keys.number("angle",
+                QuantityKind::angle,
+                "Between the directions on its tail and on its head; unit of angle.",
+                [](const CouplingGap& v) { return v.angle; })
+        .at_least(0);
+  });
+  return record;
+}
+
+const Record<BodyCorrection>& correction_record() {
+  using View = BodyCorrection;
+  static const Record<View> record("Of one body.", [](Record<View>& keys) {
+    keys.custom("shift",
+                vector_shape(QuantityKind::length, false),
+                "Of its reference point; unit of length.",
+                [](const View& v, Archive& to) {
+                  to.begin_list();
+                  for (const double component : v.shift) {
+                    to.number(component, {});
+                  }
+                  to.end_list();
+                });
+    keys.number(
+        "angle", QuantityKind::angle, "By which it was turned; unit of angle.", [](const View& v) {
+          return v.angle;
+        });
+  });
+  return record;
+}
+
+void emit_gaps(const std::vector<CouplingGap>& gaps, const Each<CouplingGap>& each) {
+  for (const CouplingGap& gap : gaps) {
+    each(gap.coupling, gap);
+  }
+}
+
+const Record<MotionTable>& assembly_record() {
+  using View = MotionTable;
+  static const Record<View> record("How the drawn position was closed.", [](Record<View>& keys) {
+    keys.map("drawn_gaps",
+             gap_record(),
+             "Couplings whose ends do not meet in the reference position.",
+             [](const View& v, const Each<CouplingGap>& each) { emit_gaps(v.drawn_gaps, each); });
+    keys.map("corrections",
+             correction_record(),
+             "Bodies that were moved to close the drawn position.",
+             [](const View& v, const Each<BodyCorrection>& each) {
+               for (const BodyCorrection& one : v.corrections) {
+                 each(one.body, one);
+               }
+             });
+    keys.map("nearest_gaps",
+             gap_record(),
+             "Where nothing closes it: couplings whose ends are apart in the nearest position.",
+             [](const View& v, const Each<CouplingGap>& each) { emit_gaps(v.nearest_gaps, each); });
+  });
+  return record;
+}
+
+void add_rows(Record<MotionTable>& keys) {
+  keys.list(
+      "columns",
+      column_record(),
+      "What the cells of a row are: the step, the positions of the drives, what was asked "
+      "for, the status: solved, limit, singular, that of the actions (indeterminate, "
+      "inconsistent, ambiguous, locked, …), or cable_slack, contact_pulls or cable_slips where the "
+      "numbers hold only for a cable that could push, surfaces that could pull on each other, "
+      "or a cable held by more friction.",
+      emit_columns);
+  keys.custom("rows",
+              rows_shape(),
+              "One a position: one cell a column; null where there is no value.",
+              write_rows);
+  keys.list("events",
+            event_record(),
+            "What happens on the way, in its order.",
+            [](const MotionTable& v, const Each<MotionEvent>& each) {
+              for (const MotionEvent& event : v.events) {
+                each(event);
+              }
+            });
+}
+
+}  // namespace
+
+const Record<MotionTable>& motion_record() {
+  using View = MotionTable;
+  static const Record<View> record(
+      "The finite motion of the section 'motion', from the drawn position.",
+      [](Record<View>& keys) {
+        keys.word("status",
+                  words_up_to(MotionEnd::not_assembled),
+                  "complete: the drives came to the end of their ranges; limited: one came to a "
+                  "limit before; locked: they cannot move at all, or not together; lost: the "
+                  "motion could not be followed; not_assembled: the drawn position does not close. "
+                  "The rows go as far as the motion.",
+                  [](const View& v) { return word_of(v.end); });
+        keys.text(
+            "case", "The case whose speeds and loads apply; null without one.", [](const View& v) {
+              return v.label.empty() ? std::nullopt : std::optional(v.label);
+            });
+        keys.list("drives",
+                  drive_record(),
+                  "What is driven, in the order of the file.",
+                  [](const View& v, const Each<DriveTravel>& each) {
+                    for (const DriveTravel& drive : v.drives) {
+                      each(drive);
+                    }
+                  });
+        keys.count("steps",
+                   "Number of steps that the file asks for; a whole motion has one position more.",
+                   [](const View& v) { return v.steps; });
+        add_rows(keys);
+        keys.custom("closure",
+                    object_shape(closure_record(), true),
+                    closure_record().meaning,
+                    [](const View& v, Archive& to) {
+                      v.rows.empty() ? to.null() : closure_record().write(v, to);
+                    })
+            .not_compared();
+        keys.part("assembly", assembly_record(), [](const View& v) -> const View& { return v; });
+      });
+  return record;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,305 @@
+#include "studies/motion/report/motion_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/tolerance.hpp"
+#include "core/utf8.hpp"
+#include "report/column_table.hpp"
+#include "report/numbers.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// More nobody reads; the whole table is in the other forms.
+constexpr int kMostRows = 13;
+constexpr std::size_t kMostColumns = 6;
+constexpr std::size_t kMostEvents = 12;
+
+std::string with_unit(const std::string& text, const std::string& unit) {
+  return unit.empty() ? text : fmt::format("{} [{}]", text, unit);
+}
+
+std::string amount(double value, const std::string& unit) {
+  return unit.empty() ? format_short(value) : format_short(value) + " " + unit;
+}
+
+std::string shown(const std::optional<double>& value) {
+  return value ? format_short(*value) : "-";
+}
+
+bool is_same(double least, double greatest) {
+  return greatest - least <= kSameValue * std::max(std::abs(least), std::abs(greatest));
+}
+
+class MotionWriter {
+ public:
+  explicit MotionWriter(const MotionTable& motion) : motion_(motion) {}
+
+  TextBlocks summary() const {
+    TextBlocks text("Motion" + case_text() + "\n" + drives_text() + closure_text() +
+                    assembly_text() + events_text() + "\n");
+    return text += extremes();
+  }
+
+  TextBlocks remarks() const { return TextBlocks(closure_text() + assembly_text()); }
+
+  TextBlocks run() const {
+    TextBlocks text = summary();
+    return text += positions();
+  }
+
+  // Of every quantity but the positions of the drives, which the file gives. What lies between the
+  // steps is known of positions where a freedom turns back, and of nothing else.
+  TextBlocks extremes() const {
+    if (motion_.rows.empty()) {
+      return {};
+    }
+    const std::vector<const Values*> all = all_values();
+    const bool has_dead_points = all.size() > motion_.rows.size();
+    std::vector<TextColumn> table = {
+        {has_dead_points ? "Extremes at steps and dead points" : "Extremes at steps", {}},
+        {"least", {}},
+        {"at " + motion_.drives.front().name, {}},
+        {"greatest", {}},
+        {"at " + motion_.drives.front().name, {}}};
+    for (std::size_t c = motion_.drives.size(); c < column_count(); ++c) {
+      const Values* least = nullptr;
+      const Values* greatest = nullptr;
+      for (const Values* one : all) {
+        const std::optional<double>& value = (*one)[c];
+        least = value && (least == nullptr || *value < *(*least)[c]) ? one : least;
+        greatest = value && (greatest == nullptr || *value > *(*greatest)[c]) ? one : greatest;
+      }
+      if (least == nullptr || is_same(*(*least)[c], *(*greatest)[c])) {
+        continue;
+      }
+      table[0].cells.push_back(with_unit(motion_.columns[c].name(), motion_.columns[c].unit));
+      table[1].cells.push_back(shown((*least)[c]));
+      table[2].cells.push_back(shown((*least)[0]));
+      table[3].cells.push_back(shown((*greatest)[c]));
+      table[4].cells.push_back(shown((*greatest)[0]));
+    }
+    return table[0].cells.empty() ? TextBlocks() : TextBlocks(table);
+  }
+
+ private:
+  using Values = std::vector<std::optional<double>>;
+
+  // Those of the rows, and the positions at the dead points between them.
+  std::vector<const Values*> all_values() const {
+    std::vector<const Values*> all;
+    for (const MotionRow& row : motion_.rows) {
+      all.push_back(&row.values);
+    }
+    for (const MotionEvent& event : motion_.events) {
+      if (!event.places.empty()) {
+        all.push_back(&event.places);
+      }
+    }
+    return all;
+  }
+
+  std::string case_text() const {
+    return motion_.label.empty()
+               ? ""
+               : fmt::format(", speeds and loads of case '{}'", printable(motion_.label));
+  }
+
+  std::string drives_text() const {
+    std::string text;
+    for (const DriveTravel& drive : motion_.drives) {
+      text += fmt::format("  {} ({}) from {} to {} in {} step{}{}\n",
+                          drive.name,
+                          drive.freedom,
+                          format_short(drive.from),
+                          amount(drive.to, drive.unit),
+                          motion_.steps,
+                          motion_.steps == 1 ? "" : "s",
+                          end_text(drive));
+    }
+    return text;
+  }
+
+  std::string end_text(const DriveTravel& drive) const {
+    const std::string where =
+        drive.reached ? " at " + amount(*drive.reached, drive.unit) : std::string();
+    switch (motion_.end) {
+      case MotionEnd::complete:
+        return "";
+      case MotionEnd::limited:
+        return ": comes to its limit" + where;
+      case MotionEnd::locked:
+        return motion_.drives.size() > 1 ? ": cannot run with the others" : ": cannot run";
+      case MotionEnd::lost:
+        return ": could not be followed beyond" + (drive.reached ? where.substr(3) : " the start");
+      case MotionEnd::not_assembled:
+        return ": the drawn position cannot be assembled";
+    }
+    return "";
+  }
+
+  std::string closure_text() const {
+    if (motion_.rows.empty()) {
+      return "";
+    }
+    return motion_.worst_closure <= kSameValue
+               ? fmt::format("  every circuit closes to {:.0e} of the mechanism's size or better\n",
+                             kSameValue)
+               : fmt::format("  circuits close to {:.1e} of the mechanism's size (step {})\n",
+                             motion_.worst_closure,
+                             motion_.worst_step);
+  }
+
+  std::string gaps_text(const char* title, const std::vector<CouplingGap>& gaps) const {
+    std::string text;
+    for (const CouplingGap& gap : gaps) {
+      text += fmt::format("  {} {}: {}, {}\n",
+                          title,
+                          gap.coupling,
+                          amount(gap.distance, motion_.length_unit),
+                          amount(gap.angle, motion_.angle_unit));
+    }
+    return text;
+  }
+
+  std::string assembly_text() const {
+    std::string text = gaps_text("not assembled at", motion_.drawn_gaps);
+    for (const BodyCorrection& one : motion_.corrections) {
+      if (one.shift.norm() > 0.0 || one.angle > 0.0) {
+        text += fmt::format("  {} was moved by {} and turned by {} to {}\n",
+                            one.body,
+                            amount(one.shift.norm(), motion_.length_unit),
+                            amount(one.angle, motion_.angle_unit),
+                            motion_.nearest_gaps.empty() ? "close it" : "come as near as it can");
+      }
+    }
+    return text + gaps_text("nearest position, apart at", motion_.nearest_gaps);
+  }
+
+  static std::string_view title_of(const MotionEvent& event) {
+    return event.kind == "dead_point" ? "dead point of"
+           : event.kind == "limit"    ? "limit of"
+           : event.kind == "lift_off" ? "lift-off at"
+                                      : "singular position";
+  }
+
+  // " +- 7e-11 deg": how uncertain the first drive is.
+  std::string bracket_text(const MotionEvent& event) const {
+    const std::string& unit = motion_.drives.front().unit;
+    return fmt::format(" +- {:.0e}{}{}", event.uncertainty, unit.empty() ? "" : " ", unit);
+  }
+
+  static std::string when_text(const MotionEvent& event) {
+    return event.step < 0 ? ", on the way to where the motion begins"
+                          : fmt::format(", after step {}", event.step);
+  }
+
+  std::string events_text() const {
+    std::string text;
+    const std::size_t count = std::min(motion_.events.size(), kMostEvents);
+    for (std::size_t i = 0; i < count; ++i) {
+      const MotionEvent& event = motion_.events[i];
+      text +=
+          fmt::format("  {}{}{}", title_of(event), event.element.empty() ? "" : " ", event.element);
+      for (std::size_t d = 0; d < event.drive.size(); ++d) {
+        text += fmt::format("{}{} = {}",
+                            d == 0 ? " at " : ", ",
+                            motion_.drives[d].name,
+                            amount(event.drive[d], motion_.drives[d].unit));
+      }
+      text += bracket_text(event) + when_text(event) + "\n";
+    }
+    if (count < motion_.events.size()) {
+      text += fmt::format("  and {} more\n", motion_.events.size() - count);
+    }
+    return text;
+  }
+
+  // The closure error, the last column, is summed up above.
+  std::size_t column_count() const { return motion_.columns.size() - 1; }
+
+  // Every k-th row, and the last.
+  std::vector<const MotionRow*> shown_rows() const {
+    std::vector<const MotionRow*> rows;
+    const std::size_t every = (motion_.rows.size() + kMostRows - 2) / (kMostRows - 1);
+    for (std::size_t r = 0; r < motion_.rows.size(); ++r) {
+      if (r % std::max<std::size_t>(every, 1) == 0 || r + 1 == motion_.rows.size()) {
+        rows.push_back(&motion_.rows[r]);
+      }
+    }
+    return rows;
+  }
+
+  TextBlocks positions() const {
+    if (motion_.rows.empty()) {
+      return {};
+    }
+    const std::vector<const MotionRow*> rows = shown_rows();
+    TextBlocks text;
+    for (std::size_t first = 1; first == 1 || first < column_count(); first += kMostColumns) {
+      text += columns_of(rows, first, std::min(first + kMostColumns, column_count()));
+    }
+    if (rows.size() < motion_.rows.size()) {
+      text += fmt::format("  {} of {} positions; --format csv or json has them all\n\n",
+                          rows.size(),
+                          motion_.rows.size());
+    }
+    return text;
+  }
+
+  TextBlocks columns_of(const std::vector<const MotionRow*>& rows,
+                        std::size_t first,
+                        std::size_t last) const {
+    std::vector<TextColumn> table = {{"Step", {}}};
+    std::vector<std::size_t> chosen = {0};
+    for (std::size_t c = first; c < last; ++c) {
+      chosen.push_back(c);
+    }
+    for (const std::size_t c : chosen) {
+      const MotionColumn& column = motion_.columns[c];
+      const std::string name = c == 0 ? column.element : column.name();
+      table.push_back({with_unit(name, column.unit), {}});
+    }
+    const bool has_status =
+        std::ranges::any_of(rows, [](const MotionRow* row) { return row->status != "solved"; });
+    if (has_status) {
+      table.push_back({"status", {}});
+    }
+    for (const MotionRow* row : rows) {
+      table[0].cells.push_back(std::to_string(row->step));
+      for (std::size_t i = 0; i < chosen.size(); ++i) {
+        table[i + 1].cells.push_back(shown(row->values[chosen[i]]));
+      }
+      if (has_status) {
+        table.back().cells.push_back(row->status);
+      }
+    }
+    return TextBlocks(table);
+  }
+
+  const MotionTable& motion_;
+};
+
+}  // namespace
+
+TextBlocks motion_blocks(const MotionTable& motion) {
+  return MotionWriter(motion).run();
+}
+
+TextBlocks motion_summary(const MotionTable& motion) {
+  return MotionWriter(motion).summary();
+}
+
+TextBlocks motion_remarks(const MotionTable& motion) {
+  return MotionWriter(motion).remarks();
+}
+
+TextBlocks motion_extremes(const MotionTable& motion) {
+  return MotionWriter(motion).extremes();
+}
+
+}  // namespace kinestat

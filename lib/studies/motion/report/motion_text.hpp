@@ -1,0 +1,21 @@
+// A finite motion for people: what happened, extremes, and some of the positions.
+#pragma once
+
+#include "report/text_blocks.hpp"
+#include "studies/motion/report/motion_table.hpp"
+
+namespace kinestat {
+
+/// A section of a report, without a title of the file.
+TextBlocks motion_blocks(const MotionTable& motion);
+
+/// The same without the positions.
+TextBlocks motion_summary(const MotionTable& motion);
+
+/// Lines on how well circuits close, and what closed a drawn position that is apart.
+TextBlocks motion_remarks(const MotionTable& motion);
+
+/// The least and the greatest value of every quantity, and where; empty if nothing moves.
+TextBlocks motion_extremes(const MotionTable& motion);
+
+}  // namespace kinestat

@@ -1,0 +1,44 @@
+#include "studies/motion/state_bounds.hpp"
+
+#include "core/tolerance.hpp"
+#include "math/numbers/settled.hpp"
+
+namespace kinestat {
+
+double settled_rate(double value, double bound, double rounding) {
+  return bound <= rounding ? settled(value, bound) : value;
+}
+
+double position_bound(const BodyBounds& body, const Vec3& arm, const Vec3& position) {
+  const double r = arm.norm();
+  return body.shift + body.turn * r + 4.0 * kEpsilon * (r + position.norm());
+}
+
+// v = v₀ + ω × r, with what each factor may be off.
+double velocity_bound(const BodyBounds& body,
+                      const Vec3& arm,
+                      const Vec3& position,
+                      const Twist& twist) {
+  const double r = arm.norm();
+  const double turns = twist.angular.norm();
+  const double speed = twist.linear.norm() + turns * r;
+  return body.linear + body.angular * r + turns * position_bound(body, arm, position) +
+         4.0 * kEpsilon * speed;
+}
+
+// a = a₀ + α × r + ω × v, likewise.
+double acceleration_bound(const BodyBounds& body,
+                          const Vec3& arm,
+                          const Vec3& position,
+                          const Twist& twist,
+                          const Twist& twist_rate) {
+  const double r = arm.norm();
+  const double turns = twist.angular.norm();
+  const double bends = twist_rate.angular.norm();
+  const double speed = twist.linear.norm() + turns * r;
+  return body.linear_rate + body.angular_rate * r + bends * position_bound(body, arm, position) +
+         body.angular * speed + turns * velocity_bound(body, arm, position, twist) +
+         4.0 * kEpsilon * (twist_rate.linear.norm() + bends * r + turns * speed);
+}
+
+}  // namespace kinestat

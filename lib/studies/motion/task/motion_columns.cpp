@@ -1,0 +1,446 @@
+#include "studies/motion/task/motion_columns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "math/numbers/settled.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
+
+using Reader = std::function<std::optional<double>(const MotionPosition&)>;
+
+using Vector = std::array<std::optional<double>, 3>;
+
+// Empty where it would be rounding.
+std::optional<double> told(double value, double bound) {
+  return is_reported(value, bound) ? std::optional(value) : std::nullopt;
+}
+
+Vector told(const BoundedRate& rate) {
+  return {told(rate.value[0], rate.bound),
+          told(rate.value[1], rate.bound),
+          told(rate.value[2], rate.bound)};
+}
+
+std::optional<double> entry(const std::vector<std::optional<double>>& list,
+                            const std::vector<double>& bounds,
+                            std::size_t i) {
+  return i < list.size() && list[i] ? told(*list[i], bounds[i]) : std::nullopt;
+}
+
+// Empty too where the position is so near a singular one that they would be rounding.
+bool has_acceleration(const MotionPosition& position) {
+  return has_motion(position) && !position.state.twist_rates.empty();
+}
+
+// The axis of the turn times its angle [rad].
+Vec3 rotation_vector(const Mat3& rotation) {
+  const Eigen::AngleAxisd turn(rotation);
+  return turn.angle() * turn.axis();
+}
+
+bool turns_actuator(const Mechanism& mechanism, int actuator) {
+  const int freedom = mechanism.topology.actuators[static_cast<std::size_t>(actuator)].freedom;
+  return mechanism.topology.freedoms[static_cast<std::size_t>(freedom)].is_rotation;
+}
+
+// The kinds of an action of the input and the output, and of their rates.
+struct EndKinds {
+  QuantityKind input_rate;
+  QuantityKind output_rate;
+  QuantityKind input_action;
+  QuantityKind output_action;
+};
+
+EndKinds kinds_of_ends(const Case& which, const Mechanism& mechanism) {
+  const bool in = turns_actuator(mechanism, which.inputs.front());
+  const bool out = turns_actuator(mechanism, which.outputs.front());
+  using enum QuantityKind;
+  return {.input_rate = in ? angular_velocity : velocity,
+          .output_rate = out ? angular_velocity : velocity,
+          .input_action = in ? moment : force,
+          .output_action = out ? moment : force};
+}
+
+std::string unit_of_quotient(const FileUnits& units, QuantityKind above, QuantityKind below) {
+  return above == below ? "" : units.text(above) + " per " + units.text(below);
+}
+
+// Action of the output over that of the input; in a case without actions the ratio of their rates,
+// which in SI is the same number by virtual power.
+std::optional<double> mechanical_advantage(const CaseAnalysis& one) {
+  if (one.action) {
+    return one.ratios->advantage;
+  }
+  const std::optional<double> ratio = one.ratios->ratio;
+  return ratio ? std::optional(std::abs(*ratio)) : std::nullopt;
+}
+
+class ReadingList {
+ public:
+  ReadingList(const MechanismDescription& description,
+              const Mechanism& mechanism,
+              const MotionPlan& plan,
+              const MotionPosition& first,
+              const Vec3& origin)
+      : units_(description.units),
+        mechanism_(mechanism),
+        topology_(mechanism.topology),
+        plan_(plan),
+        first_(first),
+        origin_(origin),
+        detail_(detail_of(plan, mechanism)) {}
+
+  std::vector<MotionReading> run() {
+    add_positions();
+    add_traces();
+    add_velocities();
+    add_accelerations();
+    add_actions();
+    add_powers();
+    add_transmission();
+    return std::move(readings_);
+  }
+
+ private:
+  const MotionReport& report() const { return plan_.report; }
+
+  void add(std::string element, std::string quantity, MotionKind kind, Reader value) {
+    readings_.push_back({.column = {.element = std::move(element),
+                                    .quantity = std::move(quantity),
+                                    .unit = unit_text(units_, kind)},
+                         .kind = kind,
+                         .value = std::move(value)});
+  }
+
+  bool is_named(int freedom) const {
+    const auto of_actuator = [&](int actuator) {
+      return topology_.actuators[static_cast<std::size_t>(actuator)].freedom == freedom;
+    };
+    return std::ranges::find(report().freedoms, freedom) != report().freedoms.end() ||
+           std::ranges::any_of(report().actuators, of_actuator);
+  }
+
+  bool turns(int freedom) const {
+    return topology_.freedoms[static_cast<std::size_t>(freedom)].is_rotation;
+  }
+
+  // The components that exist: x and y in the plane.
+  int axis_count() const { return mechanism_.space == Space::planar ? 2 : 3; }
+
+  void add_positions() {
+    for (int f = 0; f < topology_.freedom_count(); ++f) {
+      const auto i = static_cast<std::size_t>(f);
+      const bool is_asked = report().position || report().is_default || is_named(f);
+      if (is_asked && first_.freedoms[i]) {
+        add(topology_.freedom_name(f),
+            "position",
+            turns(f) ? MotionKind::angle : MotionKind::length,
+            [i](const MotionPosition& at) { return at.freedoms[i]; });
+      }
+    }
+    for (int b = 1; report().position && b < topology_.body_count(); ++b) {
+      add_pose(b);
+    }
+  }
+
+  void add_pose(int body) {
+    const auto b = static_cast<std::size_t>(body);
+    const std::string& name = topology_.bodies[b].name;
+    const Vec3 reference = mechanism_.geometry.references[b];
+    add_place(name, BodyId{body}, reference);
+    if (mechanism_.space == Space::planar) {
+      add(name, "rotation/z", MotionKind::angle, [b](const MotionPosition& at) {
+        return std::optional(at.turns[b]);
+      });
+      return;
+    }
+    for (int i = 0; i < 3; ++i) {
+      add(name,
+          std::string("rotation/") + kAxes[static_cast<std::size_t>(i)],
+          MotionKind::angle,
+          [b, i](const MotionPosition& at) {
+            return std::optional(settled(rotation_vector(at.state.poses[b].rotation)[i],
+                                         at.state.bounds.bodies[b].turn));
+          });
+    }
+  }
+
+  void add_place(const std::string& element, BodyId body, const Vec3& drawn) {
+    add_vector(element,
+               "at",
+               MotionKind::length,
+               [body, drawn, origin = origin_](const MotionPosition& at) {
+                 const Vec3 place = point_position(at.state, body, drawn, origin);
+                 return Vector{place.x(), place.y(), place.z()};
+               });
+  }
+
+  void add_vector(const std::string& element,
+                  const std::string& quantity,
+                  MotionKind kind,
+                  const std::function<Vector(const MotionPosition&)>& value) {
+    // Worked out once a position, where its first component is read.
+    const auto vector = std::make_shared<Vector>();
+    for (int i = 0; i < axis_count(); ++i) {
+      add(element,
+          quantity + "/" + kAxes[static_cast<std::size_t>(i)],
+          kind,
+          [value, vector, i](const MotionPosition& at) -> std::optional<double> {
+            if (i == 0) {
+              *vector = value(at);
+            }
+            return (*vector)[static_cast<std::size_t>(i)];
+          });
+    }
+  }
+
+  void add_traces() {
+    for (std::size_t t = 0; t < plan_.trace.size(); ++t) {
+      const TracedPoint point = plan_.trace[t];
+      const std::string name = topology_.body(point.body).name + "." + std::to_string(t + 1);
+      add_place(name, point.body, point.at);
+      if (detail_.velocity) {
+        add_vector(
+            name, "velocity", MotionKind::velocity, [point](const MotionPosition& at) -> Vector {
+              return has_motion(at) ? told(point_velocity(at.state, point.body, point.at))
+                                    : Vector{};
+            });
+      }
+      if (detail_.acceleration) {
+        add_vector(name,
+                   "acceleration",
+                   MotionKind::acceleration,
+                   [point](const MotionPosition& at) -> Vector {
+                     return has_acceleration(at)
+                                ? told(point_acceleration(at.state, point.body, point.at))
+                                : Vector{};
+                   });
+      }
+    }
+  }
+
+  void add_velocities() {
+    for (int f = 0; detail_.velocity && f < topology_.freedom_count(); ++f) {
+      if (report().velocity || report().is_default || is_named(f)) {
+        const auto i = static_cast<std::size_t>(f);
+        add(topology_.freedom_name(f),
+            "velocity",
+            turns(f) ? MotionKind::angular_velocity : MotionKind::velocity,
+            [i](const MotionPosition& at) {
+              return has_motion(at) ? entry(at.state.rates, at.state.bounds.rates, i)
+                                    : std::nullopt;
+            });
+      }
+    }
+    for (int b = 1; report().velocity && b < topology_.body_count(); ++b) {
+      const BodyId body{b};
+      const Vec3 reference = mechanism_.geometry.references[static_cast<std::size_t>(b)];
+      add_angular(
+          b, "angular", MotionKind::angular_velocity, &MotionState::twists, &BodyBounds::angular);
+      add_vector(topology_.bodies[static_cast<std::size_t>(b)].name,
+                 "linear",
+                 MotionKind::velocity,
+                 [body, reference](const MotionPosition& at) -> Vector {
+                   return has_motion(at) ? told(point_velocity(at.state, body, reference))
+                                         : Vector{};
+                 });
+    }
+  }
+
+  void add_angular(int body,
+                   const std::string& quantity,
+                   MotionKind kind,
+                   std::vector<Twist> MotionState::*twists,
+                   double BodyBounds::*bound) {
+    const auto b = static_cast<std::size_t>(body);
+    for (int i = mechanism_.space == Space::planar ? 2 : 0; i < 3; ++i) {
+      add(topology_.bodies[b].name,
+          quantity + "/" + kAxes[static_cast<std::size_t>(i)],
+          kind,
+          [b, i, twists, bound](const MotionPosition& at) -> std::optional<double> {
+            const std::vector<Twist>& list = at.state.*twists;
+            return has_motion(at) && b < list.size()
+                       ? told(list[b].angular[i], at.state.bounds.bodies[b].*bound)
+                       : std::nullopt;
+          });
+    }
+  }
+
+  void add_accelerations() {
+    for (int f = 0; detail_.acceleration && f < topology_.freedom_count(); ++f) {
+      const auto i = static_cast<std::size_t>(f);
+      if ((report().acceleration || is_named(f)) && first_.freedoms[i]) {
+        add(topology_.freedom_name(f),
+            "acceleration",
+            turns(f) ? MotionKind::angular_acceleration : MotionKind::acceleration,
+            [i](const MotionPosition& at) {
+              return has_motion(at) ? entry(at.state.rate_rates, at.state.bounds.rate_rates, i)
+                                    : std::nullopt;
+            });
+      }
+    }
+    for (int b = 1; report().acceleration && b < topology_.body_count(); ++b) {
+      const BodyId body{b};
+      const Vec3 reference = mechanism_.geometry.references[static_cast<std::size_t>(b)];
+      add_angular(b,
+                  "angular_acceleration",
+                  MotionKind::angular_acceleration,
+                  &MotionState::twist_rates,
+                  &BodyBounds::angular_rate);
+      add_vector(topology_.bodies[static_cast<std::size_t>(b)].name,
+                 "linear_acceleration",
+                 MotionKind::acceleration,
+                 [body, reference](const MotionPosition& at) -> Vector {
+                   return has_acceleration(at) ? told(point_acceleration(at.state, body, reference))
+                                               : Vector{};
+                 });
+    }
+  }
+
+  bool names_action(int action) const {
+    const auto of_actuator = [&](int actuator) {
+      return topology_.actuators[static_cast<std::size_t>(actuator)].action == action;
+    };
+    return std::ranges::find(report().actions, action) != report().actions.end() ||
+           std::ranges::any_of(report().actuators, of_actuator);
+  }
+
+  void add_actions() {
+    for (int a = 0; detail_.statics && a < topology_.action_count(); ++a) {
+      if (report().action || names_action(a)) {
+        const auto i = static_cast<std::size_t>(a);
+        add(topology_.action_name(a),
+            "action",
+            topology_.actions[i].is_couple ? MotionKind::moment : MotionKind::force,
+            [i](const MotionPosition& at) -> std::optional<double> {
+              if (!at.solved || !at.solved->action) {
+                return std::nullopt;
+              }
+              const auto& magnitudes = at.solved->action->magnitudes;
+              return i < magnitudes.size() ? magnitudes[i] : std::nullopt;
+            });
+      }
+    }
+  }
+
+  void add_powers() {
+    for (std::size_t i = 0; detail_.statics && i < topology_.actuators.size(); ++i) {
+      const bool is_named =
+          std::ranges::find(report().actuators, static_cast<int>(i)) != report().actuators.end();
+      if (report().power || is_named) {
+        add(topology_.actuators[i].name,
+            "power",
+            MotionKind::power,
+            [i](const MotionPosition& at) -> std::optional<double> {
+              return at.solved && at.solved->power ? std::optional(at.solved->power->actuators[i])
+                                                   : std::nullopt;
+            });
+      }
+    }
+    if (!report().power || plan_.which < 0) {
+      return;
+    }
+    const std::vector<Load>& loads = mechanism_.cases[static_cast<std::size_t>(plan_.which)].loads;
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+      add(loads[i].name,
+          "power",
+          MotionKind::power,
+          [i](const MotionPosition& at) -> std::optional<double> {
+            return at.solved && at.solved->power ? std::optional(at.solved->power->loads[i])
+                                                 : std::nullopt;
+          });
+    }
+  }
+
+  const std::string& output_name() const {
+    const Case& which = mechanism_.cases[static_cast<std::size_t>(plan_.which)];
+    return topology_.actuators[static_cast<std::size_t>(which.outputs.front())].name;
+  }
+
+  void add_transmission() {
+    if (report().transmission_angle) {
+      add(output_name(), "transmission_angle", MotionKind::angle, [](const MotionPosition& at) {
+        return at.transmission_angle;
+      });
+    }
+    if (!report().ratio && !report().mechanical_advantage) {
+      return;
+    }
+    const EndKinds kinds =
+        kinds_of_ends(mechanism_.cases[static_cast<std::size_t>(plan_.which)], mechanism_);
+    if (report().ratio) {
+      add_quotient("ratio", kinds.input_rate, kinds.output_rate, [](const CaseAnalysis& one) {
+        return one.ratios->ratio;
+      });
+    }
+    if (report().mechanical_advantage) {
+      add_quotient(
+          "mechanical_advantage", kinds.output_action, kinds.input_action, mechanical_advantage);
+    }
+  }
+
+  void add_quotient(const std::string& quantity,
+                    QuantityKind above,
+                    QuantityKind below,
+                    const std::function<std::optional<double>(const CaseAnalysis&)>& quotient) {
+    const double factor = above == below ? 1.0 : units_.factor(below) / units_.factor(above);
+    readings_.push_back(
+        {.column = {.element = output_name(),
+                    .quantity = quantity,
+                    .unit = unit_of_quotient(units_, above, below)},
+         .kind = MotionKind::number,
+         .value = [quotient, factor](const MotionPosition& at) -> std::optional<double> {
+           const std::optional<double> value =
+               at.solved && at.solved->ratios ? quotient(*at.solved) : std::nullopt;
+           return value ? std::optional(*value * factor) : std::nullopt;
+         }});
+  }
+
+  const FileUnits& units_;
+  const Mechanism& mechanism_;
+  const Topology& topology_;
+  const MotionPlan& plan_;
+  const MotionPosition& first_;
+  Vec3 origin_;
+  MotionDetail detail_;
+  std::vector<MotionReading> readings_;
+};
+
+bool knows_speed(const MotionPlan& plan, const Mechanism& mechanism) {
+  return plan.which >= 0 && !mechanism.cases[static_cast<std::size_t>(plan.which)].motions.empty();
+}
+
+}  // namespace
+
+MotionDetail detail_of(const MotionPlan& plan, const Mechanism& mechanism) {
+  const MotionReport& report = plan.report;
+  const bool has_speed = knows_speed(plan, mechanism);
+  const bool has_case = plan.which >= 0;
+  const bool has_names = !report.freedoms.empty() || !report.actuators.empty();
+  return {.velocity = has_speed &&
+                      (report.velocity || report.acceleration || report.is_default || has_names),
+          .acceleration = has_speed && (report.acceleration || has_names),
+          .statics = has_case && (report.action || report.power || report.ratio ||
+                                  report.mechanical_advantage || !report.actions.empty() ||
+                                  !report.actuators.empty()),
+          .transmission_angle = has_case && report.transmission_angle};
+}
+
+std::vector<MotionReading> motion_readings(const MechanismDescription& description,
+                                           const Mechanism& mechanism,
+                                           const MotionPlan& plan,
+                                           const MotionPosition& first,
+                                           const Vec3& origin) {
+  return ReadingList(description, mechanism, plan, first, origin).run();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,33 @@
+// The columns of a finite motion: what each is, and its value in a position.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "studies/motion/report/motion_table.hpp"
+#include "studies/motion/task/motion_kind.hpp"
+#include "studies/motion/task/motion_position.hpp"
+
+namespace kinestat {
+
+/// A column and how its value is read [SI]: at each position the components of a vector one after
+/// the other, the first of them first.
+struct MotionReading {
+  MotionColumn column;
+  MotionKind kind = MotionKind::number;
+  std::function<std::optional<double>(const MotionPosition&)> value;
+};
+
+/// What must be worked out for the report of a plan.
+MotionDetail detail_of(const MotionPlan& plan, const Mechanism& mechanism);
+
+/// All columns but those of the drives. `first` is the first position: freedoms without a position
+/// there have no column for it. Points are from `origin` [m].
+std::vector<MotionReading> motion_readings(const MechanismDescription& description,
+                                           const Mechanism& mechanism,
+                                           const MotionPlan& plan,
+                                           const MotionPosition& first,
+                                           const Vec3& origin);
+
+}  // namespace kinestat

@@ -1,0 +1,438 @@
+#include "studies/motion/task/motion_events.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/motion_tolerance.hpp"
+#include "core/tolerance.hpp"
+#include "studies/motion/motion.hpp"
+#include "studies/motion/motion_state.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Rates are looked at so often that the fastest freedom turns or shifts no farther between two
+// looks [rad, or sizes of the mechanism], and nearer and nearer to where they are not determined.
+constexpr double kLongestStretch = 0.1;
+constexpr double kUsualStretch = 0.8 * kLongestStretch;  // where rates grow meanwhile
+constexpr int kStretchesToSingular = 13;
+constexpr double kTowardsSingular = 0.25;
+
+// Between two looks a rate is a cubic, to this share of its size by the fourth power of the
+// stretch: of harmonics up to the third.
+constexpr double kCubicError = 0.3;
+constexpr int kCubicParts = 16;
+
+// A cubic that falls by less than so many of its errors along a stretch may as well rise.
+constexpr double kFlatSlope = 8.0;
+
+// The largest of t (1 - t)², by which a slope at one end moves a cubic.
+constexpr double kMostBySlope = 4.0 / 27.0;
+
+// Looks between the positions: more would take longer than anybody waits.
+constexpr int kMostLooks = 500'000;
+
+// How a rate changes along a stretch, its ends at 0 and 1.
+struct RateCubic {
+  double low = 0.0;
+  double high = 0.0;
+  double low_slope = 0.0;
+  double high_slope = 0.0;
+
+  double at(double t) const {
+    const double s = 1.0 - t;
+    return s * s * ((1.0 + 2.0 * t) * low + t * low_slope) +
+           t * t * ((1.0 + 2.0 * s) * high - s * high_slope);
+  }
+
+  double slope_at(double t) const {
+    const double s = 1.0 - t;
+    return 6.0 * s * t * (high - low) + s * (s - 2.0 * t) * low_slope +
+           t * (t - 2.0 * s) * high_slope;
+  }
+
+  // Whether it falls from a positive to a negative end with one zero, known to `error`: wherever it
+  // may stay or rise, it is farther from zero than that, and always on the same side.
+  bool falls_once(double error) const {
+    const double curve = 2.0 * (low_slope + high_slope) - 4.0 * slope_at(0.5);  // of the slope
+    const double start = high_slope - low_slope - curve;
+    std::vector<double> doubtful;
+    const auto add = [&](double t) {
+      if (t > 0.0 && t < 1.0 && slope_at(t) > -kFlatSlope * error) {
+        doubtful.push_back(at(t));
+      }
+    };
+    if (curve != 0.0) {
+      const double middle = -start / (2.0 * curve);
+      const double half_width_squared = middle * middle - low_slope / curve;
+      add(middle);
+      if (half_width_squared > 0.0) {
+        add(middle - std::sqrt(half_width_squared));
+        add(middle + std::sqrt(half_width_squared));
+      }
+    }
+    return std::ranges::all_of(doubtful, [&](double value) { return value > error; }) ||
+           std::ranges::all_of(doubtful, [&](double value) { return value < -error; });
+  }
+};
+
+class DeadPointFinder {
+ public:
+  DeadPointFinder(const Mechanism& mechanism, const FoundMotion& motion)
+      : mechanism_(mechanism),
+        motion_(motion),
+        watched_(watched_freedoms()),
+        states_(motion.network, mechanism),
+        way_(motion.network, motion.solution.drives) {
+    for (const MotionDrive& drive : motion.solution.drives) {
+      const bool turns =
+          mechanism_.topology.freedoms[static_cast<std::size_t>(drive.freedom)].is_rotation;
+      const double way = drive.to - drive.from;
+      per_share_.drives.push_back({.speed = way, .acceleration = 0.0});
+      reach_ = std::max(reach_, std::abs(way) / (turns ? 1.0 : mechanism_.geometry.length));
+    }
+  }
+
+  DeadPoints run() {
+    if (watched_.empty()) {
+      return {};
+    }
+    std::optional<Place> before;
+    std::optional<double> singular;  // the share of a position behind which nothing is known yet
+    for (int p = 0; p < motion_.solution.position_count(); ++p) {
+      std::optional<Place> here = place_at(p);
+      const double share = motion_.solution.shares[static_cast<std::size_t>(p)];
+      if (!here) {
+        if (before) {
+          before = approach(*std::move(before), share);
+        }
+        singular = before ? std::nullopt : std::optional(share);
+        continue;
+      }
+      if (singular) {
+        leave(*singular, *here);
+        singular.reset();
+      } else if (before) {
+        look(*before, *here);
+      }
+      before = std::move(here);
+    }
+    std::ranges::stable_sort(found_, {}, &DeadPoint::share);
+    return {.points = std::move(found_), .may_lack_some = may_lack_some_};
+  }
+
+ private:
+  bool is_driven(int freedom) const {
+    const auto drives = [&](const MotionDrive& drive) { return drive.freedom == freedom; };
+    return std::ranges::any_of(motion_.solution.drives, drives);
+  }
+
+  std::vector<int> watched_freedoms() const {
+    const Topology& topology = mechanism_.topology;
+    const std::vector<int> actuated = topology.driven_freedoms();
+    const auto drawn =
+        freedom_positions(motion_.network, mechanism_, drawn_configuration(motion_.network));
+    std::vector<int> watched;
+    for (int f = 0; f < topology.freedom_count(); ++f) {
+      const CouplingTopology& coupling =
+          topology.coupling(topology.freedoms[static_cast<std::size_t>(f)].coupling);
+      const bool is_absolute = coupling.tail.value == 0 || coupling.head.value == 0;
+      const bool is_actuated = std::ranges::find(actuated, f) != actuated.end();
+      if ((is_absolute || is_actuated) && !is_driven(f) && drawn[static_cast<std::size_t>(f)]) {
+        watched.push_back(f);
+      }
+    }
+    return watched;
+  }
+
+  // A place on the way, and how fast the freedoms run there, per share of the ranges.
+  struct Place {
+    double share = 0.0;
+    Configuration configuration;
+    std::vector<double> rates;
+    std::vector<double> bends;  // their derivatives; empty where they would be rounding
+    std::vector<bool> rests;    // by the bound of each rate; empty where all are far above it
+    double fastest = 0.0;       // of the rates [rad, or sizes of the mechanism]
+  };
+
+  // Empty where the rates are not determined.
+  std::optional<Place> place(double share, Configuration configuration) {
+    const MotionState state = states_.solve(configuration, per_share_, StateDetail::acceleration);
+    if (state.is_singular) {
+      return std::nullopt;
+    }
+    Place result{.share = share,
+                 .configuration = std::move(configuration),
+                 .rates = {},
+                 .bends = {},
+                 .rests = {}};
+    for (std::size_t f = 0; f < state.rates.size(); ++f) {
+      result.rates.push_back(state.rates[f].value_or(0.0));
+      result.fastest = std::max(result.fastest, std::abs(result.rates.back()) / unit_of(f));
+    }
+    for (const std::optional<double>& bend : state.rate_rates) {
+      result.bends.push_back(bend.value_or(0.0));
+    }
+    return result;
+  }
+
+  // The same, with what rests by the bounds of its rates.
+  std::optional<Place> judged(std::optional<Place> place) {
+    if (place && may_rest(*place)) {
+      const MotionState state =
+          states_.solve_bounded(place->configuration, per_share_, StateDetail::velocity);
+      for (std::size_t f = 0; f < state.rates.size(); ++f) {
+        place->rests.push_back(std::abs(state.rates[f].value_or(0.0)) <= state.bounds.rates[f]);
+      }
+    }
+    return place;
+  }
+
+  // Whether a rate is so slow that its bound has to say if it is zero.
+  bool may_rest(const Place& place) const {
+    return std::ranges::any_of(watched_, [&](int freedom) {
+      const auto f = static_cast<std::size_t>(freedom);
+      return std::abs(place.rates[f]) <= kDoubtfulRate * place.fastest * unit_of(f);
+    });
+  }
+
+  // -1, 0 or 1.
+  static int sense(const Place& place, std::size_t freedom) {
+    const bool rests = !place.rests.empty() && place.rests[freedom];
+    return rests ? 0 : place.rates[freedom] < 0.0 ? -1 : 1;
+  }
+
+  double unit_of(std::size_t freedom) const {
+    return mechanism_.topology.freedoms[freedom].is_rotation ? 1.0 : mechanism_.geometry.length;
+  }
+
+  std::optional<Place> place_at(int position) {
+    return judged(place(motion_.solution.shares[static_cast<std::size_t>(position)],
+                        motion_.solution.configuration_at(position)));
+  }
+
+  std::optional<Place> place_after(const Place& from, double share) {
+    std::optional<Configuration> there = way_.follow(from.configuration, from.share, share);
+    return there ? place(share, *std::move(there)) : std::nullopt;
+  }
+
+  // The last regular place on the way to a singular position.
+  Place approach(Place from, double share) {
+    double left = share - from.share;
+    for (int k = 0; k < kStretchesToSingular; ++k) {
+      left *= kTowardsSingular;
+      if (std::optional<Place> to = judged(place_after(from, share - left))) {
+        look(from, *to);
+        from = *std::move(to);
+      }
+    }
+    return from;
+  }
+
+  // Backwards, from a regular place to a singular position at which the motion begins.
+  void leave(double share, Place to) {
+    std::vector<MotionDrive> drives = motion_.solution.drives;
+    for (MotionDrive& drive : drives) {
+      std::swap(drive.from, drive.to);
+    }
+    WayBetween backwards(motion_.network, std::move(drives));
+    double left = to.share - share;
+    for (int k = 0; k < kStretchesToSingular; ++k) {
+      left *= kTowardsSingular;
+      std::optional<Configuration> there =
+          backwards.follow(to.configuration, 1.0 - to.share, 1.0 - (share + left));
+      std::optional<Place> from =
+          there ? judged(place(share + left, *std::move(there))) : std::nullopt;
+      if (from) {
+        look(*from, to);
+        to = *std::move(from);
+      }
+    }
+  }
+
+  // Between two regular places, in stretches within which every rate is a cubic.
+  void look(Place from, const Place& to) {
+    while (const std::optional<double> part = next_part(from, to)) {
+      std::optional<Place> middle = place_between(from, to, *part);
+      if (!middle) {
+        break;
+      }
+      look(std::move(from), *middle);
+      from = *std::move(middle);
+    }
+    for (const int freedom : watched_) {
+      const auto f = static_cast<std::size_t>(freedom);
+      const int before = sense(from, f);
+      const int after = sense(to, f);
+      // A rate that is zero at a place itself counts there once, where it comes to rest.
+      if (before != 0 && after != before) {
+        add(freedom, from, to);
+      } else if (before == 0 && after != 0 && from.share == motion_.solution.shares.front()) {
+        add(freedom, from, from);
+      }
+    }
+  }
+
+  // The part of the way between two places at which to look; none where what happens between them
+  // is known, or cannot be.
+  std::optional<double> next_part(const Place& from, const Place& to) {
+    const double way = to.share - from.share;
+    const double stretch = std::max(from.fastest, to.fastest) * way;
+    std::optional<double> part;
+    if (stretch > kLongestStretch) {
+      part = std::min(0.5, kUsualStretch / (from.fastest * way));
+    }
+    for (std::size_t i = 0; i < watched_.size() && !part && stretch > kLeastLook; ++i) {
+      part = doubtful_part(from, to, static_cast<std::size_t>(watched_[i]), stretch);
+    }
+    if (part && looks_ + stretch / kLongestStretch > kMostLooks) {
+      may_lack_some_ = true;
+      return std::nullopt;
+    }
+    return part;
+  }
+
+  // At that part of the way or, where nothing is known of it, beside it or in the middle.
+  std::optional<Place> place_between(const Place& from, const Place& to, double part) {
+    for (const double here : {part, 0.5}) {
+      for (const double aside : {0.0, 0.14, -0.14}) {
+        const double at = here + aside * std::min(here, 1.0 - here);
+        const double share = from.share + at * (to.share - from.share);
+        if (share <= from.share || share >= to.share) {
+          return std::nullopt;
+        }
+        ++looks_;
+        if (std::optional<Place> found = judged(place_after(from, share))) {
+          return found;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  // The part of a stretch at which a rate may turn back and turn back again.
+  std::optional<double> doubtful_part(const Place& from,
+                                      const Place& to,
+                                      std::size_t freedom,
+                                      double stretch) const {
+    const int before = sense(from, freedom);
+    const int after = sense(to, freedom);
+    if (from.bends.empty() || to.bends.empty()) {
+      return std::nullopt;
+    }
+    if (before == 0 && from.bends[freedom] * after < 0.0) {
+      return 0.5;  // It sets out in one sense and has the other later.
+    }
+    if (before != 0 && after == 0 && to.bends[freedom] * before > 0.0) {
+      return 0.5;  // It comes to rest from the other sense.
+    }
+    if (before == 0 || after == 0) {
+      return std::nullopt;
+    }
+    const double way = before * (to.share - from.share);
+    const RateCubic rate{.low = before * from.rates[freedom],
+                         .high = before * to.rates[freedom],
+                         .low_slope = way * from.bends[freedom],
+                         .high_slope = way * to.bends[freedom]};
+    const double slopes = std::abs(rate.low_slope) + std::abs(rate.high_slope);
+    const double size = std::max(std::abs(rate.low), std::abs(rate.high)) + slopes / stretch;
+    const double error = kCubicError * size * std::pow(stretch, 4);
+    if (before != after) {
+      return rate.falls_once(error) ? std::nullopt : std::optional(0.5);
+    }
+    if (std::min(rate.low, rate.high) > kMostBySlope * slopes + error) {
+      return std::nullopt;
+    }
+    const auto part_of = [](int k) { return static_cast<double>(k) / kCubicParts; };
+    int lowest = 0;
+    for (int k = 1; k <= kCubicParts; ++k) {
+      lowest = rate.at(part_of(k)) < rate.at(part_of(lowest)) ? k : lowest;
+    }
+    // Where an end is lowest the rate may be zero right beside it, and turns back there once; but
+    // it is lower within the next part where it falls from the one end, or rises to the other.
+    const bool falls = lowest == 0 && rate.low_slope < 0.0;
+    const bool rises = lowest == kCubicParts && rate.high_slope > 0.0;
+    const bool is_inside = falls || rises || (lowest > 0 && lowest < kCubicParts);
+    const double aside = falls ? 0.5 : rises ? -0.5 : 0.0;
+    const double part = (lowest + aside) / kCubicParts;
+    return is_inside && rate.at(part) <= error ? std::optional(part) : std::nullopt;
+  }
+
+  // Where to look next: at the zero of the line through the ends, a little beyond it, so that the
+  // bracket shrinks from both sides; every third time in the middle.
+  double next_share(const Place& low, const Place& high, std::size_t freedom, int round) const {
+    const double width = high.share - low.share;
+    if (round % 3 == 2) {
+      return low.share + width / 2.0;
+    }
+    const double low_rate = low.rates[freedom];
+    const double high_rate = high.rates[freedom];
+    const double zero = low.share - low_rate * width / (high_rate - low_rate);
+    const double edge = std::min(kDeadPointBracket / reach_ / 4.0, width / 4.0);
+    const bool is_near_low = std::abs(low_rate) < std::abs(high_rate);
+    return std::clamp(is_near_low ? zero + edge : zero - edge, low.share + edge, high.share - edge);
+  }
+
+  // At that share or, where nothing is known of it, at another one between the two.
+  std::optional<Place> place_within(const Place& low, const Place& high, double share) {
+    for (const double part : {0.0, 0.5, 0.25, 0.75}) {
+      const double here = part == 0.0 ? share : low.share + part * (high.share - low.share);
+      if (here > low.share && here < high.share) {
+        if (std::optional<Place> found = place_after(low, here)) {
+          return found;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  void add(int freedom, Place low, Place high) {
+    const auto f = static_cast<std::size_t>(freedom);
+    const bool is_low_negative = std::signbit(low.rates[f]);
+    if (std::signbit(high.rates[f]) == is_low_negative) {
+      low = high;  // It rests there to rounding.
+    }
+    for (int round = 0; (high.share - low.share) * reach_ > kDeadPointBracket; ++round) {
+      std::optional<Place> middle = place_within(low, high, next_share(low, high, f, round));
+      if (!middle) {
+        break;  // The bracket that was reached is what is known.
+      }
+      (std::signbit(middle->rates[f]) == is_low_negative ? low : high) = *std::move(middle);
+    }
+    const double share = (low.share + high.share) / 2.0;
+    found_.push_back({.freedom = freedom,
+                      .step = last_position_before(share),
+                      .share = share,
+                      .uncertainty = (high.share - low.share) / 2.0,
+                      .configuration = std::move(low.configuration)});
+  }
+
+  int last_position_before(double share) const {
+    const std::vector<double>& all = motion_.solution.shares;
+    const auto behind = std::ranges::lower_bound(all, share);
+    return std::max(static_cast<int>(behind - all.begin()) - 1, 0);
+  }
+
+  const Mechanism& mechanism_;
+  const FoundMotion& motion_;
+  std::vector<int> watched_;
+  MotionStates states_;
+  WayBetween way_;
+  GivenSpeeds per_share_;
+  double reach_ = 0.0;  ///< of the fastest drive [rad, or sizes of the mechanism]
+  int looks_ = 0;       ///< between the positions
+  bool may_lack_some_ = false;
+  std::vector<DeadPoint> found_;
+};
+
+}  // namespace
+
+DeadPoints find_dead_points(const Mechanism& mechanism, const FoundMotion& motion) {
+  return DeadPointFinder(mechanism, motion).run();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,437 @@
+#include "studies/motion/task/motion_findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/motion_tolerance.hpp"
+#include "core/text.hpp"
+#include "core/utf8.hpp"
+#include "report/numbers.hpp"
+#include "studies/motion/task/motion_kind.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Messages name so many couplings or bodies; the report has them all.
+constexpr std::size_t kMostNamed = 4;
+
+// Of a drive, in radians or sizes of the mechanism: a minute or some.
+constexpr double kLongestRange = 1e6;
+
+std::string with_unit(double value, const std::string& unit) {
+  return unit.empty() ? format_short(value) : fmt::format("{} {}", format_short(value), unit);
+}
+
+class Findings {
+ public:
+  Findings(const FoundMotion& motion,
+           const FileUnits& units,
+           const Mechanism& mechanism,
+           Diagnostics& found)
+      : motion_(motion),
+        table_(motion.table),
+        topology_(mechanism.topology),
+        mechanism_(mechanism),
+        units_(units),
+        found_(found) {}
+
+  void add_all() {
+    add_correction();
+    add_singularities();
+    add_missing_dead_points();
+    add_closure_error();
+    switch (motion_.solution.status) {
+      case MotionStatus::completed:
+      case MotionStatus::not_movable:
+        return;
+      case MotionStatus::not_assembled:
+        return add_not_assembled();
+      case MotionStatus::limit:
+        return add_limit();
+      case MotionStatus::lift_off:
+        return add_lift_off();
+      case MotionStatus::locked:
+        return add_locked();
+      case MotionStatus::undetermined:
+        return add_open_freedoms();
+      case MotionStatus::singular:
+      case MotionStatus::lost_branch:
+        return add_lost();
+    }
+  }
+
+ private:
+  SourceRange place_of_drive() const { return motion_.plan.drives.front().where; }
+
+  SourceRange place_of(const std::string& coupling) const {
+    const auto at = std::ranges::find(topology_.couplings, coupling, &CouplingTopology::name);
+    return at == topology_.couplings.end() ? motion_.plan.where : at->where;
+  }
+
+  // "'c' by 0.02 mm, 'd' by 0.1 deg"
+  std::string gaps_text(std::vector<CouplingGap> gaps) const {
+    std::ranges::stable_sort(gaps, std::ranges::greater{}, &CouplingGap::distance);
+    std::string text;
+    const std::size_t count = std::min(gaps.size(), kMostNamed);
+    for (std::size_t i = 0; i < count; ++i) {
+      const CouplingGap& gap = gaps[i];
+      text += fmt::format("{}'{}' by ", i == 0 ? "" : ", ", gap.coupling);
+      text += gap.distance > 0.0 ? with_unit(gap.distance, table_.length_unit) : "";
+      text += gap.distance > 0.0 && gap.angle > 0.0 ? " and " : "";
+      text += gap.angle > 0.0 ? with_unit(gap.angle, table_.angle_unit) : "";
+    }
+    return text + (count < gaps.size() ? fmt::format(" and {} more", gaps.size() - count) : "");
+  }
+
+  std::string drives_text(const std::vector<double>& positions) const {
+    std::string text;
+    for (std::size_t d = 0; d < positions.size(); ++d) {
+      text += fmt::format("{}{} = {}",
+                          d == 0 ? "" : ", ",
+                          table_.drives[d].name,
+                          with_unit(positions[d], table_.drives[d].unit));
+    }
+    return text;
+  }
+
+  std::string reached_text() const {
+    std::vector<double> positions;
+    for (const DriveTravel& drive : table_.drives) {
+      if (drive.reached) {
+        positions.push_back(*drive.reached);
+      }
+    }
+    return positions.empty() ? "before its first step" : "at " + drives_text(positions);
+  }
+
+  // "0.01 mm and 0.1 deg"; what is zero is left out.
+  std::string correction_text(const BodyCorrection& one) const {
+    const double shift = one.shift.norm();
+    return fmt::format("{}{}{}",
+                       shift > 0.0 ? with_unit(shift, table_.length_unit) : "",
+                       shift > 0.0 && one.angle > 0.0 ? " and " : "",
+                       one.angle > 0.0 ? with_unit(one.angle, table_.angle_unit) : "");
+  }
+
+  void add_correction() const {
+    if (table_.drawn_gaps.empty() || !motion_.solution.assembly.closes) {
+      return;
+    }
+    std::vector<std::string> moved;
+    for (const BodyCorrection& one : table_.corrections) {
+      if (one.shift.norm() > 0.0 || one.angle > 0.0) {
+        moved.push_back(fmt::format("'{}' by {}", one.body, correction_text(one)));
+      }
+    }
+    const std::size_t count = moved.size();
+    moved.resize(std::min(count, kMostNamed));
+    found_.warning("W0504",
+                   place_of(table_.drawn_gaps.front().coupling),
+                   fmt::format("the drawn position does not close: it misses {}; closing it moves "
+                               "{}{}",
+                               gaps_text(table_.drawn_gaps),
+                               fmt::join(moved, ", "),
+                               count > kMostNamed ? fmt::format(" and {} more", count - kMostNamed)
+                                                  : std::string()),
+                   closed_points_hint());
+  }
+
+  // Where points alone were drawn wrong, those that close; axes would have to be turned too.
+  std::string closed_points_hint() const {
+    const Assembly& assembly = motion_.solution.assembly;
+    std::string text;
+    std::size_t count = 0;
+    for (std::size_t e = 0; e < topology_.couplings.size(); ++e) {
+      const CouplingTopology& coupling = topology_.couplings[e];
+      const Vec3& drawn = motion_.drawn[e].geometry.at;
+      const auto tail = static_cast<std::size_t>(coupling.tail.value);
+      const Vec3 closed = assembly.corrections[tail].point(drawn);
+      if (!motion_.drawn[e].at_head &&
+          (closed - drawn).norm() <= kSilentCorrection * mechanism_.geometry.length) {
+        continue;
+      }
+      const bool is_point = coupling.type == CouplingType::spherical ||
+                            (is_planar() && coupling.type == CouplingType::revolute);
+      if (!is_point || ++count > kMostNamed) {
+        return "the motion begins at the closed position; draw the points where both bodies meet "
+               "if that is not what was meant";
+      }
+      text +=
+          fmt::format("{}{}: at: {}", count == 1 ? "" : ", ", coupling.name, point_text(closed));
+    }
+    return "the motion begins at the closed position; other passes take it if it is drawn so: " +
+           text;
+  }
+
+  bool is_planar() const { return mechanism_.space == Space::planar; }
+
+  std::string point_text(const Vec3& point) const {
+    std::vector<std::string> coordinates;
+    for (int i = 0; i < (is_planar() ? 2 : 3); ++i) {
+      coordinates.push_back(
+          format_exact(in_file_unit(units_, MotionKind::length, motion_.origin[i] + point[i])));
+    }
+    return fmt::format("[{}]", fmt::join(coordinates, ", "));
+  }
+
+  void add_singularities() const {
+    std::vector<const MotionEvent*> passed;
+    for (const MotionEvent& event : table_.events) {
+      if (event.kind == "singular") {
+        passed.push_back(&event);
+      }
+    }
+    if (passed.empty()) {
+      return;
+    }
+    found_.warning(
+        "W0503",
+        place_of_drive(),
+        fmt::format("the motion passes a singular position at {}{}",
+                    drives_text(passed.front()->drive),
+                    passed.size() == 1 ? "" : fmt::format(" and {} more", passed.size() - 1)),
+        "there another motion crosses; this one continues on the same branch");
+  }
+
+  void add_missing_dead_points() const {
+    if (table_.may_lack_dead_points) {
+      found_.warning(
+          "W0509",
+          place_of_drive(),
+          "dead points may be missing from the events: the motion has too many turns to "
+          "look at all of it",
+          "let it run through a shorter range; rows and singular positions are complete");
+    }
+  }
+
+  // Of what has more equations than unknowns and was drawn with few figures.
+  void add_closure_error() const {
+    const double share = table_.worst_closure;
+    if (!motion_.solution.closes_by_least_squares) {
+      return;
+    }
+    const auto worst = static_cast<std::size_t>(table_.worst_step);
+    std::vector<double> positions;
+    for (std::size_t d = 0; d < table_.drives.size(); ++d) {
+      positions.push_back(table_.rows[worst].values[d].value_or(0.0));
+    }
+    const double length =
+        in_file_unit(units_, MotionKind::length, share * mechanism_.geometry.length);
+    found_.warning(
+        "W0510",
+        place_of_drive(),
+        fmt::format("the positions do not close: at {} they miss up to {}, {} of the size. As "
+                    "typed, the mechanism is overconstrained and has no such motion",
+                    drives_text(positions),
+                    with_unit(length, table_.length_unit),
+                    format_short(share)),
+        "every position is the least-squares fit, so forces and velocities are those of a "
+        "mechanism that differs by so much; type more figures, or expressions such as 50*sqrt(3), "
+        "if it is to move");
+  }
+
+  void add_not_assembled() const {
+    const std::vector<CouplingGap>& gaps = table_.nearest_gaps;
+    found_.error("E0504",
+                 gaps.empty() ? motion_.plan.where : place_of(gaps.front().coupling),
+                 fmt::format("the mechanism cannot be assembled: the nearest position misses {}",
+                             gaps_text(gaps)),
+                 "change the lengths of the links by about that much; a four-bar needs its longest "
+                 "link shorter than the other three together");
+  }
+
+  // Whoever types a limit that a report gave asks for it.
+  bool ends_where_asked() const {
+    return std::ranges::all_of(table_.drives, [](const DriveTravel& drive) {
+      return drive.reached &&
+             std::abs(drive.to - *drive.reached) <= kAskedLimit * std::abs(drive.to - drive.from);
+    });
+  }
+
+  void add_limit() const {
+    if (ends_where_asked()) {
+      return;
+    }
+    const DriveTravel& drive = table_.drives.front();
+    const bool has_way_to_start =
+        std::ranges::any_of(table_.drives, [](const DriveTravel& one) { return one.from != 0.0; });
+    const bool has_begun = !table_.rows.empty() || table_.events.empty() || !has_way_to_start;
+    found_.error("E0505",
+                 place_of_drive(),
+                 fmt::format("the motion comes to its limit {}, before {} = {}",
+                             has_begun ? reached_text()
+                                       : fmt::format("at {}, on the way to where it begins",
+                                                     drives_text(table_.events.back().drive)),
+                             drive.name,
+                             with_unit(has_begun ? drive.to : drive.from, drive.unit)),
+                 has_begun && !table_.rows.empty()
+                     ? "the report goes up to there; end the motion before, or drive another "
+                       "coupling"
+                     : "let the motion begin and end before that, or drive another coupling");
+  }
+
+  void add_lift_off() const {
+    const int contact = motion_.solution.special.back().contact;
+    const CableContact& cable = mechanism_.contacts[static_cast<std::size_t>(contact)];
+    const CouplingTopology& leaves = topology_.coupling(cable.leaves);
+    found_.error("E0510",
+                 cable.where,
+                 fmt::format("the cable lifts off '{}' at {}: there its arc is zero",
+                             topology_.body(leaves.tail).name,
+                             drives_text(table_.events.back().drive)),
+                 "the report goes up to there; end the motion before, or draw the cable beyond "
+                 "without this pulley");
+  }
+
+  void add_locked() const {
+    if (table_.drives.size() > 1) {
+      std::vector<std::string> names;
+      for (const DriveTravel& drive : table_.drives) {
+        names.push_back(fmt::format("'{}'", drive.name));
+      }
+      found_.error(
+          "E0505",
+          place_of_drive(),
+          fmt::format("the drives {} cannot run through their ranges together", plain_list(names)),
+          "'kinestat mobility' says how many freedoms there are: drive no more than these");
+      return;
+    }
+    found_.error(
+        "E0505",
+        place_of_drive(),
+        fmt::format("drive '{}' cannot move the mechanism at all", table_.drives.front().name),
+        "'kinestat mobility' says what is free; a limit may lie in the drawn position");
+  }
+
+  void add_open_freedoms() const {
+    std::vector<std::string> names;
+    for (const int freedom : motion_.solution.open_freedoms) {
+      names.push_back(topology_.freedom_name(freedom));
+    }
+    found_.error("E0508",
+                 motion_.plan.where,
+                 fmt::format("the drives of 'motion' do not determine the motion: {} {} open",
+                             plain_list(names),
+                             names.size() == 1 ? "stays" : "stay"),
+                 "drive one of them too: drives: [{drive: …, to: …}, …]");
+  }
+
+  void add_lost() const {
+    const bool is_singular = motion_.solution.status == MotionStatus::singular;
+    found_.error("E0506",
+                 place_of_drive(),
+                 is_singular ? std::string("the motion cannot leave the drawn position")
+                             : fmt::format("the motion cannot be followed beyond {}",
+                                           reached_text().substr(3)),
+                 is_singular ? "several motions begin there, or none; start from another position, "
+                               "or take more drives"
+                             : "other branches come too near there, or something goes far away: "
+                               "begin behind that or end before, or go another way with more "
+                               "drives");
+  }
+
+  const FoundMotion& motion_;
+  const MotionTable& table_;
+  const Topology& topology_;
+  const Mechanism& mechanism_;
+  const FileUnits& units_;
+  Diagnostics& found_;
+};
+
+}  // namespace
+
+bool check_report(const MotionPlan& plan, const Mechanism& mechanism, Diagnostics& found) {
+  const MotionReport& report = plan.report;
+  const bool needs_ends = report.ratio || report.transmission_angle || report.mechanical_advantage;
+  const bool needs_motion = report.velocity || report.acceleration || report.power || needs_ends;
+  const bool needs_action = report.action || report.power || !report.actions.empty();
+  if (plan.which < 0) {
+    if (!needs_motion && !needs_action) {
+      return true;
+    }
+    found.error("E0303",
+                plan.where,
+                "'motion' asks for more than positions and lacks the key 'case'",
+                mechanism.cases.empty()
+                    ? "add a case that gives the speed of the drive, and name it: case: LABEL"
+                    : fmt::format("name the case whose speeds and loads apply: case: {}",
+                                  printable(mechanism.cases.front().label)));
+    return false;
+  }
+  const Case& which = mechanism.cases[static_cast<std::size_t>(plan.which)];
+  const auto refuse = [&](std::string_view what, std::string_view key, std::string hint) {
+    found.error(
+        "E0303",
+        which.where,
+        fmt::format(
+            "'motion' asks for {}, and case '{}' lacks {}", what, printable(which.label), key),
+        std::move(hint));
+    return false;
+  };
+  if (needs_ends && (which.inputs.empty() || which.outputs.size() != 1)) {
+    return refuse("what passes from input to output",
+                  "'input' or 'output'",
+                  "add input: NAME and output: NAME, actuators of the case");
+  }
+  if ((report.velocity || report.acceleration) && which.motions.empty()) {
+    return refuse("velocities", "'motion'", "add motion: {DRIVE: SPEED}, the speed of the drive");
+  }
+  if (needs_action && !which.asks_actions) {
+    return refuse("actions", "'action'", "add action: {NAME: VALUE}, what is known of the actions");
+  }
+  return true;
+}
+
+bool check_movable(const FoundMotion& motion, const Mechanism& mechanism, Diagnostics& found) {
+  std::set<std::pair<int, MotionObstacle>> told;
+  for (const UnmovableCoupling& one : motion.network.obstacles) {
+    if (!told.insert({one.coupling.value, one.why}).second) {
+      continue;
+    }
+    const CouplingTopology& coupling = mechanism.topology.coupling(one.coupling);
+    found.error("E0507",
+                coupling.where,
+                fmt::format("coupling '{}' cannot be moved: {}", coupling.name, reason_of(one.why)),
+                "its instantaneous motion is analysed all the same; 'kinestat help motion' says "
+                "what each type needs to be moved");
+  }
+  return motion.network.is_movable();
+}
+
+bool check_ranges(const FoundMotion& motion, const Mechanism& mechanism, Diagnostics& found) {
+  const Topology& topology = mechanism.topology;
+  bool are_bounded = true;
+  for (const PlannedDrive& drive : motion.plan.drives) {
+    const bool turns = topology.freedoms[static_cast<std::size_t>(drive.freedom)].is_rotation;
+    const double unit = turns ? 1.0 : mechanism.geometry.length;
+    if (std::max(std::abs(drive.from), std::abs(drive.to)) <= kLongestRange * unit) {
+      continue;
+    }
+    are_bounded = false;
+    found.error(
+        "E0305",
+        drive.where,
+        fmt::format("drive '{}' begins or ends more than a million {} from the drawn position",
+                    topology.actuators[static_cast<std::size_t>(drive.actuator)].name,
+                    turns ? "radians" : "sizes of the mechanism"),
+        "it is followed in steps of a third of a radian or of the size; a full turn is to: "
+        "360 deg");
+  }
+  return are_bounded;
+}
+
+void add_motion_findings(const FoundMotion& motion,
+                         const MechanismDescription& description,
+                         const Mechanism& mechanism,
+                         Diagnostics& found) {
+  Findings(motion, description.units, mechanism, found).add_all();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,145 @@
+#include "studies/motion/task/motion_passive_findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "core/tolerance.hpp"
+#include "studies/mobility/passive_freedom.hpp"
+#include "studies/motion/configuration.hpp"
+
+namespace kinestat {
+
+namespace {
+
+class PassiveFindings {
+ public:
+  PassiveFindings(const FoundMotion& motion, const Mechanism& mechanism)
+      : plan_(motion.plan),
+        report_(motion.plan.report),
+        mechanism_(mechanism),
+        has_position_(
+            freedom_positions(motion.network, mechanism, motion.solution.configuration_at(0))) {}
+
+  bool shows_position(const PassiveFreedom& one) const {
+    return shows_body(one) || shows(one, true);
+  }
+
+  bool shows_open_rate(const PassiveFreedom& one) const {
+    return has_speeds() && (report_.velocity || report_.acceleration || shows(one, false)) &&
+           !is_given(one);
+  }
+
+ private:
+  // A report of all positions has the turns of all bodies.
+  bool shows_body(const PassiveFreedom& one) const {
+    return report_.position || std::ranges::any_of(plan_.trace, [&](const TracedPoint& point) {
+             return has(one, point.body) && moves(one, point.at);
+           });
+  }
+
+  static bool has(const PassiveFreedom& one, BodyId body) {
+    return std::ranges::find(one.bodies, body) != one.bodies.end();
+  }
+
+  bool moves(const PassiveFreedom& one, const Vec3& point) const {
+    const double length = mechanism_.geometry.length;
+    const Vec3 velocity = velocity_at(one.twist, point - mechanism_.geometry.origin);
+    const double fastest = std::max(one.twist.angular.norm() * length, velocity.norm());
+    return velocity.norm() > kRankZero * fastest;
+  }
+
+  // A freedom of it, by name or as all are; of some there are only rates.
+  bool shows(const PassiveFreedom& one, bool has_position) const {
+    for (std::size_t f = 0; f < has_position_.size(); ++f) {
+      const bool is_named =
+          std::ranges::find(report_.freedoms, static_cast<int>(f)) != report_.freedoms.end();
+      if ((report_.is_default || is_named) && turns(one, f) &&
+          (!has_position || has_position_[f].has_value())) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool has_speeds() const {
+    return plan_.which >= 0 &&
+           !mechanism_.cases[static_cast<std::size_t>(plan_.which)].motions.empty();
+  }
+
+  static bool turns(const PassiveFreedom& one, std::size_t freedom) {
+    const double rate = one.rates[static_cast<Eigen::Index>(freedom)];
+    return std::abs(rate) > kRankZero * one.rates.cwiseAbs().maxCoeff();
+  }
+
+  // By a case that knows the rate of one of its freedoms.
+  bool is_given(const PassiveFreedom& one) const {
+    const Case& which = mechanism_.cases[static_cast<std::size_t>(plan_.which)];
+    return std::ranges::any_of(which.motions, [&](const Primary& known) {
+      return turns(one, static_cast<std::size_t>(known.index));
+    });
+  }
+
+  const MotionPlan& plan_;
+  const MotionReport& report_;
+  const Mechanism& mechanism_;
+  std::vector<std::optional<double>> has_position_;
+};
+
+void add_names(const PassiveFreedom& one,
+               const Topology& topology,
+               std::vector<std::string>& names) {
+  for (const BodyId body : one.bodies) {
+    const std::string name = fmt::format("'{}'", topology.body(body).name);
+    if (std::ranges::find(names, name) == names.end()) {
+      names.push_back(name);
+    }
+  }
+}
+
+}  // namespace
+
+void add_motion_passive_findings(const FoundMotion& motion,
+                                 const Mechanism& mechanism,
+                                 Diagnostics& found) {
+  if (motion.network.passive_motions.empty() || motion.solution.position_count() == 0) {
+    return;
+  }
+  const PassiveFindings findings(motion, mechanism);
+  std::vector<std::string> names;
+  bool has_position = false;
+  for (const PassiveFreedom& one : find_passive_freedoms(
+           mechanism, spatial_basis(ScrewKind::twist, mechanism.geometry.length))) {
+    if (findings.shows_position(one) || findings.shows_open_rate(one)) {
+      has_position = has_position || findings.shows_position(one);
+      add_names(one, mechanism.topology, names);
+    }
+  }
+  if (names.empty()) {
+    return;
+  }
+  constexpr std::size_t kMostBodiesNamed = 4;
+  const std::size_t count = names.size();
+  if (count > kMostBodiesNamed) {
+    names.resize(kMostBodiesNamed);
+    names.push_back(fmt::format("{} more", count - kMostBodiesNamed));
+  }
+  found.warning("W0506",
+                motion.plan.where,
+                fmt::format("how {} {} by itself is not determined, since no other body feels it{}",
+                            has_position ? "far" : "fast",
+                            plain_list(names) +
+                                (has_position ? " has turned or shifted" : " turns or shifts"),
+                            has_position ? ": it depends on the number of steps" : ""),
+                has_position
+                    ? "'kinestat mobility' lists these freedoms; drive one, hold it by a "
+                      "coupling, or report what it does not show"
+                    : "'kinestat mobility' lists these freedoms; give the case the rate of "
+                      "one, hold it by a coupling, or report what it does not show");
+}
+
+}  // namespace kinestat

@@ -1,0 +1,185 @@
+#include "studies/motion/task/motion_position.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cases/case_passes.hpp"
+#include "core/motion_tolerance.hpp"
+#include "core/tolerance.hpp"
+#include "math/numbers/settled.hpp"
+#include "power/transmission_angle.hpp"
+#include "studies/motion/contact_rates.hpp"
+#include "studies/motion/moved_mechanism.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// False where known rates contradict each other, beyond what the state and rounding leave open.
+bool meets(const Case& which, const MotionState& state) {
+  return std::ranges::all_of(which.motions, [&](const Primary& known) {
+    const auto freedom = static_cast<std::size_t>(known.index);
+    const double rate = state.rates[freedom].value_or(known.value);
+    const double bound =
+        kConsistency * (std::abs(rate) + std::abs(known.value)) + state.bounds.rates[freedom];
+    return std::abs(rate - known.value) <= bound;
+  });
+}
+
+}  // namespace
+
+double worst_closure_error(const MotionSolution& solution) {
+  double worst = kMotionClosure;
+  for (const double one : solution.closure_errors) {
+    worst = std::max(worst, one);
+  }
+  return worst;
+}
+
+MotionPositions::MotionPositions(const Mechanism& mechanism,
+                                 const MotionPlan& plan,
+                                 const MotionNetwork& network,
+                                 std::span<const DrawnCoupling> drawn,
+                                 const MotionDetail& detail)
+    : mechanism_(mechanism),
+      plan_(plan),
+      network_(network),
+      drawn_(drawn),
+      detail_(detail),
+      which_(plan.which < 0 ? nullptr : &mechanism.cases[static_cast<std::size_t>(plan.which)]),
+      moved_(mechanism),
+      states_(network, mechanism) {}
+
+MotionPosition MotionPositions::at(const Configuration& configuration) {
+  MotionPosition position;
+  const bool asks_speeds = which_ != nullptr && (detail_.velocity || detail_.acceleration);
+  const bool needs_speeds = asks_speeds || (detail_.statics && !has_own_rank());
+  const StateDetail detail =
+      detail_.acceleration ? StateDetail::acceleration : StateDetail::velocity;
+  CaseSpeeds found{.known = SpeedsKnown::not_by_state, .speeds = {}};
+  if (needs_speeds) {
+    found =
+        CaseSpeedSolver(network_, mechanism_, plan_, *which_, states_).find(configuration, detail);
+  }
+  position.speeds = found.known;
+  const GivenSpeeds rest{.drives = std::vector<DriveSpeed>(plan_.drives.size()), .passive = {}};
+  position.state = states_.solve_bounded(
+      configuration, found.known == SpeedsKnown::all ? found.speeds : rest, detail);
+  if (position.has_speeds() && !position.state.is_singular && !meets(*which_, position.state)) {
+    position.speeds = SpeedsKnown::dependent;
+  }
+  if (position.has_speeds()) {
+    add_contact_rates(network_, drawn_, mechanism_, position.state);
+    // The spin that a case gives a contact has no part in the state.
+    if (!position.state.is_singular && !meets(*which_, position.state)) {
+      position.speeds = SpeedsKnown::not_by_state;
+    }
+  }
+  if (has_motion(position)) {
+    hold_known(position.state);
+  }
+  place(configuration, position);
+  const bool lacks_velocities = asks_speeds && !position.has_speeds();
+  if (!position.state.is_singular &&
+      (detail_.statics || detail_.transmission_angle || lacks_velocities)) {
+    move(configuration, position);
+    solve_passes(position);
+  }
+  return position;
+}
+
+// What the case knows is steady, by definition.
+void MotionPositions::hold_known(MotionState& state) const {
+  for (const Primary& known : which_->motions) {
+    const auto freedom = static_cast<std::size_t>(known.index);
+    const bool is_driven =
+        std::ranges::find(plan_.drives, known.index, &PlannedDrive::freedom) != plan_.drives.end();
+    if (!is_driven && freedom < state.rate_rates.size() && state.rate_rates[freedom]) {
+      state.rate_rates[freedom] = 0.0;
+      state.bounds.rate_rates[freedom] = 0.0;
+    }
+  }
+}
+
+// Where freedoms and bodies stand, zero where nothing tells it from that.
+void MotionPositions::place(const Configuration& configuration, MotionPosition& position) const {
+  position.freedoms = freedom_positions(network_, mechanism_, configuration);
+  for (std::size_t f = 0; f < position.freedoms.size(); ++f) {
+    std::optional<double>& freedom = position.freedoms[f];
+    if (freedom) {
+      freedom = settled(*freedom, position.state.bounds.positions[f]);
+    }
+  }
+  if (mechanism_.space == Space::planar) {
+    position.turns = body_turns(network_, configuration);
+    for (std::size_t b = 0; b < position.turns.size(); ++b) {
+      position.turns[b] = settled(position.turns[b], position.state.bounds.bodies[b].turn);
+    }
+  }
+}
+
+void MotionPositions::move(const Configuration& configuration, const MotionPosition& position) {
+  move_mechanism(network_, drawn_, configuration, position.state.poses, mechanism_, moved_);
+  moved_.closure_error = std::max(detail_.closure_error, position.state.bounds.place);
+}
+
+// A position that closes by least squares has no exact screws, and so no rank of its own: how the
+// mechanism moves is decided where it is closed.
+bool MotionPositions::has_own_rank() const {
+  return detail_.closure_error <= kLeastCorrection;
+}
+
+KinematicSolution MotionPositions::motion_of_state(const MotionPosition& position) const {
+  KinematicSolution motion;
+  if (!position.has_speeds()) {
+    motion.status = position.speeds == SpeedsKnown::dependent ? SolveStatus::dependent
+                                                              : SolveStatus::underdetermined;
+    return motion;
+  }
+  const MotionState& state = position.state;
+  for (const std::optional<double>& rate : state.rates) {
+    motion.rates.push_back(rate.value_or(0.0));
+  }
+  motion.answer.bounds = state.bounds.rates;
+  motion.bodies = state.twists;
+  for (const BodyBounds& bounds : state.bounds.bodies) {
+    motion.body_bounds.push_back(
+        {.angular = Vec3::Constant(bounds.angular), .linear = Vec3::Constant(bounds.linear)});
+  }
+  for (const CouplingTopology& coupling : mechanism_.topology.couplings) {
+    const Twist& tail = state.twists[static_cast<std::size_t>(coupling.tail.value)];
+    const Twist& head = state.twists[static_cast<std::size_t>(coupling.head.value)];
+    motion.couplings.push_back(
+        {.angular = head.angular - tail.angular, .linear = head.linear - tail.linear});
+  }
+  return motion;
+}
+
+void MotionPositions::solve_passes(MotionPosition& position) {
+  const Case& which = moved_.cases[static_cast<std::size_t>(plan_.which)];
+  if (detail_.transmission_angle) {
+    position.transmission_angle =
+        find_transmission_angle(moved_, which.inputs.front(), which.outputs.front());
+  }
+  Case judged = which;
+  judged.asks_actions = which.asks_actions && detail_.statics;
+  const bool lacks_velocities =
+      (detail_.velocity || detail_.acceleration) && !position.has_speeds();
+  if (!detail_.statics && !lacks_velocities) {
+    return;
+  }
+  if (!has_own_rank() && which.asks_motions) {
+    position.solved =
+        solve_case_in_motion(moved_, judged, motion_of_state(position), CasePasses::row);
+    // Forces and velocities are of mechanisms that differ by as much.
+    std::optional<PowerFlow>& power = position.solved->power;
+    if (power && power->balance_residual <= kClosureInActions * detail_.closure_error) {
+      power->is_balanced = true;
+    }
+  } else {
+    position.solved = std::move(solve_case_passes(moved_, {&judged, 1}, CasePasses::row).front());
+  }
+}
+
+}  // namespace kinestat

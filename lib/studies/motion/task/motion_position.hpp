@@ -1,0 +1,79 @@
+// Everything that is known of one position of a finite motion.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cases/analysis.hpp"
+#include "core/motion_tolerance.hpp"
+#include "studies/motion/motion_state.hpp"
+#include "studies/motion/task/case_speeds.hpp"
+#include "studies/motion/task/found_motion.hpp"
+
+namespace kinestat {
+
+/// What is worked out at a position beside its poses.
+struct MotionDetail {
+  bool velocity = false;
+  bool acceleration = false;
+  bool statics = false;  ///< actions, and the powers and ratios of the case
+  bool transmission_angle = false;
+  double closure_error = kMotionClosure;  ///< of the worst position of the motion
+};
+
+/// As share of the mechanism's size, no less than what counts as closed. A mechanism that closes by
+/// least squares may close exactly where it was drawn, and is no more exact for that.
+double worst_closure_error(const MotionSolution& solution);
+
+/// World frame, SI. Lists are parallel to those of the topology.
+struct MotionPosition {
+  std::vector<std::optional<double>> freedoms;     ///< positions [rad or m]
+  std::vector<double> turns;                       ///< of the bodies in the plane, counted [rad]
+  MotionState state;                               ///< with the speeds of the case, or per share
+  SpeedsKnown speeds = SpeedsKnown::not_by_state;  ///< what the case says of them
+  std::optional<CaseAnalysis> solved;              ///< the passes of the case; its motion alone
+                                                   ///< where velocities are missing
+  std::optional<double> transmission_angle;        ///< [rad]
+
+  /// The state has those of the case.
+  bool has_speeds() const { return speeds == SpeedsKnown::all; }
+};
+
+/// Empty otherwise are its velocities.
+inline bool has_motion(const MotionPosition& position) {
+  return position.has_speeds() && !position.state.is_singular;
+}
+
+/// Works them out one after the other.
+class MotionPositions {
+ public:
+  MotionPositions(const Mechanism& mechanism,
+                  const MotionPlan& plan,
+                  const MotionNetwork& network,
+                  std::span<const DrawnCoupling> drawn,
+                  const MotionDetail& detail);
+
+  MotionPosition at(const Configuration& configuration);
+
+  /// The mechanism in the position that was asked for last.
+  const Mechanism& moved() const { return moved_; }
+
+ private:
+  void hold_known(MotionState& state) const;
+  void place(const Configuration& configuration, MotionPosition& position) const;
+  void move(const Configuration& configuration, const MotionPosition& position);
+  void solve_passes(MotionPosition& position);
+  bool has_own_rank() const;
+  KinematicSolution motion_of_state(const MotionPosition& position) const;
+
+  const Mechanism& mechanism_;
+  const MotionPlan& plan_;
+  const MotionNetwork& network_;
+  std::span<const DrawnCoupling> drawn_;
+  MotionDetail detail_;
+  const Case* which_ = nullptr;
+  Mechanism moved_;
+  MotionStates states_;
+};
+
+}  // namespace kinestat

@@ -1,0 +1,456 @@
+#include "studies/motion/task/motion_table_maker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cases/case_word.hpp"
+#include "studies/motion/motion.hpp"
+#include "studies/motion/task/cable_crossing_findings.hpp"
+#include "studies/motion/task/motion_columns.hpp"
+#include "studies/motion/task/motion_events.hpp"
+
+namespace kinestat {
+
+namespace {
+
+bool is_rate(MotionKind kind) {
+  return kind == MotionKind::angular_velocity || kind == MotionKind::velocity;
+}
+
+bool is_rate_of_rate(MotionKind kind) {
+  return kind == MotionKind::angular_acceleration || kind == MotionKind::acceleration;
+}
+
+// The status of a row whose actions nothing but the turn of a friction leaves open.
+constexpr std::string_view kAtDeadPoint = "dead_point";
+
+MotionEnd end_of(MotionStatus status) {
+  switch (status) {
+    case MotionStatus::completed:
+      return MotionEnd::complete;
+    case MotionStatus::limit:
+    case MotionStatus::lift_off:
+      return MotionEnd::limited;
+    case MotionStatus::locked:
+      return MotionEnd::locked;
+    case MotionStatus::not_assembled:
+      return MotionEnd::not_assembled;
+    case MotionStatus::singular:
+    case MotionStatus::lost_branch:
+    case MotionStatus::undetermined:
+    case MotionStatus::not_movable:
+      return MotionEnd::lost;
+  }
+  return MotionEnd::lost;
+}
+
+class TableMaker {
+ public:
+  TableMaker(const MechanismDescription& description,
+             const Mechanism& mechanism,
+             const FoundMotion& motion,
+             PositionFindings& found)
+      : description_(description),
+        units_(description.units),
+        mechanism_(mechanism),
+        topology_(mechanism.topology),
+        motion_(motion),
+        solution_(motion.solution),
+        plan_(motion.plan),
+        found_(found) {}
+
+  MotionTable run() {
+    table_.end = end_of(solution_.status);
+    table_.label =
+        plan_.which < 0 ? "" : mechanism_.cases[static_cast<std::size_t>(plan_.which)].label;
+    table_.steps = plan_.steps;
+    table_.length_unit = units_.text(QuantityKind::length);
+    table_.angle_unit = units_.text(QuantityKind::angle);
+    add_drives();
+    add_rows();
+    add_events();
+    add_assembly();
+    return std::move(table_);
+  }
+
+ private:
+  MotionKind kind_of(const PlannedDrive& drive) const {
+    const auto f = static_cast<std::size_t>(drive.freedom);
+    return topology_.freedoms[f].is_rotation ? MotionKind::angle : MotionKind::length;
+  }
+
+  double in_unit(MotionKind kind, double value) const {
+    const double result = in_file_unit(units_, kind, value);
+    return result == 0.0 ? 0.0 : result;
+  }
+
+  void add_drives() {
+    const int last = solution_.position_count() - 1;
+    for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
+      const PlannedDrive& drive = plan_.drives[d];
+      const MotionKind kind = kind_of(drive);
+      const ActuatorTopology& actuator =
+          topology_.actuators[static_cast<std::size_t>(drive.actuator)];
+      table_.drives.push_back(
+          {.name = actuator.name,
+           .freedom = topology_.freedom_name(drive.freedom),
+           .unit = unit_text(units_, kind),
+           .from = in_unit(kind, drive.from),
+           .to = in_unit(kind, drive.to),
+           .reached = !solution_.lost_at.empty()
+                          ? std::optional(in_unit(kind, solution_.lost_at[d]))
+                      : last < 0 ? std::nullopt
+                                 : std::optional(in_unit(kind, solution_.drive_value(d, last)))});
+      table_.columns.push_back(
+          {.element = actuator.name, .quantity = "drive", .unit = unit_text(units_, kind)});
+    }
+  }
+
+  void add_rows() {
+    if (solution_.position_count() == 0) {
+      return;
+    }
+    detail_ = detail_of(plan_, mechanism_);
+    detail_.closure_error = worst_closure_error(solution_);
+    MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
+    readings_ = motion_readings(description_,
+                                mechanism_,
+                                plan_,
+                                positions.at(solution_.configuration_at(0)),
+                                motion_.origin);
+    for (const MotionReading& reading : readings_) {
+      table_.columns.push_back(reading.column);
+    }
+    for (int p = 0; p < solution_.position_count(); ++p) {
+      const Configuration configuration = solution_.configuration_at(p);
+      const MotionPosition position = positions.at(configuration);
+      judge(position, positions.moved());
+      add_crossing_cables(
+          description_, mechanism_, motion_, configuration, position.state.poses, said_.back());
+      add_row(p, position);
+      table_.rows.back().status = status_of(p, position, positions.moved());
+    }
+    find_friction_turns();
+    tell_findings();
+    table_.columns.push_back(
+        {.element = "", .quantity = std::string(kClosureErrorColumn), .unit = ""});
+    for (std::size_t r = 0; r < table_.rows.size(); ++r) {
+      const double closure = solution_.closure_errors[r];
+      table_.rows[r].values.emplace_back(closure);
+      if (closure > table_.worst_closure) {
+        table_.worst_closure = closure;
+        table_.worst_step = table_.rows[r].step;
+      }
+    }
+  }
+
+  void judge(const MotionPosition& position, const Mechanism& moved) {
+    if (!position.solved) {
+      said_.emplace_back();
+      return;
+    }
+    const std::optional<ShiftAnalysis> no_shift;
+    const JudgedFile file = {.description = description_, .mechanism = moved, .shift = no_shift};
+    const auto is_reported = [this](std::string_view code, SourceRange where) {
+      return !said_.empty() &&
+             std::ranges::any_of(said_.back().items(), [&](const CaseFinding& one) {
+               return one.code == code && one.where == where;
+             });
+    };
+    said_.push_back(find_case_findings(file, *position.solved, is_reported));
+  }
+
+  // That a friction has no direction is said of its turn, wherever the steps fall.
+  void tell_findings() {
+    for (std::size_t r = 0; r < said_.size(); ++r) {
+      CaseFindings kept;
+      for (const CaseFinding& one : said_[r].items()) {
+        if (table_.rows[r].status != kAtDeadPoint || one.code != "E0604") {
+          kept.add(one);
+        }
+      }
+      found_.add(r, kept);
+    }
+  }
+
+  void add_row(int p, const MotionPosition& position) {
+    MotionRow row{.step = p, .values = {}, .status = {}};
+    row.lacks_velocities = detail_.velocity && !has_motion(position);
+    row.lacks_accelerations =
+        detail_.acceleration && has_motion(position) && position.state.twist_rates.empty();
+    for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
+      row.values.emplace_back(in_unit(kind_of(plan_.drives[d]), solution_.drive_value(d, p)));
+    }
+    for (const MotionReading& reading : readings_) {
+      const std::optional<double> value = reading.value(position);
+      row.values.push_back(value && std::isfinite(*value)
+                               ? std::optional(in_unit(reading.kind, *value))
+                               : std::nullopt);
+      const bool is_left_out = !value && has_motion(position);
+      row.drops_velocities |= is_left_out && is_rate(reading.kind);
+      row.drops_accelerations |=
+          is_left_out && !row.lacks_accelerations && is_rate_of_rate(reading.kind);
+    }
+    table_.rows.push_back(std::move(row));
+    sliding_.push_back(sliding_at(position));
+  }
+
+  // The motion against which each friction works; empty where none is known.
+  std::vector<Vec3> sliding_at(const MotionPosition& position) const {
+    std::vector<Vec3> rates;
+    if (!position.solved || !position.solved->motion || position.solved->motion->rates.empty()) {
+      return rates;
+    }
+    for (const CouplingFriction& friction : mechanism_.frictions) {
+      rates.push_back(sliding_of(friction.coupling, *position.solved));
+    }
+    return rates;
+  }
+
+  // The rate of the one freedom of a bearing, guide or thread; the velocity along the freedoms that
+  // slide of a contact, whose turns have no friction. Zero where the friction has no direction.
+  Vec3 sliding_of(CouplingId id, const CaseAnalysis& one) const {
+    Vec3 result = Vec3::Zero();
+    if (one.action && std::ranges::find(one.action->at_rest, id) != one.action->at_rest.end()) {
+      return result;
+    }
+    const CouplingTopology& coupling = topology_.coupling(id);
+    const bool has_axis = coupling.type == CouplingType::revolute ||
+                          coupling.type == CouplingType::helical ||
+                          coupling.type == CouplingType::prismatic;
+    Eigen::Index count = 0;
+    for (int i = 0; i < coupling.freedom_count && count < result.size(); ++i) {
+      const auto f = static_cast<std::size_t>(coupling.first_freedom + i);
+      if (has_axis || !topology_.freedoms[f].is_rotation) {
+        result[count++] = one.motion->rates[f];
+      }
+    }
+    return result;
+  }
+
+  // Between the nearest rows in which a coupling slides one way and the other; rows between them
+  // are at its dead point, wherever the steps fall. So are the first and the last row where it
+  // rests in that one alone.
+  void find_friction_turns() {
+    for (std::size_t f = 0; f < mechanism_.frictions.size(); ++f) {
+      FrictionTurn turn{.coupling = topology_.coupling(mechanism_.frictions[f].coupling).name};
+      std::optional<std::size_t> before;
+      for (std::size_t r = 0; r < sliding_.size(); ++r) {
+        if (sliding_[r].empty()) {
+          before.reset();
+          continue;
+        }
+        if (!slides(r, f)) {
+          continue;
+        }
+        if (r == 1 && rests(0, f)) {
+          add_turn(0, 0, turn);
+        } else if (before && sliding_[*before][f].dot(sliding_[r][f]) < 0.0) {
+          add_turn(*before, r, turn);
+        }
+        before = r;
+      }
+      const std::size_t last = sliding_.size() - 1;
+      if (before && *before + 1 == last && rests(last, f)) {
+        add_turn(last, last, turn);
+      }
+      if (turn.count > 0) {
+        table_.friction_turns.push_back(std::move(turn));
+      }
+    }
+  }
+
+  bool slides(std::size_t row, std::size_t friction) const {
+    return !sliding_[row].empty() && !sliding_[row][friction].isZero(0.0);
+  }
+
+  // Whether that leaves a row without an answer.
+  bool rests(std::size_t row, std::size_t friction) const {
+    return !sliding_[row].empty() && sliding_[row][friction].isZero(0.0) &&
+           table_.rows[row].status == word_of(SolveStatus::at_rest);
+  }
+
+  void add_turn(std::size_t before, std::size_t after, FrictionTurn& turn) {
+    if (turn.count++ == 0) {
+      turn.before = before;
+      turn.after = after;
+    }
+    const bool is_at_end = before == after;
+    mark_dead_points(is_at_end ? before : before + 1, is_at_end ? after + 1 : after);
+  }
+
+  // What nothing but the turn of a friction leaves open.
+  void mark_dead_points(std::size_t first, std::size_t last) {
+    for (std::size_t r = first; r < last; ++r) {
+      if (table_.rows[r].status == word_of(SolveStatus::at_rest)) {
+        table_.rows[r].status = kAtDeadPoint;
+      }
+    }
+  }
+
+  std::string status_of(int p, const MotionPosition& position, const Mechanism& moved) const {
+    const bool is_last = p + 1 == solution_.position_count();
+    if (is_last && solution_.status == MotionStatus::limit) {
+      return "limit";
+    }
+    if (position.state.is_singular) {
+      return "singular";
+    }
+    return position.solved ? std::string(case_word(moved, *position.solved, plan_.report.power))
+                           : "solved";
+  }
+
+  std::vector<double> drives_at(double share) const {
+    std::vector<double> values;
+    for (const PlannedDrive& drive : plan_.drives) {
+      values.push_back(in_unit(kind_of(drive), drive.from + share * (drive.to - drive.from)));
+    }
+    return values;
+  }
+
+  // How uncertain the position of the first drive is there. Shares of the way to the start, before
+  // the first step, are of that way.
+  double uncertainty(double share, int step) const {
+    const PlannedDrive& drive = plan_.drives.front();
+    const double way = step < 0 ? drive.from : drive.to - drive.from;
+    return in_unit(kind_of(drive), std::abs(share * way));
+  }
+
+  static std::string kind_of(const SpecialPosition& special) {
+    switch (special.kind) {
+      case SpecialKind::limit:
+        return "limit";
+      case SpecialKind::lift_off:
+        return "lift_off";
+      case SpecialKind::change_point:
+        return "singular";
+    }
+    return "";
+  }
+
+  std::string element_of(const SpecialPosition& special) const {
+    switch (special.kind) {
+      case SpecialKind::limit:
+        return table_.drives.front().name;
+      case SpecialKind::lift_off:
+        return mechanism_.contacts[static_cast<std::size_t>(special.contact)].name;
+      case SpecialKind::change_point:
+        return "";
+    }
+    return "";
+  }
+
+  static bool is_place(const MotionColumn& column) {
+    return column.quantity == "position" || column.quantity.starts_with("at/") ||
+           column.quantity.starts_with("rotation/");
+  }
+
+  // Extremes of positions lie where a freedom turns back.
+  std::vector<std::optional<double>> places_at(const DeadPoint& point,
+                                               MotionPositions& positions) const {
+    if (point.step < 0 || readings_.empty()) {
+      return {};
+    }
+    const MotionPosition position = positions.at(point.configuration);
+    const std::vector<double> drives = drives_at(point.share);
+    std::vector<std::optional<double>> places(drives.begin(), drives.end());
+    for (const MotionReading& reading : readings_) {
+      const std::optional<double> value =
+          is_place(reading.column) ? reading.value(position) : std::nullopt;
+      places.push_back(value ? std::optional(in_unit(reading.kind, *value)) : std::nullopt);
+    }
+    places.emplace_back();  // the closure error
+    return places;
+  }
+
+  void add_events() {
+    struct Placed {
+      double share = 0.0;
+      MotionEvent event;
+    };
+
+    std::vector<Placed> placed;
+    const DeadPoints dead_points = find_dead_points(mechanism_, motion_);
+    table_.may_lack_dead_points = dead_points.may_lack_some;
+    MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, {});
+    for (const DeadPoint& point : dead_points.points) {
+      placed.push_back({.share = point.share,
+                        .event = {.kind = "dead_point",
+                                  .element = topology_.freedom_name(point.freedom),
+                                  .step = point.step,
+                                  .drive = drives_at(point.share),
+                                  .uncertainty = uncertainty(point.uncertainty, point.step),
+                                  .places = places_at(point, positions)}});
+    }
+    for (const SpecialPosition& special : solution_.special) {
+      std::vector<double> drive;
+      for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
+        drive.push_back(in_unit(kind_of(plan_.drives[d]), special.drive_values[d]));
+      }
+      placed.push_back({.share = special.share,
+                        .event = {.kind = kind_of(special),
+                                  .element = element_of(special),
+                                  .step = special.step,
+                                  .drive = std::move(drive),
+                                  .uncertainty = uncertainty(special.uncertainty, special.step),
+                                  .places = {}}});
+    }
+    std::ranges::stable_sort(
+        placed, {}, [](const Placed& one) { return std::pair(one.event.step >= 0, one.share); });
+    for (Placed& one : placed) {
+      table_.events.push_back(std::move(one.event));
+    }
+  }
+
+  std::vector<CouplingGap> gaps(const std::vector<CouplingMiss>& misses) const {
+    std::vector<CouplingGap> result;
+    for (const CouplingMiss& miss : misses) {
+      result.push_back({.coupling = topology_.coupling(miss.coupling).name,
+                        .distance = in_unit(MotionKind::length, miss.distance),
+                        .angle = in_unit(MotionKind::angle, miss.angle)});
+    }
+    return result;
+  }
+
+  void add_assembly() {
+    const Assembly& assembly = solution_.assembly;
+    table_.drawn_gaps = gaps(assembly.drawn_misses);
+    table_.nearest_gaps = gaps(assembly.nearest_misses);
+    for (std::size_t b = 1; b < assembly.corrections.size(); ++b) {
+      const BodyPose& pose = assembly.corrections[b];
+      const Vec3& reference = mechanism_.geometry.references[b];
+      const Vec3 shift = pose.point(reference) - reference;
+      table_.corrections.push_back(
+          {.body = topology_.bodies[b].name,
+           .shift = shift.unaryExpr([this](double x) { return in_unit(MotionKind::length, x); }),
+           .angle =
+               in_unit(MotionKind::angle, std::abs(Eigen::AngleAxisd(pose.rotation).angle()))});
+    }
+  }
+
+  const MechanismDescription& description_;
+  const FileUnits& units_;
+  const Mechanism& mechanism_;
+  const Topology& topology_;
+  const FoundMotion& motion_;
+  const MotionSolution& solution_;
+  const MotionPlan& plan_;
+  PositionFindings& found_;
+  MotionDetail detail_;
+  std::vector<MotionReading> readings_;
+  std::vector<std::vector<Vec3>> sliding_;  // of each row
+  std::vector<CaseFindings> said_;          // likewise
+  MotionTable table_;
+};
+
+}  // namespace
+
+MotionTable make_motion_table(const MechanismDescription& description,
+                              const Mechanism& mechanism,
+                              const FoundMotion& motion,
+                              PositionFindings& found) {
+  return TableMaker(description, mechanism, motion, found).run();
+}
+
+}  // namespace kinestat

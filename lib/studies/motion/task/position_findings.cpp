@@ -1,0 +1,107 @@
+#include "studies/motion/task/position_findings.hpp"
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/tolerance.hpp"
+#include "report/numbers.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Messages name so many brackets; the statuses of the rows have them all.
+constexpr std::size_t kMostBrackets = 3;
+
+bool says_the_same(const CaseFinding& one, const CaseFinding& other) {
+  return one.code == other.code && one.where == other.where && one.element == other.element;
+}
+
+// Of the first drive, without its unit.
+std::string position_text(const MotionTable& table, std::size_t row) {
+  return format_short(table.rows[row].values.front().value_or(0.0));
+}
+
+// "M from 40 to 60 deg, 3 of 7 positions"
+std::string brackets_text(const std::vector<std::size_t>& rows, const MotionTable& table) {
+  const DriveTravel& drive = table.drives.front();
+  std::vector<std::string> brackets;
+  for (std::size_t first = 0; first < rows.size();) {
+    std::size_t last = first;
+    while (last + 1 < rows.size() && rows[last + 1] == rows[last] + 1) {
+      ++last;
+    }
+    brackets.push_back(first == last ? "at " + position_text(table, rows[first])
+                                     : fmt::format("from {} to {}",
+                                                   position_text(table, rows[first]),
+                                                   position_text(table, rows[last])));
+    first = last + 1;
+  }
+  const std::size_t more = brackets.size() - std::min(brackets.size(), kMostBrackets);
+  brackets.resize(brackets.size() - more);
+  return fmt::format("{} {}{}{}{}, {} of {} positions",
+                     drive.name,
+                     fmt::join(brackets, ", "),
+                     drive.unit.empty() ? "" : " ",
+                     drive.unit,
+                     more == 0 ? std::string() : fmt::format(" and {} more ranges", more),
+                     rows.size(),
+                     table.rows.size());
+}
+
+// Of the drawn position, by a whole analysis.
+bool is_said(const CaseFinding& one,
+             const std::string& label,
+             std::span<const Diagnostic> of_drawing) {
+  const std::string beginning = fmt::format("case '{}'", label);
+  return std::ranges::any_of(of_drawing, [&](const Diagnostic& other) {
+    return other.code == one.code && other.where == one.where &&
+           other.message.starts_with(beginning) == one.message.starts_with(beginning) &&
+           other.message.find(one.element) != std::string::npos;
+  });
+}
+
+}  // namespace
+
+void PositionFindings::add(std::size_t row, const CaseFindings& found) {
+  for (const CaseFinding& one : found.items()) {
+    const auto same = std::ranges::find_if(
+        held_, [&](const Held& held) { return says_the_same(held.worst, one); });
+    if (same == held_.end()) {
+      held_.push_back({.worst = one, .worst_row = row, .rows = {row}});
+      continue;
+    }
+    if (same->rows.back() != row) {
+      same->rows.push_back(row);
+    }
+    same->varies = same->varies || one.size < same->worst.size * (1.0 - kSameValue);
+    if (one.size > same->worst.size * (1.0 + kSameValue)) {
+      same->varies = true;
+      same->worst = one;
+      same->worst_row = row;
+    }
+  }
+}
+
+void PositionFindings::tell(const MotionTable& table, Diagnostics& found) const {
+  const std::size_t said = found.items().size();
+  for (const Held& held : held_) {
+    const bool is_everywhere = held.rows.size() == table.rows.size();
+    if (is_everywhere && is_said(held.worst, table.label, found.items().first(said))) {
+      continue;
+    }
+    CaseFinding one = held.worst;
+    one.message += fmt::format(
+        " ({}{})",
+        brackets_text(held.rows, table),
+        held.varies ? ", the worst at " + position_text(table, held.worst_row) : std::string());
+    kinestat::add(one, found);
+  }
+}
+
+}  // namespace kinestat

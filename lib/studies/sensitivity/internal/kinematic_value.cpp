@@ -1,0 +1,34 @@
+#include "studies/sensitivity/internal/value_path.hpp"
+
+namespace kinestat {
+
+std::optional<ReportedValue> find_kinematic_value(const DualCase& values, const PathParts& parts) {
+  using enum ValueKind;
+  const Topology& topology = values.topology();
+  if (parts.size() == 3 && parts[1] == "freedoms") {
+    const auto f = index_where(
+        topology.freedoms.size(), parts[2], [&](int i) { return topology.freedom_name(i); });
+    return f ? as_value(rate_kind(topology, *f), values.rate(*f)) : std::nullopt;
+  }
+  const auto b = parts[1] == "bodies" && parts.size() == 5 ? index_of(topology.bodies, parts[2])
+                                                           : std::nullopt;
+  if (!b) {
+    return std::nullopt;
+  }
+  const Vec3Of<Dual> origin = values.mechanism().geometry.origin.cast<Dual>();
+  const TwistOf<Dual> twist = values.body_twist(*b);
+  const Vec3Of<Dual> at = values.reference(*b);
+  if (parts[3] == "twist") {
+    const TwistOf<Dual> world = about_world(twist, origin);
+    return component(parts, {{angular_velocity, world.angular}, {velocity, world.linear}});
+  }
+  if (parts[3] == "angular") {
+    return component(parts, {{angular_velocity, twist.angular}});
+  }
+  if (parts[3] == "linear") {
+    return component(parts, {{velocity, velocity_at(twist, at - origin)}});
+  }
+  return parts[3] == "at" ? component(parts, {{length, at}}) : std::nullopt;
+}
+
+}  // namespace kinestat

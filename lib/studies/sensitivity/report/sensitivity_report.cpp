@@ -1,0 +1,125 @@
+#include "studies/sensitivity/report/sensitivity_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "report/numbers.hpp"
+#include "report/report_parts.hpp"
+#include "report/table.hpp"
+#include "studies/sensitivity/report/sensitivity_record.hpp"
+
+namespace kinestat {
+
+namespace {
+
+using Parameters = std::vector<SensitivityParameter>;
+
+// The strongest first; those without influence or derivative last, in the order of the file.
+std::vector<std::size_t> by_strength(const SensitivityValue& value, const Parameters& parameters) {
+  std::vector<std::size_t> order(parameters.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, std::greater(), [&](std::size_t p) {
+    const auto relative = relative_sensitivity(value, parameters[p], value.derivatives[p]);
+    return std::abs(relative.value_or(value.derivatives[p].value_or(0.0)));
+  });
+  return order;
+}
+
+Table table_of(const SensitivityValue& value, const Parameters& parameters) {
+  Table table({"by", "at", "derivative", "unit", "relative"});
+  for (const std::size_t p : by_strength(value, parameters)) {
+    const SensitivityParameter& parameter = parameters[p];
+    const auto derivative = value.derivatives[p];
+    const auto relative = relative_sensitivity(value, parameter, derivative);
+    const std::string at = format_short(parameter.value);
+    table.add({parameter.name,
+               parameter.unit.empty() ? at : at + " " + parameter.unit,
+               derivative ? format_short(*derivative) : "none",
+               derivative_unit(value, parameter),
+               relative ? format_short(*relative) : "-"});
+  }
+  return table;
+}
+
+// Behind a value that equilibrium alone leaves open.
+std::string_view note_of(const SensitivityValue& value) {
+  switch (value.completed_by) {
+    case IndeterminateChoice::report:
+      return "";
+    case IndeterminateChoice::minimum_norm:
+      return "; a convention: least norm";
+    case IndeterminateChoice::stiffness:
+      return "; by the stiffness of couplings";
+  }
+  return "";
+}
+
+std::string text_of(const MechanismDescription& description,
+                    const std::string& file,
+                    const std::vector<CaseSensitivity>& cases,
+                    const Parameters& parameters) {
+  std::string text = (description.name.empty() ? file : description.name) + "\n\n";
+  for (const CaseSensitivity& one : cases) {
+    text += fmt::format("Case {}\n", one.label) + sensitivity_blocks(one, parameters).text();
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string derivative_unit(const SensitivityValue& value, const SensitivityParameter& parameter) {
+  if (parameter.unit.empty()) {
+    return value.unit;
+  }
+  return fmt::format("{} per {}", value.unit.empty() ? "1" : value.unit, parameter.unit);
+}
+
+std::optional<double> relative_sensitivity(const SensitivityValue& value,
+                                           const SensitivityParameter& parameter,
+                                           std::optional<double> derivative) {
+  if (!derivative || value.value == 0.0) {
+    return std::nullopt;
+  }
+  const double relative = *derivative * parameter.value / value.value;
+  return std::isfinite(relative) ? std::optional(relative) : std::nullopt;
+}
+
+TextBlocks sensitivity_blocks(const CaseSensitivity& one, const Parameters& parameters) {
+  TextBlocks blocks;
+  for (const SensitivityValue& value : one.values) {
+    blocks += fmt::format("  {} = {}{}{}{}\n",
+                          value.name,
+                          format_short(value.value),
+                          value.unit.empty() ? "" : " ",
+                          value.unit,
+                          note_of(value));
+    blocks += TextBlocks(table_of(value, parameters), "    ");
+    blocks += "\n";
+  }
+  return blocks;
+}
+
+FileReport make_sensitivity_report(const std::string& file,
+                                   const MechanismDescription& description,
+                                   const std::vector<SensitivityParameter>& parameters,
+                                   const std::vector<CaseSensitivity>& cases,
+                                   const ReportForms& forms,
+                                   const Diagnostics& found) {
+  FileReport report;
+  const SensitivityReportView view{.file = file,
+                                   .description = description,
+                                   .parameters = parameters,
+                                   .cases = cases,
+                                   .found = &found};
+  add_forms(sensitivity_report_record(), view, forms, report);
+  if (forms.text) {
+    report.text = text_of(description, file, cases, parameters);
+  }
+  return report;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,20 @@
+// The ratios of the gears on a logarithmic ladder: equal steps are equal distances.
+#pragma once
+
+#include "cases/analysis.hpp"
+#include "draw/picture.hpp"
+
+namespace kinestat {
+
+/// Forward gears and, beside them, those in reverse by the size of their ratio, with the step
+/// between neighbours. The analysis must have a section `shift` with a gear that has a ratio.
+Picture draw_ratio_ladder(const Analysis& analysis);
+
+/// Whether some gear has a ratio.
+bool has_ratios(const Analysis& analysis);
+
+/// Places at least that far from each other, in the order of `wished`, which ascends, and as near
+/// to it as a simple push allows.
+std::vector<double> spread_places(const std::vector<double>& wished, double distance);
+
+}  // namespace kinestat

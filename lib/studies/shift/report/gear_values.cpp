@@ -1,0 +1,71 @@
+#include "studies/shift/report/gear_values.hpp"
+
+#include <algorithm>
+
+#include "core/contract.hpp"
+
+namespace kinestat {
+
+namespace {
+
+template <class T>
+const T* pointer_to(const std::optional<T>& value) {
+  return value ? &*value : nullptr;
+}
+
+}  // namespace
+
+const CaseAnalysis* find_gear_case(const Analysis& analysis, const NamedShiftState& state) {
+  if (state.state.kind != ShiftClass::gear) {
+    return nullptr;
+  }
+  const auto at = std::ranges::find(
+      analysis.cases, state.name, [](const CaseAnalysis& one) { return one.which.label; });
+  KINESTAT_EXPECTS(at != analysis.cases.end());
+  return &*at;
+}
+
+namespace {
+
+// One to each output.
+std::vector<RatiosInUnits> in_file_units(const Analysis& analysis,
+                                         int input,
+                                         const std::vector<Ratios>& to_outputs) {
+  const std::vector<int>& outputs = analysis.shift->plan.outputs;
+  std::vector<RatiosInUnits> ratios;
+  for (std::size_t o = 0; o < outputs.size(); ++o) {
+    ratios.push_back(ratios_in_units(to_outputs[o],
+                                     {.input = input, .output = outputs[o]},
+                                     analysis.mechanism,
+                                     analysis.description.units));
+  }
+  return ratios;
+}
+
+}  // namespace
+
+GearValues gear_values(const Analysis& analysis, std::size_t state) {
+  const NamedShiftState& gear = analysis.shift->solution.states[state];
+  const CaseAnalysis& one = *find_gear_case(analysis, gear);
+  return find_gear_values({.mechanism = analysis.mechanism,
+                           .plan = analysis.shift->plan,
+                           .state = gear,
+                           .which = one.which,
+                           .motion = pointer_to(one.motion),
+                           .action = pointer_to(one.action)});
+}
+
+std::vector<RatiosInUnits> gear_ratios(const Analysis& analysis,
+                                       std::size_t state,
+                                       const GearValues& gear) {
+  const CaseAnalysis& one = *find_gear_case(analysis, analysis.shift->solution.states[state]);
+  return in_file_units(analysis, one.which.inputs.front(), gear.ratios);
+}
+
+std::vector<RatiosInUnits> gear_ratio_units(const Analysis& analysis) {
+  const ShiftPlan& plan = analysis.shift->plan;
+  return in_file_units(
+      analysis, plan.inputs.front().actuator, std::vector<Ratios>(plan.outputs.size(), Ratios{}));
+}
+
+}  // namespace kinestat

@@ -1,0 +1,26 @@
+// What a report says of one gear beside its case.
+#pragma once
+
+#include <vector>
+
+#include "cases/analysis.hpp"
+#include "cases/report/ratio_in_units.hpp"
+#include "studies/shift/gear_values.hpp"
+
+namespace kinestat {
+
+/// The case of a state; null for one that is no gear.
+const CaseAnalysis* find_gear_case(const Analysis& analysis, const NamedShiftState& state);
+
+/// Of the state with this index, which must be a gear.
+GearValues gear_values(const Analysis& analysis, std::size_t state);
+
+/// Its ratios to each output in the units of the file.
+std::vector<RatiosInUnits> gear_ratios(const Analysis& analysis,
+                                       std::size_t state,
+                                       const GearValues& gear);
+
+/// The units of these ratios, which are those of every gear, without values.
+std::vector<RatiosInUnits> gear_ratio_units(const Analysis& analysis);
+
+}  // namespace kinestat

@@ -1,0 +1,387 @@
+#include "studies/shift/report/shift_record.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "studies/shift/report/gear_values.hpp"
+
+namespace kinestat {
+
+namespace {
+
+const std::string& name_of_actuator(const Analysis& analysis, int actuator) {
+  return analysis.mechanism.topology.actuators[static_cast<std::size_t>(actuator)].name;
+}
+
+const std::string& name_of_element(const Analysis& analysis, int element) {
+  const auto e = static_cast<std::size_t>(element);
+  return name_of_actuator(analysis, analysis.shift->plan.elements[e].actuator);
+}
+
+struct StateView {
+  const Analysis& analysis;
+  const NamedShiftState& state;
+  std::optional<GearValues> gear = {};     // empty of what is no gear, as all below
+  std::vector<RatiosInUnits> ratios = {};  // to each output
+  const CaseAnalysis* one = nullptr;       // its case
+  std::optional<double> step = {};
+};
+
+bool is_gear(const StateView& v) {
+  return v.gear.has_value();
+}
+
+// What it leaves free, and why it has no ratio.
+std::string reason_of(const StateView& v) {
+  std::string reason = v.state.reason;
+  for (const Ratios& ratios : v.gear ? v.gear->ratios : std::vector<Ratios>()) {
+    reason += (reason.empty() || ratios.reason.empty() ? "" : "; ") + ratios.reason;
+  }
+  return reason;
+}
+
+// What one output has, or a map of what several have by name.
+template <class Write>
+void write_outputs(const Analysis& analysis, Archive& to, const Write& write) {
+  const std::vector<int>& outputs = analysis.shift->plan.outputs;
+  if (outputs.size() == 1) {
+    write(std::size_t{0});
+    return;
+  }
+  to.begin_map();
+  for (std::size_t o = 0; o < outputs.size(); ++o) {
+    Property output;
+    output.key = output.table_quantity = name_of_actuator(analysis, outputs[o]);
+    if (to.begin(output)) {
+      write(o);
+      to.end(output);
+    }
+  }
+  to.end_map();
+}
+
+auto write_ratio(RatioInUnits RatiosInUnits::*which) {
+  return [which](const StateView& v, Archive& to) {
+    if (v.ratios.empty()) {
+      to.number(std::nullopt, {});
+      return;
+    }
+    write_outputs(v.analysis, to, [&](std::size_t o) {
+      to.number((v.ratios[o].*which).value, (v.ratios[o].*which).unit);
+    });
+  };
+}
+
+auto write_ratio_unit(RatioInUnits RatiosInUnits::*which) {
+  return [which](const Analysis& v, Archive& to) {
+    const std::vector<RatiosInUnits> units = gear_ratio_units(v);
+    write_outputs(v, to, [&](std::size_t o) { to.text((units[o].*which).unit); });
+  };
+}
+
+bool have_ratios_units(const Analysis& v) {
+  return std::ranges::any_of(gear_ratio_units(v),
+                             [](const RatiosInUnits& one) { return !one.ratio.unit.empty(); });
+}
+
+Shape by_output(Shape shape) {
+  shape.may_be_by_name = true;
+  return shape;
+}
+
+const Record<CaseAnalysis>& gear_efficiency_record() {
+  using View = CaseAnalysis;
+  static const Record<View> record(
+      "Power of the outputs over that of the inputs; null without friction and losses.",
+      [](Record<View>& keys) {
+        const auto of_meshes = [](Efficiency TransmissionEfficiency::*which) {
+          return [which](const View& v) {
+            return v.efficiency ? (*v.efficiency.*which).value : std::nullopt;
+          };
+        };
+        keys.number("carrier",
+                    Bare::efficiency,
+                    "With the losses of meshes as seen from their carriers; null where the file "
+                    "gives none, or where they lock the gear.",
+                    of_meshes(&TransmissionEfficiency::carrier));
+        keys.number("carrier_backward",
+                    Bare::efficiency,
+                    "Likewise with the outputs driving.",
+                    of_meshes(&TransmissionEfficiency::carrier_backward));
+        keys.number("absolute",
+                    Bare::efficiency,
+                    "With losses by the power as seen from the ground.",
+                    of_meshes(&TransmissionEfficiency::absolute));
+        keys.number("friction",
+                    Bare::efficiency,
+                    "With the friction of couplings alone.",
+                    [](const View& v) { return v.power ? v.power->efficiency : std::nullopt; });
+      });
+  return record;
+}
+
+struct ElementView {
+  std::optional<double> torque;
+  std::optional<double> slip;
+};
+
+const Record<ElementView>& element_record() {
+  using View = ElementView;
+  static const Record<View> record("One element.", [](Record<View>& keys) {
+    keys.quantity("torque",
+                  QuantityKind::moment,
+                  "Torque of tail on head; zero of an open element.",
+                  [](const View& v) { return v.torque; });
+    keys.quantity("slip",
+                  QuantityKind::angular_velocity,
+                  "Speed of head relative to tail; zero of an engaged element.",
+                  [](const View& v) { return v.slip; });
+  });
+  return record;
+}
+
+auto fill_loaded() {
+  return [](Record<LoadedCoupling>& keys) {
+    keys.text("coupling", "Name of the coupling.", [](const LoadedCoupling& v) { return v.name; });
+    keys.quantity("force",
+                  QuantityKind::force,
+                  "Size of its force.",
+                  [](const LoadedCoupling& v) { return std::optional(v.force); })
+        .at_least(0);
+  };
+}
+
+const Record<LoadedCoupling>& worst_bearing_record() {
+  static const Record<LoadedCoupling> record(
+      "The revolute or other guiding coupling with the largest force of the gear; null where no "
+      "force is known.",
+      fill_loaded());
+  return record;
+}
+
+const Record<LoadedCoupling>& worst_mesh_record() {
+  static const Record<LoadedCoupling> record(
+      "The mesh with the largest force of the gear; null where no force is known.", fill_loaded());
+  return record;
+}
+
+auto read_loaded(std::optional<LoadedCoupling> GearValues::*member) {
+  return [member](const StateView& v) { return *v.gear.*member; };
+}
+
+void emit_elements(const StateView& v, const Each<ElementView>& each) {
+  const auto count = static_cast<int>(v.analysis.shift->plan.elements.size());
+  for (int e = 0; e < count; ++e) {
+    each(name_of_element(v.analysis, e),
+         {.torque = v.gear->torques[static_cast<std::size_t>(e)],
+          .slip = v.gear->slips[static_cast<std::size_t>(e)]});
+  }
+}
+
+void add_gear(Record<StateView>& keys) {
+  keys.number("step",
+              Bare::number,
+              "Ratio of the next lower forward gear over its own; null for the first gear and for "
+              "reverse gears.",
+              [](const StateView& v) { return v.step; })
+      .only_if(is_gear);
+  keys.custom("torque_ratio",
+              by_output(number_shape(ByContext::action_ratio, true)),
+              "Action of the input over that of the output without losses, of several outputs by "
+              "name.",
+              write_ratio(&RatiosInUnits::torque_ratio))
+      .only_if(is_gear);
+  keys.word("direction",
+            {"forward", "reverse"},
+            "Sign of the ratio of the first output.",
+            [](const StateView& v) {
+              const std::optional<double>& first = v.gear->ratios.front().ratio;
+              using Word = std::optional<std::string_view>;
+              return first ? Word(*first > 0.0 ? "forward" : "reverse") : Word();
+            })
+      .not_in_tables()
+      .only_if(is_gear);
+  keys.part("efficiency",
+            gear_efficiency_record(),
+            [](const StateView& v) -> const CaseAnalysis& { return *v.one; })
+      .only_if(is_gear);
+  keys.number("recirculation",
+              Bare::number,
+              "Largest power that a coupling transmits over the input power; above 1 power "
+              "circulates.",
+              [](const StateView& v) {
+                return v.one->power_graph ? v.one->power_graph->factor : std::nullopt;
+              })
+      .only_if(is_gear);
+  keys.map("elements", element_record(), "Every shift element of the gear by name.", emit_elements)
+      .in_tables_as("")
+      .only_if(is_gear);
+  keys.part("worst_bearing", worst_bearing_record(), read_loaded(&GearValues::bearing))
+      .only_if(is_gear);
+  keys.part("worst_mesh", worst_mesh_record(), read_loaded(&GearValues::mesh)).only_if(is_gear);
+}
+
+const Record<StateView>& state_record() {
+  using View = StateView;
+  static const Record<View> record("One combination of engaged elements.", [](Record<View>& keys) {
+    keys.names("engaged",
+               "The elements that are engaged; the others are open.",
+               [](const View& v, const EachName& each) {
+                 for (const int element : v.state.engaged) {
+                   each(name_of_element(v.analysis, element));
+                 }
+               });
+    keys.custom("engaged_elements",
+                map_shape(whole_shape(false)),
+                "1 of each that is engaged.",
+                [](const View& v, Archive& to) {
+                  to.begin_map();
+                  for (const int element : v.state.engaged) {
+                    to.element(name_of_element(v.analysis, element), {});
+                    to.whole(1);
+                  }
+                  to.end_map();
+                })
+        .in_tables_as("engaged")
+        .only_in_tables();
+    keys.word("class",
+              words_up_to(ShiftClass::tie_up),
+              "gear; neutral: the input does not determine the output; locked: input or output "
+              "cannot move; tie-up: more elements than needed, one of which follows from the "
+              "others.",
+              [](const View& v) { return word_of(v.state.state.kind); });
+    keys.text("reason",
+              "Why it is no gear, with the bodies held and the freedoms left; of a gear what "
+              "it leaves free, mostly empty.",
+              reason_of);
+    keys.count("freedom",
+               "What the engaged elements leave of the net degree of freedom.",
+               [](const View& v) { return v.state.state.freedom; });
+    keys.custom("ratio",
+                by_output(number_shape(ByContext::rate_ratio, true)),
+                "Rate of the input over that of the output, of several outputs by name; null "
+                "where it does not exist.",
+                write_ratio(&RatiosInUnits::ratio));
+    add_gear(keys);
+  });
+  return record;
+}
+
+void emit_states(const Analysis& v, const Each<StateView>& each) {
+  const std::vector<NamedShiftState>& states = v.shift->solution.states;
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    StateView view{.analysis = v, .state = states[s], .one = find_gear_case(v, states[s])};
+    if (view.one != nullptr) {
+      view.gear = gear_values(v, s);
+      view.ratios = gear_ratios(v, s, *view.gear);
+      view.step = v.shift->solution.table.steps[s];
+    }
+    each(states[s].name, view, word_of(states[s].state.kind));
+  }
+}
+
+struct ChangeView {
+  const Analysis& analysis;
+  const GearChange& change;
+
+  const std::string& state(int index) const {
+    return analysis.shift->solution.states[static_cast<std::size_t>(index)].name;
+  }
+
+  std::optional<std::string> element(int index) const {
+    return index < 0 ? std::nullopt : std::optional(name_of_element(analysis, index));
+  }
+};
+
+const Record<ChangeView>& change_record() {
+  using View = ChangeView;
+  static const Record<View> record("Two gears.", [](Record<View>& keys) {
+    keys.text("from", "One gear.", [](const View& v) { return v.state(v.change.from); });
+    keys.text("to", "The other.", [](const View& v) { return v.state(v.change.to); });
+    keys.text("opens", "The element that opens on the way.", [](const View& v) {
+      return v.element(v.change.opens);
+    });
+    keys.text("engages", "The element that engages on the way.", [](const View& v) {
+      return v.element(v.change.engages);
+    });
+  });
+  return record;
+}
+
+void write_equal_ratios(const Analysis& v, Archive& to) {
+  to.begin_list();
+  for (const std::vector<int>& group : v.shift->solution.table.equal_ratios) {
+    to.begin_list();
+    for (const int state : group) {
+      to.text(v.shift->solution.states[static_cast<std::size_t>(state)].name);
+    }
+    to.end_list();
+  }
+  to.end_list();
+}
+
+void add_table(Record<Analysis>& keys) {
+  keys.number("span",
+              Bare::number,
+              "Ratio of the first over that of the last forward gear; null with fewer than two.",
+              [](const Analysis& v) { return v.shift->solution.table.span; });
+  keys.custom("equal_ratios",
+              list_shape(list_shape(word_shape({}, false))),
+              "Gears of one ratio by different elements.",
+              write_equal_ratios)
+      .not_in_tables();
+  keys.list("changes",
+            change_record(),
+            "Pairs of gears between which one element opens and one engages, or one does either.",
+            [](const Analysis& v, const Each<ChangeView>& each) {
+              for (const GearChange& change : v.shift->solution.table.changes) {
+                each({.analysis = v, .change = change});
+              }
+            })
+      .not_in_tables();
+}
+
+}  // namespace
+
+const Record<Analysis>& shift_record() {
+  static const Record<Analysis> record(
+      "Which combination of shift elements makes which gear. Every gear is also a case of its "
+      "name.",
+      [](Record<Analysis>& keys) {
+        keys.count("possibilities",
+                   "Number of combinations of as many elements as a gear engages.",
+                   [](const Analysis& v) { return v.shift->solution.possibilities; });
+        keys.count("net_freedom",
+                   "Net degree of freedom with all elements open.",
+                   [](const Analysis& v) { return v.shift->solution.net_freedom; });
+        keys.count("engaged",
+                   "Number of elements that a gear engages: the net degree of freedom less the "
+                   "inputs.",
+                   [](const Analysis& v) { return v.shift->solution.needed; });
+        keys.custom("ratio_unit",
+                    by_output(word_shape({}, false)),
+                    "Unit of the ratios, of several outputs by name; no key where input and "
+                    "outputs are alike.",
+                    write_ratio_unit(&RatiosInUnits::ratio))
+            .not_in_tables()
+            .not_compared()
+            .only_if(have_ratios_units);
+        keys.custom("torque_ratio_unit",
+                    by_output(word_shape({}, false)),
+                    "Likewise of the torque ratios.",
+                    write_ratio_unit(&RatiosInUnits::torque_ratio))
+            .not_in_tables()
+            .not_compared()
+            .only_if(have_ratios_units);
+        keys.map("states",
+                 state_record(),
+                 "By label, or by elements joined with +; gears by falling ratio, then reverse "
+                 "gears, then what is no gear.",
+                 emit_states)
+            .in_tables_is(TableRole::cases);
+        add_table(keys);
+      });
+  return record;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,333 @@
+#include "studies/shift/report/shift_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/contract.hpp"
+#include "core/utf8.hpp"
+#include "report/in_units.hpp"
+#include "report/numbers.hpp"
+#include "studies/shift/report/gear_values.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr const char* kEngaged = "●";
+constexpr const char* kOpen = "·";
+
+// Combinations that are no gear: beyond so many nobody reads their reasons.
+constexpr std::size_t kMostStates = 40;
+
+// A cell of the table; empty where there is no value.
+std::string number_or_dash(const std::optional<double>& value) {
+  return value ? format_short(*value) : "-";
+}
+
+struct ShownGear {
+  const CaseAnalysis& one;
+  GearValues values;
+  std::vector<RatiosInUnits> ratios;
+  std::optional<double> step;
+};
+
+class ShiftTables {
+ public:
+  explicit ShiftTables(const Analysis& analysis)
+      : analysis_(analysis),
+        topology_(analysis.mechanism.topology),
+        plan_(analysis.shift->plan),
+        solution_(analysis.shift->solution),
+        in_(analysis.description.units) {
+    for (std::size_t s = 0; s < solution_.table.steps.size(); ++s) {
+      const CaseAnalysis& one = *find_gear_case(analysis, solution_.states[s]);
+      GearValues values = gear_values(analysis, s);
+      std::vector<RatiosInUnits> ratios = gear_ratios(analysis, s, values);
+      gears_.push_back({.one = one,
+                        .values = std::move(values),
+                        .ratios = std::move(ratios),
+                        .step = solution_.table.steps[s]});
+    }
+  }
+
+  TextBlocks run() const {
+    TextBlocks blocks(head_text());
+    blocks += gears_blocks();
+    blocks += remarks_text();
+    blocks += others_blocks();
+    blocks += elements_blocks();
+    return blocks += changes_text();
+  }
+
+ private:
+  const std::string& actuator_name(int actuator) const {
+    return topology_.actuators[static_cast<std::size_t>(actuator)].name;
+  }
+
+  const std::string& element_name(int element) const {
+    return actuator_name(plan_.elements[static_cast<std::size_t>(element)].actuator);
+  }
+
+  std::string name_of(int state) const {
+    return printable(solution_.states[static_cast<std::size_t>(state)].name);
+  }
+
+  std::string head_text() const {
+    const std::size_t inputs = plan_.inputs.size();
+    std::string text = fmt::format(
+        "Shift table: a gear engages {} of {} elements (net degree of freedom {}, {} input{}), "
+        "{:.0f} possibilit{}, {} gear{}\n\n",
+        solution_.needed,
+        plan_.elements.size(),
+        solution_.net_freedom,
+        inputs,
+        inputs == 1 ? "" : "s",
+        solution_.possibilities,
+        solution_.possibilities == 1.0 ? "y" : "ies",
+        gears_.size(),
+        gears_.size() == 1 ? "" : "s");
+    return text;
+  }
+
+  // A column for each element: engaged or open.
+  void add_marks(std::size_t first, std::size_t count, std::vector<TextColumn>& columns) const {
+    for (int e = 0; e < static_cast<int>(plan_.elements.size()); ++e) {
+      TextColumn column{.head = element_name(e), .cells = {}};
+      for (std::size_t s = first; s < first + count; ++s) {
+        const bool is_engaged = std::ranges::binary_search(solution_.states[s].engaged, e);
+        column.cells.push_back(is_engaged ? kEngaged : kOpen);
+      }
+      columns.push_back(std::move(column));
+    }
+  }
+
+  TextColumn names(const char* head, std::size_t first, std::size_t count) const {
+    TextColumn column{.head = head, .cells = {}};
+    for (std::size_t s = first; s < first + count; ++s) {
+      column.cells.push_back(name_of(static_cast<int>(s)));
+    }
+    return column;
+  }
+
+  template <class Cell>
+  void add_column(std::string head, const Cell& cell, std::vector<TextColumn>& columns) const {
+    TextColumn column{.head = std::move(head), .cells = {}};
+    for (const ShownGear& gear : gears_) {
+      column.cells.push_back(cell(gear));
+    }
+    columns.push_back(std::move(column));
+  }
+
+  // By the carrier and by the absolute model, and with friction alone, as far as the file has any.
+  void add_efficiencies(std::vector<TextColumn>& columns) const {
+    TextColumn carrier{.head = "efficiency", .cells = {}};
+    TextColumn absolute{.head = "absolute", .cells = {}};
+    TextColumn friction{.head = "with friction", .cells = {}};
+    bool is_lossy = false;
+    bool has_losses = false;
+    for (std::size_t s = 0; s < gears_.size(); ++s) {
+      const CaseAnalysis& one = gears_[s].one;
+      const auto& lossy = one.efficiency;
+      carrier.cells.push_back(number_or_dash(lossy ? lossy->carrier.value : std::nullopt));
+      absolute.cells.push_back(number_or_dash(lossy ? lossy->absolute.value : std::nullopt));
+      friction.cells.push_back(number_or_dash(one.power ? one.power->efficiency : std::nullopt));
+      is_lossy = is_lossy || lossy.has_value();
+      has_losses = has_losses || (one.power && one.power->efficiency);
+    }
+    if (is_lossy) {
+      columns.push_back(std::move(carrier));
+      columns.push_back(std::move(absolute));
+    }
+    if (has_losses) {
+      columns.push_back(std::move(friction));
+    }
+  }
+
+  TextBlocks gears_blocks() const {
+    if (gears_.empty()) {
+      return {};
+    }
+    std::vector<TextColumn> columns = {names("Gear", 0, gears_.size())};
+    add_marks(0, gears_.size(), columns);
+    const std::vector<RatiosInUnits> units = gear_ratio_units(analysis_);
+    const auto with_unit = [](std::string head, const RatioInUnits& ratio) {
+      return ratio.unit.empty() ? head : fmt::format("{} [{}]", head, ratio.unit);
+    };
+    for (std::size_t o = 0; o < plan_.outputs.size(); ++o) {
+      const std::string to = plan_.outputs.size() == 1 ? "" : " " + actuator_name(plan_.outputs[o]);
+      add_column(
+          with_unit("ratio" + to, units[o].ratio),
+          [o](const ShownGear& gear) { return number_or_dash(gear.ratios[o].ratio.value); },
+          columns);
+    }
+    add_column(
+        "step",
+        [](const ShownGear& gear) { return gear.step ? number_or_dash(gear.step) : ""; },
+        columns);
+    add_efficiencies(columns);
+    if (plan_.outputs.size() == 1 && plan_.asks_actions) {
+      add_column(
+          with_unit("torque ratio", units.front().torque_ratio),
+          [](const ShownGear& gear) {
+            return number_or_dash(gear.ratios.front().torque_ratio.value);
+          },
+          columns);
+      add_column(
+          "recirculation",
+          [](const ShownGear& gear) {
+            return number_or_dash(gear.one.power_graph ? gear.one.power_graph->factor
+                                                       : std::nullopt);
+          },
+          columns);
+    }
+    return TextBlocks(columns);
+  }
+
+  std::string remarks_text() const {
+    std::string text;
+    for (std::size_t s = 0; s < gears_.size(); ++s) {
+      const std::string& reason = solution_.states[s].reason;
+      text += reason.empty() ? "" : fmt::format("  {}: {}\n", name_of(static_cast<int>(s)), reason);
+      for (const Ratios& to_output : gears_[s].values.ratios) {
+        const std::string& no_ratio = to_output.reason;
+        text += no_ratio.empty()
+                    ? ""
+                    : fmt::format("  {}: {}\n", name_of(static_cast<int>(s)), no_ratio);
+      }
+    }
+    if (solution_.table.span) {
+      text += fmt::format("  span of the forward gears {}\n", format_short(*solution_.table.span));
+    }
+    for (const std::vector<int>& group : solution_.table.equal_ratios) {
+      std::vector<std::string> names;
+      for (const int state : group) {
+        names.push_back(name_of(state));
+      }
+      text += fmt::format("  of equal ratio: {}\n", fmt::join(names, ", "));
+    }
+    return text.empty() ? "" : text + "\n";
+  }
+
+  // Combinations that are no gear, each with its reason below the table.
+  TextBlocks others_blocks() const {
+    const std::size_t first = gears_.size();
+    const std::size_t all = solution_.states.size() - first;
+    const std::size_t count = std::min(all, kMostStates);
+    if (count == 0) {
+      return {};
+    }
+    std::vector<TextColumn> columns = {names("No gear", first, count)};
+    add_marks(first, count, columns);
+    TextColumn kinds{.head = "class", .cells = {}};
+    std::string reasons;
+    for (std::size_t s = first; s < first + count; ++s) {
+      const NamedShiftState& one = solution_.states[s];
+      kinds.cells.emplace_back(word_of(one.state.kind));
+      reasons += fmt::format("  {}: {}\n", name_of(static_cast<int>(s)), one.reason);
+    }
+    columns.push_back(std::move(kinds));
+    if (count < all) {
+      reasons += fmt::format("  and {} more, which --format csv lists\n", all - count);
+    }
+    TextBlocks blocks(columns);
+    return blocks += reasons + "\n";
+  }
+
+  // What each element bears where it is engaged, and how fast it slips where it is open.
+  TextBlocks elements_blocks() const {
+    if (gears_.empty()) {
+      return {};
+    }
+    TextBlocks blocks;
+    if (plan_.asks_actions) {
+      blocks += values_blocks("Torque", QuantityKind::moment, &GearValues::torques, true);
+    }
+    blocks += loads_blocks();
+    return blocks +=
+           values_blocks("Slip", QuantityKind::angular_velocity, &GearValues::slips, false);
+  }
+
+  // The most loaded bearing and mesh of each gear, where any force is known.
+  TextBlocks loads_blocks() const {
+    const std::string unit = in_.units().text(QuantityKind::force);
+    std::vector<TextColumn> columns = {names("Most loaded", 0, gears_.size())};
+    bool has_any = false;
+    const auto add = [&](const char* kind, std::optional<LoadedCoupling> GearValues::*member) {
+      TextColumn name{.head = kind, .cells = {}};
+      TextColumn force{.head = fmt::format("force [{}]", unit), .cells = {}};
+      for (const ShownGear& gear : gears_) {
+        const std::optional<LoadedCoupling>& one = gear.values.*member;
+        name.cells.push_back(one ? one->name : "-");
+        force.cells.push_back(one ? format_short(in_.force(one->force)) : "-");
+        has_any = has_any || one.has_value();
+      }
+      columns.push_back(std::move(name));
+      columns.push_back(std::move(force));
+    };
+    add("bearing", &GearValues::bearing);
+    add("mesh", &GearValues::mesh);
+    return has_any ? TextBlocks(columns) : TextBlocks();
+  }
+
+  TextBlocks values_blocks(const char* what,
+                           QuantityKind kind,
+                           std::vector<std::optional<double>> GearValues::*values,
+                           bool of_engaged) const {
+    const std::string head = fmt::format("{} [{}]", what, in_.units().text(kind));
+    std::vector<TextColumn> columns = {names(head.c_str(), 0, gears_.size())};
+    TextColumn largest{.head = "largest size", .cells = {}};
+    std::vector<std::optional<double>> sizes(gears_.size(), 0.0);
+    for (std::size_t e = 0; e < plan_.elements.size(); ++e) {
+      TextColumn column{.head = element_name(static_cast<int>(e)), .cells = {}};
+      for (std::size_t s = 0; s < gears_.size(); ++s) {
+        const bool is_engaged =
+            std::ranges::binary_search(solution_.states[s].engaged, static_cast<int>(e));
+        const std::optional<double>& si = (gears_[s].values.*values)[e];
+        const auto value = si ? std::optional(in_.of(kind, *si)) : std::nullopt;
+        column.cells.push_back(is_engaged == of_engaged ? number_or_dash(value) : kOpen);
+        if (is_engaged == of_engaged) {
+          sizes[s] = value && sizes[s] ? std::optional(std::max(*sizes[s], std::abs(*value)))
+                                       : std::nullopt;
+        }
+      }
+      columns.push_back(std::move(column));
+    }
+    for (const std::optional<double>& size : sizes) {
+      largest.cells.push_back(number_or_dash(size));
+    }
+    columns.push_back(std::move(largest));
+    return TextBlocks(columns);
+  }
+
+  std::string changes_text() const {
+    std::string text;
+    for (const GearChange& change : solution_.table.changes) {
+      const std::string opens = change.opens < 0 ? "nothing" : element_name(change.opens);
+      const std::string engages = change.engages < 0 ? "nothing" : element_name(change.engages);
+      text += fmt::format("  {} - {}: {} opens, {} engages\n",
+                          name_of(change.from),
+                          name_of(change.to),
+                          opens,
+                          engages);
+    }
+    return text.empty() ? "" : "  Changes of one element\n" + text + "\n";
+  }
+
+  const Analysis& analysis_;
+  const Topology& topology_;
+  const ShiftPlan& plan_;
+  const ShiftSolution& solution_;
+  InUnits in_;
+  std::vector<ShownGear> gears_;
+};
+
+}  // namespace
+
+TextBlocks shift_blocks(const Analysis& analysis) {
+  KINESTAT_EXPECTS(analysis.shift.has_value());
+  return ShiftTables(analysis).run();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,256 @@
+#include "studies/shift/shift_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/tolerance.hpp"
+#include "studies/shift/internal/remaining_motion.hpp"
+
+namespace kinestat {
+
+namespace {
+
+class StateSolver {
+ public:
+  StateSolver(const ShiftNetwork& network, const ShiftPlan& plan, std::span<const int> engaged)
+      : network_(network), plan_(plan), engaged_(engaged), left_(network.net_freedom()) {}
+
+  ShiftState run() {
+    engage();
+    if (move_inputs() && outputs_follow() && outputs_move() && is_no_tie_up()) {
+      fill_rates();
+      find_unloaded();
+      find_torques();
+      check_freewheels();
+      if (!plan_.asks_actions) {
+        forget_torques();
+      }
+    }
+    return std::move(state_);
+  }
+
+ private:
+  bool refuse(ShiftClass kind, ShiftCause cause, std::optional<std::size_t> which = {}) {
+    state_.kind = kind;
+    state_.cause = cause;
+    state_.which = which ? static_cast<int>(*which) : -1;
+    return false;
+  }
+
+  bool is_engaged(std::size_t element) const {
+    return std::ranges::find(engaged_, static_cast<int>(element)) != engaged_.end();
+  }
+
+  const RateRow& row_of(int element) const {
+    return network_.elements[static_cast<std::size_t>(element)];
+  }
+
+  void engage() {
+    for (const int element : engaged_) {
+      if (!left_.prescribe(row_of(element), 0.0)) {
+        state_.surplus.push_back(element);
+      }
+    }
+    state_.freedom = left_.count();
+  }
+
+  bool move_inputs() {
+    for (std::size_t i = 0; i < network_.inputs.size(); ++i) {
+      const RateRow& row = network_.inputs[i];
+      const double speed = plan_.inputs[i].speed;
+      if (speed != 0.0 && !left_.changes(row) && state_.moving.empty()) {
+        return refuse(ShiftClass::locked, ShiftCause::input_held, i);
+      }
+      if (left_.prescribe(row, speed)) {
+        state_.moving.push_back(static_cast<int>(i));
+      } else if (const double rate = left_.rate(row).value;
+                 std::abs(rate - speed) > kConsistency * std::abs(speed)) {
+        return refuse(ShiftClass::locked,
+                      rate == 0.0 ? ShiftCause::input_held : ShiftCause::inputs_coupled,
+                      i);
+      }
+    }
+    state_.idle = left_.count();
+    return true;
+  }
+
+  bool outputs_follow() {
+    for (std::size_t o = 0; o < network_.outputs.size(); ++o) {
+      if (left_.changes(network_.outputs[o])) {
+        return refuse(ShiftClass::neutral, ShiftCause::output_free, o);
+      }
+    }
+    return true;
+  }
+
+  bool outputs_move() {
+    return std::ranges::any_of(network_.outputs,
+                               [&](const RateRow& row) { return left_.rate(row).value != 0.0; }) ||
+           refuse(ShiftClass::locked, ShiftCause::outputs_held);
+  }
+
+  bool is_no_tie_up() {
+    const bool is_more = static_cast<int>(engaged_.size()) > network_.needed();
+    return is_more && !state_.surplus.empty()
+               ? refuse(ShiftClass::tie_up,
+                        ShiftCause::redundant,
+                        static_cast<std::size_t>(state_.surplus.front()))
+               : true;
+  }
+
+  void fill_rates() {
+    for (const ShiftInput& input : plan_.inputs) {
+      state_.inputs.push_back(input.speed);
+    }
+    for (const RateRow& row : network_.outputs) {
+      state_.outputs.push_back(left_.rate(row).value);
+    }
+    for (std::size_t e = 0; e < network_.elements.size(); ++e) {
+      const RateRow& row = network_.elements[e];
+      const bool is_open = !is_engaged(e);
+      state_.slips.push_back(is_open && left_.changes(row)
+                                 ? std::nullopt
+                                 : std::optional(is_open ? left_.rate(row).value : 0.0));
+    }
+  }
+
+  // An idle motion that moves open elements alone says that their torques do no work on it: one of
+  // them follows from the others. (Virtual power.)
+  void find_unloaded() {
+    for (std::size_t e = 0; e < network_.elements.size(); ++e) {
+      if (!is_engaged(e) && left_.prescribe(network_.elements[e], 0.0)) {
+        state_.unloaded.push_back(static_cast<int>(e));
+      }
+    }
+    for (std::size_t o = 0; o < network_.others.size(); ++o) {
+      if (left_.prescribe(network_.others[o], 0.0)) {
+        state_.unloaded_others.push_back(static_cast<int>(o));
+      }
+    }
+  }
+
+  // Rows of what bears an unknown torque: engaged elements, inputs and outputs.
+  std::vector<const RateRow*> unknown_rows() const {
+    std::vector<const RateRow*> rows;
+    for (const int element : engaged_) {
+      rows.push_back(&row_of(element));
+    }
+    for (std::size_t i = 0; i < network_.inputs.size(); ++i) {
+      if (!action_of(i)) {
+        rows.push_back(&network_.inputs[i]);
+      }
+    }
+    for (const RateRow& output : network_.outputs) {
+      rows.push_back(&output);
+    }
+    return rows;
+  }
+
+  // Virtual power: in the motion that moves one unknown torque alone, it gives what the known ones
+  // take. Empty where the motion of one follows from the others, so that the torque is open.
+  void find_torques() {
+    const std::vector<const RateRow*> rows = unknown_rows();
+    std::vector<double> torques;
+    for (std::size_t u = 0; u < rows.size(); ++u) {
+      RemainingMotion motion(network_.net_freedom());
+      for (std::size_t other = 0; other < rows.size(); ++other) {
+        if (other != u && !motion.prescribe(*rows[other], 0.0)) {
+          return;
+        }
+      }
+      if (!motion.prescribe(*rows[u], 1.0) || works_on_rest(motion)) {
+        return;
+      }
+      torques.push_back(-power_of_known(motion));
+    }
+    if (!rows.empty()) {
+      fill_torques(torques);
+    }
+  }
+
+  // Whether known torques would drive a motion that no unknown one works on.
+  bool works_on_rest(const RemainingMotion& motion) const {
+    for (std::size_t i = 0; i < network_.inputs.size(); ++i) {
+      if (action_of(i).value_or(0.0) != 0.0 && motion.changes(network_.inputs[i])) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  double power_of_known(const RemainingMotion& motion) const {
+    BoundedNumber sum;
+    for (std::size_t i = 0; i < network_.inputs.size(); ++i) {
+      if (const std::optional<double> action = action_of(i)) {
+        sum = sum + BoundedNumber{.value = *action, .bound = 0.0} * motion.rate(network_.inputs[i]);
+      }
+    }
+    return sum.zeroed();
+  }
+
+  void fill_torques(const std::vector<double>& torques) {
+    std::size_t next = 0;
+    state_.torques.assign(plan_.elements.size(), 0.0);
+    for (const int element : engaged_) {
+      state_.torques[static_cast<std::size_t>(element)] = torques[next++];
+    }
+    for (std::size_t i = 0; i < plan_.inputs.size(); ++i) {
+      const std::optional<double> action = action_of(i);
+      state_.input_torques.push_back(action ? *action : torques[next++]);
+    }
+    for (std::size_t o = 0; o < plan_.outputs.size(); ++o) {
+      state_.output_torques.push_back(torques[next++]);
+    }
+  }
+
+  // The action of an input. Where the file gives none, the first one that moves is taken to drive,
+  // so that torques have a sense.
+  std::optional<double> action_of(std::size_t input) const {
+    const ShiftInput& one = plan_.inputs[input];
+    const auto driver = std::ranges::find_if(
+        plan_.inputs, [](const ShiftInput& each) { return each.speed != 0.0; });
+    const bool drives = driver == plan_.inputs.begin() + static_cast<std::ptrdiff_t>(input);
+    return plan_.asks_actions || !drives ? one.action
+                                         : std::optional(std::copysign(1.0, one.speed));
+  }
+
+  void forget_torques() {
+    state_.torques.clear();
+    state_.input_torques.clear();
+    state_.output_torques.clear();
+  }
+
+  void check_freewheels() {
+    for (std::size_t e = 0; e < plan_.elements.size(); ++e) {
+      const int holds = plan_.elements[e].one_way;
+      if (holds == 0 || state_.kind != ShiftClass::gear) {
+        continue;
+      }
+      if (!is_engaged(e)) {
+        if (holds * state_.slips[e].value_or(0.0) < 0.0) {
+          refuse(ShiftClass::tie_up, ShiftCause::freewheel_locks, e);
+        }
+      } else if (state_.torques.empty()) {
+        state_.open_freewheels.push_back(static_cast<int>(e));
+      } else if (holds * state_.torques[e] < 0.0) {
+        refuse(ShiftClass::neutral, ShiftCause::freewheel_overruns, e);
+      }
+    }
+  }
+
+  const ShiftNetwork& network_;
+  const ShiftPlan& plan_;
+  std::span<const int> engaged_;
+  RemainingMotion left_;
+  ShiftState state_;
+};
+
+}  // namespace
+
+ShiftState solve_shift_state(const ShiftNetwork& network,
+                             const ShiftPlan& plan,
+                             std::span<const int> engaged) {
+  return StateSolver(network, plan, engaged).run();
+}
+
+}  // namespace kinestat

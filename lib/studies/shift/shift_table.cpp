@@ -1,0 +1,98 @@
+#include "studies/shift/shift_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "core/tolerance.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Forward gears, reverse gears, gears without a ratio.
+int group_of(const TableGear& gear) {
+  if (!gear.ratio) {
+    return 2;
+  }
+  return *gear.ratio > 0.0 ? 0 : 1;
+}
+
+bool is_same(const TableGear& a, const TableGear& b) {
+  return a.ratio && b.ratio &&
+         std::abs(*a.ratio - *b.ratio) <=
+             kSameValue * std::max(std::abs(*a.ratio), std::abs(*b.ratio));
+}
+
+// The forward gear before it that has another ratio.
+std::optional<double> step_of(std::span<const TableGear> gears, std::size_t i) {
+  if (group_of(gears[i]) != 0) {
+    return std::nullopt;
+  }
+  for (std::size_t j = i; j-- > 0;) {
+    if (!is_same(gears[j], gears[i])) {
+      return *gears[j].ratio / *gears[i].ratio;
+    }
+  }
+  return std::nullopt;
+}
+
+void add_equal_ratios(std::span<const TableGear> gears, ShiftTable& table) {
+  for (std::size_t i = 0; i < gears.size();) {
+    std::vector<int> alike = {gears[i].state};
+    std::size_t j = i + 1;
+    while (j < gears.size() && is_same(gears[i], gears[j])) {
+      alike.push_back(gears[j++].state);
+    }
+    if (alike.size() > 1) {
+      table.equal_ratios.push_back(std::move(alike));
+    }
+    i = j;
+  }
+}
+
+std::optional<GearChange> change_between(const TableGear& from, const TableGear& to) {
+  std::vector<int> opens;
+  std::vector<int> engages;
+  std::ranges::set_difference(from.engaged, to.engaged, std::back_inserter(opens));
+  std::ranges::set_difference(to.engaged, from.engaged, std::back_inserter(engages));
+  if (opens.size() > 1 || engages.size() > 1) {
+    return std::nullopt;
+  }
+  return GearChange{.from = from.state,
+                    .to = to.state,
+                    .opens = opens.empty() ? -1 : opens.front(),
+                    .engages = engages.empty() ? -1 : engages.front()};
+}
+
+}  // namespace
+
+void sort_gears(std::vector<TableGear>& gears) {
+  std::ranges::stable_sort(gears, [](const TableGear& a, const TableGear& b) {
+    if (group_of(a) != group_of(b)) {
+      return group_of(a) < group_of(b);
+    }
+    return a.ratio && !is_same(a, b) && std::abs(*a.ratio) > std::abs(*b.ratio);
+  });
+}
+
+ShiftTable make_shift_table(std::span<const TableGear> gears) {
+  ShiftTable table;
+  for (std::size_t i = 0; i < gears.size(); ++i) {
+    table.steps.push_back(step_of(gears, i));
+    for (std::size_t j = i + 1; j < gears.size(); ++j) {
+      if (const auto change = change_between(gears[i], gears[j])) {
+        table.changes.push_back(*change);
+      }
+    }
+  }
+  const auto reverse =
+      std::ranges::find_if(gears, [](const TableGear& gear) { return group_of(gear) != 0; });
+  if (reverse - gears.begin() > 1) {
+    table.span = *gears.front().ratio / *std::prev(reverse)->ratio;
+  }
+  add_equal_ratios(gears, table);
+  return table;
+}
+
+}  // namespace kinestat

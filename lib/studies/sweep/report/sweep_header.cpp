@@ -1,0 +1,153 @@
+#include "studies/sweep/report/sweep_header.hpp"
+
+#include <exception>
+
+#include <fmt/format.h>
+
+#include "core/utf8.hpp"
+#include "core/version.hpp"
+#include "report/json_archive.hpp"
+#include "report/json_tree.hpp"
+#include "studies/sweep/report/sweep_record.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr std::string_view kShardSignature = "{\"kinestat\":{\"sweep_shard\":1,";
+constexpr std::string_view kSummarySignature = "{\n  \"kinestat\": {\n    \"sweep\": 1,";
+
+std::string_view word_of(RowFormat format) {
+  return format == RowFormat::csv ? "csv" : "json";
+}
+
+const FileUnits kNoUnits;  // there are no quantities
+
+Json top_json(const std::optional<TopChoice>& top) {
+  return top ? json_of(top_record(), *top, kNoUnits) : Json(nullptr);
+}
+
+std::optional<TopChoice> top_of(const Json& json) {
+  if (json.is_null()) {
+    return std::nullopt;
+  }
+  return TopChoice{.count = json.at("count").get<std::uint64_t>(),
+                   .by = json.at("by").get<std::string>(),
+                   .order = json.at("order").get<std::string>() == word_of(RankOrder::largest)
+                                ? RankOrder::largest
+                                : RankOrder::smallest};
+}
+
+SweepHeader header_of(const Json& json) {
+  SweepHeader header;
+  header.version = json.at("kinestat").at("version").get<std::string>();
+  header.plan = json.at("plan").get<std::string>();
+  header.stem = json.at("stem").get<std::string>();
+  header.name = json.at("name").get<std::string>();
+  header.format = json.at("format").get<std::string>() == word_of(RowFormat::csv) ? RowFormat::csv
+                                                                                  : RowFormat::json;
+  header.titles = json.at("columns").get<std::vector<std::string>>();
+  header.heading = json.at("heading").get<std::string>();
+  header.signature = json.at("signature").get<std::string>();
+  header.requirements = json.at("require").get<std::vector<std::string>>();
+  header.states = json.at("states").get<std::uint64_t>();
+  header.chunks = json.at("chunks").get<std::uint64_t>();
+  header.top = top_of(json.at("top"));
+  return header;
+}
+
+}  // namespace
+
+std::string ShardNumber::text() const {
+  return fmt::format("{}/{}", number, count);
+}
+
+// Without overflow: at most 65536 chunks times as many shards as anybody types.
+std::uint64_t ShardNumber::first_chunk(std::uint64_t chunks) const {
+  return (number - 1) * chunks / count;
+}
+
+std::uint64_t ShardNumber::end_chunk(std::uint64_t chunks) const {
+  return number * chunks / count;
+}
+
+std::string SweepHeader::result_name() const {
+  return fmt::format("{}.sweep.{}", stem, format == RowFormat::csv ? "csv" : "jsonl");
+}
+
+std::string_view shard_signature() {
+  return kShardSignature;
+}
+
+std::string_view summary_signature() {
+  return kSummarySignature;
+}
+
+std::string write_shard_header(const SweepHeader& header, const ShardNumber& shard) {
+  Json json;
+  json["kinestat"]["sweep_shard"] = 1;
+  json["kinestat"]["version"] = header.version;
+  json["plan"] = header.plan;
+  json["shard"] = {shard.number, shard.count};
+  json["stem"] = header.stem;
+  json["name"] = header.name;
+  json["format"] = word_of(header.format);
+  json["columns"] = header.titles;
+  json["heading"] = header.heading;
+  json["signature"] = header.signature;
+  json["require"] = header.requirements;
+  json["states"] = header.states;
+  json["chunks"] = header.chunks;
+  json["top"] = top_json(header.top);
+  return json.dump() + "\n";
+}
+
+std::optional<ShardHeader> read_shard_header(const std::string& line) {
+  if (!line.starts_with(kShardSignature)) {
+    return std::nullopt;
+  }
+  try {
+    const Json json = Json::parse(line);
+    ShardHeader result{.header = header_of(json), .shard = {}};
+    result.shard.number = json.at("shard").at(0).get<std::uint64_t>();
+    result.shard.count = json.at("shard").at(1).get<std::uint64_t>();
+    const bool is_right = result.shard.number >= 1 && result.shard.number <= result.shard.count;
+    return is_right ? std::optional(std::move(result)) : std::nullopt;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::string write_sweep_summary(const SweepHeader& header, const SweepCounts& counts) {
+  const SweepSummaryView view{.header = header, .counts = counts};
+  return json_text(sweep_summary_record(), view, kNoUnits, JsonLayout::indented);
+}
+
+std::optional<std::string> read_plan_of_summary(const std::string& text) {
+  if (!text.starts_with(kSummarySignature)) {
+    return std::nullopt;
+  }
+  try {
+    return Json::parse(text).at("plan").get<std::string>();
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::string sweep_text(const SweepHeader& header, const SweepCounts& counts) {
+  std::string text = fmt::format("{}: {} states, {} analysed, {} rows\n",
+                                 header.stem,
+                                 counts.states,
+                                 counts.analysed(),
+                                 counts.rows);
+  for (std::size_t i = 0; i < counts.excluded.size() && i < header.requirements.size(); ++i) {
+    text += fmt::format(
+        "  left out by '{}': {}\n", printable(header.requirements[i]), counts.excluded[i]);
+  }
+  for (const auto& [status, count] : counts.statuses) {
+    text += fmt::format("  {}: {}\n", status, count);
+  }
+  return text;
+}
+
+}  // namespace kinestat

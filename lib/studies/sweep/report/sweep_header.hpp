@@ -1,0 +1,83 @@
+// What is told of a sweep beside its rows: of a shard before them, of a result in a file of its
+// own.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/sweep/report/sweep_rows.hpp"
+#include "studies/sweep/sweep_counts.hpp"
+#include "studies/sweep/top_rows.hpp"
+
+namespace kinestat {
+
+/// A share of the chunks of a sweep: the k-th of n.
+struct ShardNumber {
+  std::uint64_t number = 1;
+  std::uint64_t count = 1;
+
+  friend bool operator==(const ShardNumber&, const ShardNumber&) = default;
+
+  /// "2/7"
+  std::string text() const;
+
+  /// The chunks of the shard: from the first up to, not including, the end.
+  std::uint64_t first_chunk(std::uint64_t chunks) const;
+  std::uint64_t end_chunk(std::uint64_t chunks) const;
+};
+
+/// The rows that are kept of a sweep, where not all are.
+struct TopChoice {
+  std::uint64_t count = 0;
+  std::string by;  ///< name of a quantity
+  RankOrder order = RankOrder::largest;
+};
+
+/// All that shards of one sweep have in common, and what a result says of it.
+struct SweepHeader {
+  std::string version;  ///< of the program
+  std::string plan;     ///< a hash of all that decides the rows
+  std::string stem;     ///< of the names of the files of the result
+  std::string name;     ///< of the mechanism
+  RowFormat format = RowFormat::csv;
+  std::vector<std::string> titles;        ///< of the columns
+  std::string heading;                    ///< the first line of the result; empty for JSON
+  std::string signature;                  ///< how the result begins
+  std::vector<std::string> requirements;  ///< as typed
+  std::uint64_t states = 0;
+  std::uint64_t chunks = 0;
+  std::optional<TopChoice> top;
+
+  /// The name of the result without its folder: "teeth.sweep.csv" or "teeth.sweep.jsonl".
+  std::string result_name() const;
+};
+
+/// The first line of a shard, with its line end.
+std::string write_shard_header(const SweepHeader& header, const ShardNumber& shard);
+
+/// How every such line begins.
+std::string_view shard_signature();
+
+struct ShardHeader {
+  SweepHeader header;
+  ShardNumber shard;
+};
+
+/// Empty for any other text.
+std::optional<ShardHeader> read_shard_header(const std::string& line);
+
+/// The file beside the rows: what was varied, required and counted.
+std::string write_sweep_summary(const SweepHeader& header, const SweepCounts& counts);
+
+/// How every such file begins.
+std::string_view summary_signature();
+
+/// The plan of a file beside rows; empty for any other text.
+std::optional<std::string> read_plan_of_summary(const std::string& text);
+
+/// The counts for people, on a line each.
+std::string sweep_text(const SweepHeader& header, const SweepCounts& counts);
+
+}  // namespace kinestat

@@ -1,0 +1,254 @@
+#include "studies/sweep/report/sweep_quantity.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/contract.hpp"
+#include "mechanism/label_kind.hpp"
+#include "report/in_units.hpp"
+
+namespace kinestat {
+
+namespace {
+
+using enum SweepQuantityKind;
+
+bool has_ratio(const Case& which) {
+  return !which.inputs.empty() && which.outputs.size() == 1;
+}
+
+bool turns(const Topology& topology, int actuator) {
+  const auto freedom =
+      static_cast<std::size_t>(topology.actuators[static_cast<std::size_t>(actuator)].freedom);
+  return topology.freedoms[freedom].is_rotation;
+}
+
+QuantityKind kind_of(SweepQuantityKind ratio_kind, bool is_rotation) {
+  if (ratio_kind == SweepQuantityKind::ratio) {
+    return rate_kind(is_rotation);
+  }
+  return action_kind(is_rotation);
+}
+
+class QuantitySearch {
+ public:
+  QuantitySearch(const MechanismDescription& description,
+                 const Mechanism& mechanism,
+                 std::span<const Case> cases,
+                 Diagnostics& found)
+      : description_(description),
+        topology_(mechanism.topology),
+        cases_(cases),
+        found_(found),
+        units_(description.units) {}
+
+  std::vector<SweepQuantity> run() {
+    std::vector<SweepQuantity> result;
+    for (const Name& name : description_.sweep->report) {
+      if (auto quantity = find(name)) {
+        result.push_back(*std::move(quantity));
+      }
+    }
+    return description_.sweep->report.empty() ? all() : result;
+  }
+
+ private:
+  std::vector<SweepQuantity> all() {
+    std::vector<SweepQuantity> result;
+    if (std::ranges::any_of(cases_, has_ratio)) {
+      result.push_back(ratio_of(ratio, {.text = "ratio", .where = description_.sweep->where}));
+      result.push_back(
+          ratio_of(torque_ratio, {.text = "torque_ratio", .where = description_.sweep->where}));
+    }
+    for (int f = 0; f < topology_.freedom_count(); ++f) {
+      result.push_back(rate_of(f));
+    }
+    for (int a = 0; a < topology_.action_count(); ++a) {
+      result.push_back(action_of(a));
+    }
+    return result;
+  }
+
+  std::optional<SweepQuantity> find(const Name& name) {
+    if (name.text == "ratio" || name.text == "torque_ratio") {
+      return ratio_of(name.text == "ratio" ? ratio : torque_ratio, name);
+    }
+    if (name.text == "step") {
+      return step_of(name);
+    }
+    if (name.text == "efficiency" || name.text == "recirculation") {
+      return SweepQuantity{.kind = name.text == "efficiency" ? efficiency : recirculation,
+                           .index = -1,
+                           .name = name.text,
+                           .unit = {}};
+    }
+    for (int a = 0; a < topology_.action_count(); ++a) {
+      if (topology_.action_name(a) == name.text) {
+        return action_of(a);
+      }
+    }
+    for (int f = 0; f < topology_.freedom_count(); ++f) {
+      if (topology_.freedom_name(f) == name.text) {
+        return rate_of(f);
+      }
+    }
+    for (const ActuatorTopology& actuator : topology_.actuators) {
+      if (name.text == "lossy." + actuator.name) {
+        SweepQuantity result = action_of(actuator.action);
+        result.kind = lossy_action;
+        result.name = name.text;
+        return result;
+      }
+    }
+    KINESTAT_EXPECTS(false);  // the check of the section lets no other name pass
+    return std::nullopt;
+  }
+
+  // Between the gears of a shift table.
+  std::optional<SweepQuantity> step_of(const Name& name) {
+    if (!description_.shift) {
+      found_.error("E0305",
+                   name.where,
+                   "'step' is the ratio of the next lower gear over a gear's own, and the file has "
+                   "no section 'shift'",
+                   "remove 'step', or let 'shift:' name the input, the output and the elements");
+      return std::nullopt;
+    }
+    return SweepQuantity{.kind = step, .index = -1, .name = name.text, .unit = {}};
+  }
+
+  SweepQuantity rate_of(int freedom) const {
+    const FreedomLabel& label = topology_.freedoms[static_cast<std::size_t>(freedom)];
+    return {.kind = rate,
+            .index = freedom,
+            .name = topology_.freedom_name(freedom),
+            .unit = units_.text(kind_of(label))};
+  }
+
+  SweepQuantity action_of(int action) const {
+    const ActionLabel& label = topology_.actions[static_cast<std::size_t>(action)];
+    return {.kind = SweepQuantityKind::action,
+            .index = action,
+            .name = topology_.action_name(action),
+            .unit = units_.text(kind_of(label))};
+  }
+
+  // One column holds the ratios of all cases, so they must measure the same.
+  SweepQuantity ratio_of(SweepQuantityKind kind, const Name& name) {
+    std::optional<std::string> unit;
+    for (const Case& which : cases_) {
+      if (!has_ratio(which)) {
+        continue;
+      }
+      const QuantityKind in = kind_of(kind, turns(topology_, which.inputs.front()));
+      const QuantityKind out = kind_of(kind, turns(topology_, which.outputs.front()));
+      const std::string one =
+          in == out ? "" : fmt::format("{} per {}", units_.text(in), units_.text(out));
+      if (unit && *unit != one) {
+        found_.error(
+            "E0305",
+            name.where,
+            fmt::format(
+                "'{}' is in '{}' in one case and in '{}' in another", name.text, *unit, one),
+            "name cases under 'cases:' of 'sweep' whose inputs and outputs are alike");
+        break;
+      }
+      unit = one;
+    }
+    return {.kind = kind, .index = -1, .name = name.text, .unit = unit.value_or("")};
+  }
+
+  const MechanismDescription& description_;
+  const Topology& topology_;
+  std::span<const Case> cases_;
+  Diagnostics& found_;
+  const FileUnits& units_;
+};
+
+// By the model that the file prefers, where meshes lose power; friction alone else.
+std::optional<double> efficiency_value(const CaseAnalysis& one, const Mechanism& mechanism) {
+  if (one.efficiency) {
+    return mechanism.loss_model == LossModel::carrier ? one.efficiency->carrier.value
+                                                      : one.efficiency->absolute.value;
+  }
+  return one.power ? one.power->efficiency : std::nullopt;
+}
+
+// Where no mesh loses anything, both are the same.
+std::optional<double> action_value(const CaseAnalysis& one, std::size_t action, bool is_lossy) {
+  if (is_lossy) {
+    return one.efficiency->state ? one.efficiency->state->actions[action] : std::nullopt;
+  }
+  return one.action && action < one.action->magnitudes.size() ? one.action->magnitudes[action]
+                                                              : std::nullopt;
+}
+
+std::optional<double> ratio_value(SweepQuantityKind kind,
+                                  const CaseAnalysis& one,
+                                  const Topology& topology,
+                                  const FileUnits& units) {
+  if (!one.ratios) {
+    return std::nullopt;
+  }
+  const std::optional<double>& value = kind == ratio ? one.ratios->ratio : one.ratios->torque_ratio;
+  const QuantityKind in = kind_of(kind, turns(topology, one.which.inputs.front()));
+  const QuantityKind out = kind_of(kind, turns(topology, one.which.outputs.front()));
+  return !value || in == out ? value : std::optional(*value * units.factor(out) / units.factor(in));
+}
+
+}  // namespace
+
+bool needs_statics(SweepQuantityKind kind) {
+  return kind != ratio && kind != rate && kind != step;
+}
+
+bool needs_power(SweepQuantityKind kind) {
+  return kind == efficiency || kind == recirculation || kind == lossy_action;
+}
+
+std::optional<std::vector<SweepQuantity>> find_sweep_quantities(
+    const MechanismDescription& description,
+    const Mechanism& mechanism,
+    std::span<const Case> cases,
+    Diagnostics& found) {
+  KINESTAT_EXPECTS(description.sweep.has_value());
+  const int errors_before = found.error_count();
+  std::vector<SweepQuantity> result = QuantitySearch(description, mechanism, cases, found).run();
+  return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;
+}
+
+std::optional<double> value_of(const SweepQuantity& quantity,
+                               const CaseAnalysis& one,
+                               const Mechanism& mechanism,
+                               const FileUnits& units) {
+  const InUnits in(units);
+  const auto i = static_cast<std::size_t>(quantity.index);
+  switch (quantity.kind) {
+    case ratio:
+    case torque_ratio:
+      return ratio_value(quantity.kind, one, mechanism.topology, units);
+    case step:
+      return std::nullopt;
+    case efficiency:
+      return efficiency_value(one, mechanism);
+    case recirculation:
+      return one.power_graph ? one.power_graph->factor : std::nullopt;
+    case rate:
+      return one.motion && i < one.motion->rates.size()
+                 ? std::optional(
+                       in.rate(one.motion->rates[i], mechanism.topology.freedoms[i].is_rotation))
+                 : std::nullopt;
+    case SweepQuantityKind::action:
+    case lossy_action: {
+      const std::optional<double> value =
+          action_value(one, i, quantity.kind == lossy_action && one.efficiency);
+      return value ? std::optional(in.action(*value, mechanism.topology.actions[i].is_couple))
+                   : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,54 @@
+// The quantities that the rows of a sweep hold: from the name in the file to a number of a case.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cases/analysis.hpp"
+#include "core/diagnostic.hpp"
+
+namespace kinestat {
+
+enum class SweepQuantityKind {
+  ratio,
+  torque_ratio,
+  step,
+  efficiency,
+  recirculation,
+  rate,
+  action,
+  lossy_action  ///< as meshes with their losses by the carrier model leave it
+};
+
+/// A column of a sweep, resolved once for all states.
+struct SweepQuantity {
+  SweepQuantityKind kind = SweepQuantityKind::ratio;
+  int index = -1;    ///< into Topology::freedoms or Topology::actions
+  std::string name;  ///< as the file has it
+  std::string unit;  ///< empty for a bare number
+};
+
+/// Whether it needs the actions of the case; otherwise its velocities are enough.
+bool needs_statics(SweepQuantityKind kind);
+
+/// Whether it needs the power flow of the case.
+bool needs_power(SweepQuantityKind kind);
+
+/// The quantities that `report` of the sweep names; if it names none, ratio and torque ratio where
+/// a case has them, and all rates and actions. A ratio whose unit differs from case to case is
+/// E0305, and so is a step without gears. Empty iff an error was added.
+std::optional<std::vector<SweepQuantity>> find_sweep_quantities(
+    const MechanismDescription& description,
+    const Mechanism& mechanism,
+    std::span<const Case> cases,
+    Diagnostics& found);
+
+/// Its value in its unit; empty where the case has none. A step is not of one case.
+std::optional<double> value_of(const SweepQuantity& quantity,
+                               const CaseAnalysis& one,
+                               const Mechanism& mechanism,
+                               const FileUnits& units);
+
+}  // namespace kinestat

@@ -1,0 +1,129 @@
+#include "studies/sweep/report/sweep_record.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr int kSummaryVersion = 1;
+
+const Record<SweepHeader>& sweeping_program_record() {
+  using View = SweepHeader;
+  static const Record<View> record("The program that swept.", [](Record<View>& keys) {
+    keys.count("sweep", "Version of this form.", [](const View&) { return kSummaryVersion; });
+    keys.text("version", "Version of the program.", [](const View& v) { return v.version; });
+  });
+  return record;
+}
+
+struct RequirementView {
+  const std::string& condition;
+  std::uint64_t excluded = 0;
+};
+
+const Record<RequirementView>& requirement_record() {
+  using View = RequirementView;
+  static const Record<View> record("One requirement.", [](Record<View>& keys) {
+    keys.text("condition", "As the file has it.", [](const View& v) { return v.condition; });
+    keys.count("excluded",
+               "States of which it is the first requirement violated.",
+               [](const View& v) { return v.excluded; });
+  });
+  return record;
+}
+
+void emit_requirements(const SweepSummaryView& v, const Each<RequirementView>& each) {
+  const std::vector<std::uint64_t>& excluded = v.counts.excluded;
+  for (std::size_t i = 0; i < v.header.requirements.size(); ++i) {
+    each(
+        {.condition = v.header.requirements[i], .excluded = i < excluded.size() ? excluded[i] : 0});
+  }
+}
+
+void write_statuses(const SweepSummaryView& v, Archive& to) {
+  to.begin_map();
+  for (const auto& [status, count] : v.counts.statuses) {
+    to.element(status, {});
+    to.whole(static_cast<std::int64_t>(count));
+  }
+  to.end_map();
+}
+
+void add_plan(Record<SweepSummaryView>& keys) {
+  using View = SweepSummaryView;
+  keys.part("kinestat", sweeping_program_record(), [](const View& v) -> const SweepHeader& {
+    return v.header;
+  });
+  keys.text("name", "Name of the mechanism; empty if the file gives none.", [](const View& v) {
+    return v.header.name;
+  });
+  keys.text("plan",
+            "Hash of everything that decides the bytes of the rows: version, file, options.",
+            [](const View& v) { return v.header.plan; });
+  keys.names("columns",
+             "Titles of the columns, which are the keys of JSON rows: varied parameters, case, "
+             "quantities, status.",
+             [](const View& v, const EachName& each) {
+               for (const std::string& title : v.header.titles) {
+                 each(title);
+               }
+             })
+      .ordered();
+}
+
+void add_counts_of_sweep(Record<SweepSummaryView>& keys) {
+  using View = SweepSummaryView;
+  keys.count("states",
+             "Combinations of the varied values, those that a requirement leaves out among them.",
+             [](const View& v) { return v.counts.states; });
+  keys.list("require",
+            requirement_record(),
+            "The requirements in the order of the file.",
+            emit_requirements);
+  keys.count("analysed", "States that no requirement leaves out.", [](const View& v) {
+    return v.counts.analysed();
+  });
+  keys.count("rows",
+             "Rows of all analysed states, one a case; with --top more than are written.",
+             [](const View& v) { return v.counts.rows; });
+  keys.custom(
+      "statuses",
+      map_shape(whole_shape(false)),
+      "How many rows have which status: solved, or why the row has no answer or one that "
+      "cannot be (cable_slack, contact_pulls, cable_slips), as 'kinestat help sweeps' lists "
+      "them.",
+      write_statuses);
+}
+
+}  // namespace
+
+std::string_view word_of(RankOrder order) {
+  return order == RankOrder::largest ? "largest" : "smallest";
+}
+
+const Record<TopChoice>& top_record() {
+  using View = TopChoice;
+  static const Record<View> record(
+      "Which rows were chosen; null where all were written.", [](Record<View>& keys) {
+        keys.count("count", "How many at most.", [](const View& v) { return v.count; }).at_least(1);
+        keys.text("by", "The quantity that decides.", [](const View& v) { return v.by; });
+        keys.word("order", {"largest", "smallest"}, "Which values come first.", [](const View& v) {
+          return word_of(v.order);
+        });
+      });
+  return record;
+}
+
+const Record<SweepSummaryView>& sweep_summary_record() {
+  using View = SweepSummaryView;
+  static const Record<View> record(
+      "What 'kinestat sweep --out' and 'kinestat merge' write beside the rows, as "
+      "STEM.sweep.json.",
+      [](Record<View>& keys) {
+        add_plan(keys);
+        add_counts_of_sweep(keys);
+        keys.part("top", top_record(), [](const View& v) { return v.header.top; });
+      });
+  return record;
+}
+
+}  // namespace kinestat

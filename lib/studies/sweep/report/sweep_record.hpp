@@ -1,0 +1,21 @@
+// What is told of a sweep in a file beside its rows.
+#pragma once
+
+#include "record/record.hpp"
+#include "studies/sweep/report/sweep_header.hpp"
+
+namespace kinestat {
+
+/// "largest" or "smallest"
+std::string_view word_of(RankOrder order);
+
+const Record<TopChoice>& top_record();
+
+struct SweepSummaryView {
+  const SweepHeader& header;
+  const SweepCounts& counts;
+};
+
+const Record<SweepSummaryView>& sweep_summary_record();
+
+}  // namespace kinestat

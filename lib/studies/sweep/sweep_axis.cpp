@@ -1,0 +1,139 @@
+#include "studies/sweep/sweep_axis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "core/contract.hpp"
+#include "core/tolerance.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr double kLargestWhole = 9007199254740992.0;  // 2^53: up to here doubles are exact
+
+BasicQuantity<Exact> evaluated(const Value& value, const BasicParameterTable<Exact>& exact) {
+  const auto result = evaluate<Exact>(value.expression, exact.lookup());
+  KINESTAT_EXPECTS(std::holds_alternative<BasicQuantity<Exact>>(result));
+  return std::get<BasicQuantity<Exact>>(result);
+}
+
+// The value counted in a unit, where that is a fraction.
+std::optional<Rational> exact_count(const Exact& value, const UnitScale& unit) {
+  const bool is_fraction =
+      value.exact && (value.exact->factor == 0 || value.exact->pi_power == unit.pi_power);
+  if (!is_fraction) {
+    return std::nullopt;
+  }
+  return value.exact->factor * Rational(unit.denominator) / Rational(unit.numerator);
+}
+
+double count_of(const Exact& value, const UnitScale& unit) {
+  const std::optional<Rational> exact = exact_count(value, unit);
+  return exact ? to_double(*exact) : unit.from_si(value.value);
+}
+
+std::optional<double> small_whole(const Rational& value) {
+  const double number = to_double(value);
+  return is_whole(value) && std::abs(number) <= kLargestWhole ? std::optional(number)
+                                                              : std::nullopt;
+}
+
+// A range over whole numbers of a common share of the unit.
+struct WholeRange {
+  double from = 0.0;
+  double step = 0.0;
+  double denominator = 1.0;
+  double last = 0.0;  ///< index
+};
+
+std::optional<WholeRange> whole_range(const std::optional<Rational>& from,
+                                      const std::optional<Rational>& to,
+                                      const std::optional<Rational>& step) {
+  if (!from || !to || !step) {
+    return std::nullopt;
+  }
+  const Rational a = denominator(*from);
+  const Rational b = denominator(*step);
+  const Rational common = a * b / common_divisor(a, b);
+  const auto first = small_whole(*from * common);
+  const auto each = small_whole(*step * common);
+  const auto share = small_whole(common);
+  const auto last = small_whole(rounded_down((*to - *from) / *step));
+  const bool fits =
+      first && each && share && last && std::abs(*first) + *last * std::abs(*each) <= kLargestWhole;
+  return fits ? std::optional(WholeRange{*first, *each, *share, *last}) : std::nullopt;
+}
+
+}  // namespace
+
+SweepAxis::SweepAxis(const MechanismDescription& description,
+                     const VariedParameter& varied,
+                     const BasicParameterTable<Exact>& exact)
+    : name_(varied.name.text), parameter_(exact.index_of(varied.name.text)) {
+  KINESTAT_EXPECTS(parameter_ >= 0);
+  dimension_ =
+      evaluated(varied.values.empty() ? *varied.from : varied.values.front(), exact).dimension;
+  unit_ = description.units.unit_of(dimension_);
+  above_ = UnitScale{unit_.scale.numerator, 1.0, unit_.scale.pi_power}.factor();
+  below_ = unit_.scale.denominator;
+  if (varied.values.empty()) {
+    read_range(varied, exact);
+  } else {
+    read_list(varied.values, exact);
+  }
+}
+
+void SweepAxis::read_list(const std::vector<Value>& values,
+                          const BasicParameterTable<Exact>& exact) {
+  for (const Value& value : values) {
+    const Exact number = evaluated(value, exact).value;
+    counts_.push_back(count_of(number, unit_.scale));
+    values_.push_back(number.value);
+  }
+  size_ = values.size();
+}
+
+void SweepAxis::read_range(const VariedParameter& varied, const BasicParameterTable<Exact>& exact) {
+  const Exact from = evaluated(*varied.from, exact).value;
+  const Exact to = evaluated(*varied.to, exact).value;
+  const Exact step = evaluated(*varied.step, exact).value;
+  const auto whole = whole_range(
+      exact_count(from, unit_.scale), exact_count(to, unit_.scale), exact_count(step, unit_.scale));
+  if (whole) {
+    from_ = whole->from;
+    step_ = whole->step;
+    denominator_ = whole->denominator;
+    size_ = static_cast<std::uint64_t>(whole->last) + 1;
+  } else {
+    from_ = unit_.scale.from_si(from.value);
+    step_ = unit_.scale.from_si(step.value);
+    const double ways = (to.value - from.value) / step.value;
+    size_ = static_cast<std::uint64_t>(std::floor(ways + kSameValue * std::max(1.0, ways))) + 1;
+  }
+  keep_values();
+}
+
+// So that a state need not divide.
+void SweepAxis::keep_values() {
+  constexpr std::uint64_t kMostKept = 4096;
+  std::vector<double> values;
+  for (std::uint64_t i = 0; i < size_ && size_ <= kMostKept; ++i) {
+    values.push_back(number_at(i));
+  }
+  values_ = std::move(values);
+}
+
+std::pair<double, double> SweepAxis::bounds() const {
+  if (counts_.empty()) {
+    // The values of a range keep their order when they are rounded.
+    return std::minmax({value_at(0).value, value_at(size_ - 1).value});
+  }
+  const auto [least, most] = std::ranges::minmax_element(values_);
+  return {*least, *most};
+}
+
+}  // namespace kinestat

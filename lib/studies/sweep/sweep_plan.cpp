@@ -1,0 +1,91 @@
+#include "studies/sweep/sweep_plan.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/contract.hpp"
+#include "expression/exact.hpp"
+
+namespace kinestat {
+
+SweepPlan::SweepPlan(const MechanismDescription& description) {
+  KINESTAT_EXPECTS(description.sweep.has_value());
+  add_axes(description);
+  add_dependents(description);
+  add_requirements(description);
+}
+
+void SweepPlan::add_axes(const MechanismDescription& description) {
+  const std::vector<Parameter> parameters = parameters_of(description);
+  const BasicParameterTable<Exact> exact = evaluate_parameters<Exact>(parameters).table;
+  depths_.assign(parameters.size(), -1);
+  for (const VariedParameter& varied : description.sweep->vary) {
+    const int depth = static_cast<int>(axes_.size());
+    axes_.emplace_back(description, varied, exact);
+    depths_[static_cast<std::size_t>(axes_.back().parameter())] = depth;
+  }
+  strides_.resize(axes_.size());
+  for (std::size_t i = axes_.size(); i > 0; --i) {
+    strides_[i - 1] = state_count_;
+    state_count_ *= axes_[i - 1].size();
+  }
+}
+
+void SweepPlan::add_dependents(const MechanismDescription& description) {
+  const std::vector<Parameter> parameters = parameters_of(description);
+  const ParameterTable table = evaluate_parameters(parameters).table;
+  for (const Parameter& parameter : parameters) {
+    const Quantity* value = table.find(parameter.name);
+    slots_.values.push_back(value != nullptr ? *value : Quantity{});
+    slots_.has_value.push_back(value != nullptr);
+  }
+  const auto slot_of = [&](const std::string& name) { return table.index_of(name); };
+  for (const int i : evaluation_order(parameters)) {
+    int& depth = depths_[static_cast<std::size_t>(i)];
+    if (depth >= 0) {
+      continue;  // varied: what the file gives for it does not count
+    }
+    SlotExpression value(parameters[static_cast<std::size_t>(i)].value, slot_of);
+    depth = depth_of(value.slots());
+    if (depth >= 0) {
+      dependents_.push_back({.parameter = i, .value = std::move(value), .depth = depth});
+    }
+  }
+}
+
+void SweepPlan::add_requirements(const MechanismDescription& description) {
+  const std::vector<Parameter> parameters = parameters_of(description);
+  const ParameterTable table(parameters);
+  for (const Requirement& one : description.sweep->require) {
+    SlotCondition condition(one.condition,
+                            [&](const std::string& name) { return table.index_of(name); });
+    const int depth = depth_of(condition.slots());
+    requirements_.push_back(
+        {.text = one.condition.text(), .condition = std::move(condition), .depth = depth});
+  }
+}
+
+int SweepPlan::depth_of(std::span<const int> slots) const {
+  int depth = -1;
+  for (const int slot : slots) {
+    depth = std::max(depth, depths_[static_cast<std::size_t>(slot)]);
+  }
+  return depth;
+}
+
+// Small enough that what an interruption loses is little and that shards are alike; large enough
+// that the files of chunks stay few.
+std::uint64_t SweepPlan::chunk_size() const {
+  constexpr std::uint64_t kUsualCount = 256;
+  constexpr std::uint64_t kSmallest = 16;
+  constexpr std::uint64_t kLargest = 4096;
+  constexpr std::uint64_t kMostChunks = 65536;
+  const std::uint64_t usual = std::clamp(state_count_ / kUsualCount, kSmallest, kLargest);
+  return std::max(usual, state_count_ / kMostChunks + 1);
+}
+
+std::uint64_t SweepPlan::chunk_count() const {
+  return (state_count_ + chunk_size() - 1) / chunk_size();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,285 @@
+#include "studies/sweep/task/state_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cases/case_word.hpp"
+#include "cases/solve_cases.hpp"
+#include "core/contract.hpp"
+#include "core/tolerance.hpp"
+#include "mechanism/bind/bind.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// The text that gives this number and no other.
+Expression expression_of(const Quantity& value) {
+  const std::string unit = is_bare(value.dimension) ? "" : " " + si_unit_of(value.dimension);
+  auto parsed = parse_expression(fmt::format("{}{}", value.value, unit));
+  KINESTAT_EXPECTS(std::holds_alternative<Expression>(parsed));
+  return std::get<Expression>(std::move(parsed));
+}
+
+// Known magnitudes that no longer fit where they usually do: the position is to blame.
+std::string_view status_word(SolveStatus status, bool is_usually_solved) {
+  const bool is_of_choice = status == SolveStatus::dependent ||
+                            status == SolveStatus::underdetermined ||
+                            status == SolveStatus::inconsistent;
+  return is_usually_solved && is_of_choice ? "singular" : word_of(status);
+}
+
+bool has_solved_motion(const CaseAnalysis& one) {
+  return one.motion && one.motion->status == SolveStatus::solved;
+}
+
+// Of a case whose ratio is asked for and has no value.
+std::string_view ratio_status(const CaseAnalysis& one, const Topology& topology) {
+  if (!has_solved_motion(one) || one.which.inputs.empty()) {
+    return "solved";
+  }
+  const bool is_input_at_rest = std::ranges::all_of(one.which.inputs, [&](int input) {
+    const auto freedom =
+        static_cast<std::size_t>(topology.actuators[static_cast<std::size_t>(input)].freedom);
+    return one.motion->rates[freedom] == 0.0;
+  });
+  return status_without_ratio(is_input_at_rest);
+}
+
+}  // namespace
+
+std::string_view status_without_ratio(bool is_input_at_rest) {
+  return is_input_at_rest ? "locked" : "no_ratio";
+}
+
+std::string_view row_status(const CaseAnalysis& one,
+                            const SweepTask& task,
+                            bool is_usually_solved) {
+  if (one.motion && one.motion->status != SolveStatus::solved) {
+    return one.motion->status == SolveStatus::dependent && one.motion->counts.net_freedom <= 0
+               ? "locked"
+               : status_word(one.motion->status, is_usually_solved);
+  }
+  const bool has_actions = !one.action || one.action->status == SolveStatus::solved;
+  if (!has_actions && is_usually_solved) {
+    return status_word(one.action->status, is_usually_solved);
+  }
+  const bool asks_power = std::ranges::any_of(
+      task.quantities, [](const SweepQuantity& quantity) { return needs_power(quantity.kind); });
+  const std::string_view word = case_word(task.mechanism, one, asks_power);
+  if (word != word_of(SolveStatus::solved)) {
+    return word;
+  }
+  const bool asks_ratio = std::ranges::any_of(task.quantities, [](const SweepQuantity& quantity) {
+    return quantity.kind == SweepQuantityKind::ratio;
+  });
+  if (asks_ratio && one.ratios && !one.ratios->ratio) {
+    return ratio_status(one, task.mechanism.topology);
+  }
+  const bool asks_efficiency = std::ranges::any_of(
+      task.quantities,
+      [](const SweepQuantity& quantity) { return quantity.kind == SweepQuantityKind::efficiency; });
+  const bool is_lossless = !one.efficiency && one.action && one.action->friction.empty();
+  const bool has_efficiency =
+      value_of({.kind = SweepQuantityKind::efficiency, .index = -1, .name = {}, .unit = {}},
+               one,
+               task.mechanism,
+               task.description.units)
+          .has_value();
+  if (asks_efficiency && one.power && !one.which.inputs.empty() && !one.which.outputs.empty() &&
+      !has_efficiency && !is_lossless) {
+    return "no_efficiency";
+  }
+  return "solved";
+}
+
+StateBinder::StateBinder(const SweepTask& task) : task_(task), description_(task.description) {}
+
+std::optional<Mechanism> StateBinder::bind(std::uint64_t state) {
+  for (std::size_t a = 0; a < task_.plan.axes().size(); ++a) {
+    const SweepAxis& axis = task_.plan.axes()[a];
+    const std::uint64_t place = state / task_.plan.stride(static_cast<int>(a)) % axis.size();
+    Value& value = description_.parameters[static_cast<std::size_t>(axis.parameter())].value;
+    value.expression = expression_of(axis.value_at(place));
+    value.text_column = 0;
+  }
+  Diagnostics found;
+  std::optional<Mechanism> mechanism = kinestat::bind(description_, found);
+  const auto error = std::ranges::find(found.items(), Severity::error, &Diagnostic::severity);
+  code_ = error == found.items().end() ? "E0316" : error->code;
+  return mechanism;
+}
+
+std::optional<double> gear_ratio(const SweepTask& task, std::size_t row, const CaseAnalysis& one) {
+  return task.gears[row] && one.ratios ? one.ratios->ratio : std::nullopt;
+}
+
+void fill_row(const SweepTask& task,
+              const Mechanism& mechanism,
+              const CaseAnalysis& one,
+              SweepRow& row) {
+  for (std::size_t q = 0; q < row.values.size(); ++q) {
+    const double value =
+        value_of(task.quantities[q], one, mechanism, task.description.units).value_or(kNoValue);
+    row.values[q] = std::isfinite(value) ? value : kNoValue;
+  }
+}
+
+StateSolver::StateSolver(const SweepTask& task, std::size_t lanes)
+    : task_(task), binder_(task), states_(task.cases.size()) {
+  const std::size_t together = task.tapes ? lanes : 1;
+  if (task.tapes) {
+    taped_.emplace(task, *task.tapes, together);
+  }
+  is_undefined_.resize(together);
+  places_.resize(together * task.plan.axes().size());
+  rows_.resize(together * task.cases.size());
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    rows_[i].which = i % task.cases.size();
+    rows_[i].values.assign(task.quantities.size(), kNoValue);
+  }
+  for (std::size_t lane = 0; lane < together; ++lane) {
+    solved_.push_back({.number = 0, .places = places_of(lane), .rows = rows_of(lane)});
+  }
+}
+
+std::span<std::uint64_t> StateSolver::places_of(std::size_t lane) {
+  const std::size_t axes = task_.plan.axes().size();
+  return std::span(places_).subspan(lane * axes, axes);
+}
+
+std::span<SweepRow> StateSolver::rows_of(std::size_t lane) {
+  return std::span(rows_).subspan(lane * task_.cases.size(), task_.cases.size());
+}
+
+std::span<const SolvedState> StateSolver::solve_next(StateWalk& walk) {
+  std::size_t count = 0;
+  while (count < is_undefined_.size() && walk.next()) {
+    const std::uint64_t together = taped_ ? taped_->takes(walk) : 1;
+    const std::size_t some = std::min<std::uint64_t>(together, is_undefined_.size() - count);
+    take(walk, count, some);
+    walk.pass(some - 1);
+    count += some;
+  }
+  if (taped_ && count > 0) {
+    taped_->play();
+    taped_->fill(count, rows_);
+  }
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    if (is_undefined_[lane] != 0 || !taped_ || !taped_->has_answer(lane)) {
+      analyse(lane);
+    }
+  }
+  if (taped_ && count > 0) {
+    check_some(count);
+  }
+  return std::span(solved_).first(count);
+}
+
+// The state of the walk, and as many that are alike as make up the count.
+void StateSolver::take(const StateWalk& walk, std::size_t lane, std::size_t count) {
+  if (taped_ && !walk.is_undefined()) {
+    taped_->load(walk, lane, count);
+  }
+  const std::span<const std::uint64_t> from = walk.places();
+  std::uint64_t* place = places_of(lane).data();
+  for (std::size_t i = 0; i < count; ++i) {
+    solved_[lane + i].number = walk.state() + i;
+    is_undefined_[lane + i] = walk.is_undefined() ? 1 : 0;
+    for (std::size_t a = 0; a < from.size(); ++a) {
+      *place++ = from[a] + (a + 1 == from.size() ? i : 0);
+    }
+  }
+}
+
+void StateSolver::analyse(std::size_t lane) {
+  analyse(solved_[lane].number, is_undefined_[lane] != 0, rows_of(lane));
+}
+
+void StateSolver::analyse(std::uint64_t state, bool is_undefined, std::span<SweepRow> rows) {
+  const std::optional<Mechanism> mechanism = binder_.bind(state);
+  // A requirement alone may have no answer; then none of the numbers counts.
+  if (!mechanism || is_undefined) {
+    fail(binder_.code(), rows);
+    return;
+  }
+  std::vector<Case> cases = chosen_cases(task_, *mechanism);
+  if (task_.shift) {
+    decide_gears(*mechanism, cases);
+  }
+  std::vector<std::optional<double>> ratios(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::ranges::fill(rows[i].values, kNoValue);
+    if (states_[i] && states_[i]->kind != ShiftClass::gear) {
+      rows[i].status = word_of(states_[i]->kind);
+      continue;
+    }
+    const CaseAnalysis one = solve_some_cases(*mechanism, std::span(&cases[i], 1)).front();
+    fill_row(task_, *mechanism, one, rows[i]);
+    rows[i].status = row_status(one, task_, task_.is_usually_solved[i]);
+    ratios[i] = gear_ratio(task_, i, one);
+  }
+  fill_steps(task_.quantities, ratios, rows);
+}
+
+void StateSolver::decide_gears(const Mechanism& mechanism, std::vector<Case>& cases) {
+  const std::optional<ShiftPlan> plan = bind_shift(binder_.description(), mechanism.topology);
+  KINESTAT_EXPECTS(plan.has_value());
+  states_ = find_states(task_.gears, mechanism, *plan);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (!states_[i] || states_[i]->kind != ShiftClass::gear) {
+      continue;
+    }
+    if (std::optional<Case> anew =
+            described_anew(*task_.gears[i], *states_[i], *plan, binder_.description(), mechanism)) {
+      anew->asks_actions = anew->asks_actions && task_.has_statics;
+      cases[i] = *std::move(anew);
+    }
+  }
+}
+
+// Now and then a state is analysed both ways, so that no mistake of a tape stays unseen.
+void StateSolver::check_some(std::size_t count) {
+  constexpr std::uint64_t kCheckEvery = 100003;  // takes a tenth of the time that tapes take
+  const std::uint64_t first = solved_.front().number;
+  const std::uint64_t next = (first + kCheckEvery - 1) / kCheckEvery * kCheckEvery;
+  if (next > solved_[count - 1].number) {
+    return;
+  }
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    if (solved_[lane].number == next && is_undefined_[lane] == 0 && taped_->has_answer(lane)) {
+      check_tape(next, rows_of(lane));
+    }
+  }
+}
+
+void StateSolver::check_tape(std::uint64_t state, std::span<const SweepRow> taped) {
+  std::vector<SweepRow> rows(taped.begin(), taped.end());
+  analyse(state, false, rows);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    double largest = 0.0;
+    for (const double value : rows[i].values) {
+      largest = std::isnan(value) ? largest : std::max(largest, std::abs(value));
+    }
+    for (std::size_t q = 0; q < rows[i].values.size(); ++q) {
+      const double a = rows[i].values[q];
+      const double b = taped[i].values[q];
+      KINESTAT_EXPECTS(std::isnan(a) == std::isnan(b) &&
+                       (std::isnan(a) || std::abs(a - b) <= kReportsAgree * largest));
+    }
+    KINESTAT_EXPECTS(rows[i].status == taped[i].status);
+  }
+}
+
+void StateSolver::fail(std::string_view status, std::span<SweepRow> rows) {
+  for (SweepRow& row : rows) {
+    row.status = status;
+    std::ranges::fill(row.values, kNoValue);
+  }
+}
+
+}  // namespace kinestat

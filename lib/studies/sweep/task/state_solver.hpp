@@ -1,0 +1,96 @@
+// The states of a sweep, some at a time: parameters in, rows out.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "studies/sweep/report/sweep_rows.hpp"
+#include "studies/sweep/state_walk.hpp"
+#include "studies/sweep/task/sweep_task.hpp"
+#include "studies/sweep/task/taped_solver.hpp"
+
+namespace kinestat {
+
+/// Binds the description with the parameters of states.
+class StateBinder {
+ public:
+  explicit StateBinder(const SweepTask& task);
+
+  /// Empty where the state of that number has no mechanism; the code of its first error is then
+  /// kept.
+  std::optional<Mechanism> bind(std::uint64_t state);
+
+  std::string_view code() const { return code_; }
+
+  /// That of the last state.
+  const MechanismDescription& description() const { return description_; }
+
+ private:
+  const SweepTask& task_;
+  MechanismDescription description_;
+  std::string_view code_;
+};
+
+/// A state of a sweep that was worked out.
+struct SolvedState {
+  std::uint64_t number = 0;
+  std::span<const std::uint64_t> places;  ///< on the axes
+  std::span<const SweepRow> rows;         ///< one a case
+};
+
+/// Each worker has its own. The numbers of a row are those that an analysis with --set gives; where
+/// a tape gives them, up to the rounding that another order of pivots makes. They do not depend on
+/// which states are worked out together.
+class StateSolver {
+ public:
+  /// The task must outlive it. `lanes` is how many states a tape works out together: 1 or kLanes.
+  explicit StateSolver(const SweepTask& task, std::size_t lanes = kLanes);
+
+  /// The next states of the walk, as many as are worked out together; empty at its end. They stay
+  /// until the next call.
+  std::span<const SolvedState> solve_next(StateWalk& walk);
+
+ private:
+  std::span<std::uint64_t> places_of(std::size_t lane);
+  std::span<SweepRow> rows_of(std::size_t lane);
+  void take(const StateWalk& walk, std::size_t lane, std::size_t count);
+  void analyse(std::size_t lane);
+  void analyse(std::uint64_t state, bool is_undefined, std::span<SweepRow> rows);
+  void decide_gears(const Mechanism& mechanism, std::vector<Case>& cases);
+  void check_some(std::size_t count);
+  void check_tape(std::uint64_t state, std::span<const SweepRow> taped);
+  void fail(std::string_view status, std::span<SweepRow> rows);
+
+  const SweepTask& task_;
+  StateBinder binder_;
+  std::optional<TapedSolver> taped_;
+  std::vector<char> is_undefined_;                 ///< of each lane
+  std::vector<std::uint64_t> places_;              ///< of each lane, axis by axis
+  std::vector<SweepRow> rows_;                     ///< of each lane, case by case
+  std::vector<SolvedState> solved_;                ///< of each lane
+  std::vector<std::optional<ShiftState>> states_;  ///< of each row that is of a combination
+};
+
+/// Of the ratio of a gear in SI; empty of any other case, and where a state is no gear.
+std::optional<double> gear_ratio(const SweepTask& task, std::size_t row, const CaseAnalysis& one);
+
+/// Writes the quantities of a case into its row; one that it does not have is a NaN.
+void fill_row(const SweepTask& task,
+              const Mechanism& mechanism,
+              const CaseAnalysis& one,
+              SweepRow& row);
+
+/// What the status of a row says of a case: that of its motion, of its actions where they are asked
+/// for, or why it has no ratio. What is known suffices and is independent with the parameters of
+/// the file if `is_usually_solved`: then a state in which it is not stands in a singular position.
+std::string_view row_status(const CaseAnalysis& one, const SweepTask& task, bool is_usually_solved);
+
+/// Why a solved case has no ratio: "locked" where the input rests (0/0 too), "no_ratio" where the
+/// output does.
+std::string_view status_without_ratio(bool is_input_at_rest);
+
+}  // namespace kinestat

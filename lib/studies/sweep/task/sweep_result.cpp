@@ -1,0 +1,105 @@
+#include "studies/sweep/task/sweep_result.hpp"
+
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace kinestat {
+
+namespace {
+
+// The text of the best rows of all pieces.
+std::string best_rows(const SweepHeader& header, const std::vector<PieceFile>& files) {
+  TopRows best(static_cast<std::size_t>(header.top->count), header.top->order);
+  PieceReader reader(files, header.plan);
+  ChunkRecord record;
+  while (reader.next(record)) {
+    for (RankedRow& row : read_rows(record.body)) {
+      best.add(std::move(row));
+    }
+  }
+  std::string text;
+  for (const RankedRow& row : best.take()) {
+    text += row.text;
+  }
+  return text;
+}
+
+}  // namespace
+
+bool PieceReader::next(ChunkRecord& record) {
+  while (!open_ || piece_ == files_[file_].pieces) {
+    file_ += open_ ? 1 : 0;
+    open_.reset();
+    piece_ = 0;
+    if (file_ == files_.size()) {
+      return false;
+    }
+    open_.emplace(files_[file_].path);
+    if (files_[file_].is_shard) {
+      (void)open_->read_line();
+    }
+  }
+  ++piece_;
+  if (open_->read_record(plan_, record) != RecordState::whole) {
+    throw std::runtime_error(fmt::format("'{}' has changed while it was read", files_[file_].path));
+  }
+  return true;
+}
+
+NextPiece result_pieces(const SweepHeader& header, const std::vector<PieceFile>& files) {
+  // Shared, because a function object must be copyable.
+  struct State {
+    PieceReader reader;
+    ChunkRecord record;
+    std::string ready;
+    bool has_ready = true;
+  };
+
+  const auto state = std::make_shared<State>(
+      State{.reader = PieceReader(files, header.plan), .record = {}, .ready = header.heading});
+  const bool is_top = header.top.has_value();
+  if (is_top) {
+    state->ready += best_rows(header, files);
+  }
+  return [state, is_top](std::string& piece) {
+    if (std::exchange(state->has_ready, false)) {
+      piece = std::move(state->ready);
+      return true;
+    }
+    if (is_top || !state->reader.next(state->record)) {
+      return false;
+    }
+    piece = std::move(state->record.body);
+    return true;
+  };
+}
+
+std::vector<OutputFile> result_files(const SweepHeader& header,
+                                     const std::string& folder,
+                                     const std::string& scratch,
+                                     const std::vector<PieceFile>& files,
+                                     const SweepCounts& counts) {
+  return {{.path = path_in(folder, header.result_name()),
+           .content = {},
+           .signature = header.signature,
+           .next_piece = files.empty() ? NextPiece() : result_pieces(header, files),
+           .scratch = scratch},
+          {.path = path_in(folder, summary_name(header)),
+           .content = write_sweep_summary(header, counts),
+           .signature = std::string(summary_signature()),
+           .next_piece = {},
+           .scratch = scratch}};
+}
+
+std::string path_in(const std::string& folder, const std::string& name) {
+  return fmt::format("{}{}{}", folder, folder.ends_with('/') ? "" : "/", name);
+}
+
+std::string summary_name(const SweepHeader& header) {
+  return header.stem + ".sweep.json";
+}
+
+}  // namespace kinestat

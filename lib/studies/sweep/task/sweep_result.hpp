@@ -1,0 +1,58 @@
+// The result of a sweep, made of pieces that stand in files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/atomic_file.hpp"
+#include "io/chunk_record.hpp"
+#include "studies/sweep/task/sweep_options.hpp"
+
+namespace kinestat {
+
+/// A file with some of the pieces, in order: a chunk alone, or a shard.
+struct PieceFile {
+  std::string path;
+  bool is_shard = false;  ///< begins with a line that is no piece
+  std::uint64_t pieces = 1;
+};
+
+/// Goes through the pieces of files that were found to be whole, in their order.
+class PieceReader {
+ public:
+  PieceReader(std::vector<PieceFile> files, std::string plan)
+      : files_(std::move(files)), plan_(std::move(plan)) {}
+
+  /// False at the end. A piece that is no longer what it was when it was checked, because another
+  /// process has changed its file meanwhile, throws std::runtime_error.
+  bool next(ChunkRecord& record);
+
+ private:
+  std::vector<PieceFile> files_;
+  std::string plan_;
+  std::size_t file_ = 0;
+  std::uint64_t piece_ = 0;
+  std::optional<RecordFile> open_;
+};
+
+/// The rows as they stand in the result: the heading, then the bodies of all pieces, or the best
+/// rows of all of them.
+NextPiece result_pieces(const SweepHeader& header, const std::vector<PieceFile>& files);
+
+/// The result and the file beside it, for write_files; `scratch` may be empty.
+std::vector<OutputFile> result_files(const SweepHeader& header,
+                                     const std::string& folder,
+                                     const std::string& scratch,
+                                     const std::vector<PieceFile>& files,
+                                     const SweepCounts& counts);
+
+/// The path of a file in a folder.
+std::string path_in(const std::string& folder, const std::string& name);
+
+/// The name of the file beside the rows, without its folder.
+std::string summary_name(const SweepHeader& header);
+
+/// The last line of a shard.
+inline constexpr std::string_view kShardEnd = "end";
+
+}  // namespace kinestat

@@ -1,0 +1,119 @@
+#include "studies/sweep/task/sweep_tapes.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "cases/solve_cases.hpp"
+#include "studies/sweep/task/sweep_samples.hpp"
+#include "studies/sweep/task/sweep_screws.hpp"
+#include "studies/sweep/task/sweep_task.hpp"
+
+namespace kinestat {
+
+namespace {
+
+bool is_plain(const SweepTask& task, const CaseAnalysis& one) {
+  const bool has_motion = !one.motion || one.motion->status == SolveStatus::solved;
+  const bool has_action = !one.action || one.action->status == SolveStatus::solved;
+  return has_motion && has_action && one.which.loads.empty() &&
+         std::ranges::none_of(task.quantities, [](const SweepQuantity& quantity) {
+           return needs_power(quantity.kind);
+         });
+}
+
+// A tape keeps no torque of a freewheel. The class of a combination hangs on the speeds where there
+// are several inputs, and those of the state are not at hand.
+bool knows_gears(const SweepTask& task) {
+  if (!task.shift) {
+    return true;
+  }
+  const bool has_freewheels = std::ranges::any_of(
+      task.shift->elements, [](const ShiftElement& element) { return element.one_way != 0; });
+  const bool has_combinations =
+      std::ranges::any_of(task.gears, [](const std::optional<SweptGear>& gear) {
+        return gear && gear->state.state.kind != ShiftClass::gear;
+      });
+  return !has_freewheels && (task.shift->inputs.size() == 1 || !has_combinations);
+}
+
+bool has_input(const SweepNotes& notes, SweepInput::From one, SweepInput::From other) {
+  return std::ranges::any_of(notes.inputs, [&](const SweepInput& input) {
+    return input.from == one || input.from == other;
+  });
+}
+
+// Parameters and the screws that follow from them: by formulas where that can be, otherwise from
+// what is rebound for each state.
+std::pair<SweepNotes, TapedScrews> note_geometry(const SweepTask& task,
+                                                 const Rebinder& rebinder,
+                                                 std::span<const SweepSample> samples) {
+  for (const NearOrigin near : {NearOrigin::by_fixed_points, NearOrigin::by_all_points}) {
+    SweepNotes notes = note_parameters(task.plan);
+    if (auto screws = note_screws(rebinder, near, task.mechanism.geometry, samples, notes)) {
+      return {std::move(notes), *std::move(screws)};
+    }
+  }
+  SweepNotes notes = note_parameters(task.plan);
+  TapedScrews screws = take_screws(rebinder, task.mechanism, notes);
+  return {std::move(notes), std::move(screws)};
+}
+
+// Empty where one of the cases has no tape.
+std::optional<std::vector<TapedCase>> note_cases(const SweepTask& task,
+                                                 const SweptGeometry& geometry,
+                                                 SweepNotes& notes) {
+  const std::vector<CaseAnalysis> solved = solve_some_cases(task.mechanism, task.cases);
+  std::vector<TapedCase> cases(solved.size());
+  for (std::size_t i = 0; i < solved.size(); ++i) {
+    if (task.gears[i] && task.gears[i]->state.state.kind != ShiftClass::gear) {
+      continue;
+    }
+    auto taped =
+        is_plain(task, solved[i]) ? note_case(task, i, solved[i], geometry, notes) : std::nullopt;
+    if (!taped) {
+      return std::nullopt;
+    }
+    cases[i] = *std::move(taped);
+  }
+  return cases;
+}
+
+}  // namespace
+
+std::optional<SweepTapes> record_tapes(const SweepTask& task) {
+  // What a case that the file does not write itself knows is not looked into.
+  const std::size_t written = task.description.cases.size();
+  if (std::ranges::any_of(task.chosen, [&](std::size_t i) { return i >= written; }) ||
+      !knows_gears(task)) {
+    return std::nullopt;
+  }
+  std::optional<Rebinder> rebinder =
+      Rebinder::make(task.description, task.mechanism, varying_parameters(task.plan));
+  const auto samples = rebinder ? find_samples(task, *rebinder) : std::nullopt;
+  if (!samples) {
+    return std::nullopt;
+  }
+  std::vector<Geometry> geometries;
+  for (const SweepSample& sample : *samples) {
+    geometries.push_back(sample.geometry);
+  }
+  auto [notes, screws] = note_geometry(task, *rebinder, *samples);
+  auto cases =
+      note_cases(task, {.rebinder = &*rebinder, .screws = &screws, .samples = geometries}, notes);
+  if (!cases) {
+    return std::nullopt;
+  }
+  using enum SweepInput::From;
+  SweepTapes tapes{.rebinder = *rebinder,
+                   .tape = notes.recorder.make_tape(notes.outputs),
+                   .inputs = notes.inputs,
+                   .needs_geometry = has_input(notes, motion, action),
+                   .needs_primaries = has_input(notes, primary_motion, primary_action),
+                   .cases = *std::move(cases)};
+  for (TapedCase& taped : tapes.cases) {
+    find_cells(tapes.tape, taped);
+  }
+  return tapes;
+}
+
+}  // namespace kinestat

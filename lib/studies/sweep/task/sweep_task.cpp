@@ -1,0 +1,264 @@
+#include "studies/sweep/task/sweep_task.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cases/solve_cases.hpp"
+#include "core/contract.hpp"
+#include "core/text.hpp"
+#include "core/utf8.hpp"
+#include "core/version.hpp"
+#include "files/output.hpp"
+#include "io/chunk_record.hpp"
+#include "studies/shift/task/gears.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Which cases of the mechanism are run: those that the sweep names, or all that the file writes,
+// all gears and whatever else has a label. Combinations that are no gears with the parameters of
+// the file get a case here, for in other states they may be.
+class CaseChoice {
+ public:
+  CaseChoice(const SweepDescription& sweep, Loaded& loaded, Diagnostics& found)
+      : sweep_(sweep),
+        shift_(loaded.shift),
+        description_(loaded.description),
+        mechanism_(loaded.mechanism),
+        found_(found) {}
+
+  void run() {
+    if (sweep_.cases.empty()) {
+      choose_all();
+    }
+    for (const Name& label : sweep_.cases) {
+      choose(label);
+    }
+    if (chosen.empty() && !found_.has_errors()) {
+      found_.error("E0303",
+                   sweep_.where,
+                   "the file has neither cases nor gears, so that the sweep has nothing to analyse",
+                   "add 'cases:' with what is known of motions and actions, or 'shift:'");
+    }
+  }
+
+  std::vector<std::size_t> chosen;
+  std::vector<std::optional<SweptGear>> gears;
+
+ private:
+  void choose_all() {
+    const std::size_t count = mechanism_.cases.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      add(i,
+          shift_ ? find_combination(mechanism_.cases[i].label, mechanism_, shift_->plan)
+                 : std::nullopt);
+    }
+    for (std::size_t l = 0; shift_ && l < shift_->plan.labels.size(); ++l) {
+      const std::string& label = shift_->plan.labels[l].text;
+      if (std::ranges::find(mechanism_.cases, label, &Case::label) == mechanism_.cases.end()) {
+        add_case(*find_combination(label, mechanism_, shift_->plan));
+      }
+    }
+  }
+
+  void choose(const Name& label) {
+    const std::vector<Case>& cases = mechanism_.cases;
+    const auto at = std::ranges::find(cases, label.text, &Case::label);
+    std::optional<NamedShiftState> gear =
+        shift_ ? find_combination(label.text, mechanism_, shift_->plan) : std::nullopt;
+    if (at != cases.end()) {
+      add(static_cast<std::size_t>(at - cases.begin()), std::move(gear));
+    } else {
+      KINESTAT_EXPECTS(gear.has_value());  // or the check of the section would have complained
+      add_case(*std::move(gear));
+    }
+  }
+
+  void add(std::size_t which, std::optional<NamedShiftState> gear) {
+    chosen.push_back(which);
+    gears.emplace_back();
+    if (gear) {
+      GearCase described = gear_case(*gear, shift_->plan);
+      gears.back() = {.state = *std::move(gear), .described = std::move(described)};
+    }
+  }
+
+  void add_case(NamedShiftState gear) {
+    add_gear_cases({gear_case(gear, shift_->plan)}, shift_->plan, description_, mechanism_);
+    add(mechanism_.cases.size() - 1, std::move(gear));
+  }
+
+  const SweepDescription& sweep_;
+  const std::optional<ShiftAnalysis>& shift_;
+  MechanismDescription& description_;
+  Mechanism& mechanism_;
+  Diagnostics& found_;
+};
+
+bool has_sweep(const MechanismDescription& description, Diagnostics& found) {
+  if (!description.sweep) {
+    found.error("E0303",
+                {},
+                "the file has no section 'sweep'",
+                "add for example sweep: {vary: {N1: {from: 15, to: 40, step: 1}}, report: "
+                "[ratio]}; 'kinestat help sweeps' shows more");
+  }
+  return description.sweep.has_value();
+}
+
+// Sections that say nothing about a single state.
+MechanismDescription without_tasks(MechanismDescription description) {
+  description.sweep.reset();
+  description.motion.reset();
+  description.synthesis.reset();
+  description.published.clear();
+  return description;
+}
+
+// A sweep gives what it varies its own values.
+void refuse_overridden_axes(const SweepDescription& sweep,
+                            const std::vector<Override>& overrides,
+                            Diagnostics& found) {
+  for (const Override& one : overrides) {
+    const std::string name = one.substr(0, one.find('='));
+    if (std::ranges::any_of(sweep.vary,
+                            [&](const VariedParameter& each) { return each.name.text == name; })) {
+      found.error("E0101",
+                  {},
+                  fmt::format("--set '{}': the sweep varies '{}' itself", printable(one), name),
+                  fmt::format("remove '{}' from 'vary:', or the option", name));
+    }
+  }
+}
+
+// By the name in the file, without the unit.
+std::optional<std::size_t> find_key(const std::vector<SweepQuantity>& quantities,
+                                    const TopChoice& top,
+                                    Diagnostics& found) {
+  const auto at = std::ranges::find(quantities, top.by, &SweepQuantity::name);
+  if (at != quantities.end()) {
+    return static_cast<std::size_t>(at - quantities.begin());
+  }
+  std::vector<std::string> names;
+  for (const SweepQuantity& quantity : quantities) {
+    names.push_back(quantity.name);
+  }
+  const std::string guess = did_you_mean(top.by, names);
+  found.error("E0101",
+              {},
+              fmt::format("--by '{}': the rows have no such quantity", printable(top.by)),
+              fmt::format("{}{}they have {}", guess, guess.empty() ? "" : " ", plain_list(names)));
+  return std::nullopt;
+}
+
+// Everything that decides the bytes of the rows.
+std::string plan_text(const SourceFile& source,
+                      const SweepOptions& options,
+                      const SweepPlan& plan) {
+  std::string text = fmt::format("kinestat {} sweep 1\n", kVersion);
+  for (const Override& one : options.load.overrides) {
+    text += fmt::format("set {}:{}\n", one.size(), one);
+  }
+  text += fmt::format("format {}\nchunks {} of {}\n",
+                      options.format == RowFormat::csv ? "csv" : "json",
+                      plan.chunk_count(),
+                      plan.chunk_size());
+  if (options.top) {
+    text += fmt::format("top {} by {} {}\n",
+                        options.top->count,
+                        options.top->by,
+                        options.top->order == RankOrder::largest ? "largest" : "smallest");
+  }
+  return text + source.text;
+}
+
+SweepHeader header_of(const SourceFile& source,
+                      const SweepOptions& options,
+                      const SweepTask& task) {
+  const SweepRowText text(task.plan, task.cases, task.quantities, options.format);
+  SweepHeader header;
+  header.version = std::string(kVersion);
+  header.plan = hash_of(plan_text(source, options, task.plan));
+  header.stem = report_stem(source.path);
+  header.name = task.description.name;
+  header.format = options.format;
+  header.titles = text.titles();
+  header.heading = text.header();
+  header.signature = text.signature();
+  for (const PlannedRequirement& one : task.plan.requirements()) {
+    header.requirements.push_back(one.text);
+  }
+  header.states = task.plan.state_count();
+  header.chunks = task.plan.chunk_count();
+  header.top = options.top;
+  return header;
+}
+
+}  // namespace
+
+std::vector<Case> chosen_cases(const SweepTask& task, const Mechanism& mechanism) {
+  std::vector<Case> cases;
+  for (const std::size_t i : task.chosen) {
+    cases.push_back(mechanism.cases[i]);
+    cases.back().asks_actions = cases.back().asks_actions && task.has_statics;
+  }
+  return cases;
+}
+
+std::optional<SweepTask> make_sweep_task(const SourceFile& source,
+                                         Loaded loaded,
+                                         const SweepOptions& options,
+                                         Diagnostics& found) {
+  const MechanismDescription& description = loaded.description;
+  if (!has_sweep(description, found)) {
+    return std::nullopt;
+  }
+  const int errors_before = found.error_count();
+  const SweepDescription sweep = *description.sweep;
+  refuse_overridden_axes(sweep, options.load.overrides, found);
+  CaseChoice choice(sweep, loaded, found);
+  choice.run();
+  std::vector<Case> cases;
+  for (const std::size_t i : choice.chosen) {
+    cases.push_back(loaded.mechanism.cases[i]);
+  }
+  auto quantities = find_sweep_quantities(description, loaded.mechanism, cases, found);
+  std::optional<std::size_t> key;
+  if (quantities && options.top) {
+    key = find_key(*quantities, *options.top, found);
+  }
+  if (found.error_count() > errors_before) {
+    return std::nullopt;
+  }
+  SweepPlan plan(description);
+  SweepTask task{.description = without_tasks(description),
+                 .mechanism = std::move(loaded.mechanism),
+                 .plan = std::move(plan),
+                 .chosen = std::move(choice.chosen),
+                 .cases = {},
+                 .shift = {},
+                 .gears = std::move(choice.gears),
+                 .is_usually_solved = {},
+                 .quantities = *std::move(quantities),
+                 .has_statics = false,
+                 .key = key,
+                 .tapes = {},
+                 .header = {}};
+  task.has_statics = std::ranges::any_of(
+      task.quantities, [](const SweepQuantity& one) { return needs_statics(one.kind); });
+  if (loaded.shift) {
+    task.shift = std::move(loaded.shift->plan);
+  }
+  task.cases = chosen_cases(task, task.mechanism);
+  for (const CaseAnalysis& one : solve_some_cases(task.mechanism, task.cases)) {
+    task.is_usually_solved.push_back((!one.motion || one.motion->status == SolveStatus::solved) &&
+                                     (!one.action || one.action->status == SolveStatus::solved));
+  }
+  task.header = header_of(source, options, task);
+  return task;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,320 @@
+#include "studies/sweep/task/taped_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/tolerance.hpp"
+#include "power/rate_ratio.hpp"
+#include "studies/sweep/task/state_solver.hpp"
+#include "studies/sweep/task/sweep_task.hpp"
+
+namespace kinestat {
+
+namespace {
+
+double finite(double value) {
+  return std::isfinite(value) ? value : kNoValue;
+}
+
+bool is_no_gear(const std::optional<SweptGear>& gear) {
+  return gear && gear->state.state.kind != ShiftClass::gear;
+}
+
+std::vector<std::size_t> find_columns(const std::vector<SweepQuantity>& quantities,
+                                      SweepQuantityKind kind) {
+  std::vector<std::size_t> columns;
+  for (std::size_t q = 0; q < quantities.size(); ++q) {
+    if (quantities[q].kind == kind) {
+      columns.push_back(q);
+    }
+  }
+  return columns;
+}
+
+}  // namespace
+
+TapedSolver::TapedSolver(const SweepTask& task, const SweepTapes& tapes, std::size_t lanes)
+    : task_(task),
+      tapes_(tapes),
+      workspace_(tapes.tape.make_workspace(lanes)),
+      rebinder_(tapes.rebinder),
+      mechanism_(task.mechanism),
+      all_cases_(task.mechanism.cases),
+      is_loaded_(lanes, 0),
+      has_answer_(lanes, 0),
+      has_combinations_(std::ranges::any_of(task.gears, is_no_gear)),
+      ratio_columns_(find_columns(task.quantities, SweepQuantityKind::ratio)),
+      torque_ratio_columns_(find_columns(task.quantities, SweepQuantityKind::torque_ratio)),
+      asks_steps_(!find_columns(task.quantities, SweepQuantityKind::step).empty()),
+      statuses_(has_combinations_ ? lanes * task.cases.size() : 0),
+      ratios_(task.cases.size()) {
+  std::size_t most = 0;
+  for (const Case& which : task.cases) {
+    most = std::max({most, which.inputs.size(), which.outputs.size()});
+  }
+  rates_.reserve(most);
+  for (std::size_t i = 0; i < tapes.inputs.size(); ++i) {
+    if (!tapes.tape.reads_input(i)) {
+      continue;
+    }
+    const SweepInput& input = tapes.inputs[i];
+    const std::size_t cell = tapes.tape.input_cell(i);
+    if (input.from == SweepInput::From::axis) {
+      axes_.push_back({.axis = input.part, .cell = cell});
+    } else {
+      others_.push_back({.input = i, .cell = cell});
+    }
+  }
+  binds_states_ =
+      tapes.needs_geometry || tapes.needs_primaries || has_combinations_ || !others_.empty();
+  asks_nothing_else_ =
+      std::ranges::none_of(task.gears, &std::optional<SweptGear>::has_value) &&
+      std::ranges::all_of(tapes.cases, [&](const TapedCase& taped) {
+        return taped.columns.size() == task.quantities.size() && taped.one_sided.empty();
+      });
+}
+
+bool TapedSolver::rebind(const StateWalk& walk) {
+  const bool needs_geometry = tapes_.needs_geometry || has_combinations_;
+  return (!needs_geometry || rebinder_.rebind_geometry(walk.slots(), mechanism_.geometry)) &&
+         (!tapes_.needs_primaries || rebinder_.rebind_cases(walk.slots(), all_cases_));
+}
+
+// Alike states differ on the last axis.
+void TapedSolver::load_axes(const StateWalk& walk, std::size_t lane, std::size_t count) {
+  const std::span<const SweepAxis> axes = task_.plan.axes();
+  for (const AxisLoad& one : axes_) {
+    const std::uint64_t place = walk.places()[one.axis];
+    const double first = axes[one.axis].number_at(place);
+    const bool is_last = one.axis + 1 == axes.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      workspace_.set(one.cell, lane + i, is_last ? axes[one.axis].number_at(place + i) : first);
+    }
+  }
+}
+
+void TapedSolver::load(const StateWalk& walk, std::size_t lane, std::size_t count) {
+  load_axes(walk, lane, count);
+  bool is_loaded = !binds_states_ || rebind(walk);
+  is_loaded = is_loaded && (!has_combinations_ || decide_gears(lane));
+  for (std::size_t i = 0; is_loaded && i < others_.size(); ++i) {
+    is_loaded = load_other(tapes_.inputs[others_[i].input], others_[i].cell, walk, lane);
+  }
+  std::fill_n(is_loaded_.begin() + static_cast<std::ptrdiff_t>(lane), count, is_loaded ? 1 : 0);
+}
+
+bool TapedSolver::load_other(const SweepInput& input,
+                             std::size_t cell,
+                             const StateWalk& walk,
+                             std::size_t lane) {
+  const auto part = static_cast<Eigen::Index>(input.part);
+  double value = 0.0;
+  switch (input.from) {
+    case SweepInput::From::axis:
+    case SweepInput::From::parameter: {
+      const Quantity& quantity = walk.slots().values[input.index];
+      if (!walk.slots().has_value[input.index] || quantity.dimension != input.dimension) {
+        return false;
+      }
+      value = quantity.value;
+      break;
+    }
+    case SweepInput::From::motion:
+      value = mechanism_.geometry.motions[input.index].coordinates()[part];
+      break;
+    case SweepInput::From::action:
+      value = mechanism_.geometry.actions[input.index].coordinates()[part];
+      break;
+    case SweepInput::From::primary_motion:
+      value = all_cases_[input.index].motions[input.part].value;
+      break;
+    case SweepInput::From::primary_action:
+      value = all_cases_[input.index].actions[input.part].value;
+      break;
+  }
+  workspace_.set(cell, lane, value);
+  return true;
+}
+
+// Of the combinations without a tape; false where one of them is a gear here.
+bool TapedSolver::decide_gears(std::size_t lane) {
+  const auto states = find_states(task_.gears, mechanism_, *task_.shift);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (is_no_gear(task_.gears[i])) {
+      if (states[i]->kind == ShiftClass::gear) {
+        return false;
+      }
+      statuses_[lane * states.size() + i] = word_of(states[i]->kind);
+    }
+  }
+  return true;
+}
+
+void TapedSolver::fill(std::size_t count, std::span<SweepRow> rows) {
+  const std::size_t cases = task_.cases.size();
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    has_answer_[lane] = is_loaded_[lane] != 0 && tapes_.tape.is_met(workspace_, lane) ? 1 : 0;
+  }
+  if (asks_nothing_else_) {
+    fill_columns(count, rows);
+    return;
+  }
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const bool is_filled =
+        has_answer_[lane] != 0 && fill_cases(lane, rows.subspan(lane * cases, cases));
+    has_answer_[lane] = is_filled ? 1 : 0;
+  }
+}
+
+// Column by column, of which nothing but the tape decides.
+void TapedSolver::fill_columns(std::size_t count, std::span<SweepRow> rows) {
+  const std::size_t cases = task_.cases.size();
+  double doubts[kLanes] = {};  // no number where a value is not finite
+  for (SweepRow& row : rows.first(count * cases)) {
+    row.status = "solved";
+  }
+  for (std::size_t i = 0; i < cases; ++i) {
+    for (const TapedColumn& one : tapes_.cases[i].columns) {
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        const double value = workspace_.number(one.cell, lane);
+        doubts[lane] += 0.0 * value;
+        rows[lane * cases + i].values[one.column] = value;
+      }
+    }
+  }
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    has_answer_[lane] = has_answer_[lane] != 0 && doubts[lane] == 0.0 ? 1 : 0;
+  }
+}
+
+bool TapedSolver::fill_cases(std::size_t lane, std::span<SweepRow> rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ratios_[i].reset();
+    if (is_no_gear(task_.gears[i])) {
+      rows[i].status = statuses_[lane * rows.size() + i];
+      std::ranges::fill(rows[i].values, kNoValue);
+    } else if (!fill_case(i, lane, rows[i])) {
+      return false;
+    }
+  }
+  if (asks_steps_) {
+    fill_steps(task_.quantities, ratios_, rows);
+  }
+  return true;
+}
+
+std::span<const double> TapedSolver::read(std::span<const std::size_t> outputs, std::size_t lane) {
+  rates_.clear();
+  for (const std::size_t output : outputs) {
+    rates_.push_back(workspace_.number(output, lane));
+  }
+  return rates_;
+}
+
+// A gear whose outputs rest is none: then the whole analysis decides.
+bool TapedSolver::drives_output(const TapedCase& taped, std::size_t lane) {
+  double largest = 0.0;
+  for (const double rate : read(taped.input_rates, lane)) {
+    largest = std::max(largest, std::abs(rate));
+  }
+  return std::ranges::any_of(read(taped.output_rates, lane),
+                             [&](double rate) { return std::abs(rate) > kSameValue * largest; });
+}
+
+// Whether actions of several inputs leave a sum; where they cancel, the whole analysis decides
+// whether it is zero.
+bool TapedSolver::sums_inputs(const TapedCase& taped, std::size_t lane) {
+  if (taped.input_actions.size() < 2) {
+    return true;
+  }
+  double sum = 0.0;
+  double terms = 0.0;
+  for (const double action : read(taped.input_actions, lane)) {
+    sum += action;
+    terms += std::abs(action);
+  }
+  return std::abs(sum) > kSameValue * terms;
+}
+
+TapedSolver::TapedRatios TapedSolver::find_ratios(const TapedCase& taped, std::size_t lane) {
+  const std::optional<double> fast = common_rate(read(taped.input_rates, lane));
+  if (!fast) {
+    return {};
+  }
+  TapedRatios ratios{.ratio = share_of(fast, workspace_.number(taped.output_rates.front(), lane)),
+                     .torque_ratio = {}};
+  if (!taped.output_actions.empty()) {
+    double sum = 0.0;
+    for (const double action : read(taped.input_actions, lane)) {
+      sum += action;
+    }
+    ratios.torque_ratio = share_of(sum, workspace_.number(taped.output_actions.front(), lane));
+  }
+  return ratios;
+}
+
+std::string_view TapedSolver::status_of(const TapedCase& taped,
+                                        const TapedRatios& ratios,
+                                        std::size_t lane) {
+  if (ratio_columns_.empty() || !taped.has_ratios || ratios.ratio) {
+    return "solved";
+  }
+  const bool rests =
+      std::ranges::all_of(read(taped.input_rates, lane), [](double rate) { return rate == 0.0; });
+  return status_without_ratio(rests);
+}
+
+void TapedSolver::fill_ratios(const TapedCase& taped,
+                              const TapedRatios& ratios,
+                              SweepRow& row) const {
+  const double ratio = ratios.ratio.value_or(kNoValue);
+  for (const std::size_t column : ratio_columns_) {
+    row.values[column] = finite(ratio * taped.ratio_unit / taped.ratio_per);
+  }
+  const double torque_ratio = ratios.torque_ratio.value_or(kNoValue);
+  for (const std::size_t column : torque_ratio_columns_) {
+    row.values[column] = finite(torque_ratio * taped.torque_ratio_unit / taped.torque_ratio_per);
+  }
+}
+
+bool TapedSolver::fill_columns(std::span<const TapedColumn> columns,
+                               std::size_t lane,
+                               SweepRow& row) const {
+  int too_large = 0;
+  for (const TapedColumn& one : columns) {
+    const double value = workspace_.number(one.cell, lane);
+    row.values[one.column] = value;
+    too_large += std::abs(value) <= kLargestMagnitude ? 0 : 1;
+  }
+  return too_large == 0;
+}
+
+// Whether no cable pushes and no contact pulls.
+bool TapedSolver::is_possible(const TapedCase& taped, std::size_t lane) const {
+  return std::ranges::all_of(
+      taped.one_sided, [&](std::size_t cell) { return workspace_.number(cell, lane) >= 0.0; });
+}
+
+// False where a number is too large, or the case is no gear or not possible in this state.
+bool TapedSolver::fill_case(std::size_t i, std::size_t lane, SweepRow& row) {
+  const TapedCase& taped = tapes_.cases[i];
+  if ((task_.gears[i] && !drives_output(taped, lane)) || !is_possible(taped, lane) ||
+      !sums_inputs(taped, lane)) {
+    return false;
+  }
+  if (taped.columns.size() + taped.ratios.size() < row.values.size()) {
+    std::ranges::fill(row.values, kNoValue);
+  }
+  row.status = "solved";
+  const bool has_plain_ratios = !taped.ratios.empty() && !task_.gears[i];
+  if (taped.has_ratios && !(has_plain_ratios && fill_columns(taped.ratios, lane, row))) {
+    const TapedRatios ratios = find_ratios(taped, lane);
+    fill_ratios(taped, ratios, row);
+    row.status = status_of(taped, ratios, lane);
+    ratios_[i] = task_.gears[i] ? ratios.ratio : std::nullopt;
+  }
+  return fill_columns(taped.columns, lane, row);
+}
+
+}  // namespace kinestat

@@ -1,0 +1,111 @@
+// States of a sweep by a tape: the numbers alone, without a file, a name or a report, several
+// states at a time.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "math/tapes/lane_tape.hpp"
+#include "mechanism/bind/rebind.hpp"
+#include "studies/sweep/report/sweep_rows.hpp"
+#include "studies/sweep/state_walk.hpp"
+#include "studies/sweep/task/sweep_tapes.hpp"
+
+namespace kinestat {
+
+struct SweepTask;
+
+/// What stands in a row where a quantity has no value.
+inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+
+/// Each worker has its own. After it was made it allocates nothing, but for combinations of
+/// `shift` that are no gears with the parameters of the file.
+class TapedSolver {
+ public:
+  /// Both must outlive it. `lanes` is 1 or kLanes.
+  TapedSolver(const SweepTask& task, const SweepTapes& tapes, std::size_t lanes);
+
+  /// How many states it may take at once: those that are alike, or one where screws or primaries
+  /// are bound for each.
+  std::uint64_t takes(const StateWalk& walk) const { return binds_states_ ? 1 : walk.alike() + 1; }
+
+  /// Takes the state at which the walk stands, and as many that are alike as `count` says with it,
+  /// into lanes from this one on.
+  void load(const StateWalk& walk, std::size_t lane, std::size_t count = 1);
+
+  /// Works out all lanes.
+  void play() { tapes_.tape.play(workspace_); }
+
+  /// Fills the rows of the states in so many lanes, from the first, lane by lane and case by case.
+  void fill(std::size_t count, std::span<SweepRow> rows);
+
+  /// After fill: false where the tape has no answer for the state; it must be analysed as a whole.
+  bool has_answer(std::size_t lane) const { return has_answer_[lane] != 0; }
+
+ private:
+  // In SI; empty where there is none.
+  struct TapedRatios {
+    std::optional<double> ratio;
+    std::optional<double> torque_ratio;
+  };
+
+  bool rebind(const StateWalk& walk);
+  void load_axes(const StateWalk& walk, std::size_t lane, std::size_t count);
+  bool load_other(const SweepInput& input,
+                  std::size_t cell,
+                  const StateWalk& walk,
+                  std::size_t lane);
+  bool decide_gears(std::size_t lane);
+  void fill_columns(std::size_t count, std::span<SweepRow> rows);
+  bool fill_cases(std::size_t lane, std::span<SweepRow> rows);
+  bool fill_case(std::size_t i, std::size_t lane, SweepRow& row);
+  bool is_possible(const TapedCase& taped, std::size_t lane) const;
+  bool drives_output(const TapedCase& taped, std::size_t lane);
+  bool sums_inputs(const TapedCase& taped, std::size_t lane);
+  TapedRatios find_ratios(const TapedCase& taped, std::size_t lane);
+  std::string_view status_of(const TapedCase& taped, const TapedRatios& ratios, std::size_t lane);
+  void fill_ratios(const TapedCase& taped, const TapedRatios& ratios, SweepRow& row) const;
+  std::span<const double> read(std::span<const std::size_t> outputs, std::size_t lane);
+
+  // Whether all are finite.
+  bool fill_columns(std::span<const TapedColumn> columns, std::size_t lane, SweepRow& row) const;
+
+  const SweepTask& task_;
+  const SweepTapes& tapes_;
+  LaneTape::Workspace workspace_;
+  Rebinder rebinder_;
+  Mechanism mechanism_;          ///< with the geometry of a state, where that is rebound
+  std::vector<Case> all_cases_;  ///< likewise
+  std::vector<char> is_loaded_;  ///< of each lane
+  std::vector<char> has_answer_;
+
+  // An input that the tape reads.
+  struct Load {
+    std::size_t input = 0;
+    std::size_t cell = 0;
+  };
+
+  // One that is varied.
+  struct AxisLoad {
+    std::size_t axis = 0;
+    std::size_t cell = 0;
+  };
+
+  std::vector<AxisLoad> axes_;
+  std::vector<Load> others_;        ///< what may have no value
+  bool binds_states_ = false;       ///< more of a state is needed than its place on the axes
+  bool asks_nothing_else_ = false;  ///< than columns of the tape, in all cases
+  bool has_combinations_ = false;   ///< that are no gears with the parameters of the file
+  std::vector<std::size_t> ratio_columns_;
+  std::vector<std::size_t> torque_ratio_columns_;
+  bool asks_steps_ = false;
+  std::vector<std::string_view> statuses_;     ///< of each lane and case: of such a combination
+  std::vector<std::optional<double>> ratios_;  ///< of each case that is a gear [SI]
+  std::vector<double> rates_;                  ///< what was read last
+};
+
+}  // namespace kinestat

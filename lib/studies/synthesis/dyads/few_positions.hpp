@@ -1,0 +1,50 @@
+// Two, three and four positions: dyads in families, ordered by circle point or by centre.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "studies/synthesis/curves/plane_cubic.hpp"
+#include "studies/synthesis/dyads/burmester.hpp"
+#include "studies/synthesis/dyads/dyad.hpp"
+#include "studies/synthesis/positions/position_jets.hpp"
+#include "studies/synthesis/positions/special_frame.hpp"
+
+namespace kinestat {
+
+/// Four positions in any grouping: the points that stay on a circle lie on a cubic, and so do their
+/// centres.
+struct FourPositionCurves {
+  BurmesterStatus status = BurmesterStatus::solved;  ///< `family`: every point, see `reason`
+  Degeneracy reason = Degeneracy::none;
+  PlaneCubic circle_points;             ///< fixed frame, at the first position
+  PlaneCubic centre_points;             ///< fixed frame
+  std::optional<Dyad> slider;           ///< the only point on a straight path
+  std::optional<Dyad> inverted_slider;  ///< the only line through a fixed point
+  double reciprocal_condition = 0.0;
+  double digits = 16.0;
+};
+
+FourPositionCurves find_curves(std::span<const PositionJets> positions);
+
+/// The dyad of a circle point that is given in the fixed frame at the first position, for three
+/// positions, or for four of which the point lies on the curve (where it does not, the dyad misses
+/// positions, see its residual). Its centre is the best of the conditions in pairs; a slider if it
+/// lies far away. Empty if the positions leave it open.
+std::optional<Dyad> find_dyad(std::span<const PositionJets> positions, const Point& circle_point);
+
+/// The other way round: of a centre in the fixed frame.
+std::optional<Dyad> find_dyad_with_centre(std::span<const PositionJets> positions,
+                                          const Point& centre);
+
+/// Two positions: the line of all centres of a circle point [fixed frame, at the first position];
+/// of P-P the perpendicular bisector of its places, of PP the line to the pole. Empty if the point
+/// stays where it is.
+std::optional<PlaneLine> find_centre_line(std::span<const PositionJets> positions,
+                                          const Point& circle_point);
+
+/// Three positions: the points whose places lie on a straight line, fixed frame, at the first
+/// position; of PPP the inflection circle. Empty if the plane only translates.
+std::optional<Circle> find_straight_path_circle(std::span<const PositionJets> positions);
+
+}  // namespace kinestat

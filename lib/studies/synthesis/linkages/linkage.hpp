@@ -1,0 +1,89 @@
+// Two dyads that guide the plane together: a linkage with one freedom.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "studies/synthesis/dyads/bounded_point.hpp"
+#include "studies/synthesis/dyads/dyad.hpp"
+
+namespace kinestat {
+
+enum class LinkageType {
+  four_bar,
+  slider_crank,           ///< crank and slider
+  inverted_slider_crank,  ///< crank and inverted slider
+  double_slider,          ///< two sliders: an elliptic trammel
+  slider_inverted_slider,
+  double_inverted_slider  ///< an Oldham coupling
+};
+
+/// The word in reports.
+std::string_view word_of(LinkageType type);
+
+/// The moving plane is the coupler; the order of the dyads means nothing by itself.
+struct Linkage {
+  Dyad one;
+  Dyad other;
+
+  LinkageType type() const;
+};
+
+/// Which dyad is driven: a crank by its angle, a slider by its displacement, an inverted slider by
+/// the angle of its guide, which is that of the plane.
+enum class Drive { one, other };
+
+const Dyad& input_of(const Linkage& linkage, Drive drive);
+const Dyad& output_of(const Linkage& linkage, Drive drive);
+
+/// Where the moving plane stands: a point z of it lies at e^{iγ} z + origin.
+struct Pose {
+  Point origin;
+  double angle = 0.0;
+
+  Point place(const Point& moving) const;
+
+  /// With what rounding does to the pose.
+  BoundedPoint bounded_place(const BoundedPoint& moving) const;
+};
+
+Pose pose_of(const PositionJets& position);
+
+/// The links of a four-bar [length].
+struct FourBarLengths {
+  double ground = 0.0;
+  double crank_one = 0.0;
+  double coupler = 0.0;
+  double crank_other = 0.0;
+
+  double longest() const;
+  double shortest() const;
+};
+
+/// Empty unless both dyads are cranks.
+std::optional<FourBarLengths> lengths_of(const Linkage& linkage);
+
+enum class GrashofClass {
+  crank_rocker,   ///< the shortest link is a crank, see `which`
+  double_crank,   ///< the shortest link is the ground (drag link)
+  double_rocker,  ///< the shortest link is the coupler, which turns fully
+  triple_rocker,  ///< not Grashof: no link turns fully
+  change_point    ///< shortest and longest equal the other two: a position with all in line
+};
+
+std::string_view word_of(GrashofClass which);
+
+enum class FourBarLink { ground, crank_one, coupler, crank_other };
+
+std::string_view word_of(FourBarLink link);
+
+struct Grashof {
+  GrashofClass kind = GrashofClass::triple_rocker;
+  FourBarLink which = FourBarLink::ground;  ///< the shortest link; of a triple rocker the longest
+};
+
+Grashof classify(const FourBarLengths& lengths);
+
+}  // namespace kinestat

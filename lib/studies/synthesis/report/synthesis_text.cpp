@@ -1,0 +1,205 @@
+#include "studies/synthesis/report/synthesis_text.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "core/digit_limits.hpp"
+#include "report/report_parts.hpp"
+#include "studies/synthesis/report/linkage_text.hpp"
+#include "studies/synthesis/report/position_text.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::string_view phrase_of(Missing missing) {
+  switch (missing) {
+    case Missing::motion:
+      return "contradictory positions";
+    case Missing::dyads:
+      return "fewer than two real dyads";
+    case Missing::kind:
+      return "no linkage of the kind that 'linkage' asks for";
+  }
+  return "";
+}
+
+// Why samples fell out: each is counted once.
+std::string rejected_text(const SelectionCounts& counts) {
+  std::vector<std::string> reasons;
+  for (std::size_t i = 0; i < kMissingCount; ++i) {
+    if (counts.missing[i] > 0) {
+      reasons.push_back(
+          fmt::format("{} {}", phrase_of(static_cast<Missing>(i)), counts.missing[i]));
+    }
+  }
+  for (std::size_t i = 1; i < kDefectCount; ++i) {
+    if (counts.defects[i] > 0) {
+      reasons.push_back(fmt::format("{} {}", phrase_of(static_cast<Defect>(i)), counts.defects[i]));
+    }
+  }
+  return reasons.empty() ? "" : fmt::format("not usable: {}\n", fmt::join(reasons, ", "));
+}
+
+std::string selection_text(const SelectionCounts& counts, bool has_tasks) {
+  if (counts.samples == 0) {
+    return "nothing to choose from: no curve of circle points passes through the area of "
+           "'circle_points'\n";
+  }
+  return fmt::format("{} choices tried, {} with a linkage, {} with a usable one\n{}{}",
+                     counts.samples,
+                     counts.with_linkage,
+                     counts.usable,
+                     rejected_text(counts),
+                     counts.usable > 0 ? "the best are:\n"
+                     : has_tasks       ? "the nearest is:\n"
+                                       : "");
+}
+
+// Which of the listed angles: "angle 70 of position 3"; empty where a file has no lists.
+std::string listed_angles_text(const std::vector<double>& angles,
+                               const SynthesisAnalysis& analysis,
+                               const PlaneText& plane) {
+  std::vector<std::string> texts;
+  for (const std::size_t place : positions_with_lists(*analysis.description.synthesis)) {
+    texts.push_back(fmt::format("angle {} of position {}", plane.angle(angles[place]), place + 1));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+// One task in the units of its file.
+class TaskText {
+ public:
+  TaskText(const SynthesisAnalysis& analysis, const SynthesisTask& task)
+      : analysis_(analysis), task_(task), plane_(analysis.description.units) {}
+
+  TextBlocks run() const {
+    TextBlocks text("\n" + choice_text() + positions_text(task_, plane_));
+    if (task_.dyads) {
+      text += dyads_blocks(task_, analysis_.digits.value_or(kDoubleDigits), plane_);
+      text += linkages_blocks(task_, analysis_.limits, plane_);
+    }
+    if (task_.curves) {
+      text += curves_text(*task_.curves);
+    }
+    if (!task_.dyads && !task_.curves && task_.special != Degeneracy::none) {
+      text += family_text(task_.special, task_.positions);
+    } else if (task_.straight_paths) {
+      text += fmt::format(
+          "three positions: any point is a circle point; those of the circle about "
+          "{} with radius {} move on straight lines\n",
+          plane_.point(task_.straight_paths->centre),
+          plane_.length(task_.straight_paths->radius));
+    } else if (!task_.dyads && !task_.curves) {
+      text += "any point is a circle point\n";
+    }
+    return text;
+  }
+
+ private:
+  // What tells this task from the others of the file; its number is that of files and other forms.
+  std::string choice_text() const {
+    std::vector<double> angles;
+    for (const PositionJets& position : task_.positions) {
+      angles.push_back(position.angle[0]);
+    }
+    std::vector<std::string> texts = {listed_angles_text(angles, analysis_, plane_)};
+    if (task_.choice) {
+      const auto& [m, free_point, freedom] = *task_.choice;
+      texts.push_back(m ? "m " + format_short(*m) : "");
+      texts.push_back(free_point ? "free_point " + plane_.point(*free_point) : "");
+      texts.push_back(freedom ? freedom_text(*freedom) : "");
+    }
+    std::erase(texts, "");
+    if (analysis_.tasks.size() > 1) {
+      const std::string number = fmt::format("task {}", &task_ - analysis_.tasks.data());
+      return texts.empty() ? number + "\n"
+                           : fmt::format("{}: {}\n", number, fmt::join(texts, ", "));
+    }
+    return texts.empty() ? "" : fmt::format("{}\n", fmt::join(texts, ", "));
+  }
+
+  std::string freedom_text(const EffectiveFreedom& freedom) const {
+    const int order = std::ranges::max_element(task_.positions, {}, &PositionJets::order)->order();
+    std::string text = "s " + plane_.length(freedom.s);
+    text += order > 3 ? ", tau " + format_short(freedom.tau) : "";
+    text += order > 4 ? ", tau_2 " + format_short(freedom.tau_2) : "";
+    return text;
+  }
+
+  std::string curves_text(const FourPositionCurves& curves) const {
+    if (curves.status == BurmesterStatus::no_digits) {
+      return fmt::format("no curves: the positions are too close to each other for {} digits\n",
+                         kDoubleDigits);
+    }
+    if (curves.status == BurmesterStatus::family) {
+      return family_text(curves.reason, task_.positions);
+    }
+    std::string text = curve_text("circle points", curves.circle_points) +
+                       curve_text("centre points", curves.centre_points);
+    if (curves.slider) {
+      text += fmt::format("slider at {}\n", plane_.point(curves.slider->circle_point));
+    }
+    if (curves.inverted_slider) {
+      text += fmt::format("inverted slider through {}\n",
+                          plane_.point(curves.inverted_slider->centre_point));
+    }
+    return text;
+  }
+
+  std::string curve_text(std::string_view what, const PlaneCubic& cubic) const {
+    const auto focus = cubic.focus();
+    const auto circle = cubic.circle();
+    return fmt::format("curve of {}: {}\n",
+                       what,
+                       focus          ? "focus " + plane_.point(*focus)
+                       : circle       ? fmt::format("a circle about {} with radius {}",
+                                              plane_.point(circle->centre),
+                                              plane_.length(circle->radius))
+                       : cubic.line() ? std::string("a straight line")
+                                      : std::string("a conic"));
+  }
+
+  const SynthesisAnalysis& analysis_;
+  const SynthesisTask& task_;
+  PlaneText plane_;
+};
+
+}  // namespace
+
+std::string synthesis_text(const SynthesisAnalysis& analysis) {
+  return title_text(analysis.file, analysis.description) + synthesis_blocks(analysis).text();
+}
+
+TextBlocks synthesis_blocks(const SynthesisAnalysis& analysis) {
+  const FileUnits& units = analysis.description.units;
+  TextBlocks text(fmt::format("  task {}, lengths in {}, angles in {}{}\n",
+                              analysis.form,
+                              units.text(QuantityKind::length),
+                              units.text(QuantityKind::angle),
+                              analysis.digits ? fmt::format(", {} digits", *analysis.digits) : ""));
+  const PlaneText plane(units);
+  const auto add_tasks = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      text += TaskText(analysis, analysis.tasks[i]).run();
+    }
+  };
+  const std::size_t count = analysis.tasks.size();
+  for (std::size_t i = 0; i < analysis.selections.size(); ++i) {
+    const AngleSelection& one = analysis.selections[i];
+    const bool is_last = i + 1 == analysis.selections.size();
+    const std::size_t end = is_last ? count : analysis.selections[i + 1].first_task;
+    const std::string angles = listed_angles_text(one.angles, analysis, plane);
+    text += (angles.empty() ? "" : "\n" + angles + ": ") +
+            selection_text(one.counts, end > one.first_task);
+    add_tasks(one.first_task, end);
+  }
+  if (analysis.selections.empty()) {
+    add_tasks(0, count);
+  }
+  return text;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,313 @@
+#include "studies/synthesis/selection/selection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/contract.hpp"
+#include "core/synthesis_tolerance.hpp"
+#include "core/tolerance.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// How near a linkage comes to the limit that speaks against it, or its margin: the more the better.
+double reached_by(const LinkageCandidate& candidate) {
+  switch (candidate.defect) {
+    case Defect::none:
+    case Defect::digits:
+    case Defect::circuit:
+    case Defect::branch:
+    case Defect::order:
+    case Defect::transmission:
+      return candidate.margin();
+    case Defect::ratio:
+      return -candidate.ratio;
+    case Defect::size:
+      return -candidate.longest;
+  }
+  return 0.0;
+}
+
+// What is kept of the many.
+struct Sample {
+  double margin = -1.0;  // below zero without a usable linkage
+  Standing standing;  // its margin is what reached_by says; the rank is negative without a linkage
+  Defect defect = Defect::none;
+  Missing missing = Missing::dyads;  // without a linkage
+};
+
+Sample sample_of(const LinkageCandidate& candidate) {
+  Sample sample{.standing = candidate.standing(), .defect = candidate.defect};
+  sample.standing.margin = reached_by(candidate);
+  if (candidate.defect == Defect::none) {
+    sample.margin = candidate.margin();
+  }
+  return sample;
+}
+
+Sample sample_of(const Shortfall& shortfall) {
+  Sample sample;
+  sample.missing = shortfall.missing;
+  sample.standing.rank = static_cast<int>(shortfall.missing) - static_cast<int>(kMissingCount);
+  sample.standing.margin = -shortfall.residual;
+  return sample;
+}
+
+class Selector {
+ public:
+  Selector(std::span<const SelectionRange> ranges,
+           const CandidateMaker& make,
+           std::size_t keep,
+           const ForEach& for_each,
+           const ShortfallFinder& lacking)
+      : ranges_(ranges), make_(make), keep_(keep), for_each_(for_each), lacking_(lacking) {}
+
+  Selection run() {
+    try_samples();
+    count();
+    std::vector<std::size_t> places = find_peaks();
+    std::vector<SelectedLinkage> peaks(places.size());
+    for_each_(peaks.size(), [&](std::size_t i) {
+      peaks[i] = selected(places[i]);
+      improve(peaks[i]);
+    });
+    for (SelectedLinkage& one : peaks) {
+      keep_if_new(std::move(one));
+    }
+    sort(selection_.best);
+    selection_.best.resize(std::min(selection_.best.size(), keep_));
+    return std::move(selection_);
+  }
+
+ private:
+  static constexpr std::size_t kBlock = 64;  // samples that one thread tries in one go
+  static constexpr std::size_t kPeaks = 4;   // several may lead to the same linkage
+
+  void try_samples() {
+    std::size_t count = 1;
+    for (const SelectionRange& range : ranges_) {
+      count *= static_cast<std::size_t>(range.count);
+    }
+    samples_.resize(count);
+    for_each_((count + kBlock - 1) / kBlock, [&](std::size_t block) {
+      const std::size_t end = std::min(count, (block + 1) * kBlock);
+      for (std::size_t i = block * kBlock; i < end; ++i) {
+        samples_[i] = try_choice(choice_at(index_of(i)));
+      }
+    });
+  }
+
+  Sample try_choice(const std::vector<double>& choice) const {
+    const auto found = make_(choice);
+    return found ? sample_of(*found) : sample_of(lacking_ ? lacking_(choice) : Shortfall{});
+  }
+
+  // The counts; and if nothing is usable, what comes nearest: of equal ones the first.
+  void count() {
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      const Sample& sample = samples_[i];
+      const Sample& best = samples_[nearest];
+      ++selection_.samples;
+      if (sample.standing.rank >= 0) {
+        ++selection_.with_linkage;
+        ++selection_.defects[static_cast<std::size_t>(sample.defect)];
+      } else {
+        ++selection_.missing[static_cast<std::size_t>(sample.missing)];
+      }
+      selection_.usable += sample.margin >= 0.0 ? 1 : 0;
+      nearest = sample.standing.is_better_than(best.standing) ? i : nearest;
+    }
+    if (selection_.usable == 0 && selection_.with_linkage > 0) {
+      selection_.nearest = selected(nearest);
+    }
+    if (selection_.with_linkage == 0 && !samples_.empty() &&
+        samples_[nearest].missing != Missing::motion) {
+      selection_.nearest_choice = choice_at(index_of(nearest));
+    }
+  }
+
+  SelectedLinkage selected(std::size_t sample) const {
+    SelectedLinkage result{.choice = choice_at(index_of(sample)), .candidate = {}};
+    result.candidate = *make_(result.choice);
+    return result;
+  }
+
+  std::vector<double> choice_at(const std::vector<int>& index) const {
+    std::vector<double> choice;
+    for (std::size_t i = 0; i < index.size(); ++i) {
+      choice.push_back(ranges_[i].from + step(i) * index[i]);
+    }
+    return choice;
+  }
+
+  double step(std::size_t i) const {
+    const SelectionRange& range = ranges_[i];
+    return range.count > 1 ? (range.to - range.from) / (range.count - 1) : 0.0;
+  }
+
+  // The samples with the largest margins among those that no neighbour along a range surpasses.
+  std::vector<std::size_t> find_peaks() const {
+    std::vector<std::size_t> peaks;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (samples_[i].margin >= 0.0 && is_peak(i)) {
+        peaks.push_back(i);
+      }
+    }
+    std::ranges::stable_sort(peaks, [&](std::size_t a, std::size_t b) {
+      return samples_[a].margin > samples_[b].margin;
+    });
+    peaks.resize(std::min(peaks.size(), kPeaks * keep_));
+    return peaks;
+  }
+
+  std::vector<int> index_of(std::size_t sample) const {
+    std::vector<int> index(ranges_.size(), 0);
+    for (std::size_t i = ranges_.size(); i > 0; --i) {
+      const auto count = static_cast<std::size_t>(ranges_[i - 1].count);
+      index[i - 1] = static_cast<int>(sample % count);
+      sample /= count;
+    }
+    return index;
+  }
+
+  bool is_peak(std::size_t sample) const {
+    const std::vector<int> index = index_of(sample);
+    std::size_t stride = 1;
+    for (std::size_t i = ranges_.size(); i > 0; --i) {
+      const bool has_before = index[i - 1] > 0;
+      const bool has_after = index[i - 1] + 1 < ranges_[i - 1].count;
+      if ((has_before && samples_[sample - stride].margin > samples_[sample].margin) ||
+          (has_after && samples_[sample + stride].margin > samples_[sample].margin)) {
+        return false;
+      }
+      stride *= static_cast<std::size_t>(ranges_[i - 1].count);
+    }
+    return true;
+  }
+
+  // Two peaks of the grid may lead to one and the same, and where the free numbers are more than
+  // what they are free for, very different ones too.
+  void keep_if_new(SelectedLinkage one) {
+    const bool is_known = std::ranges::any_of(selection_.best, [&](const SelectedLinkage& other) {
+      return is_near(one, other) || is_same(one.candidate, other.candidate);
+    });
+    if (!is_known) {
+      selection_.best.push_back(std::move(one));
+    }
+  }
+
+  static bool is_same(const LinkageCandidate& one, const LinkageCandidate& other) {
+    return one.linkage.type() == other.linkage.type() &&
+           std::abs(one.ratio - other.ratio) < kSameLinkage * one.ratio &&
+           std::abs(one.longest - other.longest) < kSameLinkage * one.longest;
+  }
+
+  bool is_near(const SelectedLinkage& one, const SelectedLinkage& other) const {
+    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+      if (std::abs(one.choice[i] - other.choice[i]) > std::abs(step(i))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  static void sort(std::vector<SelectedLinkage>& found) {
+    std::ranges::stable_sort(found, [](const SelectedLinkage& one, const SelectedLinkage& other) {
+      return one.candidate.standing().is_better_than(other.candidate.standing());
+    });
+  }
+
+  // Steps of half the grid's along every number, or if none of them helps across every two, so that
+  // a limit that runs obliquely is followed; halved if neither helps; never beyond the ranges.
+  void improve(SelectedLinkage& one) const {
+    constexpr int kRounds = 60;
+    constexpr int kHalvings = 24;
+    double share = 0.5;
+    int halvings = 0;
+    for (int i = 0; i < kRounds && halvings < kHalvings; ++i) {
+      if (!improve_by(one, share)) {
+        share *= 0.5;
+        ++halvings;
+      }
+    }
+  }
+
+  bool improve_by(SelectedLinkage& one, double share) const {
+    bool helps = false;
+    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+      for (const double sign : {1.0, -1.0}) {
+        const bool helps_so = improve_along(one, i, sign * share, i, 0.0);
+        helps = helps || helps_so;
+      }
+    }
+    return helps || improve_across(one, share);
+  }
+
+  bool improve_across(SelectedLinkage& one, double share) const {
+    bool helps = false;
+    for (std::size_t pair = 0; pair < ranges_.size() * ranges_.size(); ++pair) {
+      const std::size_t i = pair / ranges_.size();
+      const std::size_t j = pair % ranges_.size();
+      for (const double sign : {1.0, -1.0}) {
+        // Of i and j in both orders: with the same sign, and with the other.
+        const double other = i < j ? sign * share : -sign * share;
+        const bool helps_so = i != j && improve_along(one, i, sign * share, j, other);
+        helps = helps || helps_so;
+      }
+    }
+    return helps;
+  }
+
+  bool improve_along(
+      SelectedLinkage& one, std::size_t i, double share, std::size_t j, double other) const {
+    std::vector<double> choice = one.choice;
+    choice[i] = within(i, choice[i] + share * step(i));
+    choice[j] = within(j, choice[j] + other * step(j));
+    std::optional<LinkageCandidate> found = make_(choice);
+    if (!found || !found->standing().is_better_than(one.candidate.standing())) {
+      return false;
+    }
+    one = {.choice = std::move(choice), .candidate = *std::move(found)};
+    return true;
+  }
+
+  double within(std::size_t i, double value) const {
+    const auto [low, high] = std::minmax(ranges_[i].from, ranges_[i].to);
+    return std::clamp(value, low, high);
+  }
+
+  std::span<const SelectionRange> ranges_;
+  const CandidateMaker& make_;
+  std::size_t keep_;
+  const ForEach& for_each_;
+  const ShortfallFinder& lacking_;
+  std::vector<Sample> samples_;  // the last range runs fastest
+  Selection selection_;
+};
+
+}  // namespace
+
+int samples_along(int samples, double numbers) {
+  const double each = std::pow(static_cast<double>(samples), 1.0 / numbers);
+  return std::max(2, static_cast<int>(std::ceil(each * (1.0 - kSameValue))));
+}
+
+void one_after_another(std::size_t count, const std::function<void(std::size_t)>& job) {
+  for (std::size_t i = 0; i < count; ++i) {
+    job(i);
+  }
+}
+
+Selection select_linkages(std::span<const SelectionRange> ranges,
+                          const CandidateMaker& make,
+                          int keep,
+                          const ForEach& for_each,
+                          const ShortfallFinder& lacking) {
+  KINESTAT_EXPECTS(keep > 0);
+  return Selector(ranges, make, static_cast<std::size_t>(keep), for_each, lacking).run();
+}
+
+}  // namespace kinestat

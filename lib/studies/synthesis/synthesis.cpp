@@ -1,0 +1,153 @@
+#include "studies/synthesis/synthesis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/synthesis_tolerance.hpp"
+#include "core/tolerance.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Links that have a length: those between pivots.
+std::vector<double> link_lengths(const Linkage& linkage) {
+  std::vector<double> lengths;
+  for (const Dyad* dyad : {&linkage.one, &linkage.other}) {
+    if (dyad->kind == DyadKind::crank) {
+      lengths.push_back(dyad->length);
+    }
+  }
+  if (linkage.one.kind != DyadKind::inverted_slider &&
+      linkage.other.kind != DyadKind::inverted_slider) {
+    lengths.push_back(std::abs(linkage.one.circle_point - linkage.other.circle_point));
+  }
+  if (linkage.one.kind != DyadKind::slider && linkage.other.kind != DyadKind::slider) {
+    lengths.push_back(std::abs(linkage.one.centre_point - linkage.other.centre_point));
+  }
+  return lengths;
+}
+
+Defect defect_of(const DriveVerdict& verdict, const LinkageLimits& limits) {
+  if (!verdict.same_circuit) {
+    return Defect::circuit;
+  }
+  if (!verdict.same_branch) {
+    return Defect::branch;
+  }
+  if (verdict.passage == Passage::none) {
+    return Defect::order;
+  }
+  // Rounding must not decide at the limit itself.
+  return verdict.working_arc->margin() < limits.transmission * (1.0 - kSameValue)
+             ? Defect::transmission
+             : Defect::none;
+}
+
+double margin_of(const DriveVerdict& verdict) {
+  return verdict.working_arc ? verdict.working_arc->margin() : 0.0;
+}
+
+void choose_drive(LinkageCandidate& candidate, const LinkageLimits& limits) {
+  const Defect one = defect_of(candidate.verdicts[0], limits);
+  const Defect other = defect_of(candidate.verdicts[1], limits);
+  const bool takes_other =
+      Standing(other, candidate.verdicts[1]).is_better_than({one, candidate.verdicts[0]});
+  candidate.best_drive = takes_other ? Drive::other : Drive::one;
+  candidate.defect = takes_other ? other : one;
+}
+
+bool has_digits(const Dyad& dyad) {
+  return dyad.digits >= -std::log10(kUselessLoss);
+}
+
+LinkageCandidate judge(const Linkage& linkage,
+                       std::span<const PositionJets> positions,
+                       const LinkageLimits& limits) {
+  LinkageCandidate candidate;
+  candidate.linkage = linkage;
+  candidate.lengths = lengths_of(linkage);
+  if (candidate.lengths) {
+    candidate.grashof = classify(*candidate.lengths);
+    candidate.cognates = find_cognates(linkage, pose_of(positions[0]), {0.0, 0.0});
+  }
+  candidate.verdicts = {find_verdict(linkage, Drive::one, positions),
+                        find_verdict(linkage, Drive::other, positions)};
+  choose_drive(candidate, limits);
+  if (!has_digits(linkage.one) || !has_digits(linkage.other)) {
+    candidate.defect = Defect::digits;
+  }
+  const std::vector<double> lengths = link_lengths(linkage);
+  if (!lengths.empty()) {
+    candidate.longest = std::ranges::max(lengths);
+    candidate.ratio = candidate.longest / std::ranges::min(lengths);
+  }
+  if (candidate.defect == Defect::none && candidate.ratio > limits.ratio * (1.0 + kSameValue)) {
+    candidate.defect = Defect::ratio;
+  }
+  if (candidate.defect == Defect::none && candidate.longest > limits.size * (1.0 + kSameValue)) {
+    candidate.defect = Defect::size;
+  }
+  return candidate;
+}
+
+}  // namespace
+
+std::string_view word_of(Defect defect) {
+  switch (defect) {
+    case Defect::none:
+      return "none";
+    case Defect::digits:
+      return "digits";
+    case Defect::circuit:
+      return "circuit";
+    case Defect::branch:
+      return "branch";
+    case Defect::order:
+      return "order";
+    case Defect::transmission:
+      return "transmission_angle";
+    case Defect::ratio:
+      return "link_ratio";
+    case Defect::size:
+      return "size";
+  }
+  return "";
+}
+
+Standing::Standing(Defect defect, const DriveVerdict& verdict)
+    : rank(defect == Defect::none ? static_cast<int>(Defect::size) + 1 : static_cast<int>(defect)),
+      margin(margin_of(verdict)) {}
+
+bool Standing::is_better_than(const Standing& other) const {
+  return rank != other.rank ? rank > other.rank : margin > other.margin;
+}
+
+const DriveVerdict& LinkageCandidate::best() const {
+  return verdicts[best_drive == Drive::one ? 0 : 1];
+}
+
+double LinkageCandidate::margin() const {
+  return margin_of(best());
+}
+
+std::vector<LinkageCandidate> rank_linkages(std::span<const Dyad> dyads,
+                                            std::span<const PositionJets> positions,
+                                            const LinkageLimits& limits) {
+  std::vector<LinkageCandidate> candidates;
+  for (std::size_t pair = 0; pair < dyads.size() * dyads.size(); ++pair) {
+    const std::size_t i = pair / dyads.size();
+    const std::size_t j = pair % dyads.size();
+    const Linkage linkage{.one = dyads[i], .other = dyads[j]};
+    if (i < j && (!limits.type || linkage.type() == *limits.type)) {
+      candidates.push_back(judge(linkage, positions, limits));
+      candidates.back().dyads = {i, j};
+    }
+  }
+  std::ranges::stable_sort(candidates, [](const auto& one, const auto& other) {
+    return one.standing().is_better_than(other.standing());
+  });
+  return candidates;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,79 @@
+// Every linkage of the dyads that were found, judged and ranked.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "studies/synthesis/dyads/burmester.hpp"
+#include "studies/synthesis/linkages/cognates.hpp"
+#include "studies/synthesis/linkages/linkage.hpp"
+#include "studies/synthesis/linkages/verdict.hpp"
+
+namespace kinestat {
+
+/// What a linkage must keep to.
+struct LinkageLimits {
+  std::optional<LinkageType> type = std::nullopt;  ///< others are not looked at
+  double transmission = 0.0;                       ///< least margin of the transmission angle [rad]
+  double ratio = std::numeric_limits<double>::infinity();  ///< longest by shortest link
+  double size = std::numeric_limits<double>::infinity();   ///< longest link [length]
+};
+
+/// What speaks against a linkage, worst first.
+enum class Defect {
+  none,
+  digits,        ///< the positions leave a dyad no digits
+  circuit,       ///< positions lie in circuits that no motion joins
+  branch,        ///< a dead point of the input lies between positions
+  order,         ///< the input passes the positions in another order
+  transmission,  ///< below the limit
+  ratio,         ///< above the limit
+  size           ///< above the limit
+};
+
+/// The word in reports.
+std::string_view word_of(Defect defect);
+
+/// What linkages are ranked by.
+struct Standing {
+  int rank = -1;        ///< the later its defect in the list, the higher; highest without one
+  double margin = 0.0;  ///< of the transmission angle on the working arc [rad]
+
+  Standing() = default;
+
+  Standing(Defect defect, const DriveVerdict& verdict);
+
+  bool is_better_than(const Standing& other) const;
+};
+
+struct LinkageCandidate {
+  Linkage linkage;
+  std::array<std::size_t, 2> dyads{};  ///< which of the given dyads
+  std::optional<FourBarLengths> lengths;
+  std::optional<Grashof> grashof;
+  std::optional<Cognates> cognates;  ///< for the path of the origin of the moving frame
+  std::array<DriveVerdict, 2> verdicts;
+  Drive best_drive = Drive::one;
+  double longest = 0.0;          ///< of the links that have a length [length]
+  double ratio = 1.0;            ///< longest by shortest of them
+  Defect defect = Defect::none;  ///< with the best drive
+
+  const DriveVerdict& best() const;
+
+  Standing standing() const { return {defect, best()}; }
+
+  /// Of the transmission angle on the working arc of the best drive [rad]; zero if it has none.
+  double margin() const;
+};
+
+/// All pairs of dyads, the best first: without defects, by the margin of the transmission angle;
+/// then the others by their defect. Double dyads count once.
+std::vector<LinkageCandidate> rank_linkages(std::span<const Dyad> dyads,
+                                            std::span<const PositionJets> positions,
+                                            const LinkageLimits& limits);
+
+}  // namespace kinestat
