@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/contract.hpp"
 #include "format/mechanism_reader.hpp"
 #include "support/read_text.hpp"
 
@@ -71,13 +70,6 @@ TEST(MechanismWriter, PutsTheHeadInCommentsThatStayComments) {
 
   EXPECT_TRUE(text.starts_with("# First line\n#\n# second\\x0Akinestat: 2\nkinestat: 1\n")) << text;
   read_back(text);
-}
-
-TEST(MechanismWriter, RefusesWhatItWouldLeaveOut) {
-  MechanismDescription description = read_back(kSliderCrank);
-  description.couplings.front().type = CouplingType::spherical;
-
-  EXPECT_THROW(mechanism_text(description, {}), ContractViolation);
 }
 
 }  // namespace
