@@ -40,7 +40,9 @@ std::string form_text(const FormShape& shape) {
 // The keys behind a value, whatever lists, names and alternatives they stand in.
 void collect_keys(const FormShape& shape, std::vector<FormKey>& keys) {
   for (const FormKey& key : shape.keys) {
-    if (std::ranges::find(keys, key.key, &FormKey::key) == keys.end()) {
+    const bool is_there = std::ranges::any_of(
+        keys, [&](const FormKey& one) { return one.key == key.key && one.meaning == key.meaning; });
+    if (!is_there) {
       keys.push_back(key);
     }
   }
@@ -76,7 +78,8 @@ std::string facts_of(const FormKey& key, const std::string& page, std::size_t ro
       return text;
     }
   }
-  return (form.starts_with('[') ? "[…]" : "{…}") + rest;
+  const bool is_word = key.shape.kind == FormKind::word;
+  return (is_word ? "WORD" : form.starts_with('[') ? "[…]" : "{…}") + rest;
 }
 
 class KeyTable {
@@ -107,7 +110,7 @@ class KeyTable {
                          "",
                          begin - indent - columns_of(key.key),
                          facts_of(key, page, kWidth - begin));
-    add_wrapped(key.meaning, begin);
+    add_wrapped(key.meaning.empty() ? key.shape.meaning : key.meaning, begin);
     for (const Word& word : key.shape.words) {
       add_wrapped(fmt::format("{}: {}", word.text, word.meaning), begin);
     }
