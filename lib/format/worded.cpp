@@ -1,5 +1,7 @@
 #include "format/worded.hpp"
 
+#include <algorithm>
+
 #include "format/value_forms.hpp"
 
 namespace kinestat {
