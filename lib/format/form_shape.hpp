@@ -127,7 +127,7 @@ struct FormKey {
 /// The form in a few characters: "[x, y]", "NAME", "{body: NAME, at: [x, y]}".
 std::string sketch_of(const FormShape& shape, Space space);
 
-/// Whether it is a mapping with keys, of one kind or several.
+/// Whether it is a mapping with keys, perhaps with those that a word chooses.
 bool is_mapping(const FormShape& shape);
 
 /// Whether points or vectors are part of it, so that it cannot be read while the space is unknown.

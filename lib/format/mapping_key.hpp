@@ -44,7 +44,7 @@ class Mapping<T>::Key {
         example);
   }
 
-  /// A list of two, which must be there; of a form of each, or of both.
+  /// A list of two, which must be there, by a form of each.
   template <class Member>
   Key& pair(Member T::*first,
             Member T::*second,
@@ -52,19 +52,19 @@ class Mapping<T>::Key {
             std::string_view example,
             std::string_view hint);
 
+  /// Likewise, by a form of both.
+  template <class Member>
+  Key& pair(Member T::*first,
+            Member T::*second,
+            const Form<std::vector<Member>>& list,
+            std::string_view example);
+
   /// It must be there, but is not written as long as it says what is usual.
   Key& required(Absence absence = {}) {
     added().is_needed = true;
     added().absence = absence;
     return *this;
   }
-
-  /// The same of a form for both.
-  template <class Member>
-  Key& pair(Member T::*first,
-            Member T::*second,
-            const Form<std::vector<Member>>& list,
-            std::string_view example);
 
   /// Keys of the same object in a mapping of their own, or those of a member.
   Key& group(const Mapping& part);

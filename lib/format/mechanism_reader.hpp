@@ -9,9 +9,8 @@
 
 namespace kinestat {
 
-/// Reads every section; complains about everything that is wrong in form, and about sections that
-/// have no analysis yet. What cables make is added to bodies and couplings. Empty iff an error was
-/// added.
+/// Reads every section; complains about everything that is wrong in form. What meshes and cables
+/// make is added to bodies and couplings. Empty iff an error was added.
 std::optional<MechanismDescription> read_mechanism(const YamlNode& root, Diagnostics& found);
 
 }  // namespace kinestat

@@ -1,7 +1,6 @@
 #include "io/fields.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,22 +15,6 @@ namespace kinestat {
 namespace {
 
 constexpr std::size_t kMostKeys = 40;  // that a mapping of the format has
-
-// What to add where a key is missing.
-std::string example_of(std::string_view key) {
-  struct Example {
-    std::string_view key;
-    std::string_view text;
-  };
-
-  constexpr auto kExamples = std::to_array<Example>({
-      {"bodies", "'bodies: [NAME, NAME, …]'; of a coupling 'bodies: [TAIL, HEAD]'"},
-      {"type", "for example 'type: revolute'"},
-      {"radius", "for example 'radius: 20 mm'"},
-  });
-  const auto at = std::ranges::find(kExamples, key, &Example::key);
-  return at != kExamples.end() ? std::string(at->text) : fmt::format("'{}: …'", key);
-}
 
 }  // namespace
 
@@ -54,13 +37,10 @@ const YamlNode* Fields::find(std::string_view key) {
   return node_ == nullptr ? nullptr : node_->find(key);
 }
 
-const YamlNode* Fields::require(std::string_view key, std::string example) {
+const YamlNode* Fields::require(std::string_view key, std::string what_to_add) {
   const YamlNode* value = find(key);
-  if (!example.empty()) {
-    examples_.emplace_back(key, std::move(example));
-  }
   if (value == nullptr && node_ != nullptr) {
-    missing_.emplace_back(key);
+    missing_.push_back({.key = std::string(key), .what_to_add = std::move(what_to_add)});
   }
   return value;
 }
@@ -80,12 +60,11 @@ void Fields::finish() {
       refuse(i);
     }
   }
-  for (const std::string& key : missing_) {
-    const auto own = std::ranges::find(examples_, key, &std::pair<std::string, std::string>::first);
+  for (const Missing& one : missing_) {
     found_.error("E0303",
                  where_,
-                 fmt::format("{} lacks the key '{}'", what_, key),
-                 fmt::format("add {}", own != examples_.end() ? own->second : example_of(key)));
+                 fmt::format("{} lacks the key '{}'", what_, one.key),
+                 fmt::format("add {}", one.what_to_add));
   }
 }
 
@@ -93,8 +72,12 @@ void Fields::refuse(std::size_t index) {
   const YamlEntry& entry = node_->entries[index];
   const std::string whole =
       index == 0 ? std::string() : whole_entry(node_->entries[index - 1], entry);
-  std::string guess = meant_name(entry.key, missing_);
-  std::erase(missing_, guess);
+  std::vector<std::string> missing;
+  for (const Missing& one : missing_) {
+    missing.push_back(one.key);
+  }
+  std::string guess = meant_name(entry.key, missing);
+  std::erase_if(missing_, [&](const Missing& one) { return one.key == guess; });
   if (guess.empty()) {
     guess = meant_name(entry.key, known_);
   }

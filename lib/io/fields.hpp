@@ -22,9 +22,8 @@ class Fields {
   /// The value of the key, or null if it is absent.
   const YamlNode* find(std::string_view key);
 
-  /// Likewise, but absence is an error of finish(). `example` is what to add, if the key alone does
-  /// not say it: "'at: [x, y]'".
-  const YamlNode* require(std::string_view key, std::string example = {});
+  /// Likewise, but absence is an error of finish(), whose hint says what to add: "'at: [x, y]'".
+  const YamlNode* require(std::string_view key, std::string what_to_add);
 
   /// Lets keys that begin so stand without being listed among the known ones.
   void ignore_prefix(std::string_view prefix);
@@ -32,11 +31,12 @@ class Fields {
   /// Says everything that is wrong with the keys. To be called once, after all have been asked for.
   void finish();
 
-  const std::string& what() const { return what_; }
-
-  SourceRange where() const { return where_; }
-
  private:
+  struct Missing {
+    std::string key;
+    std::string what_to_add;
+  };
+
   void refuse(std::size_t index);
 
   const YamlNode* node_ = nullptr;
@@ -45,8 +45,7 @@ class Fields {
   Diagnostics& found_;
   std::vector<std::string> known_;
   std::string ignored_prefix_;  ///< empty: none
-  std::vector<std::string> missing_;
-  std::vector<std::pair<std::string, std::string>> examples_;  ///< of required keys
+  std::vector<Missing> missing_;
 };
 
 }  // namespace kinestat

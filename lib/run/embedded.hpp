@@ -1,4 +1,4 @@
-// The texts inside the program; lib/run/CMakeLists.txt says which files they are.
+// The texts inside the program; lib/CMakeLists.txt says which files they are.
 #pragma once
 
 #include "core/embedded_text.hpp"

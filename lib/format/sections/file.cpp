@@ -26,7 +26,7 @@ const std::string& version_hint() {
 }
 
 bool is_positive_whole(const YamlNode& node) {
-  return node.kind == YamlKind::scalar && !node.text.empty() && node.text != "0" &&
+  return node.kind == YamlKind::scalar && !node.text.empty() && node.text.front() != '0' &&
          node.text.find_first_not_of("0123456789") == std::string::npos;
 }
 

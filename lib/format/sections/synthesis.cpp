@@ -54,7 +54,8 @@ Form<std::vector<PoseDerivative>> derivatives() {
               "write derivatives: [{at: [x, y], angle: 1 rad}, …], the first derivative first",
               {.least = 1, .most = 4});
   form.shape.rules.push_back(rule);
-  form.read = [rule, read = form.read](const FileValue& value) {
+  using List = std::vector<PoseDerivative>;
+  form.read = [rule, read = form.read](const FileValue& value) -> std::optional<List> {
     auto list = read(value);
     const auto has_angle = [](const PoseDerivative& one) { return one.angle.has_value(); };
     if (list && std::ranges::any_of(*list, has_angle) && !std::ranges::all_of(*list, has_angle)) {
@@ -62,6 +63,7 @@ Form<std::vector<PoseDerivative>> derivatives() {
                         value.node.where,
                         fmt::format(fmt::runtime(rule.message), value.owner),
                         std::string(rule.hint));
+      return std::nullopt;
     }
     return list;
   };

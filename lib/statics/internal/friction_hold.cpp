@@ -15,7 +15,7 @@ namespace kinestat {
 
 namespace {
 
-// From so far, beside the known action, that nothing but the open action presses.
+// Where the search starts, in multiples of the known action: there the open one alone presses.
 constexpr double kFar = 1e6;
 
 // The action that is to be known instead of the primary which nothing but friction holds: one of

@@ -168,7 +168,8 @@ class FrictionCheck {
              fmt::format("the friction of {} has no coefficient", title_of(coupling_)),
              kind_ == FrictionKind::journal || kind_ == FrictionKind::thread
                  ? "add 'mu', 'tau' or 'c'"
-                 : "add 'mu' or 'c'");
+             : kind_ == FrictionKind::guide ? "add 'mu' or 'c'"
+                                            : "add 'mu'");
     }
     if (kind_ == FrictionKind::thread && friction.radius && bound.radius == 0.0) {
       refuse(found_,
