@@ -1,6 +1,9 @@
 #include <array>
 
+#include "couplings/internal/catalogue_row.hpp"
 #include "couplings/internal/kind_rows.hpp"
+#include "couplings/internal/law_writer.hpp"
+#include "couplings/mechanics.hpp"
 
 namespace kinestat {
 
@@ -12,6 +15,11 @@ constexpr auto kKeysOfClutches = std::to_array<KindKey>({
     {CouplingKey::one_way},
 });
 
+constinit const KindMechanics kMechanicsOfClutch = {
+    .screws = screws_by([](const auto& g, auto& row) { row.turn_along(g.axis, g.at); }),
+    .law = [](LawWriter& law) { law.hinge(); },
+};
+
 }  // namespace
 
 constinit const CouplingKind kClutch = {
@@ -22,6 +30,8 @@ constinit const CouplingKind kClutch = {
         "in space axis",
     .example = "{type: clutch, bodies: [shaft, drum], at: [0, 0]}",
     .keys = kKeysOfClutches,
+    .mechanics = &kMechanicsOfClutch,
+    .space_symbol = SpaceSymbol::hinge,
     .engages = true,
 };
 
@@ -33,6 +43,8 @@ constinit const CouplingKind kBrake = {
         "axis",
     .example = "{type: brake, bodies: [frame, ring], at: [0, 0]}",
     .keys = kKeysOfClutches,
+    .mechanics = &kMechanicsOfClutch,
+    .space_symbol = SpaceSymbol::hinge,
     .engages = true,
 };
 

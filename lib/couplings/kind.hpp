@@ -57,6 +57,14 @@ enum class Teeth {
   of_any      ///< of any two bodies
 };
 
+/// How it is drawn in the plane.
+enum class PlanarSymbol { pin, block, slot, contact, rack, bars, square };
+
+/// How it is drawn in space.
+enum class SpaceSymbol { square, hinge, sleeve, box, cross, ball, plate, touching_plate };
+
+struct KindMechanics;
+
 /// A row of the list of kinds. All texts are literals.
 struct CouplingKind {
   CouplingType type = CouplingType::revolute;
@@ -65,6 +73,7 @@ struct CouplingKind {
   std::string_view example = {};                  ///< as in a file
   std::span<const std::string_view> others = {};  ///< what it is called elsewhere, in lower case
   std::span<const KindKey> keys = {};
+  const KindMechanics* mechanics = nullptr;
   FrictionKind friction = FrictionKind::no_law;
   bool has_friction_law = false;  ///< always; a gear has one where its teeth are in contact
   bool is_in_plane = true;        ///< may stand in a planar mechanism
@@ -72,7 +81,9 @@ struct CouplingKind {
   bool needs_place = true;        ///< 'at', without which it is only counted
   Teeth teeth = Teeth::none;
   bool only_pushes = false;  ///< surfaces that part rather than pull
-  bool engages = false;      ///< and opens: an actuator of its own name
+  PlanarSymbol planar_symbol = PlanarSymbol::pin;
+  SpaceSymbol space_symbol = SpaceSymbol::square;
+  bool engages = false;  ///< and opens: an actuator of its own name
 };
 
 }  // namespace kinestat

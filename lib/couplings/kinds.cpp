@@ -1,5 +1,7 @@
 #include "couplings/kinds.hpp"
 
+#include <algorithm>
+
 #include "core/contract.hpp"
 #include "couplings/internal/kind_rows.hpp"
 
@@ -13,6 +15,10 @@ const CouplingKind& kind_of(CouplingType type) {
   const CouplingKind& kind = *kKinds.at(static_cast<std::size_t>(type));
   KINESTAT_EXPECTS(kind.type == type);
   return kind;
+}
+
+bool takes(const CouplingKind& kind, CouplingKey key) {
+  return std::ranges::find(kind.keys, key, &KindKey::key) != kind.keys.end();
 }
 
 bool has_teeth(CouplingType type) {

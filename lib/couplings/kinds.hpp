@@ -13,6 +13,9 @@ std::span<const CouplingKind* const> coupling_kinds();
 
 const CouplingKind& kind_of(CouplingType type);
 
+/// Whether the kind has the key.
+bool takes(const CouplingKind& kind, CouplingKey key);
+
 /// Whether it is teeth in mesh.
 bool has_teeth(CouplingType type);
 

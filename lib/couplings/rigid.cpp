@@ -1,7 +1,10 @@
 #include <array>
 
+#include "couplings/internal/catalogue_row.hpp"
 #include "couplings/internal/key_texts.hpp"
 #include "couplings/internal/kind_rows.hpp"
+#include "couplings/internal/law_writer.hpp"
+#include "couplings/mechanics.hpp"
 
 namespace kinestat {
 
@@ -13,6 +16,23 @@ constexpr auto kKeysOfRigid = std::to_array<KindKey>({
     {CouplingKey::at, kPointForDrawings},
 });
 
+constexpr auto write_rigid = []<class Scalar>(const CouplingGeometryOf<Scalar>& g,
+                                              CatalogueRow<Scalar>& row) {
+  row.bear_all_forces(g.at);
+  row.bear_all_couples();
+};
+
+void law_of_rigid(LawWriter& law) {
+  law.meet();
+  law.keep_orientation();
+}
+
+constinit const KindMechanics kMechanicsOfRigid = {
+    .screws = screws_by(write_rigid),
+    .law = law_of_rigid,
+    .carried = {.forces = kAtTail, .couples = kAtTail},
+};
+
 }  // namespace
 
 constinit const CouplingKind kRigid = {
@@ -22,7 +42,9 @@ constinit const CouplingKind kRigid = {
     .example = "{type: rigid, bodies: [frame, ring]}",
     .others = kNamesOfRigid,
     .keys = kKeysOfRigid,
+    .mechanics = &kMechanicsOfRigid,
     .needs_place = false,
+    .planar_symbol = PlanarSymbol::square,
 };
 
 }  // namespace kinestat

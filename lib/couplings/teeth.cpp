@@ -1,11 +1,58 @@
 #include <array>
 
+#include "couplings/internal/catalogue_row.hpp"
 #include "couplings/internal/key_texts.hpp"
 #include "couplings/internal/kind_rows.hpp"
+#include "couplings/internal/law_writer.hpp"
+#include "couplings/internal/listed_screw.hpp"
+#include "couplings/mechanics.hpp"
 
 namespace kinestat {
 
 namespace {
+
+constexpr auto kNamesOfGear = std::to_array<std::string_view>({"spur_gear", "gears", "mesh"});
+
+constexpr auto kKeysOfGear = std::to_array<KindKey>({
+    {CouplingKey::at,
+     "The pitch point in the drawn position: [x, y] in the plane, [x, y, z] in space. Where "
+     "'gears' places both bodies, one number gives its position along the axis."},
+    {CouplingKey::turning_axis,
+     "The direction of the gears' axes: x, y, z, -x, -y, -z or a vector [ax, ay, az]. In the plane "
+     "it is z, which need not be written."},
+    {CouplingKey::tangent},
+    {CouplingKey::pressure_angle},
+    {CouplingKey::helix_angle},
+    {CouplingKey::internal},
+    {CouplingKey::contact},
+    {CouplingKey::line_of_action,
+     "The direction of the force of the tail on the head, instead of tangent and pressure angle."},
+});
+
+// Teeth: rolling, or the relative screw that is given; their contact is a point contact.
+constexpr auto write_teeth = []<class Scalar>(const CouplingGeometryOf<Scalar>& g,
+                                              CatalogueRow<Scalar>& row) {
+  if (g.is_contact) {
+    row.turn_freely(g.at);
+    row.slide_across({.direction = g.line_of_action, .keyword = 0});
+  } else if (g.relative) {
+    add_freedom<Scalar>(*g.relative, row);
+  } else {
+    row.turn_along(g.axis, g.at);
+  }
+  row.bear_force("Rc", g.line_of_action, g.at);
+};
+
+constexpr auto kFreedomsOfTeeth = std::to_array<Carried>({kWithCarrier});
+
+constinit const KindMechanics kMechanicsOfTeeth = {
+    .screws = screws_by(write_teeth),
+    .law = [](LawWriter& law) { law.set_kind(LawKind::rolling); },
+    .carried = {.freedoms = kFreedomsOfTeeth,
+                .forces = kWithCarrier,
+                .couples = kWithCarrier,
+                .place = Follows::carrier},
+};
 
 constexpr auto kKeysOfTeeth = std::to_array<KindKey>({
     {CouplingKey::at, kPointOfContact},
@@ -20,6 +67,21 @@ constexpr auto kNamesOfWorm = std::to_array<std::string_view>({"worm_gear"});
 
 }  // namespace
 
+constinit const CouplingKind kGear = {
+    .type = CouplingType::gear,
+    .word = "gear",
+    .meaning =
+        "two gears in mesh, rolling about the pitch point: 1 freedom; needs at, in space axis, and "
+        "tangent with pressure_angle or line_of_action",
+    .example =
+        "{type: gear, bodies: [sun, planet], at: [0, 0], tangent: x, pressure_angle: 20 deg}",
+    .others = kNamesOfGear,
+    .keys = kKeysOfGear,
+    .mechanics = &kMechanicsOfTeeth,
+    .friction = FrictionKind::sliding,
+    .teeth = Teeth::of_wheels,
+};
+
 constinit const CouplingKind kBevelGear = {
     .type = CouplingType::bevel_gear,
     .word = "bevel_gear",
@@ -30,6 +92,7 @@ constinit const CouplingKind kBevelGear = {
         "line_of_action: x}",
     .others = kNamesOfBevelGear,
     .keys = kKeysOfTeeth,
+    .mechanics = &kMechanicsOfTeeth,
     .friction = FrictionKind::sliding,
     .is_in_plane = false,
     .teeth = Teeth::of_wheels,
@@ -44,6 +107,7 @@ constinit const CouplingKind kWorm = {
         "pitch: 2 mm}, line_of_action: [0.1, 0.9, 0.4]}",
     .others = kNamesOfWorm,
     .keys = kKeysOfTeeth,
+    .mechanics = &kMechanicsOfTeeth,
     .friction = FrictionKind::sliding,
     .has_friction_law = true,
     .is_in_plane = false,
@@ -56,8 +120,10 @@ constinit const CouplingKind kRack = {
     .meaning = "rack and pinion: 1 freedom; needs at, line_of_action, and in space axis or screw",
     .example = "{type: rack, bodies: [pinion, rack], at: [0, 0], line_of_action: x}",
     .keys = kKeysOfTeeth,
+    .mechanics = &kMechanicsOfTeeth,
     .friction = FrictionKind::sliding,
     .teeth = Teeth::of_any,
+    .planar_symbol = PlanarSymbol::rack,
 };
 
 }  // namespace kinestat

@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "couplings/cable_geometry.hpp"
 #include "description/mechanism_description.hpp"
 #include "expression/parameters.hpp"
-#include "mechanism/cables/cable_geometry.hpp"
 
 namespace kinestat {
 

@@ -41,8 +41,8 @@ class PlanarCouplings : private PlanarDrawer {
 
   void draw_symbol(CouplingId id, const CouplingTopology& coupling) {
     const PixelPoint p = at(id);
-    switch (coupling.type) {
-      case prismatic: {
+    switch (kind_of(coupling.type).planar_symbol) {
+      case PlanarSymbol::block: {
         const BodyId moving = carrier(coupling);
         if (has_rack(moving)) {
           break;
@@ -55,23 +55,22 @@ class PlanarCouplings : private PlanarDrawer {
         canvas_.placer().keep_off(box_of_circle(p, 13.0));
         break;
       }
-      case pin_in_slot:
+      case PlanarSymbol::slot:
         draw_slot(p, sliding_direction(coupling), coupling.tail);
         break;
-      case cam:
-      case point_contact:
+      case PlanarSymbol::contact:
         draw_contact(svg_, p, normal(coupling));
         break;
-      case rack:
+      case PlanarSymbol::rack:
         draw_rack(p, coupling);
         break;
-      case screws:
+      case PlanarSymbol::bars:
         draw_bars(p, coupling);
         break;
-      case rigid:
+      case PlanarSymbol::square:
         svg_.rectangle(box_of_circle(p, 4.0), {.stroke = Ink::ink, .fill = Ink::ink});
         break;
-      default:
+      case PlanarSymbol::pin:
         draw_pin(svg_, p);
         break;
     }

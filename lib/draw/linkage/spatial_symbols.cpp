@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "couplings/kinds.hpp"
 #include "draw/symbols.hpp"
 
 namespace kinestat {
@@ -18,40 +19,34 @@ class SymbolWriter {
       : svg_(svg), view_(view), symbol_(symbol), p_(view.at(symbol.at)) {}
 
   void write() {
-    switch (symbol_.type) {
-      case revolute:
-      case clutch:
-      case brake:
+    switch (kind_of(symbol_.type).space_symbol) {
+      case SpaceSymbol::hinge:
         draw_axis_line(24.0);
         draw_cylinder(8.0, 5.5);
         break;
-      case cylindrical:
-      case helical:
+      case SpaceSymbol::sleeve:
         draw_axis_line(32.0);
         draw_cylinder(13.0, 5.5);
         break;
-      case prismatic:
+      case SpaceSymbol::box:
         draw_axis_line(32.0);
         draw_box(13.0, 6.0);
         break;
-      case universal:
+      case SpaceSymbol::cross:
         draw_cross();
         break;
-      case spherical:
-      case sphere_in_tube:
+      case SpaceSymbol::ball:
         svg_.circle(p_, 7.0, {.stroke = Ink::ink, .fill = Ink::paper, .width = 1.5});
         svg_.circle(p_, 3.2, {.stroke = Ink::ink, .fill = Ink::ink});
         break;
-      case planar:
+      case SpaceSymbol::plate:
         draw_plate(planar_normal());
         break;
-      case point_contact:
-      case cam:
-      case line_contact:
+      case SpaceSymbol::touching_plate:
         draw_plate(symbol_.normal);
         svg_.circle(p_, 3.0, {.stroke = Ink::none, .fill = Ink::ink});
         break;
-      default:
+      case SpaceSymbol::square:
         svg_.rectangle(box_of_circle(p_, 4.0),
                        {.stroke = Ink::ink, .fill = Ink::paper, .width = 1.5});
         break;

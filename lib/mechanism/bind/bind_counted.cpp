@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "couplings/kinds.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "mechanism/bind/structure_binder.hpp"
 #include "mechanism/check/geometry_check.hpp"
@@ -14,42 +15,18 @@ namespace kinestat {
 
 namespace {
 
-using enum CouplingType;
-
+// Those that its kind takes; the file may leave out an axis across the plane.
 bool knows_directions_of(const CouplingDescription& coupling, Space space) {
-  switch (coupling.type) {
-    case revolute:
-    case clutch:
-    case brake:
-    case gear:
-      return coupling.axis || space == Space::planar;
-    case prismatic:
-    case helical:
-    case cylindrical:
-    case sphere_in_tube:
-      return coupling.axis.has_value();
-    case bevel_gear:
-    case worm:
-    case rack:
-      return coupling.screw != nullptr || coupling.axis || space == Space::planar;
-    case universal:
-      return coupling.axes.size() == 2;
-    case planar:
-    case point_contact:
-    case cam:
-      return coupling.normal.has_value();
-    case line_contact:
-      return coupling.normal && coupling.line;
-    case pin_in_slot:
-      return coupling.slot.has_value();
-    case cable:
-      return coupling.is_segment() || (coupling.from && coupling.to);
-    case spherical:
-    case rigid:
-    case screws:
-      return true;
-  }
-  return false;
+  using enum CouplingKey;
+  const CouplingKind& kind = kind_of(coupling.type);
+  const bool is_turning_known =
+      coupling.axis || coupling.screw != nullptr || space == Space::planar;
+  return (!takes(kind, turning_axis) || is_turning_known) &&
+         (!takes(kind, sliding_axis) || coupling.axis) &&
+         (!takes(kind, axes) || coupling.axes.size() == 2) &&
+         (!takes(kind, normal) || coupling.normal) && (!takes(kind, line) || coupling.line) &&
+         (!takes(kind, slot) || coupling.slot) &&
+         (!takes(kind, from) || coupling.is_segment() || (coupling.from && coupling.to));
 }
 
 // What would make the counts wrong; a missing place does not.

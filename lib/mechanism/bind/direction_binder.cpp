@@ -7,7 +7,7 @@
 #include "core/tolerance.hpp"
 #include "couplings/kinds.hpp"
 #include "mechanism/check/geometry_check.hpp"
-#include "mechanism/couplings/internal/typed_vector.hpp"
+#include "screw/typed_vector.hpp"
 
 namespace kinestat {
 

@@ -9,7 +9,7 @@
 #include "core/tolerance.hpp"
 #include "core/utf8.hpp"
 #include "expression/evaluate.hpp"
-#include "mechanism/couplings/internal/typed_vector.hpp"
+#include "screw/typed_vector.hpp"
 
 namespace kinestat {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/diagnostic.hpp"
+#include "couplings/coupling_geometry.hpp"
 #include "description/mechanism_description.hpp"
 #include "expression/parameters.hpp"
-#include "mechanism/couplings/coupling_geometry.hpp"
 
 namespace kinestat {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "couplings/coupling_geometry.hpp"
 #include "description/coupling_description.hpp"
-#include "mechanism/couplings/coupling_geometry.hpp"
 
 namespace kinestat {
 

@@ -1,5 +1,6 @@
-#include "mechanism/couplings/internal/typed_vector.hpp"
 // Before what evaluates for any type of number.
+#include "mechanism/bind/near_description.hpp"
+
 #include <cmath>
 #include <variant>
 
@@ -7,7 +8,7 @@
 
 #include "expression/expression.hpp"
 #include "mechanism/bind/evaluator.hpp"
-#include "mechanism/bind/near_description.hpp"
+#include "screw/typed_vector.hpp"
 
 namespace kinestat {
 

@@ -1,13 +1,14 @@
-#include "mechanism/couplings/internal/typed_vector.hpp"
 // Before what takes moments of lines for any type of number.
+#include "mechanism/bind/number_rebinder.hpp"
+
 #include <algorithm>
 #include <utility>
 
 #include "core/contract.hpp"
-#include "mechanism/bind/number_rebinder.hpp"
+#include "couplings/coupling_catalogue.hpp"
 #include "mechanism/check/expect.hpp"
-#include "mechanism/couplings/coupling_catalogue.hpp"
 #include "mechanism/label_kind.hpp"
+#include "screw/typed_vector.hpp"
 
 namespace kinestat {
 

@@ -5,7 +5,7 @@
 #include "core/contract.hpp"
 #include "couplings/kinds.hpp"
 #include "mechanism/cables/internal/cable_station_binder.hpp"
-#include "mechanism/couplings/internal/typed_vector.hpp"
+#include "screw/typed_vector.hpp"
 
 namespace kinestat {
 

@@ -7,9 +7,9 @@
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
+#include "couplings/coupling_catalogue.hpp"
 #include "mechanism/bind/dependence.hpp"
 #include "mechanism/bind/extent.hpp"
-#include "mechanism/couplings/coupling_catalogue.hpp"
 #include "mechanism/couplings/internal/coupling_binder.hpp"
 #include "mechanism/label_kind.hpp"
 

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "couplings/coupling_geometry.hpp"
 #include "description/mechanism_description.hpp"
 #include "expression/slots.hpp"
 #include "expression/taped_expression.hpp"
-#include "mechanism/couplings/coupling_geometry.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {

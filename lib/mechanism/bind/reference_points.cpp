@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mechanism/couplings/internal/typed_vector.hpp"
+#include "screw/typed_vector.hpp"
 
 namespace kinestat {
 

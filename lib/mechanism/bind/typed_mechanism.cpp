@@ -1,8 +1,9 @@
-#include "mechanism/couplings/internal/typed_vector.hpp"
 // Before what takes moments of lines for any type of number.
+#include "mechanism/bind/typed_mechanism.hpp"
+
 #include "mechanism/bind/bind.hpp"
 #include "mechanism/bind/number_rebinder.hpp"
-#include "mechanism/bind/typed_mechanism.hpp"
+#include "screw/typed_vector.hpp"
 
 namespace kinestat {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/diagnostic.hpp"
-#include "mechanism/couplings/coupling_catalogue.hpp"
+#include "couplings/coupling_catalogue.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {

@@ -2,78 +2,14 @@
 
 #include <algorithm>
 
+#include "couplings/coupling_catalogue.hpp"
+#include "couplings/finite_law.hpp"
 #include "couplings/kinds.hpp"
-#include "mechanism/couplings/coupling_catalogue.hpp"
-#include "mechanism/couplings/finite_law.hpp"
+#include "couplings/mechanics.hpp"
 
 namespace kinestat {
 
 namespace {
-
-enum class Follows { world, tail, head, carrier };
-
-// Whose rotation turns a screw, and whose motion carries the point that it is measured from.
-struct Rule {
-  Follows direction = Follows::tail;
-  Follows point = Follows::tail;
-};
-
-constexpr Rule kWithTail;
-constexpr Rule kWithHead = {.direction = Follows::head, .point = Follows::head};
-constexpr Rule kWithCarrier = {.direction = Follows::carrier, .point = Follows::carrier};
-constexpr Rule kAtTail = {.direction = Follows::world, .point = Follows::tail};
-constexpr Rule kHeadAtTail = {.direction = Follows::head, .point = Follows::tail};
-
-Rule rule_of_motion(CouplingType type, int index) {
-  using enum CouplingType;
-  if (has_teeth(type)) {
-    return kWithCarrier;
-  }
-  if (type == spherical || (type == sphere_in_tube && index < 3)) {
-    return kAtTail;
-  }
-  const bool is_in_head = (type == universal && index == 1) ||
-                          (type == pin_in_slot && index == 1) || type == sphere_in_tube ||
-                          (type == planar && index == 0);
-  return is_in_head ? kWithHead : kWithTail;
-}
-
-Rule rule_of_action(CouplingType type, bool is_couple) {
-  using enum CouplingType;
-  if (has_teeth(type)) {
-    return kWithCarrier;
-  }
-  switch (type) {
-    case revolute:
-      return is_couple ? kWithTail : kAtTail;
-    case universal:
-    case spherical:
-    case rigid:
-      return kAtTail;
-    case prismatic:
-      return is_couple ? kAtTail : kWithHead;
-    case planar:
-      return kWithHead;
-    case pin_in_slot:
-    case sphere_in_tube:
-      return kHeadAtTail;
-    case helical:
-    case cylindrical:
-    case screws:
-    case clutch:
-    case brake:
-    case gear:
-    case bevel_gear:
-    case worm:
-    case rack:
-    case point_contact:
-    case cam:
-    case line_contact:
-    case cable:
-      return kWithTail;
-  }
-  return kWithTail;
-}
 
 class Mover {
  public:
@@ -89,9 +25,7 @@ class Mover {
 
   MovedCoupling move() {
     place();
-    using enum CouplingType;
-    const CouplingType type = coupling_.type;
-    if (type == cable || type == point_contact || type == cam || type == line_contact) {
+    if (carried_.are_found_anew) {
       write_anew();
     } else {
       carry();
@@ -127,16 +61,14 @@ class Mover {
 
   // What slides takes its point along; teeth touch in their carrier.
   void place() {
-    const Follows who = has_teeth(coupling_.type)                   ? Follows::carrier
-                        : coupling_.type == CouplingType::prismatic ? Follows::head
-                                                                    : Follows::tail;
+    const Follows who = carried_.place;
     const Vec3 at =
         who == Follows::head ? drawn_.at_head.value_or(drawn_.geometry.at) : drawn_.geometry.at;
     result_.point = pose_of(who).point(at);
   }
 
   // Both parts of a screw about `origin`, the one along its line first.
-  std::pair<Vec3, Vec3> carried(const Vec3& line, const Vec3& moment, Rule rule) const {
+  std::pair<Vec3, Vec3> carried(const Vec3& line, const Vec3& moment, Carried rule) const {
     const Vec3 arm = drawn_.geometry.at - origin_;
     const BodyPose& turns = pose_of(rule.direction);
     const Vec3 at = rule.point == Follows::head ? drawn_.at_head.value_or(drawn_.geometry.at)
@@ -151,8 +83,7 @@ class Mover {
     for (int f = 0; f < coupling_.freedom_count; ++f) {
       const Twist& screw =
           mechanism_.geometry.motions[static_cast<std::size_t>(coupling_.first_freedom + f)];
-      const auto [line, moment] =
-          carried(screw.angular, screw.linear, rule_of_motion(coupling_.type, f));
+      const auto [line, moment] = carried(screw.angular, screw.linear, carried_.freedom(f));
       result_.motions.push_back({.angular = line, .linear = moment});
     }
     for (int a = 0; a < passive_count(); ++a) {
@@ -164,7 +95,7 @@ class Mover {
         continue;
       }
       const auto [line, moment] =
-          carried(screw.force, screw.moment, rule_of_action(coupling_.type, is_couple));
+          carried(screw.force, screw.moment, is_couple ? carried_.couples : carried_.forces);
       result_.actions.push_back({.moment = moment, .force = line});
     }
   }
@@ -254,6 +185,7 @@ class Mover {
 
   const Mechanism& mechanism_;
   const CouplingTopology& coupling_;
+  const CarriedParts& carried_ = kind_of(coupling_.type).mechanics->carried;
   const DrawnCoupling& drawn_;
   const CouplingPoses& poses_;
   const Vec3& origin_;

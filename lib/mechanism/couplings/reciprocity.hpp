@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "mechanism/couplings/coupling_geometry.hpp"
+#include "couplings/coupling_geometry.hpp"
 
 namespace kinestat {
 

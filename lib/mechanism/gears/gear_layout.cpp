@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
-#include "mechanism/couplings/internal/typed_vector.hpp"
+#include "screw/typed_vector.hpp"
 
 namespace kinestat {
 

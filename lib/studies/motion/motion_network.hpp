@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "couplings/finite_law.hpp"
 #include "mechanism/couplings/drawn_coupling.hpp"
-#include "mechanism/couplings/finite_law.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {

@@ -1,4 +1,5 @@
-#include "mechanism/cables/cable_geometry.hpp"
+
+#include "couplings/cable_geometry.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,5 @@
-#include "mechanism/couplings/coupling_catalogue.hpp"
+
+#include "couplings/coupling_catalogue.hpp"
 
 #include <ostream>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanism/cables/cable_geometry.hpp"
+#include "couplings/cable_geometry.hpp"
 #include "support/angles.hpp"
 #include "unit/motion/moving.hpp"
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/diagnostic.hpp"
+#include "couplings/cable_geometry.hpp"
 #include "description/cable_description.hpp"
 #include "expression/file_units.hpp"
-#include "mechanism/cables/cable_geometry.hpp"
 
 namespace kinestat {
 

@@ -1,6 +1,6 @@
 #include "mechanism/cables/internal/cable_station_binder.hpp"
 
-#include "mechanism/couplings/internal/typed_vector.hpp"
+#include "screw/typed_vector.hpp"
 
 namespace kinestat {
 

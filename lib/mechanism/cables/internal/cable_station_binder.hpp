@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "couplings/cable_geometry.hpp"
 #include "mechanism/bind/evaluator.hpp"
-#include "mechanism/cables/cable_geometry.hpp"
 
 namespace kinestat {
 

@@ -6,11 +6,12 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
+#include "couplings/kinds.hpp"
 #include "mechanism/bind/direction_binder.hpp"
 #include "mechanism/bind/place_binder.hpp"
 #include "mechanism/check/geometry_check.hpp"
-#include "mechanism/couplings/internal/typed_vector.hpp"
 #include "mechanism/gears/internal/tooth_binder.hpp"
+#include "screw/typed_vector.hpp"
 
 namespace kinestat {
 
@@ -64,38 +65,22 @@ class GeometryBinder {
   }
 
   void bind_directions() {
-    using enum CouplingType;
-    switch (coupling_.type) {
-      case revolute:
-      case helical:
-      case cylindrical:
-      case sphere_in_tube:
-      case clutch:
-      case brake:
-        return bind_axis(coupling_.axis, "axis", DirectionRole::turning, kAxisHint);
-      case prismatic:
-        return bind_axis(coupling_.axis, "axis", DirectionRole::in_plane, kAxisHint);
-      case planar:
-      case point_contact:
-      case cam:
-        return bind_axis(coupling_.normal, "normal", DirectionRole::in_plane, kNormalHint);
-      case pin_in_slot:
-        return bind_axis(
-            coupling_.slot, "slot", DirectionRole::in_plane, "add slot: x or a vector");
-      case line_contact:
-        return bind_line_contact();
-      case universal:
-        return bind_universal();
-      case gear:
-      case bevel_gear:
-      case worm:
-      case rack:
-        return bind_teeth();
-      case spherical:
-      case rigid:
-      case cable:
-      case screws:
-        return;
+    using enum CouplingKey;
+    const CouplingKind& kind = kind_of(coupling_.type);
+    if (kind.teeth != Teeth::none) {
+      bind_teeth();
+    } else if (takes(kind, axes)) {
+      bind_universal();
+    } else if (takes(kind, line)) {
+      bind_line_contact();
+    } else if (takes(kind, normal)) {
+      bind_axis(coupling_.normal, "normal", DirectionRole::in_plane, kNormalHint);
+    } else if (takes(kind, slot)) {
+      bind_axis(coupling_.slot, "slot", DirectionRole::in_plane, "add slot: x or a vector");
+    } else if (takes(kind, turning_axis)) {
+      bind_axis(coupling_.axis, "axis", DirectionRole::turning, kAxisHint);
+    } else if (takes(kind, sliding_axis)) {
+      bind_axis(coupling_.axis, "axis", DirectionRole::in_plane, kAxisHint);
     }
   }
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "couplings/coupling_geometry.hpp"
 #include "mechanism/bind/evaluator.hpp"
-#include "mechanism/couplings/coupling_geometry.hpp"
 #include "mechanism/couplings/friction.hpp"
 
 namespace kinestat {

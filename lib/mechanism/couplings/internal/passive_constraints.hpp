@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/diagnostic.hpp"
+#include "couplings/coupling_geometry.hpp"
 #include "description/coupling_description.hpp"
-#include "mechanism/couplings/coupling_geometry.hpp"
 
 namespace kinestat {
 

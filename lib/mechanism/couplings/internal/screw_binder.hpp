@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/diagnostic.hpp"
-#include "mechanism/couplings/coupling_catalogue.hpp"
+#include "couplings/coupling_catalogue.hpp"
 
 namespace kinestat {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "description/gear_expansion.hpp"
-#include "mechanism/couplings/internal/typed_vector.hpp"
+#include "screw/typed_vector.hpp"
 
 namespace kinestat {
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/tolerance.hpp"
-#include "mechanism/couplings/coupling_upgrade.hpp"
+#include "couplings/coupling_upgrade.hpp"
 
 namespace kinestat {
 

@@ -1,7 +1,7 @@
 // A joint of a network as its closure needs it.
 #pragma once
 
-#include "mechanism/couplings/finite_law.hpp"
+#include "couplings/finite_law.hpp"
 
 namespace kinestat {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/index.hpp"
-#include "mechanism/cables/cable_geometry.hpp"
+#include "couplings/cable_geometry.hpp"
 #include "mechanism/couplings/moved_coupling.hpp"
 
 namespace kinestat {

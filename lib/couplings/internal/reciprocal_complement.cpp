@@ -1,4 +1,4 @@
-#include "mechanism/couplings/internal/reciprocal_complement.hpp"
+#include "couplings/internal/reciprocal_complement.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
-#include "mechanism/couplings/internal/typed_vector.hpp"
+#include "screw/typed_vector.hpp"
 
 namespace kinestat {
 

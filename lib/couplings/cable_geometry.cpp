@@ -1,11 +1,11 @@
-#include "mechanism/cables/cable_geometry.hpp"
+#include "couplings/cable_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/tolerance.hpp"
-#include "mechanism/couplings/internal/typed_vector.hpp"
+#include "screw/typed_vector.hpp"
 
 namespace kinestat {
 

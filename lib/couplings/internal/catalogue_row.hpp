@@ -6,8 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "couplings/coupling_geometry.hpp"
 #include "description/coupling_description.hpp"
-#include "mechanism/couplings/coupling_geometry.hpp"
+#include "screw/typed_vector.hpp"
 
 namespace kinestat {
 
@@ -23,6 +24,16 @@ std::string name_along(char kind, const AxisOf<Scalar>& axis) {
 /// t1 = normalised(k - (k·a)a) with k the first of x, y, z of least |k·a|, and t2 = a x t1.
 template <class Scalar>
 std::pair<Vec3Of<Scalar>, Vec3Of<Scalar>> transverse_to(const Vec3Of<Scalar>& a);
+
+/// The direction perpendicular to two, along the third world axis where both are along one.
+template <class Scalar>
+AxisOf<Scalar> third_of(const AxisOf<Scalar>& a, const AxisOf<Scalar>& b) {
+  if (a.keyword == 0 || b.keyword == 0) {
+    return {.direction = unit_along<Scalar>(a.direction.cross(b.direction)), .keyword = 0};
+  }
+  const int third = 3 - (a.keyword - 'x') - (b.keyword - 'x');
+  return {.direction = Vec3Of<Scalar>::Unit(third), .keyword = static_cast<char>('x' + third)};
+}
 
 /// A row of the catalogue while it is written down.
 template <class Scalar>

@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "mechanism/couplings/drawn_coupling.hpp"
+#include "couplings/drawn_coupling.hpp"
+#include "description/coupling_description.hpp"
 
 namespace kinestat {
 

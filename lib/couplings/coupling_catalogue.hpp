@@ -1,8 +1,8 @@
 // The catalogue of couplings: which unit motions each type frees and which unit actions it bears.
 #pragma once
 
+#include "couplings/coupling_geometry.hpp"
 #include "description/coupling_description.hpp"
-#include "mechanism/couplings/coupling_geometry.hpp"
 
 namespace kinestat {
 

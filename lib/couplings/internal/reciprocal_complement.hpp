@@ -1,7 +1,7 @@
 // The screws that are reciprocal to given ones.
 #pragma once
 
-#include "mechanism/couplings/coupling_geometry.hpp"
+#include "couplings/coupling_geometry.hpp"
 
 namespace kinestat {
 

@@ -1,8 +1,8 @@
-#include "mechanism/couplings/internal/catalogue_row.hpp"
+#include "couplings/internal/catalogue_row.hpp"
 
 #include <cmath>
 
-#include "mechanism/couplings/internal/typed_vector.hpp"
+#include "screw/typed_vector.hpp"
 
 namespace kinestat {
 

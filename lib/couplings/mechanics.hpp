@@ -1,0 +1,84 @@
+// What follows from the kind of a coupling for the mechanics.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "couplings/coupling_upgrade.hpp"
+#include "couplings/finite_law.hpp"
+#include "math/numbers/typed.hpp"
+
+namespace kinestat {
+
+template <class Scalar>
+class CatalogueRow;
+class LawWriter;
+
+/// Writes the row of the catalogue.
+template <class Scalar>
+using WriteScrews = void (*)(const CouplingGeometryOf<Scalar>&, CatalogueRow<Scalar>&);
+
+/// The same for all scalars.
+struct ScrewWriters {
+  WriteScrews<double> of_double;
+  WriteScrews<Dual> of_dual;
+  WriteScrews<Typed> of_typed;
+
+  template <class Scalar>
+  WriteScrews<Scalar> of() const {
+    if constexpr (std::same_as<Scalar, double>) {
+      return of_double;
+    } else if constexpr (std::same_as<Scalar, Dual>) {
+      return of_dual;
+    } else {
+      return of_typed;
+    }
+  }
+};
+
+/// From a generic function.
+constexpr ScrewWriters screws_by(auto write) {
+  return {.of_double = write, .of_dual = write, .of_typed = write};
+}
+
+enum class Follows { world, tail, head, carrier };
+
+/// Whose rotation turns a screw in a moved position, and whose motion carries the point that it is
+/// measured from.
+struct Carried {
+  Follows direction = Follows::tail;
+  Follows point = Follows::tail;
+};
+
+inline constexpr Carried kWithTail;
+inline constexpr Carried kWithHead = {.direction = Follows::head, .point = Follows::head};
+inline constexpr Carried kWithCarrier = {.direction = Follows::carrier, .point = Follows::carrier};
+inline constexpr Carried kAtTail = {.direction = Follows::world, .point = Follows::tail};
+inline constexpr Carried kHeadAtTail = {.direction = Follows::head, .point = Follows::tail};
+
+/// What moves the place and the screws of a coupling.
+struct CarriedParts {
+  std::span<const Carried> freedoms = {};  ///< in the order of the catalogue, the last for all that
+                                           ///< follow; empty: with the tail
+  Carried forces = kWithTail;
+  Carried couples = kWithTail;
+  Follows place = Follows::tail;
+  bool are_found_anew = false;  ///< from where the bodies touch in the moved position
+
+  Carried freedom(int index) const {
+    const auto i = static_cast<std::size_t>(index);
+    return freedoms.empty() ? kWithTail : i < freedoms.size() ? freedoms[i] : freedoms.back();
+  }
+};
+
+using FindUpgrades = std::vector<CouplingUpgrade> (*)(std::span<const Twist> freedoms,
+                                                      const Vec3& point);
+
+struct KindMechanics {
+  ScrewWriters screws;
+  void (*law)(LawWriter& law) = nullptr;
+  CarriedParts carried = {};
+  FindUpgrades upgrades = nullptr;  ///< null: there are none
+};
+
+}  // namespace kinestat
