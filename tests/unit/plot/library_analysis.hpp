@@ -8,7 +8,7 @@
 
 #include "cases/solve_cases.hpp"
 #include "files/load.hpp"
-#include "run/synthesis.hpp"
+#include "studies/synthesis/task/find_synthesis.hpp"
 
 namespace kinestat {
 
