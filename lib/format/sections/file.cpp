@@ -224,7 +224,8 @@ void declare_tasks(Mapping<File>& m) {
 }  // namespace
 
 const Mapping<MechanismDescription>& file_sections() {
-  static const Mapping<File> mapping("", kMeaning, "", [](auto& m) {
+  // Never taken apart: every process would pay for it at its end.
+  static const Mapping<File>& mapping = *new Mapping<File>("", kMeaning, "", [](auto& m) {
     declare_head(m);
     declare_network(m);
     declare_structure(m);
