@@ -21,10 +21,14 @@ std::string_view word_of(RowFormat format) {
   return format == RowFormat::csv ? "csv" : "json";
 }
 
-const FileUnits kNoUnits;  // there are no quantities
+// There are no quantities.
+const FileUnits& no_units() {
+  static const FileUnits units;
+  return units;
+}
 
 Json top_json(const std::optional<TopChoice>& top) {
-  return top ? json_of(top_record(), *top, kNoUnits) : Json(nullptr);
+  return top ? json_of(top_record(), *top, no_units()) : Json(nullptr);
 }
 
 std::optional<TopChoice> top_of(const Json& json) {
@@ -120,7 +124,7 @@ std::optional<ShardHeader> read_shard_header(const std::string& line) {
 
 std::string write_sweep_summary(const SweepHeader& header, const SweepCounts& counts) {
   const SweepSummaryView view{.header = header, .counts = counts};
-  return json_text(sweep_summary_record(), view, kNoUnits, JsonLayout::indented);
+  return json_text(sweep_summary_record(), view, no_units(), JsonLayout::indented);
 }
 
 std::optional<std::string> read_plan_of_summary(const std::string& text) {
