@@ -23,7 +23,7 @@ YamlKind kind_of(const FormShape& shape) {
 
 }  // namespace
 
-std::size_t form_for(const YamlNode& node, const SharedList<FormShape>& shapes) {
+std::size_t form_for(const YamlNode& node, const SharedList<Lazy<FormShape>>& shapes) {
   const auto at = std::ranges::find(shapes, node.kind, kind_of);
   return at != shapes.end() ? static_cast<std::size_t>(at - shapes.begin()) : 0;
 }

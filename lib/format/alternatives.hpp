@@ -15,7 +15,7 @@
 namespace kinestat {
 
 /// The index of the form that a value of this shape in the file has; else the first.
-std::size_t form_for(const YamlNode& node, const SharedList<FormShape>& shapes);
+std::size_t form_for(const YamlNode& node, const SharedList<Lazy<FormShape>>& shapes);
 
 /// A form for another type: `to` makes it of what is read, `from` answers what is written.
 template <class T, class Given, class To, class From>

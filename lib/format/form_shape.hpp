@@ -11,6 +11,7 @@
 
 #include "description/coupling_description.hpp"
 #include "description/number_range.hpp"
+#include "format/lazy.hpp"
 #include "format/shared_list.hpp"
 
 namespace kinestat {
@@ -94,7 +95,7 @@ struct FormShape {
   bool may_be_empty = false;                   ///< of a mapping: nothing may stand behind its key
   std::size_t least = 0;                       ///< how many items
   std::size_t most = kAnyNumber;
-  SharedList<FormShape> items = {};
+  SharedList<Lazy<FormShape>> items = {};
   SharedList<FormKey> keys = {};
   SharedList<FormKey> beginnings = {};  ///< of keys that the user makes up: "x-"
   SharedList<FormRule> rules = {};
@@ -116,7 +117,7 @@ struct FormKey {
   std::string_view key = {};
   std::string_view meaning = {};  ///< a sentence
   bool is_needed = false;
-  FormShape shape = {};
+  Lazy<FormShape> shape = {};
   SharedList<std::string_view> examples = {};  ///< as in a file
   std::string_view usual = {};                 ///< what holds without the key; empty: nothing does
   std::string_view missing = {};               ///< what to add; empty: follows from the shape

@@ -61,8 +61,8 @@ std::vector<FormKey> keys_of(const FormShape& shape) {
 std::string example_of(const FormKey& key) {
   const auto at =
       std::ranges::find_if(key.examples, [&](std::string_view one) { return one != key.usual; });
-  const bool is_listed = key.shape.kind == FormKind::word || key.shape.kind == FormKind::flag ||
-                         key.shape.kind == FormKind::constant;
+  const bool is_listed = key.shape->kind == FormKind::word || key.shape->kind == FormKind::flag ||
+                         key.shape->kind == FormKind::constant;
   return is_listed || at == key.examples.end() ? "" : fmt::format("; e.g. {}", *at);
 }
 
@@ -78,7 +78,7 @@ std::string facts_of(const FormKey& key, const std::string& page, std::size_t ro
       return text;
     }
   }
-  const bool is_word = key.shape.kind == FormKind::word;
+  const bool is_word = key.shape->kind == FormKind::word;
   return (is_word ? "WORD" : form.starts_with('[') ? "[…]" : "{…}") + rest;
 }
 
@@ -110,8 +110,8 @@ class KeyTable {
                          "",
                          begin - indent - columns_of(key.key),
                          facts_of(key, page, kWidth - begin));
-    add_wrapped(key.meaning.empty() ? key.shape.meaning : key.meaning, begin);
-    for (const Word& word : key.shape.words) {
+    add_wrapped(key.meaning.empty() ? key.shape->meaning : key.meaning, begin);
+    for (const Word& word : key.shape->words) {
       add_wrapped(fmt::format("{}: {}", word.text, word.meaning), begin);
     }
   }

@@ -31,14 +31,14 @@ class Mapping {
           std::string_view meaning,
           std::string_view example,
           Declare declare) {
-    shape_.kind = FormKind::mapping;
-    shape_.definition = definition;
-    shape_.meaning = meaning;
+    shape_ = {.kind = FormKind::mapping, .definition = definition, .meaning = meaning};
     if (!example.empty()) {
       shape_.examples.push_back(example);
     }
     declare(*this);
   }
+
+  Mapping(Mapping&&) = default;
 
   /// Begins the declaration of a key; the meaning is a sentence.
   Key key(std::string_view name, std::string_view meaning) {
@@ -59,7 +59,7 @@ class Mapping {
   /// Keys that begin like this one are the user's own and pass unread.
   void own_keys(FormKey beginning) { shape_.beginnings.push_back(std::move(beginning)); }
 
-  /// What else must hold, once all keys are read without an error.
+  /// What else must hold, once all keys are read.
   void check(std::function<void(const T&, const FileValue&)> check) {
     checks_.push_back(std::move(check));
   }
@@ -146,4 +146,5 @@ class Mapping {
 
 #include "format/mapping_groups.hpp"
 #include "format/mapping_key.hpp"
+#include "format/mapping_members.hpp"
 #include "format/mapping_parts.hpp"

@@ -42,10 +42,11 @@ bool is_called_for(const FormShape& shape, std::string_view key, const FileValue
 
 // "'drive: NAME', an actuator", or "for example 'to: 360 deg'".
 std::string what_to_add(const FormKey& key, std::optional<Space> space) {
-  if (key.shape.kind == FormKind::number && !key.examples.empty()) {
+  if (key.shape->kind == FormKind::number && !key.examples.empty()) {
     return fmt::format("for example '{}: {}'", key.key, key.examples.front());
   }
-  const std::string remark = key.shape.remark.empty() ? "" : fmt::format(", {}", key.shape.remark);
+  const std::string remark =
+      key.shape->remark.empty() ? "" : fmt::format(", {}", key.shape->remark);
   return fmt::format(
       "'{}: {}'{}", key.key, sketch_of(key.shape, space.value_or(Space::spatial)), remark);
 }

@@ -1,6 +1,7 @@
 // The keys of a mapping while they are declared; to be included through format/mapping.hpp.
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <optional>
 #include <string>
@@ -28,21 +29,11 @@ class Mapping<T>::Key {
 
   /// It may be left out.
   template <class Member, class Read>
-  Key& may(Member T::*member, const Form<Read>& form, std::string_view example = {}) {
-    const bool is_needed = key_.is_needed;
-    return by(
-        form.shape,
-        [member, read = form.read](const FileValue& value, T& object) {
-          if (auto one = read(value)) {
-            set_member(object.*member, *std::move(one));
-          }
-        },
-        [member, write = form.write, is_needed](const T& object) -> std::optional<FileText> {
-          const auto* one = present(object.*member, T{}.*member, is_needed);
-          return one != nullptr ? std::optional(write(*one)) : std::nullopt;
-        },
-        example);
-  }
+  Key& may(Member T::*member, const Form<Read>& form, std::string_view example = {});
+
+  /// Likewise, by what is made once a file has the key: a form, or a mapping.
+  template <class Member, std::invocable Make>
+  Key& may(Member T::*member, Make make, std::string_view example = {});
 
   /// A list of two, which must be there, by a form of each.
   template <class Member>
@@ -78,7 +69,7 @@ class Mapping<T>::Key {
                    std::optional<Read> written = {});
 
   /// In a way of its own; what is written is empty where the key is left out.
-  Key& by(const FormShape& shape,
+  Key& by(Lazy<FormShape> shape,
           std::function<void(const FileValue&, T&)> read,
           std::function<std::optional<FileText>(const T&)> write,
           std::string_view example = {});
@@ -124,6 +115,10 @@ class Mapping<T>::Key {
  private:
   template <class Part, class Get>
   Key& group(const Mapping<Part>& part, Get get);
+
+  template <class Member, class Read, class Write>
+  Key& kept(
+      Member T::*member, Lazy<FormShape> shape, Read read, Write write, std::string_view example);
 
   void add(Step step) {
     mapping_.shape_.keys.push_back(std::move(key_));

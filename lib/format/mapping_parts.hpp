@@ -35,11 +35,11 @@ Form<T> Mapping<T>::form() const {
 
 template <class T>
 typename Mapping<T>::Key& Mapping<T>::Key::by(
-    const FormShape& shape,
+    Lazy<FormShape> shape,
     std::function<void(const FileValue&, T&)> read,
     std::function<std::optional<FileText>(const T&)> write,
     std::string_view example) {
-  key_.shape = shape;
+  key_.shape = std::move(shape);
   if (!example.empty()) {
     key_.examples.push_back(example);
   }
@@ -94,38 +94,6 @@ typename Mapping<T>::Key& Mapping<T>::Key::selects(Member T::*member, Member cho
     return object.*member == chosen ? write(object) : std::nullopt;
   };
   return *this;
-}
-
-template <class T>
-template <class Member>
-typename Mapping<T>::Key& Mapping<T>::Key::pair(Member T::*first,
-                                                Member T::*second,
-                                                const Form<Member>& form,
-                                                std::string_view example,
-                                                std::string_view hint) {
-  return pair(
-      first, second, list_of(form, "", std::string(hint), {.least = 2, .most = 2}), example);
-}
-
-template <class T>
-template <class Member>
-typename Mapping<T>::Key& Mapping<T>::Key::pair(Member T::*first,
-                                                Member T::*second,
-                                                const Form<std::vector<Member>>& list,
-                                                std::string_view example) {
-  key_.is_needed = true;
-  return by(
-      list.shape,
-      [first, second, list](const FileValue& value, T& object) {
-        if (auto both = list.read(value)) {
-          object.*first = std::move(both->front());
-          object.*second = std::move(both->back());
-        }
-      },
-      [first, second, list](const T& object) {
-        return std::optional(list.write({object.*first, object.*second}));
-      },
-      example);
 }
 
 }  // namespace kinestat

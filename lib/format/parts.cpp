@@ -110,7 +110,7 @@ bool check_names(const FileValue& value, const FormShape& shape) {
 
 std::size_t count_whole(const YamlNode& names, const FormShape& element) {
   const SharedList<FormKey>& keys =
-      element.kind == FormKind::by_word ? element.items.front().keys : element.keys;
+      element.kind == FormKind::by_word ? element.items.front()->keys : element.keys;
   const auto needed = std::ranges::count_if(keys, &FormKey::is_needed);
   return static_cast<std::size_t>(std::ranges::count_if(
       names.entries, [&](const auto& entry) { return std::ssize(entry.value.entries) >= needed; }));

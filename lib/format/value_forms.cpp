@@ -207,7 +207,8 @@ Form<AxisDescription> turning_axis() {
                   "length but zero. In the plane it is z, which need not be written.",
        .examples = {"z", "[0, 0.6, 0.8]"},
        .items = {axis_words(),
-                 {.kind = FormKind::list, .least = 3, .most = 3, .items = {component().shape}}}},
+                 FormShape{
+                     .kind = FormKind::list, .least = 3, .most = 3, .items = {component().shape}}}},
       Space::spatial);
 }
 
@@ -217,7 +218,7 @@ Form<AxisDescription> direction() {
        .meaning = "A direction: x, y, z, -x, -y, -z or a vector of any length but zero, [ax, ay] "
                   "in the plane, [ax, ay, az] in space.",
        .examples = {"x", "[1, 0.5]", "[1, 0, 0.5]"},
-       .items = {axis_words(), {.kind = FormKind::vector, .items = {component().shape}}}},
+       .items = {axis_words(), FormShape{.kind = FormKind::vector, .items = {component().shape}}}},
       std::nullopt);
 }
 

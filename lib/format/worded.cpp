@@ -18,7 +18,7 @@ bool is_needed_by_all(const FormShape& shape, std::string_view key) {
 
 void complain_of_no_word(const FileValue& value, const FormShape& shape) {
   Fields fields(value.node, value.where, value.what, value.found);
-  for (const FormKey& key : shape.items.front().keys) {
+  for (const FormKey& key : shape.items.front()->keys) {
     if (is_needed_by_all(shape, key.key)) {
       (void)fields.require(key.key, std::string(key.missing));
     }
@@ -37,7 +37,7 @@ std::optional<std::size_t> find_worded(const FileValue& value,
                                        const FormShape& shape,
                                        const std::string& title) {
   const YamlNode* word = value.node.kind == YamlKind::mapping
-                             ? value.node.find(shape.items.front().keys.front().key)
+                             ? value.node.find(shape.items.front()->keys.front().key)
                              : nullptr;
   if (word == nullptr) {
     complain_of_no_word(value, shape);

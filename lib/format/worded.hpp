@@ -21,13 +21,13 @@ std::optional<std::size_t> find_worded(const FileValue& value,
 /// One of the mappings, each with its word; the first key of all chooses. `which` answers in which
 /// of them a value is written.
 template <class T>
-Form<T> chosen_by_word(std::vector<const Mapping<T>*> mappings,
+Form<T> chosen_by_word(std::vector<Lazy<Mapping<T>>> mappings,
                        SharedList<Word> words,
                        std::string title,
                        std::function<std::size_t(const T&)> which) {
   FormShape shape{.kind = FormKind::by_word, .words = std::move(words)};
-  for (const Mapping<T>* mapping : mappings) {
-    shape.items.push_back(mapping->shape());
+  for (const Lazy<Mapping<T>>& mapping : mappings) {
+    shape.items.push_back(Lazy<FormShape>([mapping] { return mapping->shape(); }));
   }
   return {.shape = shape,
           .read = [mappings, shape, title](const FileValue& value) -> std::optional<T> {

@@ -119,7 +119,7 @@ Json ShapeSchema::of_item(const FormShape& shape) {
 }
 
 Json ShapeSchema::of_key(const FormKey& key) {
-  if (key.shape.definition.empty()) {
+  if (key.shape->definition.empty()) {
     return in_place(key);
   }
   Json schema = of_item(key.shape);
@@ -250,7 +250,7 @@ void ShapeSchema::add_worded(const FormShape& shape, Json& schema) {
   }
   const std::string definition = fmt::format("{}_keys", shape.definition);
   definitions_[definition] = share_keys(shape, mappings, definition);
-  const std::string chooser(shape.items.front().keys.front().key);
+  const std::string chooser(shape.items.front()->keys.front().key);
   for (std::size_t i = 0; i < mappings.size(); ++i) {
     schema["allOf"].push_back(
         {{"if", has_word(chooser, shape.words[i].text)}, {"then", mappings[i]}});
@@ -287,7 +287,7 @@ void ShapeSchema::add_alternatives(const FormShape& shape, const Json& examples,
 }
 
 Json ShapeSchema::in_place(const FormKey& key) {
-  if (key.shape.kind == FormKind::couple) {
+  if (key.shape->kind == FormKind::couple) {
     FormKey alternatives = key;
     alternatives.shape = couple_alternatives(key.shape);
     return in_place(alternatives);
@@ -363,11 +363,11 @@ Json ShapeSchema::in_place(const FormKey& key) {
 
 Json ShapeSchema::of_section(const FormKey& key) {
   FormKey section = key;
-  if (key.shape.kind == FormKind::mapping) {
-    section.examples = key.shape.examples;
+  if (key.shape->kind == FormKind::mapping) {
+    section.examples = key.shape->examples;
   }
   Json schema = of_key(section);
-  if (key.shape.kind == FormKind::mapping) {
+  if (key.shape->kind == FormKind::mapping) {
     schema["title"] = std::string(key.key);
     schema["defaultSnippets"] = Json::array({snippet(
         "the section", line_snippet(example_json(std::string(section.examples.front()))))});

@@ -37,7 +37,7 @@ Json named_snippet(const FormShape& shape, const Json& example) {
 Json worded_snippets(const FormShape& shape, std::string_view name = {}) {
   Json snippets = Json::array();
   for (std::size_t i = 0; i < shape.items.size(); ++i) {
-    Json example = example_json(std::string(shape.items[i].examples.front()));
+    Json example = example_json(std::string(shape.items[i]->examples.front()));
     const std::string key = example.begin().key();
     example.erase(key);
     const std::string rest = flow_snippet(example);
@@ -96,7 +96,7 @@ Json snippets_of(const FormShape& shape, const Json& examples) {
   if (at == examples.end()) {
     return Json::array();
   }
-  if (shape.kind == FormKind::names && shape.items.front().kind == FormKind::by_word) {
+  if (shape.kind == FormKind::names && shape.items.front()->kind == FormKind::by_word) {
     return worded_snippets(shape.items.front(), at->begin().key());
   }
   if (shape.kind == FormKind::names && !shape.item.empty()) {

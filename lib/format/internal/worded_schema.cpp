@@ -99,7 +99,7 @@ Json worded_counts(const FormShape& shape, const std::vector<Json>& components) 
       ++takers[std::string(key.key)];
     }
   }
-  const std::string chooser(shape.items.front().keys.front().key);
+  const std::string chooser(shape.items.front()->keys.front().key);
   Json schema = Json::object();
   for (std::size_t i = 0; i < components.size(); ++i) {
     if (components[i].is_null()) {

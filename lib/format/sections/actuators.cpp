@@ -1,8 +1,11 @@
 // The section `actuators`.
+#include "format/collections.hpp"
 #include "format/sections/sections.hpp"
 #include "format/value_forms.hpp"
 
 namespace kinestat {
+
+namespace {
 
 const Mapping<ActuatorDescription>& actuator() {
   static const Mapping<ActuatorDescription> mapping(
@@ -17,6 +20,15 @@ const Mapping<ActuatorDescription>& actuator() {
             .may(&ActuatorDescription::freedom, free_name(), "wz");
       });
   return mapping;
+}
+
+}  // namespace
+
+Form<std::vector<ActuatorDescription>> actuators() {
+  return named(&ActuatorDescription::name,
+               actuator().form(),
+               {.item = "an actuator", .name_definition = "new_name"},
+               "actuator '{0}'");
 }
 
 }  // namespace kinestat

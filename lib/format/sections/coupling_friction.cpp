@@ -136,15 +136,18 @@ void declare_friction(Mapping<FrictionDescription>& m, FrictionKind kind) {
 }
 
 const Mapping<FrictionDescription>& friction_mapping(FrictionKind kind) {
+  using Friction = Lazy<Mapping<FrictionDescription>>;
   const auto made = [](FrictionKind one) {
-    return Mapping<FrictionDescription>(
-        "", "", texts_of(one).example, [one](auto& m) { declare_friction(m, one); });
+    return Friction([one] {
+      return Mapping<FrictionDescription>(
+          "", "", texts_of(one).example, [one](auto& m) { declare_friction(m, one); });
+    });
   };
-  static const std::array<Mapping<FrictionDescription>, 5> mappings = {made(FrictionKind::journal),
-                                                                       made(FrictionKind::thread),
-                                                                       made(FrictionKind::guide),
-                                                                       made(FrictionKind::sliding),
-                                                                       made(FrictionKind::no_law)};
+  static const std::array<Friction, 5> mappings = {made(FrictionKind::journal),
+                                                   made(FrictionKind::thread),
+                                                   made(FrictionKind::guide),
+                                                   made(FrictionKind::sliding),
+                                                   made(FrictionKind::no_law)};
   return mappings.at(static_cast<std::size_t>(kind));
 }
 

@@ -35,19 +35,26 @@ constexpr auto kRows = std::to_array<KeyRow>({
      "at",
      "",
      [](Key key) {
-       key.may(&Coupling::at, called(coupling_point(), "the point of {0}"), "[6, 5]");
+       key.may(
+           &Coupling::at, [] { return called(coupling_point(), "the point of {0}"); }, "[6, 5]");
      }},
     {CouplingKey::turning_axis,
      "axis",
      "The axis about which the coupling turns: x, y, z, -x, -y, -z or a vector [ax, ay, az] of any "
      "length but zero. In the plane it is z, which need not be written. A positive keyword names "
      "the freedom (wz), -z or a vector leaves it plain (w).",
-     [](Key key) { key.may(&Coupling::axis, called(turning_axis(), "the axis of {0}"), "z"); }},
+     [](Key key) {
+       key.may(
+           &Coupling::axis, [] { return called(turning_axis(), "the axis of {0}"); }, "z");
+     }},
     {CouplingKey::sliding_axis,
      "axis",
      "The direction of sliding: x, y, z, -x, -y, -z or a vector, [ax, ay] in the plane, [ax, ay, "
      "az] in space. A positive keyword names the freedom (vx), -x or a vector leaves it plain (v).",
-     [](Key key) { key.may(&Coupling::axis, called(direction(), "the axis of {0}"), "x"); }},
+     [](Key key) {
+       key.may(
+           &Coupling::axis, [] { return called(direction(), "the axis of {0}"); }, "x");
+     }},
     {CouplingKey::axes,
      "axes",
      "The two axes of a universal coupling: the first is fixed in the tail, the second in the "
@@ -66,22 +73,34 @@ constexpr auto kRows = std::to_array<KeyRow>({
     {CouplingKey::normal,
      "normal",
      "The normal of the plane or of the contact; its force on the head is positive along it.",
-     [](Key key) { key.may(&Coupling::normal, direction_of(direction()), "y"); }},
+     [](Key key) {
+       key.may(
+           &Coupling::normal, [] { return direction_of(direction()); }, "y");
+     }},
     {CouplingKey::line,
      "line",
      "The direction of the line of contact, perpendicular to the normal.",
-     [](Key key) { key.may(&Coupling::line, direction_of(direction()), "x"); }},
+     [](Key key) {
+       key.may(
+           &Coupling::line, [] { return direction_of(direction()); }, "x");
+     }},
     {CouplingKey::radii,
      "radii",
      "The radii of the two bodies where they touch, of the tail and of the head, for motions: flat "
      "for a plane, negative for a hollow. The normal then points from the tail into the head.",
      [](Key key) {
-       key.may(&Coupling::radii, called(contact_radii(), "the radii of {0}"), "[31, flat]");
+       key.may(
+           &Coupling::radii,
+           [] { return called(contact_radii(), "the radii of {0}"); },
+           "[31, flat]");
      }},
     {CouplingKey::slot,
      "slot",
      "The direction of the slot in the head, along which the pin of the tail slides.",
-     [](Key key) { key.may(&Coupling::slot, direction_of(direction()), "x"); }},
+     [](Key key) {
+       key.may(
+           &Coupling::slot, [] { return direction_of(direction()); }, "x");
+     }},
     {CouplingKey::pitch,
      "pitch",
      "Advance per radian, right-handed if positive; or give 'lead'.",
@@ -95,7 +114,10 @@ constexpr auto kRows = std::to_array<KeyRow>({
      "The direction t of the tangential force of the tail on the head. With the pressure angle it "
      "gives the line of action cos(alpha) t + sin(alpha) (axis x t). Needed unless "
      "'line_of_action' is given or 'gears' derives it.",
-     [](Key key) { key.may(&Coupling::tangent, direction_of(direction()), "x"); }},
+     [](Key key) {
+       key.may(
+           &Coupling::tangent, [] { return direction_of(direction()); }, "x");
+     }},
     {CouplingKey::pressure_angle,
      "pressure_angle",
      "Pressure angle of the teeth in the transverse plane; needed with 'tangent'.",
@@ -117,33 +139,44 @@ constexpr auto kRows = std::to_array<KeyRow>({
     {CouplingKey::line_of_action,
      "line_of_action",
      "The direction of the force of the tail on the head.",
-     [](Key key) { key.may(&Coupling::line_of_action, direction_of(direction()), "x"); }},
+     [](Key key) {
+       key.may(
+           &Coupling::line_of_action, [] { return direction_of(direction()); }, "x");
+     }},
     {CouplingKey::screw,
      "screw",
      "The relative motion of head and tail, given as a screw, instead of 'axis'.",
-     [](Key key) { key.may(&Coupling::screw, called(screw(), "the relative screw of {0}")); }},
+     [](Key key) {
+       key.may(&Coupling::screw, [] { return called(screw(), "the relative screw of {0}"); });
+     }},
     {CouplingKey::from,
      "from",
      "Where the cable leaves the tail, in the drawn position.",
-     [](Key key) { key.may(&Coupling::from, called(point(), "the end of {0}")); }},
+     [](Key key) { key.may(&Coupling::from, [] { return called(point(), "the end of {0}"); }); }},
     {CouplingKey::to,
      "to",
      "Where the cable ends on the head, in the drawn position.",
-     [](Key key) { key.may(&Coupling::to, called(point(), "the end of {0}")); }},
+     [](Key key) { key.may(&Coupling::to, [] { return called(point(), "the end of {0}"); }); }},
     {CouplingKey::freedoms,
      "freedoms",
      "The freedoms of the head relative to the tail, as screws: rotations and translations. They "
      "are named like those of other types: wz and vx where a keyword gives the axis, w and v along "
      "a vector; several alike are numbered, w1 and w2.",
      [](Key key) {
-       key.may(&Coupling::freedoms, called(screw_list(), "{0}"), "[{rotation: z, at: [0, 0, 0]}]");
+       key.may(
+           &Coupling::freedoms,
+           [] { return called(screw_list(), "{0}"); },
+           "[{rotation: z, at: [0, 0, 0]}]");
      }},
     {CouplingKey::constraints,
      "constraints",
      "The actions that the coupling transmits, as screws: forces and couples. Left out, it is "
      "everything that does no work on the freedoms.",
      [](Key key) {
-       key.may(&Coupling::constraints, called(screw_list(), "{0}"), "[{force: y, at: [0, 0, 0]}]");
+       key.may(
+           &Coupling::constraints,
+           [] { return called(screw_list(), "{0}"); },
+           "[{force: y, at: [0, 0, 0]}]");
      }},
     {CouplingKey::one_way,
      "one_way",
@@ -194,17 +227,22 @@ void declare_own_keys(Mapping<Coupling>& m, const CouplingKind& kind) {
 void declare_common_keys(Mapping<Coupling>& m, const CouplingKind& kind) {
   m.key("passive",
         "The actions that the coupling keeps, of those its type has; [] keeps none. Default: all.")
-      .may(&Coupling::passive,
-           one_or_more(called(name_of("one of its actions"), "the constraint of {0}")),
-           "[Rx, Ry, Rz]");
-  m.key("friction", "")
-      .may(&Coupling::friction, called(friction_of(kind.friction), "the friction of {0}"));
+      .may(
+          &Coupling::passive,
+          [] {
+            return one_or_more(called(name_of("one of its actions"), "the constraint of {0}"));
+          },
+          "[Rx, Ry, Rz]");
+  m.key("friction", "").may(&Coupling::friction, [friction = kind.friction] {
+    return called(friction_of(friction), "the friction of {0}");
+  });
   m.key("stiffness",
         "Stiffness of the actions that the coupling transmits, used by 'statics: {indeterminate: "
         "stiffness}'. Actions that are not named are rigid.")
-      .may(&Coupling::stiffness,
-           called(stiffness_of_actions(), "the stiffness of {0}"),
-           "{Rx: 2e6 N/m}")
+      .may(
+          &Coupling::stiffness,
+          [] { return called(stiffness_of_actions(), "the stiffness of {0}"); },
+          "{Rx: 2e6 N/m}")
       .example("{Rx: 2e6 N/m, Tz: 300 N*m/rad}");
   if (kind.friction == FrictionKind::guide) {
     m.rule({.kind = FormRule::Kind::needed_by_part,
@@ -213,28 +251,18 @@ void declare_common_keys(Mapping<Coupling>& m, const CouplingKind& kind) {
   }
 }
 
-using Mappings = std::vector<std::unique_ptr<const Mapping<Coupling>>>;
-
-const Mappings& mappings() {
-  static const Mappings all = [] {
-    Mappings made;
-    for (const CouplingKind* kind : coupling_kinds()) {
-      made.push_back(std::make_unique<const Mapping<Coupling>>(
-          "", kind->meaning, kind->example, [kind](auto& m) {
-            declare_head(m, *kind);
-            declare_own_keys(m, *kind);
-            declare_common_keys(m, *kind);
-          }));
-    }
-    return made;
-  }();
-  return all;
+Mapping<Coupling> mapping_of(const CouplingKind& kind) {
+  return Mapping<Coupling>("", kind.meaning, kind.example, [&kind](auto& m) {
+    declare_head(m, kind);
+    declare_own_keys(m, kind);
+    declare_common_keys(m, kind);
+  });
 }
 
 Form<Coupling> coupling() {
-  std::vector<const Mapping<Coupling>*> of_kinds;
-  for (const auto& one : mappings()) {
-    of_kinds.push_back(one.get());
+  std::vector<Lazy<Mapping<Coupling>>> of_kinds;
+  for (const CouplingKind* kind : coupling_kinds()) {
+    of_kinds.emplace_back([kind] { return mapping_of(*kind); });
   }
   auto form = chosen_by_word<Coupling>(
       of_kinds, type_words(), "the type of a coupling", [](const Coupling& one) {

@@ -118,7 +118,7 @@ void declare_head(Mapping<File>& m) {
       .usual("spatial");
   m.own_keys({.key = "x-",
               .meaning = "Your own notes, which the program ignores.",
-              .shape = {.sketch = "anything"},
+              .shape = FormShape{.sketch = "anything"},
               .examples = {"checked against the drawing"}});
 }
 
@@ -130,16 +130,14 @@ void declare_network(Mapping<File>& m) {
   m.key("bodies",
         "The moving bodies: a list of names, or a mapping of names to attributes, which may be "
         "empty.")
-      .may(&File::bodies, bodies(), "[crank, coupler, rocker]")
+      .may(&File::bodies, bodies, "[crank, coupler, rocker]")
       .example("{crank: , planet: {reference: [0, 17, 0]}}")
       .required()
       .add_hint("'bodies: [NAME, NAME, …]'; of a coupling 'bodies: [TAIL, HEAD]'");
   m.key("couplings",
         "The couplings: NAME: {type: …, bodies: [tail, head], …}. Motions are those of the head "
         "relative to the tail, actions those of the tail on the head.")
-      .may(&File::couplings,
-           couplings(),
-           "{a: {type: revolute, bodies: [frame, crank], at: [0, 0]}}")
+      .may(&File::couplings, couplings, "{a: {type: revolute, bodies: [frame, crank], at: [0, 0]}}")
       .required()
       .add_hint("'couplings:' and below it lines 'name: {type: …, bodies: […], …}'");
 }
@@ -148,7 +146,7 @@ void declare_structure(Mapping<File>& m) {
   m.key("parameters",
         "Numbers with a name, for use in expressions, in any order. They can be changed by --set "
         "NAME=VALUE.")
-      .may(&File::parameters, parameters(), "{N1: 19, alpha: 20 deg, crank: 2.5 * 1.2}");
+      .may(&File::parameters, parameters, "{N1: 19, alpha: 20 deg, crank: 2.5 * 1.2}");
   m.key("tree",
         "The couplings of the spanning tree, as many as there are moving bodies; default: chosen "
         "by the program. It decides which circuits and cut-sets are used, not the results.")
@@ -163,20 +161,27 @@ void declare_trains(Mapping<File>& m) {
   m.key("gears",
         "Gear trains in teeth, from which the geometry follows: suns and rings centre on the world "
         "z axis, the first planet stands on +y.")
-      .may(&File::gears, gears_section().form());
+      .may(&File::gears, gears_section);
   m.key("cables", "Cables, belts and chains over pulleys, each with a name.")
       .may(&File::cables,
-           cables(),
+           cables,
            "{rope: {over: [{body: block_a, at: [0, 0]}, {pulley: wheel, radius: 1, wrap: "
            "clockwise}, {body: block_b, at: [2, 0]}]}}")
       .at(&File::cables_where);
+}
+
+void declare_actuators(Mapping<File>& m) {
+  m.key("actuators",
+        "Active couplings by name: where motions and actions are brought in or taken out. "
+        "Clutches and brakes are actuators of their own names already.")
+      .may(&File::actuators, actuators, "{drive: {coupling: a}, load: {coupling: d}}");
 }
 
 void declare_loads(Mapping<File>& m) {
   m.key("loads",
         "Forces and couples on bodies from outside, in every case; a case may replace them by "
         "name.")
-      .may(&File::loads, loads())
+      .may(&File::loads, loads)
       .at(&File::loads_where);
   m.key("gravity",
         "The acceleration of gravity as a vector, [x, y] in the plane, [x, y, z] in space; it acts "
@@ -187,7 +192,7 @@ void declare_loads(Mapping<File>& m) {
   m.key("losses",
         "What the meshes lose, from which efficiencies follow. Bearings and guides have 'friction' "
         "of their own.")
-      .may(&File::losses, losses_section().form());
+      .may(&File::losses, losses_section);
   m.key("statics", "How the statics are solved.").group(statics_section()).at(&File::statics_where);
 }
 
@@ -195,27 +200,27 @@ void declare_tasks(Mapping<File>& m) {
   m.key("cases",
         "The cases to analyse, each with a label: what is known in it. Everything else is solved.")
       .may(&File::cases,
-           cases(),
+           cases,
            "{design point: {motion: {load: 1 rad/s}, action: {load: 1 N*m}, input: drive, output: "
            "load}}");
   m.key("shift",
         "A gearbox: which elements engage for which gear. Every combination is enumerated and "
         "classed; every gear is also a case of its name.")
-      .may(&File::shift, shift_section().form());
+      .may(&File::shift, shift_section);
   m.key("motion",
         "A finite motion from the drawn position: the drives run through their ranges, everything "
         "else follows.")
-      .may(&File::motion, motion_section().form());
+      .may(&File::motion, motion_section);
   m.key("sweep", "Analyses every combination of some parameters, in the order of the file.")
-      .may(&File::sweep, sweep_section().form());
+      .may(&File::sweep, sweep_section);
   m.key("published", "Values that the source prints, against which the report is checked.")
       .may(&File::published,
-           published(),
+           published,
            "[{value: /cases/M1/ratio, is: 2.847, tolerance: 0.0005, where: Tab. 5.15}]");
   m.key("synthesis",
         "Finds linkages that carry a plane through two to five positions, finitely or "
         "infinitesimally near. It is planar; a file may hold this section alone.")
-      .may(&File::synthesis, synthesis_section().form());
+      .may(&File::synthesis, synthesis_section);
   m.rule({.kind = FormRule::Kind::alone,
           .key = "synthesis",
           .others = {"ground", "bodies", "couplings"}});
@@ -230,15 +235,7 @@ const Mapping<MechanismDescription>& file_sections() {
     declare_network(m);
     declare_structure(m);
     declare_trains(m);
-    m.key("actuators",
-          "Active couplings by name: where motions and actions are brought in or taken out. "
-          "Clutches and brakes are actuators of their own names already.")
-        .may(&File::actuators,
-             named(&ActuatorDescription::name,
-                   actuator().form(),
-                   {.item = "an actuator", .name_definition = "new_name"},
-                   "actuator '{0}'"),
-             "{drive: {coupling: a}, load: {coupling: d}}");
+    declare_actuators(m);
     declare_loads(m);
     declare_tasks(m);
   });

@@ -14,7 +14,7 @@ Form<std::vector<BodyDescription>> bodies();
 Form<std::vector<CouplingDescription>> couplings();
 const Mapping<GearsDescription>& gears_section();
 Form<std::vector<CableDescription>> cables();
-const Mapping<ActuatorDescription>& actuator();
+Form<std::vector<ActuatorDescription>> actuators();
 Form<std::vector<LoadDescription>> loads();
 Form<std::vector<CaseDescription>> cases();
 const Mapping<LossDescription>& losses_section();

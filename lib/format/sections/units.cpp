@@ -49,7 +49,7 @@ void declare_unit(const UnitKey& row, Mapping<FileUnits>& m) {
   static const FileUnits usual;
   auto key = m.key(key_of(row.kind), row.meaning);
   key.by(
-      {.kind = FormKind::literal, .sketch = "UNIT"},
+      FormShape{.kind = FormKind::literal, .sketch = "UNIT"},
       [kind = row.kind](const FileValue& value, FileUnits& units) {
         read_unit(kind, value, units);
       },
