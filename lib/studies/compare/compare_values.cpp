@@ -67,9 +67,10 @@ std::variant<ValueUnit, ExpressionError> read_unit(std::string_view text) {
   if (text.empty()) {
     return bare_unit("number");
   }
-  // A ratio of two kinds has a unit of two, "rad/s per mm/s".
+  // A ratio of two kinds has a unit of two, "rad/s per mm/s"; its derivative one more,
+  // "rad/s per mm/s per mm", in which each divides all before it.
   constexpr std::string_view kPer = " per ";
-  if (const std::size_t per = text.find(kPer); per != std::string_view::npos) {
+  if (const std::size_t per = text.rfind(kPer); per != std::string_view::npos) {
     const auto above = read_unit(text.substr(0, per));
     const auto below = read_unit(text.substr(per + kPer.size()));
     for (const auto* part : {&above, &below}) {
