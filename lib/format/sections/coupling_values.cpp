@@ -114,10 +114,6 @@ void refuse_ends(const FileValue& value) {
                   listed.empty() ? "" : ": a comma between the names"));
 }
 
-constexpr const char* kScrewForms =
-    "write {rotation: z, at: [x, y, z]}, {translation: x}, {force: y, at: [x, y, z]} or "
-    "{couple: z}; rotation and force may have a pitch";
-
 void declare_line(Mapping<ScrewDescription>& m) {
   m.key("at",
         "A point on the axis of the rotation or on the line of the force; default the origin.")
@@ -168,6 +164,34 @@ const Mapping<ScrewDescription>& couple_about() {
         .selects(&ScrewDescription::kind, ScrewWord::couple);
   });
   return mapping;
+}
+
+constexpr const char* kMotionForms =
+    "write {rotation: z, at: [x, y, z]} or {translation: x}; a rotation may have a pitch";
+constexpr const char* kActionForms =
+    "write {force: y, at: [x, y, z]} or {couple: z}; a force may have a pitch";
+
+Form<ScrewDescription> one_screw_of(const Mapping<ScrewDescription>& first,
+                                    const Mapping<ScrewDescription>& second,
+                                    const char* hint) {
+  const auto is_second = [](const ScrewDescription& one) {
+    return one.kind == ScrewWord::translation || one.kind == ScrewWord::couple;
+  };
+  return only_one_of<ScrewDescription>(
+      {&first, &second},
+      fmt::format("{{}} needs one of {} and {}",
+                  first.shape().keys.front().key,
+                  second.shape().keys.front().key),
+      hint,
+      [is_second](const ScrewDescription& one) { return is_second(one) ? 1U : 0U; });
+}
+
+Form<std::vector<ScrewDescription>> screws_of(const Form<ScrewDescription>& one, const char* hint) {
+  return only_if(
+      list_of(called(one, "a screw of {0}"), "", "", {.least = 0}),
+      [](const YamlNode& node) { return node.kind == YamlKind::sequence; },
+      "{} needs a list of screws",
+      hint);
 }
 
 }  // namespace
@@ -224,26 +248,28 @@ Form<std::vector<std::optional<Value>>> contact_radii() {
                  "write for example radii: [31, 10], or radii: [31, flat]");
 }
 
-Form<ScrewDescription> screw() {
-  auto form = only_one_of<ScrewDescription>(
-      {&rotation(), &translation(), &force_along(), &couple_about()},
-      "{} needs one of rotation, translation, force and couple",
-      kScrewForms,
-      [](const ScrewDescription& one) { return static_cast<std::size_t>(one.kind); });
-  form.shape.definition = "screw";
+Form<ScrewDescription> motion_screw() {
+  auto form = one_screw_of(rotation(), translation(), kMotionForms);
+  form.shape.definition = "motion_screw";
   form.shape.meaning =
-      "A screw given directly: exactly one of rotation, translation, force and couple; a rotation "
-      "or a force has a line through 'at' and may have a pitch.";
+      "A motion given directly as a screw: a rotation or a translation; a rotation has an axis "
+      "through 'at' and may have a pitch.";
   form.shape.examples = {"{rotation: [0, 0, 1], at: [0, 0, 0], pitch: 2 mm/rad}"};
   return form;
 }
 
-Form<std::vector<ScrewDescription>> screw_list() {
-  return only_if(
-      list_of(called(screw(), "a screw of {0}"), "", "", {.least = 0}),
-      [](const YamlNode& node) { return node.kind == YamlKind::sequence; },
-      "{} needs a list of screws",
-      kScrewForms);
+Form<std::vector<ScrewDescription>> motion_screws() {
+  return screws_of(motion_screw(), kMotionForms);
+}
+
+Form<std::vector<ScrewDescription>> action_screws() {
+  auto form = one_screw_of(force_along(), couple_about(), kActionForms);
+  form.shape.definition = "action_screw";
+  form.shape.meaning =
+      "An action given directly as a screw: a force or a couple; a force has a line through 'at' "
+      "and may have a pitch.";
+  form.shape.examples = {"{force: [0, 1, 0], at: [0, 0, 0]}"};
+  return screws_of(form, kActionForms);
 }
 
 Form<std::vector<StiffnessDescription>> stiffness_of_actions() {

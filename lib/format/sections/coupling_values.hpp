@@ -21,9 +21,12 @@ Form<std::vector<Name>> coupling_ends();
 /// Exactly two; a radius that is not there is that of a flat body.
 Form<std::vector<std::optional<Value>>> contact_radii();
 
-Form<ScrewDescription> screw();
+/// A rotation or a translation.
+Form<ScrewDescription> motion_screw();
+Form<std::vector<ScrewDescription>> motion_screws();
 
-Form<std::vector<ScrewDescription>> screw_list();
+/// A force or a couple.
+Form<std::vector<ScrewDescription>> action_screws();
 
 /// A mapping or, but for a journal or thread, a coefficient alone.
 Form<FrictionDescription> friction_of(FrictionKind kind);

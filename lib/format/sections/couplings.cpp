@@ -147,7 +147,8 @@ constexpr auto kRows = std::to_array<KeyRow>({
      "screw",
      "The relative motion of head and tail, given as a screw, instead of 'axis'.",
      [](Key key) {
-       key.may(&Coupling::screw, [] { return called(screw(), "the relative screw of {0}"); });
+       key.may(&Coupling::screw,
+               [] { return called(motion_screw(), "the relative screw of {0}"); });
      }},
     {CouplingKey::from,
      "from",
@@ -165,7 +166,7 @@ constexpr auto kRows = std::to_array<KeyRow>({
      [](Key key) {
        key.may(
            &Coupling::freedoms,
-           [] { return called(screw_list(), "{0}"); },
+           [] { return called(motion_screws(), "{0}"); },
            "[{rotation: z, at: [0, 0, 0]}]");
      }},
     {CouplingKey::constraints,
@@ -175,7 +176,7 @@ constexpr auto kRows = std::to_array<KeyRow>({
      [](Key key) {
        key.may(
            &Coupling::constraints,
-           [] { return called(screw_list(), "{0}"); },
+           [] { return called(action_screws(), "{0}"); },
            "[{force: y, at: [0, 0, 0]}]");
      }},
     {CouplingKey::one_way,
@@ -244,6 +245,9 @@ void declare_common_keys(Mapping<Coupling>& m, const CouplingKind& kind) {
           [] { return called(stiffness_of_actions(), "the stiffness of {0}"); },
           "{Rx: 2e6 N/m}")
       .example("{Rx: 2e6 N/m, Tz: 300 N*m/rad}");
+  if (std::ranges::find(kind.keys, CouplingKey::screw, &KindKey::key) != kind.keys.end()) {
+    m.instead("screw", {"axis"}, "remove 'axis': the screw has a direction of its own");
+  }
   if (kind.friction == FrictionKind::guide) {
     m.rule({.kind = FormRule::Kind::needed_by_part,
             .key = "at",

@@ -159,10 +159,8 @@ TEST(CouplingSection, WantsOneKindOfAScrew) {
   EXPECT_EQ(couplings_of("a: {type: screws, bodies: [f, g], freedoms: [{}, {rotation: z, "
                          "translation: x}, {translation: x, at: [0, 0, 0]}]}\n")
                 .complaints(),
-            (Complaints{"1:46 E0303 a screw of coupling 'a' needs one of rotation, translation, "
-                        "force and couple",
-                        "1:50 E0303 a screw of coupling 'a' needs one of rotation, translation, "
-                        "force and couple",
+            (Complaints{"1:46 E0303 a screw of coupling 'a' needs one of rotation and translation",
+                        "1:50 E0303 a screw of coupling 'a' needs one of rotation and translation",
                         "1:98 E0302 a screw of coupling 'a' has no key 'at'"}));
 }
 
