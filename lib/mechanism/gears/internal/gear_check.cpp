@@ -68,6 +68,12 @@ class GearCheck {
     const std::string what = fmt::format("mesh '{}'", mesh.name.text);
     check_tooth_form(mesh.module, mesh.pressure_angle, mesh.helix_angle, what);
     context_.number(mesh.at, kAnyLength, fmt::format("'at' of {}", what));
+    if (mesh.at && context_.description.space == Space::planar) {
+      context_.found.error("E0314",
+                           mesh.at->where,
+                           fmt::format("'at' of {} leaves the plane, along the axis", what),
+                           "remove 'at', or write 'space: spatial' at the top of the file");
+    }
     if (mesh.carrier) {
       context_.names.bodies.check(
           *mesh.carrier, fmt::format("the carrier of {} is", what), context_.found);
