@@ -1,6 +1,7 @@
 #include "mechanism/check/geometry_check.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -95,15 +96,30 @@ class GeometryCheck {
       refuse(fmt::format("both bodies of {} are flat", title(coupling_)),
              "give the radius of the round one, as in radii: [31, flat]");
     }
+    double curvature = 0.0;  // of both together, positive where each bends away from the other
+    bool is_complete = coupling_.radii.size() == 2;
     for (const std::optional<Value>& radius : coupling_.radii) {
-      const auto number =
-          radius ? evaluator_.number(*radius, QuantityKind::length) : std::optional(1.0);
+      const auto number = radius ? evaluator_.number(*radius, QuantityKind::length)
+                                 : std::optional(std::numeric_limits<double>::infinity());
+      is_complete = is_complete && number && *number != 0.0;
+      if (is_complete) {
+        curvature += 1.0 / *number;
+      }
       if (number && *number == 0.0) {
         found_.error("E0305",
                      radius->where,
                      fmt::format("a radius of {} is zero", title(coupling_)),
                      "write flat for a plane; an edge is round by a small radius");
       }
+    }
+    const std::optional<Value>& first = is_complete ? coupling_.radii.front() : std::nullopt;
+    if (is_complete && !(curvature > 0.0) && (first || coupling_.radii.back())) {
+      found_.error("E0305",
+                   (first ? first : coupling_.radii.back())->where,
+                   fmt::format("by their radii the bodies of {} do not touch at one point, but overlap or fit",
+                               title(coupling_)),
+                   "a hollow, whose radius is negative, takes a body of a smaller radius, as in "
+                   "radii: [31, -40]; a plane takes a round one, as in radii: [31, flat]");
     }
   }
 
