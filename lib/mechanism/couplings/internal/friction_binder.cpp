@@ -115,6 +115,13 @@ class FrictionCheck {
     check_numbers(friction, bound);
     check_place(friction);
     if (bound.mu > 0.0 && has_friction_law(coupling_) && !has_pressing_action(bound)) {
+      if (friction.radius && bound.radius == 0.0) {
+        refuse(found_,
+               friction.radius->where,
+               fmt::format("the friction of {} has a radius of zero", title_of(coupling_)),
+               "write the radius at which it acts, or remove the friction");
+        return;
+      }
       refuse(found_,
              friction.mu->where,
              fmt::format("nothing presses in {}: it bears no action that its friction depends on",
@@ -213,7 +220,9 @@ std::optional<CouplingFriction> bind_friction(const CouplingDescription& couplin
                                               Diagnostics& found) {
   const int errors_before = found.error_count();
   const CouplingFriction result = read_friction(coupling, id, units, evaluator, found);
-  FrictionCheck(coupling, screws, found).check(result);
+  if (found.error_count() == errors_before) {
+    FrictionCheck(coupling, screws, found).check(result);
+  }
   return has_friction_law(coupling) && found.error_count() == errors_before ? std::optional(result)
                                                                             : std::nullopt;
 }
