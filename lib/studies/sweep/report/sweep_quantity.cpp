@@ -57,10 +57,11 @@ class QuantitySearch {
  private:
   std::vector<SweepQuantity> all() {
     std::vector<SweepQuantity> result;
-    if (std::ranges::any_of(cases_, has_ratio)) {
-      result.push_back(ratio_of(ratio, {.text = "ratio", .where = description_.sweep->where}));
-      result.push_back(
-          ratio_of(torque_ratio, {.text = "torque_ratio", .where = description_.sweep->where}));
+    for (const auto& [kind, name] :
+         {std::pair(ratio, "ratio"), std::pair(torque_ratio, "torque_ratio")}) {
+      if (const auto units = units_of_ratio(kind); units.size() == 1) {
+        result.push_back({.kind = kind, .index = -1, .name = name, .unit = units.front()});
+      }
     }
     for (int f = 0; f < topology_.freedom_count(); ++f) {
       result.push_back(rate_of(f));
@@ -135,29 +136,36 @@ class QuantitySearch {
             .unit = units_.text(kind_of(label))};
   }
 
+  // All that the cases have, each once.
+  std::vector<std::string> units_of_ratio(SweepQuantityKind kind) const {
+    std::vector<std::string> units;
+    for (const Case& one : cases_) {
+      if (has_ratio(one)) {
+        const QuantityKind in = kind_of(kind, turns(topology_, one.inputs.front()));
+        const QuantityKind out = kind_of(kind, turns(topology_, one.outputs.front()));
+        units.push_back(in == out ? ""
+                                  : fmt::format("{} per {}", units_.text(in), units_.text(out)));
+        if (std::ranges::count(units, units.back()) > 1) {
+          units.pop_back();
+        }
+      }
+    }
+    return units;
+  }
+
   // One column holds the ratios of all cases, so they must measure the same.
   SweepQuantity ratio_of(SweepQuantityKind kind, const Name& name) {
-    std::optional<std::string> unit;
-    for (const Case& which : cases_) {
-      if (!has_ratio(which)) {
-        continue;
-      }
-      const QuantityKind in = kind_of(kind, turns(topology_, which.inputs.front()));
-      const QuantityKind out = kind_of(kind, turns(topology_, which.outputs.front()));
-      const std::string one =
-          in == out ? "" : fmt::format("{} per {}", units_.text(in), units_.text(out));
-      if (unit && *unit != one) {
-        found_.error(
-            "E0305",
-            name.where,
-            fmt::format(
-                "'{}' is in '{}' in one case and in '{}' in another", name.text, *unit, one),
-            "name cases under 'cases:' of 'sweep' whose inputs and outputs are alike");
-        break;
-      }
-      unit = one;
+    const std::vector<std::string> units = units_of_ratio(kind);
+    if (units.size() > 1) {
+      found_.error(
+          "E0305",
+          name.where,
+          fmt::format(
+              "'{}' is in '{}' in one case and in '{}' in another", name.text, units[0], units[1]),
+          "name cases under 'cases:' of 'sweep' whose inputs and outputs are alike");
     }
-    return {.kind = kind, .index = -1, .name = name.text, .unit = unit.value_or("")};
+    return {
+        .kind = kind, .index = -1, .name = name.text, .unit = units.empty() ? "" : units.front()};
   }
 
   const MechanismDescription& description_;

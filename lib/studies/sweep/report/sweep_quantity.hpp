@@ -37,8 +37,9 @@ bool needs_statics(SweepQuantityKind kind);
 bool needs_power(SweepQuantityKind kind);
 
 /// The quantities that `report` of the sweep names; if it names none, ratio and torque ratio where
-/// a case has them, and all rates and actions. A ratio whose unit differs from case to case is
-/// E0305, and so is a step without gears. Empty iff an error was added.
+/// cases have them in one unit, and all rates and actions. A ratio that is named, but whose unit
+/// differs from case to case, is E0305, and so is a step without gears. Empty iff an error was
+/// added.
 std::optional<std::vector<SweepQuantity>> find_sweep_quantities(
     const MechanismDescription& description,
     const Mechanism& mechanism,
