@@ -128,10 +128,11 @@ std::optional<UnitExpression> UnitReader::convert(const Node& node) {
 std::optional<UnitExpression> UnitReader::convert_number(const Node& node) {
   const auto nodes = expression_.nodes();
   const int index = static_cast<int>(&node - nodes.data());
-  const bool is_exponent = std::ranges::any_of(nodes, [index](const Node& other) {
-    return other.kind == NodeKind::power && other.right == index;
+  const bool may_stand = std::ranges::any_of(nodes, [&](const Node& other) {
+    return (other.kind == NodeKind::power && other.right == index) ||
+           (other.kind == NodeKind::divide && other.left == index && node.value == 1.0);
   });
-  if (is_exponent || node.value == 1.0) {
+  if (may_stand || nodes.size() == 1) {
     return UnitExpression{};
   }
   return fail(node, "a unit carries no number", "write the unit alone, such as mm");
