@@ -47,7 +47,6 @@ constinit const CouplingKind kHelical = {
     .keys = kKeysOfHelical,
     .mechanics = &kMechanicsOfHelical,
     .friction = FrictionKind::thread,
-    .has_friction_law = true,
     .is_in_plane = false,
     .space_symbol = SpaceSymbol::sleeve,
 };

@@ -75,7 +75,6 @@ struct CouplingKind {
   std::span<const KindKey> keys = {};
   const KindMechanics* mechanics = nullptr;
   FrictionKind friction = FrictionKind::no_law;
-  bool has_friction_law = false;  ///< always; a gear has one where its teeth are in contact
   bool is_in_plane = true;        ///< may stand in a planar mechanism
   bool is_in_space = true;        ///< may stand in a spatial one
   bool needs_place = true;        ///< 'at', without which it is only counted

@@ -73,7 +73,6 @@ constinit const CouplingKind kLineContact = {
     .keys = kKeysOfLineContact,
     .mechanics = &kMechanicsOfLineContact,
     .friction = FrictionKind::sliding,
-    .has_friction_law = true,
     .is_in_plane = false,
     .only_pushes = true,
     .space_symbol = SpaceSymbol::touching_plate,

@@ -70,7 +70,6 @@ constinit const CouplingKind kPinInSlot = {
     .keys = kKeysOfPinInSlot,
     .mechanics = &kMechanicsOfPinInSlot,
     .friction = FrictionKind::sliding,
-    .has_friction_law = true,
     .is_in_space = false,
     .planar_symbol = PlanarSymbol::slot,
 };

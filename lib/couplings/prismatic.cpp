@@ -51,7 +51,6 @@ constinit const CouplingKind kPrismatic = {
     .keys = kKeysOfPrismatic,
     .mechanics = &kMechanicsOfPrismatic,
     .friction = FrictionKind::guide,
-    .has_friction_law = true,
     .needs_place = false,
     .planar_symbol = PlanarSymbol::block,
     .space_symbol = SpaceSymbol::box,

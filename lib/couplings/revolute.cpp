@@ -59,7 +59,6 @@ constinit const CouplingKind kRevolute = {
     .keys = kKeysOfRevolute,
     .mechanics = &kMechanicsOfRevolute,
     .friction = FrictionKind::journal,
-    .has_friction_law = true,
     .space_symbol = SpaceSymbol::hinge,
 };
 

@@ -93,7 +93,6 @@ constinit const CouplingKind kBevelGear = {
     .others = kNamesOfBevelGear,
     .keys = kKeysOfTeeth,
     .mechanics = &kMechanicsOfTeeth,
-    .friction = FrictionKind::sliding,
     .is_in_plane = false,
     .teeth = Teeth::of_wheels,
 };
@@ -109,7 +108,6 @@ constinit const CouplingKind kWorm = {
     .keys = kKeysOfTeeth,
     .mechanics = &kMechanicsOfTeeth,
     .friction = FrictionKind::sliding,
-    .has_friction_law = true,
     .is_in_plane = false,
     .teeth = Teeth::of_any,
 };
@@ -121,7 +119,6 @@ constinit const CouplingKind kRack = {
     .example = "{type: rack, bodies: [pinion, rack], at: [0, 0], line_of_action: x}",
     .keys = kKeysOfTeeth,
     .mechanics = &kMechanicsOfTeeth,
-    .friction = FrictionKind::sliding,
     .teeth = Teeth::of_any,
     .planar_symbol = PlanarSymbol::rack,
 };

@@ -114,6 +114,7 @@ class FrictionCheck {
     }
     check_numbers(friction, bound);
     check_place(friction);
+    check_arms(friction);
     if (bound.mu > 0.0 && has_friction_law(coupling_) && !has_pressing_action(bound)) {
       if (friction.radius && bound.radius == 0.0) {
         refuse(found_,
@@ -144,6 +145,47 @@ class FrictionCheck {
                          title_of(coupling_)),
              "add 'at:', the middle of the guide");
     }
+  }
+
+  // A length at which an action presses that the coupling never bears, as across the plane.
+  void check_arms(const FrictionDescription& friction) {
+    const bool is_journal = kind_ == FrictionKind::journal;
+    if ((!is_journal && kind_ != FrictionKind::guide) || screws_.freedoms.empty()) {
+      return;
+    }
+    const auto demand = [&](const std::optional<Value>& value,
+                            std::string_view key,
+                            bool is_borne,
+                            std::string_view action) {
+      if (value && !is_borne) {
+        refuse(
+            found_,
+            value->where,
+            fmt::format("'{}' of the friction of {} counts for nothing: the coupling bears no {}",
+                        key,
+                        title_of(coupling_),
+                        action),
+            fmt::format("remove '{}'", key));
+      }
+    };
+    demand(friction.length, "length", bears(true, false), "couple across its axis");
+    if (is_journal) {
+      demand(friction.thrust_radius, "thrust_radius", bears(false, true), "force along its axis");
+    } else {
+      demand(friction.radius, "radius", bears(true, true), "couple about its axis");
+    }
+  }
+
+  // Whether it bears a couple, or a force, with a part along its axis or across it.
+  bool bears(bool is_couple, bool is_along) const {
+    const NamedTwist& freedom = screws_.freedoms.front();
+    const Vec3 axis =
+        (freedom.is_rotation ? freedom.screw.angular : freedom.screw.linear).normalized();
+    return std::ranges::any_of(screws_.constraints, [&](const NamedWrench& one) {
+      const Vec3& direction = one.is_couple ? one.screw.moment : one.screw.force;
+      const double share = is_along ? std::abs(direction.dot(axis)) : direction.cross(axis).norm();
+      return one.is_couple == is_couple && share > kParallelAxes * direction.norm();
+    });
   }
 
   // Whether the coupling bears one of the actions that its law counts.
@@ -195,7 +237,9 @@ class FrictionCheck {
 }  // namespace
 
 bool has_friction_law(const CouplingDescription& coupling) {
-  return kind_of(coupling.type).has_friction_law || coupling.contact;
+  // Gears that roll on each other do not slide; their teeth in contact do.
+  const bool rolls = coupling.type == CouplingType::gear && !coupling.contact;
+  return kind_of(coupling.type).friction != FrictionKind::no_law && !rolls;
 }
 
 template <class Scalar>
