@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "description/value.hpp"
@@ -36,6 +37,9 @@ struct MeshDescription {
   std::optional<Value> pressure_angle;
   std::optional<Value> helix_angle;
 };
+
+/// What most teeth are cut with.
+inline constexpr std::string_view kUsualPressureAngle = "20 deg";
 
 struct GearsDescription {
   std::optional<Value> module;

@@ -9,9 +9,8 @@ namespace kinestat {
 
 namespace {
 
-// What most teeth are cut with.
 Value usual_pressure_angle(SourceRange where) {
-  return {.expression = std::get<Expression>(parse_expression("20 deg")), .where = where};
+  return {.expression = std::get<Expression>(parse_expression(kUsualPressureAngle)), .where = where};
 }
 
 class GearExpansion {

@@ -21,6 +21,9 @@ struct TracePoint {
   PointDescription at;
 };
 
+/// Where the file does not say how many.
+inline constexpr int kUsualSteps = 100;
+
 struct MotionDescription {
   std::vector<DriveRange> drives;
   std::optional<Value> steps;

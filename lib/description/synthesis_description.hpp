@@ -71,13 +71,17 @@ struct SynthesisLimits {
   std::optional<Value> size;                ///< largest length
 };
 
+/// Where the file does not say how many.
+inline constexpr int kUsualSamples = 4000;
+inline constexpr int kUsualCurvePoints = 200;
+
 struct SynthesisDescription {
   LinkageKind linkage = LinkageKind::four_bar;
   std::vector<PositionDescription> positions;
   SynthesisLimits limits;
   std::vector<SynthesisRange> vary;
-  std::optional<Value> samples;      ///< of a selection, about
-  std::optional<Value> curve_count;  ///< points of each curve
+  std::optional<Value> samples;      ///< of a selection, about; kUsualSamples
+  std::optional<Value> curve_count;  ///< points of each curve; kUsualCurvePoints
   std::optional<Value> digits;       ///< decimal digits of the positions, more than a double has
   SourceRange where;
 };

@@ -34,6 +34,11 @@ FileText single_text(std::string text) {
   return {.single = std::move(text)};
 }
 
+FileText expression_text(std::string_view expression) {
+  const bool is_plain = expression.find_first_of(",[]{}#:\"") == std::string_view::npos;
+  return single_text(is_plain ? std::string(expression) : in_quotes(expression));
+}
+
 FileText list_text(std::vector<FileText> items) {
   return {.kind = FileText::Kind::list, .items = std::move(items)};
 }

@@ -20,6 +20,10 @@ struct FileText {
 };
 
 FileText single_text(std::string text);
+
+/// In quotes where the commas, brackets or other marks of the expression would end it.
+FileText expression_text(std::string_view expression);
+
 FileText list_text(std::vector<FileText> items);
 
 /// A text between double quotes, so that nothing in it has a meaning of its own.

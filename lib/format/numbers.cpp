@@ -19,7 +19,7 @@ Form<Value> number_form(std::string_view definition,
                     .examples = std::move(examples),
                     .range = range},
           .read = [](const FileValue& v) { return read_value(v.node, v.what, v.found); },
-          .write = [](const Value& value) { return single_text(value.expression.text()); }};
+          .write = [](const Value& value) { return expression_text(value.expression.text()); }};
 }
 
 Form<double> plain_number(const Form<Value>& number) {
@@ -48,7 +48,7 @@ Form<std::vector<Value>> couple() {
           },
           .write =
               [](const std::vector<Value>& values) {
-                return values.size() == 1 ? single_text(values.front().expression.text())
+                return values.size() == 1 ? expression_text(values.front().expression.text())
                                           : text_of(values);
               }};
 }

@@ -10,6 +10,13 @@
 
 namespace kinestat {
 
+/// A default as it would be written.
+template <int kNumber>
+std::string_view usual_number() {
+  static const std::string text = std::to_string(kNumber);
+  return text;
+}
+
 /// A number with its range: of a bare number, which the schema knows. What an expression comes to
 /// is judged when it is bound.
 Form<Value> number_form(std::string_view definition,

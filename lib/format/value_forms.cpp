@@ -237,7 +237,7 @@ Form<bool> flag() {
 FileText text_of(const std::vector<Value>& values) {
   std::vector<FileText> texts;
   for (const Value& value : values) {
-    texts.push_back(single_text(value.expression.text()));
+    texts.push_back(expression_text(value.expression.text()));
   }
   return list_text(std::move(texts));
 }

@@ -49,9 +49,6 @@ struct MotionPlan {
   SourceRange where;
 };
 
-/// Steps where the file does not say how many.
-inline constexpr int kUsualSteps = 100;
-
 /// Of a description that has been bound to this mechanism without an error; empty if it has no
 /// section `motion`.
 std::optional<MotionPlan> bind_motion(const MechanismDescription& description,

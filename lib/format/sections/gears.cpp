@@ -81,7 +81,7 @@ void declare_teeth(Mapping<GearsDescription>& m) {
       .may(&GearsDescription::module, size(), "2 mm");
   m.key("pressure_angle", "Pressure angle of the teeth in the transverse plane.")
       .may(&GearsDescription::pressure_angle, acute_angle(), "20 deg")
-      .usual("20 deg");
+      .usual(kUsualPressureAngle);
   m.key("helix_angle",
         "Helix angle of the teeth; positive if the first gear of the first mesh is right-handed. "
         "Hands alternate along the train.")

@@ -71,7 +71,7 @@ const Mapping<MotionDescription>& motion_section() {
             kDrivesHint);
         m.key("steps", "Number of steps between beginning and end.")
             .may(&MotionDescription::steps, step_count(), "360")
-            .usual("100");
+            .usual(usual_number<kUsualSteps>());
         m.key("case", "The case whose speeds and loads apply.")
             .may(&MotionDescription::label, label(), "design point");
         m.key("trace", "Points of bodies whose paths are reported.")

@@ -22,8 +22,6 @@ using Task = SynthesisDescription;
 constexpr const char* kOrdersHint =
     "the orders are pole, curvature, stationary, burmester; each needs the one before";
 
-constexpr const char* kUsualCurveCount = "200";
-
 const Mapping<PoseDerivative>& derivative() {
   static const Mapping<PoseDerivative> mapping(
       "derivative",
@@ -313,7 +311,7 @@ const Mapping<Task>& vary() {
           "How many combinations are tried at least: a grid with as many steps for every free "
           "number.")
         .may(&Task::samples, point_count(), "100000")
-        .usual("4000");
+        .usual(usual_number<kUsualSamples>());
     declare_togetherness(m);
   });
   return mapping;
@@ -323,7 +321,7 @@ const Mapping<Task>& curves() {
   static const Mapping<Task> mapping("", "", "{count: 400}", [](auto& m) {
     m.key("count", "Number of points of each curve.")
         .may(&Task::curve_count, point_count(), "400")
-        .usual(kUsualCurveCount);
+        .usual(usual_number<kUsualCurvePoints>());
   });
   return mapping;
 }
@@ -332,9 +330,10 @@ const Mapping<Task>& curves() {
 void read_curves(const FileValue& value, Task& task) {
   curves().read_into(task, value);
   if (value.node.kind == YamlKind::mapping && value.node.entries.empty()) {
-    task.curve_count = {.expression = std::get<Expression>(parse_expression(kUsualCurveCount)),
-                        .where = value.node.where,
-                        .text_column = 0};
+    task.curve_count = {
+        .expression = std::get<Expression>(parse_expression(usual_number<kUsualCurvePoints>())),
+        .where = value.node.where,
+        .text_column = 0};
   }
 }
 

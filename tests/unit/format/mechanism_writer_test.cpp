@@ -29,7 +29,7 @@ constexpr const char* kSliderCrank =
     "  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}\n"
     "  b: {type: revolute, bodies: [crank, rod], at: [9, 12]}\n"
     "  c: {type: revolute, bodies: [rod, slider], at: [14, 2*sin(30 deg) - 1]}\n"
-    "  d: {type: prismatic, bodies: [frame, slider], at: [14, 0], axis: [-1, 0.5]}\n"
+    "  d: {type: prismatic, bodies: [frame, slider], at: [\"min(14, 15)\", 0], axis: [-1, 0.5]}\n"
     "  e: {type: prismatic, bodies: [frame, slider], axis: -y}\n"
     "\n"
     "actuators:\n"

@@ -14,7 +14,7 @@ namespace kinestat {
 struct CurveWindow {
   Point middle;
   double radius = 1.0;  ///< [length]
-  int count = 200;
+  int count = 0;
 };
 
 struct BranchView {

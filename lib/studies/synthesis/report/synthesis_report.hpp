@@ -75,7 +75,7 @@ struct AngleSelection {
 struct SynthesisAnalysis {
   std::string file;  ///< as the user gave it
   MechanismDescription description;
-  int curve_count = 200;      ///< points of each curve
+  int curve_count = kUsualCurvePoints;      ///< points of each curve
   std::optional<int> digits;  ///< decimal digits of the positions, if asked for
   std::string form;           ///< "PP-PP-P"
   LinkageLimits limits;

@@ -90,9 +90,8 @@ std::optional<CirclePointArea> SynthesisValues::circle_points() const {
 }
 
 int SynthesisValues::samples() const {
-  constexpr int kSamples = 4000;
   return task_.samples ? static_cast<int>(number(*task_.samples, QuantityKind::dimensionless))
-                       : kSamples;
+                       : kUsualSamples;
 }
 
 SynthesisChoice SynthesisValues::choice_of(std::span<const double> numbers) const {
