@@ -34,7 +34,7 @@ std::string unconstrained_text(const JudgedFile& file, const UnconstrainedMotion
   }
   const FileUnits& units = file.description.units;
   const double metre = units.factor(QuantityKind::length);
-  const Vec3 point = (*axis->point + file.mechanism.geometry.origin) / metre;
+  const Vec3 point = file.mechanism.geometry.origin.in_world(*axis->point) / metre;
   const std::string& unit = units.text(QuantityKind::length);
   if (is_planar) {
     return fmt::format("body '{}' can turn about the point {} {}", body, list(point), unit);

@@ -120,7 +120,7 @@ void add_certainty_findings(const Analysis& analysis,
                             const Certainty& certainty,
                             Diagnostics& found) {
   add_rank_findings(certainty, found);
-  const bool is_taken = takes_new_answers(certainty.accuracy.accuracy, analysis.mechanism.geometry);
+  const bool is_taken = certainty.accuracy.accuracy == Accuracy::exact;
   for (std::size_t c = 0; c < analysis.cases.size(); ++c) {
     add_typed_answers(analysis.cases[c], certainty.cases[c], is_taken, found);
     add_digit_findings(certainty.accuracy.digits, analysis.cases[c], found);

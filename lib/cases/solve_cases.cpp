@@ -12,7 +12,6 @@
 #include "core/tolerance.hpp"
 #include "kinematics/velocity.hpp"
 #include "mechanism/bind/bind.hpp"
-#include "mechanism/bind/typed_mechanism.hpp"
 #include "network/bases.hpp"
 #include "statics/action.hpp"
 #include "statics/coupling_wrenches.hpp"
@@ -39,23 +38,14 @@ bool wants_statics(const Mechanism& mechanism) {
          std::ranges::any_of(mechanism.cases, [](const Case& c) { return c.asks_actions; });
 }
 
-// Far from the origin, the mechanism in space is rounded nearby like the other one.
-MobilityCounts counts_of(const MechanismDescription& description,
-                         const Mechanism& drawn,
-                         const Mechanism* nearby) {
-  const bool has_actions = wants_statics(drawn);
-  const Mechanism& mechanism = nearby != nullptr ? *nearby : drawn;
+MobilityCounts counts_of(const MechanismDescription& description, const Mechanism& mechanism) {
+  const bool has_actions = wants_statics(mechanism);
   std::optional<Mechanism> in_space;
-  if (drawn.space == Space::planar && (has_actions || frees_more_in_space(description))) {
+  if (mechanism.space == Space::planar && (has_actions || frees_more_in_space(description))) {
     // It complains of nothing that the first binding did not, and that had no errors.
     Diagnostics ignored;
     in_space = bind_in_space(description, ignored);
     KINESTAT_EXPECTS(in_space.has_value());
-    if (nearby != nullptr) {
-      if (std::optional<Mechanism> rounded = rounded_nearby(description, *in_space, true)) {
-        in_space = std::move(rounded);
-      }
-    }
   }
   const Mechanism& spatial = in_space ? *in_space : mechanism;
   MobilityCounts counts = count_motions(mechanism, spatial);
@@ -129,30 +119,12 @@ CoordinateBasis basis_for(const Mechanism& mechanism,
 struct CaseRequest {
   const Case& which;
   const AccuracyRequest& accuracy;
-  const Mechanism* nearby = nullptr;   // the mechanism whose screws count; null: as drawn
   TypedNumbers* typed = nullptr;       // of all cases; null where none are wanted
   std::size_t index = 0;               // among these
   CaseCertainty* certainty = nullptr;  // filled in beside `typed`
   CasePasses passes = CasePasses::all;
   const KinematicSolution* motion = nullptr;  // null: to be solved
 };
-
-// With the screws that were rounded nearby, if there are any; wrenches are those of the drawing, at
-// whose points they are reported.
-StaticSolution solve_frictionless(const Mechanism& mechanism,
-                                  const CoordinateBasis& basis,
-                                  const CaseRequest& request,
-                                  const std::vector<BodyWrench>& loads) {
-  const std::vector<Primary>& known = request.which.actions;
-  if (request.nearby == nullptr) {
-    return solve_action(mechanism, basis, known, loads, request.accuracy);
-  }
-  StaticSolution solution = solve_action(*request.nearby, basis, known, loads, request.accuracy);
-  if (!solution.wrenches.empty()) {
-    make_wrenches(mechanism, solution);
-  }
-  return solution;
-}
 
 // Friction is followed in doubles: there is no bound for it.
 StaticSolution solve_statics(const Mechanism& mechanism,
@@ -169,7 +141,7 @@ StaticSolution solve_statics(const Mechanism& mechanism,
   }
   StaticSolution solution =
       frictions.laws.empty()
-          ? solve_frictionless(mechanism, basis, request, loads)
+          ? solve_action(mechanism, basis, which.actions, loads, request.accuracy)
           : solve_with_friction(mechanism, basis, which.actions, loads, frictions.laws);
   return resolve_indeterminacy(mechanism, basis, which.actions, loads, std::move(solution));
 }
@@ -204,15 +176,13 @@ LoadedFlanks solve_on_flanks(const Mechanism& drawn,
                              const KinematicSolution* motion,
                              std::vector<int> turned) {
   LoadedFlanks result{.turned = std::move(turned), .mechanism = {}, .basis = bases.action};
-  CaseRequest own = request;
   if (!result.turned.empty()) {
-    own.nearby = nullptr;  // its teeth are not turned
     result.mechanism = drawn;
     load_coast_flanks(result.turned, result.mechanism->geometry);
     result.basis = action_basis(result.mechanism->geometry, drawn.static_order);
   }
   result.action =
-      solve_statics(result.mechanism ? *result.mechanism : drawn, result.basis, own, motion);
+      solve_statics(result.mechanism ? *result.mechanism : drawn, result.basis, request, motion);
   return result;
 }
 
@@ -249,10 +219,7 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   if (which.asks_motions && request.motion != nullptr) {
     result.motion = *request.motion;
   } else if (which.asks_motions) {
-    result.motion = solve_velocity(request.nearby != nullptr ? *request.nearby : drawn,
-                                   bases.motion,
-                                   which.motions,
-                                   request.accuracy);
+    result.motion = solve_velocity(drawn, bases.motion, which.motions, request.accuracy);
   }
   if (result.motion && request.typed != nullptr) {
     request.certainty->has_typed_motion = request.typed->improve(request.index, *result.motion);
@@ -364,17 +331,15 @@ CertifiedAnalysis solve_certified_cases(std::string file,
   analysis.mechanism = std::move(loaded.mechanism);
   const Mechanism& mechanism = analysis.mechanism;
   TypedNumbers typed(analysis.description, mechanism, request);
-  const Mechanism* nearby = typed.nearby();
-  analysis.mobility = counts_of(analysis.description, mechanism, nearby);
+  analysis.mobility = counts_of(analysis.description, mechanism);
   result.certainty.accuracy = request;
   result.certainty.cases.resize(mechanism.cases.size());
-  const Bases bases = bases_of(nearby != nullptr ? *nearby : mechanism);
+  const Bases bases = bases_of(mechanism);
   for (std::size_t c = 0; c < mechanism.cases.size(); ++c) {
     analysis.cases.push_back(solve_case(mechanism,
                                         bases,
                                         {.which = mechanism.cases[c],
                                          .accuracy = request,
-                                         .nearby = nearby,
                                          .typed = &typed,
                                          .index = c,
                                          .certainty = &result.certainty.cases[c]}));

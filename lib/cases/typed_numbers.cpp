@@ -18,15 +18,14 @@ constexpr int kMostMagnitudes = 500;
 // Of a place as share of the size of the mechanism, from whose origin it may be some sizes away.
 constexpr double kPlaceRounding = kFarOrigin * kEpsilon;
 
-// By how much the largest of the values exceeds the smallest; what is zero counts, if it may be a
-// difference that was lost.
-double spread_of(std::span<const double> values, bool counts_zeros) {
+// By how much the largest of the values exceeds the smallest that is not zero.
+double spread_of(std::span<const double> values) {
   double largest = 0.0;
   double smallest = std::numeric_limits<double>::infinity();
   for (const double value : values) {
     const double size = std::abs(value);
     largest = std::max(largest, size);
-    smallest = size > 0.0 || counts_zeros ? std::min(smallest, size) : smallest;
+    smallest = size > 0.0 ? std::min(smallest, size) : smallest;
   }
   return largest > 0.0 ? largest / smallest : 1.0;
 }
@@ -59,21 +58,13 @@ const TypedMechanism* TypedNumbers::find() {
   return typed_ ? &*typed_ : nullptr;
 }
 
-const Mechanism* TypedNumbers::nearby() {
-  if (!has_looked_nearby_ && request_.accuracy != Accuracy::fast && is_small()) {
-    nearby_ = rounded_nearby(*description_, *mechanism_);
-  }
-  has_looked_nearby_ = true;
-  return nearby_ ? &*nearby_ : nullptr;
-}
-
 bool TypedNumbers::is_small() const {
   const Topology& topology = mechanism_->topology;
   return topology.freedom_count() + topology.action_count() <= kMostMagnitudes;
 }
 
-// A pivot this small, places this far away, or magnitudes that are small differences of larger ones
-// may have lost the digits asked for when the numbers were rounded to double.
+// A pivot this small, or magnitudes that are small differences of larger ones, may have lost the
+// digits asked for when the numbers were rounded to double.
 bool TypedNumbers::is_needed(SolveStatus status,
                              const AnswerEvidence& answer,
                              const RankEvidence& evidence,
@@ -84,14 +75,11 @@ bool TypedNumbers::is_needed(SolveStatus status,
   if (!can_improve) {
     return false;
   }
-  const Geometry& geometry = mechanism_->geometry;
-  const double distance = 1.0 + geometry.origin.norm() / geometry.length;
-  const double lost = kCancellation * distance / evidence.smallest_pivot;
-  const double rounded = kPlaceRounding * distance / evidence.smallest_pivot;
+  const double lost = kCancellation / evidence.smallest_pivot;
+  const double rounded = kPlaceRounding / evidence.smallest_pivot;
   const double asked = std::pow(10.0, -request_.digits);
-  const bool is_far = distance > 1.0;
   const bool is_sure = status == SolveStatus::solved && reaches(answer, request_.digits) &&
-                       lost <= asked && rounded * spread_of(values, is_far) <= asked;
+                       lost <= asked && rounded * spread_of(values) <= asked;
   switch (request_.accuracy) {
     case Accuracy::fast:
     case Accuracy::high:
@@ -169,7 +157,7 @@ bool TypedNumbers::improve(std::size_t which, KinematicSolution& motion) {
     return false;
   }
   const bool is_new = motion.status != SolveStatus::solved;
-  if (!is_new || takes_new_answers(request_.accuracy, mechanism_->geometry)) {
+  if (!is_new || request_.accuracy == Accuracy::exact) {
     motion = *std::move(better);
   }
   return is_new;
@@ -199,7 +187,7 @@ bool TypedNumbers::improve(std::size_t which,
   }
   const bool is_new = action.status != better->status;
   const bool has_answer = better->status != SolveStatus::inconsistent;
-  if (!is_new || takes_new_answers(request_.accuracy, mechanism_->geometry)) {
+  if (!is_new || request_.accuracy == Accuracy::exact) {
     better->ignored = std::move(action.ignored);
     if (!is_new) {
       better->self_stresses = std::move(action.self_stresses);

@@ -14,14 +14,6 @@
 
 namespace kinestat {
 
-/// Whether answers are taken that only the numbers as typed have: if the request is for exact ones,
-/// or places far from the origin of the world were rounded. Otherwise what is singular once rounded
-/// is nearly so as typed.
-inline bool takes_new_answers(Accuracy accuracy, const Geometry& geometry) {
-  return accuracy == Accuracy::exact ||
-         (accuracy == Accuracy::automatic && !geometry.origin.isZero(0.0));
-}
-
 /// Answers from the numbers as typed for one mechanism, whose cases are those of the description.
 /// The automatic way asks for them only in mechanisms of some hundred unknowns.
 class TypedNumbers {
@@ -31,10 +23,6 @@ class TypedNumbers {
                const Mechanism& mechanism,
                const AccuracyRequest& request)
       : description_(&description), mechanism_(&mechanism), request_(request) {}
-
-  /// The mechanism rounded nearby, where it stands far from the origin and accuracy counts;
-  /// otherwise null.
-  const Mechanism* nearby();
 
   /// Fills in what is proved of the ranks of motions, and of actions if wanted. The numbers as
   /// typed are asked where the doubles prove nothing, or where the request is for exact ones.
@@ -47,7 +35,7 @@ class TypedNumbers {
 
   /// Takes the answer of a case as typed where the request, or the bound of the one in doubles,
   /// asks for it. True if there is one as typed where the doubles have none; it is taken only if
-  /// takes_new_answers says so.
+  /// the request is for exact ones: otherwise what is singular once rounded is nearly so as typed.
   bool improve(std::size_t which, KinematicSolution& motion);
 
   /// Likewise, with the teeth of `turned` on their coast flanks.
@@ -68,8 +56,6 @@ class TypedNumbers {
   AccuracyRequest request_;
   bool is_bound_ = false;
   std::optional<TypedMechanism> typed_;
-  bool has_looked_nearby_ = false;
-  std::optional<Mechanism> nearby_;
 };
 
 }  // namespace kinestat

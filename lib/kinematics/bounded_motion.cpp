@@ -81,7 +81,7 @@ BoundedTwist bounded_coupling(const Mechanism& mechanism,
                               CouplingId coupling) {
   const CouplingTopology& one = mechanism.topology.coupling(coupling);
   const Geometry& geometry = mechanism.geometry;
-  const Vec3 at = geometry.points[static_cast<std::size_t>(coupling.value)] - geometry.origin;
+  const Vec3 at = geometry.points[static_cast<std::size_t>(coupling.value)];
   BoundedScrewSum sum(at);
   for (int f = one.first_freedom; f < one.first_freedom + one.freedom_count; ++f) {
     const Twist& unit = geometry.motions[static_cast<std::size_t>(f)];

@@ -32,11 +32,9 @@ const Record<BodyView>& body_record() {
     keys.vector("linear",
                 QuantityKind::velocity,
                 "Velocity of the reference point.",
-                [](const BodyView& v) {
-                  return velocity_at(v.twist, v.reference - v.geometry.origin).zeroed();
-                });
+                [](const BodyView& v) { return velocity_at(v.twist, v.reference).zeroed(); });
     keys.vector("at", QuantityKind::length, "The reference point.", [](const BodyView& v) {
-      return v.reference;
+      return v.geometry.origin.in_world(v.reference);
     });
     keys.part("screw", axis_record(), [](const BodyView& v) {
       return view_of(find_axis(v.twist, v.geometry.length), v.geometry.origin);

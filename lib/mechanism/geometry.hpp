@@ -16,18 +16,18 @@ struct OtherFlankOf {
   WrenchOf<Scalar> screw;  ///< unit screw of the action on that flank
 };
 
-/// World frame, SI units. Each list is parallel to one of the Topology. Screws are written about
-/// `origin`: the world origin, unless the mechanism stands far away from it. `Scalar` is double or
-/// Dual; the origin and the size are plain numbers in both.
+/// Axes of the world, SI units. Each list is parallel to one of the Topology. Points are measured
+/// from `origin`, screws are written about it. `Scalar` is double or Dual; the origin and the size
+/// are plain numbers in both.
 template <class Scalar>
 struct GeometryOf {
   std::vector<TwistOf<Scalar>> motions;    ///< unit screw of each freedom: head relative to tail
   std::vector<WrenchOf<Scalar>> actions;   ///< unit screw of each action: of tail on head
-  std::vector<Vec3Of<Scalar>> points;      ///< of each coupling [m]; the origin if it has none
+  std::vector<Vec3Of<Scalar>> points;      ///< of each coupling [m]; zero if it has none
   std::vector<Vec3Of<Scalar>> references;  ///< of each body, where its velocity is reported [m]
   std::vector<OtherFlankOf<Scalar>> other_flanks;
-  Vec3 origin = Vec3::Zero();  ///< [m]
-  double length = 1.0;         ///< size [m]: the diagonal of the box around all points
+  LocalOrigin origin;
+  double length = 1.0;  ///< size [m]: the diagonal of the box around all points
 };
 
 using Geometry = GeometryOf<double>;

@@ -169,8 +169,7 @@ class LeverSearch {
 
   // The speed of a gear whose teeth move with those of another at the pitch point:
   // ω e × (p - a) is the same for both.
-  std::optional<double> rolled(const SetGear& from, const SetGear& to, const Vec3& point) const {
-    const Vec3 at = point - geometry_.origin;
+  std::optional<double> rolled(const SetGear& from, const SetGear& to, const Vec3& at) const {
     const Vec3 given = *from.speed * from.line.direction.cross(Vec3(at - from.line.point));
     const Vec3 unit = to.line.direction.cross(Vec3(at - to.line.point));
     const double size = unit.squaredNorm();

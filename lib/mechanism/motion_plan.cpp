@@ -32,7 +32,9 @@ class MotionBinder {
   MotionBinder(const MechanismDescription& description, const Mechanism& mechanism)
       : motion_(*description.motion),
         mechanism_(mechanism),
-        evaluator_(make_evaluator(description, ignored_)) {}
+        evaluator_(make_evaluator(description, ignored_)) {
+    evaluator_.measure_from(mechanism.geometry.origin);
+  }
 
   MotionPlan run() {
     for (const DriveRange& range : motion_.drives) {

@@ -221,9 +221,10 @@ std::vector<Case> bind_described_cases(const MechanismDescription& description,
   const DeclaredNames names = declare_names(description, said_before);
   const SectionContext context = {
       .description = description, .names = names, .evaluator = evaluator, .found = said_before};
+  evaluator.measure_from(mechanism.geometry.origin);
   std::vector<Case> cases = bind_cases(description, mechanism.topology, evaluator, said_before);
   KINESTAT_EXPECTS(!said_before.has_errors());
-  add_loads(bind_loads(context, mechanism.geometry.origin), cases);
+  add_loads(bind_loads(context), cases);
   return cases;
 }
 

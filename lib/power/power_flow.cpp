@@ -66,7 +66,7 @@ double rounding_of(const Vec6& terms, const Twist& twist) {
   return 6.0 * std::numeric_limits<double>::epsilon() * largest_terms;
 }
 
-// Places were rounded when they were still written about the origin of the world.
+// Places were rounded when they were read.
 Vec6 terms_of(const Wrench& wrench, const Vec3& point) {
   const Vec3 p = point.cwiseAbs();
   const Vec3 f = wrench.force.cwiseAbs();
@@ -146,7 +146,6 @@ PowerFlow find_power(const Mechanism& mechanism,
                      const KinematicSolution& motion,
                      const StaticSolution& action) {
   KINESTAT_EXPECTS(motion.status == SolveStatus::solved && determines_power(mechanism, action));
-  const Vec3& origin = mechanism.geometry.origin;
   PowerFlow flow;
   BoundedNumber sum;  // of all that its bounds tell, and of what they do not tell from zero
   double largest = 0.0;
@@ -169,7 +168,7 @@ PowerFlow find_power(const Mechanism& mechanism,
     sum = sum + supplied;
     if (wrench) {
       const Wrench& acts = *action.wrenches[e];
-      rounding += rounding_of(terms_of(acts, origin), motion.couplings[e]) +
+      rounding += rounding_of(terms_of(acts, Vec3::Zero()), motion.couplings[e]) +
                   unreported_power(mechanism, acts, motion.couplings[e]);
     }
     largest = std::max(
@@ -181,8 +180,9 @@ PowerFlow find_power(const Mechanism& mechanism,
     flow.loads.push_back(found.zeroed());
     sum = sum + found;
     const Wrench& acts = load.acts.wrench;
-    rounding += rounding_of(terms_of(acts, load.point.value_or(origin)), motion.bodies[body]) +
-                unreported_power(mechanism, acts, motion.bodies[body]);
+    rounding +=
+        rounding_of(terms_of(acts, load.point.value_or(Vec3::Zero())), motion.bodies[body]) +
+        unreported_power(mechanism, acts, motion.bodies[body]);
     largest = std::max(largest, std::abs(flow.loads.back()));
   }
   for (const ActuatorTopology& actuator : mechanism.topology.actuators) {

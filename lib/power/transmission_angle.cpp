@@ -115,7 +115,7 @@ AngleOrObstacle find_angle(const Mechanism& mechanism, int input, int output) {
   const auto at = static_cast<std::size_t>(driving->value);
   return angle_between(*wrench,
                        mechanism.geometry.motions[freedom],
-                       mechanism.geometry.points[at] - mechanism.geometry.origin,
+                       mechanism.geometry.points[at],
                        place_error(mechanism) * mechanism.geometry.length);
 }
 

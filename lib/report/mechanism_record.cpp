@@ -137,7 +137,8 @@ const Record<EdgeView>& edge_record() {
             .ordered();
         keys.vector(
             "at", QuantityKind::length, "Its point in the drawn position.", [](const View& v) {
-              return v.mechanism.geometry.points[v.index];
+              const Geometry& geometry = v.mechanism.geometry;
+              return geometry.origin.in_world(geometry.points[v.index]);
             });
         keys.names("freedoms", "Names of its freedoms.", emit_edge_freedoms);
         keys.names("constraints",
@@ -215,8 +216,10 @@ const Record<LabelledMatrix>& matrix_record() {
 
 void emit_graph_bodies(const GraphView& v, const Each<GraphBodyView>& each) {
   const Topology& topology = v.mechanism.topology;
+  const Geometry& geometry = v.mechanism.geometry;
   for (std::size_t b = 0; b < topology.bodies.size(); ++b) {
-    each({.name = topology.bodies[b].name, .reference = v.mechanism.geometry.references[b]});
+    each({.name = topology.bodies[b].name,
+          .reference = geometry.origin.in_world(geometry.references[b])});
   }
 }
 

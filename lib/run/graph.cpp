@@ -44,7 +44,7 @@ Vec6 in_units(const Vec6& screw, double column_unit, double first_unit, double l
 // The geometry whose unit screws, as numbers, are those of the file's units.
 Geometry in_file_units(const Topology& topology, const Geometry& geometry, const FileUnits& units) {
   Geometry result = geometry;
-  result.origin.setZero();
+  result.origin = LocalOrigin();
   const double turn = units.factor(QuantityKind::angular_velocity);
   const double slide = units.factor(QuantityKind::velocity);
   for (std::size_t f = 0; f < result.motions.size(); ++f) {

@@ -43,16 +43,13 @@ PageMotion page_motion(const FoundMotion& motion,
         {.name = fmt::format("{}.{}", mechanism.topology.body(point.body).name, p + 1),
          .points = {},
          .body = point.body,
-         .drawn = motion.origin + point.at});
+         .drawn = point.at});
   }
   const std::vector<DrawnCoupling> drawn = bind_drawn_couplings(description, mechanism);
   Mechanism moved = mechanism;
   for (std::size_t i = 0; i < count; ++i) {
     const Configuration configuration = motion.solution.configuration_at(static_cast<int>(i));
     std::vector<BodyPose> poses = body_poses(motion.network, configuration);
-    for (BodyPose& pose : poses) {
-      pose.shift += motion.origin - pose.rotation * motion.origin;
-    }
     for (TracedPath& path : page.paths) {
       const auto body = static_cast<std::size_t>(path.body->value);
       path.points.push_back(poses[body].point(path.drawn));

@@ -25,18 +25,6 @@ void count_without_geometry(MobilityAnalysis& analysis) {
   }
 }
 
-// By the screws that were rounded nearby, where the mechanism stands far from the origin.
-ExactMobility exact_mobility(const MobilityAnalysis& analysis, const AccuracyRequest& accuracy) {
-  TypedNumbers typed(analysis.description, analysis.mechanism, accuracy);
-  const Mechanism* nearby = typed.nearby();
-  if (nearby == nullptr) {
-    return find_exact_mobility(analysis.mechanism, analysis.in_space);
-  }
-  const std::optional<Mechanism> in_space =
-      rounded_nearby(analysis.description, analysis.in_space, true);
-  return find_exact_mobility(*nearby, in_space ? *in_space : analysis.in_space);
-}
-
 // And counts what is known of the ranks as typed.
 void add_certainty(const AccuracyRequest& accuracy,
                    MobilityAnalysis& analysis,
@@ -95,7 +83,7 @@ std::optional<MobilityAnalysis> find_mobility(const std::string& path,
   analysis.description = std::move(description);
   count_without_geometry(analysis);
   if (has_places) {
-    analysis.mobility.exact = exact_mobility(analysis, accuracy);
+    analysis.mobility.exact = find_exact_mobility(analysis.mechanism, analysis.in_space);
     analysis.finite = try_motions(analysis);
     add_certainty(accuracy, analysis, found);
   }

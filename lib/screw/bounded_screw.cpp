@@ -92,12 +92,12 @@ BoundedVector moment_at(const BoundedWrench& wrench, const Vec3& point) {
   return wrench.moment - cross(at_of(point), wrench.force);
 }
 
-BoundedTwist about_world(const BoundedTwist& twist, const Vec3& origin) {
-  return {.angular = twist.angular, .linear = velocity_at(twist, -origin)};
+BoundedTwist about_world(const BoundedTwist& twist, const LocalOrigin& origin) {
+  return {.angular = twist.angular, .linear = velocity_at(twist, -origin.place())};
 }
 
-BoundedWrench about_world(const BoundedWrench& wrench, const Vec3& origin) {
-  return {.moment = moment_at(wrench, -origin), .force = wrench.force};
+BoundedWrench about_world(const BoundedWrench& wrench, const LocalOrigin& origin) {
+  return {.moment = moment_at(wrench, -origin.place()), .force = wrench.force};
 }
 
 BoundedNumber power(const BoundedWrench& wrench, const BoundedTwist& twist) {

@@ -42,8 +42,8 @@ BoundedWrench written(const Wrench& wrench);
 /// As those of Twist and Wrench, for a point that is as exact as coordinates are.
 BoundedVector velocity_at(const BoundedTwist& twist, const Vec3& point);
 BoundedVector moment_at(const BoundedWrench& wrench, const Vec3& point);
-BoundedTwist about_world(const BoundedTwist& twist, const Vec3& origin);
-BoundedWrench about_world(const BoundedWrench& wrench, const Vec3& origin);
+BoundedTwist about_world(const BoundedTwist& twist, const LocalOrigin& origin);
+BoundedWrench about_world(const BoundedWrench& wrench, const LocalOrigin& origin);
 BoundedNumber power(const BoundedWrench& wrench, const BoundedTwist& twist);
 
 /// As of Twist and Wrench: a direction, a place or a pitch that is mere rounding is zero. Empty

@@ -12,7 +12,7 @@ const Record<AxisView>& axis_record() {
                 QuantityKind::length,
                 "Point of the axis next to the origin; null for infinite pitch.",
                 [](const AxisView& v) {
-                  return v.axis.point ? std::optional(Vec3(*v.axis.point + v.origin))
+                  return v.axis.point ? std::optional(v.origin.in_world(*v.axis.point))
                                       : std::nullopt;
                 });
     keys.quantity("pitch",
@@ -23,7 +23,7 @@ const Record<AxisView>& axis_record() {
   return record;
 }
 
-std::optional<AxisView> view_of(const std::optional<ScrewAxis>& axis, const Vec3& origin) {
+std::optional<AxisView> view_of(const std::optional<ScrewAxis>& axis, const LocalOrigin& origin) {
   return axis ? std::optional(AxisView{.axis = *axis, .origin = origin}) : std::nullopt;
 }
 

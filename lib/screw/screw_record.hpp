@@ -6,16 +6,16 @@
 
 namespace kinestat {
 
-/// An axis that was found about `origin` [m], which lies in the world.
+/// An axis that was found about `origin`.
 struct AxisView {
   ScrewAxis axis;
-  Vec3 origin = Vec3::Zero();
+  LocalOrigin origin;
 };
 
 const Record<AxisView>& axis_record();
 
 /// For the key of the axis in the record of what moves or bears; empty where there is none.
-std::optional<AxisView> view_of(const std::optional<ScrewAxis>& axis, const Vec3& origin);
+std::optional<AxisView> view_of(const std::optional<ScrewAxis>& axis, const LocalOrigin& origin);
 
 /// Angular velocity, then velocity, about the world origin.
 Sixfold sixfold_of(const Twist& twist);

@@ -6,10 +6,12 @@
 #include "core/tolerance.hpp"
 #include "core/types.hpp"
 #include "math/numbers/dual.hpp"
+#include "screw/local_origin.hpp"
 
 namespace kinestat {
 
-/// ω [rad/s] and v_O [m/s], the velocity of the point of the body that is at the world origin.
+/// ω [rad/s] and v_O [m/s], the velocity of the point of the body that is at the origin: that of
+/// the mechanism (LocalOrigin), unless its name says world.
 /// The sources call this order axial; other authors swap the halves.
 template <class Scalar>
 struct TwistOf {
@@ -81,8 +83,9 @@ Vec3Of<Scalar> velocity_at(const TwistOf<Scalar>& twist, const Vec3In<Scalar>& p
 
 /// The same motion written about the world origin, given about `origin`: v_O = v - ω x origin.
 template <class Scalar>
-TwistOf<Scalar> about_world(const TwistOf<Scalar>& twist, const Vec3In<Scalar>& origin) {
-  return {.angular = twist.angular, .linear = velocity_at(twist, -origin)};
+TwistOf<Scalar> about_world(const TwistOf<Scalar>& twist, const LocalOrigin& origin) {
+  const Vec3Of<Scalar> world = (-origin.place()).template cast<Scalar>();
+  return {.angular = twist.angular, .linear = velocity_at<Scalar>(twist, world)};
 }
 
 }  // namespace kinestat

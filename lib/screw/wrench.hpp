@@ -5,8 +5,8 @@
 
 namespace kinestat {
 
-/// T_O [N·m], the moment about the world origin, and F [N]. The sources call this order radial;
-/// other authors swap the halves.
+/// T_O [N·m], the moment about the origin of the mechanism (LocalOrigin), unless its name says
+/// world, and F [N]. The sources call this order radial; other authors swap the halves.
 template <class Scalar>
 struct WrenchOf {
   Vec3Of<Scalar> moment = Vec3Of<Scalar>::Zero();
@@ -55,8 +55,9 @@ Vec3Of<Scalar> moment_at(const WrenchOf<Scalar>& wrench, const Vec3In<Scalar>& p
 
 /// The same action written about the world origin, given about `origin`: T_O = T + origin x F.
 template <class Scalar>
-WrenchOf<Scalar> about_world(const WrenchOf<Scalar>& wrench, const Vec3In<Scalar>& origin) {
-  return {.moment = moment_at(wrench, -origin), .force = wrench.force};
+WrenchOf<Scalar> about_world(const WrenchOf<Scalar>& wrench, const LocalOrigin& origin) {
+  const Vec3Of<Scalar> world = (-origin.place()).template cast<Scalar>();
+  return {.moment = moment_at<Scalar>(wrench, world), .force = wrench.force};
 }
 
 /// Power of an action on a motion [W]; zero means that the two are reciprocal.

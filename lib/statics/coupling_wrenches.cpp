@@ -18,7 +18,7 @@ void put(const BoundedWrench& wrench, std::size_t e, StaticSolution& solution) {
 void sum_actions(const Mechanism& mechanism, std::size_t e, StaticSolution& solution) {
   const CouplingTopology& coupling = mechanism.topology.couplings[e];
   const Geometry& geometry = mechanism.geometry;
-  const Vec3 at = geometry.points[e] - geometry.origin;
+  const Vec3 at = geometry.points[e];
   BoundedScrewSum sum(at);
   for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
     const auto i = static_cast<std::size_t>(a);

@@ -310,11 +310,11 @@ std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mech
         .friction = friction,
         .unit = geometry.motions[static_cast<std::size_t>(freedom)],
         .twist = motion.couplings[e],
-        .at = geometry.points[e] - geometry.origin,
+        .at = geometry.points[e],
         .unit_action = [&](int a) { return geometry.actions[static_cast<std::size_t>(a)]; }});
     const auto slides = [&] {
       const BoundedTwist twist = bounded_coupling(mechanism, motion, friction.coupling);
-      return !velocity_at(twist, geometry.points[e] - geometry.origin).zeroed().isZero(0.0);
+      return !velocity_at(twist, geometry.points[e]).zeroed().isZero(0.0);
     };
     const bool moves = law.speed > 0.0 && (law.is_couple || slides());
     if (moves) {

@@ -35,8 +35,8 @@ UnconstrainedMotion greatest_motion(const VecX& motion,
   double largest = 0.0;
   for (int b = 1; b <= motion.size() / basis.order(); ++b) {
     const Twist twist = motion_of(BodyId{b}, motion, basis);
-    const double size = size_of(
-        twist, geometry.references[static_cast<std::size_t>(b)] - geometry.origin, geometry.length);
+    const double size =
+        size_of(twist, geometry.references[static_cast<std::size_t>(b)], geometry.length);
     if (size > largest) {
       largest = size;
       greatest = {.body = BodyId{b}, .twist = (geometry.length / size) * twist, .loads = {}};

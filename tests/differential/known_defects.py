@@ -17,17 +17,9 @@ class Defect:
     reason: str
 
 
-MILLION = "test_the_origin_a_million_sizes_away_does_not_matter"
 INCHES = "test_compare_finds_no_difference_in_inches_and_radians"
 
 KNOWN = [
-    *(Defect(MILLION, f"^{name}: ", "powers, or what stands on contact points, friction or losses, "
-             "lose their digits far from the origin") for name in
-      ("cables_block_and_tackle_with_losses", "cables_finger_rehabilitation",
-       "cables_weston_hoist", "gears_self_locking_planetary", "planar_cam_and_follower",
-       "planar_toggle_press", "spatial_four_legged_table")),
-    Defect(MILLION, "^transmissions_bevel_differential: ",
-           "a rank of irrational numbers is decided by doubles"),
     *(Defect(INCHES, f"^{name}: ", "affine coefficients that are rounding have values")
       for name in ("transmissions_ravigneaux", "transmissions_ravigneaux_teeth")),
 ]

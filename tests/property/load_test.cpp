@@ -114,7 +114,7 @@ std::vector<BodyWrench> moved_loads(std::vector<BodyWrench> loads,
                                     const Geometry& after) {
   for (BodyWrench& load : loads) {
     const Wrench in_world = motion * about_world(load.wrench, before.origin);
-    load.wrench = {.moment = moment_at(in_world, after.origin), .force = in_world.force};
+    load.wrench = {.moment = moment_at(in_world, after.origin.place()), .force = in_world.force};
   }
   return loads;
 }

@@ -47,7 +47,8 @@ class Fit {
     }
     const VecX sizes = columns_.colwise().norm();
     const MatX normalised = columns_ * sizes.cwiseInverse().asDiagonal();
-    const Vec6 target = weighed(about_world<double>(Screw::from_coordinates(sum), -origin_));
+    const Vec6 target =
+        weighed(about_world<double>(Screw::from_coordinates(sum), LocalOrigin(-origin_.place())));
     return VecX(normalised.colPivHouseholderQr().solve(target)).cwiseQuotient(sizes);
   }
 
@@ -60,7 +61,7 @@ class Fit {
     return Wrench{.moment = wrench.moment / length_, .force = wrench.force}.coordinates();
   }
 
-  Vec3 origin_;
+  LocalOrigin origin_;
   double length_;
   Mat6X columns_ = Mat6X(6, 0);
 };

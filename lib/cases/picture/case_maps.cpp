@@ -145,7 +145,7 @@ BarMap speed_map(const Analysis& analysis) {
                .unit = unit_text(analysis, QuantityKind::velocity),
                .value =
                    [&geometry](const CaseAnalysis& one, std::size_t i, const InUnits& in) {
-                     const Vec3 at = geometry.references[i + 1] - geometry.origin;
+                     const Vec3 at = geometry.references[i + 1];
                      return std::optional<Vec3>(in.linear(velocity_at(body(one, i), at).zeroed()));
                    }},
               moving_bodies(analysis));
@@ -166,7 +166,7 @@ BarMap torque_map(const Analysis& analysis) {
                    [&geometry](const CaseAnalysis& one, std::size_t e, const InUnits& in) {
                      const auto wrench =
                          bounded_wrench(*one.action, CouplingId{static_cast<int>(e)});
-                     const Vec3 at = geometry.points[e] - geometry.origin;
+                     const Vec3 at = geometry.points[e];
                      return wrench ? std::optional<Vec3>(in.moment(moment_at(*wrench, at).zeroed()))
                                    : std::nullopt;
                    }},

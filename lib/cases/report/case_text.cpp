@@ -83,9 +83,8 @@ TextBlocks bodies_blocks(const Mechanism& mechanism,
     names.cells.push_back(mechanism.topology.bodies[b].name);
     const BoundedTwist twist = bounded_body(motion, BodyId{static_cast<int>(b)});
     angular.rows.emplace_back(in.angular(twist.angular.zeroed()));
-    linear.rows.emplace_back(
-        in.linear(velocity_at(twist, reference - mechanism.geometry.origin).zeroed()));
-    at.rows.emplace_back(in.length(reference));
+    linear.rows.emplace_back(in.linear(velocity_at(twist, reference).zeroed()));
+    at.rows.emplace_back(in.length(mechanism.geometry.origin.in_world(reference)));
   }
   std::vector<TextColumn> columns = {std::move(names)};
   angular.add_to(columns);

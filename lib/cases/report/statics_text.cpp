@@ -55,7 +55,7 @@ TextBlocks wrenches_blocks(const Mechanism& mechanism,
     const auto wrench = bounded_wrench(action, CouplingId{static_cast<int>(e)});
     if (wrench) {
       force.rows.emplace_back(in.force(wrench->force.zeroed()));
-      const Vec3 at = mechanism.geometry.points[e] - mechanism.geometry.origin;
+      const Vec3 at = mechanism.geometry.points[e];
       moment.rows.emplace_back(in.moment(moment_at(*wrench, at).zeroed()));
     } else {
       force.rows.emplace_back(std::nullopt);
@@ -142,8 +142,10 @@ TextBlocks loads_blocks(const Mechanism& mechanism, const CaseAnalysis& one, con
     names.cells.push_back(load.name);
     bodies.cells.push_back(mechanism.topology.body(load.acts.body).name);
     force.rows.emplace_back(in.force(wrench.force));
-    moment.rows.emplace_back(in.moment(couple_of(load, mechanism.geometry.origin)));
-    at.rows.push_back(load.point ? std::optional(in.length(*load.point)) : std::nullopt);
+    moment.rows.emplace_back(in.moment(couple_of(load)));
+    at.rows.push_back(
+        load.point ? std::optional(in.length(mechanism.geometry.origin.in_world(*load.point)))
+                   : std::nullopt);
   }
   std::vector<TextColumn> columns = {std::move(names), std::move(bodies)};
   force.add_to(columns);

@@ -66,7 +66,7 @@ class ArrowFinder {
       const CouplingTopology& coupling = mechanism_.topology.coupling(CouplingId{e});
       const Vec3 at = point_of(CouplingId{e});
       const Twist& twist = one_.motion->bodies[static_cast<std::size_t>(coupling.head.value)];
-      const Vec3 velocity = velocity_at<double>(twist, at - mechanism_.geometry.origin);
+      const Vec3 velocity = velocity_at<double>(twist, at);
       add({.kind = ArrowKind::velocity,
            .at = at,
            .vector = velocity,
@@ -171,7 +171,7 @@ class ArrowFinder {
            .is_axial = false,
            .text = text_of(load.name, load.acts.wrench.force.norm(), QuantityKind::force)});
     }
-    const Vec3 couple = couple_of(load, mechanism_.geometry.origin);
+    const Vec3 couple = couple_of(load);
     add({.kind = ArrowKind::load,
          .at = load.point ? *load.point : place_of_couple(load.acts.body),
          .vector = couple,

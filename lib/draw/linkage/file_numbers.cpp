@@ -7,8 +7,10 @@
 
 namespace kinestat {
 
-FileNumbers::FileNumbers(const MechanismDescription& description)
-    : description_(description), table_(evaluate_parameters(parameters_of(description)).table) {}
+FileNumbers::FileNumbers(const MechanismDescription& description, const LocalOrigin& origin)
+    : description_(description),
+      origin_(origin),
+      table_(evaluate_parameters(parameters_of(description)).table) {}
 
 std::optional<double> FileNumbers::number(const Value& value, QuantityKind kind) const {
   const auto result =
@@ -24,7 +26,7 @@ std::optional<Vec3> FileNumbers::point(const PointDescription& point) const {
     if (!coordinate) {
       return std::nullopt;
     }
-    result[static_cast<int>(i)] = *coordinate;
+    result[static_cast<int>(i)] = *coordinate - origin_.place()[static_cast<int>(i)];
   }
   return result;
 }

@@ -13,11 +13,11 @@ namespace kinestat {
 /// and empty where the file has no such number.
 class FileNumbers {
  public:
-  explicit FileNumbers(const MechanismDescription& description);
+  explicit FileNumbers(const MechanismDescription& description, const LocalOrigin& origin = {});
 
   std::optional<double> number(const Value& value, QuantityKind kind) const;
 
-  /// [m], in the world frame; z is 0 in the plane.
+  /// [m], from the origin; z is 0 in the plane.
   std::optional<Vec3> point(const PointDescription& point) const;
 
   /// A station of a CablePart, whose centre and axis are filled in; its radius is 0 where the file
@@ -28,6 +28,7 @@ class FileNumbers {
   std::optional<Vec3> direction(const AxisDescription& axis) const;
 
   const MechanismDescription& description_;
+  LocalOrigin origin_;
   ParameterTable table_;
 };
 

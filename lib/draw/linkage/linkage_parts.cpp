@@ -23,7 +23,7 @@ class PartFinder {
         mechanism_(mechanism),
         topology_(mechanism.topology),
         poses_(poses),
-        numbers_(description) {
+        numbers_(description, mechanism.geometry.origin) {
     result_.points.resize(topology_.bodies.size());
     result_.outlines.resize(topology_.bodies.size());
     result_.is_virtual.resize(topology_.bodies.size(), false);

@@ -147,7 +147,7 @@ void report_unanalysed(const std::vector<Unanalysed>& list, Purpose purpose, Dia
 void bind_sections(const SectionContext& context, Mechanism& result) {
   const int errors_before = context.found.error_count();
   check_sections(context);
-  std::vector<std::vector<Load>> loads = bind_loads(context, result.geometry.origin);
+  std::vector<std::vector<Load>> loads = bind_loads(context);
   if (context.found.error_count() == errors_before && !result.cases.empty()) {
     add_loads(std::move(loads), result.cases);
     check_order_of_loads(context.description, result.cases, context.found);

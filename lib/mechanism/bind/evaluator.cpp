@@ -36,6 +36,16 @@ void report(const MechanismDescription& description,
   }
 }
 
+void set_value(double& number, double value) {
+  number = value;
+}
+
+// Derivatives stay, and the digits as typed.
+template <class Scalar>
+void set_value(Scalar& number, double value) {
+  number.value = value;
+}
+
 std::vector<int> free_parameters(const MechanismDescription& description) {
   std::vector<int> free;
   for (std::size_t i = 0; i < description.parameters.size(); ++i) {
@@ -54,6 +64,23 @@ Evaluator make_evaluator(const MechanismDescription& description, Diagnostics& f
   report(description, values.errors, found);
   report(description, find_dependent(parameters, free_parameters(description)), found);
   return {description, std::move(values.table), found};
+}
+
+template <class Scalar>
+EvaluatorOf<Scalar> EvaluatorOf<Scalar>::complaining_to(Diagnostics& found) const {
+  EvaluatorOf result(description_, table_, found);
+  result.origin_ = origin_;
+  result.typed_ = typed_;
+  return result;
+}
+
+template <class Scalar>
+void EvaluatorOf<Scalar>::measure_from(const LocalOrigin& origin) {
+  origin_ = origin;
+  if (!origin.is_world() && !typed_) {
+    typed_ = std::make_shared<const BasicParameterTable<Typed>>(
+        evaluate_parameters<Typed>(parameters_of(description_)).table);
+  }
 }
 
 template <class Scalar>
@@ -128,7 +155,37 @@ std::optional<Vec3Of<Scalar>> EvaluatorOf<Scalar>::vector(const std::vector<Valu
 
 template <class Scalar>
 std::optional<Vec3Of<Scalar>> EvaluatorOf<Scalar>::point(const PointDescription& point) {
-  return vector(point.coordinates, QuantityKind::length);
+  std::optional<Vec3Of<Scalar>> place = vector(point.coordinates, QuantityKind::length);
+  if (!place || origin_.is_world()) {
+    return place;
+  }
+  *place = from_origin(*place);
+  for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
+    Scalar& coordinate = (*place)[static_cast<Eigen::Index>(i)];
+    const double origin = origin_.place()[static_cast<Eigen::Index>(i)];
+    set_value(coordinate, from_origin(point.coordinates[i], origin).value_or(value_of(coordinate)));
+  }
+  return place;
+}
+
+template <class Scalar>
+Vec3Of<Scalar> EvaluatorOf<Scalar>::from_origin(const Vec3Of<Scalar>& in_world) const {
+  return origin_.is_world() ? in_world
+                            : Vec3Of<Scalar>(in_world - origin_.place().template cast<Scalar>());
+}
+
+// Empty where the digits of the number are not known.
+template <class Scalar>
+std::optional<double> EvaluatorOf<Scalar>::from_origin(const Value& coordinate,
+                                                       double origin) const {
+  const auto result = evaluate_as<Typed>(
+      QuantityKind::length, coordinate.expression, description_.units, typed_->lookup());
+  const Typed* const number = std::get_if<Typed>(&result);
+  if (number == nullptr) {
+    return std::nullopt;
+  }
+  const Typed local = *number - Typed(origin);
+  return local.precise ? std::optional(static_cast<double>(*local.precise)) : std::nullopt;
 }
 
 template <class Scalar>

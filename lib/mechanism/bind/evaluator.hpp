@@ -1,6 +1,7 @@
 // Evaluates the numbers of a description, with complaints at their places.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,8 +12,11 @@
 #include "couplings/coupling_geometry.hpp"
 #include "description/mechanism_description.hpp"
 #include "expression/parameters.hpp"
+#include "screw/local_origin.hpp"
 
 namespace kinestat {
+
+struct Typed;
 
 /// Holds the values of the parameters. Answers are empty iff an error was added, here or for the
 /// parameter that the number depends on. `Scalar` is double or Dual.
@@ -24,6 +28,13 @@ class EvaluatorOf {
               Diagnostics& found)
       : description_(description), found_(found), table_(std::move(table)) {}
 
+  /// The same numbers, with complaints elsewhere.
+  EvaluatorOf complaining_to(Diagnostics& found) const;
+
+  /// From now on points are measured from there: differences of the numbers as typed, so that
+  /// rounding to double takes nothing from what lies between the points.
+  void measure_from(const LocalOrigin& origin);
+
   std::optional<Scalar> number(const Value& value, QuantityKind kind);
 
   /// In SI, whatever it measures.
@@ -32,8 +43,11 @@ class EvaluatorOf {
   /// Up to three components.
   std::optional<Vec3Of<Scalar>> vector(const std::vector<Value>& components, QuantityKind kind);
 
-  /// [m], in the world frame; z is 0 in the plane.
+  /// [m], from the origin; z is 0 in the plane.
   std::optional<Vec3Of<Scalar>> point(const PointDescription& point);
+
+  /// Of a point whose coordinates in the world are known [m].
+  Vec3Of<Scalar> from_origin(const Vec3Of<Scalar>& in_world) const;
 
   /// A unit vector; a zero vector is an error.
   std::optional<AxisOf<Scalar>> axis(const AxisDescription& axis);
@@ -43,11 +57,15 @@ class EvaluatorOf {
 
  private:
   void warn_of_degrees(const Value& value, double angle);
+  std::optional<double> from_origin(const Value& coordinate, double origin) const;
   std::span<const std::string> known_names() const;  // that a hint may suggest
 
   const MechanismDescription& description_;
   Diagnostics& found_;
   BasicParameterTable<Scalar> table_;
+  LocalOrigin origin_;
+  std::shared_ptr<const BasicParameterTable<Typed>>
+      typed_;  ///< where the origin is not the world's
 };
 
 using Evaluator = EvaluatorOf<double>;

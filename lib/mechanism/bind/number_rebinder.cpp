@@ -24,12 +24,7 @@ CouplingScrewsOf<Scalar> NumberRebinder<Scalar>::add_coupling(std::size_t e,
                                                               GeometryOf<Scalar>& result) const {
   const CouplingDescription& coupling = description_.couplings[e];
   const CouplingTopology& topology = mechanism_.topology.couplings[e];
-  const Vec3Of<Scalar> origin = result.origin.template cast<Scalar>();
-  if (!has_place(coupling)) {
-    geometry.at = origin;
-  }
   result.points.push_back(geometry.at);
-  geometry = measured_from<Scalar>(origin, std::move(geometry));
   const auto screws = coupling_screws<Scalar>(coupling.type, description_.space, geometry);
   for (const NamedTwistOf<Scalar>& freedom : screws.freedoms) {
     result.motions.push_back(freedom.screw);
@@ -85,8 +80,7 @@ Vec3Of<Scalar> NumberRebinder<Scalar>::vector(const std::vector<Value>& componen
 template <class Scalar>
 WrenchOf<Scalar> NumberRebinder<Scalar>::force_at(const Vec3Of<Scalar>& point,
                                                   const Vec3Of<Scalar>& force) const {
-  const Vec3Of<Scalar> arm = point - mechanism_.geometry.origin.template cast<Scalar>();
-  return {.moment = arm.cross(force), .force = force};
+  return {.moment = point.cross(force), .force = force};
 }
 
 // That of the case counts before that of the file; what neither has is the weight of a body.
@@ -107,14 +101,14 @@ WrenchOf<Scalar> NumberRebinder<Scalar>::bind_load(const Load& load,
   const Scalar mass = number(*at->mass, QuantityKind::mass);
   const Vec3Of<Scalar> gravity =
       vector(description_.gravity->coordinates, QuantityKind::acceleration);
-  return force_at(vector(at->centre_of_mass->coordinates, QuantityKind::length), mass * gravity);
+  return force_at(expect(evaluator_.point(*at->centre_of_mass)), mass * gravity);
 }
 
 template <class Scalar>
 WrenchOf<Scalar> NumberRebinder<Scalar>::bind_load(const LoadDescription& load) {
   WrenchOf<Scalar> result;
   if (load.at && load.force) {
-    result = force_at(vector(load.at->coordinates, QuantityKind::length),
+    result = force_at(expect(evaluator_.point(*load.at)),
                       vector(load.force->coordinates, QuantityKind::force));
   }
   const Vec3Of<Scalar> couple = vector(load.couple, QuantityKind::moment);

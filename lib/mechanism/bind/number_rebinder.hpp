@@ -19,7 +19,8 @@ struct CaseNumbersOf {
 };
 
 /// Reads a description again that bind made `mechanism` of; the origin and the size stay plain
-/// numbers. All that is given must outlive it. `Scalar` is Dual or Typed.
+/// numbers, and the evaluator measures from that origin. All that is given must outlive it.
+/// `Scalar` is Dual or Typed.
 template <class Scalar>
 class NumberRebinder {
  public:
@@ -31,9 +32,11 @@ class NumberRebinder {
         mechanism_(mechanism),
         evaluator_(evaluator),
         found_(found),
-        gears_(bind_gear_frame<Scalar>(description, evaluator)) {}
+        gears_(bind_gear_frame<Scalar>(description, evaluator)) {
+    evaluator.measure_from(mechanism.geometry.origin);
+  }
 
-  /// A coupling as it was drawn, in the world.
+  /// A coupling as it was drawn.
   CouplingGeometryOf<Scalar> drawn(const CouplingDescription& coupling);
 
   /// Appends the point, the motions and the actions of the coupling of that index; gives back what

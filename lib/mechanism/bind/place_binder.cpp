@@ -28,7 +28,8 @@ class PlaceBinder {
   void bind() {
     if (coupling_.is_mesh()) {
       KINESTAT_EXPECTS(gears_ != nullptr);
-      geometry_.at = gears_->layout.meshes[static_cast<std::size_t>(coupling_.mesh)].pitch_point;
+      geometry_.at = evaluator_.from_origin(
+          gears_->layout.meshes[static_cast<std::size_t>(coupling_.mesh)].pitch_point);
     } else if (coupling_.is_segment()) {
       bind_segment();
     } else if (coupling_.from && coupling_.to) {
@@ -51,12 +52,15 @@ class PlaceBinder {
       take(evaluator_.point(*at.point), geometry_.at);
     } else if (!at.of_bodies.empty()) {
       bind_points_of_bodies(at);
-    } else if (gears_ != nullptr) {
-      geometry_.at = gears_->layout.axis_of(coupling_.tail.text, coupling_.head.text);
+    } else {
+      geometry_.at = evaluator_.from_origin(
+          gears_ != nullptr ? gears_->layout.axis_of(coupling_.tail.text, coupling_.head.text)
+                            : Vec3Of<Scalar>(Vec3Of<Scalar>::Zero()));
     }
     if (at.along_axis) {
       const auto along = evaluator_.number(*at.along_axis, QuantityKind::length);
-      geometry_.at[2] = along.value_or(Scalar(0.0));
+      geometry_.at[2] =
+          evaluator_.from_origin({Scalar(0.0), Scalar(0.0), along.value_or(Scalar(0.0))})[2];
     }
   }
 

@@ -49,9 +49,8 @@ bool has_more_than_couplings(const MechanismDescription& description, const Mech
 bool has_lines_through(const Topology& topology,
                        std::size_t coupling,
                        const Geometry& geometry,
-                       const Vec3& at) {
+                       const Vec3& point) {
   const CouplingTopology& one = topology.couplings[coupling];
-  const Vec3 point = at - geometry.origin;
   const auto motions = std::span(geometry.motions)
                            .subspan(static_cast<std::size_t>(one.first_freedom),
                                     static_cast<std::size_t>(one.freedom_count));
@@ -89,7 +88,7 @@ std::optional<double> number_of(const SlotExpression& value,
 std::optional<Rebinder> Rebinder::make(const MechanismDescription& description,
                                        const Mechanism& mechanism,
                                        const std::vector<bool>& varies) {
-  if (has_more_than_couplings(description, mechanism) ||
+  if (has_more_than_couplings(description, mechanism) || !mechanism.geometry.origin.is_world() ||
       mechanism.cases.size() != description.cases.size()) {
     return std::nullopt;
   }
@@ -111,7 +110,7 @@ bool Rebinder::add_couplings(const Mechanism& mechanism, const std::vector<bool>
       return false;
     }
   }
-  return find_extent(points_).origin == mechanism.geometry.origin;
+  return find_extent(points_).origin.isZero(0.0);
 }
 
 bool Rebinder::add_coupling(std::size_t e,
@@ -146,7 +145,7 @@ bool Rebinder::add_coupling(std::size_t e,
                         .is_bound_whole = shape_varies,
                         .point = point};
   add_numbers(coupling, varies, moving);
-  add_constraints(coupling, mechanism, moving);
+  add_constraints(coupling, moving);
   moving.is_through_point =
       !shape_varies && has_lines_through(*topology_, e, mechanism.geometry, drawn->at);
   moves_[e] = true;
@@ -170,13 +169,9 @@ void Rebinder::add_numbers(const CouplingDescription& coupling,
 }
 
 // Which constraints of the catalogue its actions are, by their names.
-void Rebinder::add_constraints(const CouplingDescription& coupling,
-                               const Mechanism& mechanism,
-                               MovingCoupling& moving) const {
-  const CouplingScrews screws =
-      coupling_screws(coupling.type,
-                      moving.is_in_space ? Space::spatial : description_->space,
-                      measured_from<double>(mechanism.geometry.origin, moving.drawn));
+void Rebinder::add_constraints(const CouplingDescription& coupling, MovingCoupling& moving) const {
+  const CouplingScrews screws = coupling_screws(
+      coupling.type, moving.is_in_space ? Space::spatial : description_->space, moving.drawn);
   const CouplingTopology& topology =
       topology_->couplings[static_cast<std::size_t>(moving.coupling)];
   for (int a = topology.first_action; a < topology.first_action + topology.action_count; ++a) {
@@ -224,12 +219,11 @@ bool Rebinder::rebind_geometry(const Slots& slots, Geometry& geometry) {
     }
     points_[moving.point] = moving.drawn.at;
   }
-  if (find_extent(points_).origin != geometry.origin) {
+  if (!find_extent(points_).origin.isZero(0.0)) {
     return false;
   }
   for (const MovingCoupling& moving : moving_) {
-    moving.is_through_point ? move_lines(moving, geometry.origin, geometry)
-                            : write_screws(moving, geometry.origin, geometry);
+    moving.is_through_point ? move_lines(moving, geometry) : write_screws(moving, geometry);
   }
   return true;
 }
@@ -269,15 +263,13 @@ bool Rebinder::bind_whole(const Slots& slots, MovingCoupling& moving) {
   return true;
 }
 
-void Rebinder::write_screws(const MovingCoupling& moving,
-                            const Vec3& origin,
-                            Geometry& geometry) const {
+void Rebinder::write_screws(const MovingCoupling& moving, Geometry& geometry) const {
   const CouplingTopology& topology =
       topology_->couplings[static_cast<std::size_t>(moving.coupling)];
-  const CouplingGeometry local = measured_from<double>(origin, moving.drawn);
-  const CouplingScrews screws = coupling_screws(topology.type, description_->space, local);
+  const CouplingGeometry& drawn = moving.drawn;
+  const CouplingScrews screws = coupling_screws(topology.type, description_->space, drawn);
   const CouplingScrews in_space =
-      moving.is_in_space ? coupling_screws(topology.type, Space::spatial, local) : CouplingScrews{};
+      moving.is_in_space ? coupling_screws(topology.type, Space::spatial, drawn) : CouplingScrews{};
   const auto& constraints = moving.is_in_space ? in_space.constraints : screws.constraints;
   for (std::size_t f = 0; f < screws.freedoms.size(); ++f) {
     geometry.motions[static_cast<std::size_t>(topology.first_freedom) + f] =
@@ -292,16 +284,14 @@ void Rebinder::write_screws(const MovingCoupling& moving,
     const auto actuator = static_cast<std::size_t>(topology_->actions[action].actuator);
     const auto freedom =
         static_cast<std::size_t>(topology_->actuators[actuator].freedom - topology.first_freedom);
-    geometry.actions[action] = internal_action<double>(screws.freedoms[freedom], local.at).screw;
+    geometry.actions[action] = internal_action<double>(screws.freedoms[freedom], drawn.at).screw;
   }
 }
 
-void Rebinder::move_lines(const MovingCoupling& moving,
-                          const Vec3& origin,
-                          Geometry& geometry) const {
+void Rebinder::move_lines(const MovingCoupling& moving, Geometry& geometry) const {
   const CouplingTopology& topology =
       topology_->couplings[static_cast<std::size_t>(moving.coupling)];
-  const Vec3 point = moving.drawn.at - origin;
+  const Vec3& point = moving.drawn.at;
   for (int f = topology.first_freedom; f < topology.first_freedom + topology.freedom_count; ++f) {
     Twist& twist = geometry.motions[static_cast<std::size_t>(f)];
     if (!twist.angular.isZero(0.0)) {

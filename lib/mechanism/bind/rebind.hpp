@@ -39,7 +39,7 @@ enum class NearOrigin {
 
 /// Evaluates again only what depends on the parameters that vary, with the same functions as bind
 /// and hence the same bits. It knows mechanisms of which they move the couplings and the primaries
-/// and nothing else; others are bound whole. One a thread.
+/// and nothing else, near the origin of the world; others are bound whole. One a thread.
 class Rebinder {
  public:
   /// `mechanism` must be what bind made of the description, which must outlive it; `varies` is of
@@ -54,7 +54,7 @@ class Rebinder {
 
   /// Unit motions and unit actions for these parameters. The points, the size and the references
   /// stay those of the mechanism. False where the mechanism must be bound whole: a number has no
-  /// value, or it stands too far from the origin.
+  /// value, or it stands too far from the origin of the world.
   bool rebind_geometry(const Slots& slots, Geometry& geometry);
 
   /// The primaries of the cases, which must be in the order of the description.
@@ -84,7 +84,7 @@ class Rebinder {
 
   struct MovingCoupling {
     int coupling = 0;
-    CouplingGeometry drawn;        ///< in the world; what does not vary is right in it
+    CouplingGeometry drawn;        ///< what does not vary is right in it
     std::array<Number, 3> at;      ///< [m]
     std::vector<int> constraints;  ///< of each action: its constraint in the catalogue, or -1
     bool is_in_space = false;      ///< its actions, though the mechanism is planar
@@ -110,14 +110,12 @@ class Rebinder {
   void add_numbers(const CouplingDescription& coupling,
                    const std::vector<bool>& varies,
                    MovingCoupling& moving) const;
-  void add_constraints(const CouplingDescription& coupling,
-                       const Mechanism& mechanism,
-                       MovingCoupling& moving) const;
+  void add_constraints(const CouplingDescription& coupling, MovingCoupling& moving) const;
   void add_primaries(const Mechanism& mechanism, const std::vector<bool>& varies);
   bool bind_whole(const Slots& slots, MovingCoupling& moving);
   bool place(const Slots& slots, MovingCoupling& moving);
-  void write_screws(const MovingCoupling& moving, const Vec3& origin, Geometry& geometry) const;
-  void move_lines(const MovingCoupling& moving, const Vec3& origin, Geometry& geometry) const;
+  void write_screws(const MovingCoupling& moving, Geometry& geometry) const;
+  void move_lines(const MovingCoupling& moving, Geometry& geometry) const;
   bool record_points(std::span<const std::optional<TapeQuantity>> slots,
                      std::vector<std::array<TapeNumber, 3>>& points,
                      LaneRecorder& recorder) const;

@@ -118,8 +118,7 @@ std::optional<TapedScrews> Rebinder::record_screws(
     LaneRecorder& recorder) const {
   const auto is_simple = [](const MovingCoupling& moving) { return moving.is_through_point; };
   std::vector<TapedPoint> points;
-  if (!std::ranges::all_of(moving_, is_simple) || geometry.origin != Vec3::Zero() ||
-      !record_points(slots, points, recorder)) {
+  if (!std::ranges::all_of(moving_, is_simple) || !record_points(slots, points, recorder)) {
     return std::nullopt;
   }
   if (near == NearOrigin::by_all_points) {

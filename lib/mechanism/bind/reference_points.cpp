@@ -12,8 +12,7 @@ std::vector<Vec3Of<Scalar>> bind_reference_points(const MechanismDescription& de
                                                   const Topology& topology,
                                                   const GeometryOf<Scalar>& geometry,
                                                   EvaluatorOf<Scalar>& evaluator) {
-  const Vec3Of<Scalar> origin = geometry.origin.template cast<Scalar>();
-  std::vector<Vec3Of<Scalar>> references(topology.bodies.size(), origin);
+  std::vector<Vec3Of<Scalar>> references(topology.bodies.size(), Vec3Of<Scalar>::Zero());
   std::vector<bool> is_set(topology.bodies.size(), false);
   for (const BodyDescription& body : description.bodies) {
     if (!body.reference) {
@@ -21,7 +20,7 @@ std::vector<Vec3Of<Scalar>> bind_reference_points(const MechanismDescription& de
     }
     const auto at = std::ranges::find(topology.bodies, body.name.text, &BodyTopology::name);
     const auto b = static_cast<std::size_t>(at - topology.bodies.begin());
-    references[b] = evaluator.point(*body.reference).value_or(origin);
+    references[b] = evaluator.point(*body.reference).value_or(references[b]);
     is_set[b] = true;
   }
   for (std::size_t e = 0; e < topology.couplings.size(); ++e) {

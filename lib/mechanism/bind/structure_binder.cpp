@@ -11,6 +11,7 @@
 #include "mechanism/bind/reference_points.hpp"
 #include "mechanism/cases/actuator_binder.hpp"
 #include "mechanism/check/axis_place_check.hpp"
+#include "mechanism/check/expect.hpp"
 #include "mechanism/check/geometry_check.hpp"
 #include "mechanism/couplings/internal/coupling_binder.hpp"
 #include "mechanism/couplings/internal/friction_binder.hpp"
@@ -34,7 +35,7 @@ struct Joint {
   const CouplingDescription* description = nullptr;
   BodyId tail;
   BodyId head;
-  CouplingGeometry geometry;  ///< in the world
+  CouplingGeometry geometry;
 };
 
 class StructureBinder {
@@ -160,8 +161,8 @@ class StructureBinder {
     return Joint{.description = &coupling, .tail = *tail, .head = *head, .geometry = *geometry};
   }
 
-  // The size of the mechanism, and where its screws are written; a coupling without a point of its
-  // own acts there.
+  // The size of the mechanism, and from where it is measured; a coupling without a point of its own
+  // acts there. Far from the origin of the world all is bound once more, from the new one.
   void place(std::vector<Joint>& joints) {
     std::vector<Vec3> points;
     for (const Joint& joint : joints) {
@@ -169,17 +170,22 @@ class StructureBinder {
     }
     const Extent extent = find_extent(points);
     geometry_.length = extent.length;
-    geometry_.origin = extent.origin;
-    for (Joint& joint : joints) {
-      if (!has_place(*joint.description)) {
-        joint.geometry.at = extent.origin;
-      }
+    geometry_.origin = LocalOrigin(extent.origin);
+    evaluator_.measure_from(geometry_.origin);
+    for (std::size_t i = 0; i < joints.size() && !geometry_.origin.is_world(); ++i) {
+      Diagnostics said_before;
+      Evaluator evaluator = evaluator_.complaining_to(said_before);
+      joints[i].geometry = expect(bind_geometry<double>(*joints[i].description,
+                                                        description_.space,
+                                                        gears_ ? &*gears_ : nullptr,
+                                                        evaluator,
+                                                        said_before));
     }
   }
 
   void add_coupling(const Joint& joint) {
     const CouplingDescription& coupling = *joint.description;
-    const CouplingGeometry local = measured_from<double>(geometry_.origin, joint.geometry);
+    const CouplingGeometry& local = joint.geometry;
     const ScrewBinder binder(coupling, description_.space, spaces_);
     const CouplingScrews drawn = binder.drawn(local, geometry_.length, found_);
     const CouplingScrews screws = binder.counted(local, drawn);
@@ -194,7 +200,7 @@ class StructureBinder {
                                    .first_action = topology_.action_count(),
                                    .action_count = static_cast<int>(screws.constraints.size()),
                                    .where = coupling.name.where});
-    geometry_.points.push_back(joint.geometry.at);
+    geometry_.points.push_back(local.at);
     has_point_.push_back(has_place(coupling));
     add_screws(id, screws);
     if (local.other_flank) {

@@ -1,7 +1,6 @@
 // Before what takes moments of lines for any type of number.
 #include "mechanism/bind/typed_mechanism.hpp"
 
-#include "mechanism/bind/bind.hpp"
 #include "mechanism/bind/number_rebinder.hpp"
 #include "screw/typed_vector.hpp"
 
@@ -26,29 +25,6 @@ TypedCase typed_case(CaseNumbersOf<Typed> numbers) {
     result.loads.push_back(typed_screw(load));
   }
   return result;
-}
-
-template <class Screw>
-bool round_screw(const TypedScrew& typed, Screw& screw) {
-  Vec6 coordinates;
-  for (std::size_t i = 0; i < 6; ++i) {
-    if (!typed[i].precise) {
-      return false;
-    }
-    coordinates[static_cast<Eigen::Index>(i)] = static_cast<double>(*typed[i].precise);
-  }
-  screw = Screw::from_coordinates(coordinates);
-  return true;
-}
-
-template <class Screw>
-bool round_screws(const std::vector<TypedScrew>& typed, std::vector<Screw>& screws) {
-  for (std::size_t i = 0; i < screws.size(); ++i) {
-    if (!round_screw(typed[i], screws[i])) {
-      return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace
@@ -80,35 +56,6 @@ std::optional<TypedMechanism> bind_typed(const MechanismDescription& description
         typed_case(rebinder.bind_case(description.cases[c], mechanism.cases[c])));
   }
   return found.has_errors() ? std::nullopt : std::optional(std::move(result));
-}
-
-std::optional<Mechanism> rounded_nearby(const MechanismDescription& description,
-                                        const Mechanism& mechanism,
-                                        bool is_in_space) {
-  if (mechanism.geometry.origin.isZero(0.0) || (is_in_space && frees_more_in_space(description))) {
-    return std::nullopt;
-  }
-  Mechanism result = mechanism;
-  result.cases.clear();
-  if (is_in_space) {
-    result.static_order = OrderChoice::spatial;  // by which what couplings bear in space is read
-  }
-  const std::optional<TypedMechanism> typed = bind_typed(description, result);
-  result.static_order = mechanism.static_order;
-  result.cases = mechanism.cases;
-  Geometry& geometry = result.geometry;
-  if (!typed || typed->motions.size() != geometry.motions.size() ||
-      typed->actions.size() != geometry.actions.size() ||
-      !round_screws(typed->motions, geometry.motions) ||
-      !round_screws(typed->actions, geometry.actions)) {
-    return std::nullopt;
-  }
-  for (std::size_t i = 0; i < geometry.other_flanks.size(); ++i) {
-    if (!round_screw(typed->other_flanks[i], geometry.other_flanks[i].screw)) {
-      return std::nullopt;
-    }
-  }
-  return result;
 }
 
 }  // namespace kinestat

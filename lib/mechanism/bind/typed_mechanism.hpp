@@ -34,13 +34,4 @@ struct TypedMechanism {
 std::optional<TypedMechanism> bind_typed(const MechanismDescription& description,
                                          const Mechanism& mechanism);
 
-/// Of a mechanism that stands far from the origin of the world: the same one with screws that were
-/// rounded only after that distance was taken off, so that it costs their directions and arms no
-/// digits. Its points, which are written about that origin, stay as they are. `mechanism` is what
-/// bind made of the description, or bind_in_space. Empty where it stands near, or where what is
-/// typed has no digits.
-std::optional<Mechanism> rounded_nearby(const MechanismDescription& description,
-                                        const Mechanism& mechanism,
-                                        bool is_in_space = false);
-
 }  // namespace kinestat

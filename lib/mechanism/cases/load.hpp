@@ -22,15 +22,14 @@ struct BodyWrench {
 struct Load {
   std::string name;
   BodyWrench acts;
-  std::optional<Vec3> point;  ///< where the force acts [m], world frame; empty for a couple alone
+  std::optional<Vec3> point;  ///< where the force acts [m]; empty for a couple alone
   SourceRange where;
 };
 
 /// The couple of a load beside its force, which acts at its point [N·m]; what is rounding of the
-/// moment of the force is zero. `origin` is that of the
-/// Geometry.
-inline Vec3 couple_of(const Load& load, const Vec3& origin) {
-  return load.point ? moment_at(written(load.acts.wrench), *load.point - origin).zeroed()
+/// moment of the force is zero.
+inline Vec3 couple_of(const Load& load) {
+  return load.point ? moment_at(written(load.acts.wrench), *load.point).zeroed()
                     : load.acts.wrench.moment;
 }
 

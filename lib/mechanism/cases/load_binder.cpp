@@ -34,15 +34,13 @@ std::optional<Vec3> couple_of(const LoadDescription& load, const SectionContext&
 }
 
 // Empty if it is wrong, or acts on the ground.
-std::optional<Load> bind_load(const LoadDescription& load,
-                              const SectionContext& context,
-                              const Vec3& origin) {
+std::optional<Load> bind_load(const LoadDescription& load, const SectionContext& context) {
   context.names.bodies.check(
       load.body, fmt::format("load '{}' acts on", load.name.text), context.found);
   const int body = context.names.bodies.find(load.body.text);
   const std::vector<Value> none;
   const std::optional<Vec3> point =
-      context.vector(load.at ? load.at->coordinates : none, QuantityKind::length);
+      load.at ? context.evaluator.point(*load.at) : std::optional(Vec3(Vec3::Zero()));
   const std::optional<Vec3> force =
       context.vector(load.force ? load.force->coordinates : none, QuantityKind::force);
   const std::optional<Vec3> couple = couple_of(load, context);
@@ -52,7 +50,7 @@ std::optional<Load> bind_load(const LoadDescription& load,
   if (body <= 0 || !point || !force || !couple) {
     return std::nullopt;
   }
-  const Vec3 moment = load.at ? moment_of_load(*point, *force, *couple, origin) : *couple;
+  const Vec3 moment = load.at ? moment_of_load(*point, *force, *couple) : *couple;
   return Load{.name = load.name.text,
               .acts = {.body = BodyId{body}, .wrench = {.moment = moment, .force = *force}},
               .point = load.at ? point : std::nullopt,
@@ -66,11 +64,10 @@ struct Named {
 };
 
 std::vector<Named> bind_all(const std::vector<LoadDescription>& descriptions,
-                            const SectionContext& context,
-                            const Vec3& origin) {
+                            const SectionContext& context) {
   std::vector<Named> loads;
   for (const LoadDescription& one : descriptions) {
-    loads.push_back({.name = one.name.text, .load = bind_load(one, context, origin)});
+    loads.push_back({.name = one.name.text, .load = bind_load(one, context)});
   }
   return loads;
 }
@@ -90,13 +87,13 @@ std::vector<Named> replaced(std::vector<Named> common, std::vector<Named> own) {
 
 }  // namespace
 
-std::vector<std::vector<Load>> bind_loads(const SectionContext& context, const Vec3& origin) {
-  const std::vector<Load> weights = bind_weights(context, origin);
-  const std::vector<Named> common = bind_all(context.description.loads, context, origin);
+std::vector<std::vector<Load>> bind_loads(const SectionContext& context) {
+  const std::vector<Load> weights = bind_weights(context);
+  const std::vector<Named> common = bind_all(context.description.loads, context);
   std::vector<std::vector<Load>> cases;
   for (const CaseDescription& one : context.description.cases) {
     std::vector<Load> loads;
-    for (Named& named : replaced(common, bind_all(one.loads, context, origin))) {
+    for (Named& named : replaced(common, bind_all(one.loads, context))) {
       if (named.load) {
         loads.push_back(*std::move(named.load));
       }

@@ -8,18 +8,14 @@
 
 namespace kinestat {
 
-/// Of a force at a point of the world, with a couple. Each product of a place and a force was
-/// rounded when the place was read, its unit applied and the origin moved, wherever that is: what
-/// is no more than this rounding is zero.
-inline Vec3 moment_of_load(const Vec3& point,
-                           const Vec3& force,
-                           const Vec3& couple,
-                           const Vec3& origin) {
+/// Of a force at a point, with a couple. Each product of a place and a force was rounded when the
+/// place was read and its unit applied: what is no more than this rounding is zero.
+inline Vec3 moment_of_load(const Vec3& point, const Vec3& force, const Vec3& couple) {
   const Vec3 p = point.cwiseAbs();
   const Vec3 f = force.cwiseAbs();
   const Vec3 terms(
       p.y() * f.z() + p.z() * f.y(), p.z() * f.x() + p.x() * f.z(), p.x() * f.y() + p.y() * f.x());
-  Vec3 moment = (point - origin).cross(force) + couple;
+  Vec3 moment = point.cross(force) + couple;
   for (Eigen::Index i = 0; i < 3; ++i) {
     const double rounding = 4.0 * kEpsilon * (terms[i] + std::abs(couple[i]));
     moment[i] = std::isfinite(rounding) && std::abs(moment[i]) <= rounding ? 0.0 : moment[i];

@@ -57,7 +57,7 @@ void warn_of_idle_gravity(const SectionContext& context) {
 
 }  // namespace
 
-std::vector<Load> bind_weights(const SectionContext& context, const Vec3& origin) {
+std::vector<Load> bind_weights(const SectionContext& context) {
   const auto& gravity = context.description.gravity;
   const std::optional<Vec3> acceleration =
       gravity ? context.vector(gravity->coordinates, QuantityKind::acceleration) : std::nullopt;
@@ -70,14 +70,13 @@ std::vector<Load> bind_weights(const SectionContext& context, const Vec3& origin
     const std::optional<double> mass =
         context.number(body.mass, kMass, fmt::format("'mass' of body '{}'", body.name.text));
     const std::optional<Vec3> centre =
-        body.centre_of_mass ? context.vector(body.centre_of_mass->coordinates, QuantityKind::length)
-                            : std::nullopt;
+        body.centre_of_mass ? context.evaluator.point(*body.centre_of_mass) : std::nullopt;
     if (body.mass && gravity && !body.centre_of_mass) {
       complain_of_missing_centre(body, context);
     }
     if (mass && centre && acceleration) {
       const Vec3 force = *mass * *acceleration;
-      const Vec3 moment = moment_of_load(*centre, force, Vec3::Zero(), origin);
+      const Vec3 moment = moment_of_load(*centre, force, Vec3::Zero());
       weights.push_back({.name = "gravity." + body.name.text,
                          .acts = {.body = BodyId{context.names.bodies.find(body.name.text)},
                                   .wrench = {.moment = moment, .force = force}},

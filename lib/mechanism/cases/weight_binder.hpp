@@ -9,8 +9,9 @@
 namespace kinestat {
 
 /// One load gravity.BODY for every body with a mass, at its centre of mass: mass · gravity, about
-/// `origin` [m]. None without gravity, though masses and centres are evaluated. Bodies without a
-/// mass are massless. A mass without a centre is an error, gravity without any mass a warning.
-std::vector<Load> bind_weights(const SectionContext& context, const Vec3& origin);
+/// the origin of the evaluator. None without gravity, though masses and centres are evaluated.
+/// Bodies without a mass are massless. A mass without a centre is an error, gravity without any
+/// mass a warning.
+std::vector<Load> bind_weights(const SectionContext& context);
 
 }  // namespace kinestat

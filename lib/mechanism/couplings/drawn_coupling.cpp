@@ -13,21 +13,20 @@ namespace {
 // What a description that was right when it was bound says again.
 class DrawnBinder {
  public:
-  explicit DrawnBinder(const MechanismDescription& description)
+  DrawnBinder(const MechanismDescription& description, const LocalOrigin& origin)
       : description_(description),
         evaluator_(make_evaluator(description, found_)),
-        gears_(bind_gear_frame<double>(description, evaluator_)) {}
+        gears_(bind_gear_frame<double>(description, evaluator_)) {
+    evaluator_.measure_from(origin);
+  }
 
-  DrawnCoupling bind(const CouplingDescription& coupling, const Vec3& origin) {
+  DrawnCoupling bind(const CouplingDescription& coupling) {
     DrawnCoupling result;
     const auto geometry = bind_geometry<double>(
         coupling, description_.space, gears_ ? &*gears_ : nullptr, evaluator_, found_);
     KINESTAT_EXPECTS(geometry.has_value());
     result.geometry = *geometry;
     result.has_place = has_place(coupling);
-    if (!result.has_place) {
-      result.geometry.at = origin;
-    }
     result.at_head = point_on_head(coupling);
     if (coupling.is_segment()) {
       result.from = bind_station<double>(coupling.part->from, evaluator_);
@@ -70,11 +69,11 @@ std::vector<DrawnCoupling> bind_drawn_couplings(const MechanismDescription& desc
                                                 const Mechanism& mechanism) {
   KINESTAT_EXPECTS(static_cast<int>(description.couplings.size()) ==
                    mechanism.topology.coupling_count());
-  DrawnBinder binder(description);
+  DrawnBinder binder(description, mechanism.geometry.origin);
   std::vector<DrawnCoupling> result;
   result.reserve(description.couplings.size());
   for (const CouplingDescription& coupling : description.couplings) {
-    result.push_back(binder.bind(coupling, mechanism.geometry.origin));
+    result.push_back(binder.bind(coupling));
   }
   return result;
 }

@@ -20,8 +20,7 @@ class Mover {
       : mechanism_(mechanism),
         coupling_(mechanism.topology.coupling(id)),
         drawn_(drawn),
-        poses_(poses),
-        origin_(mechanism.geometry.origin) {}
+        poses_(poses) {}
 
   MovedCoupling move() {
     place();
@@ -67,13 +66,13 @@ class Mover {
     result_.point = pose_of(who).point(at);
   }
 
-  // Both parts of a screw about `origin`, the one along its line first.
+  // Both parts of a screw, the one along its line first.
   std::pair<Vec3, Vec3> carried(const Vec3& line, const Vec3& moment, Carried rule) const {
-    const Vec3 arm = drawn_.geometry.at - origin_;
+    const Vec3& arm = drawn_.geometry.at;
     const BodyPose& turns = pose_of(rule.direction);
     const Vec3 at = rule.point == Follows::head ? drawn_.at_head.value_or(drawn_.geometry.at)
                                                 : drawn_.geometry.at;
-    const Vec3 moved_arm = pose_of(rule.point).point(at) - origin_;
+    const Vec3 moved_arm = pose_of(rule.point).point(at);
     const Vec3 moved_line = turns.direction(line);
     const Vec3 own = turns.direction(moment - arm.cross(line));
     return {moved_line, own + moment_of_line<double>(moved_arm, moved_line)};
@@ -119,8 +118,7 @@ class Mover {
     coupling_.type == CouplingType::cable ? stretch(moved) : touch(moved);
     result_.point = moved.at;
     const Space space = mechanism_.space;
-    const CouplingScrews screws =
-        coupling_screws(coupling_.type, space, measured_from<double>(origin_, moved));
+    const CouplingScrews screws = coupling_screws(coupling_.type, space, moved);
     for (const NamedTwist& freedom : screws.freedoms) {
       result_.motions.push_back(freedom.screw);
     }
@@ -179,7 +177,7 @@ class Mover {
           .is_rotation =
               mechanism_.topology.freedoms[static_cast<std::size_t>(freedom)].is_rotation,
           .screw = result_.motions[static_cast<std::size_t>(freedom - coupling_.first_freedom)]};
-      result_.actions.push_back(internal_action<double>(driven, result_.point - origin_).screw);
+      result_.actions.push_back(internal_action<double>(driven, result_.point).screw);
     }
   }
 
@@ -188,7 +186,6 @@ class Mover {
   const CarriedParts& carried_ = kind_of(coupling_.type).mechanics->carried;
   const DrawnCoupling& drawn_;
   const CouplingPoses& poses_;
-  const Vec3& origin_;
   MovedCoupling result_;
 };
 

@@ -16,12 +16,11 @@ struct CouplingPoses {
 /// The screws of the drawn position as they follow the bodies, in the same order. What a coupling
 /// frees and bears follows the body in which it is fixed, as FiniteLaw says; forces at a point (Rx,
 /// Ry, Rz), all couples of a slider and the freedoms of a ball keep their world directions; what
-/// touches and what pulls follows the moved contact and the moved cable. Everything is measured
-/// from `origin`, that of the geometry.
+/// touches and what pulls follows the moved contact and the moved cable.
 struct MovedCoupling {
   std::vector<Twist> motions;   ///< of the freedoms
   std::vector<Wrench> actions;  ///< of the passive constraints, then of the actuators
-  Vec3 point = Vec3::Zero();    ///< of the coupling [m], world
+  Vec3 point = Vec3::Zero();    ///< of the coupling [m]
 };
 
 MovedCoupling moved_coupling(const Mechanism& mechanism,

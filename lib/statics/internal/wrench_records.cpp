@@ -15,7 +15,7 @@ std::optional<Value> read_if_known(const CouplingWrenchView& v, const Read& read
 // About the point of its coupling.
 Vec3 moment_of(const FrictionView& v) {
   const auto e = static_cast<std::size_t>(v.friction.coupling.value);
-  const Vec3 at = v.geometry.points[e] - v.geometry.origin;
+  const Vec3 at = v.geometry.points[e];
   return moment_at(written(v.friction.wrench), at).zeroed();
 }
 
@@ -40,7 +40,7 @@ const Record<CouplingWrenchView>& coupling_wrench_record() {
                 "it.",
                 [](const View& v) {
                   return read_if_known<Vec3>(v, [&](const BoundedWrench& wrench) {
-                    return moment_at(wrench, v.at - v.geometry.origin).zeroed();
+                    return moment_at(wrench, v.at).zeroed();
                   });
                 });
     keys.vector("force",
@@ -51,7 +51,7 @@ const Record<CouplingWrenchView>& coupling_wrench_record() {
                       v, [](const BoundedWrench& wrench) { return wrench.force.zeroed(); });
                 });
     keys.vector("at", QuantityKind::length, "The point of the coupling.", [](const View& v) {
-      return v.at;
+      return v.geometry.origin.in_world(v.at);
     });
     keys.part("screw", axis_record(), [](const View& v) {
       return v.wrench ? view_of(find_axis(*v.wrench, v.geometry.length), v.geometry.origin)
@@ -72,21 +72,24 @@ const Record<LoadView>& load_record() {
                      QuantityKind::force,
                      "Moment about the origin, then force.",
                      [](const LoadView& v) {
-                       const Vec3& origin = v.mechanism.geometry.origin;
+                       const LocalOrigin& origin = v.mechanism.geometry.origin;
                        return sixfold_of(about_world(written(v.load.acts.wrench), origin).zeroed());
                      });
-        keys.vector(
-            "moment",
-            QuantityKind::moment,
-            "Moment about the point where the force acts.",
-            [](const LoadView& v) { return couple_of(v.load, v.mechanism.geometry.origin); });
+        keys.vector("moment",
+                    QuantityKind::moment,
+                    "Moment about the point where the force acts.",
+                    [](const LoadView& v) { return couple_of(v.load); });
         keys.vector("force", QuantityKind::force, "Force.", [](const LoadView& v) {
           return v.load.acts.wrench.force;
         });
         keys.vector("at",
                     QuantityKind::length,
                     "The point where the force acts; null of a couple alone.",
-                    [](const LoadView& v) { return v.load.point; });
+                    [](const LoadView& v) {
+                      return v.load.point ? std::optional(
+                                                v.mechanism.geometry.origin.in_world(*v.load.point))
+                                          : std::nullopt;
+                    });
       });
   return record;
 }

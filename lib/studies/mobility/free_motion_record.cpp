@@ -10,7 +10,7 @@ namespace {
 struct FreeBodyView {
   Twist twist;  // about the origin of the geometry
   std::optional<ScrewAxis> axis;
-  Vec3 origin;  // [m]
+  LocalOrigin origin;
 };
 
 const Record<FreeBodyView>& free_body_record() {

@@ -41,7 +41,7 @@ std::vector<BodyPose> body_poses(const MotionNetwork& network, const Configurati
     std::vector<BodyPose> poses;
     for (const int frame : network.frame_of_body) {
       BodyPose pose = Frames::pose(system.frames()[at(frame)]);
-      pose.shift = network.length * pose.shift + network.origin - pose.rotation * network.origin;
+      pose.shift = network.length * pose.shift;
       poses.push_back(pose);
     }
     return poses;

@@ -17,20 +17,6 @@ namespace kinestat {
 
 namespace {
 
-DrawnCoupling measured_from_origin(const DrawnCoupling& drawn, const Vec3& origin) {
-  DrawnCoupling result = drawn;
-  result.geometry = measured_from<double>(origin, drawn.geometry);
-  if (result.at_head) {
-    *result.at_head -= origin;
-  }
-  for (auto* station : {&result.from, &result.to}) {
-    if (*station) {
-      (*station)->centre -= origin;
-    }
-  }
-  return result;
-}
-
 // A set of bodies that grow together.
 class Components {
  public:
@@ -63,12 +49,10 @@ class NetworkMaker {
                std::span<const int> driven)
       : mechanism_(mechanism), topology_(mechanism.topology) {
     network_.space = mechanism.space;
-    network_.origin = mechanism.geometry.origin;
     network_.length = mechanism.geometry.length;
     network_.driven_freedoms.assign(driven.begin(), driven.end());
     for (std::size_t e = 0; e < drawn.size(); ++e) {
-      const DrawnCoupling local = measured_from_origin(drawn[e], network_.origin);
-      laws_.push_back(finite_law(topology_.couplings[e].type, mechanism.space, local));
+      laws_.push_back(finite_law(topology_.couplings[e].type, mechanism.space, drawn[e]));
     }
   }
 
@@ -231,7 +215,7 @@ class NetworkMaker {
           add_motion({.kind = ElementaryKind::slide, .direction = Vec3::Unit(i)}, frame, 1.0, -1);
     }
     frame = add_motion({.kind = is_planar ? ElementaryKind::turn : ElementaryKind::ball,
-                        .point = mechanism_.geometry.references[at(body)] - network_.origin},
+                        .point = mechanism_.geometry.references[at(body)]},
                        frame,
                        1.0,
                        -1);

@@ -36,7 +36,7 @@ struct UnmovableCoupling {
 /// lengths of the network; of a ball the quaternion w, x, y, z of the head relative to the tail.
 struct MotionJoint {
   int parent = 0;             ///< frame before
-  ElementaryMotion motion;    ///< in the drawn position, from the origin of the network [m]
+  ElementaryMotion motion;    ///< in the drawn position [m]
   double sense = 1.0;         ///< -1: from the head to the tail
   int coordinate = -1;        ///< its first; -1: it stands still and only shifts
   int rate = -1;              ///< its first; a ball has three, about axes fixed in the tail
@@ -57,7 +57,7 @@ struct RollingRow {
 /// A condition between two frames.
 struct ClosureRow {
   CouplingId coupling;
-  ClosureCondition condition;  ///< points from the origin of the network [m]
+  ClosureCondition condition;  ///< [m]
   int tail_frame = 0;
   int head_frame = 0;
   int angle = -1;  ///< its first angle that is followed over full turns; -1: none
@@ -105,10 +105,9 @@ struct CouplingMiss {
   double angle = 0.0;     ///< [rad]
 };
 
-/// Frame 0 is the ground. Lengths in m, points from `origin`.
+/// Frame 0 is the ground. Lengths in m, points from the origin of the mechanism.
 struct MotionNetwork {
   Space space = Space::spatial;
-  Vec3 origin = Vec3::Zero();
   double length = 1.0;  ///< [m]
   int frame_count = 1;
   int coordinate_count = 0;

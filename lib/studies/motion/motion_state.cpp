@@ -150,10 +150,9 @@ class StateSolver {
 
   MotionState solve(const GivenSpeeds& speeds, StateDetail detail, JointErrors* errors) {
     MotionState state;
-    state.origin = network_.origin;
     for (const int frame : network_.frame_of_body) {
       BodyPose pose = Frames::pose(system_.frames()[at(frame)]);
-      pose.shift = network_.length * pose.shift + network_.origin - pose.rotation * network_.origin;
+      pose.shift = network_.length * pose.shift;
       state.poses.push_back(pose);
     }
     state.is_singular = is_singular();
@@ -444,15 +443,15 @@ MotionState solve_state(const MotionNetwork& network,
 Vec3 point_position(const MotionState& state,
                     BodyId body,
                     const Vec3& drawn,
-                    const Vec3& world_origin) {
+                    const LocalOrigin& origin) {
   const std::size_t b = at(body.value);
   const Vec3 position = state.poses[b].point(drawn);
-  const Vec3 in_world = world_origin + position;
+  const Vec3 in_world = origin.in_world(position);
   if (state.bounds.bodies.empty()) {
     return in_world;
   }
-  const double bound = position_bound(state.bounds.bodies[b], position - state.origin, position);
-  return in_world.binaryExpr(world_origin, [&](double x, double shift) {
+  const double bound = position_bound(state.bounds.bodies[b], position, position);
+  return in_world.binaryExpr(origin.place(), [&](double x, double shift) {
     return settled(x, bound + kEpsilon * std::abs(shift));
   });
 }
@@ -462,13 +461,12 @@ BoundedRate point_velocity(const MotionState& state, BodyId body, const Vec3& dr
   if (state.twists.empty()) {
     return {};
   }
-  const Vec3 position = state.poses[b].point(drawn);
-  const Vec3 arm = position - state.origin;
+  const Vec3 arm = state.poses[b].point(drawn);
   const Vec3 velocity = velocity_at(state.twists[b], arm);
   if (state.bounds.bodies.empty()) {
     return {.value = velocity};
   }
-  const double bound = velocity_bound(state.bounds.bodies[b], arm, position, state.twists[b]);
+  const double bound = velocity_bound(state.bounds.bodies[b], arm, arm, state.twists[b]);
   const double rounding = state.bounds.rate_rounding * (state.bounds.reach + arm.norm());
   return {.value = settled_rates(velocity, bound, rounding), .bound = bound};
 }
@@ -478,15 +476,14 @@ BoundedRate point_acceleration(const MotionState& state, BodyId body, const Vec3
   if (state.twists.empty() || state.twist_rates.empty()) {
     return {};
   }
-  const Vec3 position = state.poses[b].point(drawn);
-  const Vec3 arm = position - state.origin;
+  const Vec3 arm = state.poses[b].point(drawn);
   const Vec3 acceleration = velocity_at(state.twist_rates[b], arm) +
                             state.twists[b].angular.cross(velocity_at(state.twists[b], arm));
   if (state.bounds.bodies.empty()) {
     return {.value = acceleration};
   }
-  const double bound = acceleration_bound(
-      state.bounds.bodies[b], arm, position, state.twists[b], state.twist_rates[b]);
+  const double bound =
+      acceleration_bound(state.bounds.bodies[b], arm, arm, state.twists[b], state.twist_rates[b]);
   const double rounding = state.bounds.rate_rate_rounding * (state.bounds.reach + arm.norm());
   return {.value = settled_rates(acceleration, bound, rounding), .bound = bound};
 }

@@ -39,7 +39,6 @@ enum class StateDetail { velocity, acceleration };
 struct MotionState {
   bool is_singular = false;  ///< the drives do not determine the velocities, or hardly
                              ///< (kFlatVelocity): nothing but poses
-  Vec3 origin = Vec3::Zero();
   std::vector<BodyPose> poses;
   std::vector<Twist> twists;
   std::vector<Twist> twist_rates;                 ///< time derivatives; empty unless asked for, and
@@ -104,11 +103,12 @@ struct BoundedRate {
 /// none; where it has bounds, components are settled by them.
 PointMotion point_motion(const MotionState& state, BodyId body, const Vec3& drawn);
 
-/// Its parts, each by itself. `world_origin` is where the point (0, 0, 0) of the state lies.
+/// Its parts, each by itself; the position in the frame of the mechanism or, given `origin`, in the
+/// world.
 Vec3 point_position(const MotionState& state,
                     BodyId body,
                     const Vec3& drawn,
-                    const Vec3& world_origin = Vec3::Zero());
+                    const LocalOrigin& origin = {});
 BoundedRate point_velocity(const MotionState& state, BodyId body, const Vec3& drawn);
 BoundedRate point_acceleration(const MotionState& state, BodyId body, const Vec3& drawn);
 

@@ -66,10 +66,7 @@ class MechanismMover {
   void move_flank(std::size_t i, Geometry& geometry) const {
     const OtherFlankOf<double>& drawn = mechanism_.geometry.other_flanks[i];
     const int e = mechanism_.topology.actions[at(drawn.action)].coupling.value;
-    BodyPose carrier = poses_of(e).carrier;
-    // About the origin of the geometry instead of that of the world.
-    carrier.shift = carrier.point(mechanism_.geometry.origin) - mechanism_.geometry.origin;
-    geometry.other_flanks[i].screw = carrier.moved(drawn.screw);
+    geometry.other_flanks[i].screw = poses_of(e).carrier.moved(drawn.screw);
   }
 
   void move_contact(int contact, double arc, Mechanism& moved) const {
@@ -93,11 +90,10 @@ class MechanismMover {
     if (!drawn.point) {
       return;
     }
-    const Vec3 origin = mechanism_.geometry.origin;
-    const Vec3 couple = couple_of(drawn, origin);
+    const Vec3 couple = couple_of(drawn);
     const Vec3 point = pose(drawn.acts.body).point(*drawn.point);
     moved.point = point;
-    moved.acts.wrench.moment = (point - origin).cross(drawn.acts.wrench.force) + couple;
+    moved.acts.wrench.moment = point.cross(drawn.acts.wrench.force) + couple;
   }
 
   const MotionNetwork& network_;

@@ -124,7 +124,7 @@ FrictionLawOf<Dual> DualCase::law_of(CouplingId id) const {
       .friction = friction,
       .unit = unit_motion(static_cast<std::size_t>(freedom)),
       .twist = coupling_twist(e),
-      .at = point(e) - mechanism_.geometry.origin.cast<Dual>(),
+      .at = point(e),
       .unit_action = [&](int a) { return unit_action(static_cast<std::size_t>(a)); }});
 }
 

@@ -69,6 +69,27 @@ TEST(Bind, ReportsABodyAtItsFirstCouplingUnlessItSaysWhere) {
   EXPECT_EQ(given.mechanism->geometry.references[1], Vec3(7.0, 8.0, 0.0));
 }
 
+// A double has 10 digits of a metre left there; differences of the numbers as typed have all.
+TEST(Bind, KeepsTheDigitsBetweenPointsFarFromTheWorldOrigin) {
+  const Bound bound(
+      "kinestat: 1\nspace: planar\nparameters: {far: 1e6}\nground: frame\n"
+      "bodies: {crank: {reference: [far + 0.7, 0]}, rod: {}}\n"
+      "couplings:\n"
+      "  a: {type: revolute, bodies: [frame, crank], at: [far + 0.1, 0]}\n"
+      "  b: {type: revolute, bodies: [crank, rod], at: [far + 0.4, 0]}\n"
+      "loads: {push: {body: rod, at: [far + 0.8, 0], force: [0, 10]}}\n"
+      "cases: {one: {action: {}}}\n");
+
+  ASSERT_TRUE(bound.mechanism);
+  const Geometry& geometry = bound.mechanism->geometry;
+  EXPECT_NEAR(geometry.origin.place().x(), 1e6 + 0.25, 1e-9);
+  EXPECT_NEAR(geometry.points[1].x() - geometry.points[0].x(), 0.3, 1e-16);
+  EXPECT_NEAR(geometry.motions[1].linear.y() - geometry.motions[0].linear.y(), -0.3, 1e-16);
+  EXPECT_NEAR(geometry.references[1].x() - geometry.points[1].x(), 0.3, 1e-16);
+  const Load& push = bound.mechanism->cases[0].loads[0];
+  EXPECT_NEAR(push.acts.wrench.moment.z() - 10.0 * geometry.points[0].x(), 7.0, 2e-15);
+}
+
 TEST(Bind, PutsTheActionsOfActuatorsBehindTheConstraintsOfTheirCoupling) {
   const Bound bound(
       chain("", "actuators: {late: {coupling: b}, T1: {coupling: a}, T2: {coupling: a}}\n"));

@@ -46,7 +46,7 @@ inline void check_all_sections(const MechanismDescription& description,
   (void)check_gears(context);
   (void)check_cables(context);
   check_sections(context);
-  (void)bind_loads(context, Vec3::Zero());
+  (void)bind_loads(context);
 }
 
 /// Errors of the reader are a failed test.

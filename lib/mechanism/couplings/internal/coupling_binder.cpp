@@ -199,6 +199,8 @@ class GeometryBinder {
          screw.direction);
     if (description.at) {
       take(evaluator_.point(*description.at), screw.at);
+    } else {
+      screw.at = evaluator_.from_origin(Vec3Of<Scalar>::Zero());
     }
     if (description.pitch) {
       take(evaluator_.number(*description.pitch, QuantityKind::pitch), screw.pitch);

@@ -147,9 +147,7 @@ class ChangeSearch {
     return added;
   }
 
-  Vec3 at(int e) const {
-    return mechanism_.geometry.points[static_cast<std::size_t>(e)] - mechanism_.geometry.origin;
-  }
+  Vec3 at(int e) const { return mechanism_.geometry.points[static_cast<std::size_t>(e)]; }
 
   void add(CouplingChange change, int cost) {
     MatX powers(size_, static_cast<Eigen::Index>(change.added.size()));

@@ -236,7 +236,7 @@ class MobilityText {
                    "infinite"});
         continue;
       }
-      const Vec3 point = in_.length(Vec3(*axis->point + geometry.origin));
+      const Vec3 point = in_.length(geometry.origin.in_world(*axis->point));
       table.add({topology_.bodies[b].name,
                  "turns about " + direction_words(axis->direction),
                  fmt::format("({}, {}, {})",

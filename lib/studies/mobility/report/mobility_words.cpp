@@ -149,7 +149,7 @@ std::string constraint_words(const MobilityAnalysis& analysis, const RedundantCo
                                               format_short(in.length(*one.axis->pitch)),
                                               in.units().text(QuantityKind::length));
   const Geometry& geometry = analysis.in_space.geometry;
-  const Vec3 point = *one.axis->point + geometry.origin;
+  const Vec3 point = geometry.origin.in_world(*one.axis->point);
   return one.is_line_free
              ? fmt::format("{} along {}", force, along)
              : fmt::format("{} along {} through {}", force, along, point_words(point, in));

@@ -1,16 +1,5 @@
 #include "studies/motion/task/find_motion.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include <fmt/format.h>
-
-#include "core/accuracy.hpp"
-#include "core/contract.hpp"
-#include "core/tolerance.hpp"
-#include "mechanism/bind/bind.hpp"
-#include "mechanism/bind/near_description.hpp"
 #include "studies/motion/motion.hpp"
 #include "studies/motion/task/motion_choice.hpp"
 #include "studies/motion/task/motion_findings.hpp"
@@ -22,45 +11,10 @@
 
 namespace kinestat {
 
-namespace {
-
-// Far from the origin of the world, doubles would lose the digits of what lies between the points.
-std::optional<MechanismDescription> beside_mechanism(const MechanismDescription& description,
-                                                     const Mechanism& mechanism) {
-  const Vec3& origin = mechanism.geometry.origin;
-  return origin.isZero(0.0) ? std::nullopt : described_from(description, origin);
-}
-
-// How many digits of the size are left of the coordinates.
-void warn_of_far_origin(const FoundMotion& motion, const Mechanism& mechanism, Diagnostics& found) {
-  const double distance = mechanism.geometry.origin.norm();
-  const double left = std::floor(-std::log10(kEpsilon * distance / mechanism.geometry.length));
-  if (distance > 0.0 && left < kUsualDigits) {
-    found.warning(
-        "W0502",
-        motion.plan.where,
-        fmt::format("the mechanism is so far from the origin that its points are rounded: "
-                    "about {:.0f} digits of the motion are right",
-                    std::max(left, 0.0)),
-        "draw it near the origin");
-  }
-}
-
-}  // namespace
-
-std::optional<FoundMotion> find_motion(const MechanismDescription& drawn,
-                                       const Mechanism& in_world,
+std::optional<FoundMotion> find_motion(const MechanismDescription& description,
+                                       const Mechanism& mechanism,
                                        Diagnostics& found) {
   FoundMotion motion;
-  const std::optional<MechanismDescription> beside = beside_mechanism(drawn, in_world);
-  const MechanismDescription& description = beside ? *beside : drawn;
-  if (beside) {
-    Diagnostics ignored;  // It complains of nothing that the first binding did not.
-    motion.near = bind_unassembled(*beside, ignored);
-    motion.origin = in_world.geometry.origin;
-    KINESTAT_EXPECTS(motion.near.has_value());
-  }
-  const Mechanism& mechanism = motion.near ? *motion.near : in_world;
   motion.plan = *bind_motion(description, mechanism);
   if (!check_report(motion.plan, mechanism, found)) {
     return std::nullopt;
@@ -76,7 +30,6 @@ std::optional<FoundMotion> find_motion(const MechanismDescription& drawn,
   if (!check_movable(motion, mechanism, found) || !check_ranges(motion, mechanism, found)) {
     return std::nullopt;
   }
-  warn_of_far_origin(motion, mechanism, found);
   motion.solution = solve_motion(motion.network, task);
   PositionFindings of_positions;
   motion.table = make_motion_table(description, mechanism, motion, of_positions);

@@ -1,7 +1,6 @@
 // A motion of a file, with what it was made of.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "mechanism/motion_plan.hpp"
@@ -17,9 +16,6 @@ struct FoundMotion {
   std::vector<DrawnCoupling> drawn;
   MotionSolution solution;
   MotionTable table;
-  std::optional<Mechanism> near;  ///< of a mechanism far from the origin of the world: beside it,
-                                  ///< as it was moved; network, couplings and plan are of this one
-  Vec3 origin = Vec3::Zero();     ///< where its origin is in the world [m]
 };
 
 }  // namespace kinestat

@@ -89,14 +89,12 @@ class ReadingList {
   ReadingList(const MechanismDescription& description,
               const Mechanism& mechanism,
               const MotionPlan& plan,
-              const MotionPosition& first,
-              const Vec3& origin)
+              const MotionPosition& first)
       : units_(description.units),
         mechanism_(mechanism),
         topology_(mechanism.topology),
         plan_(plan),
         first_(first),
-        origin_(origin),
         detail_(detail_of(plan, mechanism)) {}
 
   std::vector<MotionReading> run() {
@@ -178,7 +176,7 @@ class ReadingList {
     add_vector(element,
                "at",
                MotionKind::length,
-               [body, drawn, origin = origin_](const MotionPosition& at) {
+               [body, drawn, origin = mechanism_.geometry.origin](const MotionPosition& at) {
                  const Vec3 place = point_position(at.state, body, drawn, origin);
                  return Vector{place.x(), place.y(), place.z()};
                });
@@ -410,7 +408,6 @@ class ReadingList {
   const Topology& topology_;
   const MotionPlan& plan_;
   const MotionPosition& first_;
-  Vec3 origin_;
   MotionDetail detail_;
   std::vector<MotionReading> readings_;
 };
@@ -438,9 +435,8 @@ MotionDetail detail_of(const MotionPlan& plan, const Mechanism& mechanism) {
 std::vector<MotionReading> motion_readings(const MechanismDescription& description,
                                            const Mechanism& mechanism,
                                            const MotionPlan& plan,
-                                           const MotionPosition& first,
-                                           const Vec3& origin) {
-  return ReadingList(description, mechanism, plan, first, origin).run();
+                                           const MotionPosition& first) {
+  return ReadingList(description, mechanism, plan, first).run();
 }
 
 }  // namespace kinestat

@@ -23,11 +23,10 @@ struct MotionReading {
 MotionDetail detail_of(const MotionPlan& plan, const Mechanism& mechanism);
 
 /// All columns but those of the drives. `first` is the first position: freedoms without a position
-/// there have no column for it. Points are from `origin` [m].
+/// there have no column for it.
 std::vector<MotionReading> motion_readings(const MechanismDescription& description,
                                            const Mechanism& mechanism,
                                            const MotionPlan& plan,
-                                           const MotionPosition& first,
-                                           const Vec3& origin);
+                                           const MotionPosition& first);
 
 }  // namespace kinestat

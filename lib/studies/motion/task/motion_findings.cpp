@@ -173,10 +173,10 @@ class Findings {
   bool is_planar() const { return mechanism_.space == Space::planar; }
 
   std::string point_text(const Vec3& point) const {
+    const Vec3 in_world = mechanism_.geometry.origin.in_world(point);
     std::vector<std::string> coordinates;
     for (int i = 0; i < (is_planar() ? 2 : 3); ++i) {
-      coordinates.push_back(
-          format_exact(in_file_unit(units_, MotionKind::length, motion_.origin[i] + point[i])));
+      coordinates.push_back(format_exact(in_file_unit(units_, MotionKind::length, in_world[i])));
     }
     return fmt::format("[{}]", fmt::join(coordinates, ", "));
   }

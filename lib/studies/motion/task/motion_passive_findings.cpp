@@ -48,7 +48,7 @@ class PassiveFindings {
 
   bool moves(const PassiveFreedom& one, const Vec3& point) const {
     const double length = mechanism_.geometry.length;
-    const Vec3 velocity = velocity_at(one.twist, point - mechanism_.geometry.origin);
+    const Vec3 velocity = velocity_at(one.twist, point);
     const double fastest = std::max(one.twist.angular.norm() * length, velocity.norm());
     return velocity.norm() > kRankZero * fastest;
   }

@@ -114,11 +114,8 @@ class TableMaker {
     detail_ = detail_of(plan_, mechanism_);
     detail_.closure_error = worst_closure_error(solution_);
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
-    readings_ = motion_readings(description_,
-                                mechanism_,
-                                plan_,
-                                positions.at(solution_.configuration_at(0)),
-                                motion_.origin);
+    readings_ = motion_readings(
+        description_, mechanism_, plan_, positions.at(solution_.configuration_at(0)));
     for (const MotionReading& reading : readings_) {
       table_.columns.push_back(reading.column);
     }

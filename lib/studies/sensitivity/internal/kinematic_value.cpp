@@ -15,7 +15,7 @@ std::optional<ReportedValue> find_kinematic_value(const DualCase& values, const 
   if (!b) {
     return std::nullopt;
   }
-  const Vec3Of<Dual> origin = values.mechanism().geometry.origin.cast<Dual>();
+  const LocalOrigin& origin = values.mechanism().geometry.origin;
   const TwistOf<Dual> twist = values.body_twist(*b);
   const Vec3Of<Dual> at = values.reference(*b);
   if (parts[3] == "twist") {
@@ -26,9 +26,9 @@ std::optional<ReportedValue> find_kinematic_value(const DualCase& values, const 
     return component(parts, {{angular_velocity, twist.angular}});
   }
   if (parts[3] == "linear") {
-    return component(parts, {{velocity, velocity_at(twist, at - origin)}});
+    return component(parts, {{velocity, velocity_at(twist, at)}});
   }
-  return parts[3] == "at" ? component(parts, {{length, at}}) : std::nullopt;
+  return parts[3] == "at" ? component(parts, {{length, origin.in_world<Dual>(at)}}) : std::nullopt;
 }
 
 }  // namespace kinestat

@@ -7,8 +7,8 @@ namespace {
 using Found = std::optional<ReportedValue>;
 using enum ValueKind;
 
-Vec3Of<Dual> origin_of(const DualCase& values) {
-  return values.mechanism().geometry.origin.cast<Dual>();
+const LocalOrigin& origin_of(const DualCase& values) {
+  return values.mechanism().geometry.origin;
 }
 
 Found coupling_value(const DualCase& values, const PathParts& parts) {
@@ -18,7 +18,7 @@ Found coupling_value(const DualCase& values, const PathParts& parts) {
   }
   const Vec3Of<Dual> at = values.point(*e);
   if (parts[3] == "at") {
-    return component(parts, {{length, at}});
+    return component(parts, {{length, origin_of(values).in_world<Dual>(at)}});
   }
   const auto wrench = values.coupling_wrench(*e);
   if (!wrench) {
@@ -29,7 +29,7 @@ Found coupling_value(const DualCase& values, const PathParts& parts) {
     return component(parts, {{moment, world.moment}, {force, world.force}});
   }
   if (parts[3] == "moment") {
-    return component(parts, {{moment, moment_at(*wrench, at - origin_of(values))}});
+    return component(parts, {{moment, moment_at(*wrench, at)}});
   }
   return parts[3] == "force" ? component(parts, {{force, wrench->force}}) : std::nullopt;
 }
@@ -55,7 +55,7 @@ Found friction_value(const DualCase& values, const PathParts& parts) {
   }
   if (parts.size() == 5 && parts[3] == "moment") {
     const Vec3Of<Dual> at = values.point(static_cast<std::size_t>(law.coupling.value));
-    return component(parts, {{moment, moment_at(wrench, at - origin_of(values))}});
+    return component(parts, {{moment, moment_at(wrench, at)}});
   }
   return std::nullopt;
 }
