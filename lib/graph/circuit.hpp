@@ -15,7 +15,7 @@ struct CircuitEdge {
 };
 
 /// What a chord closes through the tree, in the order of the way round from the chord on; the chord
-/// counts +1 (a row of B, Cazangi 2008, section 4.2).
+/// counts +1 (a row of B, Cazangi 2008, section 4.2, p. 72).
 struct Circuit {
   CouplingId chord;
   std::vector<CircuitEdge> edges;

@@ -16,7 +16,7 @@ struct SpanningTree {
 };
 
 /// The first edges, in file order, that close no circuit: what row reduction of the incidence
-/// matrix picks from left to right (Cazangi 2008, section 4.2). Empty if the graph is not
+/// matrix picks from left to right (Cazangi 2008, section 4.2, p. 72). Empty if the graph is not
 /// connected.
 std::optional<SpanningTree> find_spanning_tree(const Digraph& graph);
 

@@ -8,8 +8,8 @@
 
 namespace kinestat {
 
-/// For the unit motions, by the order asked for (theory: Cazangi 2008, section 3.8.1, the order of
-/// the screw system λ). Minimal is the least that holds them all: 2 for the Ravigneaux train.
+/// For the unit motions, by the order asked for (Cazangi 2008, 3.8.1, p. 36, the order of the
+/// screw system λ). Minimal is the least that holds them all: 2 for the Ravigneaux train.
 CoordinateBasis motion_basis(const Geometry& geometry, OrderChoice order);
 
 /// For the unit actions and the loads. Minimal is the least that holds the actions, unless a load

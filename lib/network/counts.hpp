@@ -6,7 +6,7 @@
 
 namespace kinestat {
 
-/// On the side of motions, for `order` = λ and l circuits (Cazangi 2008, section 3.8.1).
+/// On the side of motions, for `order` = λ and l circuits (Cazangi 2008, section 3.8.1, p. 36).
 struct MotionCounts {
   int order = 0;           ///< λ
   int gross_freedom = 0;   ///< F, the columns of M_N
@@ -15,7 +15,7 @@ struct MotionCounts {
   int net_constraint = 0;  ///< C_N = λ l - m: how many circuit equations are redundant
 };
 
-/// On the side of actions, for `order` = λ and k cut-sets (Cazangi 2008, section 3.8.2).
+/// On the side of actions, for `order` = λ and k cut-sets (Cazangi 2008, section 3.8.2, p. 37).
 struct ActionCounts {
   int order = 0;             ///< λ
   int gross_constraint = 0;  ///< C, passive constraints and internalised actions: columns of A_N

@@ -13,7 +13,7 @@ namespace kinestat {
 
 /// All in W. Lists are parallel to those of the Topology, that of loads to the case's.
 struct PowerFlow {
-  /// Of each coupling: its wrench on the motion of its head body (Cazangi 2008, section 4.4.3,
+  /// Of each coupling: its wrench on the motion of its head body (Cazangi 2008, 4.4.3, p. 86,
   /// virtual power); empty where the wrench is open, or a convention makes it (minimum norm).
   std::vector<std::optional<double>> into_head;
 

@@ -41,7 +41,7 @@ struct TransmissionEfficiency {
   Efficiency carrier;
   /// The same motion with all known actions and loads reversed: the outputs drive.
   Efficiency carrier_backward;
-  /// Losses by the power through each mesh as seen from the ground (Cazangi 2008, section 4.4.4).
+  /// Losses by the power through each mesh as seen from the ground (Cazangi 2008, 4.4.4, p. 88).
   Efficiency absolute;
   std::optional<LossyState> state;          ///< forwards; empty where the losses lock, or are open
   std::vector<CouplingId> without_carrier;  ///< lossy meshes whose carrier is not known: the

@@ -75,7 +75,7 @@ TwistOf<Scalar> unit_translation(const Vec3In<Scalar>& direction) {
   return {.angular = Vec3Of<Scalar>::Zero(), .linear = direction};
 }
 
-/// Velocity of the body's point at `point`: V = v_O + ω x p [m/s] (Cazangi 2008, section 4.4.1).
+/// Velocity of the body's point at `point`: V = v_O + ω x p [m/s] (Cazangi 2008, 4.4.1, p. 84).
 template <class Scalar>
 Vec3Of<Scalar> velocity_at(const TwistOf<Scalar>& twist, const Vec3In<Scalar>& point) {
   return twist.linear + twist.angular.cross(point);

@@ -47,7 +47,7 @@ WrenchOf<Scalar> unit_couple(const Vec3In<Scalar>& direction) {
   return {.moment = direction, .force = Vec3Of<Scalar>::Zero()};
 }
 
-/// Moment about `point`: T = T_O - p x F [N·m] (Cazangi 2008, section 4.4.2).
+/// Moment about `point`: T = T_O - p x F [N·m] (Cazangi 2008, section 4.4.2, p. 85).
 template <class Scalar>
 Vec3Of<Scalar> moment_at(const WrenchOf<Scalar>& wrench, const Vec3In<Scalar>& point) {
   return wrench.moment - point.cross(wrench.force);

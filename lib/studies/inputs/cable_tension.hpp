@@ -16,11 +16,11 @@ struct TensioningDrive {
 };
 
 /// Cables only pull, so that a mechanism that moves as it should may still go slack. As many
-/// actuators as there are freedoms determine all motions (Alves 2023, section 3.3.1), but, holding
-/// no more than the mechanism lets them, they cannot pretension it: that takes actuators that work
-/// against each other, the "redundancy of actuation" at the end of section 3.3.2, one more than the
-/// freedoms for a machine like a cable robot (m = n + 1). Where a self-stress of the cables alone
-/// pulls on all segments, as in a belt, nothing is needed.
+/// actuators as there are freedoms determine all motions (Alves 2023, section 3.3.1, p. 61), but,
+/// holding no more than the mechanism lets them, they cannot pretension it: that takes actuators
+/// that work against each other, the "redundancy of actuation" at the end of section 3.3.2, one
+/// more than the freedoms for a machine like a cable robot (m = n + 1). Where a self-stress of the
+/// cables alone pulls on all segments, as in a belt, nothing is needed.
 struct CableTension {
   int segments = 0;          ///< couplings of type cable
   int net_freedom = 0;       ///< F_N: so many actuators determine all motions

@@ -10,7 +10,7 @@
 namespace kinestat {
 
 /// A set of primary magnitudes that determines the rest: a cobasis of the column matroid of M_N or
-/// A_N (Alves 2023, section 3.4).
+/// A_N (Alves 2023, section 3.4, p. 72).
 struct InputSet {
   std::vector<int> magnitudes;  ///< ascending
   /// In (0, 1]: the smallest singular value of the rows of the magnitudes in an orthonormal basis

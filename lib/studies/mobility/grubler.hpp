@@ -10,8 +10,8 @@
 namespace kinestat {
 
 /// The pairs of one class: P_I prevents one of the six motions in space, P_V five
-/// (Alves 2023, section 2.2.1, after Reshetov 1979); a rigid coupling is of class 6, one that
-/// prevents nothing of class 0.
+/// (Alves 2023, section 2.2.1, p. 32, after Reshetov 1979); a rigid coupling is of class 6, one
+/// that prevents nothing of class 0.
 struct PairClass {
   std::vector<CouplingId> couplings;
   int freedoms = 0;  ///< Σ f of the class, in the order of the count

@@ -24,8 +24,8 @@ struct ReshetovCircuit {
 };
 
 /// A rotation covers the same rotation, or a missing translation along another axis than its own; a
-/// translation only itself (Reshetov 1979; Alves 2023, section 2.2). An oblique freedom covers any
-/// one of the axes along which it has a part. A freedom that circuits share serves one.
+/// translation only itself (Reshetov 1979; Alves 2023, section 2.2, p. 30). An oblique freedom
+/// covers any one of the axes along which it has a part. A freedom that circuits share serves one.
 /// The table looks at directions only: for linkages of special dimensions it is wrong.
 struct ReshetovTable {
   std::vector<ReshetovCircuit> circuits;

@@ -18,7 +18,7 @@ struct FrameBounds {
 
 /// The special reference frame (pt: sistema especial de referência) has its origin in the pole, x
 /// along the pole tangent and y along the pole normal towards the inflection circle; both the fixed
-/// and the moving frame lie in it at that instant. do Valle 1983, section 2.3.
+/// and the moving frame lie in it at that instant. do Valle 1983, section 2.3, p. 13.
 template <class Scalar>
 struct SpecialFrameOf {
   PointOf<Scalar> pole;  ///< [length], fixed frame

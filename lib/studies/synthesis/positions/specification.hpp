@@ -9,7 +9,7 @@
 namespace kinestat {
 
 /// What fixes the inflection circle: the centre of curvature of the path of E, the origin of the
-/// moving frame, and the shape of the curvature of another point F. do Valle 1983, section 2.2.
+/// moving frame, and the shape of the curvature of another point F. do Valle 1983, 2.2, p. 8.
 template <class Scalar>
 struct CurvatureSpecificationOf {
   PointOf<Scalar> centre;      ///< O_E, fixed frame, on the line from E to the pole

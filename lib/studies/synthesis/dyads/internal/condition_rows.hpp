@@ -17,8 +17,8 @@ namespace kinestat {
 /// (u, v, a, b, p, q, h) with h = 1, p = au + bv, q = bu - av: the circle point z = u + iv and the
 /// centre w = a + ib, both in the fixed frame at the first position, from `x`, `y`, in units of
 /// `length`. One row for each position but the first (k = 0), and for each derivative (k >= 1).
-/// These are the generalised coefficients A_ml of do Valle 1983, section 3.2, written without
-/// poles, so that any angle and any parameter will do.
+/// These are the generalised coefficients A_ml of do Valle 1983, section 3.2, p. 47, written
+/// without poles, so that any angle and any parameter will do.
 template <class Scalar>
 struct ConditionRowsOf {
   std::vector<std::array<Scalar, 7>> rows;  ///< each divided by its largest entry
