@@ -248,6 +248,9 @@ class MetamorphicTest(unittest.TestCase):
     def test_the_origin_a_million_sizes_away_does_not_matter(self) -> None:
         self.check(changes.moved_origin(1e6), 45)
 
+    def test_the_origin_a_hundred_million_sizes_away_does_not_matter(self) -> None:
+        self.check(changes.moved_origin(1e8), 45)
+
     def test_inches_do_not_matter(self) -> None:
         self.check(changes.other_units("in"), 45)
 

@@ -41,6 +41,12 @@ double steepest_slope(const Points& points, std::size_t p) {
   return steepest;
 }
 
+// The next point of it. What is left of decimals then has no more of them; of a centre that was
+// rounded, every coordinate would keep the rounding, and zeros would be nearly zero.
+Vec3 on_grid(const Vec3& point, double spacing) {
+  return point.unaryExpr([spacing](double x) { return std::round(x / spacing) * spacing; });
+}
+
 // How all coordinates at `end` move with the parameter; NaN if they part.
 double slope_at(
     const Points& points, Eigen::Index i, double end, const Range& range, std::size_t p) {
@@ -106,7 +112,7 @@ Extent find_extent(const std::vector<Vec3>& points) {
   Extent extent;
   extent.length = diagonal > 0.0 ? diagonal : 1.0;
   if (centre.norm() > kFarOrigin * extent.length) {
-    extent.origin = centre;
+    extent.origin = on_grid(centre, std::ldexp(1.0, std::ilogb(extent.length)));
   }
   return extent;
 }

@@ -12,7 +12,7 @@ namespace kinestat {
 /// In metres.
 struct Extent {
   double length = 1.0;         ///< the diagonal of the box around all points; 1 if that is zero
-  Vec3 origin = Vec3::Zero();  ///< the world origin; the centre of the box if that is far away
+  Vec3 origin = Vec3::Zero();  ///< the world origin; if it is far away, near the centre of the box
 };
 
 /// Adds the points that the file gives for a coupling. `Scalar` is double or Dual.

@@ -20,10 +20,11 @@ MotionCounts count_motions_in(const Mechanism& mechanism, const CoordinateBasis&
   return motion_counts(mechanism, basis.order(), elimination.rank());
 }
 
-// Whether every screw lies in the rows 2, 3, 4: wz, vx, vy or Tz, Fx, Fy.
-bool is_planar(const CoordinateBasis& basis) {
-  return std::ranges::all_of(basis.coordinates, [](int c) { return c >= 2 && c <= 4; }) &&
-         (basis.is_made_of_coordinates() || basis.order() == 0);
+// Wherever the origin is.
+template <class Screw>
+bool are_held_by(const CoordinateBasis& basis, const std::vector<Screw>& screws) {
+  return std::ranges::all_of(screws,
+                             [&](const Screw& screw) { return basis.holds(screw.coordinates()); });
 }
 
 // A planar mechanism whose statics are not written in space.
@@ -47,7 +48,9 @@ MobilityCounts count_motions(const Mechanism& mechanism, const Mechanism& in_spa
   MobilityCounts counts;
   counts.evidence = velocity.evidence();
   counts.minimal.motions = motion_counts(mechanism, motions.order(), velocity.rank());
-  if (mechanism.space == Space::planar || is_planar(motions)) {
+  const Geometry& geometry = mechanism.geometry;
+  if (mechanism.space == Space::planar ||
+      are_held_by(motion_basis(geometry, OrderChoice::planar), geometry.motions)) {
     counts.planar = SideCounts{.motions = in_order(counts.minimal.motions, 3, l), .actions = {}};
   }
   counts.spatial.motions =
@@ -60,9 +63,10 @@ MobilityCounts count_motions(const Mechanism& mechanism, const Mechanism& in_spa
 void count_actions(const Mechanism& mechanism, const Mechanism& in_space, MobilityCounts& counts) {
   const CoordinateBasis actions = action_basis(mechanism.geometry, OrderChoice::minimal);
   counts.minimal.actions = count_actions_in(mechanism, actions);
-  if (counts.planar && (is_planar_static(mechanism) || is_planar(actions))) {
-    counts.planar->actions =
-        count_actions_in(mechanism, action_basis(mechanism.geometry, OrderChoice::planar));
+  const CoordinateBasis planar = action_basis(mechanism.geometry, OrderChoice::planar);
+  if (counts.planar &&
+      (is_planar_static(mechanism) || are_held_by(planar, mechanism.geometry.actions))) {
+    counts.planar->actions = count_actions_in(mechanism, planar);
   }
   counts.spatial.actions =
       count_actions_in(in_space, action_basis(in_space.geometry, OrderChoice::spatial));
