@@ -1,5 +1,6 @@
 #include <array>
 
+#include "couplings/cable_geometry.hpp"
 #include "couplings/internal/catalogue_row.hpp"
 #include "couplings/internal/kind_rows.hpp"
 #include "couplings/internal/law_writer.hpp"
@@ -19,7 +20,7 @@ constexpr auto kKeysOfCable = std::to_array<KindKey>({
 // The tail pulls the head from the end on the head towards the end on the tail.
 constexpr auto write_cable = []<class Scalar>(const CouplingGeometryOf<Scalar>& g,
                                               CatalogueRow<Scalar>& row) {
-  const Vec3Of<Scalar> along = unit_along<Scalar>(g.to - g.from);
+  const Vec3Of<Scalar> along = unit_along<Scalar>(along_segment<Scalar>(g.from, g.to));
   if (row.is_planar()) {
     row.turn("w", Vec3Of<Scalar>::UnitZ(), g.from);
     row.turn("w", Vec3Of<Scalar>::UnitZ(), g.to);

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <numbers>
 
 #include "core/tolerance.hpp"
+#include "math/numbers/settled.hpp"
 #include "screw/typed_vector.hpp"
 
 namespace kinestat {
@@ -103,6 +105,20 @@ CableSpanOf<Scalar> tangent_span(const Station<Scalar>& a, const Station<Scalar>
 }
 
 template <class Scalar>
+Vec3Of<Scalar> along_segment(const Vec3Of<Scalar>& from, const Vec3Of<Scalar>& to) {
+  Vec3Of<Scalar> along = to - from;
+  if constexpr (!std::same_as<Scalar, Typed>) {
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      const double bound =
+          kCancellation * (std::abs(value_of(from[i])) + std::abs(value_of(to[i])));
+      const double value = value_of(along[i]);
+      along[i] -= Scalar(value - settled(value, bound));
+    }
+  }
+  return along;
+}
+
+template <class Scalar>
 Scalar wrap_angle(const Station<Scalar>& pulley,
                   const CableSpanOf<Scalar>& arrives,
                   const CableSpanOf<Scalar>& leaves) {
@@ -138,6 +154,9 @@ bool passes_through(const CableSpan& span, const CableStationGeometry& pulley, d
 
 template CableSpan tangent_span(const CableStationGeometry&, const CableStationGeometry&);
 template CableSpanOf<Dual> tangent_span(const Station<Dual>&, const Station<Dual>&);
+template Vec3 along_segment(const Vec3&, const Vec3&);
+template Vec3Of<Dual> along_segment(const Vec3Of<Dual>&, const Vec3Of<Dual>&);
+template Vec3Of<Typed> along_segment(const Vec3Of<Typed>&, const Vec3Of<Typed>&);
 template double wrap_angle(const CableStationGeometry&, const CableSpan&, const CableSpan&);
 template Dual wrap_angle(const Station<Dual>&, const CableSpanOf<Dual>&, const CableSpanOf<Dual>&);
 template CableSpanOf<Typed> tangent_span(const Station<Typed>&, const Station<Typed>&);

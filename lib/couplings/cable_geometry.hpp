@@ -50,6 +50,11 @@ template <class Scalar>
 CableSpanOf<Scalar> tangent_span(const CableStationGeometryOf<Scalar>& a,
                                  const CableStationGeometryOf<Scalar>& b);
 
+/// From end to end of a segment [m]. A component that the rounding of the ends explains is zero, or
+/// a cable that hangs straight down would pull aside; of numbers as typed the difference is exact.
+template <class Scalar>
+Vec3Of<Scalar> along_segment(const Vec3Of<Scalar>& from, const Vec3Of<Scalar>& to);
+
 /// The angle θ of the contact at a pulley [rad], from 0 to below 2π, between the segment that
 /// arrives and the one that leaves, in the sense in which the cable turns.
 template <class Scalar>

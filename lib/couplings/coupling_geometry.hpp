@@ -52,24 +52,6 @@ using Axis = AxisOf<double>;
 using ScrewGeometry = ScrewGeometryOf<double>;
 using CouplingGeometry = CouplingGeometryOf<double>;
 
-/// The same coupling with its points measured from `origin`.
-template <class Scalar>
-CouplingGeometryOf<Scalar> measured_from(const Vec3In<Scalar>& origin,
-                                         CouplingGeometryOf<Scalar> geometry) {
-  geometry.at -= origin;
-  geometry.from -= origin;
-  geometry.to -= origin;
-  if (geometry.relative) {
-    geometry.relative->at -= origin;
-  }
-  for (auto* list : {&geometry.freedoms, &geometry.constraints}) {
-    for (ScrewGeometryOf<Scalar>& screw : *list) {
-      screw.at -= origin;
-    }
-  }
-  return geometry;
-}
-
 template <class Scalar>
 struct NamedTwistOf {
   std::string name;

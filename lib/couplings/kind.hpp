@@ -75,9 +75,9 @@ struct CouplingKind {
   std::span<const KindKey> keys = {};
   const KindMechanics* mechanics = nullptr;
   FrictionKind friction = FrictionKind::no_law;
-  bool is_in_plane = true;        ///< may stand in a planar mechanism
-  bool is_in_space = true;        ///< may stand in a spatial one
-  bool needs_place = true;        ///< 'at', without which it is only counted
+  bool is_in_plane = true;  ///< may stand in a planar mechanism
+  bool is_in_space = true;  ///< may stand in a spatial one
+  bool needs_place = true;  ///< 'at', without which it is only counted
   Teeth teeth = Teeth::none;
   bool only_pushes = false;  ///< surfaces that part rather than pull
   PlanarSymbol planar_symbol = PlanarSymbol::pin;
