@@ -10,7 +10,8 @@ namespace kinestat {
 namespace {
 
 Value usual_pressure_angle(SourceRange where) {
-  return {.expression = std::get<Expression>(parse_expression(kUsualPressureAngle)), .where = where};
+  return {.expression = std::get<Expression>(parse_expression(kUsualPressureAngle)),
+          .where = where};
 }
 
 class GearExpansion {

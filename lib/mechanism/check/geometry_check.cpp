@@ -114,12 +114,14 @@ class GeometryCheck {
     }
     const std::optional<Value>& first = is_complete ? coupling_.radii.front() : std::nullopt;
     if (is_complete && !(curvature > 0.0) && (first || coupling_.radii.back())) {
-      found_.error("E0305",
-                   (first ? first : coupling_.radii.back())->where,
-                   fmt::format("by their radii the bodies of {} do not touch at one point, but overlap or fit",
-                               title(coupling_)),
-                   "a hollow, whose radius is negative, takes a body of a smaller radius, as in "
-                   "radii: [31, -40]; a plane takes a round one, as in radii: [31, flat]");
+      found_.error(
+          "E0305",
+          (first ? first : coupling_.radii.back())->where,
+          fmt::format(
+              "by their radii the bodies of {} do not touch at one point, but overlap or fit",
+              title(coupling_)),
+          "a hollow, whose radius is negative, takes a body of a smaller radius, as in "
+          "radii: [31, -40]; a plane takes a round one, as in radii: [31, flat]");
     }
   }
 

@@ -39,10 +39,10 @@ double allowed(double a, double b, const std::string& in, const Tolerances& by, 
       by);
 }
 
-// A derivative of a quotient: (rad/s)/(mm/s)/mm = 1e6/m^2.
+// A derivative of a quotient: (rad/s)/(mm/s)/mm = 1e6 rad/m^2.
 TEST(ReadUnit, DividesByOneUnitAfterTheOther) {
   EXPECT_DOUBLE_EQ(unit("rad/s per mm/s per mm").scale.to_si(1.0), 1e6);
-  EXPECT_EQ(unit("rad/s per mm/s per mm").dimension, unit("1/m^2").dimension);
+  EXPECT_EQ(unit("rad/s per mm/s per mm").dimension, unit("rad/m^2").dimension);
 }
 
 TEST(Tolerance, IsAShareOfTheLargerValueByDefault) {

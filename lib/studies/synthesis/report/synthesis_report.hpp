@@ -75,9 +75,9 @@ struct AngleSelection {
 struct SynthesisAnalysis {
   std::string file;  ///< as the user gave it
   MechanismDescription description;
-  int curve_count = kUsualCurvePoints;      ///< points of each curve
-  std::optional<int> digits;  ///< decimal digits of the positions, if asked for
-  std::string form;           ///< "PP-PP-P"
+  int curve_count = kUsualCurvePoints;  ///< points of each curve
+  std::optional<int> digits;            ///< decimal digits of the positions, if asked for
+  std::string form;                     ///< "PP-PP-P"
   LinkageLimits limits;
   std::optional<SelectionCounts> selection;  ///< where the file has ranges
   std::vector<AngleSelection> selections;    ///< of which that is the sum
