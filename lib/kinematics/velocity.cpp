@@ -94,11 +94,11 @@ KinematicSolution solve_velocity(const Mechanism& mechanism,
   KinematicSolution solution;
   solution.evidence = elimination.evidence();
   solution.counts = motion_counts(mechanism, basis.order(), elimination.rank());
-  solution.check = check_primaries(elimination,
-                                   velocity_column(topology, basis, 0),
-                                   rate_units(topology, basis),
-                                   {},
-                                   topology.driven_freedoms());
+  InexactBlocks inexact{.rows = basis.order(),
+                        .first_column = velocity_column(topology, basis, 0),
+                        .share = std::max(place_error(mechanism), kDataRounding)};
+  solution.check = check_primaries(
+      elimination, inexact, rate_units(topology, basis), {}, topology.driven_freedoms());
   if (!solution.check.dependences.empty()) {
     solution.status = SolveStatus::dependent;
     return solution;
@@ -110,9 +110,7 @@ KinematicSolution solve_velocity(const Mechanism& mechanism,
   const std::vector<bool> counts(
       static_cast<std::size_t>(velocity_column(topology, basis, topology.freedom_count())), true);
   BoundedSolution solved = solve_to_digits(elimination, known, {}, request, counts);
-  const InexactBlocks inexact{.rows = basis.order(),
-                              .first_column = velocity_column(topology, basis, 0),
-                              .share = std::max(place_error(mechanism), drawing_error(mechanism))};
+  inexact.share = std::max(place_error(mechanism), drawing_error(mechanism));
   if (inexact.share > 0.0) {
     settle_inexact(elimination, {}, inexact, solved.solution.x);
   }

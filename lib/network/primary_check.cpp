@@ -21,14 +21,14 @@ constexpr std::size_t kMostNumbers = 1000000;
 
 // One row a magnitude, one column a motion (or self-stress) that is still possible; where these are
 // very many, one column alone.
-MatX possible(const Elimination& elimination, int first_column, int count) {
+MatX possible(const Elimination& elimination, const InexactBlocks& blocks, int count) {
   const std::size_t size = elimination.free_columns().size() * static_cast<std::size_t>(count);
-  const std::vector<VecX> vectors = size > kMostNumbers
-                                        ? std::vector<VecX>{elimination.mixed_null_vector()}
-                                        : elimination.null_vectors();
+  const std::vector<VecX> vectors =
+      size > kMostNumbers ? std::vector<VecX>{settled_null_mixture(elimination, blocks)}
+                          : settled_null_vectors(elimination, blocks);
   MatX result(count, static_cast<Eigen::Index>(vectors.size()));
   for (std::size_t j = 0; j < vectors.size(); ++j) {
-    result.col(static_cast<Eigen::Index>(j)) = vectors[j].segment(first_column, count);
+    result.col(static_cast<Eigen::Index>(j)) = vectors[j].segment(blocks.first_column, count);
   }
   return result;
 }
@@ -151,7 +151,7 @@ std::vector<std::vector<int>> find_removals(const std::vector<Dependence>& depen
 }  // namespace
 
 PrimaryCheck check_primaries(const Elimination& elimination,
-                             int first_column,
+                             const InexactBlocks& blocks,
                              std::span<const double> units,
                              std::span<const double> rhs,
                              std::span<const int> driven) {
@@ -163,7 +163,7 @@ PrimaryCheck check_primaries(const Elimination& elimination,
                           .constant = relation.constant,
                           .constant_size = relation.constant_size};
     for (const SparseEntry& term : relation.terms) {
-      const int index = term.column - first_column;
+      const int index = term.column - blocks.first_column;
       dependence.terms.push_back(
           {.index = index, .coefficient = term.value / units[static_cast<std::size_t>(index)]});
     }
@@ -174,7 +174,7 @@ PrimaryCheck check_primaries(const Elimination& elimination,
   if (check.missing == 0) {
     return check;
   }
-  const MatX motions = possible(elimination, first_column, count);
+  const MatX motions = possible(elimination, blocks, count);
   const MatX clear = clear_part(motions);
   check.undetermined = rows_in_use(motions);
   check.candidates = rows_in_use(clear);

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "math/elimination/elimination.hpp"
+#include "math/elimination/data_zero.hpp"
 
 namespace kinestat {
 
@@ -29,8 +29,8 @@ struct PrimaryCheck {
   /// Sets of primaries without which the others are independent, one magnitude a dependence: all
   /// of them where there is one dependence, otherwise up to five.
   std::vector<std::vector<int>> removals;
-  /// Magnitudes that remain undetermined, ascending; also those that move so little that it may be
-  /// rounding: rather no value than a wrong one.
+  /// Magnitudes that remain undetermined, ascending; also those that move very little, if it is
+  /// more than the rounding of the numbers may cause: rather no value than a wrong one.
   std::vector<int> undetermined;
   /// Those of them that are large enough to be chosen as primaries.
   std::vector<int> candidates;
@@ -42,11 +42,11 @@ struct PrimaryCheck {
 };
 
 /// Reads the check off an elimination whose last columns were the primaries. Magnitude i is column
-/// `first_column` + i, which counts in `units`[i] (SI). `rhs` is the right-hand side of the system;
-/// empty: zero. `driven` are the magnitudes of actuators, which an engineer would give: they are
-/// proposed first and removed last.
+/// `blocks.first_column` + i, which counts in `units`[i] (SI). `rhs` is the right-hand side of the
+/// system; empty: zero. `driven` are the magnitudes of actuators, which an engineer would give:
+/// they are proposed first and removed last.
 PrimaryCheck check_primaries(const Elimination& elimination,
-                             int first_column,
+                             const InexactBlocks& blocks,
                              std::span<const double> units,
                              std::span<const double> rhs = {},
                              std::span<const int> driven = {});

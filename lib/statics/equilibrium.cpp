@@ -68,7 +68,8 @@ Equilibrium::Equilibrium(const Mechanism& mechanism,
                                body_count_,
                                basis_),
                    primaries_),
-      counts_(action_counts(mechanism, basis_.order(), elimination_.rank())) {
+      counts_(action_counts(mechanism, basis_.order(), elimination_.rank())),
+      blocks_{.rows = basis_.order(), .share = std::max(place_error(mechanism), kDataRounding)} {
   if (mechanism.closure_error > 0.0) {
     find_stresses(mechanism.closure_error);
   }
@@ -81,7 +82,7 @@ void Equilibrium::find_stresses(double closure_error) {
   if (count == 0 || count * units_.size() > kLongestList) {
     return;
   }
-  const std::vector<VecX> vectors = elimination_.null_vectors();
+  const std::vector<VecX> vectors = settled_null_vectors(elimination_, blocks_);
   MatX stresses(static_cast<Eigen::Index>(units_.size()), static_cast<Eigen::Index>(count));
   for (std::size_t j = 0; j < count; ++j) {
     stresses.col(static_cast<Eigen::Index>(j)) = vectors[j].normalized();
@@ -104,8 +105,8 @@ void Equilibrium::tie(VecX& per_action) const {
 }
 
 PrimaryCheck Equilibrium::check(std::span<const BodyWrench> loads) const {
-  PrimaryCheck check =
-      check_primaries(elimination_, 0, units_, load_vector(body_count_, basis_, loads), driving_);
+  PrimaryCheck check = check_primaries(
+      elimination_, blocks_, units_, load_vector(body_count_, basis_, loads), driving_);
   if (is_moved_) {
     check.undetermined = open_;
   }
@@ -173,7 +174,7 @@ double Equilibrium::residual(const VecX& magnitudes, std::span<const BodyWrench>
 
 std::vector<VecX> Equilibrium::self_stresses() const {
   const Eigen::Map<const VecX> units(units_.data(), static_cast<Eigen::Index>(units_.size()));
-  std::vector<VecX> vectors = elimination_.null_vectors();
+  std::vector<VecX> vectors = settled_null_vectors(elimination_, blocks_);
   for (VecX& vector : vectors) {
     vector.array() *= units.array();
   }

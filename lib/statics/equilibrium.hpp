@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/accuracy.hpp"
-#include "math/elimination/elimination.hpp"
+#include "math/elimination/data_zero.hpp"
 #include "mechanism/mechanism.hpp"
 #include "network/counts.hpp"
 #include "network/primary_check.hpp"
@@ -88,6 +88,7 @@ class Equilibrium {
   int body_count_ = 0;
   Elimination elimination_;
   ActionCounts counts_;
+  InexactBlocks blocks_;   ///< how far off its numbers are by rounding and closure
   bool is_moved_ = false;  ///< and has self-stresses
   MatX stresses_;          ///< then: an orthonormal basis of them in units, one a column
   std::vector<int> open_;  ///< then: the actions that they move, ascending

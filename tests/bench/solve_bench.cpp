@@ -44,7 +44,7 @@ void add_parts(const std::string& name, const System& system, std::vector<Job>& 
   const Elimination factors(system.matrix, system.columns);
   const std::vector<double> units(static_cast<std::size_t>(system.matrix.columns), 1.0);
   jobs.push_back(
-      {"  check_primaries" + name, [=] { keep(check_primaries(factors, 0, units)); }, {}});
+      {"  check_primaries" + name, [=] { keep(check_primaries(factors, {}, units)); }, {}});
   jobs.push_back(
       {"  Elimination::solve" + name, [=, &system] { keep(factors.solve(system.known, {})); }, {}});
 }

@@ -161,7 +161,7 @@ std::vector<Primary> choose_motions(const NetworkCase& network, Random& random) 
     for (const Primary& primary : primaries) {
       columns.push_back(first + primary.index);
     }
-    return check_primaries(Elimination(system, columns), first, rate_units);
+    return check_primaries(Elimination(system, columns), {.first_column = first}, rate_units);
   };
   std::vector<Primary> chosen = choose_primaries(random, check);
   expect_good_removals(chosen, topology.freedom_count(), check);
@@ -181,7 +181,7 @@ std::vector<Primary> choose_actions(const NetworkCase& network, Random& random) 
     for (const Primary& primary : primaries) {
       columns.push_back(primary.index);
     }
-    return check_primaries(Elimination(system, columns), 0, action_units);
+    return check_primaries(Elimination(system, columns), {}, action_units);
   };
   std::vector<Primary> chosen = choose_primaries(random, check);
   expect_good_removals(chosen, topology.action_count(), check);

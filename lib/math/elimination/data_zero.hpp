@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "math/elimination/elimination.hpp"
 
@@ -27,5 +28,12 @@ void settle_inexact(const Elimination& factors,
                     std::span<const double> rhs,
                     const InexactBlocks& blocks,
                     VecX& x);
+
+/// Elimination::null_vectors, settled likewise: a column that is zero in all of them is one that
+/// the equations determine, for all that their numbers tell.
+std::vector<VecX> settled_null_vectors(const Elimination& factors, const InexactBlocks& blocks);
+
+/// Elimination::mixed_null_vector likewise.
+VecX settled_null_mixture(const Elimination& factors, const InexactBlocks& blocks);
 
 }  // namespace kinestat

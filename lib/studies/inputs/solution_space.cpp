@@ -1,31 +1,28 @@
 #include "studies/inputs/solution_space.hpp"
 
-#include <cmath>
 #include <utility>
 
-#include "core/tolerance.hpp"
-#include "math/elimination/elimination.hpp"
+#include "core/rounding.hpp"
+#include "math/elimination/data_zero.hpp"
 #include "network/node_system.hpp"
 
 namespace kinestat {
 
 namespace {
 
-// What is mere rounding beside the largest magnitude of its solution is zero.
-SolutionSpace read_space(SparseMatrix system, int first_column, std::vector<double> units) {
+SolutionSpace read_space(SparseMatrix system,
+                         int order,
+                         int first_column,
+                         std::vector<double> units) {
   const Elimination elimination(std::move(system), {});
-  const std::vector<VecX> vectors = elimination.null_vectors();
+  const std::vector<VecX> vectors = settled_null_vectors(
+      elimination, {.rows = order, .first_column = first_column, .share = kDataRounding});
   SolutionSpace space;
   space.evidence = elimination.evidence();
   const auto rows = static_cast<Eigen::Index>(units.size());
   space.basis.resize(rows, static_cast<Eigen::Index>(vectors.size()));
   for (std::size_t j = 0; j < vectors.size(); ++j) {
-    const auto part = vectors[j].segment(first_column, rows);
-    const double largest = rows == 0 ? 0.0 : part.cwiseAbs().maxCoeff();
-    for (Eigen::Index i = 0; i < rows; ++i) {
-      const bool counts = std::abs(part[i]) > kRankZero * largest;
-      space.basis(i, static_cast<Eigen::Index>(j)) = counts ? part[i] : 0.0;
-    }
+    space.basis.col(static_cast<Eigen::Index>(j)) = vectors[j].segment(first_column, rows);
   }
   space.units = std::move(units);
   return space;
@@ -40,6 +37,7 @@ SolutionSpace motion_space(const Mechanism& mechanism, const CoordinateBasis& co
     units.push_back(rate_unit(topology, coordinates, f));
   }
   return read_space(velocity_system(topology, mechanism.geometry, coordinates),
+                    coordinates.order(),
                     velocity_column(topology, coordinates, 0),
                     std::move(units));
 }
@@ -50,7 +48,10 @@ SolutionSpace action_space(const Mechanism& mechanism, const CoordinateBasis& co
   for (int a = 0; a < topology.action_count(); ++a) {
     units.push_back(action_unit(topology, coordinates, a));
   }
-  return read_space(action_system(topology, mechanism.geometry, coordinates), 0, std::move(units));
+  return read_space(action_system(topology, mechanism.geometry, coordinates),
+                    coordinates.order(),
+                    0,
+                    std::move(units));
 }
 
 }  // namespace kinestat

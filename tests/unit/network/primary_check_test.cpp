@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/rounding.hpp"
+
 namespace kinestat {
 namespace {
 
@@ -30,7 +32,7 @@ SparseMatrix chain_and_free() {
 TEST(PrimaryCheck, FindsNothingWrongWithIndependentAndSufficientPrimaries) {
   const Elimination elimination(chain_and_free(), std::vector<int>{1, 3});
 
-  const PrimaryCheck check = check_primaries(elimination, 0, std::vector<double>(4, 1.0));
+  const PrimaryCheck check = check_primaries(elimination, {}, std::vector<double>(4, 1.0));
 
   EXPECT_EQ(check.missing, 0);
   EXPECT_TRUE(check.dependences.empty());
@@ -42,17 +44,39 @@ TEST(PrimaryCheck, FindsNothingWrongWithIndependentAndSufficientPrimaries) {
 TEST(PrimaryCheck, ListsEveryCompletionWhereOneMagnitudeIsMissing) {
   const Elimination elimination(chain_and_free(), std::vector<int>{3});
 
-  const PrimaryCheck check = check_primaries(elimination, 0, std::vector<double>(4, 1.0));
+  const PrimaryCheck check = check_primaries(elimination, {}, std::vector<double>(4, 1.0));
 
   EXPECT_EQ(check.missing, 1);
   EXPECT_EQ(check.undetermined, (std::vector<int>{0, 1, 2}));
   EXPECT_EQ(check.completions, (std::vector<std::vector<int>>{{0}, {1}, {2}}));
 }
 
+// x_1 = 1000.1 x_4, x_2 = 1000 x_4, x_3 = x_1 - x_2 and x_0 = x_3 - 0.1 x_4: as typed x_0 is 0, in
+// doubles 2e-14 times x_4.
+TEST(PrimaryCheck, DeterminesWhatMovesNoMoreThanTheRoundingOfTheNumbers) {
+  SparseMatrix matrix{.rows = 4, .columns = 5, .entries = {}};
+  for (int row = 0; row < 4; ++row) {
+    matrix.add(row, row, 1.0);
+  }
+  matrix.add(0, 3, -1.0);
+  matrix.add(0, 4, 0.1);
+  matrix.add(1, 4, -1000.1);
+  matrix.add(2, 4, -1000.0);
+  matrix.add(3, 1, -1.0);
+  matrix.add(3, 2, 1.0);
+  const Elimination elimination(matrix, {});
+  const std::vector<double> units(5, 1.0);
+
+  EXPECT_EQ(check_primaries(elimination, {.share = kDataRounding}, units).undetermined,
+            (std::vector<int>{1, 2, 3, 4}));
+  EXPECT_EQ(check_primaries(elimination, {}, units).undetermined,
+            (std::vector<int>{0, 1, 2, 3, 4}));
+}
+
 TEST(PrimaryCheck, LeavesDependentPairsOutOfTheCompletions) {
   const Elimination elimination(chain_and_free(), {});
 
-  const PrimaryCheck check = check_primaries(elimination, 0, std::vector<double>(4, 1.0));
+  const PrimaryCheck check = check_primaries(elimination, {}, std::vector<double>(4, 1.0));
 
   EXPECT_EQ(check.missing, 2);
   EXPECT_EQ(check.completions, (std::vector<std::vector<int>>{{0, 3}, {1, 3}, {2, 3}}));
@@ -68,7 +92,7 @@ TEST(PrimaryCheck, NamesWhatIsOpenWhereVeryMuchIs) {
   }
   const Elimination elimination(matrix, {});
 
-  const PrimaryCheck check = check_primaries(elimination, 0, std::vector<double>(3 * kPairs, 1.0));
+  const PrimaryCheck check = check_primaries(elimination, {}, std::vector<double>(3 * kPairs, 1.0));
 
   std::vector<int> open(2 * kPairs);
   std::iota(open.begin(), open.end(), 0);
@@ -81,7 +105,7 @@ TEST(PrimaryCheck, NamesWhatIsOpenWhereVeryMuchIs) {
 TEST(PrimaryCheck, NamesTheRelationBetweenDependentPrimaries) {
   const Elimination elimination(chain_and_free(), std::vector<int>{0, 2, 3});
 
-  const PrimaryCheck check = check_primaries(elimination, 0, std::vector<double>(4, 1.0));
+  const PrimaryCheck check = check_primaries(elimination, {}, std::vector<double>(4, 1.0));
 
   // x_0 - x_2 = 0, up to a factor.
   ASSERT_EQ(check.dependences.size(), 1U);
@@ -98,7 +122,7 @@ TEST(PrimaryCheck, NamesTheConstantThatARightHandSideAddsToTheRelation) {
 
   // x_0 + x_1 = 5 and x_1 + x_2 = 3, so x_0 - x_2 = 2; x_0 counts in 10, so 1/10 x_0 - x_2 = 2.
   const PrimaryCheck check = check_primaries(
-      elimination, 0, std::vector<double>{10.0, 1.0, 1.0, 1.0}, std::vector<double>{5.0, 3.0});
+      elimination, {}, std::vector<double>{10.0, 1.0, 1.0, 1.0}, std::vector<double>{5.0, 3.0});
 
   ASSERT_EQ(check.dependences.size(), 1U);
   const Dependence& dependence = check.dependences[0];
@@ -111,7 +135,7 @@ using Sets = std::vector<std::vector<int>>;
 TEST(PrimaryCheck, ProposesEveryMagnitudeOfOneRelationForRemoval) {
   const Elimination elimination(chain_and_free(), std::vector<int>{0, 1, 3});
 
-  const PrimaryCheck check = check_primaries(elimination, 0, std::vector<double>(4, 1.0));
+  const PrimaryCheck check = check_primaries(elimination, {}, std::vector<double>(4, 1.0));
 
   EXPECT_EQ(check.removals, (Sets{{0}, {1}}));
 }
@@ -121,7 +145,7 @@ TEST(PrimaryCheck, ProposesForRemovalOneMagnitudeARelation) {
   const Elimination elimination(equal_pairs(2), std::vector<int>{0, 1, 2, 3});
 
   const PrimaryCheck check =
-      check_primaries(elimination, 0, std::vector<double>(4, 1.0), {}, std::vector<int>{0, 3});
+      check_primaries(elimination, {}, std::vector<double>(4, 1.0), {}, std::vector<int>{0, 3});
 
   EXPECT_EQ(check.removals, (Sets{{1, 2}, {0, 2}, {1, 3}, {0, 3}}));
 }
@@ -130,7 +154,7 @@ TEST(PrimaryCheck, ProposesMagnitudesOfActuatorsFirst) {
   const Elimination elimination(equal_pairs(2), {});
 
   const PrimaryCheck check =
-      check_primaries(elimination, 0, std::vector<double>(4, 1.0), {}, std::vector<int>{3});
+      check_primaries(elimination, {}, std::vector<double>(4, 1.0), {}, std::vector<int>{3});
 
   EXPECT_EQ(check.completions, (Sets{{3, 0}, {3, 1}, {0, 2}, {1, 2}}));
 }
@@ -138,7 +162,8 @@ TEST(PrimaryCheck, ProposesMagnitudesOfActuatorsFirst) {
 TEST(PrimaryCheck, CountsMagnitudesFromTheFirstColumn) {
   const Elimination elimination(chain_and_free(), {});
 
-  const PrimaryCheck check = check_primaries(elimination, 2, std::vector<double>(2, 1.0));
+  const PrimaryCheck check =
+      check_primaries(elimination, {.first_column = 2}, std::vector<double>(2, 1.0));
 
   EXPECT_EQ(check.undetermined, (std::vector<int>{0, 1}));
   EXPECT_EQ(check.completions, (std::vector<std::vector<int>>{{0, 1}}));
@@ -147,7 +172,7 @@ TEST(PrimaryCheck, CountsMagnitudesFromTheFirstColumn) {
 TEST(PrimaryCheck, ProposesAtMostFiveCompletions) {
   const Elimination elimination(equal_pairs(3), {});
 
-  const PrimaryCheck check = check_primaries(elimination, 0, std::vector<double>(6, 1.0));
+  const PrimaryCheck check = check_primaries(elimination, {}, std::vector<double>(6, 1.0));
 
   EXPECT_EQ(check.completions,
             (std::vector<std::vector<int>>{{0, 2, 4}, {0, 2, 5}, {0, 3, 4}, {0, 3, 5}, {1, 2, 4}}));
@@ -157,7 +182,7 @@ TEST(PrimaryCheck, ProposesAtMostFiveCompletions) {
 TEST(PrimaryCheck, ProposesCompletionsWhereMostChoicesAreDependent) {
   const Elimination elimination(equal_pairs(14), {});
 
-  const PrimaryCheck check = check_primaries(elimination, 0, std::vector<double>(28, 1.0));
+  const PrimaryCheck check = check_primaries(elimination, {}, std::vector<double>(28, 1.0));
 
   EXPECT_EQ(check.missing, 14);
   ASSERT_EQ(check.completions.size(), 5U);
