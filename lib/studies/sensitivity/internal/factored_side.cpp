@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/rounding.hpp"
-#include "math/elimination/data_zero.hpp"
 
 namespace kinestat {
 
@@ -56,9 +55,11 @@ VecX FactoredSide::row_errors(const std::vector<double>& magnitudes) const {
   for (std::size_t i = 0; i < units_.size(); ++i) {
     x[first_column_ + static_cast<int>(i)] = magnitudes[i] / units_[i];
   }
-  const InexactBlocks blocks{
-      .rows = basis_.order(), .first_column = first_column_, .share = kDataRounding};
-  return kinestat::row_errors(system_, {}, blocks, x);
+  return kinestat::row_errors(system_, {}, blocks(), x);
+}
+
+InexactBlocks FactoredSide::blocks() const {
+  return {.rows = basis_.order(), .first_column = first_column_, .share = kDataRounding};
 }
 
 bool FactoredSide::allows(const Change& change) const {
@@ -67,7 +68,7 @@ bool FactoredSide::allows(const Change& change) const {
 
 std::vector<std::vector<double>> FactoredSide::open_magnitudes() const {
   std::vector<std::vector<double>> result;
-  for (const VecX& x : elimination_.null_vectors()) {
+  for (const VecX& x : settled_null_vectors(elimination_, blocks())) {
     result.push_back(magnitudes_of(x));
   }
   return result;

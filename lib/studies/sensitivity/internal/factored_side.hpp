@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "math/elimination/data_zero.hpp"
 #include "mechanism/cases/case.hpp"
 #include "studies/sensitivity/internal/change.hpp"
 
@@ -41,6 +42,8 @@ class FactoredSide {
   std::vector<std::vector<double>> open_magnitudes() const;
 
  private:
+  // What rounding did to the screws.
+  InexactBlocks blocks() const;
   std::vector<double> right_hand_side(const Change& change) const;
   std::vector<double> magnitudes_of(const VecX& x) const;
 
