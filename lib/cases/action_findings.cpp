@@ -340,7 +340,7 @@ void add_action_status_findings(const JudgedFile& file,
             : "give smaller actions and loads; the answer is proportional to them");
   } else if (action.status == SolveStatus::at_rest) {
     add_friction_at_rest(file, one, found);
-  } else if (action.status == SolveStatus::locked) {
+  } else if (action.status == SolveStatus::locked_by_friction) {
     found.warning("W0603",
                   one.which.where,
                   fmt::format("case '{}' locks: the friction that the actions cause grows with "

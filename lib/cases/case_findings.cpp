@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "cases/action_findings.hpp"
-#include "cases/case_word.hpp"
+#include "cases/case_status.hpp"
 #include "cases/known_side.hpp"
 #include "core/text.hpp"
 

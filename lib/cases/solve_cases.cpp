@@ -205,7 +205,7 @@ LoadedFlanks solve_on_loaded_flanks(const Mechanism& drawn,
   const bool fits = result.action.magnitudes.empty() || most_rounds == 0 ||
                     find_coast_flanks(drawn.geometry, result) == result.turned;
   if (!fits) {
-    result.action.status = SolveStatus::locked;
+    result.action.status = SolveStatus::locked_by_friction;
     result.action.magnitudes.clear();
     result.action.wrenches.clear();
   }

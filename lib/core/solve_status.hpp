@@ -7,12 +7,12 @@ namespace kinestat {
 
 enum class SolveStatus {
   solved,
-  underdetermined,  ///< too few known magnitudes
-  dependent,        ///< known magnitudes follow from each other
-  inconsistent,     ///< known magnitudes contradict the equations
-  overflow,         ///< a magnitude is above kLargestMagnitude
-  locked,           ///< friction grows without bound: nothing moves so
-  at_rest           ///< friction has no direction, because what it acts on does not move
+  underdetermined,     ///< too few known magnitudes
+  dependent,           ///< known magnitudes follow from each other
+  inconsistent,        ///< known magnitudes contradict the equations
+  overflow,            ///< a magnitude is above kLargestMagnitude
+  locked_by_friction,  ///< friction grows without bound, or no flank of the teeth fits
+  at_rest              ///< friction has no direction, because what it acts on does not move
 };
 
 /// The word in reports.
@@ -28,7 +28,7 @@ constexpr std::string_view word_of(SolveStatus status) {
       return "inconsistent";
     case SolveStatus::overflow:
       return "overflow";
-    case SolveStatus::locked:
+    case SolveStatus::locked_by_friction:
       return "locked";
     case SolveStatus::at_rest:
       return "at_rest";

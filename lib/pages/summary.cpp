@@ -229,7 +229,7 @@ std::string end_text(const MotionTable& motion, const DriveTravel& drive) {
                                          format_short(*drive.reached),
                                          drive.unit)
                            : "";
-    case MotionEnd::locked:
+    case MotionEnd::drives_locked:
       return motion.drives.size() > 1 ? ", but cannot run with the others" : ", but cannot run";
     case MotionEnd::not_assembled:
       return ", but the drawn position cannot be assembled";

@@ -41,7 +41,7 @@ StaticSolution follow(const Mechanism& mechanism,
   }
   const std::optional<VecX> f = follow_friction(functions);
   if (!f) {
-    frictionless.status = SolveStatus::locked;
+    frictionless.status = SolveStatus::locked_by_friction;
     frictionless.magnitudes.clear();
     frictionless.wrenches.clear();
     return frictionless;

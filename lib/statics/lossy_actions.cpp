@@ -297,7 +297,7 @@ LossyActions solve_with_losses(const Mechanism& mechanism,
             .other = search.other() ? std::optional(system.solution_with(*search.other()))
                                     : std::nullopt};
   }
-  frictionless.status = SolveStatus::locked;
+  frictionless.status = SolveStatus::locked_by_friction;
   frictionless.magnitudes.clear();
   frictionless.wrenches.clear();
   return {.search = outcome, .solution = std::move(frictionless), .other = {}};

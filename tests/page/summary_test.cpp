@@ -126,7 +126,7 @@ TEST(Summary, SaysThatADriveCannotRun) {
   page.motion->table.drives.front().name = "motor";
   page.motion->table.drives.front().unit = "deg";
   page.motion->table.drives.front().to = 90.0;
-  page.motion->table.end = MotionEnd::locked;
+  page.motion->table.end = MotionEnd::drives_locked;
 
   EXPECT_TRUE(has(summary_sentences(page), "Drive motor goes from 0 to 90 deg, but cannot run."));
 }

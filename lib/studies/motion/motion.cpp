@@ -113,7 +113,7 @@ class MotionSolver {
     const bool can_move = tracker_.missed_rate(now) <= kAcceptedRateMiss;
     const int surplus = tracker_.open_count() - static_cast<int>(network_.passive_motions.size());
     if (surplus <= 0) {
-      solution_.status = can_move ? MotionStatus::completed : MotionStatus::locked;
+      solution_.status = can_move ? MotionStatus::completed : MotionStatus::drives_locked;
       return can_move;
     }
     if (!can_move) {

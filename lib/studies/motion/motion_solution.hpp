@@ -27,16 +27,13 @@ enum class MotionStatus {
   completed,
   limit,          ///< a drive can go no further: MotionSolution::special ends with the limit
   lift_off,       ///< a cable leaves its pulley: MotionSolution::special ends with that position
-  locked,         ///< the drives cannot move at all: nothing is free that they could turn
+  drives_locked,  ///< the drives cannot move at all: nothing is free that they could turn
   singular,       ///< the tangent of the motion is not unique, and nothing tells how to go on
   not_assembled,  ///< the drawn position does not close with the drives where they are drawn
   undetermined,   ///< the drives leave a freedom open that other bodies feel
   lost_branch,    ///< the path could not be followed within the tolerances
   not_movable     ///< a coupling has no finite law: MotionNetwork::obstacles
 };
-
-/// "completed", "limit", …
-std::string_view word_of(MotionStatus status);
 
 /// Where the network stands.
 struct Configuration {

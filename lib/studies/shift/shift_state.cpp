@@ -59,13 +59,13 @@ class StateSolver {
       const RateRow& row = network_.inputs[i];
       const double speed = plan_.inputs[i].speed;
       if (speed != 0.0 && !left_.changes(row) && state_.moving.empty()) {
-        return refuse(ShiftClass::locked, ShiftCause::input_held, i);
+        return refuse(ShiftClass::locked_by_elements, ShiftCause::input_held, i);
       }
       if (left_.prescribe(row, speed)) {
         state_.moving.push_back(static_cast<int>(i));
       } else if (const double rate = left_.rate(row).value;
                  std::abs(rate - speed) > kConsistency * std::abs(speed)) {
-        return refuse(ShiftClass::locked,
+        return refuse(ShiftClass::locked_by_elements,
                       rate == 0.0 ? ShiftCause::input_held : ShiftCause::inputs_coupled,
                       i);
       }
@@ -86,7 +86,7 @@ class StateSolver {
   bool outputs_move() {
     return std::ranges::any_of(network_.outputs,
                                [&](const RateRow& row) { return left_.rate(row).value != 0.0; }) ||
-           refuse(ShiftClass::locked, ShiftCause::outputs_held);
+           refuse(ShiftClass::locked_by_elements, ShiftCause::outputs_held);
   }
 
   bool is_no_tie_up() {

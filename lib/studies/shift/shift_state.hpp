@@ -11,7 +11,7 @@
 
 namespace kinestat {
 
-enum class ShiftClass { gear, neutral, locked, tie_up };
+enum class ShiftClass { gear, neutral, locked_by_elements, tie_up };
 
 /// The word in reports.
 constexpr std::string_view word_of(ShiftClass kind) {
@@ -20,7 +20,7 @@ constexpr std::string_view word_of(ShiftClass kind) {
       return "gear";
     case ShiftClass::neutral:
       return "neutral";
-    case ShiftClass::locked:
+    case ShiftClass::locked_by_elements:
       return "locked";
     case ShiftClass::tie_up:
       return "tie-up";

@@ -93,7 +93,7 @@ TEST(Motion, SaysThatADriveIsLocked) {
       "  c: {type: revolute, bodies: [frame, two], at: [3, 0]}\n",
       {"a.wz"});
 
-  EXPECT_EQ(move(subject, 0.0, 1.0, 10).status, MotionStatus::locked);
+  EXPECT_EQ(move(subject, 0.0, 1.0, 10).status, MotionStatus::drives_locked);
 }
 
 // Drawn with all links in line, nothing tells which way the rocker turns.

@@ -52,7 +52,7 @@ TEST(ShiftSolution, ClassesALabelOfTheWrongSize) {
   const ShiftSolution all = solve(mechanism, plan, {});
 
   EXPECT_EQ(names_of(all), (std::vector<std::string>{"B", "C", "both"}));
-  EXPECT_EQ(all.states[2].state.kind, ShiftClass::locked);
+  EXPECT_EQ(all.states[2].state.kind, ShiftClass::locked_by_elements);
   EXPECT_EQ(
       all.states[2].reason,
       "engages 2 elements where a gear needs 1: input 'in' is held: held are sun, ring, carrier, "

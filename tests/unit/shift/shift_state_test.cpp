@@ -73,7 +73,7 @@ TEST_F(TwoSpeedTrain, IsLockedWithTheInputHeld) {
 TEST_F(TwoSpeedTrain, IsLockedWithTheOutputHeld) {
   const ShiftState held = state({3});
 
-  EXPECT_EQ(held.kind, ShiftClass::locked);
+  EXPECT_EQ(held.kind, ShiftClass::locked_by_elements);
   EXPECT_EQ(held.cause, ShiftCause::outputs_held);
 }
 

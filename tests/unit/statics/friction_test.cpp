@@ -114,7 +114,7 @@ TEST(ScrewJack, LocksWhereTheLoadWouldHaveToDriveIt) {
   text.replace(text.find("action: {lift: -1}"), 18, "action: {crank: 2}");
   const SolvedWithFriction solved(text);
 
-  EXPECT_EQ(solved.solution.status, SolveStatus::locked);
+  EXPECT_EQ(solved.solution.status, SolveStatus::locked_by_friction);
   EXPECT_TRUE(solved.solution.magnitudes.empty());
 }
 
@@ -285,7 +285,8 @@ TEST(GuideFriction, JamsADrawerThatIsPushedTooFarFromItsMiddle) {
     EXPECT_NEAR(SolvedWithFriction(drawer(mu)).action("push") * (1.0 - 2.5 * mu), 10.0, 1e-8) << mu;
   }
   for (const double mu : {0.4, 0.41, 1.0}) {
-    EXPECT_EQ(SolvedWithFriction(drawer(mu)).solution.status, SolveStatus::locked) << mu;
+    EXPECT_EQ(SolvedWithFriction(drawer(mu)).solution.status, SolveStatus::locked_by_friction)
+        << mu;
   }
 }
 

@@ -143,7 +143,7 @@ TEST(LossyActions, DoNotExistWhereNoSenseAgrees) {
   const Lossy train(train_of_ratio_100("arm: -100"));
 
   EXPECT_EQ(train.found.search, LossSearch::none);
-  EXPECT_EQ(train.found.solution.status, SolveStatus::locked);
+  EXPECT_EQ(train.found.solution.status, SolveStatus::locked_by_friction);
   EXPECT_TRUE(train.found.solution.magnitudes.empty());
 }
 

@@ -8,7 +8,7 @@ std::string_view word_of(MotionEnd end) {
       return "complete";
     case MotionEnd::limited:
       return "limited";
-    case MotionEnd::locked:
+    case MotionEnd::drives_locked:
       return "locked";
     case MotionEnd::lost:
       return "lost";

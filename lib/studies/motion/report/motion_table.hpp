@@ -12,11 +12,11 @@ namespace kinestat {
 
 /// How a motion ended.
 enum class MotionEnd {
-  complete,      ///< at the positions that the file asks for
-  limited,       ///< a drive came to its limit before
-  locked,        ///< the drives cannot move at all, or not together
-  lost,          ///< the branch could not be followed
-  not_assembled  ///< the drawn position does not close
+  complete,       ///< at the positions that the file asks for
+  limited,        ///< a drive came to its limit before
+  drives_locked,  ///< the drives cannot move at all, or not together
+  lost,           ///< the branch could not be followed
+  not_assembled   ///< the drawn position does not close
 };
 
 /// The word in reports.

@@ -132,7 +132,7 @@ class MotionWriter {
         return "";
       case MotionEnd::limited:
         return ": comes to its limit" + where;
-      case MotionEnd::locked:
+      case MotionEnd::drives_locked:
         return motion_.drives.size() > 1 ? ": cannot run with the others" : ": cannot run";
       case MotionEnd::lost:
         return ": could not be followed beyond" + (drive.reached ? where.substr(3) : " the start");

@@ -57,7 +57,7 @@ class Findings {
         return add_limit();
       case MotionStatus::lift_off:
         return add_lift_off();
-      case MotionStatus::locked:
+      case MotionStatus::drives_locked:
         return add_locked();
       case MotionStatus::undetermined:
         return add_open_freedoms();

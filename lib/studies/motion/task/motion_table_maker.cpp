@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "cases/case_word.hpp"
+#include "cases/case_status.hpp"
 #include "studies/motion/motion.hpp"
 #include "studies/motion/task/cable_crossing_findings.hpp"
 #include "studies/motion/task/motion_columns.hpp"
@@ -32,8 +32,8 @@ MotionEnd end_of(MotionStatus status) {
     case MotionStatus::limit:
     case MotionStatus::lift_off:
       return MotionEnd::limited;
-    case MotionStatus::locked:
-      return MotionEnd::locked;
+    case MotionStatus::drives_locked:
+      return MotionEnd::drives_locked;
     case MotionStatus::not_assembled:
       return MotionEnd::not_assembled;
     case MotionStatus::singular:
@@ -294,7 +294,7 @@ class TableMaker {
     if (position.state.is_singular) {
       return "singular";
     }
-    return position.solved ? std::string(case_word(moved, *position.solved, plan_.report.power))
+    return position.solved ? std::string(case_status(moved, *position.solved, plan_.report.power))
                            : "solved";
   }
 

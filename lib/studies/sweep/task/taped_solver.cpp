@@ -6,7 +6,7 @@
 
 #include "core/tolerance.hpp"
 #include "power/rate_ratio.hpp"
-#include "studies/sweep/task/state_solver.hpp"
+#include "studies/sweep/task/row_status.hpp"
 #include "studies/sweep/task/sweep_task.hpp"
 
 namespace kinestat {

@@ -1,4 +1,4 @@
-#include "cases/case_word.hpp"
+#include "cases/case_status.hpp"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 namespace kinestat {
 
-std::string_view impossible_word(const Mechanism& mechanism, const CaseAnalysis& one) {
+std::string_view impossible_status(const Mechanism& mechanism, const CaseAnalysis& one) {
   if (!one.action) {
     return {};
   }
@@ -22,7 +22,7 @@ std::string_view impossible_word(const Mechanism& mechanism, const CaseAnalysis&
              : "cable_slips";
 }
 
-std::string_view case_word(const Mechanism& mechanism, const CaseAnalysis& one, bool asks_power) {
+std::string_view case_status(const Mechanism& mechanism, const CaseAnalysis& one, bool asks_power) {
   if (one.motion && one.motion->status != SolveStatus::solved) {
     return word_of(one.motion->status);
   }
@@ -30,7 +30,7 @@ std::string_view case_word(const Mechanism& mechanism, const CaseAnalysis& one, 
   if (status != SolveStatus::solved && status != SolveStatus::underdetermined) {
     return one.action && !one.action->other_actions.empty() ? "ambiguous" : word_of(status);
   }
-  if (const std::string_view word = impossible_word(mechanism, one); !word.empty()) {
+  if (const std::string_view word = impossible_status(mechanism, one); !word.empty()) {
     return word;
   }
   if (status != SolveStatus::solved) {

@@ -10,10 +10,10 @@ namespace kinestat {
 /// Whether the answer is one that the mechanism can have: "cable_slack", "contact_pulls" or
 /// "cable_slips" where a cable would have to push, surfaces to pull on each other or a cable to
 /// hold by more friction than there is; otherwise empty.
-std::string_view impossible_word(const Mechanism& mechanism, const CaseAnalysis& one);
+std::string_view impossible_status(const Mechanism& mechanism, const CaseAnalysis& one);
 
 /// The status of the motion or of the actions where they have no answer, or an impossible one; then
 /// what else is wrong with the power, if that is asked for; "solved" where nothing is.
-std::string_view case_word(const Mechanism& mechanism, const CaseAnalysis& one, bool asks_power);
+std::string_view case_status(const Mechanism& mechanism, const CaseAnalysis& one, bool asks_power);
 
 }  // namespace kinestat

@@ -1,0 +1,86 @@
+#include "studies/sweep/task/row_status.hpp"
+
+#include <algorithm>
+
+#include "cases/case_status.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// The input cannot move, or nothing can.
+constexpr std::string_view kInputAtRest = "locked";
+
+// Known magnitudes that no longer fit where they usually do: the position is to blame.
+std::string_view status_word(SolveStatus status, bool is_usually_solved) {
+  const bool is_of_choice = status == SolveStatus::dependent ||
+                            status == SolveStatus::underdetermined ||
+                            status == SolveStatus::inconsistent;
+  return is_usually_solved && is_of_choice ? "singular" : word_of(status);
+}
+
+bool has_solved_motion(const CaseAnalysis& one) {
+  return one.motion && one.motion->status == SolveStatus::solved;
+}
+
+// Of a case whose ratio is asked for and has no value.
+std::string_view ratio_status(const CaseAnalysis& one, const Topology& topology) {
+  if (!has_solved_motion(one) || one.which.inputs.empty()) {
+    return "solved";
+  }
+  const bool is_input_at_rest = std::ranges::all_of(one.which.inputs, [&](int input) {
+    const auto freedom =
+        static_cast<std::size_t>(topology.actuators[static_cast<std::size_t>(input)].freedom);
+    return one.motion->rates[freedom] == 0.0;
+  });
+  return status_without_ratio(is_input_at_rest);
+}
+
+}  // namespace
+
+std::string_view status_without_ratio(bool is_input_at_rest) {
+  return is_input_at_rest ? kInputAtRest : "no_ratio";
+}
+
+std::string_view row_status(const CaseAnalysis& one,
+                            const SweepTask& task,
+                            bool is_usually_solved) {
+  if (one.motion && one.motion->status != SolveStatus::solved) {
+    return one.motion->status == SolveStatus::dependent && one.motion->counts.net_freedom <= 0
+               ? kInputAtRest
+               : status_word(one.motion->status, is_usually_solved);
+  }
+  const bool has_actions = !one.action || one.action->status == SolveStatus::solved;
+  if (!has_actions && is_usually_solved) {
+    return status_word(one.action->status, is_usually_solved);
+  }
+  const bool asks_power = std::ranges::any_of(
+      task.quantities, [](const SweepQuantity& quantity) { return needs_power(quantity.kind); });
+  const std::string_view word = case_status(task.mechanism, one, asks_power);
+  if (word != word_of(SolveStatus::solved)) {
+    return word;
+  }
+  const bool asks_ratio = std::ranges::any_of(task.quantities, [](const SweepQuantity& quantity) {
+    return quantity.kind == SweepQuantityKind::ratio;
+  });
+  if (asks_ratio && one.ratios && !one.ratios->ratio) {
+    return ratio_status(one, task.mechanism.topology);
+  }
+  const bool asks_efficiency = std::ranges::any_of(
+      task.quantities,
+      [](const SweepQuantity& quantity) { return quantity.kind == SweepQuantityKind::efficiency; });
+  const bool is_lossless = !one.efficiency && one.action && one.action->friction.empty();
+  const bool has_efficiency =
+      value_of({.kind = SweepQuantityKind::efficiency, .index = -1, .name = {}, .unit = {}},
+               one,
+               task.mechanism,
+               task.description.units)
+          .has_value();
+  if (asks_efficiency && one.power && !one.which.inputs.empty() && !one.which.outputs.empty() &&
+      !has_efficiency && !is_lossless) {
+    return "no_efficiency";
+  }
+  return "solved";
+}
+
+}  // namespace kinestat
