@@ -51,9 +51,9 @@ class ShardCheck {
              "give the files that 'kinestat sweep --shard' has written");
       return std::nullopt;
     }
-    if (header->header.version != kVersion) {
+    if (header->metadata.version != kVersion) {
       refuse(fmt::format("was written by version {}, and this is {}",
-                         printable(header->header.version),
+                         printable(header->metadata.version),
                          kVersion));
       return std::nullopt;
     }
@@ -63,12 +63,12 @@ class ShardCheck {
 
  private:
   bool read_pieces(RecordFile& file, WholeShard& shard) {
-    const SweepHeader& header = shard.header.header;
+    const SweepMetadata& metadata = shard.header.metadata;
     ChunkRecord record;
-    for (std::uint64_t c = shard.header.shard.first_chunk(header.chunks);
-         c < shard.header.shard.end_chunk(header.chunks);
+    for (std::uint64_t c = shard.header.shard.first_chunk(metadata.chunks);
+         c < shard.header.shard.end_chunk(metadata.chunks);
          ++c) {
-      const RecordState state = file.read_record(header.plan, record);
+      const RecordState state = file.read_record(metadata.plan, record);
       const auto counts = state == RecordState::whole ? read_counts(record.note) : std::nullopt;
       if (state == RecordState::end || state == RecordState::truncated) {
         return refuse(fmt::format("is cut off in chunk {}", c));
@@ -82,7 +82,7 @@ class ShardCheck {
     if (!end) {
       return refuse("is cut off before its last line");
     }
-    return (*end == kShardEnd && file.read_record(header.plan, record) == RecordState::end) ||
+    return (*end == kShardEnd && file.read_record(metadata.plan, record) == RecordState::end) ||
            refuse("is damaged at its end");
   }
 
@@ -101,7 +101,7 @@ bool check_plans(const std::vector<WholeShard>& shards, Diagnostics& found) {
   bool is_good = true;
   for (const WholeShard& shard : shards) {
     const WholeShard& first = shards.front();
-    const bool has_plan = shard.header.header.plan == first.header.header.plan;
+    const bool has_plan = shard.header.metadata.plan == first.header.metadata.plan;
     if (!has_plan || shard.header.shard.count != first.header.shard.count) {
       found.error(
           "E0906",
@@ -200,19 +200,19 @@ void merge_into(const std::vector<std::string>& paths,
       const ShardHeader& header = shard.header;
       files.push_back({.path = shard.path,
                        .is_shard = true,
-                       .pieces = header.shard.end_chunk(header.header.chunks) -
-                                 header.shard.first_chunk(header.header.chunks)});
+                       .pieces = header.shard.end_chunk(header.metadata.chunks) -
+                                 header.shard.first_chunk(header.metadata.chunks)});
       counts.add(shard.counts);
     }
     if (!shards.empty()) {
-      const SweepHeader& header = shards.front().header.header;
+      const SweepMetadata& metadata = shards.front().header.metadata;
       const bool is_written =
           options.folder.empty()
-              ? write_rows(result_pieces(header, files), hooks, found)
-              : write_files(result_files(header, options.folder, "", files, counts),
+              ? write_rows(result_pieces(metadata, files), hooks, found)
+              : write_files(result_files(metadata, options.folder, "", files, counts),
                             options.overwrite,
                             found);
-      told = is_written && !options.is_quiet ? sweep_text(header, counts) : "";
+      told = is_written && !options.is_quiet ? sweep_text(metadata, counts) : "";
     }
   }
   add_diagnostics({}, found, Strictness::normal, outcome);

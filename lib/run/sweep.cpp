@@ -25,15 +25,15 @@ class StreamedSweep {
   StreamedSweep(const SweepTask& task, const SweepHooks& hooks)
       : task_(task),
         hooks_(hooks),
-        best_(task.header.top ? task.header.top->count : 0,
-              task.header.top ? task.header.top->order : RankOrder::largest) {}
+        best_(task.metadata.top ? task.metadata.top->count : 0,
+              task.metadata.top ? task.metadata.top->order : RankOrder::largest) {}
 
   RunEnd run(std::uint64_t jobs) {
     std::vector<std::uint64_t> chunks(task_.plan.chunk_count());
     for (std::size_t i = 0; i < chunks.size(); ++i) {
       chunks[i] = i;
     }
-    if (!hooks_.write(task_.header.heading)) {
+    if (!hooks_.write(task_.metadata.heading)) {
       return RunEnd::refused;
     }
     const ChunkSink sink{.order = ChunkSink::Order::ascending,
@@ -96,7 +96,7 @@ void stream(const SweepTask& task,
   if (end == RunEnd::refused) {
     found.error("E0152", {}, "standard output cannot be written");
   } else if (end == RunEnd::complete && !options.is_quiet) {
-    outcome.err += sweep_text(task.header, sweep.counts());
+    outcome.err += sweep_text(task.metadata, sweep.counts());
   }
 }
 
@@ -110,15 +110,15 @@ void store(const SweepTask& task,
     return;
   }
   if (sweep.was_finished()) {
-    outcome.err += options.is_quiet ? "" : fmt::format("{}: complete\n", task.header.stem);
+    outcome.err += options.is_quiet ? "" : fmt::format("{}: complete\n", task.metadata.stem);
     return;
   }
   const RunEnd end = sweep.run(thread_count(options, found));
   if (end == RunEnd::stopped && !options.is_quiet) {
-    outcome.err += fmt::format("{}: interrupted; --resume goes on with it\n", task.header.stem);
+    outcome.err += fmt::format("{}: interrupted; --resume goes on with it\n", task.metadata.stem);
   }
   if (end == RunEnd::complete && sweep.finish() && !options.is_quiet) {
-    outcome.err += sweep_text(task.header, sweep.counts());
+    outcome.err += sweep_text(task.metadata, sweep.counts());
   }
 }
 
@@ -166,7 +166,7 @@ std::optional<SweepTable> find_sweep_table(const SourceFile& source,
     return std::nullopt;
   }
   SweepTable table{.states = task->plan.state_count(), .varied = {}, .quantities = {}, .rows = {}};
-  const std::vector<std::string>& titles = task->header.titles;
+  const std::vector<std::string>& titles = task->metadata.titles;
   const auto varied = static_cast<std::ptrdiff_t>(task->plan.axes().size());
   // Then the case; at the end the status.
   table.varied.assign(titles.begin(), titles.begin() + varied);

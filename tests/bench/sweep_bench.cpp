@@ -83,8 +83,7 @@ class RowMaker {
       }
     }
     solver_ = std::make_unique<StateSolver>(task_, lanes_);
-    text_ =
-        std::make_unique<SweepRowText>(task_.plan, task_.cases, task_.quantities, RowFormat::csv);
+    text_ = std::make_unique<SweepRowText>(task_.plan, task_.cases, task_.columns, RowFormat::csv);
   }
 
   // States that follow one another, as they do in a sweep.
@@ -110,7 +109,7 @@ class RowMaker {
     keep(rows_);
   }
 
-  std::size_t quantity_count() const { return task_.quantities.size(); }
+  std::size_t quantity_count() const { return task_.columns.size(); }
 
   const LaneTape& tape() const { return task_.tapes->tape; }
 

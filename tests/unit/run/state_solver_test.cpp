@@ -180,13 +180,13 @@ TEST(StateSolver, WorksOutNoMoreThanIsAskedFor) {
   const std::vector<Row> all = rows_of(everything.task(), kLanes);
   const std::vector<Row> some = rows_of(two.task(), kLanes);
   for (std::size_t q = 0; q < 2; ++q) {
-    const std::string& name = two.task().quantities[q].name;
-    const auto column = std::ranges::find(everything.task().quantities, name, &SweepQuantity::name);
-    ASSERT_NE(column, everything.task().quantities.end());
+    const std::string& name = two.task().columns[q].name;
+    const auto column = std::ranges::find(everything.task().columns, name, &SweepColumn::name);
+    ASSERT_NE(column, everything.task().columns.end());
     for (std::size_t r = 0; r < all.size(); ++r) {
       EXPECT_EQ(
           some[r].values[q],
-          all[r].values[static_cast<std::size_t>(column - everything.task().quantities.begin())]);
+          all[r].values[static_cast<std::size_t>(column - everything.task().columns.begin())]);
     }
   }
 }

@@ -65,7 +65,7 @@ namespace {
 // Of the states after the first group, which is compared with an analysis.
 long allocations_in(SweepTask& task, std::size_t lanes) {
   StateSolver solver(task, lanes);
-  SweepRowText text(task.plan, task.cases, task.quantities, RowFormat::csv);
+  SweepRowText text(task.plan, task.cases, task.columns, RowFormat::csv);
   StateWalk walk(task.plan, 0, task.plan.state_count());
   std::string rows;
   rows.reserve(1 << 20U);

@@ -6,8 +6,8 @@ namespace {
 
 constexpr int kSummaryVersion = 1;
 
-const Record<SweepHeader>& sweeping_program_record() {
-  using View = SweepHeader;
+const Record<SweepMetadata>& sweeping_program_record() {
+  using View = SweepMetadata;
   static const Record<View> record("The program that swept.", [](Record<View>& keys) {
     keys.count("sweep", "Version of this form.", [](const View&) { return kSummaryVersion; });
     keys.text("version", "Version of the program.", [](const View& v) { return v.version; });
@@ -33,9 +33,9 @@ const Record<RequirementView>& requirement_record() {
 
 void emit_requirements(const SweepSummaryView& v, const Each<RequirementView>& each) {
   const std::vector<std::uint64_t>& excluded = v.counts.excluded;
-  for (std::size_t i = 0; i < v.header.requirements.size(); ++i) {
-    each(
-        {.condition = v.header.requirements[i], .excluded = i < excluded.size() ? excluded[i] : 0});
+  for (std::size_t i = 0; i < v.metadata.requirements.size(); ++i) {
+    each({.condition = v.metadata.requirements[i],
+          .excluded = i < excluded.size() ? excluded[i] : 0});
   }
 }
 
@@ -50,20 +50,20 @@ void write_statuses(const SweepSummaryView& v, Archive& to) {
 
 void add_plan(Record<SweepSummaryView>& keys) {
   using View = SweepSummaryView;
-  keys.part("kinestat", sweeping_program_record(), [](const View& v) -> const SweepHeader& {
-    return v.header;
+  keys.part("kinestat", sweeping_program_record(), [](const View& v) -> const SweepMetadata& {
+    return v.metadata;
   });
   keys.text("name", "Name of the mechanism; empty if the file gives none.", [](const View& v) {
-    return v.header.name;
+    return v.metadata.name;
   });
   keys.text("plan",
             "Hash of everything that decides the bytes of the rows: version, file, options.",
-            [](const View& v) { return v.header.plan; });
+            [](const View& v) { return v.metadata.plan; });
   keys.names("columns",
              "Titles of the columns, which are the keys of JSON rows: varied parameters, case, "
              "quantities, status.",
              [](const View& v, const EachName& each) {
-               for (const std::string& title : v.header.titles) {
+               for (const std::string& title : v.metadata.titles) {
                  each(title);
                }
              })
@@ -121,7 +121,7 @@ const Record<SweepSummaryView>& sweep_summary_record() {
       [](Record<View>& keys) {
         add_plan(keys);
         add_counts_of_sweep(keys);
-        keys.part("top", top_record(), [](const View& v) { return v.header.top; });
+        keys.part("top", top_record(), [](const View& v) { return v.metadata.top; });
       });
   return record;
 }

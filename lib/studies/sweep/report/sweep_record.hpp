@@ -2,7 +2,7 @@
 #pragma once
 
 #include "record/record.hpp"
-#include "studies/sweep/report/sweep_header.hpp"
+#include "studies/sweep/report/sweep_metadata.hpp"
 
 namespace kinestat {
 
@@ -12,7 +12,7 @@ std::string_view word_of(RankOrder order);
 const Record<TopChoice>& top_record();
 
 struct SweepSummaryView {
-  const SweepHeader& header;
+  const SweepMetadata& metadata;
   const SweepCounts& counts;
 };
 

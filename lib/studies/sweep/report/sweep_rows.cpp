@@ -48,15 +48,15 @@ void append_parameter(double count, bool is_bare_number, std::string& text) {
 
 SweepRowText::SweepRowText(const SweepPlan& plan,
                            std::span<const Case> cases,
-                           std::span<const SweepQuantity> quantities,
+                           std::span<const SweepColumn> columns,
                            RowFormat format)
     : plan_(plan), format_(format) {
   for (const SweepAxis& axis : plan.axes()) {
     titles_.push_back(title_of(axis.name(), axis.unit()));
   }
   titles_.emplace_back("case");
-  for (const SweepQuantity& quantity : quantities) {
-    titles_.push_back(title_of(quantity.name, quantity.unit));
+  for (const SweepColumn& column : columns) {
+    titles_.push_back(title_of(column.name, column.unit));
   }
   titles_.emplace_back("status");
   for (const std::string& title : titles_) {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "studies/sweep/report/sweep_quantity.hpp"
+#include "studies/sweep/report/sweep_column.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
 namespace kinestat {
@@ -28,7 +28,7 @@ class SweepRowText {
  public:
   SweepRowText(const SweepPlan& plan,
                std::span<const Case> cases,
-               std::span<const SweepQuantity> quantities,
+               std::span<const SweepColumn> columns,
                RowFormat format);
 
   /// The line with the titles; JSON has none.

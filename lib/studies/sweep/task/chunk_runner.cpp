@@ -28,14 +28,14 @@ class ChunkSolver {
       : task_(task),
         hooks_(hooks),
         states_(task),
-        text_(task.plan, task.cases, task.quantities, task.header.format) {}
+        text_(task.plan, task.cases, task.columns, task.metadata.format) {}
 
   // Empty if the run is stopped meanwhile.
   std::optional<ChunkResult> solve(std::uint64_t chunk) {
     const std::uint64_t begin = chunk * task_.plan.chunk_size();
     const std::uint64_t end = std::min(begin + task_.plan.chunk_size(), task_.plan.state_count());
     ChunkResult result{.chunk = chunk, .body = {}, .counts = {}};
-    const std::optional<TopChoice>& top = task_.header.top;
+    const std::optional<TopChoice>& top = task_.metadata.top;
     TopRows best(top ? top->count : 0, top ? top->order : RankOrder::largest);
     StateWalk walk(task_.plan, begin, end);
     for (auto states = states_.solve_next(walk); !states.empty();

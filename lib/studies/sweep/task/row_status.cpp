@@ -55,23 +55,23 @@ std::string_view row_status(const CaseAnalysis& one,
     return status_word(one.action->status, is_usually_solved);
   }
   const bool asks_power = std::ranges::any_of(
-      task.quantities, [](const SweepQuantity& quantity) { return needs_power(quantity.kind); });
+      task.columns, [](const SweepColumn& column) { return needs_power(column.kind); });
   const std::string_view word = case_status(task.mechanism, one, asks_power);
   if (word != word_of(SolveStatus::solved)) {
     return word;
   }
-  const bool asks_ratio = std::ranges::any_of(task.quantities, [](const SweepQuantity& quantity) {
-    return quantity.kind == SweepQuantityKind::ratio;
+  const bool asks_ratio = std::ranges::any_of(task.columns, [](const SweepColumn& column) {
+    return column.kind == SweepColumnKind::ratio;
   });
   if (asks_ratio && one.ratios && !one.ratios->ratio) {
     return ratio_status(one, task.mechanism.topology);
   }
-  const bool asks_efficiency = std::ranges::any_of(
-      task.quantities,
-      [](const SweepQuantity& quantity) { return quantity.kind == SweepQuantityKind::efficiency; });
+  const bool asks_efficiency = std::ranges::any_of(task.columns, [](const SweepColumn& column) {
+    return column.kind == SweepColumnKind::efficiency;
+  });
   const bool is_lossless = !one.efficiency && one.action && one.action->friction.empty();
   const bool has_efficiency =
-      value_of({.kind = SweepQuantityKind::efficiency, .index = -1, .name = {}, .unit = {}},
+      value_of({.kind = SweepColumnKind::efficiency, .index = -1, .name = {}, .unit = {}},
                one,
                task.mechanism,
                task.description.units)

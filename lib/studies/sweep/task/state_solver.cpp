@@ -54,7 +54,7 @@ void fill_row(const SweepTask& task,
               SweepRow& row) {
   for (std::size_t q = 0; q < row.values.size(); ++q) {
     const double value =
-        value_of(task.quantities[q], one, mechanism, task.description.units).value_or(kNoValue);
+        value_of(task.columns[q], one, mechanism, task.description.units).value_or(kNoValue);
     row.values[q] = std::isfinite(value) ? value : kNoValue;
   }
 }
@@ -70,7 +70,7 @@ StateSolver::StateSolver(const SweepTask& task, std::size_t lanes)
   rows_.resize(together * task.cases.size());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     rows_[i].which = i % task.cases.size();
-    rows_[i].values.assign(task.quantities.size(), kNoValue);
+    rows_[i].values.assign(task.columns.size(), kNoValue);
   }
   for (std::size_t lane = 0; lane < together; ++lane) {
     solved_.push_back({.number = 0, .places = places_of(lane), .rows = rows_of(lane)});
@@ -153,7 +153,7 @@ void StateSolver::analyse(std::uint64_t state, bool is_undefined, std::span<Swee
     rows[i].status = row_status(one, task_, task_.is_usually_solved[i]);
     ratios[i] = gear_ratio(task_, i, one);
   }
-  fill_steps(task_.quantities, ratios, rows);
+  fill_steps(task_.columns, ratios, rows);
 }
 
 void StateSolver::decide_gears(const Mechanism& mechanism, std::vector<Case>& cases) {

@@ -66,7 +66,7 @@ bool StoredSweep::finish() {
   for (std::uint64_t c = shard_.first_chunk(chunks_); c < shard_.end_chunk(chunks_); ++c) {
     files.push_back({.path = path_in(work_->path(), chunk_name(c))});
   }
-  PieceReader reader(files, task_.header.plan);
+  PieceReader reader(files, task_.metadata.plan);
   ChunkRecord record;
   while (reader.next(record)) {
     counts_.add(read_counts(record.note).value_or(SweepCounts{}));
@@ -79,14 +79,14 @@ bool StoredSweep::finish() {
 }
 
 std::string StoredSweep::shard_name() const {
-  return fmt::format("{}.sweep-{}-of-{}.shard", task_.header.stem, shard_.number, shard_.count);
+  return fmt::format("{}.sweep-{}-of-{}.shard", task_.metadata.stem, shard_.number, shard_.count);
 }
 
 std::string StoredSweep::work_name() const {
   return is_whole_sweep()
-             ? task_.header.stem + ".sweep-work"
+             ? task_.metadata.stem + ".sweep-work"
              : fmt::format(
-                   "{}.sweep-{}-of-{}-work", task_.header.stem, shard_.number, shard_.count);
+                   "{}.sweep-{}-of-{}-work", task_.metadata.stem, shard_.number, shard_.count);
 }
 
 std::uint64_t StoredSweep::states_before(std::uint64_t chunk) const {
@@ -96,18 +96,18 @@ std::uint64_t StoredSweep::states_before(std::uint64_t chunk) const {
 std::vector<OutputFile> StoredSweep::outputs(const std::vector<PieceFile>& files,
                                              const std::string& scratch) const {
   if (is_whole_sweep()) {
-    return result_files(task_.header, options_.folder, scratch, files, counts_);
+    return result_files(task_.metadata, options_.folder, scratch, files, counts_);
   }
   return {{.path = path_in(options_.folder, shard_name()),
-           .content = write_shard_header(task_.header, shard_),
+           .content = write_shard_header(task_.metadata, shard_),
            .signature = std::string(shard_signature()),
            .next_piece = shard_pieces(files),
            .scratch = scratch}};
 }
 
 NextPiece StoredSweep::shard_pieces(const std::vector<PieceFile>& files) const {
-  return [reader = std::make_shared<PieceReader>(files, task_.header.plan),
-          plan = task_.header.plan,
+  return [reader = std::make_shared<PieceReader>(files, task_.metadata.plan),
+          plan = task_.metadata.plan,
           has_end = false](std::string& piece) mutable {
     ChunkRecord record;
     if (reader->next(record)) {
@@ -122,17 +122,17 @@ NextPiece StoredSweep::shard_pieces(const std::vector<PieceFile>& files) const {
 // Whether the result is there already and was made by the same plan.
 bool StoredSweep::is_finished() const {
   if (is_whole_sweep()) {
-    RecordFile rows(path_in(options_.folder, task_.header.result_name()));
-    return rows.is_open() && read_plan_of_summary(summary_text()) == task_.header.plan;
+    RecordFile rows(path_in(options_.folder, task_.metadata.result_name()));
+    return rows.is_open() && read_plan_of_summary(summary_text()) == task_.metadata.plan;
   }
   RecordFile shard(path_in(options_.folder, shard_name()));
   const std::optional<std::string> line = shard.is_open() ? shard.read_line() : std::nullopt;
   const std::optional<ShardHeader> header = line ? read_shard_header(*line) : std::nullopt;
-  return header && header->header.plan == task_.header.plan && header->shard == shard_;
+  return header && header->metadata.plan == task_.metadata.plan && header->shard == shard_;
 }
 
 std::string StoredSweep::summary_text() const {
-  RecordFile file(path_in(options_.folder, summary_name(task_.header)));
+  RecordFile file(path_in(options_.folder, summary_name(task_.metadata)));
   std::string text;
   while (file.is_open()) {
     const std::optional<std::string> line = file.read_line();
@@ -170,7 +170,7 @@ bool StoredSweep::take_stock() {
 bool StoredSweep::take_stock_of(const std::string& name) {
   RecordFile file(path_in(work_->path(), name));
   ChunkRecord record;
-  const RecordState state = file.read_record(task_.header.plan, record);
+  const RecordState state = file.read_record(task_.metadata.plan, record);
   if (state == RecordState::foreign) {
     found_.error("E0908",
                  {},
@@ -190,7 +190,7 @@ bool StoredSweep::store(ChunkResult result) {
   const ChunkRecord record{
       .index = result.chunk, .note = write_counts(result.counts), .body = std::move(result.body)};
   const OutputFile file{.path = path_in(work_->path(), chunk_name(record.index)),
-                        .content = write_record(record, task_.header.plan),
+                        .content = write_record(record, task_.metadata.plan),
                         .signature = {}};
   Diagnostics found;
   if (write_files(std::span(&file, 1), Overwrite::force, found)) {

@@ -11,7 +11,7 @@
 #include "files/load.hpp"
 #include "files/outcome.hpp"
 #include "io/atomic_file.hpp"
-#include "studies/sweep/report/sweep_header.hpp"
+#include "studies/sweep/report/sweep_metadata.hpp"
 
 namespace kinestat {
 

@@ -11,9 +11,9 @@ namespace kinestat {
 namespace {
 
 // The text of the best rows of all pieces.
-std::string best_rows(const SweepHeader& header, const std::vector<PieceFile>& files) {
-  TopRows best(static_cast<std::size_t>(header.top->count), header.top->order);
-  PieceReader reader(files, header.plan);
+std::string best_rows(const SweepMetadata& metadata, const std::vector<PieceFile>& files) {
+  TopRows best(static_cast<std::size_t>(metadata.top->count), metadata.top->order);
+  PieceReader reader(files, metadata.plan);
   ChunkRecord record;
   while (reader.next(record)) {
     for (RankedRow& row : read_rows(record.body)) {
@@ -49,7 +49,7 @@ bool PieceReader::next(ChunkRecord& record) {
   return true;
 }
 
-NextPiece result_pieces(const SweepHeader& header, const std::vector<PieceFile>& files) {
+NextPiece result_pieces(const SweepMetadata& metadata, const std::vector<PieceFile>& files) {
   // Shared, because a function object must be copyable.
   struct State {
     PieceReader reader;
@@ -59,10 +59,10 @@ NextPiece result_pieces(const SweepHeader& header, const std::vector<PieceFile>&
   };
 
   const auto state = std::make_shared<State>(
-      State{.reader = PieceReader(files, header.plan), .record = {}, .ready = header.heading});
-  const bool is_top = header.top.has_value();
+      State{.reader = PieceReader(files, metadata.plan), .record = {}, .ready = metadata.heading});
+  const bool is_top = metadata.top.has_value();
   if (is_top) {
-    state->ready += best_rows(header, files);
+    state->ready += best_rows(metadata, files);
   }
   return [state, is_top](std::string& piece) {
     if (std::exchange(state->has_ready, false)) {
@@ -77,18 +77,18 @@ NextPiece result_pieces(const SweepHeader& header, const std::vector<PieceFile>&
   };
 }
 
-std::vector<OutputFile> result_files(const SweepHeader& header,
+std::vector<OutputFile> result_files(const SweepMetadata& metadata,
                                      const std::string& folder,
                                      const std::string& scratch,
                                      const std::vector<PieceFile>& files,
                                      const SweepCounts& counts) {
-  return {{.path = path_in(folder, header.result_name()),
+  return {{.path = path_in(folder, metadata.result_name()),
            .content = {},
-           .signature = header.signature,
-           .next_piece = files.empty() ? NextPiece() : result_pieces(header, files),
+           .signature = metadata.signature,
+           .next_piece = files.empty() ? NextPiece() : result_pieces(metadata, files),
            .scratch = scratch},
-          {.path = path_in(folder, summary_name(header)),
-           .content = write_sweep_summary(header, counts),
+          {.path = path_in(folder, summary_name(metadata)),
+           .content = write_sweep_summary(metadata, counts),
            .signature = std::string(summary_signature()),
            .next_piece = {},
            .scratch = scratch}};
@@ -98,8 +98,8 @@ std::string path_in(const std::string& folder, const std::string& name) {
   return fmt::format("{}{}{}", folder, folder.ends_with('/') ? "" : "/", name);
 }
 
-std::string summary_name(const SweepHeader& header) {
-  return header.stem + ".sweep.json";
+std::string summary_name(const SweepMetadata& metadata) {
+  return metadata.stem + ".sweep.json";
 }
 
 }  // namespace kinestat

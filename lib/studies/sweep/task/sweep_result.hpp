@@ -37,10 +37,10 @@ class PieceReader {
 
 /// The rows as they stand in the result: the heading, then the bodies of all pieces, or the best
 /// rows of all of them.
-NextPiece result_pieces(const SweepHeader& header, const std::vector<PieceFile>& files);
+NextPiece result_pieces(const SweepMetadata& metadata, const std::vector<PieceFile>& files);
 
 /// The result and the file beside it, for write_files; `scratch` may be empty.
-std::vector<OutputFile> result_files(const SweepHeader& header,
+std::vector<OutputFile> result_files(const SweepMetadata& metadata,
                                      const std::string& folder,
                                      const std::string& scratch,
                                      const std::vector<PieceFile>& files,
@@ -50,7 +50,7 @@ std::vector<OutputFile> result_files(const SweepHeader& header,
 std::string path_in(const std::string& folder, const std::string& name);
 
 /// The name of the file beside the rows, without its folder.
-std::string summary_name(const SweepHeader& header);
+std::string summary_name(const SweepMetadata& metadata);
 
 /// The last line of a shard.
 inline constexpr std::string_view kShardEnd = "end";

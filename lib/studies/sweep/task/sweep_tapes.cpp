@@ -16,9 +16,8 @@ bool is_plain(const SweepTask& task, const CaseAnalysis& one) {
   const bool has_motion = !one.motion || one.motion->status == SolveStatus::solved;
   const bool has_action = !one.action || one.action->status == SolveStatus::solved;
   return has_motion && has_action && one.which.loads.empty() &&
-         std::ranges::none_of(task.quantities, [](const SweepQuantity& quantity) {
-           return needs_power(quantity.kind);
-         });
+         std::ranges::none_of(task.columns,
+                              [](const SweepColumn& column) { return needs_power(column.kind); });
 }
 
 // A tape keeps no torque of a freewheel. The class of a combination hangs on the speeds where there

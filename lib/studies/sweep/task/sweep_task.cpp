@@ -135,16 +135,16 @@ void refuse_overridden_axes(const SweepDescription& sweep,
 }
 
 // By the name in the file, without the unit.
-std::optional<std::size_t> find_key(const std::vector<SweepQuantity>& quantities,
+std::optional<std::size_t> find_key(const std::vector<SweepColumn>& columns,
                                     const TopChoice& top,
                                     Diagnostics& found) {
-  const auto at = std::ranges::find(quantities, top.by, &SweepQuantity::name);
-  if (at != quantities.end()) {
-    return static_cast<std::size_t>(at - quantities.begin());
+  const auto at = std::ranges::find(columns, top.by, &SweepColumn::name);
+  if (at != columns.end()) {
+    return static_cast<std::size_t>(at - columns.begin());
   }
   std::vector<std::string> names;
-  for (const SweepQuantity& quantity : quantities) {
-    names.push_back(quantity.name);
+  for (const SweepColumn& column : columns) {
+    names.push_back(column.name);
   }
   const std::string guess = did_you_mean(top.by, names);
   found.error("E0101",
@@ -175,26 +175,26 @@ std::string plan_text(const SourceFile& source,
   return text + source.text;
 }
 
-SweepHeader header_of(const SourceFile& source,
-                      const SweepOptions& options,
-                      const SweepTask& task) {
-  const SweepRowText text(task.plan, task.cases, task.quantities, options.format);
-  SweepHeader header;
-  header.version = std::string(kVersion);
-  header.plan = hash_of(plan_text(source, options, task.plan));
-  header.stem = report_stem(source.path);
-  header.name = task.description.name;
-  header.format = options.format;
-  header.titles = text.titles();
-  header.heading = text.header();
-  header.signature = text.signature();
+SweepMetadata metadata_of(const SourceFile& source,
+                          const SweepOptions& options,
+                          const SweepTask& task) {
+  const SweepRowText text(task.plan, task.cases, task.columns, options.format);
+  SweepMetadata metadata;
+  metadata.version = std::string(kVersion);
+  metadata.plan = hash_of(plan_text(source, options, task.plan));
+  metadata.stem = report_stem(source.path);
+  metadata.name = task.description.name;
+  metadata.format = options.format;
+  metadata.titles = text.titles();
+  metadata.heading = text.header();
+  metadata.signature = text.signature();
   for (const PlannedRequirement& one : task.plan.requirements()) {
-    header.requirements.push_back(one.text);
+    metadata.requirements.push_back(one.text);
   }
-  header.states = task.plan.state_count();
-  header.chunks = task.plan.chunk_count();
-  header.top = options.top;
-  return header;
+  metadata.states = task.plan.state_count();
+  metadata.chunks = task.plan.chunk_count();
+  metadata.top = options.top;
+  return metadata;
 }
 
 }  // namespace
@@ -225,10 +225,10 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
   for (const std::size_t i : choice.chosen) {
     cases.push_back(loaded.mechanism.cases[i]);
   }
-  auto quantities = find_sweep_quantities(description, loaded.mechanism, cases, found);
+  auto columns = find_sweep_columns(description, loaded.mechanism, cases, found);
   std::optional<std::size_t> key;
-  if (quantities && options.top) {
-    key = find_key(*quantities, *options.top, found);
+  if (columns && options.top) {
+    key = find_key(*columns, *options.top, found);
   }
   if (found.error_count() > errors_before) {
     return std::nullopt;
@@ -242,13 +242,13 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
                  .shift = {},
                  .gears = std::move(choice.gears),
                  .is_usually_solved = {},
-                 .quantities = *std::move(quantities),
+                 .columns = *std::move(columns),
                  .has_statics = false,
                  .key = key,
                  .tapes = {},
-                 .header = {}};
+                 .metadata = {}};
   task.has_statics = std::ranges::any_of(
-      task.quantities, [](const SweepQuantity& one) { return needs_statics(one.kind); });
+      task.columns, [](const SweepColumn& one) { return needs_statics(one.kind); });
   if (loaded.shift) {
     task.shift = std::move(loaded.shift->plan);
   }
@@ -257,7 +257,7 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
     task.is_usually_solved.push_back((!one.motion || one.motion->status == SolveStatus::solved) &&
                                      (!one.action || one.action->status == SolveStatus::solved));
   }
-  task.header = header_of(source, options, task);
+  task.metadata = metadata_of(source, options, task);
   return task;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "files/load.hpp"
-#include "studies/sweep/report/sweep_quantity.hpp"
+#include "studies/sweep/report/sweep_column.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 #include "studies/sweep/task/sweep_options.hpp"
 #include "studies/sweep/task/sweep_tapes.hpp"
@@ -23,12 +23,12 @@ struct SweepTask {
   std::optional<ShiftPlan> shift;               ///< of the file's section, with its parameters
   std::vector<std::optional<SweptGear>> gears;  ///< of each of `cases`: its combination, if any
   std::vector<bool> is_usually_solved;  ///< of each: whether it has an answer as the file has it
-  std::vector<SweepQuantity> quantities;
+  std::vector<SweepColumn> columns;
   bool has_statics = false;         ///< whether a quantity needs actions
   std::optional<std::size_t> key;   ///< the quantity by which the top rows are chosen
   std::optional<SweepTapes> tapes;  ///< which refer to the task, so that it must stay in its place;
                                     ///< empty where every state is analysed as a whole
-  SweepHeader header;
+  SweepMetadata metadata;
 };
 
 /// The cases of a sweep with no more passes than its quantities need.

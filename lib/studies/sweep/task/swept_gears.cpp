@@ -98,11 +98,10 @@ std::optional<Case> described_anew(const SweptGear& gear,
   return bind_described_cases(alone, mechanism).front();
 }
 
-void fill_steps(std::span<const SweepQuantity> quantities,
+void fill_steps(std::span<const SweepColumn> columns,
                 std::span<const std::optional<double>> ratios,
                 std::span<SweepRow> rows) {
-  if (std::ranges::find(quantities, SweepQuantityKind::step, &SweepQuantity::kind) ==
-      quantities.end()) {
+  if (std::ranges::find(columns, SweepColumnKind::step, &SweepColumn::kind) == columns.end()) {
     return;
   }
   std::vector<TableGear> gears;
@@ -114,8 +113,8 @@ void fill_steps(std::span<const SweepQuantity> quantities,
   sort_gears(gears);
   const ShiftTable table = make_shift_table(gears);
   for (std::size_t g = 0; g < gears.size(); ++g) {
-    for (std::size_t q = 0; q < quantities.size(); ++q) {
-      if (quantities[q].kind == SweepQuantityKind::step && table.steps[g]) {
+    for (std::size_t q = 0; q < columns.size(); ++q) {
+      if (columns[q].kind == SweepColumnKind::step && table.steps[g]) {
         rows[static_cast<std::size_t>(gears[g].state)].values[q] = *table.steps[g];
       }
     }

@@ -45,7 +45,7 @@ std::optional<Case> described_anew(const SweptGear& gear,
 
 /// Fills the columns `step`, the ratio of the next lower gear over a gear's own: of the gears of
 /// one state, whose ratios are given for each row, empty for what is no gear.
-void fill_steps(std::span<const SweepQuantity> quantities,
+void fill_steps(std::span<const SweepColumn> columns,
                 std::span<const std::optional<double>> ratios,
                 std::span<SweepRow> rows);
 

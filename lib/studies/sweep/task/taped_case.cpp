@@ -56,16 +56,16 @@ class CaseRecorder {
       return false;
     }
     if (motion) {
-      add_columns(*motion, SweepQuantityKind::rate);
+      add_columns(*motion, SweepColumnKind::rate);
     }
     if (action) {
-      add_columns(*action, SweepQuantityKind::action);
+      add_columns(*action, SweepColumnKind::action);
       for (const int one_sided : one_sided_actions()) {
         taped_.one_sided.push_back(notes_.add_output(action->number(one_sided)));
       }
     }
-    const bool asks_ratios = asks(SweepQuantityKind::ratio) || asks(SweepQuantityKind::step) ||
-                             asks(SweepQuantityKind::torque_ratio);
+    const bool asks_ratios = asks(SweepColumnKind::ratio) || asks(SweepColumnKind::step) ||
+                             asks(SweepColumnKind::torque_ratio);
     taped_.has_ratios = asks_ratios && motion && !which.inputs.empty() && which.outputs.size() == 1;
     if (motion && (taped_.has_ratios || task_.gears[place_])) {
       taped_.input_rates = add_ends(*motion, which.inputs);
@@ -84,9 +84,8 @@ class CaseRecorder {
   TapedCase take() { return std::move(taped_); }
 
  private:
-  bool asks(SweepQuantityKind kind) const {
-    return std::ranges::find(task_.quantities, kind, &SweepQuantity::kind) !=
-           task_.quantities.end();
+  bool asks(SweepColumnKind kind) const {
+    return std::ranges::find(task_.columns, kind, &SweepColumn::kind) != task_.columns.end();
   }
 
   int index_of(NetworkSide side, int actuator) const {
@@ -103,10 +102,10 @@ class CaseRecorder {
   std::vector<int> wanted_of(NetworkSide side) const {
     std::vector<int> wanted =
         side == NetworkSide::action ? one_sided_actions() : std::vector<int>();
-    for (const SweepQuantity& quantity : task_.quantities) {
-      if (quantity.kind ==
-          (side == NetworkSide::motion ? SweepQuantityKind::rate : SweepQuantityKind::action)) {
-        wanted.push_back(quantity.index);
+    for (const SweepColumn& column : task_.columns) {
+      if (column.kind ==
+          (side == NetworkSide::motion ? SweepColumnKind::rate : SweepColumnKind::action)) {
+        wanted.push_back(column.index);
       }
     }
     const Case& which = task_.cases[place_];
@@ -180,12 +179,12 @@ class CaseRecorder {
     return scaled(number, scale.denominator, above.factor());
   }
 
-  void add_columns(const TapedSide& side, SweepQuantityKind kind) {
-    for (std::size_t q = 0; q < task_.quantities.size(); ++q) {
-      const SweepQuantity& quantity = task_.quantities[q];
-      if (quantity.kind == kind) {
+  void add_columns(const TapedSide& side, SweepColumnKind kind) {
+    for (std::size_t q = 0; q < task_.columns.size(); ++q) {
+      const SweepColumn& column = task_.columns[q];
+      if (column.kind == kind) {
         const TapeNumber number =
-            in_unit(side.number(quantity.index), kind_of(side.side, quantity.index));
+            in_unit(side.number(column.index), kind_of(side.side, column.index));
         taped_.columns.push_back({.column = q, .cell = notes_.add_output(number)});
       }
     }
@@ -219,12 +218,12 @@ class CaseRecorder {
     if (which.inputs.size() > 1) {
       return;
     }
-    for (std::size_t q = 0; q < task_.quantities.size(); ++q) {
-      const SweepQuantityKind kind = task_.quantities[q].kind;
-      if (kind == SweepQuantityKind::ratio) {
+    for (std::size_t q = 0; q < task_.columns.size(); ++q) {
+      const SweepColumnKind kind = task_.columns[q].kind;
+      if (kind == SweepColumnKind::ratio) {
         const TapeNumber ratio = quotient(taped_.input_rates, taped_.output_rates);
         add_ratio(q, scaled(ratio, taped_.ratio_unit, taped_.ratio_per));
-      } else if (kind == SweepQuantityKind::torque_ratio && !taped_.input_actions.empty()) {
+      } else if (kind == SweepColumnKind::torque_ratio && !taped_.input_actions.empty()) {
         const TapeNumber ratio = quotient(taped_.input_actions, taped_.output_actions);
         add_ratio(q, scaled(ratio, taped_.torque_ratio_unit, taped_.torque_ratio_per));
       }

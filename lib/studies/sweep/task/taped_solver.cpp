@@ -21,11 +21,10 @@ bool is_no_gear(const std::optional<SweptGear>& gear) {
   return gear && gear->state.state.kind != ShiftClass::gear;
 }
 
-std::vector<std::size_t> find_columns(const std::vector<SweepQuantity>& quantities,
-                                      SweepQuantityKind kind) {
+std::vector<std::size_t> find_columns(const std::vector<SweepColumn>& all, SweepColumnKind kind) {
   std::vector<std::size_t> columns;
-  for (std::size_t q = 0; q < quantities.size(); ++q) {
-    if (quantities[q].kind == kind) {
+  for (std::size_t q = 0; q < all.size(); ++q) {
+    if (all[q].kind == kind) {
       columns.push_back(q);
     }
   }
@@ -44,9 +43,9 @@ TapedSolver::TapedSolver(const SweepTask& task, const SweepTapes& tapes, std::si
       is_loaded_(lanes, 0),
       has_answer_(lanes, 0),
       has_combinations_(std::ranges::any_of(task.gears, is_no_gear)),
-      ratio_columns_(find_columns(task.quantities, SweepQuantityKind::ratio)),
-      torque_ratio_columns_(find_columns(task.quantities, SweepQuantityKind::torque_ratio)),
-      asks_steps_(!find_columns(task.quantities, SweepQuantityKind::step).empty()),
+      ratio_columns_(find_columns(task.columns, SweepColumnKind::ratio)),
+      torque_ratio_columns_(find_columns(task.columns, SweepColumnKind::torque_ratio)),
+      asks_steps_(!find_columns(task.columns, SweepColumnKind::step).empty()),
       statuses_(has_combinations_ ? lanes * task.cases.size() : 0),
       ratios_(task.cases.size()) {
   std::size_t most = 0;
@@ -71,7 +70,7 @@ TapedSolver::TapedSolver(const SweepTask& task, const SweepTapes& tapes, std::si
   asks_nothing_else_ =
       std::ranges::none_of(task.gears, &std::optional<SweptGear>::has_value) &&
       std::ranges::all_of(tapes.cases, [&](const TapedCase& taped) {
-        return taped.columns.size() == task.quantities.size() && taped.one_sided.empty();
+        return taped.columns.size() == task.columns.size() && taped.one_sided.empty();
       });
 }
 
@@ -199,7 +198,7 @@ bool TapedSolver::fill_cases(std::size_t lane, std::span<SweepRow> rows) {
     }
   }
   if (asks_steps_) {
-    fill_steps(task_.quantities, ratios_, rows);
+    fill_steps(task_.columns, ratios_, rows);
   }
   return true;
 }

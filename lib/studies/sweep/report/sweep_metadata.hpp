@@ -36,7 +36,7 @@ struct TopChoice {
 };
 
 /// All that shards of one sweep have in common, and what a result says of it.
-struct SweepHeader {
+struct SweepMetadata {
   std::string version;  ///< of the program
   std::string plan;     ///< a hash of all that decides the rows
   std::string stem;     ///< of the names of the files of the result
@@ -55,13 +55,13 @@ struct SweepHeader {
 };
 
 /// The first line of a shard, with its line end.
-std::string write_shard_header(const SweepHeader& header, const ShardNumber& shard);
+std::string write_shard_header(const SweepMetadata& metadata, const ShardNumber& shard);
 
 /// How every such line begins.
 std::string_view shard_signature();
 
 struct ShardHeader {
-  SweepHeader header;
+  SweepMetadata metadata;
   ShardNumber shard;
 };
 
@@ -69,7 +69,7 @@ struct ShardHeader {
 std::optional<ShardHeader> read_shard_header(const std::string& line);
 
 /// The file beside the rows: what was varied, required and counted.
-std::string write_sweep_summary(const SweepHeader& header, const SweepCounts& counts);
+std::string write_sweep_summary(const SweepMetadata& metadata, const SweepCounts& counts);
 
 /// How every such file begins.
 std::string_view summary_signature();
@@ -78,6 +78,6 @@ std::string_view summary_signature();
 std::optional<std::string> read_plan_of_summary(const std::string& text);
 
 /// The counts for people, on a line each.
-std::string sweep_text(const SweepHeader& header, const SweepCounts& counts);
+std::string sweep_text(const SweepMetadata& metadata, const SweepCounts& counts);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// The quantities that the rows of a sweep hold: from the name in the file to a number of a case.
+// The columns of a sweep, each with its unit: from the name in the file to a number of a case.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace kinestat {
 
-enum class SweepQuantityKind {
+enum class SweepColumnKind {
   ratio,
   torque_ratio,
   step,
@@ -23,31 +23,30 @@ enum class SweepQuantityKind {
 };
 
 /// A column of a sweep, resolved once for all states.
-struct SweepQuantity {
-  SweepQuantityKind kind = SweepQuantityKind::ratio;
+struct SweepColumn {
+  SweepColumnKind kind = SweepColumnKind::ratio;
   int index = -1;    ///< into Topology::freedoms or Topology::actions
   std::string name;  ///< as the file has it
-  std::string unit;  ///< empty for a bare number
+  std::string unit;  ///< of its values, as its title has it; empty for a bare number
 };
 
 /// Whether it needs the actions of the case; otherwise its velocities are enough.
-bool needs_statics(SweepQuantityKind kind);
+bool needs_statics(SweepColumnKind kind);
 
 /// Whether it needs the power flow of the case.
-bool needs_power(SweepQuantityKind kind);
+bool needs_power(SweepColumnKind kind);
 
 /// The quantities that `report` of the sweep names; if it names none, ratio and torque ratio where
 /// cases have them in one unit, and all rates and actions. A ratio that is named, but whose unit
 /// differs from case to case, is E0305, and so is a step without gears. Empty iff an error was
 /// added.
-std::optional<std::vector<SweepQuantity>> find_sweep_quantities(
-    const MechanismDescription& description,
-    const Mechanism& mechanism,
-    std::span<const Case> cases,
-    Diagnostics& found);
+std::optional<std::vector<SweepColumn>> find_sweep_columns(const MechanismDescription& description,
+                                                           const Mechanism& mechanism,
+                                                           std::span<const Case> cases,
+                                                           Diagnostics& found);
 
 /// Its value in its unit; empty where the case has none. A step is not of one case.
-std::optional<double> value_of(const SweepQuantity& quantity,
+std::optional<double> value_of(const SweepColumn& column,
                                const CaseAnalysis& one,
                                const Mechanism& mechanism,
                                const FileUnits& units);

@@ -1,4 +1,4 @@
-#include "studies/sweep/report/sweep_quantity.hpp"
+#include "studies/sweep/report/sweep_column.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -13,7 +13,7 @@ namespace kinestat {
 
 namespace {
 
-using enum SweepQuantityKind;
+using enum SweepColumnKind;
 
 bool has_ratio(const Case& which) {
   return !which.inputs.empty() && which.outputs.size() == 1;
@@ -25,38 +25,38 @@ bool turns(const Topology& topology, int actuator) {
   return topology.freedoms[freedom].is_rotation;
 }
 
-QuantityKind kind_of(SweepQuantityKind ratio_kind, bool is_rotation) {
-  if (ratio_kind == SweepQuantityKind::ratio) {
+QuantityKind kind_of(SweepColumnKind ratio_kind, bool is_rotation) {
+  if (ratio_kind == SweepColumnKind::ratio) {
     return rate_kind(is_rotation);
   }
   return action_kind(is_rotation);
 }
 
-class QuantitySearch {
+class ColumnSearch {
  public:
-  QuantitySearch(const MechanismDescription& description,
-                 const Mechanism& mechanism,
-                 std::span<const Case> cases,
-                 Diagnostics& found)
+  ColumnSearch(const MechanismDescription& description,
+               const Mechanism& mechanism,
+               std::span<const Case> cases,
+               Diagnostics& found)
       : description_(description),
         topology_(mechanism.topology),
         cases_(cases),
         found_(found),
         units_(description.units) {}
 
-  std::vector<SweepQuantity> run() {
-    std::vector<SweepQuantity> result;
+  std::vector<SweepColumn> run() {
+    std::vector<SweepColumn> result;
     for (const Name& name : description_.sweep->report) {
-      if (auto quantity = find(name)) {
-        result.push_back(*std::move(quantity));
+      if (auto column = find(name)) {
+        result.push_back(*std::move(column));
       }
     }
     return description_.sweep->report.empty() ? all() : result;
   }
 
  private:
-  std::vector<SweepQuantity> all() {
-    std::vector<SweepQuantity> result;
+  std::vector<SweepColumn> all() {
+    std::vector<SweepColumn> result;
     for (const auto& [kind, name] :
          {std::pair(ratio, "ratio"), std::pair(torque_ratio, "torque_ratio")}) {
       if (const auto units = units_of_ratio(kind); units.size() == 1) {
@@ -72,7 +72,7 @@ class QuantitySearch {
     return result;
   }
 
-  std::optional<SweepQuantity> find(const Name& name) {
+  std::optional<SweepColumn> find(const Name& name) {
     if (name.text == "ratio" || name.text == "torque_ratio") {
       return ratio_of(name.text == "ratio" ? ratio : torque_ratio, name);
     }
@@ -80,10 +80,10 @@ class QuantitySearch {
       return step_of(name);
     }
     if (name.text == "efficiency" || name.text == "recirculation") {
-      return SweepQuantity{.kind = name.text == "efficiency" ? efficiency : recirculation,
-                           .index = -1,
-                           .name = name.text,
-                           .unit = {}};
+      return SweepColumn{.kind = name.text == "efficiency" ? efficiency : recirculation,
+                         .index = -1,
+                         .name = name.text,
+                         .unit = {}};
     }
     for (int a = 0; a < topology_.action_count(); ++a) {
       if (topology_.action_name(a) == name.text) {
@@ -97,7 +97,7 @@ class QuantitySearch {
     }
     for (const ActuatorTopology& actuator : topology_.actuators) {
       if (name.text == "lossy." + actuator.name) {
-        SweepQuantity result = action_of(actuator.action);
+        SweepColumn result = action_of(actuator.action);
         result.kind = lossy_action;
         result.name = name.text;
         return result;
@@ -108,7 +108,7 @@ class QuantitySearch {
   }
 
   // Between the gears of a shift table.
-  std::optional<SweepQuantity> step_of(const Name& name) {
+  std::optional<SweepColumn> step_of(const Name& name) {
     if (!description_.shift) {
       found_.error("E0305",
                    name.where,
@@ -117,10 +117,10 @@ class QuantitySearch {
                    "remove 'step', or let 'shift:' name the input, the output and the elements");
       return std::nullopt;
     }
-    return SweepQuantity{.kind = step, .index = -1, .name = name.text, .unit = {}};
+    return SweepColumn{.kind = step, .index = -1, .name = name.text, .unit = {}};
   }
 
-  SweepQuantity rate_of(int freedom) const {
+  SweepColumn rate_of(int freedom) const {
     const FreedomLabel& label = topology_.freedoms[static_cast<std::size_t>(freedom)];
     return {.kind = rate,
             .index = freedom,
@@ -128,16 +128,16 @@ class QuantitySearch {
             .unit = units_.text(kind_of(label))};
   }
 
-  SweepQuantity action_of(int action) const {
+  SweepColumn action_of(int action) const {
     const ActionLabel& label = topology_.actions[static_cast<std::size_t>(action)];
-    return {.kind = SweepQuantityKind::action,
+    return {.kind = SweepColumnKind::action,
             .index = action,
             .name = topology_.action_name(action),
             .unit = units_.text(kind_of(label))};
   }
 
   // All that the cases have, each once.
-  std::vector<std::string> units_of_ratio(SweepQuantityKind kind) const {
+  std::vector<std::string> units_of_ratio(SweepColumnKind kind) const {
     std::vector<std::string> units;
     for (const Case& one : cases_) {
       if (has_ratio(one)) {
@@ -154,7 +154,7 @@ class QuantitySearch {
   }
 
   // One column holds the ratios of all cases, so they must measure the same.
-  SweepQuantity ratio_of(SweepQuantityKind kind, const Name& name) {
+  SweepColumn ratio_of(SweepColumnKind kind, const Name& name) {
     const std::vector<std::string> units = units_of_ratio(kind);
     if (units.size() > 1) {
       found_.error(
@@ -193,7 +193,7 @@ std::optional<double> action_value(const CaseAnalysis& one, std::size_t action, 
                                                               : std::nullopt;
 }
 
-std::optional<double> ratio_value(SweepQuantityKind kind,
+std::optional<double> ratio_value(SweepColumnKind kind,
                                   const CaseAnalysis& one,
                                   const Topology& topology,
                                   const FileUnits& units) {
@@ -208,35 +208,34 @@ std::optional<double> ratio_value(SweepQuantityKind kind,
 
 }  // namespace
 
-bool needs_statics(SweepQuantityKind kind) {
+bool needs_statics(SweepColumnKind kind) {
   return kind != ratio && kind != rate && kind != step;
 }
 
-bool needs_power(SweepQuantityKind kind) {
+bool needs_power(SweepColumnKind kind) {
   return kind == efficiency || kind == recirculation || kind == lossy_action;
 }
 
-std::optional<std::vector<SweepQuantity>> find_sweep_quantities(
-    const MechanismDescription& description,
-    const Mechanism& mechanism,
-    std::span<const Case> cases,
-    Diagnostics& found) {
+std::optional<std::vector<SweepColumn>> find_sweep_columns(const MechanismDescription& description,
+                                                           const Mechanism& mechanism,
+                                                           std::span<const Case> cases,
+                                                           Diagnostics& found) {
   KINESTAT_EXPECTS(description.sweep.has_value());
   const int errors_before = found.error_count();
-  std::vector<SweepQuantity> result = QuantitySearch(description, mechanism, cases, found).run();
+  std::vector<SweepColumn> result = ColumnSearch(description, mechanism, cases, found).run();
   return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;
 }
 
-std::optional<double> value_of(const SweepQuantity& quantity,
+std::optional<double> value_of(const SweepColumn& column,
                                const CaseAnalysis& one,
                                const Mechanism& mechanism,
                                const FileUnits& units) {
   const InUnits in(units);
-  const auto i = static_cast<std::size_t>(quantity.index);
-  switch (quantity.kind) {
+  const auto i = static_cast<std::size_t>(column.index);
+  switch (column.kind) {
     case ratio:
     case torque_ratio:
-      return ratio_value(quantity.kind, one, mechanism.topology, units);
+      return ratio_value(column.kind, one, mechanism.topology, units);
     case step:
       return std::nullopt;
     case efficiency:
@@ -248,10 +247,10 @@ std::optional<double> value_of(const SweepQuantity& quantity,
                  ? std::optional(
                        in.rate(one.motion->rates[i], mechanism.topology.freedoms[i].is_rotation))
                  : std::nullopt;
-    case SweepQuantityKind::action:
+    case SweepColumnKind::action:
     case lossy_action: {
       const std::optional<double> value =
-          action_value(one, i, quantity.kind == lossy_action && one.efficiency);
+          action_value(one, i, column.kind == lossy_action && one.efficiency);
       return value ? std::optional(in.action(*value, mechanism.topology.actions[i].is_couple))
                    : std::nullopt;
     }

@@ -1,4 +1,4 @@
-#include "studies/sweep/report/sweep_header.hpp"
+#include "studies/sweep/report/sweep_metadata.hpp"
 
 #include <exception>
 
@@ -42,22 +42,23 @@ std::optional<TopChoice> top_of(const Json& json) {
                                 : RankOrder::smallest};
 }
 
-SweepHeader header_of(const Json& json) {
-  SweepHeader header;
-  header.version = json.at("kinestat").at("version").get<std::string>();
-  header.plan = json.at("plan").get<std::string>();
-  header.stem = json.at("stem").get<std::string>();
-  header.name = json.at("name").get<std::string>();
-  header.format = json.at("format").get<std::string>() == word_of(RowFormat::csv) ? RowFormat::csv
-                                                                                  : RowFormat::json;
-  header.titles = json.at("columns").get<std::vector<std::string>>();
-  header.heading = json.at("heading").get<std::string>();
-  header.signature = json.at("signature").get<std::string>();
-  header.requirements = json.at("require").get<std::vector<std::string>>();
-  header.states = json.at("states").get<std::uint64_t>();
-  header.chunks = json.at("chunks").get<std::uint64_t>();
-  header.top = top_of(json.at("top"));
-  return header;
+SweepMetadata metadata_of(const Json& json) {
+  SweepMetadata metadata;
+  metadata.version = json.at("kinestat").at("version").get<std::string>();
+  metadata.plan = json.at("plan").get<std::string>();
+  metadata.stem = json.at("stem").get<std::string>();
+  metadata.name = json.at("name").get<std::string>();
+  metadata.format = json.at("format").get<std::string>() == word_of(RowFormat::csv)
+                        ? RowFormat::csv
+                        : RowFormat::json;
+  metadata.titles = json.at("columns").get<std::vector<std::string>>();
+  metadata.heading = json.at("heading").get<std::string>();
+  metadata.signature = json.at("signature").get<std::string>();
+  metadata.requirements = json.at("require").get<std::vector<std::string>>();
+  metadata.states = json.at("states").get<std::uint64_t>();
+  metadata.chunks = json.at("chunks").get<std::uint64_t>();
+  metadata.top = top_of(json.at("top"));
+  return metadata;
 }
 
 }  // namespace
@@ -75,7 +76,7 @@ std::uint64_t ShardNumber::end_chunk(std::uint64_t chunks) const {
   return number * chunks / count;
 }
 
-std::string SweepHeader::result_name() const {
+std::string SweepMetadata::result_name() const {
   return fmt::format("{}.sweep.{}", stem, format == RowFormat::csv ? "csv" : "jsonl");
 }
 
@@ -87,22 +88,22 @@ std::string_view summary_signature() {
   return kSummarySignature;
 }
 
-std::string write_shard_header(const SweepHeader& header, const ShardNumber& shard) {
+std::string write_shard_header(const SweepMetadata& metadata, const ShardNumber& shard) {
   Json json;
   json["kinestat"]["sweep_shard"] = 1;
-  json["kinestat"]["version"] = header.version;
-  json["plan"] = header.plan;
+  json["kinestat"]["version"] = metadata.version;
+  json["plan"] = metadata.plan;
   json["shard"] = {shard.number, shard.count};
-  json["stem"] = header.stem;
-  json["name"] = header.name;
-  json["format"] = word_of(header.format);
-  json["columns"] = header.titles;
-  json["heading"] = header.heading;
-  json["signature"] = header.signature;
-  json["require"] = header.requirements;
-  json["states"] = header.states;
-  json["chunks"] = header.chunks;
-  json["top"] = top_json(header.top);
+  json["stem"] = metadata.stem;
+  json["name"] = metadata.name;
+  json["format"] = word_of(metadata.format);
+  json["columns"] = metadata.titles;
+  json["heading"] = metadata.heading;
+  json["signature"] = metadata.signature;
+  json["require"] = metadata.requirements;
+  json["states"] = metadata.states;
+  json["chunks"] = metadata.chunks;
+  json["top"] = top_json(metadata.top);
   return json.dump() + "\n";
 }
 
@@ -112,7 +113,7 @@ std::optional<ShardHeader> read_shard_header(const std::string& line) {
   }
   try {
     const Json json = Json::parse(line);
-    ShardHeader result{.header = header_of(json), .shard = {}};
+    ShardHeader result{.metadata = metadata_of(json), .shard = {}};
     result.shard.number = json.at("shard").at(0).get<std::uint64_t>();
     result.shard.count = json.at("shard").at(1).get<std::uint64_t>();
     const bool is_right = result.shard.number >= 1 && result.shard.number <= result.shard.count;
@@ -122,8 +123,8 @@ std::optional<ShardHeader> read_shard_header(const std::string& line) {
   }
 }
 
-std::string write_sweep_summary(const SweepHeader& header, const SweepCounts& counts) {
-  const SweepSummaryView view{.header = header, .counts = counts};
+std::string write_sweep_summary(const SweepMetadata& metadata, const SweepCounts& counts) {
+  const SweepSummaryView view{.metadata = metadata, .counts = counts};
   return json_text(sweep_summary_record(), view, no_units(), JsonLayout::indented);
 }
 
@@ -138,15 +139,15 @@ std::optional<std::string> read_plan_of_summary(const std::string& text) {
   }
 }
 
-std::string sweep_text(const SweepHeader& header, const SweepCounts& counts) {
+std::string sweep_text(const SweepMetadata& metadata, const SweepCounts& counts) {
   std::string text = fmt::format("{}: {} states, {} analysed, {} rows\n",
-                                 header.stem,
+                                 metadata.stem,
                                  counts.states,
                                  counts.analysed(),
                                  counts.rows);
-  for (std::size_t i = 0; i < counts.excluded.size() && i < header.requirements.size(); ++i) {
+  for (std::size_t i = 0; i < counts.excluded.size() && i < metadata.requirements.size(); ++i) {
     text += fmt::format(
-        "  left out by '{}': {}\n", printable(header.requirements[i]), counts.excluded[i]);
+        "  left out by '{}': {}\n", printable(metadata.requirements[i]), counts.excluded[i]);
   }
   for (const auto& [status, count] : counts.statuses) {
     text += fmt::format("  {}: {}\n", status, count);
