@@ -11,9 +11,9 @@
 #include "power/power_graph.hpp"
 #include "power/ratio.hpp"
 #include "power/transmission_efficiency.hpp"
-#include "statics/contact_state.hpp"
+#include "statics/cable_contact_state.hpp"
 #include "statics/static_solution.hpp"
-#include "studies/mobility/counts.hpp"
+#include "studies/mobility/mobility_counts.hpp"
 #include "studies/sensitivity/affine.hpp"
 #include "studies/shift/shift_solution.hpp"
 
@@ -37,9 +37,10 @@ struct CaseAnalysis {
   Case which;
   std::optional<KinematicSolution> motion;
   std::optional<StaticSolution> action;
-  std::vector<ContactState> contacts;  ///< of cables with pulleys, in the order of the mechanism's
-  std::optional<VecX> pretension;      ///< of each action, which keeps pushed segments in tension
-  std::vector<int> coast_flanks;       ///< of geometry.other_flanks: those on which the teeth press
+  std::vector<CableContactState>
+      contacts;                    ///< of cables with pulleys, in the order of the mechanism's
+  std::optional<VecX> pretension;  ///< of each action, which keeps pushed segments in tension
+  std::vector<int> coast_flanks;   ///< of geometry.other_flanks: those on which the teeth press
   std::optional<PowerFlow> power;
   std::optional<PowerGraph> power_graph;             ///< beside `power`
   std::optional<TransmissionEfficiency> efficiency;  ///< beside `power`, where meshes lose any

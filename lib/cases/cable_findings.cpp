@@ -67,7 +67,7 @@ void add_slipping_cables(const JudgedFile& file,
                          const std::vector<CouplingId>& pushed,
                          CaseFindings& found) {
   for (std::size_t i = 0; i < one.contacts.size(); ++i) {
-    const ContactState& state = one.contacts[i];
+    const CableContactState& state = one.contacts[i];
     const CableContact& contact = file.mechanism.contacts[i];
     const auto is_slack = [&](CouplingId side) {
       return std::ranges::find(pushed, side) != pushed.end();

@@ -16,7 +16,7 @@ std::string_view impossible_status(const Mechanism& mechanism, const CaseAnalysi
   if (!find_pulling_contacts(mechanism, *one.action).empty()) {
     return "contact_pulls";
   }
-  return std::ranges::find(one.contacts, BeltState::beyond_limit, &ContactState::belt_state) ==
+  return std::ranges::find(one.contacts, BeltState::beyond_limit, &CableContactState::belt_state) ==
                  one.contacts.end()
              ? ""
              : "cable_slips";

@@ -15,7 +15,7 @@
 #include "network/bases.hpp"
 #include "statics/action.hpp"
 #include "statics/coupling_wrenches.hpp"
-#include "statics/friction.hpp"
+#include "statics/friction_solve.hpp"
 #include "statics/indeterminacy.hpp"
 #include "statics/one_sided_action.hpp"
 #include "statics/pretension.hpp"
@@ -240,7 +240,7 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   }
   const Mechanism& mechanism = flanks.mechanism ? *flanks.mechanism : drawn;
   if (has_answer(result.action)) {
-    result.contacts = find_contact_states(
+    result.contacts = find_cable_contact_states(
         mechanism, *result.action, is_solved(result.motion) ? &*result.motion : nullptr);
     if (!find_pushed_segments(mechanism, *result.action).empty()) {
       result.pretension = find_pretension(mechanism, flanks.basis, *result.action);

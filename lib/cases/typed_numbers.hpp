@@ -10,7 +10,7 @@
 #include "kinematics/kinematic_solution.hpp"
 #include "mechanism/bind/typed_mechanism.hpp"
 #include "statics/static_solution.hpp"
-#include "studies/mobility/counts.hpp"
+#include "studies/mobility/mobility_counts.hpp"
 
 namespace kinestat {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "draw/markup.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 
 namespace kinestat {
 

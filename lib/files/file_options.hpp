@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/accuracy.hpp"
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 #include "files/outcome.hpp"
 #include "files/output.hpp"
 

@@ -7,7 +7,7 @@
 #include "core/contract.hpp"
 #include "core/utf8.hpp"
 #include "expression/functions.hpp"
-#include "format/numbers.hpp"
+#include "format/number_forms.hpp"
 #include "io/value_reader.hpp"
 
 namespace kinestat {

@@ -6,7 +6,7 @@
 #include "core/accuracy.hpp"
 #include "core/solve_status.hpp"
 #include "math/elimination/rank.hpp"
-#include "network/counts.hpp"
+#include "network/freedom_counts.hpp"
 #include "network/primary_check.hpp"
 #include "screw/twist.hpp"
 

@@ -10,7 +10,7 @@
 #include "graph/coupling_graph.hpp"
 #include "mechanism/cables/cable_contact.hpp"
 #include "mechanism/cases/case.hpp"
-#include "mechanism/couplings/friction.hpp"
+#include "mechanism/couplings/coupling_friction.hpp"
 #include "mechanism/gears/lossy_mesh.hpp"
 #include "mechanism/geometry.hpp"
 #include "mechanism/topology.hpp"

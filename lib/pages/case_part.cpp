@@ -11,7 +11,7 @@
 #include "core/utf8.hpp"
 #include "pages/figures.hpp"
 #include "pages/tables.hpp"
-#include "studies/shift/report/gear_values.hpp"
+#include "studies/shift/report/gear_report.hpp"
 
 namespace kinestat {
 

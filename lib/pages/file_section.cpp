@@ -9,7 +9,7 @@
 #include "draw/train/gear_scheme.hpp"
 #include "pages/case_part.hpp"
 #include "pages/figures.hpp"
-#include "pages/findings.hpp"
+#include "pages/findings_list.hpp"
 #include "pages/motion_part.hpp"
 #include "pages/summary.hpp"
 #include "pages/tables.hpp"

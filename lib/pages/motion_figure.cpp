@@ -8,7 +8,7 @@
 #include "core/tolerance.hpp"
 #include "draw/linkage/linkage_drawing.hpp"
 #include "pages/figures.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 
 namespace kinestat {
 

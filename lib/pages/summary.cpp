@@ -11,8 +11,8 @@
 #include "couplings/kinds.hpp"
 #include "pages/counted.hpp"
 #include "pages/synthesis_summary.hpp"
-#include "report/numbers.hpp"
-#include "studies/shift/report/gear_values.hpp"
+#include "report/number_format.hpp"
+#include "studies/shift/report/gear_report.hpp"
 
 namespace kinestat {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "pages/counted.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 #include "studies/synthesis/report/linkage_text.hpp"
 
 namespace kinestat {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 
 namespace kinestat {
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "report/json_values.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 
 namespace kinestat {
 

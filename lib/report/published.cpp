@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 
 namespace kinestat {
 

@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "cases/analysis_findings.hpp"
 #include "cases/certainty_findings.hpp"
-#include "cases/findings.hpp"
 #include "files/each_file.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "report/file/certified_report.hpp"
 #include "studies/motion/task/find_motion.hpp"
-#include "studies/shift/task/gears.hpp"
+#include "studies/shift/task/gear_cases.hpp"
 #include "studies/synthesis/task/find_synthesis.hpp"
 
 namespace kinestat {

@@ -6,7 +6,7 @@
 
 #include "cases/chosen_case.hpp"
 #include "files/each_file.hpp"
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 #include "format/mechanism_reader.hpp"
 #include "io/yaml_tree.hpp"
 #include "mechanism/bind/bind.hpp"

@@ -9,7 +9,7 @@
 #include "description/mechanism_description.hpp"
 #include "files/each_file.hpp"
 #include "mechanism/bind/bind.hpp"
-#include "pages/html_report.hpp"
+#include "pages/html_document.hpp"
 #include "pages/motion_figure.hpp"
 #include "report/file/certified_report.hpp"
 #include "report/file/motion_report.hpp"

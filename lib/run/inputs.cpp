@@ -10,7 +10,7 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "files/each_file.hpp"
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 #include "kinematics/velocity.hpp"
 #include "network/bases.hpp"
 #include "statics/action.hpp"

@@ -3,11 +3,11 @@
 #include <optional>
 #include <utility>
 
+#include "cases/analysis_findings.hpp"
 #include "cases/certainty_findings.hpp"
 #include "cases/certified_cases.hpp"
-#include "cases/findings.hpp"
 #include "files/each_file.hpp"
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 #include "report/file/shift_report.hpp"
 
 namespace kinestat {

@@ -7,7 +7,7 @@
 #include "core/accuracy.hpp"
 #include "math/elimination/data_zero.hpp"
 #include "mechanism/mechanism.hpp"
-#include "network/counts.hpp"
+#include "network/freedom_counts.hpp"
 #include "network/primary_check.hpp"
 #include "screw/coordinate_basis.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "expression/file_units.hpp"
 #include "record/record.hpp"
-#include "statics/contact_state.hpp"
+#include "statics/cable_contact_state.hpp"
 #include "statics/static_solution.hpp"
 
 namespace kinestat {
@@ -14,8 +14,8 @@ struct StaticView {
   const Mechanism& mechanism;
   const Case& which;
   const StaticSolution& action;
-  std::span<const ContactState> contacts;  ///< of mechanism.contacts, or none
-  const FileUnits& units;                  ///< self-stresses are for one of them
+  std::span<const CableContactState> contacts;  ///< of mechanism.contacts, or none
+  const FileUnits& units;                       ///< self-stresses are for one of them
 };
 
 const Record<StaticView>& static_record();

@@ -9,7 +9,7 @@
 #include "core/solve_status.hpp"
 #include "math/elimination/rank.hpp"
 #include "mechanism/mechanism.hpp"
-#include "network/counts.hpp"
+#include "network/freedom_counts.hpp"
 #include "network/primary_check.hpp"
 #include "screw/wrench.hpp"
 #include "statics/friction_law.hpp"

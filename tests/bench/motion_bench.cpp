@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "bench_program.hpp"
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 #include "interleave.hpp"
 #include "ratio_table.hpp"
 #include "studies/motion/motion.hpp"

@@ -20,7 +20,7 @@
 #include "report/file/file_report.hpp"
 #include "run/analyse.hpp"
 #include "statics/action.hpp"
-#include "studies/mobility/counts.hpp"
+#include "studies/mobility/mobility_counts.hpp"
 #include "subject.hpp"
 
 namespace kinestat::bench {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/source.hpp"
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 #include "io/yaml_tree.hpp"
 #include "kinematics/velocity.hpp"
 #include "network/bases.hpp"

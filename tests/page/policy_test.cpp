@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pages/html_report.hpp"
+#include "pages/html_document.hpp"
 
 namespace kinestat {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/solve_cases.hpp"
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 #include "studies/synthesis/task/find_synthesis.hpp"
 
 namespace kinestat {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 #include "math/elimination/exact_elimination.hpp"
 #include "math/elimination/refined_solve.hpp"
 #include "network/node_system.hpp"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 #include "property/identities.hpp"
 #include "property/library_files.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "property/identities.hpp"
 #include "property/library_files.hpp"

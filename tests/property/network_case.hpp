@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "kinematics/velocity.hpp"
-#include "network/counts.hpp"
+#include "network/freedom_counts.hpp"
 #include "statics/action.hpp"
 #include "support/random.hpp"
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "mechanism/label_kind.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 
 namespace kinestat {
 

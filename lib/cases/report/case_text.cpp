@@ -11,7 +11,7 @@
 #include "mechanism/label_kind.hpp"
 #include "report/column_table.hpp"
 #include "report/in_units.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 #include "report/table.hpp"
 
 namespace kinestat {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "cases/report/efficiency_text.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 
 namespace kinestat {
 

@@ -4,7 +4,7 @@
 
 #include "math/dense/readable_basis.hpp"
 #include "mechanism/label_kind.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 #include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
@@ -222,7 +222,7 @@ TextBlocks contacts_blocks(const Mechanism& mechanism, const CaseAnalysis& one, 
                head("slip", QuantityKind::velocity),
                "state"});
   for (std::size_t i = 0; i < one.contacts.size(); ++i) {
-    const ContactState& state = one.contacts[i];
+    const CableContactState& state = one.contacts[i];
     const std::optional<double>& wrap = mechanism.contacts[i].wrap;
     const auto force = [&](const std::optional<double>& v) {
       return cell_of(v ? std::optional(in.force(*v)) : std::nullopt);

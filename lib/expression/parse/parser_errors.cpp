@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "expression/parse/number_spellings.hpp"
+#include "expression/parse/number_format_errors.hpp"
 #include "expression/parse/parser.hpp"
 #include "expression/parse/suggestion.hpp"
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "expression/parse/characters.hpp"
-#include "expression/parse/number_spellings.hpp"
+#include "expression/parse/number_format_errors.hpp"
 
 namespace kinestat {
 

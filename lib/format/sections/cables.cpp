@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "format/alternatives.hpp"
-#include "format/numbers.hpp"
+#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
 #include "format/value_forms.hpp"
 #include "format/variants.hpp"

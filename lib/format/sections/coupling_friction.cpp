@@ -3,7 +3,7 @@
 
 #include "format/alternatives.hpp"
 #include "format/mapping.hpp"
-#include "format/numbers.hpp"
+#include "format/number_forms.hpp"
 #include "format/sections/coupling_values.hpp"
 
 namespace kinestat {

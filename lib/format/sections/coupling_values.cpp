@@ -6,7 +6,7 @@
 
 #include "format/alternatives.hpp"
 #include "format/mapping.hpp"
-#include "format/numbers.hpp"
+#include "format/number_forms.hpp"
 #include "format/value_forms.hpp"
 #include "format/variants.hpp"
 #include "io/value_reader.hpp"

@@ -5,7 +5,7 @@
 
 #include "couplings/kinds.hpp"
 #include "format/alternatives.hpp"
-#include "format/numbers.hpp"
+#include "format/number_forms.hpp"
 #include "format/sections/coupling_values.hpp"
 #include "format/sections/sections.hpp"
 #include "format/value_forms.hpp"

@@ -1,5 +1,5 @@
 // The section `gears`.
-#include "format/numbers.hpp"
+#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
 #include "format/value_forms.hpp"
 

@@ -1,5 +1,5 @@
 // The sections `loads`, at the top level and in a case, and `gravity`.
-#include "format/numbers.hpp"
+#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
 #include "format/value_forms.hpp"
 

@@ -1,6 +1,6 @@
 // The section `losses`.
 #include "format/alternatives.hpp"
-#include "format/numbers.hpp"
+#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
 #include "format/value_forms.hpp"
 

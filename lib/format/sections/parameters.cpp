@@ -7,7 +7,7 @@
 
 #include "expression/functions.hpp"
 #include "format/alternatives.hpp"
-#include "format/numbers.hpp"
+#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
 #include "io/value_reader.hpp"
 

@@ -1,7 +1,7 @@
 // The section `published`.
 #include <cmath>
 
-#include "format/numbers.hpp"
+#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
 #include "format/value_forms.hpp"
 

@@ -1,7 +1,7 @@
 // The unit screws of a coupling in a moved position.
 #pragma once
 
-#include "mechanism/couplings/drawn_coupling.hpp"
+#include "mechanism/couplings/drawn_coupling_binder.hpp"
 #include "screw/pose.hpp"
 
 namespace kinestat {

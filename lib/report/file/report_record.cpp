@@ -3,7 +3,7 @@
 #include "cases/report/case_record.hpp"
 #include "network/evidence_record.hpp"
 #include "report/report_keys.hpp"
-#include "studies/mobility/counts_record.hpp"
+#include "studies/mobility/mobility_counts_record.hpp"
 #include "studies/motion/report/motion_record.hpp"
 #include "studies/shift/report/shift_record.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "mechanism/cables/cable_contact.hpp"
 #include "record/record.hpp"
-#include "statics/contact_state.hpp"
+#include "statics/cable_contact_state.hpp"
 #include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
@@ -41,7 +41,7 @@ const Record<PlanetShare>& planet_record();
 
 struct ContactView {
   const CableContact& contact;
-  const ContactState& state;
+  const CableContactState& state;
 };
 
 const Record<ContactView>& contact_record();

@@ -9,7 +9,7 @@
 #include "core/utf8.hpp"
 #include "core/version.hpp"
 #include "report/json_archive.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 #include "report/table.hpp"
 
 namespace kinestat {

@@ -8,7 +8,7 @@
 #include "graph/cutsets.hpp"
 #include "report/csv.hpp"
 #include "report/file/report_record.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 #include "report/report_parts.hpp"
 #include "report/table.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "studies/mobility/counts.hpp"
 #include "studies/mobility/grubler.hpp"
+#include "studies/mobility/mobility_counts.hpp"
 #include "studies/mobility/motion_space.hpp"
 #include "studies/mobility/redundancy.hpp"
 #include "studies/mobility/repair.hpp"

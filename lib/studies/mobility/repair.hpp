@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "network/counts.hpp"
+#include "network/freedom_counts.hpp"
 #include "studies/mobility/redundancy.hpp"
 
 namespace kinestat {

@@ -1,7 +1,7 @@
 // What reports say of the table of Reshetov.
 #pragma once
 
-#include "network/counts.hpp"
+#include "network/freedom_counts.hpp"
 #include "record/record.hpp"
 #include "studies/mobility/reshetov.hpp"
 

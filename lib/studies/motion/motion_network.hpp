@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "couplings/finite_law.hpp"
-#include "mechanism/couplings/drawn_coupling.hpp"
+#include "mechanism/couplings/drawn_coupling_binder.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 
 namespace kinestat {
 

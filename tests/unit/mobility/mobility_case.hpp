@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 #include "format/mechanism_reader.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "mechanism/bind/bind_counted.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 #include "math/elimination/rank.hpp"
 #include "support/mechanism_text.hpp"
 #include "support/near.hpp"

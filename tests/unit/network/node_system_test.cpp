@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "math/elimination/elimination.hpp"
-#include "network/counts.hpp"
+#include "network/freedom_counts.hpp"
 #include "support/mechanism_text.hpp"
 #include "support/near.hpp"
 

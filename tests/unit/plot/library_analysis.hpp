@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "cases/solve_cases.hpp"
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 #include "studies/synthesis/task/find_synthesis.hpp"
 
 namespace kinestat {

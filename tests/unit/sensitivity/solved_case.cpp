@@ -7,7 +7,7 @@
 #include "kinematics/velocity.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "network/bases.hpp"
-#include "statics/friction.hpp"
+#include "statics/friction_solve.hpp"
 #include "statics/indeterminacy.hpp"
 #include "support/read_text.hpp"
 

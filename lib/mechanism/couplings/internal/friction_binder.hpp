@@ -5,7 +5,7 @@
 
 #include "couplings/coupling_geometry.hpp"
 #include "mechanism/bind/evaluator.hpp"
-#include "mechanism/couplings/friction.hpp"
+#include "mechanism/couplings/coupling_friction.hpp"
 
 namespace kinestat {
 

@@ -6,7 +6,7 @@
 
 #include "core/text.hpp"
 #include "mechanism/label_kind.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 #include "report/report_parts.hpp"
 #include "report/table.hpp"
 #include "studies/inputs/report/inputs_record.hpp"

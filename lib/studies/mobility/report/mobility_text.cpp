@@ -4,7 +4,7 @@
 
 #include "mechanism/label_kind.hpp"
 #include "report/in_units.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 #include "report/report_parts.hpp"
 #include "studies/mobility/report/mobility_words.hpp"
 #include "studies/mobility/report/redundancy_text.hpp"

@@ -8,7 +8,7 @@
 
 #include "core/tolerance.hpp"
 #include "report/in_units.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 
 namespace kinestat {
 

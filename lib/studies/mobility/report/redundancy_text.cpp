@@ -4,7 +4,7 @@
 
 #include "couplings/kinds.hpp"
 #include "mechanism/label_kind.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 #include "studies/mobility/report/mobility_words.hpp"
 
 namespace kinestat {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "report/csv.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 
 namespace kinestat {
 

@@ -8,7 +8,7 @@
 #include "core/tolerance.hpp"
 #include "core/utf8.hpp"
 #include "report/column_table.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 
 namespace kinestat {
 

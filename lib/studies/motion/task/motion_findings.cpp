@@ -12,7 +12,7 @@
 #include "core/motion_tolerance.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 #include "studies/motion/task/motion_kind.hpp"
 
 namespace kinestat {

@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "core/tolerance.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 
 namespace kinestat {
 

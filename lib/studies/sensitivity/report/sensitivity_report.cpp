@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 #include "report/report_parts.hpp"
 #include "report/table.hpp"
 #include "studies/sensitivity/report/sensitivity_record.hpp"

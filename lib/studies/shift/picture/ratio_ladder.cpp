@@ -11,7 +11,7 @@
 #include "draw/axes.hpp"
 #include "draw/picture_title.hpp"
 #include "draw/text_styles.hpp"
-#include "studies/shift/report/gear_values.hpp"
+#include "studies/shift/report/gear_report.hpp"
 
 namespace kinestat {
 

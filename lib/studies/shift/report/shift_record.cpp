@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "studies/shift/report/gear_values.hpp"
+#include "studies/shift/report/gear_report.hpp"
 
 namespace kinestat {
 

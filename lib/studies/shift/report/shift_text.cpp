@@ -8,8 +8,8 @@
 #include "core/contract.hpp"
 #include "core/utf8.hpp"
 #include "report/in_units.hpp"
-#include "report/numbers.hpp"
-#include "studies/shift/report/gear_values.hpp"
+#include "report/number_format.hpp"
+#include "studies/shift/report/gear_report.hpp"
 
 namespace kinestat {
 

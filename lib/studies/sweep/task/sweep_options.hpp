@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 #include "files/outcome.hpp"
 #include "io/atomic_file.hpp"
 #include "studies/sweep/report/sweep_metadata.hpp"

@@ -12,7 +12,7 @@
 #include "core/version.hpp"
 #include "files/output.hpp"
 #include "io/chunk_record.hpp"
-#include "studies/shift/task/gears.hpp"
+#include "studies/shift/task/gear_cases.hpp"
 
 namespace kinestat {
 

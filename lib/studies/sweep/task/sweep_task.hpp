@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 #include "studies/sweep/report/sweep_column.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 #include "studies/sweep/task/sweep_options.hpp"

@@ -6,7 +6,7 @@
 #include "network/bases.hpp"
 #include "studies/shift/shift_network.hpp"
 #include "studies/shift/shift_table.hpp"
-#include "studies/shift/task/gears.hpp"
+#include "studies/shift/task/gear_cases.hpp"
 
 namespace kinestat {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "report/in_units.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 #include "studies/synthesis/positions/plane.hpp"
 
 namespace kinestat {

@@ -10,7 +10,7 @@
 
 #include "core/contract.hpp"
 #include "report/in_units.hpp"
-#include "report/numbers.hpp"
+#include "report/number_format.hpp"
 #include "studies/synthesis/report/linkage_text.hpp"
 
 namespace kinestat {

@@ -1,4 +1,4 @@
-#include "statics/contact_state.hpp"
+#include "statics/cable_contact_state.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -16,7 +16,7 @@ namespace {
 constexpr double kClose = 1e-12;
 
 // A cable with half a turn around a fixed drum; a brake on the virtual link holds it.
-ContactState held(double mu, double before, double after) {
+CableContactState held(double mu, double before, double after) {
   const Mechanism mechanism = mechanism_of(
       fmt::format("space: planar\n"
                   "ground: frame\n"
@@ -43,13 +43,13 @@ ContactState held(double mu, double before, double after) {
                    mechanism.cases.front().actions,
                    {});
   EXPECT_EQ(solution.status, SolveStatus::solved);
-  return find_contact_states(mechanism, solution, nullptr).at(0);
+  return find_cable_contact_states(mechanism, solution, nullptr).at(0);
 }
 
-TEST(ContactState, SticksUpToTheLimitOfEulerAndEytelwein) {
+TEST(CableContactState, SticksUpToTheLimitOfEulerAndEytelwein) {
   const double limit = std::exp(0.3 * std::numbers::pi);
 
-  const ContactState at_limit = held(0.3, 10.0, 10.0 * limit);
+  const CableContactState at_limit = held(0.3, 10.0, 10.0 * limit);
 
   EXPECT_NEAR(at_limit.limit.value_or(0.0), limit, kClose);
   EXPECT_NEAR(at_limit.ratio.value_or(0.0), limit, kClose);
@@ -57,22 +57,22 @@ TEST(ContactState, SticksUpToTheLimitOfEulerAndEytelwein) {
   EXPECT_EQ(held(0.3, 10.0 * limit, 10.0).belt_state, BeltState::sticking);
 }
 
-TEST(ContactState, WouldSlipBeyondTheLimit) {
+TEST(CableContactState, WouldSlipBeyondTheLimit) {
   const double limit = std::exp(0.3 * std::numbers::pi);
 
   EXPECT_EQ(held(0.3, 10.0, 10.001 * limit).belt_state, BeltState::beyond_limit);
   EXPECT_EQ(held(0.3, 10.001 * limit, 10.0).belt_state, BeltState::beyond_limit);
 }
 
-TEST(ContactState, HasNoRatioWhereTheRopeIsSlack) {
-  const ContactState state = held(0.3, 0.0, 10.0);
+TEST(CableContactState, HasNoRatioWhereTheRopeIsSlack) {
+  const CableContactState state = held(0.3, 0.0, 10.0);
 
   EXPECT_FALSE(state.ratio);
   EXPECT_EQ(state.belt_state, BeltState::beyond_limit);
 }
 
-TEST(ContactState, IsUnknownWithoutMotionOnlyInItsSlip) {
-  const ContactState state = held(0.3, 10.0, 11.0);
+TEST(CableContactState, IsUnknownWithoutMotionOnlyInItsSlip) {
+  const CableContactState state = held(0.3, 10.0, 11.0);
 
   EXPECT_FALSE(state.slip_speed);
   EXPECT_FALSE(state.slip_power);

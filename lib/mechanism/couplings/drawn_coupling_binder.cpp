@@ -1,4 +1,4 @@
-#include "mechanism/couplings/drawn_coupling.hpp"
+#include "mechanism/couplings/drawn_coupling_binder.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "statics/friction.hpp"
+#include "statics/friction_solve.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "studies/shift/report/gear_values.hpp"
+#include "studies/shift/report/gear_report.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "expression/parse/number_spellings.hpp"
+#include "expression/parse/number_format_errors.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "files/load.hpp"
+#include "files/load_file.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -12,7 +12,7 @@
 #include "format/mechanism_reader.hpp"
 #include "io/yaml_tree.hpp"
 #include "mechanism/bind/bind.hpp"
-#include "studies/shift/task/gears.hpp"
+#include "studies/shift/task/gear_cases.hpp"
 
 namespace kinestat {
 

@@ -1,4 +1,4 @@
-#include "pages/findings.hpp"
+#include "pages/findings_list.hpp"
 
 #include <algorithm>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "cases/findings.hpp"
+#include "cases/analysis_findings.hpp"
 
 #include <algorithm>
 

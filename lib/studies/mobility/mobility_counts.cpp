@@ -1,4 +1,4 @@
-#include "studies/mobility/counts.hpp"
+#include "studies/mobility/mobility_counts.hpp"
 
 #include <algorithm>
 

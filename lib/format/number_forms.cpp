@@ -1,4 +1,4 @@
-#include "format/numbers.hpp"
+#include "format/number_forms.hpp"
 
 #include <utility>
 

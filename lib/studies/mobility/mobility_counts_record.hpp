@@ -2,7 +2,7 @@
 #pragma once
 
 #include "record/record.hpp"
-#include "studies/mobility/counts.hpp"
+#include "studies/mobility/mobility_counts.hpp"
 
 namespace kinestat {
 

@@ -1,4 +1,4 @@
-#include "studies/shift/task/gears.hpp"
+#include "studies/shift/task/gear_cases.hpp"
 
 #include <algorithm>
 #include <iterator>

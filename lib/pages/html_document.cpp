@@ -1,4 +1,4 @@
-#include "pages/html_report.hpp"
+#include "pages/html_document.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "statics/contact_state.hpp"
+#include "statics/cable_contact_state.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ BoundedNumber slip_speed(const Mechanism& mechanism,
          BoundedNumber{.value = radius, .bound = kDataRounding * std::abs(radius)};
 }
 
-BeltState belt_state_of(const ContactState& state) {
+BeltState belt_state_of(const CableContactState& state) {
   if (state.slip_speed.value_or(0.0) != 0.0) {
     return BeltState::slipping;
   }
@@ -52,15 +52,15 @@ BeltState belt_state_of(const ContactState& state) {
 
 }  // namespace
 
-std::vector<ContactState> find_contact_states(const Mechanism& mechanism,
-                                              const StaticSolution& solution,
-                                              const KinematicSolution* motion) {
-  std::vector<ContactState> states;
+std::vector<CableContactState> find_cable_contact_states(const Mechanism& mechanism,
+                                                         const StaticSolution& solution,
+                                                         const KinematicSolution* motion) {
+  std::vector<CableContactState> states;
   if (solution.magnitudes.empty()) {
     return states;
   }
   for (const CableContact& contact : mechanism.contacts) {
-    ContactState state;
+    CableContactState state;
     const auto before = tension(mechanism, contact.arrives, solution);
     const auto after = tension(mechanism, contact.leaves, solution);
     state.before = before ? std::optional(before->zeroed()) : std::nullopt;

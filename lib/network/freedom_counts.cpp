@@ -1,4 +1,4 @@
-#include "network/counts.hpp"
+#include "network/freedom_counts.hpp"
 
 namespace kinestat {
 

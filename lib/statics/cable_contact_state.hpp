@@ -34,7 +34,7 @@ constexpr std::string_view word_of(BeltState belt_state) {
 }
 
 /// One contact of a cable with a pulley in one case, SI units.
-struct ContactState {
+struct CableContactState {
   std::optional<double> before;      ///< tension T_1 of the segment that arrives [N]
   std::optional<double> after;       ///< tension T_2 of the segment that leaves [N]
   std::optional<double> ratio;       ///< of the larger tension to the smaller, if both pull
@@ -46,8 +46,8 @@ struct ContactState {
 
 /// In the order of mechanism.contacts; empty if the case has no actions. Without `motion` it is not
 /// known whether cables slip.
-std::vector<ContactState> find_contact_states(const Mechanism& mechanism,
-                                              const StaticSolution& solution,
-                                              const KinematicSolution* motion);
+std::vector<CableContactState> find_cable_contact_states(const Mechanism& mechanism,
+                                                         const StaticSolution& solution,
+                                                         const KinematicSolution* motion);
 
 }  // namespace kinestat

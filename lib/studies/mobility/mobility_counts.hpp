@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "math/elimination/rank.hpp"
-#include "network/counts.hpp"
+#include "network/freedom_counts.hpp"
 
 namespace kinestat {
 

@@ -1,4 +1,4 @@
-#include "statics/friction.hpp"
+#include "statics/friction_solve.hpp"
 
 #include <cmath>
 #include <numbers>
