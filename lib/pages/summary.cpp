@@ -194,7 +194,7 @@ void add_ratios(const Analysis& analysis, Sentences& sentences) {
 void add_circulation(const Analysis& analysis, Sentences& sentences) {
   std::vector<std::string> labels;
   for (const CaseAnalysis& one : analysis.cases) {
-    if (one.power_graph && !one.power_graph->loops.empty()) {
+    if (one.power_graph && !one.power_graph->circulating.empty()) {
       labels.push_back(printable(one.which.label));
     }
   }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graph/strong_components.hpp"
 #include "kinematics/bounded_motion.hpp"
+#include "power/circulating_power.hpp"
 #include "power/internal/net_power.hpp"
 #include "statics/coupling_wrenches.hpp"
 
@@ -37,13 +37,13 @@ class GraphBuilder {
     const std::vector<Mesh> meshes = find_meshes(topology_, mechanism_.geometry);
     find_mesh_powers(meshes);
     graph_.net = find_net_powers(mechanism_, motion_, action_, meshes, graph_.arcs);
-    find_loops();
+    graph_.circulating = find_circulating_power(topology_.body_count(), graph_.net, graph_.meshes);
     if (flow_.input > 0.0) {
       double largest = 0.0;
       for (const PowerArc& arc : graph_.net) {
         largest = std::max(largest, arc.power);
       }
-      graph_.factor = largest / flow_.input;
+      graph_.recirculation = largest / flow_.input;
     }
     return std::move(graph_);
   }
@@ -95,53 +95,6 @@ class GraphBuilder {
         graph_.meshes.push_back(
             {.coupling = mesh.coupling, .carrier = *mesh.carrier, .rolling = rolling.zeroed()});
       }
-    }
-  }
-
-  void find_loops() {
-    Digraph flow{.vertex_count = topology_.body_count(), .edges = {}};
-    for (const PowerArc& arc : graph_.net) {
-      flow.edges.push_back({.tail = arc.from.value, .head = arc.to.value});
-    }
-    for (const std::vector<int>& part : find_strong_components(flow)) {
-      graph_.loops.push_back(loop_of(part));
-    }
-  }
-
-  PowerLoop loop_of(const std::vector<int>& part) const {
-    PowerLoop loop;
-    const auto is_member = [&](BodyId body) { return std::ranges::count(part, body.value) > 0; };
-    for (const int body : part) {
-      loop.bodies.push_back(BodyId{body});
-    }
-    for (std::size_t i = 0; i < graph_.net.size(); ++i) {
-      const PowerArc& arc = graph_.net[i];
-      if (is_member(arc.from) && is_member(arc.to)) {
-        loop.arcs.push_back(i);
-        loop.rolls = loop.rolls || rolls(arc.coupling);
-      }
-    }
-    if (loop.arcs.size() == loop.bodies.size()) {
-      put_in_order(loop);
-    }
-    return loop;
-  }
-
-  bool rolls(CouplingId coupling) const {
-    const auto mesh = std::ranges::find(graph_.meshes, coupling, &MeshPower::coupling);
-    return mesh != graph_.meshes.end() && mesh->rolling != 0.0;
-  }
-
-  // As many arcs as bodies are a single circle: each body has one arc that leaves it.
-  void put_in_order(PowerLoop& loop) const {
-    const std::vector<std::size_t> arcs = loop.arcs;
-    BodyId at = loop.bodies.front();
-    for (std::size_t i = 0; i < arcs.size(); ++i) {
-      const auto next =
-          *std::ranges::find(arcs, at, [&](std::size_t arc) { return graph_.net[arc].from; });
-      loop.bodies[i] = at;
-      loop.arcs[i] = next;
-      at = graph_.net[next].to;
     }
   }
 

@@ -7,6 +7,7 @@
 #include "kinematics/kinematic_solution.hpp"
 #include "mechanism/gears/mesh.hpp"
 #include "mechanism/mechanism.hpp"
+#include "power/circulating_power.hpp"
 #include "power/power_flow.hpp"
 #include "statics/static_solution.hpp"
 
@@ -36,14 +37,6 @@ struct MeshPower {
                          ///< the mesh are a share of (rolling, latent or potential power)
 };
 
-/// Bodies each of which sends power, by way of others, to all the others: power that goes in a
-/// circle and loads its members without reaching the output.
-struct PowerLoop {
-  std::vector<BodyId> bodies;     ///< in the sense of the flow where that is a single circle
-  std::vector<std::size_t> arcs;  ///< indices into PowerGraph::net, likewise
-  bool rolls = false;             ///< whether a mesh among them rolls, and so loses power
-};
-
 /// Seen from the ground, so that a train that turns as a block carries power too. Couplings whose
 /// wrench is open are left out, and with them the balance of their bodies.
 struct PowerGraph {
@@ -56,8 +49,9 @@ struct PowerGraph {
   std::vector<PowerArc> net;
   std::vector<std::optional<BodyPower>> bodies;  ///< of all bodies; the ground, at rest, has zeros
   std::vector<MeshPower> meshes;                 ///< those whose carrier is known
-  std::vector<PowerLoop> loops;
-  std::optional<double> factor;  ///< γ: largest power of `net` over the input, if any
+  std::vector<CirculatingPower> circulating;
+  /// γ: largest power of `net` over the input, if any.
+  std::optional<double> recirculation;
 };
 
 /// The flow must be that of the motion and the actions.

@@ -32,7 +32,9 @@ TextBlocks meshes_blocks(const Topology& topology, const CaseAnalysis& one, cons
 
 // "carrier -(f)-> planet5 -(i)-> planet6 -(g)-> carrier", or the members where there are several
 // circles.
-std::string circle_text(const Topology& topology, const PowerGraph& graph, const PowerLoop& loop) {
+std::string circle_text(const Topology& topology,
+                        const PowerGraph& graph,
+                        const CirculatingPower& loop) {
   std::string text;
   for (std::size_t i = 0; i < loop.bodies.size(); ++i) {
     text += (i == 0 ? "" : ", ") + topology.body(loop.bodies[i]).name;
@@ -51,7 +53,7 @@ std::string circle_text(const Topology& topology, const PowerGraph& graph, const
 
 std::string loops_text(const Topology& topology, const PowerGraph& graph, const InUnits& in) {
   std::string text;
-  for (const PowerLoop& loop : graph.loops) {
+  for (const CirculatingPower& loop : graph.circulating) {
     double largest = 0.0;
     for (const std::size_t arc : loop.arcs) {
       largest = std::max(largest, graph.net[arc].power);

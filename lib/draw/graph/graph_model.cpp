@@ -143,7 +143,7 @@ class PowerModeller {
     if (!one_.power_graph) {
       return;
     }
-    for (const PowerLoop& loop : one_.power_graph->loops) {
+    for (const CirculatingPower& loop : one_.power_graph->circulating) {
       for (const std::size_t arc : loop.arcs) {
         const CouplingId coupling = one_.power_graph->net[arc].coupling;
         model_.power[static_cast<std::size_t>(coupling.value)].recirculates = true;

@@ -65,7 +65,7 @@ const Record<MeshView>& mesh_record() {
 struct LoopView {
   const Topology& topology;
   const PowerGraph& graph;
-  const PowerLoop& loop;
+  const CirculatingPower& loop;
 };
 
 const Record<LoopView>& loop_record() {
@@ -122,7 +122,7 @@ void write_arc_rows(const PowerView& v, Archive& to) {
 // That of a coupling with circulating power beside the number of the circle.
 void write_loop_rows(const PowerView& v, Archive& to) {
   to.begin_list();
-  for (const PowerLoop& loop : v.graph.loops) {
+  for (const CirculatingPower& loop : v.graph.circulating) {
     to.begin_map();
     for (const std::size_t arc : loop.arcs) {
       to.element(v.mechanism.topology.coupling(v.graph.net[arc].coupling).name, {});
@@ -141,13 +141,13 @@ const Record<PowerView>& recirculation_record() {
                     Bare::number,
                     "Largest power from shaft to shaft over the input power, planets that mesh "
                     "with each other being one; null without input.",
-                    [](const PowerView& v) { return v.graph.factor; })
+                    [](const PowerView& v) { return v.graph.recirculation; })
             .at_least(0);
         keys.list("loops",
                   loop_record(),
                   "Bodies each of which sends power, by way of others, to all the others.",
                   [](const PowerView& v, const Each<LoopView>& each) {
-                    for (const PowerLoop& loop : v.graph.loops) {
+                    for (const CirculatingPower& loop : v.graph.circulating) {
                       each({.topology = v.mechanism.topology, .graph = v.graph, .loop = loop});
                     }
                   })

@@ -66,10 +66,10 @@ TEST_F(Ring, SumsWhatEveryBodyReceivesAndGives) {
 TEST_F(Ring, IsALoopInTheSenseOfTheFlow) {
   const PowerGraph result = graph();
 
-  ASSERT_EQ(result.loops.size(), 1U);
-  EXPECT_EQ(result.loops[0].bodies, std::vector<BodyId>({BodyId{1}, BodyId{2}, BodyId{3}}));
-  EXPECT_EQ(result.loops[0].arcs, std::vector<std::size_t>({0, 1, 2}));
-  EXPECT_FALSE(result.loops[0].rolls);
+  ASSERT_EQ(result.circulating.size(), 1U);
+  EXPECT_EQ(result.circulating[0].bodies, std::vector<BodyId>({BodyId{1}, BodyId{2}, BodyId{3}}));
+  EXPECT_EQ(result.circulating[0].arcs, std::vector<std::size_t>({0, 1, 2}));
+  EXPECT_FALSE(result.circulating[0].rolls);
 }
 
 TEST_F(Ring, IsNoLoopWhereACouplingPullsTheOtherWay) {
@@ -81,7 +81,7 @@ TEST_F(Ring, IsNoLoopWhereACouplingPullsTheOtherWay) {
 
   EXPECT_EQ(result.arcs[2].from, BodyId{1});
   EXPECT_EQ(result.arcs[2].to, BodyId{3});
-  EXPECT_TRUE(result.loops.empty());
+  EXPECT_TRUE(result.circulating.empty());
 }
 
 TEST_F(Ring, HasNoArcThroughACouplingThatFeedsBothSidesOrNeither) {
@@ -113,14 +113,14 @@ TEST_F(Ring, CountsTheStrandsOfABeltAsOne) {
   const PowerGraph result = graph();
 
   EXPECT_EQ(result.arcs.size(), 2U);
-  EXPECT_TRUE(result.loops.empty());
-  EXPECT_EQ(result.factor, 1.0);  // 10 - 4 of 6 W
+  EXPECT_TRUE(result.circulating.empty());
+  EXPECT_EQ(result.recirculation, 1.0);  // 10 - 4 of 6 W
 }
 
 TEST_F(Ring, HasAFactorOnlyWithAnInput) {
-  EXPECT_FALSE(graph().factor.has_value());
+  EXPECT_FALSE(graph().recirculation.has_value());
   flow_.input = 16.0;
-  EXPECT_EQ(graph().factor, 2.5);
+  EXPECT_EQ(graph().recirculation, 2.5);
 }
 
 TEST_F(Ring, LeavesOpenWhatAnOpenWrenchTouches) {

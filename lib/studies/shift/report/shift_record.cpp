@@ -210,7 +210,7 @@ void add_gear(Record<StateView>& keys) {
               "Largest power that a coupling transmits over the input power; above 1 power "
               "circulates.",
               [](const StateView& v) {
-                return v.one->power_graph ? v.one->power_graph->factor : std::nullopt;
+                return v.one->power_graph ? v.one->power_graph->recirculation : std::nullopt;
               })
       .only_if(is_gear);
   keys.map("elements", element_record(), "Every shift element of the gear by name.", emit_elements)

@@ -177,7 +177,7 @@ class ShiftTables {
       add_column(
           "recirculation",
           [](const ShownGear& gear) {
-            return number_or_dash(gear.one.power_graph ? gear.one.power_graph->factor
+            return number_or_dash(gear.one.power_graph ? gear.one.power_graph->recirculation
                                                        : std::nullopt);
           },
           columns);

@@ -241,7 +241,7 @@ std::optional<double> value_of(const SweepColumn& column,
     case efficiency:
       return efficiency_value(one, mechanism);
     case recirculation:
-      return one.power_graph ? one.power_graph->factor : std::nullopt;
+      return one.power_graph ? one.power_graph->recirculation : std::nullopt;
     case rate:
       return one.motion && i < one.motion->rates.size()
                  ? std::optional(
