@@ -1,7 +1,6 @@
 // An expression's text cut into numbers, names and symbols.
 #pragma once
 
-#include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -23,9 +22,5 @@ struct Token {
 /// which ones may stand is the parser's business. Errors: E0308 for numbers that are not plain
 /// decimals or that no double holds, and for characters outside printable ASCII.
 std::variant<std::vector<Token>, ExpressionError> scan(std::string_view text);
-
-/// The value of a text that is one decimal with an optional sign and nothing else; empty for
-/// everything that needs a closer look.
-std::optional<double> read_plain_number(std::string_view text);
 
 }  // namespace kinestat

@@ -6,15 +6,15 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "expression/parse/number_text.hpp"
 #include "io/yaml_tree.hpp"
 
 namespace kinestat {
 
 namespace {
 
-template <class Number>
-std::optional<Number> number_of(const std::string& text) {
-  Number number{};
+std::optional<long> whole_number_of(const std::string& text) {
+  long number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool is_whole = error == std::errc() && end == text.data() + text.size();
   return is_whole ? std::optional(number) : std::nullopt;
@@ -24,10 +24,10 @@ Json scalar_json(const YamlNode& node) {
   if (!node.quoted && (node.text == "true" || node.text == "false")) {
     return node.text == "true";
   }
-  if (const auto whole = node.quoted ? std::nullopt : number_of<long>(node.text)) {
+  if (const auto whole = node.quoted ? std::nullopt : whole_number_of(node.text)) {
     return *whole;
   }
-  if (const auto number = node.quoted ? std::nullopt : number_of<double>(node.text)) {
+  if (const auto number = node.quoted ? std::nullopt : read_plain_number(node.text)) {
     return *number;
   }
   return node.text;
