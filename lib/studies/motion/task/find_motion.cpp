@@ -1,6 +1,7 @@
 #include "studies/motion/task/find_motion.hpp"
 
 #include "studies/motion/motion.hpp"
+#include "studies/motion/task/friction_turn_findings.hpp"
 #include "studies/motion/task/motion_choice.hpp"
 #include "studies/motion/task/motion_findings.hpp"
 #include "studies/motion/task/motion_passive_findings.hpp"
@@ -38,6 +39,7 @@ std::optional<FoundMotion> find_motion(const MechanismDescription& description,
   of_positions.tell(motion.table, found);
   add_motion_transmission_findings(motion, mechanism, found);
   add_motion_speed_findings(motion, mechanism, found);
+  add_friction_turn_findings(motion, mechanism, found);
   return motion;
 }
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "report/number_format.hpp"
+#include "studies/motion/task/row_place.hpp"
 
 namespace kinestat {
 
@@ -24,7 +24,6 @@ class SpeedFindings {
     add_singular_rows();
     add_flat_rows();
     add_dropped_cells();
-    add_friction_turns();
   }
 
  private:
@@ -35,23 +34,9 @@ class SpeedFindings {
     return row == motion_.table.rows.end() ? nullptr : &*row;
   }
 
-  std::string place_text(const MotionRow& row) const {
-    std::string text;
-    for (std::size_t d = 0; d < motion_.table.drives.size(); ++d) {
-      const DriveTravel& drive = motion_.table.drives[d];
-      text += fmt::format("{}{} = {}{}{}",
-                          d == 0 ? "" : ", ",
-                          drive.name,
-                          format_short(row.values[d].value_or(0.0)),
-                          drive.unit.empty() ? "" : " ",
-                          drive.unit);
-    }
-    return text;
-  }
-
   // "m = 5 deg and 2 more positions of 3"
   std::string places_text(const MotionRow& first, const Condition& holds) const {
-    const std::string text = place_text(first);
+    const std::string text = row_place(motion_.table, first);
     const std::vector<MotionRow>& rows = motion_.table.rows;
     const auto count = std::ranges::count_if(rows, holds);
     return count == 1 ? text
@@ -132,29 +117,6 @@ class SpeedFindings {
                                    places_text(*first, holds)),
                        "those that are there are right; take other steps, or another drive");
       }
-    }
-  }
-
-  // At a dead point a friction has no direction, and just before and behind it two.
-  void add_friction_turns() {
-    for (const FrictionTurn& turn : motion_.table.friction_turns) {
-      const auto& couplings = mechanism_.topology.couplings;
-      const auto at = std::ranges::find(couplings, turn.coupling, &CouplingTopology::name);
-      const std::vector<MotionRow>& rows = motion_.table.rows;
-      const std::string from = place_text(rows[turn.before]);
-      const std::string where =
-          turn.before == turn.after
-              ? fmt::format("at {}", from)
-              : fmt::format("between {} and {}", from, place_text(rows[turn.after]));
-      const std::string more =
-          turn.count == 1
-              ? ""
-              : fmt::format(", and {} more time{}", turn.count - 1, turn.count == 2 ? "" : "s");
-      found_.warning("W0508",
-                     at->where,
-                     fmt::format("friction of '{}' turns round {}{}", turn.coupling, where, more),
-                     "there actions jump from those of one direction to those of the other, and at "
-                     "rest they may be anything between; rows at the dead point have none");
     }
   }
 

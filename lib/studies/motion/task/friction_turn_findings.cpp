@@ -1,0 +1,45 @@
+#include "studies/motion/task/friction_turn_findings.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "studies/motion/task/row_place.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::string turn_place(const FrictionTurn& turn, const MotionTable& table) {
+  const std::string from = row_place(table, table.rows[turn.before]);
+  return turn.before == turn.after
+             ? fmt::format("at {}", from)
+             : fmt::format("between {} and {}", from, row_place(table, table.rows[turn.after]));
+}
+
+}  // namespace
+
+void add_friction_turn_findings(const FoundMotion& motion,
+                                const Mechanism& mechanism,
+                                Diagnostics& found) {
+  const std::vector<CouplingTopology>& couplings = mechanism.topology.couplings;
+  for (const FrictionTurn& turn : motion.table.friction_turns) {
+    const auto at = std::ranges::find(couplings, turn.coupling, &CouplingTopology::name);
+    const std::string more =
+        turn.count == 1
+            ? ""
+            : fmt::format(", and {} more time{}", turn.count - 1, turn.count == 2 ? "" : "s");
+    found.warning("W0508",
+                  at->where,
+                  fmt::format("friction of '{}' turns round {}{}",
+                              turn.coupling,
+                              turn_place(turn, motion.table),
+                              more),
+                  "there actions jump from those of one direction to those of the other, and at "
+                  "rest they may be anything between; rows at the dead point have none");
+  }
+}
+
+}  // namespace kinestat
