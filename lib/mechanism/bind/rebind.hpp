@@ -8,8 +8,8 @@
 
 #include "couplings/coupling_geometry.hpp"
 #include "description/mechanism_description.hpp"
+#include "expression/expression_tape.hpp"
 #include "expression/slots.hpp"
-#include "expression/taped_expression.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {

@@ -145,7 +145,7 @@ TEST(StateSolver, AnalysesTheStatesNearADeadPointAsAWhole) {
   expect_near(rows, analysed_rows(task));
 
   // The tape itself answers for those that are well off it, and for no others.
-  TapedSolver taped(task, *task.tapes, kLanes);
+  TapeSolver taped(task, *task.tapes, kLanes);
   std::vector<SweepRow> filled(kLanes, {.values = std::vector<double>(3)});
   StateWalk walk(task.plan, 0, task.plan.state_count());
   for (const double height : heights) {

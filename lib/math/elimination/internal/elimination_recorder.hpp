@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "math/elimination/elimination_tape.hpp"
 #include "math/elimination/equilibrate.hpp"
-#include "math/elimination/taped_elimination.hpp"
 
 namespace kinestat {
 

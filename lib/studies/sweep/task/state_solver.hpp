@@ -11,7 +11,7 @@
 #include "studies/sweep/report/sweep_rows.hpp"
 #include "studies/sweep/state_walk.hpp"
 #include "studies/sweep/task/sweep_task.hpp"
-#include "studies/sweep/task/taped_solver.hpp"
+#include "studies/sweep/task/tape_solver.hpp"
 
 namespace kinestat {
 
@@ -67,7 +67,7 @@ class StateSolver {
 
   const SweepTask& task_;
   StateBinder binder_;
-  std::optional<TapedSolver> taped_;
+  std::optional<TapeSolver> taped_;
   std::vector<char> is_undefined_;                 ///< of each lane
   std::vector<std::uint64_t> places_;              ///< of each lane, axis by axis
   std::vector<SweepRow> rows_;                     ///< of each lane, case by case

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "expression/taped_expression.hpp"
+#include "expression/expression_tape.hpp"
 #include "math/tapes/lane_recorder.hpp"
 
 namespace kinestat {

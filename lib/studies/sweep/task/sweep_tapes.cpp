@@ -58,11 +58,11 @@ std::pair<SweepNotes, TapedScrews> note_geometry(const SweepTask& task,
 }
 
 // Empty where one of the cases has no tape.
-std::optional<std::vector<TapedCase>> note_cases(const SweepTask& task,
-                                                 const SweptGeometry& geometry,
-                                                 SweepNotes& notes) {
+std::optional<std::vector<CaseTape>> note_cases(const SweepTask& task,
+                                                const SweptGeometry& geometry,
+                                                SweepNotes& notes) {
   const std::vector<CaseAnalysis> solved = solve_some_cases(task.mechanism, task.cases);
-  std::vector<TapedCase> cases(solved.size());
+  std::vector<CaseTape> cases(solved.size());
   for (std::size_t i = 0; i < solved.size(); ++i) {
     if (task.gears[i] && task.gears[i]->state.state.kind != ShiftClass::gear) {
       continue;
@@ -109,7 +109,7 @@ std::optional<SweepTapes> record_tapes(const SweepTask& task) {
                    .needs_geometry = has_input(notes, motion, action),
                    .needs_primaries = has_input(notes, primary_motion, primary_action),
                    .cases = *std::move(cases)};
-  for (TapedCase& taped : tapes.cases) {
+  for (CaseTape& taped : tapes.cases) {
     find_cells(tapes.tape, taped);
   }
   return tapes;

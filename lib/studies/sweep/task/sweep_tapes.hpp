@@ -6,8 +6,8 @@
 
 #include "math/tapes/lane_tape.hpp"
 #include "mechanism/bind/rebind.hpp"
+#include "studies/sweep/task/case_tape.hpp"
 #include "studies/sweep/task/sweep_notes.hpp"
-#include "studies/sweep/task/taped_case.hpp"
 
 namespace kinestat {
 
@@ -20,7 +20,7 @@ struct SweepTapes {
   std::vector<SweepInput> inputs;  ///< of the tape, parallel to its own
   bool needs_geometry = false;     ///< some of them are coordinates
   bool needs_primaries = false;    ///< or magnitudes of primaries
-  std::vector<TapedCase> cases;  ///< of each case of the task; empty where a combination is no gear
+  std::vector<CaseTape> cases;  ///< of each case of the task; empty where a combination is no gear
 };
 
 /// Empty where the states of a sweep must be analysed one by one: a quantity needs the power flow,

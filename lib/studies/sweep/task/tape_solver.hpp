@@ -24,10 +24,10 @@ inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// Each worker has its own. After it was made it allocates nothing, but for combinations of
 /// `shift` that are no gears with the parameters of the file.
-class TapedSolver {
+class TapeSolver {
  public:
   /// Both must outlive it. `lanes` is 1 or kLanes.
-  TapedSolver(const SweepTask& task, const SweepTapes& tapes, std::size_t lanes);
+  TapeSolver(const SweepTask& task, const SweepTapes& tapes, std::size_t lanes);
 
   /// How many states it may take at once: those that are alike, or one where screws or primaries
   /// are bound for each.
@@ -63,12 +63,12 @@ class TapedSolver {
   void fill_columns(std::size_t count, std::span<SweepRow> rows);
   bool fill_cases(std::size_t lane, std::span<SweepRow> rows);
   bool fill_case(std::size_t i, std::size_t lane, SweepRow& row);
-  bool is_possible(const TapedCase& taped, std::size_t lane) const;
-  bool drives_output(const TapedCase& taped, std::size_t lane);
-  bool sums_inputs(const TapedCase& taped, std::size_t lane);
-  TapedRatios find_ratios(const TapedCase& taped, std::size_t lane);
-  std::string_view status_of(const TapedCase& taped, const TapedRatios& ratios, std::size_t lane);
-  void fill_ratios(const TapedCase& taped, const TapedRatios& ratios, SweepRow& row) const;
+  bool is_possible(const CaseTape& taped, std::size_t lane) const;
+  bool drives_output(const CaseTape& taped, std::size_t lane);
+  bool sums_inputs(const CaseTape& taped, std::size_t lane);
+  TapedRatios find_ratios(const CaseTape& taped, std::size_t lane);
+  std::string_view status_of(const CaseTape& taped, const TapedRatios& ratios, std::size_t lane);
+  void fill_ratios(const CaseTape& taped, const TapedRatios& ratios, SweepRow& row) const;
   std::span<const double> read(std::span<const std::size_t> outputs, std::size_t lane);
 
   // Whether all are finite.

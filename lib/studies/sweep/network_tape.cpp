@@ -1,4 +1,4 @@
-#include "studies/sweep/taped_network.hpp"
+#include "studies/sweep/network_tape.hpp"
 
 #include <algorithm>
 

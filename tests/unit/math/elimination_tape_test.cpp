@@ -1,4 +1,4 @@
-#include "math/elimination/taped_elimination.hpp"
+#include "math/elimination/elimination_tape.hpp"
 
 #include <cmath>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "studies/sweep/task/taped_solver.hpp"
+#include "studies/sweep/task/tape_solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ std::vector<std::size_t> find_columns(const std::vector<SweepColumn>& all, Sweep
 
 }  // namespace
 
-TapedSolver::TapedSolver(const SweepTask& task, const SweepTapes& tapes, std::size_t lanes)
+TapeSolver::TapeSolver(const SweepTask& task, const SweepTapes& tapes, std::size_t lanes)
     : task_(task),
       tapes_(tapes),
       workspace_(tapes.tape.make_workspace(lanes)),
@@ -69,19 +69,19 @@ TapedSolver::TapedSolver(const SweepTask& task, const SweepTapes& tapes, std::si
       tapes.needs_geometry || tapes.needs_primaries || has_combinations_ || !others_.empty();
   asks_nothing_else_ =
       std::ranges::none_of(task.gears, &std::optional<SweptGear>::has_value) &&
-      std::ranges::all_of(tapes.cases, [&](const TapedCase& taped) {
+      std::ranges::all_of(tapes.cases, [&](const CaseTape& taped) {
         return taped.columns.size() == task.columns.size() && taped.one_sided.empty();
       });
 }
 
-bool TapedSolver::rebind(const StateWalk& walk) {
+bool TapeSolver::rebind(const StateWalk& walk) {
   const bool needs_geometry = tapes_.needs_geometry || has_combinations_;
   return (!needs_geometry || rebinder_.rebind_geometry(walk.slots(), mechanism_.geometry)) &&
          (!tapes_.needs_primaries || rebinder_.rebind_cases(walk.slots(), all_cases_));
 }
 
 // Alike states differ on the last axis.
-void TapedSolver::load_axes(const StateWalk& walk, std::size_t lane, std::size_t count) {
+void TapeSolver::load_axes(const StateWalk& walk, std::size_t lane, std::size_t count) {
   const std::span<const SweepAxis> axes = task_.plan.axes();
   for (const AxisLoad& one : axes_) {
     const std::uint64_t place = walk.places()[one.axis];
@@ -93,7 +93,7 @@ void TapedSolver::load_axes(const StateWalk& walk, std::size_t lane, std::size_t
   }
 }
 
-void TapedSolver::load(const StateWalk& walk, std::size_t lane, std::size_t count) {
+void TapeSolver::load(const StateWalk& walk, std::size_t lane, std::size_t count) {
   load_axes(walk, lane, count);
   bool is_loaded = !binds_states_ || rebind(walk);
   is_loaded = is_loaded && (!has_combinations_ || decide_gears(lane));
@@ -103,10 +103,10 @@ void TapedSolver::load(const StateWalk& walk, std::size_t lane, std::size_t coun
   std::fill_n(is_loaded_.begin() + static_cast<std::ptrdiff_t>(lane), count, is_loaded ? 1 : 0);
 }
 
-bool TapedSolver::load_other(const SweepInput& input,
-                             std::size_t cell,
-                             const StateWalk& walk,
-                             std::size_t lane) {
+bool TapeSolver::load_other(const SweepInput& input,
+                            std::size_t cell,
+                            const StateWalk& walk,
+                            std::size_t lane) {
   const auto part = static_cast<Eigen::Index>(input.part);
   double value = 0.0;
   switch (input.from) {
@@ -137,7 +137,7 @@ bool TapedSolver::load_other(const SweepInput& input,
 }
 
 // Of the combinations without a tape; false where one of them is a gear here.
-bool TapedSolver::decide_gears(std::size_t lane) {
+bool TapeSolver::decide_gears(std::size_t lane) {
   const auto states = find_states(task_.gears, mechanism_, *task_.shift);
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (is_no_gear(task_.gears[i])) {
@@ -150,7 +150,7 @@ bool TapedSolver::decide_gears(std::size_t lane) {
   return true;
 }
 
-void TapedSolver::fill(std::size_t count, std::span<SweepRow> rows) {
+void TapeSolver::fill(std::size_t count, std::span<SweepRow> rows) {
   const std::size_t cases = task_.cases.size();
   for (std::size_t lane = 0; lane < count; ++lane) {
     has_answer_[lane] = is_loaded_[lane] != 0 && tapes_.tape.is_met(workspace_, lane) ? 1 : 0;
@@ -167,7 +167,7 @@ void TapedSolver::fill(std::size_t count, std::span<SweepRow> rows) {
 }
 
 // Column by column, of which nothing but the tape decides.
-void TapedSolver::fill_columns(std::size_t count, std::span<SweepRow> rows) {
+void TapeSolver::fill_columns(std::size_t count, std::span<SweepRow> rows) {
   const std::size_t cases = task_.cases.size();
   double doubts[kLanes] = {};  // no number where a value is not finite
   for (SweepRow& row : rows.first(count * cases)) {
@@ -187,7 +187,7 @@ void TapedSolver::fill_columns(std::size_t count, std::span<SweepRow> rows) {
   }
 }
 
-bool TapedSolver::fill_cases(std::size_t lane, std::span<SweepRow> rows) {
+bool TapeSolver::fill_cases(std::size_t lane, std::span<SweepRow> rows) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     ratios_[i].reset();
     if (is_no_gear(task_.gears[i])) {
@@ -203,7 +203,7 @@ bool TapedSolver::fill_cases(std::size_t lane, std::span<SweepRow> rows) {
   return true;
 }
 
-std::span<const double> TapedSolver::read(std::span<const std::size_t> outputs, std::size_t lane) {
+std::span<const double> TapeSolver::read(std::span<const std::size_t> outputs, std::size_t lane) {
   rates_.clear();
   for (const std::size_t output : outputs) {
     rates_.push_back(workspace_.number(output, lane));
@@ -212,7 +212,7 @@ std::span<const double> TapedSolver::read(std::span<const std::size_t> outputs, 
 }
 
 // A gear whose outputs rest is none: then the whole analysis decides.
-bool TapedSolver::drives_output(const TapedCase& taped, std::size_t lane) {
+bool TapeSolver::drives_output(const CaseTape& taped, std::size_t lane) {
   double largest = 0.0;
   for (const double rate : read(taped.input_rates, lane)) {
     largest = std::max(largest, std::abs(rate));
@@ -223,7 +223,7 @@ bool TapedSolver::drives_output(const TapedCase& taped, std::size_t lane) {
 
 // Whether actions of several inputs leave a sum; where they cancel, the whole analysis decides
 // whether it is zero.
-bool TapedSolver::sums_inputs(const TapedCase& taped, std::size_t lane) {
+bool TapeSolver::sums_inputs(const CaseTape& taped, std::size_t lane) {
   if (taped.input_actions.size() < 2) {
     return true;
   }
@@ -236,7 +236,7 @@ bool TapedSolver::sums_inputs(const TapedCase& taped, std::size_t lane) {
   return std::abs(sum) > kSameValue * terms;
 }
 
-TapedSolver::TapedRatios TapedSolver::find_ratios(const TapedCase& taped, std::size_t lane) {
+TapeSolver::TapedRatios TapeSolver::find_ratios(const CaseTape& taped, std::size_t lane) {
   const std::optional<double> fast = common_rate(read(taped.input_rates, lane));
   if (!fast) {
     return {};
@@ -253,9 +253,9 @@ TapedSolver::TapedRatios TapedSolver::find_ratios(const TapedCase& taped, std::s
   return ratios;
 }
 
-std::string_view TapedSolver::status_of(const TapedCase& taped,
-                                        const TapedRatios& ratios,
-                                        std::size_t lane) {
+std::string_view TapeSolver::status_of(const CaseTape& taped,
+                                       const TapedRatios& ratios,
+                                       std::size_t lane) {
   if (ratio_columns_.empty() || !taped.has_ratios || ratios.ratio) {
     return "solved";
   }
@@ -264,9 +264,9 @@ std::string_view TapedSolver::status_of(const TapedCase& taped,
   return status_without_ratio(rests);
 }
 
-void TapedSolver::fill_ratios(const TapedCase& taped,
-                              const TapedRatios& ratios,
-                              SweepRow& row) const {
+void TapeSolver::fill_ratios(const CaseTape& taped,
+                             const TapedRatios& ratios,
+                             SweepRow& row) const {
   const double ratio = ratios.ratio.value_or(kNoValue);
   for (const std::size_t column : ratio_columns_) {
     row.values[column] = finite(ratio * taped.ratio_unit / taped.ratio_per);
@@ -277,9 +277,9 @@ void TapedSolver::fill_ratios(const TapedCase& taped,
   }
 }
 
-bool TapedSolver::fill_columns(std::span<const TapedColumn> columns,
-                               std::size_t lane,
-                               SweepRow& row) const {
+bool TapeSolver::fill_columns(std::span<const TapedColumn> columns,
+                              std::size_t lane,
+                              SweepRow& row) const {
   int too_large = 0;
   for (const TapedColumn& one : columns) {
     const double value = workspace_.number(one.cell, lane);
@@ -290,14 +290,14 @@ bool TapedSolver::fill_columns(std::span<const TapedColumn> columns,
 }
 
 // Whether no cable pushes and no contact pulls.
-bool TapedSolver::is_possible(const TapedCase& taped, std::size_t lane) const {
+bool TapeSolver::is_possible(const CaseTape& taped, std::size_t lane) const {
   return std::ranges::all_of(
       taped.one_sided, [&](std::size_t cell) { return workspace_.number(cell, lane) >= 0.0; });
 }
 
 // False where a number is too large, or the case is no gear or not possible in this state.
-bool TapedSolver::fill_case(std::size_t i, std::size_t lane, SweepRow& row) {
-  const TapedCase& taped = tapes_.cases[i];
+bool TapeSolver::fill_case(std::size_t i, std::size_t lane, SweepRow& row) {
+  const CaseTape& taped = tapes_.cases[i];
   if ((task_.gears[i] && !drives_output(taped, lane)) || !is_possible(taped, lane) ||
       !sums_inputs(taped, lane)) {
     return false;

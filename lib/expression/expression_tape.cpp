@@ -1,4 +1,4 @@
-#include "expression/taped_expression.hpp"
+#include "expression/expression_tape.hpp"
 
 #include <limits>
 #include <variant>

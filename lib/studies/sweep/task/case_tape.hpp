@@ -21,7 +21,7 @@ struct TapedColumn {
 };
 
 /// By cells of outputs; while the tape is recorded, by their places among the outputs.
-struct TapedCase {
+struct CaseTape {
   std::vector<TapedColumn> columns;
   std::vector<std::size_t> input_rates;  ///< [SI] of each input of the case, where needed
   std::vector<std::size_t> output_rates;
@@ -46,13 +46,13 @@ struct SweptGeometry {
 
 /// Records the case of that place in the task, of which `solved` is the answer with the parameters
 /// of the file. Empty where no tape can be made of it.
-std::optional<TapedCase> note_case(const SweepTask& task,
-                                   std::size_t place,
-                                   const CaseAnalysis& solved,
-                                   const SweptGeometry& geometry,
-                                   SweepNotes& notes);
+std::optional<CaseTape> note_case(const SweepTask& task,
+                                  std::size_t place,
+                                  const CaseAnalysis& solved,
+                                  const SweptGeometry& geometry,
+                                  SweepNotes& notes);
 
 /// Puts cells in place of the outputs.
-void find_cells(const LaneTape& tape, TapedCase& taped);
+void find_cells(const LaneTape& tape, CaseTape& taped);
 
 }  // namespace kinestat

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "math/elimination/taped_elimination.hpp"
+#include "math/elimination/elimination_tape.hpp"
 #include "mechanism/bind/rebind.hpp"
 #include "mechanism/mechanism.hpp"
 #include "screw/coordinate_basis.hpp"

@@ -1,4 +1,4 @@
-#include "studies/sweep/task/taped_case.hpp"
+#include "studies/sweep/task/case_tape.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -7,7 +7,7 @@
 #include "mechanism/label_kind.hpp"
 #include "network/bases.hpp"
 #include "statics/one_sided_action.hpp"
-#include "studies/sweep/taped_network.hpp"
+#include "studies/sweep/network_tape.hpp"
 #include "studies/sweep/task/sweep_task.hpp"
 
 namespace kinestat {
@@ -81,7 +81,7 @@ class CaseRecorder {
     return true;
   }
 
-  TapedCase take() { return std::move(taped_); }
+  CaseTape take() { return std::move(taped_); }
 
  private:
   bool asks(SweepColumnKind kind) const {
@@ -250,21 +250,21 @@ class CaseRecorder {
   const Topology& topology_;
   const SweptGeometry& geometry_;
   SweepNotes& notes_;
-  TapedCase taped_;
+  CaseTape taped_;
 };
 
 }  // namespace
 
-std::optional<TapedCase> note_case(const SweepTask& task,
-                                   std::size_t place,
-                                   const CaseAnalysis& solved,
-                                   const SweptGeometry& geometry,
-                                   SweepNotes& notes) {
+std::optional<CaseTape> note_case(const SweepTask& task,
+                                  std::size_t place,
+                                  const CaseAnalysis& solved,
+                                  const SweptGeometry& geometry,
+                                  SweepNotes& notes) {
   CaseRecorder recorder(task, place, geometry, notes);
   return recorder.record(solved) ? std::optional(recorder.take()) : std::nullopt;
 }
 
-void find_cells(const LaneTape& tape, TapedCase& taped) {
+void find_cells(const LaneTape& tape, CaseTape& taped) {
   for (auto* columns : {&taped.columns, &taped.ratios}) {
     for (TapedColumn& one : *columns) {
       one.cell = tape.output_cell(one.cell);
