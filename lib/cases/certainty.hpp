@@ -11,8 +11,8 @@ namespace kinestat {
 
 /// Sides of a case that have an answer as typed where they have none once rounded to double.
 struct CaseCertainty {
-  bool has_typed_motion = false;
-  bool has_typed_action = false;
+  bool has_exact_input_motion = false;
+  bool has_exact_input_action = false;
 };
 
 /// Beside an Analysis.

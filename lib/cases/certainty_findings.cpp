@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cases/typed_numbers.hpp"
+#include "cases/exact_input_cases.hpp"
 
 namespace kinestat {
 
@@ -33,28 +33,29 @@ void add_rank_finding(const std::optional<RankCertainty>& certainty,
     return;
   }
   const int rank = certainty->rank;
-  const int typed = certainty->typed->rank;
+  const int exact_input = certainty->exact_input->rank;
   found.warning(
       "W0501",
       {},
       fmt::format("the {} have rank {} as typed and {} once rounded to double: {} as typed, {} "
                   "once rounded; what decides is {}",
                   what,
-                  typed,
+                  exact_input,
                   rank,
-                  typed > rank ? "regular" : "redundant",
-                  typed > rank ? "redundant" : "regular",
+                  exact_input > rank ? "regular" : "redundant",
+                  exact_input > rank ? "redundant" : "regular",
                   deciding_text(*certainty)),
-      typed > rank ? "the position is close to a singular one, or coordinates were rounded before "
-                     "they were typed: write expressions; '--accuracy exact' solves what is typed"
-                   : "the counts are those as typed; '--accuracy exact' solves what is typed, too");
+      exact_input > rank
+          ? "the position is close to a singular one, or coordinates were rounded before "
+            "they were typed: write expressions; '--accuracy exact' solves what is typed"
+          : "the counts are those as typed; '--accuracy exact' solves what is typed, too");
 }
 
 // A case that only the numbers as typed answer.
-void add_typed_answers(const CaseAnalysis& one,
-                       const CaseCertainty& certainty,
-                       bool is_taken,
-                       Diagnostics& found) {
+void add_exact_input_answers(const CaseAnalysis& one,
+                             const CaseCertainty& certainty,
+                             bool is_taken,
+                             Diagnostics& found) {
   const auto add = [&](bool is_new, std::string_view what, double dropped) {
     if (is_new) {
       found.warning("W0501",
@@ -70,10 +71,10 @@ void add_typed_answers(const CaseAnalysis& one,
                                "close to a singular one");
     }
   };
-  add(certainty.has_typed_motion,
+  add(certainty.has_exact_input_motion,
       "velocities",
       one.motion ? one.motion->evidence.largest_dropped : 0.0);
-  add(certainty.has_typed_action,
+  add(certainty.has_exact_input_action,
       "actions",
       one.action ? one.action->evidence.largest_dropped : 0.0);
 }
@@ -122,7 +123,7 @@ void add_certainty_findings(const Analysis& analysis,
   add_rank_findings(certainty, found);
   const bool is_taken = certainty.accuracy.accuracy == Accuracy::exact;
   for (std::size_t c = 0; c < analysis.cases.size(); ++c) {
-    add_typed_answers(analysis.cases[c], certainty.cases[c], is_taken, found);
+    add_exact_input_answers(analysis.cases[c], certainty.cases[c], is_taken, found);
     add_digit_findings(certainty.accuracy.digits, analysis.cases[c], found);
   }
 }

@@ -6,8 +6,8 @@
 
 #include "cases/case_passes.hpp"
 #include "cases/certified_cases.hpp"
+#include "cases/exact_input_cases.hpp"
 #include "cases/free_parameters.hpp"
-#include "cases/typed_numbers.hpp"
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "kinematics/velocity.hpp"
@@ -119,9 +119,9 @@ CoordinateBasis basis_for(const Mechanism& mechanism,
 struct CaseRequest {
   const Case& which;
   const AccuracyRequest& accuracy;
-  TypedNumbers* typed = nullptr;       // of all cases; null where none are wanted
-  std::size_t index = 0;               // among these
-  CaseCertainty* certainty = nullptr;  // filled in beside `typed`
+  ExactInputCases* exact_input = nullptr;  // of all cases; null where none are wanted
+  std::size_t index = 0;                   // among these
+  CaseCertainty* certainty = nullptr;      // filled in beside `exact_input`
   CasePasses passes = CasePasses::all;
   const KinematicSolution* motion = nullptr;  // null: to be solved
 };
@@ -221,16 +221,17 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   } else if (which.asks_motions) {
     result.motion = solve_velocity(drawn, bases.motion, which.motions, request.accuracy);
   }
-  if (result.motion && request.typed != nullptr) {
-    request.certainty->has_typed_motion = request.typed->improve(request.index, *result.motion);
+  if (result.motion && request.exact_input != nullptr) {
+    request.certainty->has_exact_input_motion =
+        request.exact_input->improve(request.index, *result.motion);
   }
   const KinematicSolution* motion = is_solved(result.motion) ? &*result.motion : nullptr;
   LoadedFlanks flanks;
   if (which.asks_actions) {
     flanks = solve_on_loaded_flanks(drawn, bases, request, motion);
-    if (request.typed != nullptr && find_frictions(drawn, motion).laws.empty()) {
-      request.certainty->has_typed_action =
-          request.typed->improve(request.index, flanks.turned, flanks.action);
+    if (request.exact_input != nullptr && find_frictions(drawn, motion).laws.empty()) {
+      request.certainty->has_exact_input_action =
+          request.exact_input->improve(request.index, flanks.turned, flanks.action);
     }
     result.action = std::move(flanks.action);
     result.coast_flanks = std::move(flanks.turned);
@@ -330,7 +331,7 @@ CertifiedAnalysis solve_certified_cases(std::string file,
   analysis.description = std::move(loaded.description);
   analysis.mechanism = std::move(loaded.mechanism);
   const Mechanism& mechanism = analysis.mechanism;
-  TypedNumbers typed(analysis.description, mechanism, request);
+  ExactInputCases exact_input(analysis.description, mechanism, request);
   analysis.mobility = counts_of(analysis.description, mechanism);
   result.certainty.accuracy = request;
   result.certainty.cases.resize(mechanism.cases.size());
@@ -340,14 +341,14 @@ CertifiedAnalysis solve_certified_cases(std::string file,
                                         bases,
                                         {.which = mechanism.cases[c],
                                          .accuracy = request,
-                                         .typed = &typed,
+                                         .exact_input = &exact_input,
                                          .index = c,
                                          .certainty = &result.certainty.cases[c]}));
   }
   find_affine_dependence(analysis);
   if (request.accuracy != Accuracy::fast) {
-    typed.find_ranks(analysis.mobility.minimal.actions.has_value(), result.certainty);
-    typed.count_as_typed(result.certainty, analysis.mobility);
+    exact_input.find_ranks(analysis.mobility.minimal.actions.has_value(), result.certainty);
+    exact_input.count_exact_input(result.certainty, analysis.mobility);
   }
   return result;
 }

@@ -64,9 +64,9 @@ struct AnswerEvidence {
   std::optional<double> error_bound;  ///< relative, of the worst value; 1: not one digit is sure.
                                       ///< Empty: none was asked for, or there is none
   std::vector<double> bounds;         ///< [SI] of each magnitude, where there is an error bound
-  bool is_typed = false;  ///< the bound refers to the numbers as typed, else to the doubles that
-                          ///< stand for them in the equations
-  bool is_exact = false;  ///< fractions all the way; only the written value is rounded
+  bool is_exact_input = false;  ///< the bound refers to the numbers as typed, else to the doubles
+                                ///< that stand for them in the equations
+  bool is_exact = false;        ///< fractions all the way; only the written value is rounded
 };
 
 /// Whether a bound promises that many digits; without one nothing is promised.

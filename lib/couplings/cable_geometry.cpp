@@ -7,7 +7,7 @@
 
 #include "core/tolerance.hpp"
 #include "math/numbers/settled.hpp"
-#include "screw/typed_vector.hpp"
+#include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
 
@@ -107,7 +107,7 @@ CableSpanOf<Scalar> tangent_span(const Station<Scalar>& a, const Station<Scalar>
 template <class Scalar>
 Vec3Of<Scalar> along_segment(const Vec3Of<Scalar>& from, const Vec3Of<Scalar>& to) {
   Vec3Of<Scalar> along = to - from;
-  if constexpr (!std::same_as<Scalar, Typed>) {
+  if constexpr (!std::same_as<Scalar, ExactInput>) {
     for (Eigen::Index i = 0; i < 3; ++i) {
       const double bound =
           kCancellation * (std::abs(value_of(from[i])) + std::abs(value_of(to[i])));
@@ -156,9 +156,10 @@ template CableSpan tangent_span(const CableStationGeometry&, const CableStationG
 template CableSpanOf<Dual> tangent_span(const Station<Dual>&, const Station<Dual>&);
 template Vec3 along_segment(const Vec3&, const Vec3&);
 template Vec3Of<Dual> along_segment(const Vec3Of<Dual>&, const Vec3Of<Dual>&);
-template Vec3Of<Typed> along_segment(const Vec3Of<Typed>&, const Vec3Of<Typed>&);
+template Vec3Of<ExactInput> along_segment(const Vec3Of<ExactInput>&, const Vec3Of<ExactInput>&);
 template double wrap_angle(const CableStationGeometry&, const CableSpan&, const CableSpan&);
 template Dual wrap_angle(const Station<Dual>&, const CableSpanOf<Dual>&, const CableSpanOf<Dual>&);
-template CableSpanOf<Typed> tangent_span(const Station<Typed>&, const Station<Typed>&);
+template CableSpanOf<ExactInput> tangent_span(const Station<ExactInput>&,
+                                              const Station<ExactInput>&);
 
 }  // namespace kinestat

@@ -30,9 +30,10 @@ template CouplingScrewsOf<Dual> coupling_screws(CouplingType,
                                                 const CouplingGeometryOf<Dual>&);
 template NamedWrenchOf<double> internal_action(const NamedTwistOf<double>&, const Vec3In<double>&);
 template NamedWrenchOf<Dual> internal_action(const NamedTwistOf<Dual>&, const Vec3In<Dual>&);
-template CouplingScrewsOf<Typed> coupling_screws(CouplingType,
-                                                 Space,
-                                                 const CouplingGeometryOf<Typed>&);
-template NamedWrenchOf<Typed> internal_action(const NamedTwistOf<Typed>&, const Vec3In<Typed>&);
+template CouplingScrewsOf<ExactInput> coupling_screws(CouplingType,
+                                                      Space,
+                                                      const CouplingGeometryOf<ExactInput>&);
+template NamedWrenchOf<ExactInput> internal_action(const NamedTwistOf<ExactInput>&,
+                                                   const Vec3In<ExactInput>&);
 
 }  // namespace kinestat

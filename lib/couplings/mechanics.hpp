@@ -6,7 +6,7 @@
 
 #include "couplings/coupling_upgrade.hpp"
 #include "couplings/finite_law.hpp"
-#include "math/numbers/typed.hpp"
+#include "math/numbers/exact_input.hpp"
 
 namespace kinestat {
 
@@ -22,7 +22,7 @@ using WriteScrews = void (*)(const CouplingGeometryOf<Scalar>&, CatalogueRow<Sca
 struct ScrewWriters {
   WriteScrews<double> of_double;
   WriteScrews<Dual> of_dual;
-  WriteScrews<Typed> of_typed;
+  WriteScrews<ExactInput> of_exact_input;
 
   template <class Scalar>
   WriteScrews<Scalar> of() const {
@@ -31,14 +31,14 @@ struct ScrewWriters {
     } else if constexpr (std::same_as<Scalar, Dual>) {
       return of_dual;
     } else {
-      return of_typed;
+      return of_exact_input;
     }
   }
 };
 
 /// From a generic function.
 constexpr ScrewWriters screws_by(auto write) {
-  return {.of_double = write, .of_dual = write, .of_typed = write};
+  return {.of_double = write, .of_dual = write, .of_exact_input = write};
 }
 
 enum class Follows { world, tail, head, carrier };

@@ -82,9 +82,9 @@ const Record<EvidenceView>& evidence_record() {
                   "Of which equations the answer has that error: of those whose numbers were "
                   "rounded to double, or of those of the file as typed.",
                   [](const EvidenceView& v) {
-                    return !bound_of(v)        ? MaybeWord()
-                           : v.answer.is_typed ? MaybeWord("numbers as typed")
-                                               : MaybeWord("numbers rounded to double");
+                    return !bound_of(v)              ? MaybeWord()
+                           : v.answer.is_exact_input ? MaybeWord("numbers as typed")
+                                                     : MaybeWord("numbers rounded to double");
                   });
       });
   return record;

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cases/certainty_findings.hpp"
-#include "cases/typed_numbers.hpp"
+#include "cases/exact_input_cases.hpp"
 #include "files/each_file.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "mechanism/bind/bind_counted.hpp"
@@ -31,9 +31,9 @@ void add_certainty(const AccuracyRequest& accuracy,
                    Diagnostics& found) {
   if (accuracy.accuracy != Accuracy::fast) {
     Certainty certainty;
-    TypedNumbers typed(analysis.description, analysis.mechanism, accuracy);
-    typed.find_ranks(true, certainty);
-    typed.count_as_typed(certainty, analysis.mobility.exact->counts);
+    ExactInputCases exact_input(analysis.description, analysis.mechanism, accuracy);
+    exact_input.find_ranks(true, certainty);
+    exact_input.count_exact_input(certainty, analysis.mobility.exact->counts);
     add_rank_findings(certainty, found);
   }
 }

@@ -56,15 +56,17 @@ void expect_rank(const std::optional<RankCertainty>& found, int rank) {
   EXPECT_FALSE(found->differs());
   EXPECT_LE(found->lower, rank);
   EXPECT_GE(found->upper, rank);
-  EXPECT_TRUE(found->how == "structural" || found->typed.has_value()) << found->how;
+  EXPECT_TRUE(found->how == "structural" || found->exact_input.has_value()) << found->how;
 }
 
-// As typed it is `typed`; where doubles say something else, both answers are there.
-void expect_typed_rank(const std::optional<RankCertainty>& found, int typed, int rounded) {
+// As typed it is `exact_input`; where doubles say something else, both answers are there.
+void expect_exact_input_rank(const std::optional<RankCertainty>& found,
+                             int exact_input,
+                             int rounded) {
   ASSERT_TRUE(found.has_value());
-  ASSERT_TRUE(found->typed.has_value() || found->how == "structural");
-  EXPECT_EQ(found->typed ? found->typed->rank : found->rank, typed);
-  EXPECT_TRUE(found->rank == typed || (found->rank == rounded && found->differs()));
+  ASSERT_TRUE(found->exact_input.has_value() || found->how == "structural");
+  EXPECT_EQ(found->exact_input ? found->exact_input->rank : found->rank, exact_input);
+  EXPECT_TRUE(found->rank == exact_input || (found->rank == rounded && found->differs()));
 }
 
 // Checks of rates
@@ -108,7 +110,7 @@ void expect_rate_or_both_answers(const std::string& text,
   if (rate) {
     EXPECT_NEAR(*rate, expected, kNineDigits * std::abs(expected));
   } else {
-    EXPECT_TRUE(automatic->certainty.cases[0].has_typed_motion);
+    EXPECT_TRUE(automatic->certainty.cases[0].has_exact_input_motion);
   }
 }
 
@@ -279,7 +281,8 @@ Extreme parallel_cranks(const std::string& name,
           [is_parallel_as_typed](const std::string& text) {
             const auto analysis = analyse(text, Accuracy::automatic);
             ASSERT_TRUE(analysis.has_value());
-            expect_typed_rank(analysis->certainty.motion_rank, is_parallel_as_typed ? 5 : 6, 5);
+            expect_exact_input_rank(
+                analysis->certainty.motion_rank, is_parallel_as_typed ? 5 : 6, 5);
           }};
 }
 
@@ -287,7 +290,7 @@ Extreme parallel_cranks(const std::string& name,
 // beside its place by what rounding to so many decimals leaves makes it four; 0 rounds nothing.
 Extreme bennett(int decimals) {
   const double root = std::sqrt(2.0);
-  const auto typed = [&](int factor) {
+  const auto exact_input = [&](int factor) {
     return decimals == 0 ? fmt::format("{}*sqrt(2)", factor)
                          : fmt::format("{:.{}f}", factor * root, decimals);
   };
@@ -302,12 +305,12 @@ Extreme bennett(int decimals) {
               "axis: [3, -1, 3]}}\n"
               "  d: {{type: revolute, bodies: [frame, rocker], at: [-sqrt(2), -3*sqrt(2), "
               "-sqrt(2)], axis: [0, -2, 3]}}\n",
-              typed(1),
-              typed(3)),
+              exact_input(1),
+              exact_input(3)),
           [decimals](const std::string& text) {
             const auto analysis = analyse(text, Accuracy::automatic);
             ASSERT_TRUE(analysis.has_value());
-            expect_typed_rank(analysis->certainty.motion_rank, decimals == 0 ? 3 : 4, 3);
+            expect_exact_input_rank(analysis->certainty.motion_rank, decimals == 0 ? 3 : 4, 3);
           }};
 }
 
@@ -325,7 +328,7 @@ Extreme leaning_axis(int power) {
       [](const std::string& text) {
         const auto analysis = analyse(text, Accuracy::automatic);
         ASSERT_TRUE(analysis.has_value());
-        expect_typed_rank(analysis->certainty.motion_rank, 4, 3);
+        expect_exact_input_rank(analysis->certainty.motion_rank, 4, 3);
       }};
 }
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "screw/typed_vector.hpp"
+#include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
 
@@ -118,7 +118,8 @@ template std::pair<Vec3, Vec3> transverse_to<double>(const Vec3&);
 template std::pair<Vec3Of<Dual>, Vec3Of<Dual>> transverse_to<Dual>(const Vec3Of<Dual>&);
 template class CatalogueRow<double>;
 template class CatalogueRow<Dual>;
-template std::pair<Vec3Of<Typed>, Vec3Of<Typed>> transverse_to<Typed>(const Vec3Of<Typed>&);
-template class CatalogueRow<Typed>;
+template std::pair<Vec3Of<ExactInput>, Vec3Of<ExactInput>> transverse_to<ExactInput>(
+    const Vec3Of<ExactInput>&);
+template class CatalogueRow<ExactInput>;
 
 }  // namespace kinestat

@@ -8,7 +8,7 @@
 
 #include "couplings/coupling_geometry.hpp"
 #include "description/coupling_description.hpp"
-#include "screw/typed_vector.hpp"
+#include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
-#include "screw/typed_vector.hpp"
+#include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
 
@@ -196,9 +196,9 @@ template std::vector<NamedTwistOf<double>> reciprocal_twists(
 template std::vector<NamedTwistOf<Dual>> reciprocal_twists(const std::vector<NamedWrenchOf<Dual>>&,
                                                            bool,
                                                            const Vec3In<Dual>&);
-template std::vector<NamedWrenchOf<Typed>> reciprocal_wrenches(
-    const std::vector<NamedTwistOf<Typed>>&, bool, const Vec3In<Typed>&);
-template std::vector<NamedTwistOf<Typed>> reciprocal_twists(
-    const std::vector<NamedWrenchOf<Typed>>&, bool, const Vec3In<Typed>&);
+template std::vector<NamedWrenchOf<ExactInput>> reciprocal_wrenches(
+    const std::vector<NamedTwistOf<ExactInput>>&, bool, const Vec3In<ExactInput>&);
+template std::vector<NamedTwistOf<ExactInput>> reciprocal_twists(
+    const std::vector<NamedWrenchOf<ExactInput>>&, bool, const Vec3In<ExactInput>&);
 
 }  // namespace kinestat

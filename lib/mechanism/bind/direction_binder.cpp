@@ -7,7 +7,7 @@
 #include "core/tolerance.hpp"
 #include "couplings/kinds.hpp"
 #include "mechanism/check/geometry_check.hpp"
-#include "screw/typed_vector.hpp"
+#include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
 
@@ -83,6 +83,6 @@ bool DirectionBinder<Scalar>::check_perpendicular(const AxisOf<Scalar>& a,
 
 template class DirectionBinder<double>;
 template class DirectionBinder<Dual>;
-template class DirectionBinder<Typed>;
+template class DirectionBinder<ExactInput>;
 
 }  // namespace kinestat

@@ -9,7 +9,7 @@
 #include "core/tolerance.hpp"
 #include "core/utf8.hpp"
 #include "expression/evaluate.hpp"
-#include "screw/typed_vector.hpp"
+#include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
 
@@ -70,16 +70,16 @@ template <class Scalar>
 EvaluatorOf<Scalar> EvaluatorOf<Scalar>::complaining_to(Diagnostics& found) const {
   EvaluatorOf result(description_, table_, found);
   result.origin_ = origin_;
-  result.typed_ = typed_;
+  result.exact_input_ = exact_input_;
   return result;
 }
 
 template <class Scalar>
 void EvaluatorOf<Scalar>::measure_from(const LocalOrigin& origin) {
   origin_ = origin;
-  if (!origin.is_world() && !typed_) {
-    typed_ = std::make_shared<const BasicParameterTable<Typed>>(
-        evaluate_parameters<Typed>(parameters_of(description_)).table);
+  if (!origin.is_world() && !exact_input_) {
+    exact_input_ = std::make_shared<const BasicParameterTable<ExactInput>>(
+        evaluate_parameters<ExactInput>(parameters_of(description_)).table);
   }
 }
 
@@ -178,13 +178,13 @@ Vec3Of<Scalar> EvaluatorOf<Scalar>::from_origin(const Vec3Of<Scalar>& in_world) 
 template <class Scalar>
 std::optional<double> EvaluatorOf<Scalar>::from_origin(const Value& coordinate,
                                                        double origin) const {
-  const auto result = evaluate_as<Typed>(
-      QuantityKind::length, coordinate.expression, description_.units, typed_->lookup());
-  const Typed* const number = std::get_if<Typed>(&result);
+  const auto result = evaluate_as<ExactInput>(
+      QuantityKind::length, coordinate.expression, description_.units, exact_input_->lookup());
+  const ExactInput* const number = std::get_if<ExactInput>(&result);
   if (number == nullptr) {
     return std::nullopt;
   }
-  const Typed local = *number - Typed(origin);
+  const ExactInput local = *number - ExactInput(origin);
   return local.precise ? std::optional(static_cast<double>(*local.precise)) : std::nullopt;
 }
 
@@ -222,6 +222,6 @@ void EvaluatorOf<Scalar>::warn_of_unused() const {
 
 template class EvaluatorOf<double>;
 template class EvaluatorOf<Dual>;
-template class EvaluatorOf<Typed>;
+template class EvaluatorOf<ExactInput>;
 
 }  // namespace kinestat

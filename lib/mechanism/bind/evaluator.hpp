@@ -16,7 +16,7 @@
 
 namespace kinestat {
 
-struct Typed;
+struct ExactInput;
 
 /// Holds the values of the parameters. Answers are empty iff an error was added, here or for the
 /// parameter that the number depends on. `Scalar` is double or Dual.
@@ -64,8 +64,8 @@ class EvaluatorOf {
   Diagnostics& found_;
   BasicParameterTable<Scalar> table_;
   LocalOrigin origin_;
-  std::shared_ptr<const BasicParameterTable<Typed>>
-      typed_;  ///< where the origin is not the world's
+  std::shared_ptr<const BasicParameterTable<ExactInput>>
+      exact_input_;  ///< where the origin is not the world's
 };
 
 using Evaluator = EvaluatorOf<double>;

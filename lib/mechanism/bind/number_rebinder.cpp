@@ -8,7 +8,7 @@
 #include "couplings/coupling_catalogue.hpp"
 #include "mechanism/check/expect.hpp"
 #include "mechanism/label_kind.hpp"
-#include "screw/typed_vector.hpp"
+#include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
 
@@ -147,6 +147,6 @@ void NumberRebinder<Scalar>::add_action(int action,
 }
 
 template class NumberRebinder<Dual>;
-template class NumberRebinder<Typed>;
+template class NumberRebinder<ExactInput>;
 
 }  // namespace kinestat

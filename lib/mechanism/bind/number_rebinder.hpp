@@ -20,7 +20,7 @@ struct CaseNumbersOf {
 
 /// Reads a description again that bind made `mechanism` of; the origin and the size stay plain
 /// numbers, and the evaluator measures from that origin. All that is given must outlive it.
-/// `Scalar` is Dual or Typed.
+/// `Scalar` is Dual or ExactInput.
 template <class Scalar>
 class NumberRebinder {
  public:

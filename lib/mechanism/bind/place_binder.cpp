@@ -5,7 +5,7 @@
 #include "core/contract.hpp"
 #include "couplings/kinds.hpp"
 #include "mechanism/cables/internal/cable_station_binder.hpp"
-#include "screw/typed_vector.hpp"
+#include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
 
@@ -128,9 +128,9 @@ template void bind_place(const CouplingDescription&,
                          Diagnostics&,
                          CouplingGeometryOf<Dual>&);
 template void bind_place(const CouplingDescription&,
-                         const GearFrameOf<Typed>*,
-                         EvaluatorOf<Typed>&,
+                         const GearFrameOf<ExactInput>*,
+                         EvaluatorOf<ExactInput>&,
                          Diagnostics&,
-                         CouplingGeometryOf<Typed>&);
+                         CouplingGeometryOf<ExactInput>&);
 
 }  // namespace kinestat

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "screw/typed_vector.hpp"
+#include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
 
@@ -48,10 +48,10 @@ template std::vector<Vec3Of<Dual>> bind_reference_points(const MechanismDescript
                                                          const Topology&,
                                                          const GeometryOf<Dual>&,
                                                          EvaluatorOf<Dual>&);
-template std::vector<Vec3Of<Typed>> bind_reference_points(const MechanismDescription&,
-                                                          const std::vector<bool>&,
-                                                          const Topology&,
-                                                          const GeometryOf<Typed>&,
-                                                          EvaluatorOf<Typed>&);
+template std::vector<Vec3Of<ExactInput>> bind_reference_points(const MechanismDescription&,
+                                                               const std::vector<bool>&,
+                                                               const Topology&,
+                                                               const GeometryOf<ExactInput>&,
+                                                               EvaluatorOf<ExactInput>&);
 
 }  // namespace kinestat

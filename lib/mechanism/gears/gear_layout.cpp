@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
-#include "screw/typed_vector.hpp"
+#include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
 
@@ -160,7 +160,8 @@ template struct GearLayoutOf<double>;
 template struct GearLayoutOf<Dual>;
 template std::optional<GearLayout> find_layout(GearTrain, const GearNumbersOf<double>&);
 template std::optional<GearLayoutOf<Dual>> find_layout(GearTrain, const GearNumbersOf<Dual>&);
-template struct GearLayoutOf<Typed>;
-template std::optional<GearLayoutOf<Typed>> find_layout(GearTrain, const GearNumbersOf<Typed>&);
+template struct GearLayoutOf<ExactInput>;
+template std::optional<GearLayoutOf<ExactInput>> find_layout(GearTrain,
+                                                             const GearNumbersOf<ExactInput>&);
 
 }  // namespace kinestat

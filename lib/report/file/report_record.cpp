@@ -30,16 +30,18 @@ const Record<RankCertainty>& rank_record() {
         keys.count("upper",
                    "Largest rank that the pattern of the equations allows.",
                    [](const View& v) { return v.upper; });
-        keys.count(
-            "as_typed",
-            "The rank of the numbers as typed; null where nobody needed it, or it would "
-            "take too long.",
-            [](const View& v) { return v.typed ? std::optional(v.typed->rank) : std::nullopt; });
+        keys.count("as_typed",
+                   "The rank of the numbers as typed; null where nobody needed it, or it would "
+                   "take too long.",
+                   [](const View& v) {
+                     return v.exact_input ? std::optional(v.exact_input->rank) : std::nullopt;
+                   });
         keys.number("error_probability",
                     Bare::number,
                     "That the rank as typed is larger than said, over the draw of the primes.",
                     [](const View& v) {
-                      return v.typed ? std::optional(v.typed->error_probability) : std::nullopt;
+                      return v.exact_input ? std::optional(v.exact_input->error_probability)
+                                           : std::nullopt;
                     })
             .at_least(0);
       });

@@ -7,8 +7,8 @@
 #include "math/elimination/equilibrate.hpp"
 #include "math/elimination/refined_solve.hpp"
 #include "network/bases.hpp"
+#include "network/exact_input_system.hpp"
 #include "network/node_system.hpp"
-#include "network/typed_system.hpp"
 
 namespace kinestat {
 
@@ -35,15 +35,15 @@ CoordinateBasis undecided(CoordinateBasis basis, ScrewKind kind, const Mechanism
   return basis.is_made_of_coordinates() ? basis : spatial_basis(kind, mechanism.geometry.length);
 }
 
-std::string_view word_of(TypedProof proof) {
+std::string_view word_of(ExactInputProof proof) {
   switch (proof) {
-    case TypedProof::structural:
+    case ExactInputProof::structural:
       return "structural";
-    case TypedProof::elimination:
+    case ExactInputProof::elimination:
       return "elimination";
-    case TypedProof::modular:
+    case ExactInputProof::modular:
       return "modular";
-    case TypedProof::digits:
+    case ExactInputProof::digits:
       return "digits";
   }
   return "";
@@ -53,12 +53,12 @@ std::string_view word_of(TypedProof proof) {
 constexpr int kLargestSpectrum = 200;
 
 // The k-th singular value of the scaled doubles.
-std::optional<double> deciding_value(const TypedMatrix& system, int k) {
+std::optional<double> deciding_value(const ExactInputMatrix& system, int k) {
   if (std::max(system.rows, system.columns) > kLargestSpectrum) {
     return std::nullopt;
   }
   SparseMatrix doubles{.rows = system.rows, .columns = system.columns, .entries = {}};
-  for (const TypedEntry& entry : system.entries) {
+  for (const ExactInputEntry& entry : system.entries) {
     doubles.add(entry.row, entry.column, entry.value.value);
   }
   const Scaling scaling = find_scaling(doubles);
@@ -70,13 +70,13 @@ std::optional<double> deciding_value(const TypedMatrix& system, int k) {
   return share <= kEpsilon * std::max(system.rows, system.columns) ? 0.0 : share;
 }
 
-void add_typed(const TypedMatrix& system, int shift, RankCertainty& certainty) {
-  std::optional<TypedRank> found = find_typed_rank(system, largest_rank(system));
+void add_exact_input(const ExactInputMatrix& system, int shift, RankCertainty& certainty) {
+  std::optional<ExactInputRank> found = find_exact_input_rank(system, largest_rank(system));
   if (!found) {
     return;
   }
   found->rank -= shift;
-  certainty.typed = found;
+  certainty.exact_input = found;
   if (certainty.differs()) {
     certainty.deciding = deciding_value(system, std::max(found->rank, certainty.rank) + shift);
   }
@@ -100,20 +100,21 @@ RankCertainty find_action_certainty(const Mechanism& mechanism) {
   return certainty_of(action_system(mechanism.topology, mechanism.geometry, basis), 0);
 }
 
-void add_typed_motions(const Mechanism& mechanism,
-                       const TypedMechanism& typed,
-                       RankCertainty& certainty) {
+void add_exact_input_motions(const Mechanism& mechanism,
+                             const ExactInputMechanism& exact_input,
+                             RankCertainty& certainty) {
   const CoordinateBasis basis = spatial_basis(ScrewKind::twist, mechanism.geometry.length);
-  add_typed(typed_velocity_system(mechanism.topology, typed.motions, basis),
-            basis.order() * (mechanism.topology.body_count() - 1),
-            certainty);
+  add_exact_input(exact_input_velocity_system(mechanism.topology, exact_input.motions, basis),
+                  basis.order() * (mechanism.topology.body_count() - 1),
+                  certainty);
 }
 
-void add_typed_actions(const Mechanism& mechanism,
-                       const TypedMechanism& typed,
-                       RankCertainty& certainty) {
+void add_exact_input_actions(const Mechanism& mechanism,
+                             const ExactInputMechanism& exact_input,
+                             RankCertainty& certainty) {
   const CoordinateBasis basis = spatial_basis(ScrewKind::wrench, mechanism.geometry.length);
-  add_typed(typed_action_system(mechanism.topology, typed.actions, basis), 0, certainty);
+  add_exact_input(
+      exact_input_action_system(mechanism.topology, exact_input.actions, basis), 0, certainty);
 }
 
 }  // namespace kinestat

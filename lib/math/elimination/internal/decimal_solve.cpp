@@ -107,9 +107,9 @@ std::vector<BigFloat> residual(const DecimalFactors& factors,
 
 }  // namespace
 
-TypedSolution solve_decimals(const DecimalFactors& factors,
-                             std::vector<BigFloat> x,
-                             const std::vector<BigFloat>& rhs) {
+ExactInputSolution solve_decimals(const DecimalFactors& factors,
+                                  std::vector<BigFloat> x,
+                                  const std::vector<BigFloat>& rhs) {
   const std::vector<DecimalSum> right = eliminated_sums(factors.decimals, rhs);
   const std::vector<BigFloat> around_zero = back_substitute_sums(factors.decimals, right, x);
   std::vector<BigFloat> correction(x.size());
@@ -118,7 +118,7 @@ TypedSolution solve_decimals(const DecimalFactors& factors,
       eliminated<DecimalField>(factors.decimals, residual(factors, rhs, x)),
       correction);
   const auto columns = static_cast<Eigen::Index>(x.size());
-  TypedSolution result{.x = VecX(columns), .bound = VecX(columns)};
+  ExactInputSolution result{.x = VecX(columns), .bound = VecX(columns)};
   for (int c = 0; c < static_cast<int>(columns); ++c) {
     const double unit = at(factors.scaling.columns, c);
     const BigFloat next = 2 * abs(at(correction, c)) + at(around_zero, c);

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "math/elimination/equilibrate.hpp"
+#include "math/elimination/exact_input_elimination.hpp"
 #include "math/elimination/internal/decimal_field.hpp"
 #include "math/elimination/internal/field_elimination.hpp"
-#include "math/elimination/typed_elimination.hpp"
 
 namespace kinestat {
 
@@ -26,8 +26,8 @@ struct DecimalFactors {
 /// `x` holds the known unknowns, scaled, and zero elsewhere; `rhs` the scaled right-hand side. Each
 /// sum carries the sizes of its terms: what is below the rounding of the field among them is made
 /// zero where it is summed, and has that rounding as its bound.
-TypedSolution solve_decimals(const DecimalFactors& factors,
-                             std::vector<BigFloat> x,
-                             const std::vector<BigFloat>& rhs);
+ExactInputSolution solve_decimals(const DecimalFactors& factors,
+                                  std::vector<BigFloat> x,
+                                  const std::vector<BigFloat>& rhs);
 
 }  // namespace kinestat

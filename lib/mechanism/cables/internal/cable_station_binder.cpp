@@ -1,6 +1,6 @@
 #include "mechanism/cables/internal/cable_station_binder.hpp"
 
-#include "screw/typed_vector.hpp"
+#include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
 
@@ -70,7 +70,7 @@ std::optional<CableStationGeometryOf<Scalar>> bind_station(const CableStation& s
 template std::optional<CableStationGeometry> bind_station(const CableStation&, Evaluator&);
 template std::optional<CableStationGeometryOf<Dual>> bind_station(const CableStation&,
                                                                   EvaluatorOf<Dual>&);
-template std::optional<CableStationGeometryOf<Typed>> bind_station(const CableStation&,
-                                                                   EvaluatorOf<Typed>&);
+template std::optional<CableStationGeometryOf<ExactInput>> bind_station(const CableStation&,
+                                                                        EvaluatorOf<ExactInput>&);
 
 }  // namespace kinestat

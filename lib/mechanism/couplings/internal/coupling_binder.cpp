@@ -11,7 +11,7 @@
 #include "mechanism/bind/place_binder.hpp"
 #include "mechanism/check/geometry_check.hpp"
 #include "mechanism/gears/internal/tooth_binder.hpp"
-#include "screw/typed_vector.hpp"
+#include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
 
@@ -26,8 +26,8 @@ Scalar radians_of_a_turn() {
 }
 
 template <>
-Typed radians_of_a_turn<Typed>() {
-  return Typed(2.0) * typed_pi();
+ExactInput radians_of_a_turn<ExactInput>() {
+  return ExactInput(2.0) * exact_input_pi();
 }
 
 template <class Scalar>
@@ -246,10 +246,10 @@ template std::optional<CouplingGeometry> bind_geometry(
     const CouplingDescription&, Space, const GearFrame*, Evaluator&, Diagnostics&);
 template std::optional<CouplingGeometryOf<Dual>> bind_geometry(
     const CouplingDescription&, Space, const GearFrameOf<Dual>*, EvaluatorOf<Dual>&, Diagnostics&);
-template std::optional<CouplingGeometryOf<Typed>> bind_geometry(const CouplingDescription&,
-                                                                Space,
-                                                                const GearFrameOf<Typed>*,
-                                                                EvaluatorOf<Typed>&,
-                                                                Diagnostics&);
+template std::optional<CouplingGeometryOf<ExactInput>> bind_geometry(const CouplingDescription&,
+                                                                     Space,
+                                                                     const GearFrameOf<ExactInput>*,
+                                                                     EvaluatorOf<ExactInput>&,
+                                                                     Diagnostics&);
 
 }  // namespace kinestat

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "description/gear_expansion.hpp"
-#include "screw/typed_vector.hpp"
+#include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
 
@@ -98,11 +98,12 @@ template std::optional<GearNumbersOf<Dual>> bind_gear_numbers(const GearsDescrip
 template std::optional<GearFrame> bind_gear_frame(const MechanismDescription&, Evaluator&);
 template std::optional<GearFrameOf<Dual>> bind_gear_frame(const MechanismDescription&,
                                                           EvaluatorOf<Dual>&);
-template MeshTeethOf<Typed> teeth_of(const GearFrameOf<Typed>&, const CouplingDescription&);
-template std::optional<GearNumbersOf<Typed>> bind_gear_numbers(const GearsDescription&,
-                                                               const GearTrain&,
-                                                               EvaluatorOf<Typed>&);
-template std::optional<GearFrameOf<Typed>> bind_gear_frame(const MechanismDescription&,
-                                                           EvaluatorOf<Typed>&);
+template MeshTeethOf<ExactInput> teeth_of(const GearFrameOf<ExactInput>&,
+                                          const CouplingDescription&);
+template std::optional<GearNumbersOf<ExactInput>> bind_gear_numbers(const GearsDescription&,
+                                                                    const GearTrain&,
+                                                                    EvaluatorOf<ExactInput>&);
+template std::optional<GearFrameOf<ExactInput>> bind_gear_frame(const MechanismDescription&,
+                                                                EvaluatorOf<ExactInput>&);
 
 }  // namespace kinestat

@@ -7,7 +7,7 @@
 
 #include "core/tolerance.hpp"
 #include "mechanism/check/geometry_check.hpp"
-#include "screw/typed_vector.hpp"
+#include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
 
@@ -22,9 +22,10 @@ Scalar normal_angle(const Scalar& alpha, const Scalar& beta) {
 
 // Straight teeth keep an exact angle.
 template <>
-Typed normal_angle<Typed>(const Typed& alpha, const Typed& beta) {
-  const Typed normal = atan(tan(alpha) * cos(beta));
-  return is_zero(beta) ? Typed(normal.value, alpha.precise, alpha.exact, alpha.pi_power) : normal;
+ExactInput normal_angle<ExactInput>(const ExactInput& alpha, const ExactInput& beta) {
+  const ExactInput normal = atan(tan(alpha) * cos(beta));
+  return is_zero(beta) ? ExactInput(normal.value, alpha.precise, alpha.exact, alpha.pi_power)
+                       : normal;
 }
 
 template <class Scalar>
@@ -180,12 +181,15 @@ template std::optional<Vec3> bind_line_of_action(
     const CouplingDescription&, Space, const Axis&, EvaluatorOf<double>&, Diagnostics&);
 template std::optional<Vec3Of<Dual>> bind_line_of_action(
     const CouplingDescription&, Space, const AxisOf<Dual>&, EvaluatorOf<Dual>&, Diagnostics&);
-template std::optional<Vec3Of<Typed>> bind_mesh_line_of_action(const CouplingDescription&,
+template std::optional<Vec3Of<ExactInput>> bind_mesh_line_of_action(const CouplingDescription&,
+                                                                    Space,
+                                                                    const MeshTeethOf<ExactInput>&,
+                                                                    EvaluatorOf<ExactInput>&,
+                                                                    Diagnostics&);
+template std::optional<Vec3Of<ExactInput>> bind_line_of_action(const CouplingDescription&,
                                                                Space,
-                                                               const MeshTeethOf<Typed>&,
-                                                               EvaluatorOf<Typed>&,
+                                                               const AxisOf<ExactInput>&,
+                                                               EvaluatorOf<ExactInput>&,
                                                                Diagnostics&);
-template std::optional<Vec3Of<Typed>> bind_line_of_action(
-    const CouplingDescription&, Space, const AxisOf<Typed>&, EvaluatorOf<Typed>&, Diagnostics&);
 
 }  // namespace kinestat

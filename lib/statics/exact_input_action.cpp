@@ -1,11 +1,11 @@
-#include "statics/typed_action.hpp"
+#include "statics/exact_input_action.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "math/elimination/bounded_solve.hpp"
+#include "network/exact_input_system.hpp"
 #include "network/node_system.hpp"
-#include "network/typed_system.hpp"
 #include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
@@ -13,7 +13,7 @@ namespace kinestat {
 namespace {
 
 // The same actions are open, as many as the doubles say, or none.
-bool agrees(const TypedElimination& elimination, const StaticSolution& rounded) {
+bool agrees(const ExactInputElimination& elimination, const StaticSolution& rounded) {
   const std::vector<int>& open = elimination.free_columns();
   const std::vector<int>& undetermined = rounded.check.undetermined;
   return elimination.relation_count() == 0 &&
@@ -26,7 +26,7 @@ bool agrees(const TypedElimination& elimination, const StaticSolution& rounded) 
 
 void fill(const Mechanism& mechanism,
           const CoordinateBasis& basis,
-          const TypedSolution& solved,
+          const ExactInputSolution& solved,
           StaticSolution& solution) {
   const int count = mechanism.topology.action_count();
   std::vector<bool> counts(static_cast<std::size_t>(count), true);
@@ -46,25 +46,28 @@ void fill(const Mechanism& mechanism,
 
 }  // namespace
 
-std::optional<StaticSolution> solve_action_as_typed(const Mechanism& mechanism,
-                                                    const std::vector<TypedScrew>& actions,
-                                                    const Case& which,
-                                                    const TypedCase& typed,
-                                                    const StaticSolution& rounded) {
+std::optional<StaticSolution> solve_action_of_exact_input(
+    const Mechanism& mechanism,
+    const std::vector<ExactInputScrew>& actions,
+    const Case& which,
+    const ExactInputCase& exact_input,
+    const StaticSolution& rounded) {
   const Topology& topology = mechanism.topology;
   const CoordinateBasis basis = spatial_basis(ScrewKind::wrench, mechanism.geometry.length);
-  TypedMatrix system = typed_action_system(topology, actions, basis);
+  ExactInputMatrix system = exact_input_action_system(topology, actions, basis);
   if (!has_digits(system)) {
     return std::nullopt;
   }
   std::vector<int> columns;
-  std::vector<Typed> known;
+  std::vector<ExactInput> known;
   for (std::size_t i = 0; i < which.actions.size(); ++i) {
     columns.push_back(which.actions[i].index);
-    known.push_back(typed.actions[i] / Typed(action_unit(topology, basis, columns.back())));
+    known.push_back(exact_input.actions[i] /
+                    ExactInput(action_unit(topology, basis, columns.back())));
   }
-  const TypedElimination elimination(std::move(system), columns);
-  const auto right = typed_load_vector(topology.body_count(), basis, which.loads, typed.loads);
+  const ExactInputElimination elimination(std::move(system), columns);
+  const auto right =
+      exact_input_load_vector(topology.body_count(), basis, which.loads, exact_input.loads);
   const auto solved = agrees(elimination, rounded) ? elimination.solve(known, right) : std::nullopt;
   if (!solved || !solved->x.allFinite()) {
     return std::nullopt;
@@ -85,7 +88,7 @@ std::optional<StaticSolution> solve_action_as_typed(const Mechanism& mechanism,
   solution.answer = {.precision = Precision::exact,
                      .error_bound = {},
                      .bounds = {},
-                     .is_typed = true,
+                     .is_exact_input = true,
                      .is_exact = solved->is_exact};
   fill(mechanism, basis, *solved, solution);
   return solution;

@@ -1,4 +1,4 @@
-#include "math/elimination/typed_elimination.hpp"
+#include "math/elimination/exact_input_elimination.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +21,9 @@ constexpr int kMostCommonRoots = 1 << 16;
 
 // The rows and columns that doubles would have; where all doubles of a line are zero or beyond
 // their range, 1.
-Scaling scaling_of(const TypedMatrix& matrix) {
+Scaling scaling_of(const ExactInputMatrix& matrix) {
   SparseMatrix doubles{.rows = matrix.rows, .columns = matrix.columns, .entries = {}};
-  for (const TypedEntry& entry : matrix.entries) {
+  for (const ExactInputEntry& entry : matrix.entries) {
     if (entry.value.precise) {
       doubles.add(entry.row, entry.column, static_cast<double>(*entry.value.precise));
     }
@@ -31,10 +31,10 @@ Scaling scaling_of(const TypedMatrix& matrix) {
   return find_scaling(doubles);
 }
 
-std::vector<DecimalEntry> scaled_entries(const TypedMatrix& matrix, const Scaling& scaling) {
+std::vector<DecimalEntry> scaled_entries(const ExactInputMatrix& matrix, const Scaling& scaling) {
   std::vector<DecimalEntry> entries;
   entries.reserve(matrix.entries.size());
-  for (const TypedEntry& entry : matrix.entries) {
+  for (const ExactInputEntry& entry : matrix.entries) {
     entries.push_back({.row = entry.row,
                        .column = entry.column,
                        .value = *entry.value.precise * BigFloat(at(scaling.rows, entry.row)) *
@@ -43,7 +43,7 @@ std::vector<DecimalEntry> scaled_entries(const TypedMatrix& matrix, const Scalin
   return entries;
 }
 
-DecimalFactors eliminate_decimals(const TypedMatrix& matrix, std::span<const int> last) {
+DecimalFactors eliminate_decimals(const ExactInputMatrix& matrix, std::span<const int> last) {
   DecimalFactors result{.scaling = scaling_of(matrix), .entries = {}, .decimals = {.field = {}}};
   result.entries = scaled_entries(matrix, result.scaling);
   result.decimals.load(matrix.rows, result.entries, [](const BigFloat& value) { return value; });
@@ -51,9 +51,9 @@ DecimalFactors eliminate_decimals(const TypedMatrix& matrix, std::span<const int
   return result;
 }
 
-ExactMatrix rational_matrix(const TypedMatrix& matrix) {
+ExactMatrix rational_matrix(const ExactInputMatrix& matrix) {
   ExactMatrix result{.rows = matrix.rows, .columns = matrix.columns, .entries = {}};
-  for (const TypedEntry& entry : matrix.entries) {
+  for (const ExactInputEntry& entry : matrix.entries) {
     result.entries.push_back(
         {.row = entry.row, .column = entry.column, .value = *rational_of(entry.value)});
   }
@@ -61,9 +61,9 @@ ExactMatrix rational_matrix(const TypedMatrix& matrix) {
 }
 
 // Empty if an entry is no such sum, holds pi, or if the fields have too large a common one.
-std::optional<RootMatrix> root_matrix(const TypedMatrix& matrix) {
+std::optional<RootMatrix> root_matrix(const ExactInputMatrix& matrix) {
   int count = 4;
-  for (const TypedEntry& entry : matrix.entries) {
+  for (const ExactInputEntry& entry : matrix.entries) {
     if (!entry.value.exact || entry.value.pi_power != 0) {
       return std::nullopt;
     }
@@ -74,33 +74,33 @@ std::optional<RootMatrix> root_matrix(const TypedMatrix& matrix) {
   }
   RootMatrix result{
       .rows = matrix.rows, .columns = matrix.columns, .root_count = count, .entries = {}};
-  for (const TypedEntry& entry : matrix.entries) {
+  for (const ExactInputEntry& entry : matrix.entries) {
     result.entries.push_back(
         {.row = entry.row, .column = entry.column, .value = entry.value.exact->in_field(count)});
   }
   return result;
 }
 
-TypedRank typed(const ExactRank& found) {
-  TypedRank result{.rank = found.rank, .error_probability = found.error_probability};
+ExactInputRank exact_input(const ExactRank& found) {
+  ExactInputRank result{.rank = found.rank, .error_probability = found.error_probability};
   switch (found.proof) {
     case RankProof::structural:
-      result.proof = TypedProof::structural;
+      result.proof = ExactInputProof::structural;
       break;
     case RankProof::elimination:
     case RankProof::null_vectors:
-      result.proof = TypedProof::elimination;
+      result.proof = ExactInputProof::elimination;
       break;
     case RankProof::modular:
-      result.proof = TypedProof::modular;
+      result.proof = ExactInputProof::modular;
       break;
   }
   return result;
 }
 
-std::optional<std::vector<Rational>> rational_list(std::span<const Typed> numbers) {
+std::optional<std::vector<Rational>> rational_list(std::span<const ExactInput> numbers) {
   std::vector<Rational> result;
-  for (const Typed& number : numbers) {
+  for (const ExactInput& number : numbers) {
     const std::optional<Rational> value = rational_of(number);
     if (!value) {
       return std::nullopt;
@@ -110,49 +110,52 @@ std::optional<std::vector<Rational>> rational_list(std::span<const Typed> number
   return result;
 }
 
-bool have_digits(std::span<const Typed> numbers) {
-  return std::ranges::all_of(numbers, [](const Typed& one) { return one.precise.has_value(); });
+bool have_digits(std::span<const ExactInput> numbers) {
+  return std::ranges::all_of(numbers,
+                             [](const ExactInput& one) { return one.precise.has_value(); });
 }
 
 }  // namespace
 
-bool has_digits(const TypedMatrix& matrix) {
-  return std::ranges::all_of(matrix.entries,
-                             [](const TypedEntry& one) { return one.value.precise.has_value(); });
-}
-
-bool is_rational(const TypedMatrix& matrix) {
+bool has_digits(const ExactInputMatrix& matrix) {
   return std::ranges::all_of(
-      matrix.entries, [](const TypedEntry& one) { return rational_of(one.value).has_value(); });
+      matrix.entries, [](const ExactInputEntry& one) { return one.value.precise.has_value(); });
 }
 
-std::optional<TypedRank> find_typed_rank(const TypedMatrix& matrix, int upper_bound) {
+bool is_rational(const ExactInputMatrix& matrix) {
+  return std::ranges::all_of(matrix.entries, [](const ExactInputEntry& one) {
+    return rational_of(one.value).has_value();
+  });
+}
+
+std::optional<ExactInputRank> find_exact_input_rank(const ExactInputMatrix& matrix,
+                                                    int upper_bound) {
   if (!has_digits(matrix)) {
     return std::nullopt;
   }
   if (is_rational(matrix)) {
-    return typed(find_exact_rank(rational_matrix(matrix), upper_bound));
+    return exact_input(find_exact_rank(rational_matrix(matrix), upper_bound));
   }
   if (const std::optional<RootMatrix> roots = root_matrix(matrix)) {
-    return typed(find_exact_rank(*roots, upper_bound));
+    return exact_input(find_exact_rank(*roots, upper_bound));
   }
-  return TypedRank{.rank = eliminate_decimals(matrix, {}).decimals.rank(),
-                   .proof = TypedProof::digits};
+  return ExactInputRank{.rank = eliminate_decimals(matrix, {}).decimals.rank(),
+                        .proof = ExactInputProof::digits};
 }
 
-struct TypedElimination::Factors {
-  TypedMatrix matrix;
+struct ExactInputElimination::Factors {
+  ExactInputMatrix matrix;
   std::vector<int> last;
   std::optional<ExactElimination> fractions;
   std::optional<DecimalFactors> decimals;  ///< where there are no fractions
 
-  TypedSolution solve_in_fractions(std::span<const Rational> known,
-                                   std::span<const Rational> rhs) const;
-  std::optional<TypedSolution> solve_in_decimals(std::span<const Typed> known,
-                                                 std::span<const Typed> rhs) const;
+  ExactInputSolution solve_in_fractions(std::span<const Rational> known,
+                                        std::span<const Rational> rhs) const;
+  std::optional<ExactInputSolution> solve_in_decimals(std::span<const ExactInput> known,
+                                                      std::span<const ExactInput> rhs) const;
 };
 
-TypedElimination::TypedElimination(TypedMatrix matrix, std::span<const int> last)
+ExactInputElimination::ExactInputElimination(ExactInputMatrix matrix, std::span<const int> last)
     : factors_(std::make_unique<Factors>()) {
   KINESTAT_EXPECTS(has_digits(matrix));
   factors_->matrix = std::move(matrix);
@@ -164,26 +167,27 @@ TypedElimination::TypedElimination(TypedMatrix matrix, std::span<const int> last
   }
 }
 
-TypedElimination::~TypedElimination() = default;
-TypedElimination::TypedElimination(TypedElimination&& other) noexcept = default;
-TypedElimination& TypedElimination::operator=(TypedElimination&& other) noexcept = default;
+ExactInputElimination::~ExactInputElimination() = default;
+ExactInputElimination::ExactInputElimination(ExactInputElimination&& other) noexcept = default;
+ExactInputElimination& ExactInputElimination::operator=(ExactInputElimination&& other) noexcept =
+    default;
 
-int TypedElimination::rank() const {
+int ExactInputElimination::rank() const {
   return factors_->fractions ? factors_->fractions->rank() : factors_->decimals->decimals.rank();
 }
 
-const std::vector<int>& TypedElimination::free_columns() const {
+const std::vector<int>& ExactInputElimination::free_columns() const {
   return factors_->fractions ? factors_->fractions->free_columns()
                              : factors_->decimals->decimals.free_columns;
 }
 
-int TypedElimination::relation_count() const {
+int ExactInputElimination::relation_count() const {
   return factors_->fractions ? factors_->fractions->relation_count()
                              : static_cast<int>(factors_->decimals->decimals.last_pivots.size());
 }
 
-std::optional<TypedSolution> TypedElimination::solve(std::span<const Typed> known,
-                                                     std::span<const Typed> rhs) const {
+std::optional<ExactInputSolution> ExactInputElimination::solve(
+    std::span<const ExactInput> known, std::span<const ExactInput> rhs) const {
   KINESTAT_EXPECTS(known.size() == factors_->last.size());
   KINESTAT_EXPECTS(rhs.empty() || rhs.size() == static_cast<std::size_t>(factors_->matrix.rows));
   if (factors_->fractions) {
@@ -197,10 +201,10 @@ std::optional<TypedSolution> TypedElimination::solve(std::span<const Typed> know
                                                 : std::nullopt;
 }
 
-TypedSolution TypedElimination::Factors::solve_in_fractions(std::span<const Rational> known,
-                                                            std::span<const Rational> rhs) const {
+ExactInputSolution ExactInputElimination::Factors::solve_in_fractions(
+    std::span<const Rational> known, std::span<const Rational> rhs) const {
   const ExactSolution found = fractions->solve(known, rhs);
-  TypedSolution result{
+  ExactInputSolution result{
       .x = VecX(matrix.columns), .bound = {}, .consistent = found.consistent, .is_exact = true};
   for (int c = 0; c < matrix.columns; ++c) {
     result.x[c] = to_double(at(found.x, c));
@@ -210,8 +214,8 @@ TypedSolution TypedElimination::Factors::solve_in_fractions(std::span<const Rati
 }
 
 // Where the matrix has fractions, its digits must say the same of it.
-std::optional<TypedSolution> TypedElimination::Factors::solve_in_decimals(
-    std::span<const Typed> known, std::span<const Typed> rhs) const {
+std::optional<ExactInputSolution> ExactInputElimination::Factors::solve_in_decimals(
+    std::span<const ExactInput> known, std::span<const ExactInput> rhs) const {
   const std::optional<DecimalFactors> own =
       decimals ? std::nullopt : std::optional(eliminate_decimals(matrix, last));
   const DecimalFactors& factors = decimals ? *decimals : *own;

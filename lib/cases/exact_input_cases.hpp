@@ -8,7 +8,7 @@
 #include "cases/certainty.hpp"
 #include "core/accuracy.hpp"
 #include "kinematics/kinematic_solution.hpp"
-#include "mechanism/bind/typed_mechanism.hpp"
+#include "mechanism/bind/exact_input_mechanism.hpp"
 #include "statics/static_solution.hpp"
 #include "studies/mobility/mobility_counts.hpp"
 
@@ -16,12 +16,12 @@ namespace kinestat {
 
 /// Answers from the numbers as typed for one mechanism, whose cases are those of the description.
 /// The automatic way asks for them only in mechanisms of some hundred unknowns.
-class TypedNumbers {
+class ExactInputCases {
  public:
   /// Both must outlive it; `mechanism` must be what bind made of the description.
-  TypedNumbers(const MechanismDescription& description,
-               const Mechanism& mechanism,
-               const AccuracyRequest& request)
+  ExactInputCases(const MechanismDescription& description,
+                  const Mechanism& mechanism,
+                  const AccuracyRequest& request)
       : description_(&description), mechanism_(&mechanism), request_(request) {}
 
   /// Fills in what is proved of the ranks of motions, and of actions if wanted. The numbers as
@@ -31,7 +31,7 @@ class TypedNumbers {
   /// Sets the counts to those of the ranks as typed, as far as these are known: where rounding made
   /// what is redundant regular, and, if the request is for exact numbers, also where what is nearly
   /// singular as typed counts as singular once rounded.
-  void count_as_typed(const Certainty& certainty, MobilityCounts& counts) const;
+  void count_exact_input(const Certainty& certainty, MobilityCounts& counts) const;
 
   /// Takes the answer of a case as typed where the request, or the bound of the one in doubles,
   /// asks for it. True if there is one as typed where the doubles have none; it is taken only if
@@ -42,9 +42,9 @@ class TypedNumbers {
   bool improve(std::size_t which, const std::vector<int>& turned, StaticSolution& action);
 
  private:
-  const TypedMechanism* find();  // null if a number has no value without rounding
+  const ExactInputMechanism* find();  // null if a number has no value without rounding
   bool is_small() const;
-  bool asks_for_typed(const RankCertainty& certainty);
+  bool asks_for_exact_input(const RankCertainty& certainty);
   int missing_rank(const std::optional<RankCertainty>& certainty, int counted) const;
   bool is_needed(SolveStatus status,
                  const AnswerEvidence& answer,
@@ -55,7 +55,7 @@ class TypedNumbers {
   const Mechanism* mechanism_;
   AccuracyRequest request_;
   bool is_bound_ = false;
-  std::optional<TypedMechanism> typed_;
+  std::optional<ExactInputMechanism> exact_input_;
 };
 
 }  // namespace kinestat

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "mechanism/bind/typed_mechanism.hpp"
+#include "mechanism/bind/exact_input_mechanism.hpp"
 #include "statics/static_solution.hpp"
 
 namespace kinestat {
@@ -13,11 +13,11 @@ namespace kinestat {
 /// doubles. Actions that it leaves open stay so, unless none is open as typed. Inconsistent where
 /// loads that balance but for rounding do not as typed. Empty where the primaries are not right as
 /// typed, as many actions are not open, or a number has no digits.
-[[nodiscard]] std::optional<StaticSolution> solve_action_as_typed(
+[[nodiscard]] std::optional<StaticSolution> solve_action_of_exact_input(
     const Mechanism& mechanism,
-    const std::vector<TypedScrew>& actions,
+    const std::vector<ExactInputScrew>& actions,
     const Case& which,
-    const TypedCase& typed,
+    const ExactInputCase& exact_input,
     const StaticSolution& rounded);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-#include "math/numbers/typed.hpp"
+#include "math/numbers/exact_input.hpp"
 
 #include <array>
 #include <cmath>
@@ -68,12 +68,12 @@ BigFloat without_rounding(BigFloat sum, const BigFloat& a, const BigFloat& b) {
   return abs(sum) <= share * (abs(a) + abs(b)) ? BigFloat(0) : sum;
 }
 
-int power_of(const Typed& a) {
+int power_of(const ExactInput& a) {
   return a.exact && a.exact->is_zero() ? 0 : a.pi_power;
 }
 
-Typed made(double value, MaybePrecise precise, MaybeRoots exact, int power) {
-  Typed result(value, std::move(precise), std::move(exact), power);
+ExactInput made(double value, MaybePrecise precise, MaybeRoots exact, int power) {
+  ExactInput result(value, std::move(precise), std::move(exact), power);
   if (result.exact && result.exact->is_zero()) {
     result.precise = BigFloat(0);
     result.pi_power = 0;
@@ -81,7 +81,7 @@ Typed made(double value, MaybePrecise precise, MaybeRoots exact, int power) {
   return result;
 }
 
-MaybeRoots exact_sum(const Typed& a, const Typed& b) {
+MaybeRoots exact_sum(const ExactInput& a, const ExactInput& b) {
   if (!a.exact || !b.exact) {
     return std::nullopt;
   }
@@ -97,7 +97,7 @@ struct Parts {
   int root_count = 4;
 };
 
-std::optional<Parts> parts_of(const Typed& angle) {
+std::optional<Parts> parts_of(const ExactInput& angle) {
   if (!angle.exact) {
     return std::nullopt;
   }
@@ -124,12 +124,12 @@ MaybeRoots reduced(RootSum sum) {
   return combined(sum, RootSum(Rational(0), 4), [](const RootSum& x, const RootSum&) { return x; });
 }
 
-MaybeRoots exact_sine(const Typed& angle) {
+MaybeRoots exact_sine(const ExactInput& angle) {
   const std::optional<Parts> parts = parts_of(angle);
   return parts ? reduced(RootSum::sine(parts->k, parts->root_count)) : std::nullopt;
 }
 
-MaybeRoots exact_cosine(const Typed& angle) {
+MaybeRoots exact_cosine(const ExactInput& angle) {
   const std::optional<Parts> parts = parts_of(angle);
   return parts ? reduced(RootSum::cosine(parts->k, parts->root_count)) : std::nullopt;
 }
@@ -172,7 +172,7 @@ MaybeRoots exact_root(const Rational& square) {
   return whole && result ? product_of(*result, RootSum(*whole, 4)) : std::nullopt;
 }
 
-MaybeRoots exact_quotient(const Typed& a, const Typed& b) {
+MaybeRoots exact_quotient(const ExactInput& a, const ExactInput& b) {
   if (!a.exact || !b.exact || b.exact->is_zero() ||
       totient(b.exact->root_count()) > kLargestInvertedDegree) {
     return std::nullopt;
@@ -181,24 +181,24 @@ MaybeRoots exact_quotient(const Typed& a, const Typed& b) {
 }
 
 template <class Function>
-MaybePrecise applied(const Typed& a, const Function& function) {
+MaybePrecise applied(const ExactInput& a, const Function& function) {
   return a.precise ? finite(function(*a.precise)) : std::nullopt;
 }
 
 }  // namespace
 
-Typed::Typed(double number) : value(number) {
+ExactInput::ExactInput(double number) : value(number) {
   precise = finite(BigFloat(number));
   exact = std::isfinite(number) ? MaybeRoots(RootSum(Rational(number), 4)) : std::nullopt;
 }
 
-Typed::Typed(double number,
-             std::optional<BigFloat> digits,
-             std::optional<RootSum> root_sum,
-             int power)
+ExactInput::ExactInput(double number,
+                       std::optional<BigFloat> digits,
+                       std::optional<RootSum> root_sum,
+                       int power)
     : value(number), precise(std::move(digits)), exact(std::move(root_sum)), pi_power(power) {}
 
-std::optional<Rational> rational_of(const Typed& number) {
+std::optional<Rational> rational_of(const ExactInput& number) {
   if (!number.exact || number.pi_power != 0 || number.exact->terms().size() > 1) {
     return std::nullopt;
   }
@@ -209,23 +209,23 @@ std::optional<Rational> rational_of(const Typed& number) {
   return k == 0 ? std::optional(factor) : std::nullopt;
 }
 
-bool is_zero(const Typed& number) {
+bool is_zero(const ExactInput& number) {
   return number.exact ? number.exact->is_zero() : number.precise && number.precise->is_zero();
 }
 
-Typed typed_pi() {
+ExactInput exact_input_pi() {
   static const BigFloat value = acos(BigFloat(-1));
   return {static_cast<double>(value), value, RootSum(Rational(1), 4), 1};
 }
 
-Typed operator-(const Typed& a) {
+ExactInput operator-(const ExactInput& a) {
   return {-a.value,
           a.precise ? MaybePrecise(-*a.precise) : std::nullopt,
           a.exact ? MaybeRoots(-*a.exact) : std::nullopt,
           a.pi_power};
 }
 
-Typed operator+(const Typed& a, const Typed& b) {
+ExactInput operator+(const ExactInput& a, const ExactInput& b) {
   const bool has_digits = a.precise && b.precise;
   return made(a.value + b.value,
               has_digits ? MaybePrecise(without_rounding(
@@ -235,18 +235,18 @@ Typed operator+(const Typed& a, const Typed& b) {
               a.exact && a.exact->is_zero() ? b.pi_power : a.pi_power);
 }
 
-Typed operator-(const Typed& a, const Typed& b) {
+ExactInput operator-(const ExactInput& a, const ExactInput& b) {
   return a + (-b);
 }
 
-Typed operator*(const Typed& a, const Typed& b) {
+ExactInput operator*(const ExactInput& a, const ExactInput& b) {
   return made(a.value * b.value,
               a.precise && b.precise ? finite(*a.precise * *b.precise) : std::nullopt,
               a.exact && b.exact ? product_of(*a.exact, *b.exact) : std::nullopt,
               power_of(a) + power_of(b));
 }
 
-Typed operator/(const Typed& a, const Typed& b) {
+ExactInput operator/(const ExactInput& a, const ExactInput& b) {
   const bool has_digits = a.precise && b.precise && !b.precise->is_zero();
   return made(a.value / b.value,
               has_digits ? finite(*a.precise / *b.precise) : std::nullopt,
@@ -254,7 +254,7 @@ Typed operator/(const Typed& a, const Typed& b) {
               power_of(a) - power_of(b));
 }
 
-Typed sqrt(const Typed& a) {
+ExactInput sqrt(const ExactInput& a) {
   const std::optional<Rational> fraction = rational_of(a);
   return made(std::sqrt(a.value),
               a.precise && *a.precise >= 0 ? finite(sqrt(*a.precise)) : std::nullopt,
@@ -262,35 +262,35 @@ Typed sqrt(const Typed& a) {
               0);
 }
 
-Typed sin(const Typed& a) {
+ExactInput sin(const ExactInput& a) {
   return made(std::sin(a.value),
               applied(a, [](const BigFloat& x) { return BigFloat(sin(x)); }),
               exact_sine(a),
               0);
 }
 
-Typed cos(const Typed& a) {
+ExactInput cos(const ExactInput& a) {
   return made(std::cos(a.value),
               applied(a, [](const BigFloat& x) { return BigFloat(cos(x)); }),
               exact_cosine(a),
               0);
 }
 
-Typed tan(const Typed& a) {
-  Typed result = sin(a) / cos(a);
+ExactInput tan(const ExactInput& a) {
+  ExactInput result = sin(a) / cos(a);
   result.value = std::tan(a.value);
   return result;
 }
 
-Typed atan(const Typed& a) {
+ExactInput atan(const ExactInput& a) {
   return made(std::atan(a.value),
               applied(a, [](const BigFloat& x) { return BigFloat(atan(x)); }),
               a.exact && a.exact->is_zero() ? a.exact : std::nullopt,
               0);
 }
 
-Typed abs(const Typed& a) {
-  Typed result = a.precise && *a.precise < 0 ? -a : a;
+ExactInput abs(const ExactInput& a) {
+  ExactInput result = a.precise && *a.precise < 0 ? -a : a;
   result.value = std::abs(a.value);
   return result;
 }

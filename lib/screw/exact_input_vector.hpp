@@ -5,32 +5,33 @@
 
 #include "core/tolerance.hpp"
 #include "math/numbers/eigen_number.hpp"
-#include "math/numbers/typed.hpp"
+#include "math/numbers/exact_input.hpp"
 #include "screw/twist.hpp"
 
 namespace kinestat {
 
 template <>
-inline constexpr bool kHasPlainArithmetic<Typed> = true;
+inline constexpr bool kHasPlainArithmetic<ExactInput> = true;
 
 }  // namespace kinestat
 
 template <>
-struct Eigen::NumTraits<kinestat::Typed> : kinestat::EigenNumber<kinestat::Typed, 64, 512> {};
+struct Eigen::NumTraits<kinestat::ExactInput>
+    : kinestat::EigenNumber<kinestat::ExactInput, 64, 512> {};
 
 namespace kinestat {
 
 /// What is rounding of doubles may be more than nothing in the numbers as typed: only their double,
 /// which takes the decisions, becomes zero.
 template <>
-inline Vec3Of<Typed> moment_of_line<Typed>(const Vec3In<Typed>& point,
-                                           const Vec3In<Typed>& direction) {
-  Vec3Of<Typed> moment;
+inline Vec3Of<ExactInput> moment_of_line<ExactInput>(const Vec3In<ExactInput>& point,
+                                                     const Vec3In<ExactInput>& direction) {
+  Vec3Of<ExactInput> moment;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
     const int k = (i + 2) % 3;
-    const Typed plus = point[j] * direction[k];
-    const Typed minus = point[k] * direction[j];
+    const ExactInput plus = point[j] * direction[k];
+    const ExactInput minus = point[k] * direction[j];
     moment[i] = plus - minus;
     const double size = std::abs(plus.value) + std::abs(minus.value);
     if (std::abs(moment[i].value) <= kCancellation * size) {

@@ -1,4 +1,4 @@
-#include "expression/evaluate/typed_carrier.hpp"
+#include "expression/evaluate/exact_input_carrier.hpp"
 
 #include <utility>
 
@@ -13,7 +13,7 @@ namespace {
 // Powers up to this are products.
 constexpr int kLargestPower = 16;
 
-Typed typed(const Precise& precise, const Exact& exact) {
+ExactInput exact_input(const Precise& precise, const Exact& exact) {
   std::optional<RootSum> roots;
   if (exact.exact) {
     roots = RootSum(exact.exact->factor, 4);
@@ -21,39 +21,41 @@ Typed typed(const Precise& precise, const Exact& exact) {
   return {0.0, precise.precise, std::move(roots), exact.exact ? exact.exact->pi_power : 0};
 }
 
-Precise precise_of(const Typed& number) {
+Precise precise_of(const ExactInput& number) {
   return {.value = number.value, .precise = number.precise};
 }
 
 // The fraction times a power of pi that a number is; empty for other sums of roots.
-Exact exact_of(const Typed& number) {
-  Typed factor = number;
+Exact exact_of(const ExactInput& number) {
+  ExactInput factor = number;
   factor.pi_power = 0;
   const std::optional<Rational> fraction = rational_of(factor);
   return {.value = number.value,
           .exact = fraction ? MaybeExact(PiRational{*fraction, number.pi_power}) : std::nullopt};
 }
 
-std::optional<int> small_power(const Typed& exponent) {
+std::optional<int> small_power(const ExactInput& exponent) {
   const std::optional<Rational> value = rational_of(exponent);
   const bool is_small = value && is_whole(*value) && abs(*value) <= kLargestPower;
   return is_small ? std::optional(value->convert_to<int>()) : std::nullopt;
 }
 
-std::optional<Typed> raised(const Typed& base, const Typed& exponent) {
+std::optional<ExactInput> raised(const ExactInput& base, const ExactInput& exponent) {
   const std::optional<int> power = small_power(exponent);
   if (!power) {
     return std::nullopt;
   }
-  Typed result(1.0);
+  ExactInput result(1.0);
   for (int i = 0; i < std::abs(*power); ++i) {
     result = result * base;
   }
-  return *power < 0 ? Typed(1.0) / result : result;
+  return *power < 0 ? ExactInput(1.0) / result : result;
 }
 
 // What fractions do not answer, sums of roots may.
-std::optional<Typed> apply_to_roots(const Node& operation, const Typed& a, const Typed& b) {
+std::optional<ExactInput> apply_to_roots(const Node& operation,
+                                         const ExactInput& a,
+                                         const ExactInput& b) {
   switch (operation.kind) {
     case NodeKind::negate:
       return -a;
@@ -93,36 +95,40 @@ std::optional<Typed> apply_to_roots(const Node& operation, const Typed& a, const
 
 }  // namespace
 
-Typed Carrier<Typed>::number(std::string_view literal, double value) {
-  return typed(Carrier<Precise>::number(literal, value), Carrier<Exact>::number(literal, value));
+ExactInput Carrier<ExactInput>::number(std::string_view literal, double value) {
+  return exact_input(Carrier<Precise>::number(literal, value),
+                     Carrier<Exact>::number(literal, value));
 }
 
-Typed Carrier<Typed>::pi() {
-  return typed_pi();
+ExactInput Carrier<ExactInput>::pi() {
+  return exact_input_pi();
 }
 
-Typed Carrier<Typed>::to_si(const Typed& count, const UnitScale& unit) {
+ExactInput Carrier<ExactInput>::to_si(const ExactInput& count, const UnitScale& unit) {
   const PiRational size = size_of(unit);
-  const Typed scale(0.0,
-                    Carrier<Precise>::to_si(Carrier<Precise>::number("1", 1.0), unit).precise,
-                    RootSum(size.factor, 4),
-                    size.pi_power);
+  const ExactInput scale(0.0,
+                         Carrier<Precise>::to_si(Carrier<Precise>::number("1", 1.0), unit).precise,
+                         RootSum(size.factor, 4),
+                         size.pi_power);
   return count * scale;
 }
 
-Typed Carrier<Typed>::from_si(const Typed& value, const UnitScale& unit) {
-  return value / to_si(Typed(1.0), unit);
+ExactInput Carrier<ExactInput>::from_si(const ExactInput& value, const UnitScale& unit) {
+  return value / to_si(ExactInput(1.0), unit);
 }
 
-Typed Carrier<Typed>::apply(const Node& operation, const Typed& a, const Typed& b) {
+ExactInput Carrier<ExactInput>::apply(const Node& operation,
+                                      const ExactInput& a,
+                                      const ExactInput& b) {
   const Exact fraction = Carrier<Exact>::apply(operation, exact_of(a), exact_of(b));
-  const std::optional<Typed> roots =
+  const std::optional<ExactInput> roots =
       fraction.exact ? std::nullopt : apply_to_roots(operation, a, b);
   if (roots) {
     return *roots;
   }
   const Precise digits = Carrier<Precise>::apply(operation, precise_of(a), precise_of(b));
-  return fraction.exact && fraction.exact->factor.is_zero() ? Typed(0.0) : typed(digits, fraction);
+  return fraction.exact && fraction.exact->factor.is_zero() ? ExactInput(0.0)
+                                                            : exact_input(digits, fraction);
 }
 
 }  // namespace kinestat

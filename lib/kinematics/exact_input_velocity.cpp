@@ -1,24 +1,24 @@
-#include "kinematics/typed_velocity.hpp"
+#include "kinematics/exact_input_velocity.hpp"
 
 #include <algorithm>
 
 #include "kinematics/bounded_motion.hpp"
 #include "math/elimination/bounded_solve.hpp"
+#include "network/exact_input_system.hpp"
 #include "network/node_system.hpp"
-#include "network/typed_system.hpp"
 
 namespace kinestat {
 
 namespace {
 
 // A rate may be open, unlike a twist, which follows from them.
-bool determines_all(const TypedElimination& elimination) {
+bool determines_all(const ExactInputElimination& elimination) {
   return elimination.free_columns().empty() && elimination.relation_count() == 0;
 }
 
 void fill(const Mechanism& mechanism,
           const CoordinateBasis& basis,
-          const TypedSolution& solved,
+          const ExactInputSolution& solved,
           KinematicSolution& solution) {
   const Topology& topology = mechanism.topology;
   for (int f = 0; f < topology.freedom_count(); ++f) {
@@ -39,24 +39,25 @@ void fill(const Mechanism& mechanism,
 
 }  // namespace
 
-std::optional<KinematicSolution> solve_velocity_as_typed(const Mechanism& mechanism,
-                                                         const std::vector<TypedScrew>& motions,
-                                                         std::span<const Primary> primaries,
-                                                         std::span<const Typed> values,
-                                                         const KinematicSolution& rounded) {
+std::optional<KinematicSolution> solve_velocity_of_exact_input(
+    const Mechanism& mechanism,
+    const std::vector<ExactInputScrew>& motions,
+    std::span<const Primary> primaries,
+    std::span<const ExactInput> values,
+    const KinematicSolution& rounded) {
   const Topology& topology = mechanism.topology;
   const CoordinateBasis basis = spatial_basis(ScrewKind::twist, mechanism.geometry.length);
-  TypedMatrix system = typed_velocity_system(topology, motions, basis);
+  ExactInputMatrix system = exact_input_velocity_system(topology, motions, basis);
   if (!has_digits(system)) {
     return std::nullopt;
   }
   std::vector<int> columns;
-  std::vector<Typed> known;
+  std::vector<ExactInput> known;
   for (std::size_t i = 0; i < primaries.size(); ++i) {
     columns.push_back(velocity_column(topology, basis, primaries[i].index));
-    known.push_back(values[i] / Typed(rate_unit(topology, basis, primaries[i].index)));
+    known.push_back(values[i] / ExactInput(rate_unit(topology, basis, primaries[i].index)));
   }
-  const TypedElimination elimination(std::move(system), columns);
+  const ExactInputElimination elimination(std::move(system), columns);
   const auto solved = determines_all(elimination) ? elimination.solve(known, {}) : std::nullopt;
   if (!solved || !solved->x.allFinite()) {
     return std::nullopt;
@@ -68,7 +69,7 @@ std::optional<KinematicSolution> solve_velocity_as_typed(const Mechanism& mechan
                              .answer = {.precision = Precision::exact,
                                         .error_bound = {},
                                         .bounds = {},
-                                        .is_typed = true,
+                                        .is_exact_input = true,
                                         .is_exact = solved->is_exact},
                              .check = {},
                              .rates = {},

@@ -1,4 +1,4 @@
-#include "cases/typed_numbers.hpp"
+#include "cases/exact_input_cases.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
-#include "kinematics/typed_velocity.hpp"
-#include "statics/typed_action.hpp"
+#include "kinematics/exact_input_velocity.hpp"
+#include "statics/exact_input_action.hpp"
 
 namespace kinestat {
 
@@ -50,25 +50,25 @@ std::vector<double> comparable_actions(const Mechanism& mechanism, const StaticS
 
 }  // namespace
 
-const TypedMechanism* TypedNumbers::find() {
+const ExactInputMechanism* ExactInputCases::find() {
   if (!is_bound_) {
-    typed_ = bind_typed(*description_, *mechanism_);
+    exact_input_ = bind_exact_input(*description_, *mechanism_);
     is_bound_ = true;
   }
-  return typed_ ? &*typed_ : nullptr;
+  return exact_input_ ? &*exact_input_ : nullptr;
 }
 
-bool TypedNumbers::is_small() const {
+bool ExactInputCases::is_small() const {
   const Topology& topology = mechanism_->topology;
   return topology.freedom_count() + topology.action_count() <= kMostMagnitudes;
 }
 
 // A pivot this small, or magnitudes that are small differences of larger ones, may have lost the
 // digits asked for when the numbers were rounded to double.
-bool TypedNumbers::is_needed(SolveStatus status,
-                             const AnswerEvidence& answer,
-                             const RankEvidence& evidence,
-                             std::span<const double> values) const {
+bool ExactInputCases::is_needed(SolveStatus status,
+                                const AnswerEvidence& answer,
+                                const RankEvidence& evidence,
+                                std::span<const double> values) const {
   const bool can_improve = status == SolveStatus::solved || status == SolveStatus::dependent ||
                            status == SolveStatus::underdetermined ||
                            status == SolveStatus::inconsistent;
@@ -92,26 +92,26 @@ bool TypedNumbers::is_needed(SolveStatus status,
   return false;
 }
 
-bool TypedNumbers::asks_for_typed(const RankCertainty& certainty) {
+bool ExactInputCases::asks_for_exact_input(const RankCertainty& certainty) {
   const bool is_wanted = request_.accuracy == Accuracy::exact;
   return (is_wanted || (certainty.how != "structural" && is_small())) && find() != nullptr;
 }
 
-void TypedNumbers::find_ranks(bool with_actions, Certainty& certainty) {
+void ExactInputCases::find_ranks(bool with_actions, Certainty& certainty) {
   certainty.motion_rank = find_motion_certainty(*mechanism_);
-  if (asks_for_typed(*certainty.motion_rank)) {
-    add_typed_motions(*mechanism_, *typed_, *certainty.motion_rank);
+  if (asks_for_exact_input(*certainty.motion_rank)) {
+    add_exact_input_motions(*mechanism_, *exact_input_, *certainty.motion_rank);
   }
   if (!with_actions) {
     return;
   }
   certainty.action_rank = find_action_certainty(*mechanism_);
-  if (asks_for_typed(*certainty.action_rank)) {
-    add_typed_actions(*mechanism_, *typed_, *certainty.action_rank);
+  if (asks_for_exact_input(*certainty.action_rank)) {
+    add_exact_input_actions(*mechanism_, *exact_input_, *certainty.action_rank);
   }
 }
 
-void TypedNumbers::count_as_typed(const Certainty& certainty, MobilityCounts& counts) const {
+void ExactInputCases::count_exact_input(const Certainty& certainty, MobilityCounts& counts) const {
   const int more_motions = missing_rank(certainty.motion_rank, counts.minimal.motions.rank);
   const int more_actions = counts.minimal.actions
                                ? missing_rank(certainty.action_rank, counts.minimal.actions->rank)
@@ -134,25 +134,26 @@ void TypedNumbers::count_as_typed(const Certainty& certainty, MobilityCounts& co
 }
 
 // By how much the rank as typed exceeds the one that was counted.
-int TypedNumbers::missing_rank(const std::optional<RankCertainty>& certainty, int counted) const {
-  if (!certainty || !certainty->typed) {
+int ExactInputCases::missing_rank(const std::optional<RankCertainty>& certainty,
+                                  int counted) const {
+  if (!certainty || !certainty->exact_input) {
     return 0;
   }
-  const int missing = certainty->typed->rank - counted;
+  const int missing = certainty->exact_input->rank - counted;
   return request_.accuracy == Accuracy::exact ? missing : std::min(missing, 0);
 }
 
-bool TypedNumbers::improve(std::size_t which, KinematicSolution& motion) {
+bool ExactInputCases::improve(std::size_t which, KinematicSolution& motion) {
   if (!is_needed(
           motion.status, motion.answer, motion.evidence, comparable_rates(*mechanism_, motion)) ||
       find() == nullptr) {
     return false;
   }
-  auto better = solve_velocity_as_typed(*mechanism_,
-                                        typed_->motions,
-                                        mechanism_->cases[which].motions,
-                                        typed_->cases[which].motions,
-                                        motion);
+  auto better = solve_velocity_of_exact_input(*mechanism_,
+                                              exact_input_->motions,
+                                              mechanism_->cases[which].motions,
+                                              exact_input_->cases[which].motions,
+                                              motion);
   if (!better) {
     return false;
   }
@@ -163,9 +164,9 @@ bool TypedNumbers::improve(std::size_t which, KinematicSolution& motion) {
   return is_new;
 }
 
-bool TypedNumbers::improve(std::size_t which,
-                           const std::vector<int>& turned,
-                           StaticSolution& action) {
+bool ExactInputCases::improve(std::size_t which,
+                              const std::vector<int>& turned,
+                              StaticSolution& action) {
   const bool has_laws = !action.friction.empty() || !action.at_rest.empty() ||
                         action.completion.by != IndeterminateChoice::report;
   if (has_laws ||
@@ -174,14 +175,14 @@ bool TypedNumbers::improve(std::size_t which,
       find() == nullptr) {
     return false;
   }
-  std::vector<TypedScrew> actions = typed_->actions;
+  std::vector<ExactInputScrew> actions = exact_input_->actions;
   for (const int i : turned) {
     const auto flank = static_cast<std::size_t>(i);
     const int turning = mechanism_->geometry.other_flanks[flank].action;
-    actions[static_cast<std::size_t>(turning)] = typed_->other_flanks[flank];
+    actions[static_cast<std::size_t>(turning)] = exact_input_->other_flanks[flank];
   }
-  auto better = solve_action_as_typed(
-      *mechanism_, actions, mechanism_->cases[which], typed_->cases[which], action);
+  auto better = solve_action_of_exact_input(
+      *mechanism_, actions, mechanism_->cases[which], exact_input_->cases[which], action);
   if (!better) {
     return false;
   }

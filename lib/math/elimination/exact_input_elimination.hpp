@@ -8,49 +8,50 @@
 
 #include "core/types.hpp"
 #include "math/elimination/exact_rank.hpp"
-#include "math/numbers/typed.hpp"
+#include "math/numbers/exact_input.hpp"
 
 namespace kinestat {
 
-struct TypedEntry {
+struct ExactInputEntry {
   int row = 0;
   int column = 0;
-  Typed value;
+  ExactInput value;
 };
 
 /// Entries in any order; entries at the same place add up.
-struct TypedMatrix {
+struct ExactInputMatrix {
   int rows = 0;
   int columns = 0;
-  std::vector<TypedEntry> entries;
+  std::vector<ExactInputEntry> entries;
 };
 
 /// Whether every number has its digits; without them there is nothing to ask.
-bool has_digits(const TypedMatrix& matrix);
+bool has_digits(const ExactInputMatrix& matrix);
 
 /// Whether every number is a fraction.
-bool is_rational(const TypedMatrix& matrix);
+bool is_rational(const ExactInputMatrix& matrix);
 
 /// Why a rank as typed is what it is said to be.
-enum class TypedProof {
+enum class ExactInputProof {
   structural,   ///< no zero modulo a prime, and the pattern of entries allows no more
   elimination,  ///< eliminated without rounding
   modular,      ///< modulo primes drawn at random
   digits        ///< numbers that have no exact value: what is zero in 60 digits counted as zero
 };
 
-struct TypedRank {
+struct ExactInputRank {
   int rank = 0;
-  TypedProof proof = TypedProof::structural;
+  ExactInputProof proof = ExactInputProof::structural;
   double error_probability = 0.0;  ///< of a modular rank: that it is larger
 };
 
 /// The rank of numbers as typed. `upper_bound` must be proved by their pattern. Empty without
 /// digits.
-std::optional<TypedRank> find_typed_rank(const TypedMatrix& matrix, int upper_bound);
+std::optional<ExactInputRank> find_exact_input_rank(const ExactInputMatrix& matrix,
+                                                    int upper_bound);
 
 /// Solution of A x = b with some of x known.
-struct TypedSolution {
+struct ExactInputSolution {
   VecX x;      ///< the nearest doubles; free columns are 0
   VecX bound;  ///< how far each may be from the solution: the rounding to a double, and
                ///< twice the next correction where 100 digits were rounded
@@ -60,15 +61,15 @@ struct TypedSolution {
 
 /// Gaussian elimination in fractions where all numbers are, otherwise in a hundred digits, where
 /// what is below 10^-60 of its row and column counts as zero. The matrix must have digits.
-class TypedElimination {
+class ExactInputElimination {
  public:
   /// `last` holds the columns whose x is to be known; it may be empty.
-  TypedElimination(TypedMatrix matrix, std::span<const int> last);
-  ~TypedElimination();
-  TypedElimination(TypedElimination&& other) noexcept;
-  TypedElimination& operator=(TypedElimination&& other) noexcept;
-  TypedElimination(const TypedElimination&) = delete;
-  TypedElimination& operator=(const TypedElimination&) = delete;
+  ExactInputElimination(ExactInputMatrix matrix, std::span<const int> last);
+  ~ExactInputElimination();
+  ExactInputElimination(ExactInputElimination&& other) noexcept;
+  ExactInputElimination& operator=(ExactInputElimination&& other) noexcept;
+  ExactInputElimination(const ExactInputElimination&) = delete;
+  ExactInputElimination& operator=(const ExactInputElimination&) = delete;
 
   int rank() const;
 
@@ -80,8 +81,8 @@ class TypedElimination {
 
   /// In fractions where `known` and `rhs` (one an equation, or empty: zero) are fractions too.
   /// Empty where a number has no digits.
-  std::optional<TypedSolution> solve(std::span<const Typed> known,
-                                     std::span<const Typed> rhs) const;
+  std::optional<ExactInputSolution> solve(std::span<const ExactInput> known,
+                                          std::span<const ExactInput> rhs) const;
 
  private:
   struct Factors;
