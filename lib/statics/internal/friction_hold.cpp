@@ -58,9 +58,10 @@ std::optional<Exchange> exchange_for(const Topology& topology,
   return result;
 }
 
-std::vector<Primary> with_open(Exchange exchange, double value) {
-  exchange.primaries[exchange.place].value = value;
-  return std::move(exchange.primaries);
+std::vector<Primary> with_open(const Exchange& exchange, double value) {
+  std::vector<Primary> primaries = exchange.primaries;
+  primaries[exchange.place].value = value;
+  return primaries;
 }
 
 // The frictions and the open action together: the last unknown is how much of the open action acts.
@@ -88,6 +89,9 @@ class HeldSystem {
     size_ = std::abs(exchange.known) / mechanism.geometry.length + std::abs(exchange.known) +
             without_.frictionless().cwiseAbs().maxCoeff();
   }
+
+  HeldSystem(const HeldSystem&) = delete;  // its parts look at each other
+  HeldSystem& operator=(const HeldSystem&) = delete;
 
   // All actions of the equilibrium in which the open action is of that sense.
   std::optional<VecX> actions_on(double side) const {
