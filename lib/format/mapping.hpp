@@ -81,49 +81,26 @@ class Mapping {
 
   const FormShape& shape() const { return shape_; }
 
-  /// The value as a mapping. Empty iff an error was added.
-  std::optional<T> read(const FileValue& value) const {
+  /// The value as a mapping, in which other keys may be `known`. Empty iff an error was added.
+  std::optional<T> read(const FileValue& value,
+                        const SharedList<std::string_view>& known = {}) const {
     T object;
     if constexpr (HasPlace<T>) {
       object.where = value.place;
     }
-    return read_into(object, value) ? std::optional(std::move(object)) : std::nullopt;
+    return read_into(object, value, known) ? std::optional(std::move(object)) : std::nullopt;
   }
 
   /// False iff an error was added.
-  bool read_into(T& object, const FileValue& value) const {
-    const int errors_before = value.found.error_count();
-    if (shape_.may_be_empty && value.node.kind == YamlKind::null) {
-      return true;
-    }
-    Fields fields(value.node, value.where, title_of(value), value.found);
-    read_keys(fields, value, object);
-    fields.finish();
-    if (value.node.kind == YamlKind::mapping) {
-      check_rules(shape_, value, errors_before);
-    }
-    for (const auto& check : checks_) {
-      if (value.found.error_count() == errors_before) {
-        check(object, value);
-      }
-    }
-    return value.found.error_count() == errors_before;
-  }
-
-  /// The keys among others, whose end the caller says.
-  void read_keys(Fields& fields, const FileValue& value, T& object) const {
-    for (std::size_t i = 0; i < shape_.keys.size(); ++i) {
-      if (const auto behind = find_key(shape_, i, fields, value)) {
-        steps_[i].read(*behind, object);
-      }
-    }
-    for (const FormKey& own : shape_.beginnings) {
-      fields.ignore_prefix(own.key);
-    }
-  }
+  bool read_into(T& object,
+                 const FileValue& value,
+                 const SharedList<std::string_view>& known = {}) const;
 
   /// Without the keys that are as they would be if left out.
   FileText text(const T& object) const;
+
+  /// The same; empty if all keys are left out.
+  std::optional<FileText> text_if_any(const T& object) const;
 
   Form<T> form() const;
 

@@ -54,11 +54,10 @@ std::string what_to_add(const FormKey& key, std::optional<Space> space) {
 void check_instead(const FormRule& rule, const FileValue& mapping) {
   for (const std::string_view key : rule.others) {
     if (has(mapping, rule.key) && has(mapping, key)) {
-      mapping.found.error(
-          "E0302",
-          place_of_key(mapping.node, key),
-          fmt::format("{} cannot have '{}' beside '{}'", mapping.what, key, rule.key),
-          std::string(rule.hint));
+      mapping.found.error("E0302",
+                          place_of_key(mapping.node, key),
+                          fmt::format(fmt::runtime(rule.message), mapping.what, key, rule.key),
+                          std::string(rule.hint));
     }
   }
 }

@@ -30,10 +30,7 @@ typename Mapping<T>::Key& Mapping<T>::Key::group(const Mapping<Part>& part, Get 
   return by(
       part.shape(),
       [&part, get](const FileValue& value, T& object) { part.read_into(get(object), value); },
-      [&part, get](const T& object) -> std::optional<FileText> {
-        FileText text = part.text(get(object));
-        return text.entries.empty() ? std::nullopt : std::optional(std::move(text));
-      });
+      [&part, get](const T& object) { return part.text_if_any(get(object)); });
 }
 
 template <class T>

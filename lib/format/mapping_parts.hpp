@@ -12,6 +12,38 @@
 namespace kinestat {
 
 template <class T>
+bool Mapping<T>::read_into(T& object,
+                           const FileValue& value,
+                           const SharedList<std::string_view>& known) const {
+  const int errors_before = value.found.error_count();
+  if (shape_.may_be_empty && value.node.kind == YamlKind::null) {
+    return true;
+  }
+  Fields fields(value.node, value.where, title_of(value), value.found);
+  for (const std::string_view key : known) {
+    (void)fields.find(key);
+  }
+  for (std::size_t i = 0; i < shape_.keys.size(); ++i) {
+    if (const auto behind = find_key(shape_, i, fields, value)) {
+      steps_[i].read(*behind, object);
+    }
+  }
+  for (const FormKey& own : shape_.beginnings) {
+    fields.ignore_prefix(own.key);
+  }
+  fields.finish();
+  if (value.node.kind == YamlKind::mapping) {
+    check_rules(shape_, value, errors_before);
+  }
+  for (const auto& check : checks_) {
+    if (value.found.error_count() == errors_before) {
+      check(object, value);
+    }
+  }
+  return value.found.error_count() == errors_before;
+}
+
+template <class T>
 FileText Mapping<T>::text(const T& object) const {
   FileText text{.kind = FileText::Kind::mapping, .in_lines = is_in_lines_};
   for (std::size_t i = 0; i < steps_.size(); ++i) {
@@ -20,6 +52,12 @@ FileText Mapping<T>::text(const T& object) const {
     }
   }
   return text;
+}
+
+template <class T>
+std::optional<FileText> Mapping<T>::text_if_any(const T& object) const {
+  FileText written = text(object);
+  return written.entries.empty() ? std::nullopt : std::optional(std::move(written));
 }
 
 template <class T>

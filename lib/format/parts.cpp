@@ -116,8 +116,10 @@ std::size_t count_whole(const YamlNode& names, const FormShape& element) {
       names.entries, [&](const auto& entry) { return std::ssize(entry.value.entries) >= needed; }));
 }
 
-bool check_element_name(const Name& name, const FormShape& shape, Diagnostics& found) {
-  return shape.name_definition != "new_name" || check_name(name, shape.item, found);
+void check_element_name(const Name& name, const FormShape& shape, Diagnostics& found) {
+  if (shape.name_definition == "new_name") {
+    check_name(name, shape.item, found);
+  }
 }
 
 std::string element_key(const std::optional<Name>& name, const FormShape& shape) {

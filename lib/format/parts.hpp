@@ -27,8 +27,8 @@ bool check_names(const FileValue& value, const FormShape& shape);
 /// How many entries have as many keys as an element needs, so that room is made for no others.
 std::size_t count_whole(const YamlNode& names, const FormShape& element);
 
-/// Whether the name of an element is as the shape wants it; adds an error if not.
-bool check_element_name(const Name& name, const FormShape& shape, Diagnostics& found);
+/// Adds an error if the name of an element is not as the shape wants it.
+void check_element_name(const Name& name, const FormShape& shape, Diagnostics& found);
 
 /// A name as the key of an element.
 std::string element_key(const std::optional<Name>& name, const FormShape& shape);

@@ -57,22 +57,13 @@ Form<T> only_one_of(std::vector<const Mapping<T>*> mappings,
                     std::string hint,
                     std::function<std::size_t(const T&)> choose) {
   auto form = one_mapping_of<T>(mappings, {}, std::move(choose));
-  form.read = [=, shape = form.shape](const FileValue& value) -> std::optional<T> {
-    const int errors_before = value.found.error_count();
+  SharedList<std::string_view> known;
+  for (const FormShape& one : form.shape.items) {
+    known.push_back(one.keys.front().key);
+  }
+  form.read = [=, shape = form.shape](const FileValue& value) {
     const auto index = find_only_variant(value, shape, message, hint);
-    if (!index) {
-      return std::nullopt;
-    }
-    Fields fields(value.node, value.where, value.what, value.found);
-    for (const FormShape& one : shape.items) {
-      (void)fields.find(one.keys.front().key);
-    }
-    T object;
-    object.where = value.place;
-    mappings[*index]->read_keys(fields, value, object);
-    fields.finish();
-    return value.found.error_count() == errors_before ? std::optional(std::move(object))
-                                                      : std::nullopt;
+    return index ? mappings[*index]->read(value, known) : std::nullopt;
   };
   return form;
 }

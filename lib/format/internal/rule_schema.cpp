@@ -144,6 +144,16 @@ Json both_true(const FormRule& rule) {
              {{std::string(rule.others.front()), {{"const", true}, {"doNotSuggest", true}}}}}}}};
 }
 
+// Where `key` is, the others must be too, beside those of other rules.
+void add_dependencies(std::string_view key,
+                      const SharedList<std::string_view>& others,
+                      Json& schema) {
+  Json& needed = schema["dependencies"][std::string(key)];
+  for (const std::string_view other : others) {
+    needed.push_back(std::string(other));
+  }
+}
+
 bool is_spared_by(const FormRule& rule) {
   return rule.kind == FormRule::Kind::instead || rule.kind == FormRule::Kind::spares ||
          rule.kind == FormRule::Kind::alone;
@@ -175,7 +185,7 @@ void add_rules(const FormShape& shape, Json& schema) {
         add_any_of(rule.others, schema);
         break;
       case FormRule::Kind::needed_beside:
-        schema["dependencies"][std::string(rule.others.front())] = {std::string(rule.key)};
+        add_dependencies(rule.others.front(), {rule.key}, schema);
         break;
       case FormRule::Kind::needed_by_part:
         add_needed_by_part(rule, schema);
@@ -213,7 +223,7 @@ void add_rules(const FormShape& shape, Json& schema) {
         break;
       case FormRule::Kind::together:
       case FormRule::Kind::pointless:
-        schema["dependencies"][std::string(rule.key)] = json_list(rule.others);
+        add_dependencies(rule.key, rule.others, schema);
         break;
     }
   }

@@ -199,12 +199,20 @@ void ShapeSchema::add_mapping(const FormShape& shape, Json& schema, OfKey of) {
   add_rules(shape, schema);
 }
 
+// Of each item.
+std::vector<Json> ShapeSchema::mappings_of(const FormShape& shape) {
+  std::vector<Json> mappings(shape.items.size(), Json::object());
+  for (std::size_t i = 0; i < mappings.size(); ++i) {
+    add_mapping(shape.items[i], mappings[i]);
+  }
+  return mappings;
+}
+
 // All keys of the mappings; the first key of each says which of them may stand.
 void ShapeSchema::add_variants(const FormShape& shape, Json& schema) {
+  std::vector<Json> mappings = mappings_of(shape);
   Json properties = Json::object();
-  for (const FormShape& one : shape.items) {
-    Json mapping = Json::object();
-    add_mapping(one, mapping);
+  for (const Json& mapping : mappings) {
     for (const auto& [key, value] : mapping["properties"].items()) {
       if (!properties.contains(key)) {
         properties[key] = value;
@@ -214,10 +222,10 @@ void ShapeSchema::add_variants(const FormShape& shape, Json& schema) {
   schema["additionalProperties"] = false;
   schema["properties"] = properties;
   SharedList<std::string_view> firsts;
-  for (const FormShape& one : shape.items) {
-    Json mapping = Json::object();
-    add_mapping(one, mapping);
-    const Json first = {{"required", Json::array({std::string(one.keys.front().key)})}};
+  for (std::size_t i = 0; i < mappings.size(); ++i) {
+    Json& mapping = mappings[i];
+    const std::string_view own = shape.items[i]->keys.front().key;
+    const Json first = {{"required", Json::array({std::string(own)})}};
     Json refused = Json::object();
     for (const auto& [key, value] : properties.items()) {
       if (!mapping["properties"].contains(key)) {
@@ -226,7 +234,7 @@ void ShapeSchema::add_variants(const FormShape& shape, Json& schema) {
     }
     mapping["properties"] = refused;
     mapping.erase("additionalProperties");
-    firsts.push_back(one.keys.front().key);
+    firsts.push_back(own);
     schema["allOf"].push_back({{"if", first}, {"then", mapping}});
   }
   add_any_of(firsts, schema);
@@ -235,10 +243,7 @@ void ShapeSchema::add_variants(const FormShape& shape, Json& schema) {
 // What all need stands first, then under each word what it may have beside. What is the same of
 // several words is written once, in a definition.
 void ShapeSchema::add_worded(const FormShape& shape, Json& schema) {
-  std::vector<Json> mappings(shape.items.size(), Json::object());
-  for (std::size_t i = 0; i < mappings.size(); ++i) {
-    add_mapping(shape.items[i], mappings[i]);
-  }
+  std::vector<Json> mappings = mappings_of(shape);
   const Json needed = needed_by_all(mappings);
   schema["required"] = needed;
   for (const Json& key : needed) {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "format/form_shape.hpp"
 #include "format/internal/json.hpp"
@@ -28,6 +29,7 @@ class ShapeSchema {
   Json of_shape(const FormShape& shape);
   void add_values(const FormShape& shape, Json& schema);
   void add_mapping(const FormShape& shape, Json& schema, OfKey of = &ShapeSchema::of_key);
+  std::vector<Json> mappings_of(const FormShape& shape);
   void add_variants(const FormShape& shape, Json& schema);
   void add_worded(const FormShape& shape, Json& schema);
   void add_alternatives(const FormShape& shape, const Json& examples, Json& schema);

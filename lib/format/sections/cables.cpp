@@ -11,6 +11,11 @@ namespace kinestat {
 
 namespace {
 
+// Of both kinds of station, as the schema has their keys in one mapping.
+constexpr const char* kStationPlace =
+    "Where the cable is fixed, or the centre of the pulley, in the drawn position; default of a "
+    "pulley: the point of its body's first revolute coupling.";
+
 constexpr const char* kStationForms =
     "write {body: NAME, at: [x, y]} for a point, or {pulley: NAME, radius: 1, wrap: clockwise} for "
     "a pulley";
@@ -20,11 +25,7 @@ const Mapping<CableStation>& fixed_point() {
       "", "a point on a body", "{body: block_a, at: [0, 0]}", [](auto& m) {
         m.key("body", "The body to which the cable is fixed.")
             .needed(&CableStation::body, body_name(), "block_a");
-        m.key("at",
-              "Where the cable is fixed, or the centre of the pulley, in the drawn position; "
-              "default "
-              "of a pulley: the point of its body's first revolute coupling.")
-            .needed(&CableStation::at, point());
+        m.key("at", kStationPlace).needed(&CableStation::at, point());
       });
   return mapping;
 }
@@ -92,7 +93,7 @@ const Mapping<CableStation>& pulley() {
         m.key("pulley", "The body of the pulley that the cable wraps.")
             .needed(&CableStation::body, body_name(), "wheel")
             .selects(&CableStation::is_pulley, true);
-        m.key("at", "The centre of the pulley.").may(&CableStation::at, point());
+        m.key("at", kStationPlace).may(&CableStation::at, point());
         declare_wrap(m);
         declare_slip(m);
       });

@@ -166,32 +166,56 @@ const Mapping<ScrewDescription>& couple_about() {
   return mapping;
 }
 
-constexpr const char* kMotionForms =
-    "write {rotation: z, at: [x, y, z]} or {translation: x}; a rotation may have a pitch";
-constexpr const char* kActionForms =
-    "write {force: y, at: [x, y, z]} or {couple: z}; a force may have a pitch";
+// A kind of screw in the schema, and how it is written.
+struct ScrewTexts {
+  const char* definition;
+  const char* meaning;
+  const char* example;
+  const char* hint;
+};
+
+constexpr ScrewTexts kMotionScrew = {
+    .definition = "motion_screw",
+    .meaning =
+        "A motion given directly as a screw: a rotation or a translation; a rotation has an axis "
+        "through 'at' and may have a pitch.",
+    .example = "{rotation: [0, 0, 1], at: [0, 0, 0], pitch: 2 mm/rad}",
+    .hint = "write {rotation: z, at: [x, y, z]} or {translation: x}; a rotation may have a pitch"};
+
+constexpr ScrewTexts kActionScrew = {
+    .definition = "action_screw",
+    .meaning =
+        "An action given directly as a screw: a force or a couple; a force has a line "
+        "through 'at' and may have a pitch.",
+    .example = "{force: [0, 1, 0], at: [0, 0, 0]}",
+    .hint = "write {force: y, at: [x, y, z]} or {couple: z}; a force may have a pitch"};
 
 Form<ScrewDescription> one_screw_of(const Mapping<ScrewDescription>& first,
                                     const Mapping<ScrewDescription>& second,
-                                    const char* hint) {
+                                    const ScrewTexts& texts) {
   const auto is_second = [](const ScrewDescription& one) {
     return one.kind == ScrewWord::translation || one.kind == ScrewWord::couple;
   };
-  return only_one_of<ScrewDescription>(
+  auto form = only_one_of<ScrewDescription>(
       {&first, &second},
       fmt::format("{{}} needs one of {} and {}",
                   first.shape().keys.front().key,
                   second.shape().keys.front().key),
-      hint,
+      texts.hint,
       [is_second](const ScrewDescription& one) { return is_second(one) ? 1U : 0U; });
+  form.shape.definition = texts.definition;
+  form.shape.meaning = texts.meaning;
+  form.shape.examples = {texts.example};
+  return form;
 }
 
-Form<std::vector<ScrewDescription>> screws_of(const Form<ScrewDescription>& one, const char* hint) {
+Form<std::vector<ScrewDescription>> screws_of(const Form<ScrewDescription>& one,
+                                              const ScrewTexts& texts) {
   return only_if(
       list_of(called(one, "a screw of {0}"), "", "", {.least = 0}),
       [](const YamlNode& node) { return node.kind == YamlKind::sequence; },
       "{} needs a list of screws",
-      hint);
+      texts.hint);
 }
 
 }  // namespace
@@ -249,27 +273,15 @@ Form<std::vector<std::optional<Value>>> contact_radii() {
 }
 
 Form<ScrewDescription> motion_screw() {
-  auto form = one_screw_of(rotation(), translation(), kMotionForms);
-  form.shape.definition = "motion_screw";
-  form.shape.meaning =
-      "A motion given directly as a screw: a rotation or a translation; a rotation has an axis "
-      "through 'at' and may have a pitch.";
-  form.shape.examples = {"{rotation: [0, 0, 1], at: [0, 0, 0], pitch: 2 mm/rad}"};
-  return form;
+  return one_screw_of(rotation(), translation(), kMotionScrew);
 }
 
 Form<std::vector<ScrewDescription>> motion_screws() {
-  return screws_of(motion_screw(), kMotionForms);
+  return screws_of(motion_screw(), kMotionScrew);
 }
 
 Form<std::vector<ScrewDescription>> action_screws() {
-  auto form = one_screw_of(force_along(), couple_about(), kActionForms);
-  form.shape.definition = "action_screw";
-  form.shape.meaning =
-      "An action given directly as a screw: a force or a couple; a force has a line through 'at' "
-      "and may have a pitch.";
-  form.shape.examples = {"{force: [0, 1, 0], at: [0, 0, 0]}"};
-  return screws_of(form, kActionForms);
+  return screws_of(one_screw_of(force_along(), couple_about(), kActionScrew), kActionScrew);
 }
 
 Form<std::vector<StiffnessDescription>> stiffness_of_actions() {

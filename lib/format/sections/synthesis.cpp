@@ -344,11 +344,6 @@ void read_vary(const FileValue& value, Task& task) {
   }
 }
 
-std::optional<FileText> part_text(const Mapping<Task>& part, const Task& task) {
-  FileText text = part.text(task);
-  return text.entries.empty() ? std::nullopt : std::optional(std::move(text));
-}
-
 void declare_free(Mapping<Task>& m) {
   m.key("vary",
         "Free numbers of the task and their ranges, among which the best linkage is selected. With "
@@ -356,7 +351,7 @@ void declare_free(Mapping<Task>& m) {
       .by(
           vary().shape(),
           read_vary,
-          [](const Task& task) { return part_text(vary(), task); },
+          [](const Task& task) { return vary().text_if_any(task); },
           "{m: {from: 0.2, to: 3}}");
   m.key("curves",
         "The curves of circle points and centre points of four positions. With five positions it "
@@ -364,7 +359,7 @@ void declare_free(Mapping<Task>& m) {
       .by(
           curves().shape(),
           read_curves,
-          [](const Task& task) { return part_text(curves(), task); },
+          [](const Task& task) { return curves().text_if_any(task); },
           "{count: 400}");
   m.rule(
       {.kind = FormRule::Kind::instead_of_any,
