@@ -53,12 +53,10 @@ class LeverSearch {
 
   // The lines about which the bodies of a coupling may turn against each other.
   void add_lines(const CouplingTopology& coupling) {
-    using enum CouplingType;
-    const bool is_hinge = coupling.type == revolute || coupling.type == cylindrical ||
-                          coupling.type == clutch || coupling.type == brake;
-    for (int f = coupling.first_freedom;
-         is_hinge && f < coupling.first_freedom + coupling.freedom_count;
-         ++f) {
+    if (!is_hinge(coupling.type)) {
+      return;
+    }
+    for (int f = coupling.first_freedom; f < coupling.first_freedom + coupling.freedom_count; ++f) {
       const auto i = static_cast<std::size_t>(f);
       const auto axis = find_axis(geometry_.motions[i], geometry_.length);
       if (topology_.freedoms[i].is_rotation && axis && axis->point) {

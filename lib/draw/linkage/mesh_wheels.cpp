@@ -97,9 +97,7 @@ class WheelFinder {
     const Topology& topology = mechanism_.topology;
     for (int e = 0; e < topology.coupling_count(); ++e) {
       const CouplingTopology& hinge = topology.coupling(CouplingId{e});
-      const bool is_hinge = hinge.type == revolute || hinge.type == cylindrical ||
-                            hinge.type == clutch || hinge.type == brake;
-      if (!is_hinge || (hinge.tail != body && hinge.head != body)) {
+      if (!is_hinge(hinge.type) || (hinge.tail != body && hinge.head != body)) {
         continue;
       }
       for (int f = hinge.first_freedom; f < hinge.first_freedom + hinge.freedom_count; ++f) {

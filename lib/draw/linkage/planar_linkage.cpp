@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "couplings/kinds.hpp"
 #include "draw/linkage/file_numbers.hpp"
 #include "draw/linkage/linkage_frames.hpp"
 #include "draw/linkage/planar_drawer.hpp"
@@ -99,14 +100,10 @@ class PlanarDrawing : private PlanarDrawer {
     canvas_.open_body(BodyId{0});
     std::vector<PixelPoint> supports;
     for (const BodyPoint& point : points(BodyId{0})) {
-      const CouplingType type =
-          point.coupling ? topology_.coupling(*point.coupling).type : CouplingType::revolute;
       const PixelPoint pin = canvas_.view().at(point.at);
       const bool is_new = std::ranges::none_of(
           supports, [&](PixelPoint other) { return length_of(other - pin) < 3.0; });
-      const bool has_guide = type == prismatic || type == pin_in_slot || type == point_contact ||
-                             type == cam || type == screws;
-      if (point.coupling && !has_guide && is_new) {
+      if (point.coupling && is_new && stands_in_support(*point.coupling)) {
         supports.push_back(pin);
         draw_support(svg_, pin);
         canvas_.placer().keep_off(box_of_circle(pin + PixelPoint{.x = 0.0, .y = 12.0}, 13.0));
@@ -120,6 +117,17 @@ class PlanarDrawing : private PlanarDrawer {
       }
     }
     svg_.close_group();
+  }
+
+  bool stands_in_support(CouplingId coupling) const {
+    switch (kind_of(topology_.coupling(coupling).type).planar_symbol) {
+      case PlanarSymbol::pin:
+      case PlanarSymbol::rack:
+      case PlanarSymbol::square:
+        return true;
+      default:
+        return false;
+    }
   }
 
   void draw_guide(const CouplingTopology& coupling) {
@@ -259,7 +267,7 @@ class PlanarDrawing : private PlanarDrawer {
       const CouplingTopology* coupling =
           point.coupling ? &topology_.coupling(*point.coupling) : nullptr;
       if (coupling == nullptr || coupling->tail != body ||
-          (coupling->type != cam && coupling->type != point_contact)) {
+          kind_of(coupling->type).planar_symbol != PlanarSymbol::contact) {
         continue;
       }
       const PixelPoint touch = canvas_.view().at(point.at);

@@ -8,6 +8,7 @@
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "couplings/coupling_catalogue.hpp"
+#include "couplings/kinds.hpp"
 #include "mechanism/bind/dependence.hpp"
 #include "mechanism/bind/extent.hpp"
 #include "mechanism/couplings/internal/coupling_binder.hpp"
@@ -21,18 +22,9 @@ namespace {
 // nothing to check anew.
 bool is_always_right(const CouplingDescription& coupling) {
   using enum CouplingType;
-  switch (coupling.type) {
-    case cable:
-    case screws:
-    case bevel_gear:
-    case worm:
-    case rack:
-      return false;
-    case gear:
-      return coupling.screw == nullptr && !coupling.contact;
-    default:
-      return true;
-  }
+  return coupling.type == gear
+             ? coupling.screw == nullptr && !coupling.contact
+             : !has_teeth(coupling.type) && coupling.type != cable && coupling.type != screws;
 }
 
 bool has_more_than_couplings(const MechanismDescription& description, const Mechanism& mechanism) {

@@ -13,12 +13,6 @@ namespace kinestat {
 
 namespace {
 
-using enum CouplingType;
-
-bool is_hinge(CouplingType type) {
-  return type == revolute || type == cylindrical || type == clutch || type == brake;
-}
-
 // Two bodies that turn about a common line.
 struct Hinge {
   int tail = 0;
@@ -174,6 +168,11 @@ class CarrierSearch {
 };
 
 }  // namespace
+
+bool is_hinge(CouplingType type) {
+  using enum CouplingType;
+  return type == revolute || type == cylindrical || type == clutch || type == brake;
+}
 
 std::vector<Mesh> find_meshes(const Topology& topology, const Geometry& geometry) {
   std::vector<Mesh> meshes;

@@ -17,8 +17,11 @@ struct Mesh {
                                   ///< common
 };
 
-/// In the order of the couplings. The axes of a gear are those of its revolute and cylindrical
-/// couplings, clutches and brakes; bodies that such couplings join on one line share that axis.
+/// Whether bodies turn about a common axis by it, so that it may be that of a gear.
+bool is_hinge(CouplingType type);
+
+/// In the order of the couplings. The axes of a gear are those of its hinges; bodies that such
+/// couplings join on one line share that axis.
 std::vector<Mesh> find_meshes(const Topology& topology, const Geometry& geometry);
 
 }  // namespace kinestat

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cases/case_status.hpp"
+#include "couplings/kinds.hpp"
 #include "studies/motion/motion.hpp"
 #include "studies/motion/task/cable_crossing_findings.hpp"
 #include "studies/motion/task/motion_columns.hpp"
@@ -213,9 +214,7 @@ class TableMaker {
       return result;
     }
     const CouplingTopology& coupling = topology_.coupling(id);
-    const bool has_axis = coupling.type == CouplingType::revolute ||
-                          coupling.type == CouplingType::helical ||
-                          coupling.type == CouplingType::prismatic;
+    const bool has_axis = kinestat::kind_of(coupling.type).friction != FrictionKind::sliding;
     Eigen::Index count = 0;
     for (int i = 0; i < coupling.freedom_count && count < result.size(); ++i) {
       const auto f = static_cast<std::size_t>(coupling.first_freedom + i);
