@@ -4,31 +4,29 @@
 
 namespace kinestat::app {
 
-void add_analyze(CLI::App& parent, Job& job) {
-  CLI::App* command =
-      parent.add_subcommand("analyze", "Run every pass that the cases of the files ask for.");
-  command->footer(
+void add_analyze(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat analyze mechanisms/planar/four_bar.yaml\n"
       "  kinestat analyze --out reports mechanisms/transmissions/*.yaml\n"
       "  kinestat analyze --format json --set Ns=24 train.yaml\n"
       "  generator | kinestat analyze --format csv -\n");
   auto options = std::make_shared<FileOptions>();
   AnalyseOptions& analyse = options->analyse;
-  add_files(*command, *options);
-  add_format(*command, *options);
-  add_accuracy(*command, analyse.accuracy);
-  add_output(*command,
+  add_files(command, *options);
+  add_format(command, *options);
+  add_accuracy(command, analyse.accuracy);
+  add_output(command,
              analyse,
              "folder for <name>.report.json and one CSV\n"
              "table a pass; it must exist");
-  add_strict(*command, *options);
+  add_strict(command, *options);
   add_flag(
-      *command,
+      command,
       "-q,--quiet",
       [&analyse] { analyse.is_quiet = true; },
       "print no report on standard output");
-  add_fail_fast(*command, *options);
-  command->callback([options, &job] {
+  add_fail_fast(command, *options);
+  command.callback([options, &job] {
     job = [options] { return analyse_files(options->paths, options->analyse); };
   });
 }

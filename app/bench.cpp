@@ -19,27 +19,25 @@ struct BenchOptions {
 
 }  // namespace
 
-void add_bench(CLI::App& parent, Job& job) {
-  CLI::App* command = parent.add_subcommand(
-      "bench", "Measure what accuracy costs: time and error of methods at extremes.");
-  command->footer(
+void add_bench(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat bench\n"
       "  kinestat bench mechanisms/transmissions/ravigneaux.yaml\n"
       "  kinestat bench --case M1 --format csv train.yaml > trade.csv\n");
   auto options = std::make_shared<BenchOptions>();
   options->choice.limits.seconds = kSeconds;
-  add_files(*command, options->files);
-  command->get_option("FILE")->required(false)->description(
+  add_files(command, options->files);
+  command.get_option("FILE")->required(false)->description(
       "mechanism files, one after the other; - is\n"
       "standard input; without any, networks that are\n"
       "hard to solve: near a dead point, a long train");
-  add_format(*command, options->files);
-  add_strict(*command, options->files);
-  with_value(*command,
-             command->add_option("--case", options->choice.case_label, "one case; default all"),
+  add_format(command, options->files);
+  add_strict(command, options->files);
+  with_value(command,
+             command.add_option("--case", options->choice.case_label, "one case; default all"),
              "LABEL");
   add_count(
-      *command,
+      command,
       "--rounds",
       [options](std::uint64_t rounds) {
         options->choice.limits.rounds = static_cast<int>(std::min<std::uint64_t>(rounds, 1000000));
@@ -47,7 +45,7 @@ void add_bench(CLI::App& parent, Job& job) {
       },
       "how often each method is timed; default 15, as\n"
       "far as two seconds a case and side allow");
-  command->callback([options, &job] {
+  command.callback([options, &job] {
     job = [options] {
       return benchmark_files(
           options->files.paths, options->choice, options->files.analyse, seconds);

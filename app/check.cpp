@@ -2,18 +2,16 @@
 
 namespace kinestat::app {
 
-void add_check(CLI::App& parent, Job& job) {
-  CLI::App* command = parent.add_subcommand(
-      "check", "Read and validate the files; say 'ok' for each that is well-formed.");
-  command->footer(
+void add_check(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat check train.yaml\n"
       "  kinestat check --strict mechanisms/*/*.yaml\n"
       "  kinestat check --diagnostics json - < train.yaml\n");
   auto options = std::make_shared<FileOptions>();
-  add_files(*command, *options);
-  add_strict(*command, *options);
-  add_fail_fast(*command, *options);
-  command->callback([options, &job] {
+  add_files(command, *options);
+  add_strict(command, *options);
+  add_fail_fast(command, *options);
+  command.callback([options, &job] {
     job = [options] { return check_files(options->paths, options->analyse); };
   });
 }

@@ -72,19 +72,17 @@ void add_form(CLI::App& command, CompareOptions& options) {
 
 }  // namespace
 
-void add_compare(CLI::App& parent, Job& job) {
-  CLI::App* command = parent.add_subcommand(
-      "compare", "Compare two reports by their numbers; exit status 1 if they differ.");
-  command->footer(
+void add_compare(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat compare golden/train.report.json reports/train.report.json\n"
       "  kinestat analyze --format json train.yaml | kinestat compare golden.json -\n"
       "  kinestat compare --rtol 1e-6 --tolerance 'moment=0.5 N*mm' old.json new.json\n"
       "  kinestat compare --tolerance '/cases/*/ratio=0.1%' --format json old.json new.json\n");
   auto reports = std::make_shared<TwoReports>();
-  add_reports(*command, *reports);
-  add_tolerances(*command, reports->options.tolerances);
-  add_form(*command, reports->options);
-  command->callback([reports, &job] {
+  add_reports(command, *reports);
+  add_tolerances(command, reports->options.tolerances);
+  add_form(command, reports->options);
+  command.callback([reports, &job] {
     job = [reports] { return compare_reports(reports->a, reports->b, reports->options); };
   });
 }

@@ -4,15 +4,13 @@
 
 namespace kinestat::app {
 
-void add_explain(CLI::App& parent, Job& job) {
-  CLI::App* command = parent.add_subcommand(
-      "explain", "Explain a diagnostic code by an example, or list all codes.");
-  command->footer(
+void add_explain(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat explain E0312\n"
       "  kinestat explain\n");
   auto code = std::make_shared<std::string>();
-  add_argument(*command, "CODE", *code, "the code in brackets of a message");
-  command->callback([code, &job] { job = [code] { return explain(*code); }; });
+  add_argument(command, "CODE", *code, "the code in brackets of a message");
+  command.callback([code, &job] { job = [code] { return explain(*code); }; });
 }
 
 }  // namespace kinestat::app

@@ -30,18 +30,16 @@ void add_matrices(CLI::App& command, GraphOptions& options) {
 
 }  // namespace
 
-void add_graph(CLI::App& parent, Job& job) {
-  CLI::App* command = parent.add_subcommand(
-      "graph", "Show the coupling graph: tree, circuits, cut-sets, matrices.");
-  command->footer(
+void add_graph(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat graph mechanisms/planar/four_bar.yaml\n"
       "  kinestat graph --matrices --format csv --case 'gear 1' train.yaml\n");
   auto options = std::make_shared<GraphOptions>();
-  add_files(*command, options->files);
-  add_format(*command, options->files);
-  add_strict(*command, options->files);
-  add_matrices(*command, *options);
-  command->callback([options, &job] {
+  add_files(command, options->files);
+  add_format(command, options->files);
+  add_strict(command, options->files);
+  add_matrices(command, *options);
+  command.callback([options, &job] {
     job = [options] {
       return graph_files(
           options->files.paths, options->matrices, options->case_label, options->files.analyse);

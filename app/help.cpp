@@ -35,17 +35,16 @@ Outcome help(const CLI::App& app, const std::string& word) {
 
 }  // namespace
 
-void add_help(CLI::App& parent, Job& job) {
-  CLI::App* command =
-      parent.add_subcommand("help", "Explain a topic, such as the format or the signs.");
-  command->footer(
+void add_help(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat help\n"
       "  kinestat help signs\n"
       "  kinestat help analyze\n");
   auto word = std::make_shared<std::string>();
-  add_argument(*command, "TOPIC", *word, "a topic, or the name of a command; without it, the list");
-  command->callback(
-      [word, &parent, &job] { job = [word, &parent] { return help(parent, *word); }; });
+  add_argument(command, "TOPIC", *word, "a topic, or the name of a command; without it, the list");
+  command.callback([word, &command, &job] {
+    job = [word, &command] { return help(*command.get_parent(), *word); };
+  });
 }
 
 }  // namespace kinestat::app

@@ -39,19 +39,17 @@ void add_choice_options(CLI::App& command, InputsChoice& choice) {
 
 }  // namespace
 
-void add_inputs(CLI::App& parent, Job& job) {
-  CLI::App* command = parent.add_subcommand(
-      "inputs", "List which motions and actions determine all others, the best first.");
-  command->footer(
+void add_inputs(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat inputs crank.yaml\n"
       "  kinestat inputs --actuators --with in train.yaml\n"
       "  kinestat inputs --judge a.wz,d.wz crank.yaml\n");
   auto options = std::make_shared<InputsOptions>();
-  add_files(*command, options->files);
-  add_format(*command, options->files);
-  add_strict(*command, options->files);
-  add_choice_options(*command, options->choice);
-  command->callback([options, &job] {
+  add_files(command, options->files);
+  add_format(command, options->files);
+  add_strict(command, options->files);
+  add_choice_options(command, options->choice);
+  command.callback([options, &job] {
     job = [options] {
       return inputs_files(options->files.paths, options->choice, options->files.analyse);
     };

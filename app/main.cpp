@@ -1,9 +1,11 @@
 // The command line: parses it, runs one command, writes its text, returns its status.
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -16,6 +18,7 @@ namespace {
 
 using kinestat::ExitStatus;
 using kinestat::Outcome;
+using kinestat::app::Command;
 using kinestat::app::Job;
 
 bool write(std::FILE* stream, std::string_view text) {
@@ -33,54 +36,72 @@ int finish(Outcome outcome) {
   return static_cast<int>(outcome.status);
 }
 
-void add_commands(CLI::App& app, Job& job) {
-  app.formatter(std::make_shared<kinestat::app::HelpFormat>());
-  app.set_version_flag("--version", "kinestat " + std::string(kinestat::kVersion), "the version");
-  app.set_help_flag("-h,--help", "this help");
-  app.require_subcommand(0, 1);
-  app.footer(
-      "  kinestat new four-bar crank.yaml\n"
-      "  kinestat check crank.yaml\n"
-      "  kinestat analyze crank.yaml\n"
-      "  kinestat help signs\n");
-  kinestat::app::add_new(app, job);
-  kinestat::app::add_check(app, job);
-  kinestat::app::add_analyze(app, job);
-  kinestat::app::add_graph(app, job);
-  kinestat::app::add_mobility(app, job);
-  kinestat::app::add_inputs(app, job);
-  kinestat::app::add_shift(app, job);
-  kinestat::app::add_motion(app, job);
-  kinestat::app::add_sensitivity(app, job);
-  kinestat::app::add_sweep(app, job);
-  kinestat::app::add_merge(app, job);
-  kinestat::app::add_synthesize(app, job);
-  kinestat::app::add_report(app, job);
-  kinestat::app::add_compare(app, job);
-  kinestat::app::add_bench(app, job);
-  kinestat::app::add_plot(app, job);
-  kinestat::app::add_explain(app, job);
-  kinestat::app::add_schema(app, job);
-  kinestat::app::add_help(app, job);
-}
+// The program with some of its commands, and what its words ask for.
+class CommandLine {
+ public:
+  explicit CommandLine(std::span<const Command> some) {
+    app_.formatter(std::make_shared<kinestat::app::HelpFormat>());
+    app_.set_version_flag(
+        "--version", "kinestat " + std::string(kinestat::kVersion), "the version");
+    app_.set_help_flag("-h,--help", "this help");
+    app_.require_subcommand(0, 1);
+    app_.footer(
+        "  kinestat new four-bar crank.yaml\n"
+        "  kinestat check crank.yaml\n"
+        "  kinestat analyze crank.yaml\n"
+        "  kinestat help signs\n");
+    for (const Command& command : some) {
+      command.add_options(
+          *app_.add_subcommand(std::string(command.name), std::string(command.summary)), job_);
+    }
+  }
 
+  Outcome run(const std::vector<std::string>& words) {
+    try {
+      parse(words);
+    } catch (const CLI::CallForVersion& call) {
+      return {.out = std::string(call.what()) + "\n", .err = {}};
+    } catch (const CLI::CallForHelp&) {
+      return {.out = app_.help(), .err = {}};
+    } catch (const CLI::ParseError& problem) {
+      return kinestat::app::usage_error(problem, app_, words);
+    }
+    return job_ ? job_() : Outcome{.out = {}, .err = app_.help(), .status = ExitStatus::usage};
+  }
+
+  /// What the words ask for, where they are in order and need no more than these commands.
+  Job job_of(const std::vector<std::string>& words) {
+    try {
+      parse(words);
+    } catch (const CLI::Error&) {
+      return {};
+    }
+    return job_;
+  }
+
+ private:
+  void parse(const std::vector<std::string>& words) {
+    app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  }
+
+  CLI::App app_{"Kinematics, statics and power flow of mechanisms by Davies' method.", "kinestat"};
+  Job job_;
+};
+
+// To declare the options of all commands takes longer than to read a small file. So first those of
+// the command that is named are; only help and messages look at the others.
 Outcome parse_and_run(const std::vector<std::string>& words) {
-  CLI::App app("Kinematics, statics and power flow of mechanisms by Davies' method.", "kinestat");
-  Job job;
-  add_commands(app, job);
-  try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
-  } catch (const CLI::CallForVersion& call) {
-    return {.out = std::string(call.what()) + "\n", .err = {}};
-  } catch (const CLI::CallForHelp&) {
-    return {.out = app.help(), .err = {}};
-  } catch (const CLI::ParseError& problem) {
-    return kinestat::app::usage_error(problem, app, words);
+  const std::span<const Command> all = kinestat::app::commands();
+  const auto named = std::ranges::find_if(all, [&words](const Command& one) {
+    return !words.empty() && words.front() == one.name && one.name != "help";
+  });
+  if (named != all.end()) {
+    CommandLine line({named, 1});
+    if (const Job job = line.job_of(words)) {
+      return job();
+    }
   }
-  if (!job) {
-    return {.out = {}, .err = app.help(), .status = ExitStatus::usage};
-  }
-  return job();
+  return CommandLine(all).run(words);
 }
 
 }  // namespace

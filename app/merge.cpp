@@ -14,22 +14,20 @@ struct MergeCommand {
 
 }  // namespace
 
-void add_merge(CLI::App& parent, Job& job) {
-  CLI::App* command =
-      parent.add_subcommand("merge", "Join the shards of a sweep to its whole result.");
-  command->footer(
+void add_merge(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat merge shards/teeth.sweep-*.shard > rows.csv\n"
       "  kinestat merge --out results shards/teeth.sweep-*.shard\n");
   auto merge = std::make_shared<MergeCommand>();
-  add_argument(*command, "SHARD", merge->paths, "all shards of one sweep, in any order").required();
-  add_result_folder(*command,
+  add_argument(command, "SHARD", merge->paths, "all shards of one sweep, in any order").required();
+  add_result_folder(command,
                     merge->options.folder,
                     merge->options.overwrite,
                     "folder for <name>.sweep.csv (or .jsonl) and\n"
                     "<name>.sweep.json; it must exist. Without it\n"
                     "rows go to standard output");
-  add_messages(*command, merge->options.diagnostics, merge->options.is_quiet);
-  command->callback([merge, &job] {
+  add_messages(command, merge->options.diagnostics, merge->options.is_quiet);
+  command.callback([merge, &job] {
     job = [merge] {
       return run_streaming(
           [&](const SweepHooks& hooks) { return merge_files(merge->paths, merge->options, hooks); },

@@ -40,30 +40,28 @@ void add_motion_choice(CLI::App& command, MotionChoice& choice) {
 
 }  // namespace
 
-void add_motion(CLI::App& parent, Job& job) {
-  CLI::App* command =
-      parent.add_subcommand("motion", "Move the mechanism through the ranges of its drives.");
-  command->footer(
+void add_motion(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat motion mechanisms/planar/four_bar.yaml\n"
       "  kinestat motion --format csv mechanisms/planar/slider_crank.yaml\n"
       "  kinestat motion --drive Tin --to '90 deg' --steps 45 crank.yaml\n");
   auto flags = std::make_shared<MotionFlags>();
   AnalyseOptions& analyse = flags->files.analyse;
-  add_files(*command, flags->files);
-  add_format(*command, flags->files);
-  add_motion_choice(*command, flags->choice);
-  add_output(*command,
+  add_files(command, flags->files);
+  add_format(command, flags->files);
+  add_motion_choice(command, flags->choice);
+  add_output(command,
              analyse,
              "folder for <name>.motion.json and\n"
              "<name>.motion.csv; it must exist");
-  add_strict(*command, flags->files);
+  add_strict(command, flags->files);
   add_flag(
-      *command,
+      command,
       "-q,--quiet",
       [&analyse] { analyse.is_quiet = true; },
       "print no report on standard output");
-  add_fail_fast(*command, flags->files);
-  command->callback([flags, &job] {
+  add_fail_fast(command, flags->files);
+  command.callback([flags, &job] {
     job = [flags] {
       return motion_of_files(flags->files.paths, flags->choice, flags->files.analyse);
     };

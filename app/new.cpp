@@ -14,21 +14,19 @@ struct NewOptions {
 
 }  // namespace
 
-void add_new(CLI::App& parent, Job& job) {
-  CLI::App* command =
-      parent.add_subcommand("new", "Write a commented mechanism file to begin with.");
-  command->footer(
+void add_new(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat new four-bar crank.yaml\n"
       "  kinestat new shift | less\n");
   auto options = std::make_shared<NewOptions>();
-  add_argument(*command, "KIND", options->kind, plain_list(starter_kinds())).option_text("KIND");
-  add_argument(*command, "FILE", options->path, "the file to write; default standard output");
+  add_argument(command, "KIND", options->kind, plain_list(starter_kinds())).option_text("KIND");
+  add_argument(command, "FILE", options->path, "the file to write; default standard output");
   add_flag(
-      *command,
+      command,
       "--force",
       [options] { options->overwrite = Overwrite::force; },
       "replace the file if it exists");
-  command->callback([options, &job] {
+  command.callback([options, &job] {
     job = [options] { return write_starter(options->kind, options->path, options->overwrite); };
   });
 }

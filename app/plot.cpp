@@ -42,24 +42,22 @@ void add_choices(CLI::App& command, PlotChoice& choice) {
 
 }  // namespace
 
-void add_plot(CLI::App& parent, Job& job) {
-  CLI::App* command =
-      parent.add_subcommand("plot", "Draw one picture of a file: charts, graphs, mechanisms.");
-  command->footer(
+void add_plot(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat plot list mechanisms/transmissions/ravigneaux.yaml\n"
       "  kinestat plot speeds -o speeds.svg mechanisms/transmissions/ravigneaux.yaml\n"
       "  kinestat plot forces --case M2 --emit gnuplot train.yaml | gnuplot -p\n"
       "\nPictures:\n" +
       picture_help());
   auto options = std::make_shared<PlotCommand>();
-  add_argument(*command, "PICTURE", options->choice.picture, "one of the pictures above, or list")
+  add_argument(command, "PICTURE", options->choice.picture, "one of the pictures above, or list")
       .required();
-  add_files(*command, options->files);
-  command->get_option("FILE")->expected(1)->description("a mechanism file; - is standard input");
-  add_choices(*command, options->choice);
-  add_accuracy(*command, options->files.analyse.accuracy);
-  add_strict(*command, options->files);
-  command->callback([options, &job] {
+  add_files(command, options->files);
+  command.get_option("FILE")->expected(1)->description("a mechanism file; - is standard input");
+  add_choices(command, options->choice);
+  add_accuracy(command, options->files.analyse.accuracy);
+  add_strict(command, options->files);
+  command.callback([options, &job] {
     job = [options] {
       return plot_file(
           options->files.paths.front(), options->choice, options->files.analyse, seconds);

@@ -13,31 +13,29 @@ struct ReportCommand {
 
 }  // namespace
 
-void add_report(CLI::App& parent, Job& job) {
-  CLI::App* command = parent.add_subcommand(
-      "report", "Write one page with everything of the files: words, tables, pictures.");
-  command->footer(
+void add_report(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat report --out report.html mechanisms/transmissions/ravigneaux.yaml\n"
       "  kinestat report --out planar.html mechanisms/planar/*.yaml\n"
       "  kinestat report crank.yaml > crank.html\n");
   auto options = std::make_shared<ReportCommand>();
   AnalyseOptions& analyse = options->files.analyse;
-  add_files(*command, options->files);
-  with_value(*command,
-             command->add_option("-o,--out",
-                                 options->page.path,
-                                 "file for the page, which needs no network and\n"
-                                 "no other file; without it the page goes to\n"
-                                 "standard output"),
+  add_files(command, options->files);
+  with_value(command,
+             command.add_option("-o,--out",
+                                options->page.path,
+                                "file for the page, which needs no network and\n"
+                                "no other file; without it the page goes to\n"
+                                "standard output"),
              "FILE");
   add_flag(
-      *command,
+      command,
       "--force",
       [options] { options->page.overwrite = Overwrite::force; },
       "replace a file that this program did not write");
-  add_accuracy(*command, analyse.accuracy);
-  add_strict(*command, options->files);
-  command->callback([options, &job] {
+  add_accuracy(command, analyse.accuracy);
+  add_strict(command, options->files);
+  command.callback([options, &job] {
     job = [options] {
       return html_report_of_files(options->files.paths, options->page, options->files.analyse);
     };

@@ -3,20 +3,18 @@
 
 namespace kinestat::app {
 
-void add_schema(CLI::App& parent, Job& job) {
-  CLI::App* command = parent.add_subcommand(
-      "schema", "Print the JSON Schema of mechanism files and of what is written.");
-  command->footer(
+void add_schema(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat schema > mechanism.schema.json\n"
       "  kinestat schema report\n");
   auto name = std::make_shared<std::string>("mechanism");
   add_argument(
-      *command,
+      command,
       "NAME",
       *name,
       "mechanism (default), report, mobility, inputs,\nsensitivity, sweep, synthesis, comparison "
       "or diagnostics");
-  command->callback([name, &job] { job = [name] { return schema_text(*name); }; });
+  command.callback([name, &job] { job = [name] { return schema_text(*name); }; });
 }
 
 }  // namespace kinestat::app

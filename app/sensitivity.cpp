@@ -29,19 +29,17 @@ void add_choice_options(CLI::App& command, SensitivityChoice& choice) {
 
 }  // namespace
 
-void add_sensitivity(CLI::App& parent, Job& job) {
-  CLI::App* command = parent.add_subcommand(
-      "sensitivity", "Show how answers move with each parameter (derivatives).");
-  command->footer(
+void add_sensitivity(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat sensitivity mechanisms/transmissions/ravigneaux.yaml\n"
       "  kinestat sensitivity --of ratio --of c.Rx --by frame_length crank.yaml\n"
       "  kinestat sensitivity --of kinematics/bodies/coupler/linear/0 crank.yaml\n");
   auto options = std::make_shared<SensitivityOptions>();
-  add_files(*command, options->files);
-  add_format(*command, options->files);
-  add_strict(*command, options->files);
-  add_choice_options(*command, options->choice);
-  command->callback([options, &job] {
+  add_files(command, options->files);
+  add_format(command, options->files);
+  add_strict(command, options->files);
+  add_choice_options(command, options->choice);
+  command.callback([options, &job] {
     job = [options] {
       return sensitivity_files(options->files.paths, options->choice, options->files.analyse);
     };

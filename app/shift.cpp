@@ -14,29 +14,27 @@ struct ShiftFlags {
 
 }  // namespace
 
-void add_shift(CLI::App& parent, Job& job) {
-  CLI::App* command = parent.add_subcommand(
-      "shift", "List which combination of clutches and brakes makes which gear.");
-  command->footer(
+void add_shift(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat shift mechanisms/transmissions/ravigneaux_input_shaft.yaml\n"
       "  kinestat shift --one-more --one-fewer --format csv train.yaml\n");
   auto flags = std::make_shared<ShiftFlags>();
-  add_files(*command, flags->files);
-  add_format(*command, flags->files);
-  add_accuracy(*command, flags->files.analyse.accuracy);
-  add_strict(*command, flags->files);
+  add_files(command, flags->files);
+  add_format(command, flags->files);
+  add_accuracy(command, flags->files.analyse.accuracy);
+  add_strict(command, flags->files);
   add_flag(
-      *command,
+      command,
       "--one-more",
       [flags] { flags->choice.one_more = true; },
       "also combinations of one element more than\n"
       "a gear needs");
   add_flag(
-      *command,
+      command,
       "--one-fewer",
       [flags] { flags->choice.one_fewer = true; },
       "also combinations of one element fewer");
-  command->callback([flags, &job] {
+  command.callback([flags, &job] {
     job = [flags] {
       return shift_of_files(flags->files.paths, flags->choice, flags->files.analyse);
     };

@@ -120,31 +120,29 @@ Outcome run_sweep(const SweepCommand& sweep) {
 
 }  // namespace
 
-void add_sweep(CLI::App& parent, Job& job) {
-  CLI::App* command = parent.add_subcommand(
-      "sweep", "Analyse every combination of the parameters that a file varies.");
-  command->footer(
+void add_sweep(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat sweep teeth.yaml > rows.csv\n"
       "  kinestat sweep --top 20 --by ratio --order smallest teeth.yaml\n"
       "  kinestat sweep --jobs 8 --resume --out results teeth.yaml\n"
       "  kinestat sweep --shard 2/7 --out shards teeth.yaml\n");
   auto sweep = std::make_shared<SweepCommand>();
   add_argument(
-      *command, "FILE", sweep->path, "mechanism file with a section sweep; - is\nstandard input")
+      command, "FILE", sweep->path, "mechanism file with a section sweep; - is\nstandard input")
       .required();
-  add_loading(*command, sweep->options.load);
-  add_form(*command, *sweep);
-  add_result_folder(*command,
+  add_loading(command, sweep->options.load);
+  add_form(command, *sweep);
+  add_result_folder(command,
                     sweep->options.folder,
                     sweep->options.overwrite,
                     "folder for <name>.sweep.csv (or .jsonl) and\n"
                     "<name>.sweep.json; it must exist. Without it\n"
                     "rows go to standard output");
-  add_sharing(*command, sweep->options);
-  add_top(*command, sweep->top);
-  add_messages(*command, sweep->options.diagnostics, sweep->options.is_quiet);
-  command->callback([command, sweep, &job] {
-    check_together(*command, *sweep);
+  add_sharing(command, sweep->options);
+  add_top(command, sweep->top);
+  add_messages(command, sweep->options.diagnostics, sweep->options.is_quiet);
+  command.callback([&command, sweep, &job] {
+    check_together(command, *sweep);
     job = [sweep] { return run_sweep(*sweep); };
   });
 }

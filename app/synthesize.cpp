@@ -66,36 +66,34 @@ void check_together(const CLI::App& command, const SynthesizeCommand& options) {
 
 }  // namespace
 
-void add_synthesize(CLI::App& parent, Job& job) {
-  CLI::App* command = parent.add_subcommand(
-      "synthesize", "Find the linkages that lead a plane through given positions.");
-  command->footer(
+void add_synthesize(CLI::App& command, Job& job) {
+  command.footer(
       "  kinestat new synthesis task.yaml\n"
       "  kinestat synthesize task.yaml\n"
       "  kinestat synthesize --format json task.yaml\n"
       "  kinestat synthesize --write-mechanism linkages task.yaml\n"
       "  kinestat synthesize --digits 40 close_positions.yaml\n");
   auto options = std::make_shared<SynthesizeCommand>();
-  add_files(*command, options->files);
-  add_format(*command, options->files);
-  add_linkage_output(*command, *options);
+  add_files(command, options->files);
+  add_format(command, options->files);
+  add_linkage_output(command, *options);
   add_flag(
-      *command,
+      command,
       "--verify",
       [options] { options->options.verifies = true; },
       "move every linkage as a mechanism and report\nwhether it does what its verdict says; "
       "those\nthat are written are always moved");
-  add_digits(*command, options->options);
+  add_digits(command, options->options);
   add_count(
-      *command,
+      command,
       "--jobs",
       [options](std::uint64_t count) { options->options.jobs = count; },
       "threads of a selection; default as many as\n"
       "there are cores. The result does not depend\n"
       "on it");
-  add_strict(*command, options->files);
-  command->callback([options, command, &job] {
-    check_together(*command, *options);
+  add_strict(command, options->files);
+  command.callback([options, &command, &job] {
+    check_together(command, *options);
     job = [options] {
       return synthesize_files(options->files.paths, options->files.analyse, options->options);
     };

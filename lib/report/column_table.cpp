@@ -36,17 +36,17 @@ void VectorColumns::add_to(std::vector<TextColumn>& columns) const {
   }
 }
 
-Table table_of(const std::vector<TextColumn>& columns) {
+Table table_of(std::vector<TextColumn> columns) {
   std::vector<std::string> head;
-  for (const TextColumn& column : columns) {
+  for (TextColumn& column : columns) {
     KINESTAT_EXPECTS(column.cells.size() == columns.front().cells.size());
-    head.push_back(column.head);
+    head.push_back(std::move(column.head));
   }
   Table table(std::move(head));
   for (std::size_t r = 0; r < columns.front().cells.size(); ++r) {
     std::vector<std::string> row;
-    for (const TextColumn& column : columns) {
-      row.push_back(column.cells[r]);
+    for (TextColumn& column : columns) {
+      row.push_back(std::move(column.cells[r]));
     }
     table.add(std::move(row));
   }

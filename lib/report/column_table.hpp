@@ -31,6 +31,6 @@ struct VectorColumns {
 };
 
 /// All columns must have the same number of cells.
-Table table_of(const std::vector<TextColumn>& columns);
+Table table_of(std::vector<TextColumn> columns);
 
 }  // namespace kinestat

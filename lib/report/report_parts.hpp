@@ -15,31 +15,31 @@ std::string name_in_tables(const std::string& file, const MechanismDescription& 
 /// The first line of a report: the mechanism's name, or its file, and its source.
 std::string title_text(const std::string& file, const MechanismDescription& description);
 
-/// JSON, as far as the forms want it.
+/// JSON, as far as the forms want it. Records are large: `record` is called only where one is used.
 template <class View>
-void add_json(const Record<View>& record,
+void add_json(const Record<View>& (*record)(),
               const View& view,
               const FileUnits& units,
               const ReportForms& forms,
               FileReport& report) {
   if (forms.json) {
-    report.json = json_text(record, view, units, JsonLayout::indented);
+    report.json = json_text(record(), view, units, JsonLayout::indented);
   }
   if (forms.json_line) {
-    report.json_line = json_text(record, view, units, JsonLayout::line);
+    report.json_line = json_text(record(), view, units, JsonLayout::line);
   }
 }
 
-/// JSON and tables, as far as the forms want them.
+/// JSON and tables, likewise.
 template <class View>
-void add_forms(const Record<View>& record,
+void add_forms(const Record<View>& (*record)(),
                const View& view,
                const ReportForms& forms,
                FileReport& report) {
   const FileUnits& units = view.description.units;
   add_json(record, view, units, forms, report);
   if (forms.csv) {
-    report.csv = tables_of(record, view, name_in_tables(view.file, view.description), units);
+    report.csv = tables_of(record(), view, name_in_tables(view.file, view.description), units);
   }
 }
 

@@ -23,10 +23,10 @@ TextBlocks& TextBlocks::operator+=(std::string_view lines) {
   return *this;
 }
 
-TextBlocks& TextBlocks::operator+=(const TextBlocks& more) {
-  for (const TextBlock& one : more.blocks_) {
+TextBlocks& TextBlocks::operator+=(TextBlocks more) {
+  for (TextBlock& one : more.blocks_) {
     if (one.table) {
-      blocks_.push_back(one);
+      blocks_.push_back(std::move(one));
     } else {
       *this += one.lines;
     }

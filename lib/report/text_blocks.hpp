@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "report/column_table.hpp"
@@ -32,12 +33,12 @@ class TextBlocks {
   explicit TextBlocks(Table table);
 
   /// The same of columns, which must have the same number of cells.
-  explicit TextBlocks(const std::vector<TextColumn>& columns) : TextBlocks(table_of(columns)) {}
+  explicit TextBlocks(std::vector<TextColumn> columns) : TextBlocks(table_of(std::move(columns))) {}
 
   /// Lines, each with its line end; those that follow each other are one block.
   TextBlocks& operator+=(std::string_view lines);
 
-  TextBlocks& operator+=(const TextBlocks& more);
+  TextBlocks& operator+=(TextBlocks more);
 
   const std::vector<TextBlock>& blocks() const { return blocks_; }
 

@@ -1,5 +1,7 @@
 #include "cases/report/case_text.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "cases/report/affine_report.hpp"
@@ -90,7 +92,7 @@ TextBlocks bodies_blocks(const Mechanism& mechanism,
   angular.add_to(columns);
   linear.add_to(columns);
   at.add_to(columns);
-  return TextBlocks(columns);
+  return TextBlocks(std::move(columns));
 }
 
 TextBlocks motion_blocks(const Mechanism& mechanism,

@@ -1,5 +1,7 @@
 #include "cases/report/statics_text.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "math/dense/readable_basis.hpp"
@@ -66,7 +68,7 @@ TextBlocks wrenches_blocks(const Mechanism& mechanism,
   force.add_to(columns);
   moment.add_to(columns);
   const bool is_empty = columns.size() == 1;
-  return is_empty ? TextBlocks() : TextBlocks(columns);
+  return is_empty ? TextBlocks() : TextBlocks(std::move(columns));
 }
 
 // Every passive action by itself, "?" where equilibrium does not determine it.
@@ -159,7 +161,7 @@ TextBlocks loads_blocks(const Mechanism& mechanism, const CaseAnalysis& one, con
     }
     columns.push_back(std::move(power));
   }
-  return one.which.loads.empty() ? TextBlocks() : TextBlocks(columns);
+  return one.which.loads.empty() ? TextBlocks() : TextBlocks(std::move(columns));
 }
 
 TextBlocks friction_blocks(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {

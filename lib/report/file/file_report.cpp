@@ -38,7 +38,7 @@ FileReport make_certified_report(const Analysis& analysis,
   }
   view.found = &found;
   FileReport report;
-  add_json(report_record(), view, units, forms, report);
+  add_json(report_record, view, units, forms, report);
   if (forms.csv) {
     const std::string name = name_in_tables(analysis.file, analysis.description);
     report.csv = tables_of(report_record(), view, name, units);
@@ -59,7 +59,7 @@ FileReport make_head_report(const std::string& file,
                             const Diagnostics& found) {
   FileReport report;
   const ReportView view{.file = file, .description = description, .found = &found};
-  add_json(report_record(), view, description.units, forms, report);
+  add_json(report_record, view, description.units, forms, report);
   if (forms.text) {
     report.text = title_text(file, description);
   }

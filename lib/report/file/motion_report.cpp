@@ -15,7 +15,7 @@ FileReport make_motion_report(const MotionAnalysis& analysis,
                         .description = analysis.description,
                         .motion = &analysis.motion,
                         .found = &found};
-  add_forms(report_record(), view, forms, report);
+  add_forms(report_record, view, forms, report);
   if (forms.csv) {
     report.csv.push_back(
         {.pass = "motion",

@@ -14,7 +14,7 @@ FileReport make_shift_report(const Analysis& analysis,
                         .description = analysis.description,
                         .transmission = &analysis,
                         .found = &found};
-  add_forms(report_record(), view, forms, report);
+  add_forms(report_record, view, forms, report);
   if (forms.text) {
     report.text =
         title_text(analysis.file, analysis.description) + "\n" + shift_blocks(analysis).text();

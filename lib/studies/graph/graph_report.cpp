@@ -140,7 +140,7 @@ FileReport make_graph_report(const std::string& file,
   FileReport report;
   const ReportView view{
       .file = file, .description = description, .mechanism = &mechanism, .matrices = matrices};
-  add_json(report_record(), view, description.units, forms, report);
+  add_json(report_record, view, description.units, forms, report);
   if (forms.csv) {
     report.csv.push_back(
         {.pass = "graph", .text = matrices.empty() ? edge_csv(mechanism) : matrix_csv(matrices)});

@@ -131,7 +131,7 @@ FileReport make_benchmark_report(const std::string& file,
   FileReport report;
   const BenchmarkReportView view{
       .file = file, .description = description, .cases = cases, .found = &found};
-  add_forms(benchmark_report_record(), view, forms, report);
+  add_forms(benchmark_report_record, view, forms, report);
   if (forms.text) {
     report.text = (description.name.empty() ? file : description.name) + "\n\n" + text_of(cases);
   }

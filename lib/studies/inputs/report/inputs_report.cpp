@@ -141,7 +141,7 @@ FileReport make_inputs_report(const std::string& file,
   FileReport report;
   const InputsReportView view{
       .file = file, .description = description, .inputs = inputs, .found = &found};
-  add_forms(inputs_report_record(), view, forms, report);
+  add_forms(inputs_report_record, view, forms, report);
   if (forms.text) {
     report.text = (description.name.empty() ? file : description.name) + "\n\n";
     for (const InputSide& side : inputs.sides) {

@@ -14,7 +14,7 @@ FileReport make_mobility_report(const MobilityAnalysis& analysis,
                                 .description = analysis.description,
                                 .analysis = analysis,
                                 .found = &found};
-  add_forms(mobility_report_record(), view, forms, report);
+  add_forms(mobility_report_record, view, forms, report);
   if (forms.text) {
     report.text = mobility_text(analysis);
   }

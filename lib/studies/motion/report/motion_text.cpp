@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -83,7 +84,7 @@ class MotionWriter {
       table[3].cells.push_back(shown((*greatest)[c]));
       table[4].cells.push_back(shown((*greatest)[0]));
     }
-    return table[0].cells.empty() ? TextBlocks() : TextBlocks(table);
+    return table[0].cells.empty() ? TextBlocks() : TextBlocks(std::move(table));
   }
 
  private:
@@ -278,7 +279,7 @@ class MotionWriter {
         table.back().cells.push_back(row->status);
       }
     }
-    return TextBlocks(table);
+    return TextBlocks(std::move(table));
   }
 
   const MotionTable& motion_;

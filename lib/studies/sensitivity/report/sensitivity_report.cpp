@@ -115,7 +115,7 @@ FileReport make_sensitivity_report(const std::string& file,
                                    .parameters = parameters,
                                    .cases = cases,
                                    .found = &found};
-  add_forms(sensitivity_report_record(), view, forms, report);
+  add_forms(sensitivity_report_record, view, forms, report);
   if (forms.text) {
     report.text = text_of(description, file, cases, parameters);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -182,7 +183,7 @@ class ShiftTables {
           },
           columns);
     }
-    return TextBlocks(columns);
+    return TextBlocks(std::move(columns));
   }
 
   std::string remarks_text() const {
@@ -268,7 +269,7 @@ class ShiftTables {
     };
     add("bearing", &GearValues::bearing);
     add("mesh", &GearValues::mesh);
-    return has_any ? TextBlocks(columns) : TextBlocks();
+    return has_any ? TextBlocks(std::move(columns)) : TextBlocks();
   }
 
   TextBlocks values_blocks(const char* what,
@@ -298,7 +299,7 @@ class ShiftTables {
       largest.cells.push_back(number_or_dash(size));
     }
     columns.push_back(std::move(largest));
-    return TextBlocks(columns);
+    return TextBlocks(std::move(columns));
   }
 
   std::string changes_text() const {

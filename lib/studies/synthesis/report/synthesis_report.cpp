@@ -46,7 +46,7 @@ FileReport make_synthesis_report(const SynthesisAnalysis& analysis,
   FileReport report;
   const SynthesisReportView view{.analysis = analysis, .found = found};
   const FileUnits& units = analysis.description.units;
-  add_json(synthesis_report_record(), view, units, forms, report);
+  add_json(synthesis_report_record, view, units, forms, report);
   if (forms.csv) {
     report.csv = tables_of(synthesis_report_record(),
                            view,
