@@ -120,6 +120,11 @@ std::string_view name_of(QuantityKind kind) {
   return row_of(kind).name;
 }
 
+bool is_magnitude(QuantityKind kind) {
+  using enum QuantityKind;
+  return kind == velocity || kind == angular_velocity || kind == force || kind == moment;
+}
+
 std::string_view phrase_of(QuantityKind kind) {
   return row_of(kind).phrase;
 }

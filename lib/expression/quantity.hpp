@@ -76,6 +76,9 @@ std::string_view name_of(QuantityKind kind);
 /// "an angular velocity"; "a bare number" for dimensionless.
 std::string_view phrase_of(QuantityKind kind);
 
+/// Whether it is one of the magnitudes of a network: a rate or an action.
+bool is_magnitude(QuantityKind kind);
+
 /// The key of the section `units:` ("angular_velocity"); empty where the unit is not the user's
 /// choice because it follows from others.
 std::string_view key_of(QuantityKind kind);

@@ -83,6 +83,12 @@ class KeyMark {
     return *this;
   }
 
+  /// Rates and actions of the object, also below, are for one of the unit that this text names.
+  KeyMark& reference_unit() {
+    property_.is_reference_unit = true;
+    return *this;
+  }
+
   /// The order of the names in the list means something.
   KeyMark& ordered() {
     property_.is_ordered = true;

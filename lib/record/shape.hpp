@@ -31,7 +31,6 @@ enum class ByContext {
   drive,         ///< the unit of the drive
   column,        ///< the unit of the column
   relative,      ///< to other numbers, as the entries of a matrix
-  per_first,     ///< rate or action, for one unit of the first of its map
   coordinate,    ///< angle or length: the kind of the input
   per_length     ///< by the unit of length, whatever else; angles in radians
 };
@@ -90,6 +89,8 @@ struct Property {
   bool is_ordered = false;    ///< of a list of names: whether their order means something
   bool is_in_reports = true;  ///< whether JSON has it
   bool is_in_tables = true;   ///< whether its numbers have rows in CSV
+  /// Its text is a unit, and rates and actions of the object, also below, are for one of it.
+  bool is_reference_unit = false;
   TableRole table_role = TableRole::quantity;
   std::string table_quantity;  ///< what CSV calls it: the key, unless said otherwise
 };

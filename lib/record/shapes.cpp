@@ -40,8 +40,6 @@ std::string_view word_of(ByContext measure) {
       return "angle or length, as the input says";
     case ByContext::per_length:
       return "per length";
-    case ByContext::per_first:
-      return "rate or action per the first of them";
     case ByContext::relative:
       return "relative to other numbers";
   }

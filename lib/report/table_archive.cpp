@@ -139,7 +139,15 @@ void TableArchive::end_list() {
 
 void TableArchive::quantity(const std::optional<double>& si, QuantityKind kind) {
   number(si ? std::optional(*si == 0.0 ? 0.0 : units_.from_si(kind, *si)) : std::nullopt,
-         units_.text(kind));
+         unit_of(kind));
+}
+
+std::string TableArchive::unit_of(QuantityKind kind) const {
+  const auto at = std::find_if(
+      open_.rbegin(), open_.rend(), [](const Open& one) { return !one.reference.empty(); });
+  return is_magnitude(kind) && at != open_.rend()
+             ? fmt::format("{} per {}", units_.text(kind), at->reference)
+             : units_.text(kind);
 }
 
 void TableArchive::number(const std::optional<double>& value, std::string_view unit) {
@@ -155,6 +163,10 @@ void TableArchive::whole(std::int64_t value) {
 }
 
 void TableArchive::text(std::string_view value) {
+  if (!properties_.empty() && properties_.back()->is_reference_unit) {
+    open_.back().reference = value;
+    return;
+  }
   word(std::string(value), "1");
   if (std::exchange(reads_status_, false)) {
     status_ = value;
@@ -172,7 +184,7 @@ void TableArchive::null() {
   if (property == nullptr ||
       (property->table_role != TableRole::element && property->table_role != TableRole::word)) {
     const auto kind = property == nullptr ? std::nullopt : kind_of(property->shape);
-    row("", kind ? units_.text(*kind) : "");
+    row("", kind ? unit_of(*kind) : "");
   }
   end_item(is_item);
 }
@@ -194,7 +206,8 @@ void TableArchive::open(Open::Kind kind) {
                    .next = 0,
                    .is_item = is_item,
                    .element = element_,
-                   .own_status = own_status_});
+                   .own_status = own_status_,
+                   .reference = {}});
 }
 
 void TableArchive::close() {

@@ -56,6 +56,7 @@ class TableArchive : public Archive {
     std::string element;      // of what contains it
     std::string own_status;   // likewise
     bool names_path = false;  // the name of its element ends the path
+    std::string reference;    // the unit for one of which its rates and actions are
   };
 
   void open(Open::Kind kind);
@@ -64,6 +65,7 @@ class TableArchive : public Archive {
   void end_item(bool is_item);
   void word(const std::string& ending, const char* value);
   void row(const std::string& value, std::string_view unit);
+  std::string unit_of(QuantityKind kind) const;
   NamedTable& table(const std::string& pass);
   void begin_tables(const Property& property);
 

@@ -9,6 +9,7 @@ that the reports give, the same findings and the same exit status.
 
 from __future__ import annotations
 
+import itertools
 import json
 import subprocess
 import sys
@@ -208,6 +209,38 @@ class MetamorphicTest(unittest.TestCase):
 
     def test_compare_finds_no_difference_in_metres_and_radians(self) -> None:
         self.check_compare("m", 25)
+
+    def test_compare_finds_no_difference_of_mobility_and_sensitivity_in_metres(self) -> None:
+        """Rates of a motion are for one unit of its first freedom, whatever that is."""
+        units, count = changes.other_units("m"), 0
+        with tempfile.TemporaryDirectory() as folder:
+            for name, path in self.files.items():
+                file = MechanismFile.read(path)
+                texts = [file.text()]
+                if units(file) is None:
+                    continue
+                texts.append(file.text())
+                for command, style in itertools.product(("mobility", "sensitivity"),
+                                                        ("json", "csv")):
+                    with self.subTest(file=name, command=command, style=style):
+                        count += self.compare_outputs(Path(folder), command, style, texts)
+        self.assertGreaterEqual(count, 160)
+
+    def compare_outputs(self, folder: Path, command: str, style: str, texts: list[str]) -> int:
+        """0 where the command has no answer."""
+        paths = []
+        for side, text in enumerate(texts):
+            (folder / f"{side}.yaml").write_text(text, encoding="utf-8")
+            output = subprocess.run([program, command, "--format", style, folder / f"{side}.yaml"],
+                                    capture_output=True, check=False).stdout
+            paths.append(folder / f"{side}.{style}")
+            paths[-1].write_bytes(output)
+        if not all(path.stat().st_size for path in paths):
+            return 0
+        done = subprocess.run([program, "compare", "--rtol", "1e-7", *paths],
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return 1
 
     def test_compare_finds_no_difference_between_tasks_in_metres_and_millimetres(self) -> None:
         """Slider-cranks among them, whose drives have lengths for coordinates."""

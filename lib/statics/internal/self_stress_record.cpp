@@ -21,8 +21,12 @@ void emit_couplings(const SelfStressView& v, const EachName& each) {
   }
 }
 
+QuantityKind first_kind(const SelfStressView& v) {
+  return kind_of(v, v.stress.terms.front());
+}
+
 void emit_actions(const SelfStressView& v, const EachNumber& each) {
-  const double unit = v.units.factor(kind_of(v, v.stress.terms.front()));
+  const double unit = v.units.factor(first_kind(v));
   for (const DependenceTerm& term : v.stress.terms) {
     each(v.topology.action_name(term.index), term.coefficient * unit, kind_of(v, term));
   }
@@ -34,8 +38,13 @@ const Record<SelfStressView>& self_stress_record() {
   static const Record<SelfStressView> record(
       "One of them; its first action stands in no other.", [](Record<SelfStressView>& keys) {
         keys.names("couplings", "Couplings that take part.", emit_couplings);
+        keys.text("per",
+                  "The unit of the first action: the magnitudes go with 1 of it.",
+                  [](const SelfStressView& v) { return v.units.text(first_kind(v)); })
+            .reference_unit()
+            .not_compared();
         keys.numbers("actions",
-                     ByContext::per_first,
+                     ByContext::action,
                      "Magnitudes that go with 1 unit of the first action.",
                      emit_actions)
             .in_tables_as("");

@@ -1,10 +1,9 @@
 #include "studies/compare/compare_csv.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
+#include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,98 +15,14 @@
 #include "core/utf8.hpp"
 #include "report/table_archive.hpp"
 #include "studies/compare/compare_place.hpp"
+#include "studies/compare/csv_reader.hpp"
+#include "studies/compare/report_kinds.hpp"
 #include "studies/motion/report/motion_csv.hpp"
+#include "studies/motion/report/motion_table.hpp"
 
 namespace kinestat {
 
 namespace {
-
-// A file that is no table at all would have an error in every line.
-constexpr int kMostErrors = 20;
-
-struct CsvRow {
-  int line = 0;  ///< where it begins
-  std::vector<std::string> cells;
-};
-
-// Reads row by row, by RFC 4180.
-class CsvReader {
- public:
-  explicit CsvReader(std::string_view text) : rest_(text) {
-    if (rest_.starts_with(kByteOrderMark)) {
-      rest_.remove_prefix(kByteOrderMark.size());
-    }
-  }
-
-  // The next row; empty at the end, or when a quote is not closed.
-  std::optional<CsvRow> next() {
-    if (rest_.empty()) {
-      return {};
-    }
-    CsvRow row{.line = line_, .cells = {}};
-    do {
-      row.cells.push_back(cell());
-    } while (!is_broken_ && take(','));
-    is_broken_ = is_broken_ || !ends_line();
-    ++line_;
-    return is_broken_ ? std::nullopt : std::optional(std::move(row));
-  }
-
-  bool is_broken() const { return is_broken_; }
-
-  int line() const { return line_; }
-
- private:
-  bool take(char c) {
-    const bool is_next = rest_.starts_with(c);
-    rest_.remove_prefix(is_next ? 1 : 0);
-    return is_next;
-  }
-
-  bool ends_line() {
-    take('\r');
-    return rest_.empty() || take('\n');
-  }
-
-  std::string cell() {
-    if (take('"')) {
-      return quoted();
-    }
-    const std::size_t end = std::min(rest_.find_first_of(",\r\n"), rest_.size());
-    std::string text(rest_.substr(0, end));
-    rest_.remove_prefix(end);
-    return text;
-  }
-
-  std::string quoted() {
-    std::string text;
-    while (true) {
-      const std::size_t end = rest_.find('"');
-      if (end == std::string_view::npos) {
-        is_broken_ = true;
-        return text;
-      }
-      text += rest_.substr(0, end);
-      line_ += static_cast<int>(std::ranges::count(rest_.substr(0, end), '\n'));
-      rest_.remove_prefix(end + 1);
-      if (!take('"')) {
-        return text;
-      }
-      text += '"';
-    }
-  }
-
-  std::string_view rest_;
-  int line_ = 1;
-  bool is_broken_ = false;
-};
-
-void refuse(int line, std::string message, std::string hint, Diagnostics& found) {
-  found.error("E0903",
-              line == 0 ? SourceRange{} : SourceRange{.line = line, .column = 1, .length = 1},
-              std::move(message),
-              std::move(hint));
-}
 
 // Those of a motion tell the step too.
 std::vector<std::string> known_columns(const CsvRow& header) {
@@ -124,36 +39,70 @@ std::optional<std::map<std::string, std::size_t>> read_header(const CsvRow& head
     const std::string name = printable(header.cells[i].substr(0, 80));
     if (std::ranges::find(known, header.cells[i]) == known.end()) {
       const std::string guess = did_you_mean(name, known);
-      refuse(header.line,
-             fmt::format("the table has an unknown column '{}'", name),
-             fmt::format("{}{}columns are {}", guess, guess.empty() ? "" : " ", plain_list(known)),
-             found);
+      refuse_line(
+          header.line,
+          fmt::format("the table has an unknown column '{}'", name),
+          fmt::format("{}{}columns are {}", guess, guess.empty() ? "" : " ", plain_list(known)),
+          found);
       return {};
     }
     if (!columns.emplace(header.cells[i], i).second) {
-      refuse(header.line, fmt::format("the table has two columns '{}'", name), "", found);
+      refuse_line(header.line, fmt::format("the table has two columns '{}'", name), "", found);
       return {};
     }
   }
   for (const std::string& name : known) {
     if (!columns.contains(name)) {
-      refuse(header.line,
-             fmt::format("the table has no column '{}'", name),
-             fmt::format("columns are {}", plain_list(known)),
-             found);
+      refuse_line(header.line,
+                  fmt::format("the table has no column '{}'", name),
+                  fmt::format("columns are {}", plain_list(known)),
+                  found);
       return {};
     }
   }
   return columns;
 }
 
-// A finite number and nothing else, in any locale.
-std::optional<double> number_of(std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_number =
-      error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
-  return is_number ? std::optional(value) : std::nullopt;
+// Names of what two reports may differ in and mean the same, and of nothing else.
+void collect_names(const RecordShape& record,
+                   std::set<const RecordShape*>& seen,
+                   std::set<std::string, std::less<>>& compared,
+                   std::set<std::string, std::less<>>& others) {
+  if (!seen.insert(&record).second) {
+    return;
+  }
+  const std::function<void(const Shape&)> descend = [&](const Shape& shape) {
+    if (shape.record != nullptr) {
+      collect_names(*shape.record, seen, compared, others);
+    }
+    std::ranges::for_each(shape.items, descend);
+  };
+  for (const Property& property : record.properties) {
+    (property.is_compared ? compared : others).insert(property.table_quantity);
+    descend(property.shape);
+  }
+}
+
+std::set<std::string, std::less<>> find_uncompared_names() {
+  std::set<const RecordShape*> seen;
+  std::set<std::string, std::less<>> compared;
+  std::set<std::string, std::less<>> others = {std::string(kClosureErrorColumn)};
+  for (const ReportKind& kind : report_kinds()) {
+    collect_names(*kind.record, seen, compared, others);
+  }
+  std::erase_if(others, [&](const std::string& name) { return compared.contains(name); });
+  return others;
+}
+
+bool is_compared(std::string_view quantity) {
+  static const std::set<std::string, std::less<>> uncompared = find_uncompared_names();
+  const std::vector<std::string_view> names = keys_of(fmt::format("/{}", quantity));
+  return std::ranges::none_of(names, [](std::string_view one) { return uncompared.contains(one); });
+}
+
+// In tables counts of mobility are the numbers that are written as whole ones.
+bool is_count(std::string_view pass, std::string_view number) {
+  return pass == "mobility" && number.find_first_not_of("-0123456789") == std::string_view::npos;
 }
 
 class TableReader {
@@ -163,10 +112,13 @@ class TableReader {
 
   void add(const CsvRow& row) {
     if (row.cells.size() != columns_.size()) {
-      refuse(row.line,
-             fmt::format("the row has {} cells, not {}", row.cells.size(), columns_.size()),
-             "",
-             found_);
+      refuse_line(row.line,
+                  fmt::format("the row has {} cells, not {}", row.cells.size(), columns_.size()),
+                  "",
+                  found_);
+      return;
+    }
+    if (!is_compared(cell(row, "quantity"))) {
       return;
     }
     const std::string place = columns_.contains("step") ? place_in_motion(row) : place_of(row);
@@ -177,10 +129,10 @@ class TableReader {
                                      .type = ValueType::text,
                                      .text = cell(row, "status")});
     if (!is_new) {
-      refuse(row.line,
-             fmt::format("there are two rows for {}", printable(place)),
-             "compare one mechanism at a time, or give each another name",
-             found_);
+      refuse_line(row.line,
+                  fmt::format("there are two rows for {}", printable(place)),
+                  "compare one mechanism at a time, or give each another name",
+                  found_);
     }
   }
 
@@ -216,23 +168,21 @@ class TableReader {
     const std::string& text = cell(row, "value");
     auto unit = read_unit(cell(row, "unit"));
     if (const auto* error = std::get_if<ExpressionError>(&unit)) {
-      refuse(row.line, printable(error->message), error->hint, found_);
+      refuse_line(row.line, printable(error->message), error->hint, found_);
       return false;
     }
     if (text.empty()) {
       values_.add({.place = place, .type = ValueType::null, .text = {}});
       return true;
     }
-    const std::optional<double> number = number_of(text);
+    const std::optional<double> number = read_cell(text, row.line, found_);
     if (!number) {
-      refuse(row.line,
-             fmt::format("'{}' is no number", printable(text.substr(0, 80))),
-             "numbers have a decimal point, and the cell is empty where there is no value",
-             found_);
       return false;
     }
-    const bool is_count = cell(row, "pass") == "mobility";
-    values_.add_number(place, *number, is_count ? count_unit() : std::get<ValueUnit>(unit));
+    values_.add_number(
+        place,
+        *number,
+        is_count(cell(row, "pass"), text) ? count_unit() : std::get<ValueUnit>(unit));
     return true;
   }
 
@@ -248,7 +198,7 @@ std::optional<ReportValues> read_csv_report(const SourceFile& source, Diagnostic
   CsvReader reader(source.text);
   const std::optional<CsvRow> header = reader.next();
   if (!header) {
-    refuse(0, "the table is empty, or a quote in it is not closed", "", found);
+    refuse_line(0, "the table is empty, or a quote in it is not closed", "", found);
     return {};
   }
   const auto columns = read_header(*header, found);
@@ -261,12 +211,12 @@ std::optional<ReportValues> read_csv_report(const SourceFile& source, Diagnostic
     if (!is_blank) {
       table.add(*row);
     }
-    if (found.error_count() == kMostErrors) {
+    if (found.error_count() == kMostTableErrors) {
       return {};
     }
   }
   if (reader.is_broken()) {
-    refuse(reader.line(), "a quote is not closed, or text stands behind one", "", found);
+    refuse_line(reader.line(), "a quote is not closed, or text stands behind one", "", found);
   }
   return found.has_errors() ? std::nullopt : std::optional(table.take_values());
 }

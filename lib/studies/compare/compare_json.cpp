@@ -65,6 +65,7 @@ struct Visited {
   const Shape* shape = nullptr;     // null of what this program does not know
   bool is_ordered = false;          // of a list of names
   const Json* object = nullptr;     // whose key it is
+  const Json* reference = nullptr;  // the unit for one of which rates and actions are
   std::vector<std::string> labels;  // names of the elements on the way, and numbers of items
 
   Visited below(std::string_view key, const Json& item, const Shape* of_item) const {
@@ -73,6 +74,7 @@ struct Visited {
             .shape = of_item,
             .is_ordered = false,
             .object = &value,
+            .reference = reference,
             .labels = labels};
   }
 
@@ -104,32 +106,44 @@ class Collector {
 
  private:
   ValueUnit unit_of(const Visited& at) const {
-    const auto* told = at.shape != nullptr ? std::get_if<ByContext>(&at.shape->measure) : nullptr;
-    if (told == nullptr || at.object == nullptr) {
-      return units_.unit_of(at.shape, at.labels);
+    if (at.shape != nullptr && at.object != nullptr &&
+        at.shape->measure == Measure(ByContext::beside)) {
+      return units_.beside(*at.object);
     }
-    switch (*told) {
-      case ByContext::beside:
-        return units_.beside(*at.object);
-      case ByContext::per_first:
-        return units_.magnitude_per(at.labels.back(), at.object->begin().key());
-      default:
-        return units_.unit_of(at.shape, at.labels);
-    }
+    return at.shape != nullptr && at.reference != nullptr && is_magnitude(at.shape->measure)
+               ? units_.per(*at.reference, *at.shape, at.labels)
+               : units_.unit_of(at.shape, at.labels);
+  }
+
+  static bool is_magnitude(const Measure& measure) {
+    const auto* kind = std::get_if<QuantityKind>(&measure);
+    return kind != nullptr
+               ? kinestat::is_magnitude(*kind)
+               : measure == Measure(ByContext::rate) || measure == Measure(ByContext::action);
+  }
+
+  // The text of the key that says so, if the record of the object has one.
+  static const Json* reference_in(const Visited& at) {
+    const auto& keys = at.shape->record->properties;
+    const auto property = std::ranges::find_if(keys, &Property::is_reference_unit);
+    const auto value = property == keys.end() ? at.value.end() : at.value.find(property->key);
+    return value == at.value.end() ? at.reference : &*value;
   }
 
   void add_object(const Visited& at) {
     const bool has_keys = at.shape != nullptr && at.shape->record != nullptr;
+    Visited inside = at;
+    inside.reference = has_keys ? reference_in(at) : at.reference;
     for (const auto& [key, item] : at.value.items()) {
       if (!has_keys) {
-        add(at.element(key, item, item_shape(at.shape)));
+        add(inside.element(key, item, item_shape(at.shape)));
         continue;
       }
       const Property* property = find_property(*at.shape->record, key);
       if (property == nullptr) {
-        add(at.below(key, item, nullptr));
+        add(inside.below(key, item, nullptr));
       } else if (property->is_compared) {
-        add_property(at, *property, item);
+        add_property(inside, *property, item);
       }
     }
   }

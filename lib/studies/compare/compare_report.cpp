@@ -6,6 +6,7 @@
 #include "core/utf8.hpp"
 #include "studies/compare/compare_csv.hpp"
 #include "studies/compare/compare_json.hpp"
+#include "studies/compare/compare_sweep.hpp"
 
 namespace kinestat {
 
@@ -15,6 +16,9 @@ std::optional<ReportValues> read_report(const SourceFile& source, Diagnostics& f
     text.remove_prefix(kByteOrderMark.size());
   }
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (begins_with_rows(text)) {
+    return read_sweep_rows(source, found);
+  }
   if (text.starts_with('{')) {
     return read_json_report(source, found);
   }

@@ -9,8 +9,8 @@
 
 namespace kinestat {
 
-/// Reads JSON or a table, as the text begins. E0903 and E0904 as read_json_report and
-/// read_csv_report say; empty iff an error was added.
+/// Reads JSON, a table or the rows of a sweep, as the text begins. E0903 and E0904 as
+/// read_json_report, read_csv_report and read_sweep_rows say; empty iff an error was added.
 std::optional<ReportValues> read_report(const SourceFile& source, Diagnostics& found);
 
 }  // namespace kinestat

@@ -162,7 +162,10 @@ void ReportUnits::read_synthesis(const Json& report) {
 }
 
 ValueUnit ReportUnits::beside(const Json& object) const {
-  const Json& text = member(object, "unit");
+  return named(member(object, "unit"));
+}
+
+ValueUnit ReportUnits::named(const Json& text) const {
   const auto unit = read_unit(text.is_string() ? text.get<std::string>() : "?");
   const auto* known = std::get_if<ValueUnit>(&unit);
   return known != nullptr ? *known : unknown();
@@ -199,7 +202,6 @@ ValueUnit ReportUnits::unit_of(const Shape* shape, const std::vector<std::string
     case ByContext::per_length:
       return per_length();
     case ByContext::beside:
-    case ByContext::per_first:
     case ByContext::relative:
       return unknown();
   }
@@ -288,8 +290,10 @@ ValueUnit ReportUnits::magnitude(std::string_view name) const {
   return is_rate ? rate(name) : action(name);
 }
 
-ValueUnit ReportUnits::magnitude_per(std::string_view magnitude, std::string_view other) const {
-  return unit_per(this->magnitude(magnitude), this->magnitude(other));
+ValueUnit ReportUnits::per(const Json& reference,
+                           const Shape& shape,
+                           const std::vector<std::string>& labels) const {
+  return unit_per(unit_of(&shape, labels), named(reference));
 }
 
 ValueUnit ReportUnits::per_length() const {

@@ -32,8 +32,10 @@ class ReportUnits {
   /// The unit that the object names; unknown if that is none.
   ValueUnit beside(const Json& object) const;
 
-  /// Of a magnitude for one unit of another, by their names.
-  ValueUnit magnitude_per(std::string_view magnitude, std::string_view other) const;
+  /// Likewise of a rate or an action that is for one of the unit which a text names.
+  ValueUnit per(const Json& reference,
+                const Shape& shape,
+                const std::vector<std::string>& labels) const;
 
  private:
   using Units = std::map<std::string, ValueUnit, std::less<>>;
@@ -52,6 +54,7 @@ class ReportUnits {
 
   ValueUnit of(QuantityKind kind) const;
   ValueUnit unknown() const;
+  ValueUnit named(const Json& text) const;
   ValueUnit rate(std::string_view freedom) const;
   ValueUnit action(std::string_view name) const;
   ValueUnit ratio(const RatioUnits& units, const std::vector<std::string>& labels) const;

@@ -64,7 +64,7 @@ ValueUnit unit_per(const ValueUnit& above, const ValueUnit& below) {
 }
 
 std::variant<ValueUnit, ExpressionError> read_unit(std::string_view text) {
-  if (text.empty()) {
+  if (text.empty() || text == "1") {
     return bare_unit("number");
   }
   // A ratio of two kinds has a unit of two, "rad/s per mm/s"; its derivative one more,

@@ -31,8 +31,8 @@ const std::vector<std::string>& value_kinds();
 /// The unit of counts, which must be equal whatever the tolerances are.
 ValueUnit count_unit();
 
-/// A unit that is written in a report, "N*mm", "rad/s per mm/s" or empty; with the error of a text
-/// that is no unit.
+/// A unit that is written in a report, "N*mm", "rad/s per mm/s", "1 per mm" or empty; with the
+/// error of a text that is no unit.
 std::variant<ValueUnit, ExpressionError> read_unit(std::string_view text);
 
 /// That of a ratio of two kinds: "rad/s per mm/s".

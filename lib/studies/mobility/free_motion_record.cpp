@@ -26,10 +26,14 @@ const Record<FreeBodyView>& free_body_record() {
   return record;
 }
 
+QuantityKind first_kind(const FreeMotionView& v) {
+  const auto first = static_cast<std::size_t>(v.motion.first);
+  return kind_of(v.mechanism.topology.freedoms[first]);
+}
+
 // [rad/s or m/s]: that the first freedom moves by one unit of the file.
 double first_rate(const FreeMotionView& v) {
-  const auto first = static_cast<std::size_t>(v.motion.first);
-  return v.units.factor(kind_of(v.mechanism.topology.freedoms[first]));
+  return v.units.factor(first_kind(v));
 }
 
 void emit_rates(const FreeMotionView& v, const EachNumber& each) {
@@ -63,8 +67,13 @@ const Record<FreeMotionView>& free_motion_record() {
         keys.flag("passive", "Whether no other body and no actuator feels it.", [](const View& v) {
           return v.motion.is_passive();
         });
+        keys.text("per",
+                  "The unit of the first freedom: the rates go with 1 of it.",
+                  [](const View& v) { return v.units.text(first_kind(v)); })
+            .reference_unit()
+            .not_compared();
         keys.numbers("freedoms",
-                     ByContext::relative,
+                     ByContext::rate,
                      "Rates by the name of the freedom, in the units of the file; those at rest "
                      "are left out.",
                      emit_rates);

@@ -66,19 +66,26 @@ struct RedundantConstraintView {
   const RedundantConstraint& one;
 };
 
-// For 1 unit of force or moment that goes round the circuit; without circuit, of the first action.
+// Of the force or moment that goes round the circuit; without circuit, of the first action.
+QuantityKind reference_kind(const RedundantConstraintView& v) {
+  if (v.one.axis) {
+    return action_kind(!v.one.axis->pitch);
+  }
+  int first = 0;
+  while (v.one.magnitudes[first] == 0.0) {
+    ++first;
+  }
+  return kind_of(v.mechanism.topology.actions[static_cast<std::size_t>(first)]);
+}
+
 void emit_shares(const RedundantConstraintView& v, const EachNumber& each) {
   const Topology& topology = v.mechanism.topology;
-  const FileUnits& units = v.analysis.description.units;
-  std::optional<double> unit;
-  if (v.one.axis) {
-    unit = units.factor(action_kind(!v.one.axis->pitch));
-  }
+  const double unit = v.analysis.description.units.factor(reference_kind(v));
   for (int a = 0; a < topology.action_count(); ++a) {
     if (v.one.magnitudes[a] != 0.0) {
-      const QuantityKind kind = kind_of(topology.actions[static_cast<std::size_t>(a)]);
-      unit = unit.value_or(units.factor(kind));
-      each(topology.action_name(a), v.one.magnitudes[a] * *unit, kind);
+      each(topology.action_name(a),
+           v.one.magnitudes[a] * unit,
+           kind_of(topology.actions[static_cast<std::size_t>(a)]));
     }
   }
 }
@@ -90,7 +97,8 @@ const Record<RedundantConstraintView>& redundant_constraint_record() {
         keys.text("name",
                   "The direction in words, for example couple about x; empty where it flows "
                   "through several circuits.",
-                  [](const View& v) { return constraint_words(v.analysis, v.one); });
+                  [](const View& v) { return constraint_words(v.analysis, v.one); })
+            .not_compared();  // it has lengths in the unit of the file
         keys.text("circuit",
                   "The coupling that closes its circuit; null where it flows through several.",
                   [](const View& v) {
@@ -102,8 +110,15 @@ const Record<RedundantConstraintView>& redundant_constraint_record() {
         keys.part("screw", axis_record(), [](const View& v) {
           return view_of(v.one.axis, v.mechanism.geometry.origin);
         });
+        keys.text(
+                "per",
+                "The unit of the wrench, or of the first action where it flows through several "
+                "circuits: the shares go with 1 of it.",
+                [](const View& v) { return v.analysis.description.units.text(reference_kind(v)); })
+            .reference_unit()
+            .not_compared();
         keys.numbers("actions",
-                     ByContext::relative,
+                     ByContext::action,
                      "Shares by the name of the action, in the units of the file: for one unit of "
                      "the wrench, or of the first action where it flows through several circuits.",
                      emit_shares);
@@ -131,7 +146,8 @@ const Record<RedundancyView>& redundancy_record() {
     keys.list("self_stresses",
               redundant_constraint_record(),
               "One for each that is borne; empty if they are too many to list.",
-              emit_constraints);
+              emit_constraints)
+        .ordered();
   });
   return record;
 }

@@ -1,0 +1,93 @@
+#include "studies/compare/csv_reader.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "core/utf8.hpp"
+
+namespace kinestat {
+
+CsvReader::CsvReader(std::string_view text) : rest_(text) {
+  if (rest_.starts_with(kByteOrderMark)) {
+    rest_.remove_prefix(kByteOrderMark.size());
+  }
+}
+
+std::optional<CsvRow> CsvReader::next() {
+  if (rest_.empty()) {
+    return {};
+  }
+  CsvRow row{.line = line_, .cells = {}};
+  do {
+    row.cells.push_back(cell());
+  } while (!is_broken_ && take(','));
+  is_broken_ = is_broken_ || !ends_line();
+  ++line_;
+  return is_broken_ ? std::nullopt : std::optional(std::move(row));
+}
+
+bool CsvReader::take(char c) {
+  const bool is_next = rest_.starts_with(c);
+  rest_.remove_prefix(is_next ? 1 : 0);
+  return is_next;
+}
+
+bool CsvReader::ends_line() {
+  take('\r');
+  return rest_.empty() || take('\n');
+}
+
+std::string CsvReader::cell() {
+  if (take('"')) {
+    return quoted();
+  }
+  const std::size_t end = std::min(rest_.find_first_of(",\r\n"), rest_.size());
+  std::string text(rest_.substr(0, end));
+  rest_.remove_prefix(end);
+  return text;
+}
+
+std::string CsvReader::quoted() {
+  std::string text;
+  while (true) {
+    const std::size_t end = rest_.find('"');
+    if (end == std::string_view::npos) {
+      is_broken_ = true;
+      return text;
+    }
+    text += rest_.substr(0, end);
+    line_ += static_cast<int>(std::ranges::count(rest_.substr(0, end), '\n'));
+    rest_.remove_prefix(end + 1);
+    if (!take('"')) {
+      return text;
+    }
+    text += '"';
+  }
+}
+
+void refuse_line(int line, std::string message, std::string hint, Diagnostics& found) {
+  found.error("E0903",
+              line == 0 ? SourceRange{} : SourceRange{.line = line, .column = 1, .length = 1},
+              std::move(message),
+              std::move(hint));
+}
+
+std::optional<double> read_cell(std::string_view text, int line, Diagnostics& found) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc() && end == text.data() + text.size() && std::isfinite(value)) {
+    return value;
+  }
+  refuse_line(line,
+              fmt::format("'{}' is no number", printable(text.substr(0, 80))),
+              "numbers have a decimal point, and the cell is empty where there is no value",
+              found);
+  return {};
+}
+
+}  // namespace kinestat
