@@ -93,6 +93,9 @@ std::string components_hint(const YamlNode& node, std::size_t count) {
   if (count == 2 && node.items.size() == 3) {
     return form + "; points in the plane have no z";
   }
+  if (count == 3 && node.items.size() == 2) {
+    return form + ", also in the plane";
+  }
   const std::string listed = node.items.size() == 1 ? with_commas(node.items.front()) : "";
   return listed.empty() ? form : fmt::format("write [{}]: a comma between the components", listed);
 }

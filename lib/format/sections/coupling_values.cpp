@@ -211,8 +211,10 @@ Form<ScrewDescription> one_screw_of(const Mapping<ScrewDescription>& first,
 
 Form<std::vector<ScrewDescription>> screws_of(const Form<ScrewDescription>& one,
                                               const ScrewTexts& texts) {
+  const auto is_mapping = [](const YamlNode& node) { return node.kind == YamlKind::mapping; };
+  const auto screw = only_if(one, is_mapping, "{} must be a mapping of keys to values", texts.hint);
   return only_if(
-      list_of(called(one, "a screw of {0}"), "", "", {.least = 0}),
+      list_of(called(screw, "a screw of {0}"), "", "", {.least = 0}),
       [](const YamlNode& node) { return node.kind == YamlKind::sequence; },
       "{} needs a list of screws",
       texts.hint);

@@ -104,11 +104,11 @@ constexpr auto kRows = std::to_array<KeyRow>({
     {CouplingKey::pitch,
      "pitch",
      "Advance per radian, right-handed if positive; or give 'lead'.",
-     [](Key key) { key.may(&Coupling::pitch, called(pitch(), "{0}"), "0.8 mm/rad"); }},
+     [](Key key) { key.may(&Coupling::pitch, called(pitch(), "the pitch of {0}"), "0.8 mm/rad"); }},
     {CouplingKey::lead,
      "lead",
      "Advance per turn, right-handed if positive; or give 'pitch'.",
-     [](Key key) { key.may(&Coupling::lead, called(lead(), "{0}"), "5 mm"); }},
+     [](Key key) { key.may(&Coupling::lead, called(lead(), "the lead of {0}"), "5 mm"); }},
     {CouplingKey::tangent,
      "tangent",
      "The direction t of the tangential force of the tail on the head. With the pressure angle it "
