@@ -1,6 +1,6 @@
-#include "accuracy_options.hpp"
 #include "command.hpp"
-#include "output_options.hpp"
+#include "options/accuracy_options.hpp"
+#include "options/output_options.hpp"
 
 namespace kinestat::app {
 

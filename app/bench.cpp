@@ -2,9 +2,9 @@
 #include <cstdint>
 
 #include "command.hpp"
+#include "options/sweep_options.hpp"
 #include "run/benchmark.hpp"
 #include "seconds.hpp"
-#include "sweep_options.hpp"
 
 namespace kinestat::app {
 

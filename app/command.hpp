@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "file_options.hpp"
 #include "files/outcome.hpp"
+#include "options/file_options.hpp"
 
 namespace kinestat::app {
 

@@ -1,7 +1,7 @@
 #include "run/merge.hpp"
 
 #include "command.hpp"
-#include "sweep_options.hpp"
+#include "options/sweep_options.hpp"
 
 namespace kinestat::app {
 

@@ -1,7 +1,7 @@
 #include "run/mobility.hpp"
 
-#include "accuracy_options.hpp"
 #include "command.hpp"
+#include "options/accuracy_options.hpp"
 
 namespace kinestat::app {
 

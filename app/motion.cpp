@@ -1,7 +1,7 @@
 #include "run/motion.hpp"
 
 #include "command.hpp"
-#include "output_options.hpp"
+#include "options/output_options.hpp"
 
 namespace kinestat::app {
 

@@ -1,7 +1,7 @@
 #include "run/plot.hpp"
 
-#include "accuracy_options.hpp"
 #include "command.hpp"
+#include "options/accuracy_options.hpp"
 #include "seconds.hpp"
 
 namespace kinestat::app {

@@ -1,5 +1,5 @@
-#include "accuracy_options.hpp"
 #include "command.hpp"
+#include "options/accuracy_options.hpp"
 #include "run/html_report.hpp"
 
 namespace kinestat::app {

@@ -1,7 +1,7 @@
 #include "run/shift.hpp"
 
-#include "accuracy_options.hpp"
 #include "command.hpp"
+#include "options/accuracy_options.hpp"
 
 namespace kinestat::app {
 

@@ -1,8 +1,8 @@
 #include "run/sweep.hpp"
 
 #include "command.hpp"
+#include "options/sweep_options.hpp"
 #include "progress_line.hpp"
-#include "sweep_options.hpp"
 
 namespace kinestat::app {
 

@@ -1,6 +1,6 @@
 #include "command.hpp"
+#include "options/sweep_options.hpp"
 #include "run/synthesis.hpp"
-#include "sweep_options.hpp"
 #include "usage_error.hpp"
 
 namespace kinestat::app {

@@ -18,6 +18,7 @@ from typing import Callable, Iterator
 
 TABLE = "lib/CMakeLists.txt"
 
+FOLDERS_OF_APP = ("options/",)
 # What a module may include of lib/, beside itself: `app` knows no more than these.
 OF_APP = {"core", "files", "run"}
 
@@ -198,7 +199,7 @@ def may_include(file: File) -> set[str]:
 def check_own_includes(file: File) -> Iterator[Violation]:
     for include in (i for i in file.includes if i.quoted):
         target, module = include.target, include.module
-        beside = file.module == "app" and not module
+        beside = file.module == "app" and (not module or target.startswith(FOLDERS_OF_APP))
         if beside or module == file.module:
             continue
         if not module or ".." in target.split("/"):

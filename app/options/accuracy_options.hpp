@@ -1,7 +1,7 @@
 // The options by which the user trades time for accuracy.
 #pragma once
 
-#include "file_options.hpp"
+#include "options/file_options.hpp"
 
 namespace kinestat::app {
 

@@ -1,4 +1,4 @@
-#include "sweep_options.hpp"
+#include "options/sweep_options.hpp"
 
 #include <cerrno>
 #include <charconv>

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "file_options.hpp"
+#include "options/file_options.hpp"
 
 namespace kinestat::app {
 

@@ -1,4 +1,4 @@
-#include "file_options.hpp"
+#include "options/file_options.hpp"
 
 #include <charconv>
 #include <cstdint>

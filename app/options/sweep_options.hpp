@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "file_options.hpp"
+#include "options/file_options.hpp"
 #include "run/sweep.hpp"
 
 namespace kinestat::app {

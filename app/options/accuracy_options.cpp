@@ -1,6 +1,6 @@
-#include "accuracy_options.hpp"
+#include "options/accuracy_options.hpp"
 
-#include "sweep_options.hpp"
+#include "options/sweep_options.hpp"
 
 namespace kinestat::app {
 
