@@ -46,6 +46,7 @@ DECISIONS = {
     "lib/studies/motion/task/motion_passive_findings.cpp": "rank: what a passive freedom moves",
     "lib/studies/sweep/task/state_solver.cpp": "comparison of two ways to the same state",
     "lib/studies/sweep/task/tape_solver.cpp": "search: states whose output may rest are analysed whole",
+    "lib/studies/sweep/task/sizes.hpp": "search: states whose values may be rounding are bounded",
     "lib/studies/sensitivity/internal/compatibility.cpp": "rank: which self-stresses a slope loads",
     "lib/studies/sensitivity/internal/power_value.cpp": "consistency: as of power/efficiency",
     "lib/studies/sensitivity/reported_value.cpp": "rank: on which actions a value depends",

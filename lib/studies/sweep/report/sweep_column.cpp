@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "kinematics/bounded_motion.hpp"
 #include "mechanism/label_kind.hpp"
 #include "report/in_units.hpp"
+#include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
 
@@ -189,8 +191,10 @@ std::optional<double> action_value(const CaseAnalysis& one, std::size_t action, 
   if (is_lossy) {
     return one.efficiency->state ? one.efficiency->state->actions[action] : std::nullopt;
   }
-  return one.action && action < one.action->magnitudes.size() ? one.action->magnitudes[action]
-                                                              : std::nullopt;
+  const bool has_value = one.action && action < one.action->magnitudes.size() &&
+                         one.action->magnitudes[action].has_value();
+  return has_value ? std::optional(bounded_action(*one.action, static_cast<int>(action)).zeroed())
+                   : std::nullopt;
 }
 
 std::optional<double> ratio_value(SweepColumnKind kind,
@@ -244,8 +248,8 @@ std::optional<double> value_of(const SweepColumn& column,
       return one.power_graph ? one.power_graph->recirculation : std::nullopt;
     case rate:
       return one.motion && i < one.motion->rates.size()
-                 ? std::optional(
-                       in.rate(one.motion->rates[i], mechanism.topology.freedoms[i].is_rotation))
+                 ? std::optional(in.rate(bounded_rate(*one.motion, column.index).zeroed(),
+                                         mechanism.topology.freedoms[i].is_rotation))
                  : std::nullopt;
     case SweepColumnKind::action:
     case lossy_action: {

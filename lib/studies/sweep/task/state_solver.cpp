@@ -12,6 +12,7 @@
 #include "core/tolerance.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "studies/sweep/task/row_status.hpp"
+#include "studies/sweep/task/sizes.hpp"
 
 namespace kinestat {
 
@@ -57,6 +58,18 @@ void fill_row(const SweepTask& task,
         value_of(task.columns[q], one, mechanism, task.description.units).value_or(kNoValue);
     row.values[q] = std::isfinite(value) ? value : kNoValue;
   }
+}
+
+// Whether a value is so far from the others, or a ratio from one, that it may be made of what
+// rounding left.
+bool may_be_rounding(const SweepTask& task, const SweepRow& row) {
+  Sizes sizes;
+  for (std::size_t q = 0; q < row.values.size(); ++q) {
+    const SweepColumnKind kind = task.columns[q].kind;
+    sizes.add(row.values[q]);
+    sizes.add(kind == SweepColumnKind::ratio || kind == SweepColumnKind::torque_ratio ? 1.0 : 0.0);
+  }
+  return sizes.are_apart();
 }
 
 StateSolver::StateSolver(const SweepTask& task, std::size_t lanes)
@@ -148,8 +161,13 @@ void StateSolver::analyse(std::uint64_t state, bool is_undefined, std::span<Swee
       rows[i].status = word_of(states_[i]->kind);
       continue;
     }
-    const CaseAnalysis one = solve_some_cases(*mechanism, std::span(&cases[i], 1)).front();
+    const std::span<const Case> which(&cases[i], 1);
+    CaseAnalysis one = solve_some_cases(*mechanism, which).front();
     fill_row(task_, *mechanism, one, rows[i]);
+    if (may_be_rounding(task_, rows[i])) {
+      one = solve_some_cases(*mechanism, which, {.accuracy = Accuracy::automatic}).front();
+      fill_row(task_, *mechanism, one, rows[i]);
+    }
     rows[i].status = row_status(one, task_, task_.is_usually_solved[i]);
     ratios[i] = gear_ratio(task_, i, one);
   }

@@ -7,6 +7,7 @@
 #include "core/tolerance.hpp"
 #include "power/rate_ratio.hpp"
 #include "studies/sweep/task/row_status.hpp"
+#include "studies/sweep/task/sizes.hpp"
 #include "studies/sweep/task/sweep_task.hpp"
 
 namespace kinestat {
@@ -169,17 +170,22 @@ void TapeSolver::fill(std::size_t count, std::span<SweepRow> rows) {
 // Column by column, of which nothing but the tape decides.
 void TapeSolver::fill_columns(std::size_t count, std::span<SweepRow> rows) {
   const std::size_t cases = task_.cases.size();
-  double doubts[kLanes] = {};  // no number where a value is not finite
+  double doubts[kLanes] = {};  // above zero where a value is faint, no number if it is not finite
   for (SweepRow& row : rows.first(count * cases)) {
     row.status = "solved";
   }
   for (std::size_t i = 0; i < cases; ++i) {
+    Sizes sizes[kLanes];
     for (const TapedColumn& one : tapes_.cases[i].columns) {
       for (std::size_t lane = 0; lane < count; ++lane) {
         const double value = workspace_.number(one.cell, lane);
         doubts[lane] += 0.0 * value;
+        sizes[lane].add(value);
         rows[lane * cases + i].values[one.column] = value;
       }
+    }
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      doubts[lane] += sizes[lane].are_apart() ? 1.0 : 0.0;
     }
   }
   for (std::size_t lane = 0; lane < count; ++lane) {
@@ -236,6 +242,22 @@ bool TapeSolver::sums_inputs(const CaseTape& taped, std::size_t lane) {
   return std::abs(sum) > kSameValue * terms;
 }
 
+// Whether an input or output is so small beside the other that it may be rounding, and a ratio of
+// them nothing: then the whole analysis decides.
+bool TapeSolver::has_faint_ends(const CaseTape& taped, std::size_t lane) {
+  const auto are_apart = [&](std::span<const std::size_t> in, std::span<const std::size_t> out) {
+    Sizes sizes;
+    for (const std::span<const std::size_t> cells : {in, out}) {
+      for (const std::size_t cell : cells) {
+        sizes.add(workspace_.number(cell, lane));
+      }
+    }
+    return sizes.are_apart();
+  };
+  return are_apart(taped.input_rates, taped.output_rates) ||
+         are_apart(taped.input_actions, taped.output_actions);
+}
+
 TapeSolver::TapedRatios TapeSolver::find_ratios(const CaseTape& taped, std::size_t lane) {
   const std::optional<double> fast = common_rate(read(taped.input_rates, lane));
   if (!fast) {
@@ -281,12 +303,14 @@ bool TapeSolver::fill_columns(std::span<const TapedColumn> columns,
                               std::size_t lane,
                               SweepRow& row) const {
   int too_large = 0;
+  Sizes sizes;
   for (const TapedColumn& one : columns) {
     const double value = workspace_.number(one.cell, lane);
     row.values[one.column] = value;
+    sizes.add(value);
     too_large += std::abs(value) <= kLargestMagnitude ? 0 : 1;
   }
-  return too_large == 0;
+  return too_large == 0 && !sizes.are_apart();
 }
 
 // Whether no cable pushes and no contact pulls.
@@ -299,7 +323,7 @@ bool TapeSolver::is_possible(const CaseTape& taped, std::size_t lane) const {
 bool TapeSolver::fill_case(std::size_t i, std::size_t lane, SweepRow& row) {
   const CaseTape& taped = tapes_.cases[i];
   if ((task_.gears[i] && !drives_output(taped, lane)) || !is_possible(taped, lane) ||
-      !sums_inputs(taped, lane)) {
+      !sums_inputs(taped, lane) || has_faint_ends(taped, lane)) {
     return false;
   }
   if (taped.columns.size() + taped.ratios.size() < row.values.size()) {

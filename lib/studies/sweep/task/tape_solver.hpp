@@ -66,6 +66,7 @@ class TapeSolver {
   bool is_possible(const CaseTape& taped, std::size_t lane) const;
   bool drives_output(const CaseTape& taped, std::size_t lane);
   bool sums_inputs(const CaseTape& taped, std::size_t lane);
+  bool has_faint_ends(const CaseTape& taped, std::size_t lane);
   TapedRatios find_ratios(const CaseTape& taped, std::size_t lane);
   std::string_view status_of(const CaseTape& taped, const TapedRatios& ratios, std::size_t lane);
   void fill_ratios(const CaseTape& taped, const TapedRatios& ratios, SweepRow& row) const;
