@@ -58,11 +58,7 @@ void add_form(CLI::App& command, CompareOptions& options) {
                            {{"table", StreamFormat::table}, {"json", StreamFormat::json}},
                            options.format,
                            "form of the differences on standard output");
-  add_choice<DiagnosticsForm>(command,
-                              "--diagnostics",
-                              {{"text", DiagnosticsForm::text}, {"json", DiagnosticsForm::json}},
-                              options.diagnostics,
-                              "form of errors on standard error");
+  add_diagnostics_form(command, options.diagnostics);
   add_flag(
       command,
       "-q,--quiet",

@@ -30,7 +30,7 @@ int finish(Outcome outcome) {
   if (!write(stdout, outcome.out)) {
     kinestat::add_message("E0152", "standard output cannot be written", "", outcome);
   }
-  if (!write(stderr, outcome.err)) {
+  if (!write(stderr, standard_error(outcome))) {
     outcome.status = kinestat::worst(outcome.status, ExitStatus::environment);
   }
   return static_cast<int>(outcome.status);

@@ -1,5 +1,9 @@
 #include "words.hpp"
 
+#include <string_view>
+
+#include <fmt/format.h>
+
 namespace kinestat::app {
 
 std::vector<std::string> plain_words(int argc, char** argv) {
@@ -28,10 +32,13 @@ std::string as_written(const std::string& word) {
 }
 
 DiagnosticsForm diagnostics_form(const std::vector<std::string>& words) {
+  constexpr std::string_view kOption = "--diagnostics";
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const bool follows = i + 1 < words.size() && words[i + 1] == "json";
-    if (words[i] == "--diagnostics=json" || (words[i] == "--diagnostics" && follows)) {
-      return DiagnosticsForm::json;
+    for (const auto& [word, form] : kDiagnosticsForms) {
+      const bool follows = words[i] == kOption && i + 1 < words.size() && words[i + 1] == word;
+      if (follows || words[i] == fmt::format("{}={}", kOption, word)) {
+        return form;
+      }
     }
   }
   return DiagnosticsForm::text;

@@ -80,12 +80,17 @@ void add_files(CLI::App& command, FileOptions& options) {
       command, "FILE", options.paths, "mechanism files, one after the other; - is\nstandard input")
       .required();
   add_loading(command, options.analyse.load);
+  add_diagnostics_form(command, options.analyse.diagnostics);
+}
+
+void add_diagnostics_form(CLI::App& command, DiagnosticsForm& form) {
   add_choice<DiagnosticsForm>(command,
                               "--diagnostics",
-                              {{"text", DiagnosticsForm::text}, {"json", DiagnosticsForm::json}},
-                              options.analyse.diagnostics,
+                              {kDiagnosticsForms.begin(), kDiagnosticsForms.end()},
+                              form,
                               "form of errors and warnings on standard\n"
-                              "error; json is one line a file");
+                              "error; json is one line a file, sarif one\n"
+                              "log of all");
 }
 
 void add_format(CLI::App& command, FileOptions& options) {

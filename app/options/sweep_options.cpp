@@ -37,11 +37,7 @@ void add_result_folder(CLI::App& command,
 }
 
 void add_messages(CLI::App& command, DiagnosticsForm& form, bool& is_quiet) {
-  add_choice<DiagnosticsForm>(command,
-                              "--diagnostics",
-                              {{"text", DiagnosticsForm::text}, {"json", DiagnosticsForm::json}},
-                              form,
-                              "form of errors on standard error");
+  add_diagnostics_form(command, form);
   add_flag(
       command,
       "-q,--quiet",
@@ -62,7 +58,7 @@ Outcome run_streaming(const std::function<Outcome(const SweepHooks&)>& job,
   };
   Outcome outcome = job({.write = write, .progress = progress, .stop = &signals.flag()});
   if (signals.flag().load()) {
-    std::fputs(outcome.err.c_str(), stderr);
+    std::fputs(standard_error(outcome).c_str(), stderr);
     signals.raise_again();
   }
   return outcome;

@@ -24,6 +24,12 @@ ExitStatus status_of(const Diagnostics& found, Strictness strictness) {
   return status;
 }
 
+std::string standard_error(const Outcome& outcome) {
+  return outcome.form == DiagnosticsForm::sarif
+             ? outcome.err + sarif_log(outcome.results, outcome.status)
+             : outcome.err;
+}
+
 void add_new(const Diagnostics& more, Diagnostics& found) {
   const auto key = [](const Diagnostic& one) {
     return std::tuple(one.where.line, one.where.column, one.code, one.message);
@@ -55,8 +61,17 @@ void add_diagnostics(const SourceFile& source,
     case DiagnosticsForm::json:
       outcome.err += diagnostics_line(source, found, status);
       break;
+    case DiagnosticsForm::sarif:
+      add_results(source, found, outcome.results);
+      break;
   }
   outcome.status = worst(outcome.status, status);
+}
+
+void tell(std::string_view text, Outcome& outcome) {
+  if (outcome.form == DiagnosticsForm::text) {
+    outcome.err += text;
+  }
 }
 
 void add_message(std::string_view code, std::string message, std::string hint, Outcome& outcome) {

@@ -1,12 +1,15 @@
 // What a command has to say at its end: text for both streams and the exit status.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/diagnostic.hpp"
 #include "core/exit_status.hpp"
 #include "core/source.hpp"
+#include "report/diagnostic_sarif.hpp"
 
 namespace kinestat {
 
@@ -15,16 +18,27 @@ enum class Strictness { normal, strict };
 /// How messages are written to standard error.
 enum class DiagnosticsForm {
   text,  ///< for a terminal: place, message, the line of the file, hint
-  json   ///< for editors and scripts: one line a file, by schemas/diagnostics.schema.json
+  json,  ///< for editors and scripts: one line a file, by schemas/diagnostics.schema.json
+  sarif  ///< for code hosts: one log of all files, at the end
 };
+
+/// The words for them.
+inline constexpr std::array<std::pair<std::string_view, DiagnosticsForm>, 3> kDiagnosticsForms = {
+    {{"text", DiagnosticsForm::text},
+     {"json", DiagnosticsForm::json},
+     {"sarif", DiagnosticsForm::sarif}}};
 
 /// The library prints nothing itself.
 struct Outcome {
   std::string out;  ///< for standard output
-  std::string err;  ///< for standard error
+  std::string err;  ///< for standard error, before the log
   ExitStatus status = ExitStatus::done;
-  DiagnosticsForm form = DiagnosticsForm::text;  ///< of what is appended to `err`
+  DiagnosticsForm form = DiagnosticsForm::text;  ///< of messages
+  SarifResults results = {};                     ///< of the log, in that form
 };
+
+/// What belongs on standard error, with the log.
+std::string standard_error(const Outcome& outcome);
 
 /// The exit status that the diagnostics ask for: that of the worst code; with `strict`, warnings
 /// count as a failed check.
@@ -40,6 +54,10 @@ void add_diagnostics(const SourceFile& source,
                      const Diagnostics& found,
                      Strictness strictness,
                      Outcome& outcome);
+
+/// Appends what people like to know beside the answer, such as counts; forms for machines have it
+/// not.
+void tell(std::string_view text, Outcome& outcome);
 
 /// Appends one error of the program itself, such as a wrong command line.
 void add_message(std::string_view code, std::string message, std::string hint, Outcome& outcome);

@@ -216,7 +216,7 @@ void merge_into(const std::vector<std::string>& paths,
     }
   }
   add_diagnostics({}, found, Strictness::normal, outcome);
-  outcome.err += told;
+  tell(told, outcome);
 }
 
 }  // namespace

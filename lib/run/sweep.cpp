@@ -140,7 +140,7 @@ void sweep_into(const std::string& path,
     }
   }
   add_diagnostics(source, found, Strictness::normal, outcome);
-  outcome.err += told;
+  tell(told, outcome);
 }
 
 void add_rows(const SolvedState& state, const SweepTask& task, SweepTable& table) {
