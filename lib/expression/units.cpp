@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "expression/expression.hpp"
+#include "expression/parse/characters.hpp"
 #include "expression/parse/suggestion.hpp"
 
 namespace kinestat {
@@ -24,7 +25,11 @@ constexpr Dimension kAngularVelocity{0, 0, -1, 1};
 constexpr Dimension kForce{1, 1, -2, 0};
 constexpr Dimension kMoment{2, 1, -2, 0};
 constexpr Dimension kPower{2, 1, -3, 0};
+constexpr Dimension kPressure{-1, 1, -2, 0};
 
+// The foot, the pound and standard gravity are exact by definition (yard and pound agreement of
+// 1959: 0.3048 m, 0.45359237 kg; CGPM 1901: 9.80665 m/s^2), and what is made of them too; but the
+// numerator of a horsepower of 550 ft*lbf/s, 37284993579113511, is no double: one more is.
 constexpr auto kUnits = std::to_array<Unit>({
     {"m", {}, kLength},
     {"mm", {1, 1000}, kLength},
@@ -32,20 +37,32 @@ constexpr auto kUnits = std::to_array<Unit>({
     {"cm", {1, 100}, kLength},
     {"km", {1000}, kLength},
     {"in", {254, 10'000}, kLength},  // exactly 25.4 mm
+    {"ft", {3048, 10'000}, kLength},
     {"rad", {}, kAngle},
     {"deg", {1, 180, 1}, kAngle},
+    {kDegreeSign, {1, 180, 1}, kAngle},
     {"rev", {2, 1, 1}, kAngle},
     {"s", {}, kTime},
+    {"ms", {1, 1000}, kTime},
     {"min", {60}, kTime},
     {"h", {3600}, kTime},
     {"kg", {}, kMass},
     {"g", {1, 1000}, kMass},
+    {"lb", {45'359'237, 100'000'000}, kMass},
     {"N", {}, kForce},
     {"kN", {1000}, kForce},
+    {"kgf", {980'665, 100'000}, kForce},
+    {"lbf", {44'482'216'152'605, 10'000'000'000'000}, kForce},
     {"Nm", {}, kMoment},
+    {"J", {}, kMoment},
     {"rpm", {1, 30, 1}, kAngularVelocity},  // 2π/60 rad/s
+    {"Hz", {2, 1, 1}, kAngularVelocity},    // one turn a second
     {"W", {}, kPower},
     {"kW", {1000}, kPower},
+    {"hp", {37'284'993'579'113'512, 50'000'000'000'000}, kPower},
+    {"Pa", {}, kPressure},
+    {"MPa", {1'000'000}, kPressure},
+    {"psi", {44'482'216'152'605, 6'451'600'000}, kPressure},
 });
 
 std::vector<std::string> list_unit_names() {

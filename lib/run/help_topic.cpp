@@ -7,6 +7,7 @@
 #include "core/contract.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "expression/units.hpp"
 #include "format/key_table.hpp"
 #include "run/embedded.hpp"
 
@@ -34,11 +35,28 @@ std::string page_of(std::string_view section) {
   return same != nullptr ? std::string(same->name) : std::string();
 }
 
+std::string list_of_units() {
+  constexpr std::size_t kWidth = 80;
+  std::string text;
+  std::string line = "   ";
+  for (const std::string& name : unit_names()) {
+    if (line.size() + name.size() + 1 > kWidth) {
+      text += line + "\n";
+      line = "   ";
+    }
+    line += " " + name;
+  }
+  return text + line + "\n";
+}
+
 // A line between braces in the page, as what it stands for.
 std::string table_of(std::string_view line, const EmbeddedText& page) {
   constexpr std::string_view kKeys = "{{keys ";
   if (line.starts_with(kKeys)) {
     return key_table(line.substr(kKeys.size(), line.find('}') - kKeys.size()));
+  }
+  if (line == "{{units}}") {
+    return list_of_units();
   }
   KINESTAT_EXPECTS(line == "{{sections}}");
   return section_table([&](std::string_view section) {

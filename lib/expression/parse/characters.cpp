@@ -25,7 +25,6 @@ struct Advice {
 constexpr auto kAdvice = std::to_array<Advice>({
     {0x00A0, "write an ordinary space"},
     {0x00AD, "remove this invisible character"},
-    {0x00B0, "write deg for degrees"},
     {0x00B1, "write one value: a tolerance has no place here"},
     {0x00B2, "write ^2"},
     {0x00B3, "write ^3"},
@@ -146,12 +145,14 @@ std::string without(std::string_view text, char unwanted) {
 }
 
 std::optional<ExpressionError> find_foreign_character(std::string_view text) {
-  const auto* const at =
-      std::ranges::find_if_not(text, [](char c) { return (c >= ' ' && c <= '~') || is_space(c); });
-  if (at == text.end()) {
-    return std::nullopt;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool is_degree = text.substr(at).starts_with(kDegreeSign);
+    if (!is_degree && (text[at] < ' ' || text[at] > '~') && !is_space(text[at])) {
+      return foreign(text, at);
+    }
+    at += is_degree ? kDegreeSign.size() - 1 : 0;
   }
-  return foreign(text, static_cast<std::size_t>(at - text.begin()));
+  return std::nullopt;
 }
 
 }  // namespace kinestat

@@ -21,6 +21,9 @@ inline bool is_name_part(char c) {
   return is_name_start(c) || is_digit(c);
 }
 
+/// The unit that is no letter: U+00B0.
+inline constexpr std::string_view kDegreeSign = "\u00B0";
+
 inline bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
@@ -48,8 +51,8 @@ std::string in_small_letters(std::string_view text);
 /// The text with every `unwanted` left out.
 std::string without(std::string_view text, char unwanted);
 
-/// The first character that is neither printable ASCII nor white space, named by its code point
-/// (E0308), with what to type instead where it is a common look-alike.
+/// The first character that is neither printable ASCII, white space nor the degree sign, named by
+/// its code point (E0308), with what to type instead where it is a common look-alike.
 std::optional<ExpressionError> find_foreign_character(std::string_view text);
 
 }  // namespace kinestat

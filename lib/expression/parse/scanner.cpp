@@ -55,6 +55,11 @@ std::variant<Token, ExpressionError> scan_token(std::string_view text, std::size
   if (is_name_start(text[at])) {
     return scan_name(text, at);
   }
+  if (text.substr(at).starts_with(kDegreeSign)) {
+    return Token{.kind = TokenKind::name,
+                 .offset = static_cast<int>(at),
+                 .length = static_cast<int>(kDegreeSign.size())};
+  }
   if (auto error = find_special_value(text, at)) {
     return std::move(*error);
   }

@@ -28,27 +28,27 @@ constexpr auto kSpellings = std::to_array<Spelling>({
     {"second", "s"},      {"minute", "min"},    {"hour", "h"},         {"gram", "g"},
     {"kilogram", "kg"},   {"newton", "N"},      {"kilonewton", "kN"},  {"watt", "W"},
     {"kilowatt", "kW"},   {"mNm", "N*mm"},      {"Nmm", "N*mm"},       {"kNm", "kN*m"},
+    {"foot", "ft"},       {"feet", "ft"},       {"pound", "lb"},       {"joule", "J"},
+    {"pascal", "Pa"},     {"hertz", "Hz"},      {"millisecond", "ms"}, {"horsepower", "hp"},
 });
 
 // Units of everyday use that are none here.
 constexpr auto kForeignUnits = std::to_array<Spelling>({
-    {"J", "1 N*m"},
-    {"kJ", "1 kN*m"},
+    {"kJ", "1000 J"},
     {"mN", "0.001 N"},
     {"MN", "1000 kN"},
-    {"kgf", "9.80665 N"},
-    {"Pa", "1 N/m^2"},
-    {"MPa", "1 N/mm^2"},
-    {"Hz", "1 rev/s"},
-    {"ms", "0.001 s"},
+    {"kPa", "1000 Pa"},
+    {"GPa", "1000 MPa"},
+    {"bar", "0.1 MPa"},
+    {"kHz", "1000 Hz"},
     {"mrad", "0.001 rad"},
-    {"ft", "12 in"},
+    {"oz", "1/16 lb"},
+    {"yd", "3 ft"},
     {"t", "1000 kg"},
     {"MW", "1000 kW"},
     {"U", "1 rev, and 1 U/min is 1 rpm"},
     {"tr", "1 rev, and 1 tr/min is 1 rpm"},
     {"PS", "735.49875 W"},
-    {"hp", "745.69987 W"},
 });
 
 // A unit written out, in the plural, or broken off after three letters or more.

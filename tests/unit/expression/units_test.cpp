@@ -27,7 +27,8 @@ TEST_P(UnitTable, HasItsSizeAndDimension) {
   EXPECT_EQ(unit.text, GetParam().text);
 }
 
-// Sizes from the definitions of the SI brochure; the inch is exactly 25.4 mm.
+// Sizes from the definitions of the SI brochure; the inch is exactly 25.4 mm. Those of feet and
+// pounds from NIST SP 811 (2008), appendix B.
 INSTANTIATE_TEST_SUITE_P(
     Table,
     UnitTable,
@@ -57,11 +58,24 @@ INSTANTIATE_TEST_SUITE_P(
                     UnitCase{"mm_per_second", "mm/s", 1e-3, {1, 0, -1, 0}},
                     UnitCase{"acceleration", "m/s^2", 1.0, {1, 0, -2, 0}},
                     UnitCase{"per_second", "1/s", 1.0, {0, 0, -1, 0}},
+                    UnitCase{"degree_sign", "\u00B0", kPi / 180, {0, 0, 0, 1}},
+                    UnitCase{"foot", "ft", 0.3048, {1, 0, 0, 0}},
+                    UnitCase{"millisecond", "ms", 1e-3, {0, 0, 1, 0}},
+                    UnitCase{"pound", "lb", 0.45359237, {0, 1, 0, 0}},
+                    UnitCase{"weight_of_a_kilogram", "kgf", 9.80665, {1, 1, -2, 0}},
+                    UnitCase{"weight_of_a_pound", "lbf", 0.45359237 * 9.80665, {1, 1, -2, 0}},
+                    UnitCase{"foot_pound", "ft*lbf", 1.3558179483314004, {2, 1, -2, 0}},
+                    UnitCase{"joule", "J", 1.0, {2, 1, -2, 0}},
+                    UnitCase{"hertz", "Hz", 2 * kPi, {0, 0, -1, 1}},
+                    UnitCase{"horsepower", "hp", 745.69987158227022, {2, 1, -3, 0}},
+                    UnitCase{"pascal", "Pa", 1.0, {-1, 1, -2, 0}},
+                    UnitCase{"megapascal", "MPa", 1e6, {-1, 1, -2, 0}},
+                    UnitCase{"pound_per_square_inch", "psi", 6894.757293168361, {-1, 1, -2, 0}},
                     UnitCase{"moment_per_degree", "N*m/deg", 180 / kPi, {2, 1, -2, -1}}),
     [](const auto& row) { return std::string(row.param.name); });
 
 TEST(Units, EveryListedNameIsFound) {
-  ASSERT_EQ(unit_names().size(), 20U);
+  ASSERT_EQ(unit_names().size(), 32U);
   for (const std::string& name : unit_names()) {
     EXPECT_NE(find_unit(name), nullptr) << name;
   }
