@@ -26,7 +26,10 @@ if [[ ! -f $build/build.ninja ]]; then
   echo "run.sh: building for the first time, which takes some minutes" >&2
   (cd "$root" && quietly cmake --preset release -DBUILD_TESTING=OFF)
 fi
-quietly cmake --build "$build" --target kinestat
+NINJA_STATUS='run.sh: step %f of %t, %p after %e s: ' cmake --build "$build" --target kinestat >&2 || {
+  echo "run.sh: failed: the build of kinestat" >&2
+  exit 4
+}
 
 mkdir -p "$reports"
 status=0
@@ -47,4 +50,6 @@ fi
 if [[ " ${written[*]} " == *" $reports/report.html "* ]]; then
   echo "Open in a browser: $reports/report.html"
 fi
+echo "The program: $build/app/kinestat; to install it: scripts/package.sh, which makes packages,"
+echo "or: cmake --install $build --prefix ~/.local"
 exit "$status"

@@ -14,6 +14,7 @@ CMAKE = """#!/bin/bash
 echo "$*" >>"$LOG"
 mkdir -p "$BUILD/app"
 touch "$BUILD/build.ninja"
+[[ -z ${NINJA_STATUS:-} ]] || echo "progress of $NINJA_STATUS"
 [[ -z ${BROKEN:-} ]] || { echo "an error in a source"; exit 1; }
 """
 PROGRAM = """#!/bin/bash
@@ -59,7 +60,9 @@ class RunScript(unittest.TestCase):
             done.stdout,
             f"table of x y.yaml in /\n\nWritten:\n  {self.root}/reports/new.report.json\n"
             f"  {self.root}/reports/report.html\n"
-            f"Open in a browser: {self.root}/reports/report.html\n",
+            f"Open in a browser: {self.root}/reports/report.html\n"
+            f"The program: {self.build}/app/kinestat; to install it: scripts/package.sh, which "
+            f"makes packages,\nor: cmake --install {self.build} --prefix ~/.local\n",
         )
 
     def test_names_no_page_that_was_not_written(self) -> None:
@@ -83,6 +86,10 @@ class RunScript(unittest.TestCase):
         asked = (self.root / "log").read_text(encoding="utf-8")
         self.assertEqual(asked.count("--preset release"), 1)
         self.assertEqual(asked.count("--target kinestat"), 2)
+
+    def test_shows_how_far_the_build_is(self) -> None:
+        done = self.run_script("x.yaml")
+        self.assertIn("progress of run.sh: step %f of %t", done.stderr)
 
     def test_shows_why_a_build_failed(self) -> None:
         done = self.run_script("x.yaml", BROKEN="1")

@@ -1,0 +1,161 @@
+"""The packages: made from the program of this build, installed into an empty root, used as the
+README says, removed without a trace; the archive unpacked in a folder and used there."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tarfile
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+LARGEST = 5_000_000  # bytes of a package
+FILES = {"mechanisms/transmissions/ravigneaux.yaml", "schemas/mechanism.schema.json",
+         "examples/largest_powers.sh"}
+options = argparse.Namespace()
+
+
+def run(words: list[str], **more: object) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(words, capture_output=True, text=True, check=False, **more)
+
+
+def tree(root: Path) -> set[str]:
+    """Every file and folder, but for what dpkg notes about itself."""
+    names = {str(path.relative_to(root)) for path in root.rglob("*")}
+    return {name for name in names if not name.startswith(("var/lib/dpkg", "var/log"))}
+
+
+def readme_commands() -> list[str]:
+    """The lines of its shell blocks that call the program, and nothing that is not installed."""
+    commands = []
+    for block in re.findall(r"```(console|sh)\n(.*?)```", ROOT.joinpath("README.md").read_text(
+            encoding="utf-8"), re.DOTALL):
+        for line in block[1].splitlines():
+            line = line.removeprefix("$ ") if block[0] == "console" else line
+            is_call = line.startswith(("kinestat ", "sed ")) and "kinestat " in line
+            if is_call and (block[0] == "sh" or f"$ {line}" in block[1]):
+                commands.append(line)
+    return commands
+
+
+class Packages(unittest.TestCase):
+    folder: Path
+    deb: Path
+    archive: Path
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.folder = Path(tempfile.mkdtemp(prefix="kinestat-package."))
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        generators = "DEB;TGZ" if shutil.which("dpkg-deb") else "TGZ"
+        start = time.monotonic()
+        made = run([options.cpack, "--config", str(options.build / "CPackConfig.cmake"),
+                    "-G", generators, "-B", str(cls.folder / "made")], cwd=cls.folder)
+        print(f"packages made in {time.monotonic() - start:.1f} s", file=sys.stderr)
+        if made.returncode != 0:
+            raise AssertionError(made.stdout + made.stderr)
+        cls.archive = next((cls.folder / "made").glob("*.tar.gz"))
+        cls.deb = next((cls.folder / "made").glob("*.deb"), Path())
+
+    def use(self, program: Path, data: Path) -> None:
+        """Runs what the README shows, with the installed program and files alone."""
+        for name in FILES:
+            self.assertTrue((data / name).is_file(), name)
+        with tempfile.TemporaryDirectory(dir=self.folder) as work:
+            (Path(work) / "mechanisms").symlink_to(data / "mechanisms")
+            env = {"PATH": f"{program.parent}:/usr/bin:/bin", "HOME": work, "LC_ALL": "C"}
+            commands = readme_commands()
+            self.assertGreater(len(commands), 6)
+            ended = {}
+            for command in commands:
+                if "teeth.yaml" in command or " FILE" in command or "sweep " in command:
+                    continue  # files of the reader, and minutes of work
+                done = run(["bash", "-c", command], env=env, cwd=work)
+                ended[command] = done.returncode
+                self.assertIn(done.returncode, (0, 3), f"{command}\n{done.stderr}")
+                self.assertEqual(done.returncode == 3, command.startswith("sed"), command)
+            self.assertIn("kinestat analyze crank.yaml", ended)
+            self.assertTrue((Path(work) / "crank.yaml").is_file())
+
+    def installed(self) -> Path:
+        if not self.deb.is_file() or not shutil.which("dpkg"):
+            self.skipTest("dpkg is not installed")
+        root = Path(tempfile.mkdtemp(dir=self.folder))
+        for name in ("info", "updates"):
+            (root / "var/lib/dpkg" / name).mkdir(parents=True)
+        (root / "var/lib/dpkg/status").touch()
+        (root / "var/lib/dpkg/available").touch()
+        return root
+
+    def dpkg(self, root: Path, *words: str) -> None:
+        done = run(["dpkg", f"--root={root}", "--force-not-root", "--force-bad-path", *words],
+                   env=os.environ | {"PATH": f"/usr/sbin:/sbin:{os.environ['PATH']}"})
+        if done.returncode != 0 and os.geteuid() != 0:
+            self.skipTest(f"dpkg needs root here: {done.stderr.strip()}")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_package_in_an_empty_root(self) -> None:
+        root = self.installed()
+        before = tree(root)
+        start = time.monotonic()
+        self.dpkg(root, "--install", str(self.deb))
+        program = root / "usr/bin/kinestat"
+        data = root / "usr/share/kinestat"
+        if options.static and os.geteuid() == 0:
+            # There is nothing but the package: no shell, no library, no /dev, no /proc.
+            (root / "out").mkdir()
+            file = "/usr/share/kinestat/mechanisms/transmissions/ravigneaux.yaml"
+            for words in (["analyze", "--out", "/out"], ["report", "--out", "/out/page.html"]):
+                done = run(["chroot", str(root), "/usr/bin/kinestat", *words, file])
+                self.assertEqual((done.returncode, done.stderr), (0, ""), words)
+            print(f"installed, report and page in {time.monotonic() - start:.2f} s",
+                  file=sys.stderr)
+            self.assertIn("</html>", (root / "out/page.html").read_text(encoding="utf-8"))
+            shutil.rmtree(root / "out")
+        self.use(program, data)
+        self.dpkg(root, "--purge", "kinestat")
+        self.assertEqual(tree(root), before)
+
+    def test_archive_in_any_folder(self) -> None:
+        place = Path(tempfile.mkdtemp(prefix="a place ", dir=self.folder))
+        with tarfile.open(self.archive) as archive:
+            archive.extractall(place)
+        (top,) = place.iterdir()
+        self.use(top / "bin/kinestat", top / "share/kinestat")
+
+    def test_packages_are_small(self) -> None:
+        for package in (self.deb, self.archive):
+            if package.is_file():
+                print(f"{package.name}: {package.stat().st_size} bytes", file=sys.stderr)
+                self.assertLessEqual(package.stat().st_size, LARGEST, package.name)
+
+    def test_program_needs_no_other_file(self) -> None:
+        if not options.static or not shutil.which("readelf"):
+            self.skipTest("this build shares libraries, or readelf is not installed")
+        program = str(options.build / "app/kinestat")
+        headers = run(["readelf", "-ldW", program]).stdout
+        self.assertNotIn("INTERP", headers)
+        self.assertNotIn("(NEEDED)", headers)
+        self.assertIn("DYN (Position-Independent Executable file)", headers)
+
+    def test_lintian_finds_no_error(self) -> None:
+        if not self.deb.is_file() or not shutil.which("lintian"):
+            self.skipTest("lintian is not installed")
+        done = run(["lintian", "--allow-root", "--fail-on", "error", str(self.deb)])
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--build", type=Path, required=True)
+    parser.add_argument("--cpack", required=True)
+    parser.add_argument("--static", action="store_true")
+    options, rest = parser.parse_known_args()
+    unittest.main(argv=[sys.argv[0], *rest])
