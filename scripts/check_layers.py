@@ -29,6 +29,8 @@ THIRD_PARTY: dict[str, set[str] | None] = {
     "Eigen/": {"math"},  # and core/types.hpp, see EIGEN_CORE
     "fmt/": None,
     "CLI/": {"app"},
+    "boost/graph/": {"graph"},
+    "boost/property_map/": {"graph"},
     "boost/": {"math"},
     "gmp": {"math"},
     "klu": {"math"},
