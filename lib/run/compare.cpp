@@ -14,8 +14,8 @@ namespace kinestat {
 
 namespace {
 
-// A mechanism of the largest size that is read has a report of about this size.
-constexpr std::size_t kLargestReport = std::size_t{32} << 20U;
+// Twice that of a mechanism of the largest size that is read, for long motions.
+constexpr std::size_t kLargestReport = std::size_t{64} << 20U;
 
 std::optional<SourceFile> read_source(const std::string& path, Diagnostics& found) {
   Diagnostics wrong;

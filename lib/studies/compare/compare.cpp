@@ -2,7 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <functional>
 #include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -16,7 +22,7 @@ namespace {
 constexpr double kLargestFinite = std::numeric_limits<double>::max();
 
 // Whether it says something by itself.
-bool is_word(const ReportValue& value) {
+bool is_word(const KeptValue& value) {
   return value.type == ValueType::number || value.type == ValueType::text;
 }
 
@@ -32,7 +38,7 @@ std::string_view first_keys(std::string_view place, std::size_t count) {
 // Every place that a report has, with those above the values.
 std::unordered_set<std::string_view> places_of(const ReportValues& report) {
   std::unordered_set<std::string_view> places;
-  for (const ReportValue& value : report.items()) {
+  for (const KeptValue& value : report.items()) {
     std::string_view place = value.place;
     while (!place.empty() && places.insert(place).second) {
       place = place.substr(0, place.rfind('/'));
@@ -41,14 +47,15 @@ std::unordered_set<std::string_view> places_of(const ReportValues& report) {
   return places;
 }
 
-// The largest magnitude of each kind in each case, in SI.
+// The largest magnitude of each kind in each case, in SI. A case, a coupling, … is named by the
+// first two keys; neighbours mostly have the same.
 class Largest {
  public:
   void add(const ReportValues& report) {
-    for (const ReportValue& value : report.items()) {
+    for (const KeptValue& value : report.items()) {
       if (value.type == ValueType::number) {
         const ValueUnit& unit = report.unit_of(value);
-        double& largest = by_kind_[key_of(value.place, unit)];
+        double& largest = kinds_at(value.place)[unit.kind];
         largest =
             std::min(std::max(largest, std::abs(unit.scale.to_si(value.number))), kLargestFinite);
       }
@@ -56,42 +63,67 @@ class Largest {
   }
 
   // In the unit of the value.
-  double of(std::string_view place, const ValueUnit& unit) const {
-    return std::min(unit.scale.from_si(by_kind_.at(key_of(place, unit))), kLargestFinite);
+  double of(std::string_view place, const ValueUnit& unit) {
+    return std::min(unit.scale.from_si(kinds_at(place).at(unit.kind)), kLargestFinite);
   }
 
  private:
-  // A case, a coupling, … is named by the first two keys.
-  static std::string key_of(std::string_view place, const ValueUnit& unit) {
-    return std::string(first_keys(place, 2)) + "\n" + unit.kind;
+  using Kinds = std::map<std::string, double, std::less<>>;
+
+  Kinds& kinds_at(std::string_view place) {
+    const std::string_view keys = first_keys(place, 2);
+    if (last_ == nullptr || keys != last_keys_) {
+      const auto at = by_keys_.try_emplace(std::string(keys)).first;
+      last_keys_ = at->first;
+      last_ = &at->second;
+    }
+    return *last_;
   }
 
-  std::unordered_map<std::string, double> by_kind_;
+  std::unordered_map<std::string, Kinds> by_keys_;
+  std::string_view last_keys_;
+  Kinds* last_ = nullptr;
+};
+
+// Looks for one place after the other. Two reports mostly have theirs in one order: what follows
+// the value that was found last is tried before all places are indexed.
+class Finder {
+ public:
+  explicit Finder(const ReportValues& report) : report_(report), next_(report.items().begin()) {}
+
+  const KeptValue* find(std::string_view place) {
+    if (next_ == report_.items().end() || next_->place != place) {
+      return report_.find(place);
+    }
+    return &*next_++;
+  }
+
+ private:
+  const ReportValues& report_;
+  std::deque<KeptValue>::const_iterator next_;
 };
 
 class Comparer {
  public:
   Comparer(const ReportValues& a, const ReportValues& b, const Tolerances& tolerances)
-      : a_(a),
-        b_(b),
-        tolerances_(tolerances),
-        places_of_a_(places_of(a)),
-        places_of_b_(places_of(b)) {
+      : a_(a), b_(b), tolerances_(tolerances) {
     largest_.add(a);
     largest_.add(b);
   }
 
   ReportComparison run() {
-    for (const ReportValue& value : a_.items()) {
-      if (const ReportValue* other = b_.find(value.place)) {
+    Finder in_b(b_);
+    for (const KeptValue& value : a_.items()) {
+      if (const KeptValue* other = in_b.find(value.place)) {
         ++result_.value_count;
         compare_values(value, *other);
       } else {
         add_missing(DifferenceType::only_in_a, value);
       }
     }
-    for (const ReportValue& value : b_.items()) {
-      if (a_.find(value.place) == nullptr) {
+    Finder in_a(a_);
+    for (const KeptValue& value : b_.items()) {
+      if (in_a.find(value.place) == nullptr) {
         add_missing(DifferenceType::only_in_b, value);
       }
     }
@@ -106,10 +138,10 @@ class Comparer {
  private:
   static bool is_met(const ReportValues& values, std::string_view pattern) {
     return std::ranges::any_of(
-        values.items(), [&](const ReportValue& value) { return is_within(value.place, pattern); });
+        values.items(), [&](const KeptValue& value) { return is_within(value.place, pattern); });
   }
 
-  void compare_values(const ReportValue& a, const ReportValue& b) {
+  void compare_values(const KeptValue& a, const KeptValue& b) {
     const bool are_numbers = a.type == ValueType::number && b.type == ValueType::number;
     if (are_numbers) {
       compare_numbers(a, b);
@@ -119,14 +151,14 @@ class Comparer {
     }
   }
 
-  void compare_numbers(const ReportValue& a, const ReportValue& b) {
+  void compare_numbers(const KeptValue& a, const KeptValue& b) {
     const ValueUnit& unit = a_.unit_of(a);
     const ValueUnit& other = b_.unit_of(b);
     if (unit.dimension != other.dimension || unit.assumes != other.assumes) {
       add(DifferenceType::unit, a.place, &a, &b).other_unit = other.text;
       return;
     }
-    ReportValue converted = b;
+    KeptValue converted = b;
     if (unit.scale != other.scale) {
       converted.number = std::clamp(
           unit.scale.from_si(other.scale.to_si(b.number)), -kLargestFinite, kLargestFinite);
@@ -146,30 +178,34 @@ class Comparer {
 
   Difference& add(DifferenceType type,
                   std::string_view place,
-                  const ReportValue* a,
-                  const ReportValue* b) {
+                  const KeptValue* a,
+                  const KeptValue* b) {
     Difference difference;
     difference.type = type;
     difference.place = place;
     if (b != nullptr) {
-      difference.b = *b;
+      difference.b = b->value();
       difference.unit = b->type == ValueType::number ? b_.unit_of(*b) : ValueUnit{};
     }
     if (a != nullptr) {
-      difference.a = *a;
+      difference.a = a->value();
       difference.unit = a->type == ValueType::number ? a_.unit_of(*a) : difference.unit;
     }
     result_.differences.push_back(std::move(difference));
     return result_.differences.back();
   }
 
-  void add_missing(DifferenceType type, const ReportValue& value) {
+  void add_missing(DifferenceType type, const KeptValue& value) {
     ++result_.value_count;
     const bool is_in_a = type == DifferenceType::only_in_a;
-    const ReportValue* a = is_in_a ? &value : nullptr;
-    const ReportValue* b = is_in_a ? nullptr : &value;
+    const KeptValue* a = is_in_a ? &value : nullptr;
+    const KeptValue* b = is_in_a ? nullptr : &value;
     const ReportValues& others = is_in_a ? b_ : a_;
-    const auto& places = is_in_a ? places_of_b_ : places_of_a_;
+    auto& known = is_in_a ? places_of_b_ : places_of_a_;
+    if (!known) {
+      known = places_of(others);
+    }
+    const auto& places = *known;
     if (places.contains(value.place)) {  // one value here, several below it there
       add(is_word(value) ? DifferenceType::text : DifferenceType::no_value, value.place, a, b);
       return;
@@ -194,8 +230,9 @@ class Comparer {
   const ReportValues& a_;
   const ReportValues& b_;
   const Tolerances& tolerances_;
-  std::unordered_set<std::string_view> places_of_a_;
-  std::unordered_set<std::string_view> places_of_b_;
+  // Needed only if the other report lacks a place.
+  std::optional<std::unordered_set<std::string_view>> places_of_a_;
+  std::optional<std::unordered_set<std::string_view>> places_of_b_;
   Largest largest_;
   std::unordered_map<std::string, std::size_t> missing_;  // place, index of its difference
   ReportComparison result_;

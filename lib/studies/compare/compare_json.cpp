@@ -29,18 +29,6 @@ std::string name_of(const Json& item) {
   return at != item.end() && at->is_string() ? at->get<std::string>() : "";
 }
 
-// The keys of the cells of a row of a motion: the names of their columns, or nothing if these do
-// not fit.
-std::vector<std::string> keys_of_cells(const Json& motion, const Json& row) {
-  std::vector<std::string> keys;
-  const auto columns = motion.find("columns");
-  if (columns != motion.end() && columns->is_array() && row.is_array() &&
-      columns->size() == row.size()) {
-    std::ranges::transform(*columns, std::back_inserter(keys), name_of);
-  }
-  return keys;
-}
-
 // The keys of the items of a list: their names, or their numbers if some have none or the same, or
 // if their order means something.
 std::vector<std::string> keys_of_items(const Json& list, bool is_ordered) {
@@ -92,9 +80,9 @@ class Collector {
   // Adds a value and all that it contains.
   void add(const Visited& at) {
     if (at.value.is_number()) {
-      values_.add_number(at.place, at.value.get<double>(), unit_of(at));
+      values_.append_number(at.place, at.value.get<double>(), unit_of(at));
     } else if (at.value.is_structured() && at.value.empty()) {
-      values_.add({.place = at.place, .type = ValueType::empty, .text = {}});
+      values_.append({.place = at.place, .type = ValueType::empty, .text = {}});
     } else if (at.value.is_object()) {
       add_object(at);
     } else if (at.value.is_array()) {
@@ -174,28 +162,73 @@ class Collector {
     if (rows.value.empty()) {
       add(rows);
     }
+    const std::vector<Column> columns = columns_of(motion, rows);
     for (std::size_t r = 0; r < rows.value.size(); ++r) {
       const Json& row = rows.value[r];
-      const Visited next = rows.element(std::to_string(r), row, item_shape(rows.shape));
-      const std::vector<std::string> keys = keys_of_cells(motion, row);
-      for (std::size_t c = 0; c < keys.size(); ++c) {
-        if (keys[c] != kClosureErrorColumn) {
-          add(next.element(keys[c], row[c], item_shape(next.shape)));
-        }
+      if (columns.empty() || !row.is_array() || row.size() != columns.size()) {
+        add(rows.element(std::to_string(r), row, item_shape(rows.shape)));
+      } else {
+        add_cells(rows.place + "/" + std::to_string(r), columns, rows, row);
       }
-      if (keys.empty()) {
-        add(next);
+    }
+  }
+
+  // Of millions of cells the numbers differ alone: all else is found once a column.
+  struct Column {
+    std::string key;  // below the place of a row, with its "/"
+    ValueUnit unit;
+    bool is_compared = true;  // of two with one name, the first
+  };
+
+  std::vector<Column> columns_of(const Json& motion, const Visited& rows) const {
+    std::vector<Column> columns;
+    const auto named = motion.find("columns");
+    if (named == motion.end() || !named->is_array()) {
+      return columns;
+    }
+    const Shape* cell = item_shape(item_shape(rows.shape));
+    std::set<std::string> names = {std::string(kClosureErrorColumn)};
+    for (const Json& one : *named) {
+      const std::string name = name_of(one);
+      std::vector<std::string> labels = rows.labels;
+      labels.insert(labels.end(), {std::string(), name});
+      columns.push_back({.key = place_below("", name),
+                         .unit = units_.unit_of(cell, labels),
+                         .is_compared = names.insert(name).second});
+    }
+    return columns;
+  }
+
+  void add_cells(const std::string& place,
+                 const std::vector<Column>& columns,
+                 const Visited& rows,
+                 const Json& row) {
+    std::string at;
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      if (!columns[c].is_compared) {
+        continue;
+      }
+      at.assign(place).append(columns[c].key);
+      if (row[c].is_number()) {
+        values_.append_number(at, row[c].get<double>(), columns[c].unit);
+      } else {
+        add({.place = at,
+             .value = row[c],
+             .shape = item_shape(item_shape(rows.shape)),
+             .is_ordered = false,
+             .object = &row,
+             .labels = rows.labels});
       }
     }
   }
 
   void add_word(const Visited& at) {
     const Json& value = at.value;
-    values_.add({.place = at.place,
-                 .type = value.is_null() ? ValueType::null : ValueType::text,
-                 .text = value.is_string()    ? value.get<std::string>()
-                         : value.is_boolean() ? (value.get<bool>() ? "true" : "false")
-                                              : ""});
+    values_.append({.place = at.place,
+                    .type = value.is_null() ? ValueType::null : ValueType::text,
+                    .text = value.is_string()    ? value.get<std::string>()
+                            : value.is_boolean() ? (value.get<bool>() ? "true" : "false")
+                                                 : ""});
   }
 
   // Of every element of a map or a list; a number by name is like the number alone.
@@ -232,7 +265,7 @@ void add_codes(const Json& report, ReportValues& values) {
     }
   }
   for (const auto& [code, count] : counts) {
-    values.add_number(place_below("/diagnostics", code), count, count_unit());
+    values.append_number(place_below("/diagnostics", code), count, count_unit());
   }
 }
 

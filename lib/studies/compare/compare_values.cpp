@@ -7,6 +7,8 @@ namespace kinestat {
 
 namespace {
 
+constexpr std::size_t kBlockSize = std::size_t{1} << 16U;
+
 // The key that tolerances use for a kind: "angular_velocity".
 std::string word_of(QuantityKind kind) {
   std::string word(name_of(kind));
@@ -92,30 +94,80 @@ std::variant<ValueUnit, ExpressionError> read_unit(std::string_view text) {
                    .assumes = {}};
 }
 
-const ReportValue* ReportValues::find(std::string_view place) const {
-  const auto at = index_.find(std::string(place));
+ReportValue KeptValue::value() const {
+  return {.place = std::string(place),
+          .type = type,
+          .number = number,
+          .unit = unit,
+          .text = std::string(text)};
+}
+
+const KeptValue* ReportValues::find(std::string_view place) const {
+  for (; indexed_count_ < items_.size(); ++indexed_count_) {
+    index_.emplace(items_[indexed_count_].place, indexed_count_);
+  }
+  const auto at = index_.find(place);
   return at == index_.end() ? nullptr : &items_[at->second];
 }
 
-bool ReportValues::add(ReportValue value) {
-  if (!index_.emplace(value.place, items_.size()).second) {
+bool ReportValues::add(const ReportValue& value) {
+  if (find(value.place) != nullptr) {
     return false;
   }
-  items_.push_back(std::move(value));
+  append(value);
   return true;
 }
 
-bool ReportValues::add_number(std::string place, double number, const ValueUnit& unit) {
+bool ReportValues::add_number(std::string_view place, double number, const ValueUnit& unit) {
+  if (find(place) != nullptr) {
+    return false;
+  }
+  append_number(place, number, unit);
+  return true;
+}
+
+void ReportValues::append(const ReportValue& value) {
+  keep(value.place,
+       {.place = {},
+        .text = kept(value.text),
+        .number = value.number,
+        .unit = static_cast<std::uint32_t>(value.unit),
+        .type = value.type});
+}
+
+void ReportValues::append_number(std::string_view place, double number, const ValueUnit& unit) {
+  keep(place,
+       {.place = {},
+        .text = {},
+        .number = number,
+        .unit = index_of(unit),
+        .type = ValueType::number});
+}
+
+void ReportValues::keep(std::string_view place, KeptValue value) {
+  value.place = kept(place);
+  items_.push_back(value);
+}
+
+// Blocks stay where they are when the report moves: the deque owns them, and none is so short that
+// a string would hold it in itself.
+std::string_view ReportValues::kept(std::string_view text) {
+  if (blocks_.empty() || blocks_.back().capacity() - blocks_.back().size() < text.size()) {
+    blocks_.emplace_back().reserve(std::max(kBlockSize, text.size()));
+  }
+  std::string& block = blocks_.back();
+  const std::size_t begin = block.size();
+  block += text;
+  return std::string_view(block).substr(begin);
+}
+
+std::uint32_t ReportValues::index_of(const ValueUnit& unit) {
   const auto at = std::ranges::find(units_, unit);
-  const auto index = static_cast<std::size_t>(at - units_.begin());
+  const auto index = static_cast<std::uint32_t>(at - units_.begin());
   if (at == units_.end()) {
     units_.push_back(unit);
   }
-  return add({.place = std::move(place),
-              .type = ValueType::number,
-              .number = number,
-              .unit = index,
-              .text = {}});
+  return index;
 }
 
 }  // namespace kinestat

@@ -1,6 +1,9 @@
 // A report as a list of values, each at its place, by which two reports are compared.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -58,29 +61,57 @@ struct ReportValue {
 
 enum class ReportForm { json, csv };
 
-/// The values in the order of the report; no two have one place.
+/// A value as a report keeps it: what it says stands in the report, and lives as long.
+struct KeptValue {
+  std::string_view place;
+  std::string_view text;
+  double number = 0.0;
+  std::uint32_t unit = 0;
+  ValueType type = ValueType::null;
+
+  ReportValue value() const;
+};
+
+/// The values in the order of the report; no two have one place. Large reports have millions: a
+/// value costs its place and little more, and places are indexed only where one is looked for.
 class ReportValues {
  public:
   explicit ReportValues(ReportForm form) : form_(form) {}
 
+  ReportValues(const ReportValues&) = delete;  // values point into it
+  ReportValues& operator=(const ReportValues&) = delete;
+  ReportValues(ReportValues&&) = default;
+  ReportValues& operator=(ReportValues&&) = default;
+  ~ReportValues() = default;
+
   ReportForm form() const { return form_; }
 
-  const std::vector<ReportValue>& items() const { return items_; }
+  const std::deque<KeptValue>& items() const { return items_; }
 
-  const ValueUnit& unit_of(const ReportValue& value) const { return units_[value.unit]; }
+  const ValueUnit& unit_of(const KeptValue& value) const { return units_[value.unit]; }
 
   /// The value at a place, or null.
-  const ReportValue* find(std::string_view place) const;
+  const KeptValue* find(std::string_view place) const;
 
   /// Adds a value; false if there is one at this place, and then adds nothing.
-  bool add(ReportValue value);
-  bool add_number(std::string place, double number, const ValueUnit& unit);
+  bool add(const ReportValue& value);
+  bool add_number(std::string_view place, double number, const ValueUnit& unit);
+
+  /// The same of values whose places are known to differ.
+  void append(const ReportValue& value);
+  void append_number(std::string_view place, double number, const ValueUnit& unit);
 
  private:
+  void keep(std::string_view place, KeptValue value);
+  std::string_view kept(std::string_view text);
+  std::uint32_t index_of(const ValueUnit& unit);
+
   ReportForm form_;
-  std::vector<ReportValue> items_;
+  std::deque<KeptValue> items_;
+  std::deque<std::string> blocks_;  // of places and texts; a block never grows beyond its capacity
   std::vector<ValueUnit> units_;
-  std::unordered_map<std::string, std::size_t> index_;
+  mutable std::unordered_map<std::string_view, std::size_t> index_;
+  mutable std::size_t indexed_count_ = 0;  // of the items, from the first on
 };
 
 }  // namespace kinestat

@@ -30,8 +30,8 @@ TEST(CsvReport, HoldsValueAndStatusOfEachRow) {
   const ReportValues values =
       csv_values(csv_report("Crank,M1,statics,a.Tz,action,2.5,N*mm,solved\n"));
 
-  const ReportValue* value = values.find("/Crank/M1/statics/a.Tz/action");
-  const ReportValue* status = values.find("/Crank/M1/statics/a.Tz/action/status");
+  const KeptValue* value = values.find("/Crank/M1/statics/a.Tz/action");
+  const KeptValue* status = values.find("/Crank/M1/statics/a.Tz/action/status");
 
   ASSERT_NE(value, nullptr);
   EXPECT_EQ(value->number, 2.5);

@@ -29,7 +29,7 @@ std::string json_complaint(const std::string& text) {
 }
 
 std::string unit_at(const std::string& place, const ReportValues& values) {
-  const ReportValue* value = values.find(place);
+  const KeptValue* value = values.find(place);
   return value == nullptr ? "none"
                           : values.unit_of(*value).kind + " " + values.unit_of(*value).text;
 }
@@ -37,7 +37,7 @@ std::string unit_at(const std::string& place, const ReportValues& values) {
 TEST(JsonReport, HoldsValuesAtTheirPlaces) {
   const ReportValues values = json_values(json_report(R"(, "cases": {"up/down": {"ratio": 2.5}})"));
 
-  const ReportValue* ratio = values.find("/cases/up~1down/ratio");
+  const KeptValue* ratio = values.find("/cases/up~1down/ratio");
 
   ASSERT_NE(ratio, nullptr);
   EXPECT_EQ(ratio->number, 2.5);

@@ -54,6 +54,28 @@ TEST(Compare, SaysByHowMuchNumbersDiffer) {
   EXPECT_DOUBLE_EQ(result.differences[0].allowed, 2.5e-9);
 }
 
+TEST(Compare, FindsPlacesInAnyOrder) {
+  const std::string a = R"({"ratio": 2.0, "efficiency": 0.5, "torque_ratio": 1.0})";
+
+  EXPECT_EQ(differences(
+                with_case(a),
+                with_case(R"({"torque_ratio": 1.0, "efficiency": 0.5, "ratio": 3.0, "rank": 1})")),
+            (List{"number /cases/M1/ratio", "only in B /cases/M1/rank"}));
+  EXPECT_EQ(differences(with_case(a), with_case(R"({"torque_ratio": 1.0, "ratio": 2.0})")),
+            List{"only in A /cases/M1/efficiency"});
+}
+
+TEST(Compare, OfTwoColumnsWithOneNameTakesTheFirst) {
+  const auto motion = [](const std::string& row) {
+    return json_report(R"(, "motion": {"columns": [{"name": "t"}, {"name": "t"}], "rows": [)" +
+                       row + "]}");
+  };
+
+  EXPECT_EQ(differences(motion("[1.0, 2.0]"), motion("[1.0, 3.0]")), List{});
+  EXPECT_EQ(differences(motion("[1.0, 2.0]"), motion("[2.0, 2.0]")),
+            List{"number /motion/rows/0/t"});
+}
+
 TEST(Compare, LetsRoundingPass) {
   EXPECT_EQ(differences(with_case(R"({"ratio": 2.0})"), with_case(R"({"ratio": 2.000000001})")),
             List{});
