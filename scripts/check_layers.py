@@ -33,6 +33,7 @@ THIRD_PARTY: dict[str, set[str] | None] = {
     "boost/property_map/": {"graph"},
     "boost/": {"math"},
     "gmp": {"math"},
+    "xxhash": {"io"},
     "klu": {"math"},
     "suitesparse/": {"math"},
     "sys/": None,

@@ -5,17 +5,28 @@
 
 #include <fmt/format.h>
 
+// Compiled here, for this source alone.
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 namespace kinestat {
 
 namespace {
 
 constexpr std::string_view kWord = "chunk";
 
+std::string digits_of(std::uint64_t hash) {
+  return fmt::format("{:016x}", hash);
+}
+
 // What the hash covers: everything but itself.
 std::string record_hash(const ChunkRecord& record, std::string_view plan) {
-  std::string text = fmt::format("{} {} {}\n", plan, record.index, record.note);
-  text += record.body;
-  return hash_of(text);
+  const std::string head = fmt::format("{} {} {}\n", plan, record.index, record.note);
+  XXH3_state_t state;
+  XXH3_64bits_reset(&state);
+  XXH3_64bits_update(&state, head.data(), head.size());
+  XXH3_64bits_update(&state, record.body.data(), record.body.size());
+  return digits_of(XXH3_64bits_digest(&state));
 }
 
 // The words of a line up to the last wanted one, which takes the rest.
@@ -44,13 +55,7 @@ std::optional<std::uint64_t> whole_number(const std::string& text) {
 }  // namespace
 
 std::string hash_of(std::string_view text) {
-  constexpr std::uint64_t kBasis = 14695981039346656037U;
-  constexpr std::uint64_t kPrime = 1099511628211U;
-  std::uint64_t hash = kBasis;
-  for (const char c : text) {
-    hash = (hash ^ static_cast<unsigned char>(c)) * kPrime;
-  }
-  return fmt::format("{:016x}", hash);
+  return digits_of(XXH3_64bits(text.data(), text.size()));
 }
 
 std::string write_record(const ChunkRecord& record, std::string_view plan) {

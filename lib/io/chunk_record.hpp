@@ -9,8 +9,8 @@
 
 namespace kinestat {
 
-/// A number of 64 bits that all bytes of a text decide (Fowler, Noll and Vo, FNV-1a), as 16
-/// hexadecimal digits. It tells damage and mix-ups, not forgery.
+/// A number of 64 bits that all bytes of a text decide (XXH3), as 16 hexadecimal digits. It tells
+/// damage and mix-ups, not forgery.
 std::string hash_of(std::string_view text);
 
 /// One piece. The note is one line about the body.
