@@ -34,6 +34,7 @@ THIRD_PARTY: dict[str, set[str] | None] = {
     "boost/": {"math"},
     "gmp": {"math"},
     "xxhash": {"io"},
+    "sha2.h": {"core"},
     "klu": {"math"},
     "suitesparse/": {"math"},
     "sys/": None,
