@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utf8proc.h>
 
 #include <fmt/format.h>
 
@@ -72,11 +73,22 @@ bool is_control(std::string_view text, std::size_t at, char32_t code) {
   return is_c0 || (code >= kDelete && code <= kLastC1 && code != kNextLine);
 }
 
-// Spaces and marks of format that leave no trace on the screen.
+// What leaves no trace on the screen: spaces, marks of format, and what Unicode says to pass by
+// where it is not known. Marks that change the character before them are seen in it.
 bool is_invisible(char32_t code) {
-  return code <= 0x20 || (code >= kDelete && code <= 0xA0) || code == 0xAD ||
-         (code >= 0x2000 && code <= 0x200F) || (code >= 0x2028 && code <= 0x202F) ||
-         (code >= 0x2060 && code <= 0x206F) || code == kInnerOrderMark;
+  const auto point = static_cast<utf8proc_int32_t>(code);
+  switch (utf8proc_category(point)) {
+    case UTF8PROC_CATEGORY_CC:
+    case UTF8PROC_CATEGORY_CF:
+    case UTF8PROC_CATEGORY_ZS:
+    case UTF8PROC_CATEGORY_ZL:
+    case UTF8PROC_CATEGORY_ZP:
+      return true;
+    case UTF8PROC_CATEGORY_MN:
+      return false;
+    default:
+      return utf8proc_get_property(point)->ignorable != 0;
+  }
 }
 
 }  // namespace
