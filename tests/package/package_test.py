@@ -39,7 +39,8 @@ def readme_commands() -> list[str]:
             encoding="utf-8"), re.DOTALL):
         for line in block[1].splitlines():
             line = line.removeprefix("$ ") if block[0] == "console" else line
-            is_call = line.startswith(("kinestat ", "sed ")) and "kinestat " in line
+            is_call = line.startswith("mkdir ") or (
+                line.startswith(("kinestat ", "sed ")) and "kinestat " in line)
             if is_call and (block[0] == "sh" or f"$ {line}" in block[1]):
                 commands.append(line)
     return commands

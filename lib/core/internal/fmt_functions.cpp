@@ -1,8 +1,9 @@
-// The functions of fmt, compiled once for all sources: its shared library takes as long to load as a
-// small file to be read, and from headers alone every source would compile them again.
+// The functions of fmt, compiled once for all sources: its shared library takes as long to load as
+// a small file to be read, and from headers alone every source would compile them again.
 #include <fmt/format-inl.h>
 
 FMT_BEGIN_NAMESPACE
+
 namespace detail {
 
 template auto thousands_sep_impl(locale_ref) -> thousands_sep_result<char>;
@@ -11,4 +12,5 @@ template auto dragonbox::to_decimal(float) noexcept -> dragonbox::decimal_fp<flo
 template auto dragonbox::to_decimal(double) noexcept -> dragonbox::decimal_fp<double>;
 
 }  // namespace detail
+
 FMT_END_NAMESPACE
