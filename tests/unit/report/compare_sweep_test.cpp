@@ -29,8 +29,8 @@ TEST(SweepRows, StandAtWhatIsVariedInSi) {
       "L [mm],N,case,F [N],status\n"
       "20,31,up,2.5,solved\n");
 
-  const ReportValue* force = values.find("/L = 0.02 m, N = 31/up/F");
-  const ReportValue* status = values.find("/L = 0.02 m, N = 31/up/status");
+  const KeptValue* force = values.find("/L = 0.02 m, N = 31/up/F");
+  const KeptValue* status = values.find("/L = 0.02 m, N = 31/up/status");
 
   ASSERT_NE(force, nullptr);
   EXPECT_EQ(force->number, 2.5);
