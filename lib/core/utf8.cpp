@@ -19,12 +19,6 @@ unsigned char byte_at(std::string_view text, std::size_t at) {
   return static_cast<unsigned char>(text[at]);
 }
 
-struct Character {
-  char32_t code = 0;
-  std::size_t size = 0;  // 0: not a character
-  bool is_truncated = false;
-};
-
 // Table 3-7 of the Unicode standard, by size: the smallest code point that needs so many bytes.
 constexpr std::array<char32_t, 5> kSmallest = {0, 0, 0x80, 0x800, 0x10000};
 
@@ -41,7 +35,17 @@ std::size_t expected_size(unsigned char first) {
   return first >= 0xF0 && first < 0xF5 ? 4 : 0;
 }
 
-Character read_character(std::string_view text, std::size_t at) {
+bool is_control(std::string_view text, std::size_t at, char32_t code) {
+  if (code == '\r') {
+    return at + 1 == text.size() || text[at + 1] != '\n';
+  }
+  const bool is_c0 = code < 0x20 && code != '\t' && code != '\n';
+  return is_c0 || (code >= kDelete && code <= kLastC1 && code != kNextLine);
+}
+
+}  // namespace
+
+Character character_at(std::string_view text, std::size_t at) {
   const unsigned char first = byte_at(text, at);
   const std::size_t size = expected_size(first);
   if (size <= 1) {
@@ -65,16 +69,31 @@ Character read_character(std::string_view text, std::size_t at) {
   return {.code = code, .size = size};
 }
 
-bool is_control(std::string_view text, std::size_t at, char32_t code) {
-  if (code == '\r') {
-    return at + 1 == text.size() || text[at + 1] != '\n';
-  }
-  const bool is_c0 = code < 0x20 && code != '\t' && code != '\n';
-  return is_c0 || (code >= kDelete && code <= kLastC1 && code != kNextLine);
+std::string utf8_of(char32_t code) {
+  std::array<utf8proc_uint8_t, 4> bytes{};
+  const auto size = utf8proc_encode_char(static_cast<utf8proc_int32_t>(code), bytes.data());
+  return {bytes.begin(), bytes.begin() + size};
 }
 
-// What leaves no trace on the screen: spaces, marks of format, and what Unicode says to pass by
-// where it is not known. Marks that change the character before them are seen in it.
+std::size_t count_characters(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, begins_character));
+}
+
+std::size_t columns_of(char32_t code) {
+  return static_cast<std::size_t>(
+      std::max(utf8proc_charwidth(static_cast<utf8proc_int32_t>(code)), 0));
+}
+
+std::size_t columns_of(std::string_view text) {
+  std::size_t columns = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const Character next = character_at(text, at);
+    columns += columns_of(next.code);
+    at += std::max<std::size_t>(next.size, 1);
+  }
+  return columns;
+}
+
 bool is_invisible(char32_t code) {
   const auto point = static_cast<utf8proc_int32_t>(code);
   switch (utf8proc_category(point)) {
@@ -91,12 +110,10 @@ bool is_invisible(char32_t code) {
   }
 }
 
-}  // namespace
-
 std::optional<BadCharacter> find_bad_character(std::string_view text) {
   std::size_t at = 0;
   while (at < text.size()) {
-    const Character next = read_character(text, at);
+    const Character next = character_at(text, at);
     if (next.size == 0) {
       const auto fault = next.is_truncated ? CharacterFault::truncated : CharacterFault::invalid;
       return BadCharacter{.fault = fault, .offset = at, .code = next.code};
@@ -116,7 +133,7 @@ std::string printable(std::string_view bytes) {
   std::string result;
   std::size_t at = 0;
   while (at < bytes.size()) {
-    const Character next = read_character(bytes, at);
+    const Character next = character_at(bytes, at);
     const bool is_break = next.code == '\n' || next.code == '\t' || next.code == '\r';
     const bool is_shown = next.size > 0 && !is_break && !is_control(bytes, at, next.code) &&
                           (next.code == ' ' || !is_invisible(next.code));
@@ -131,7 +148,7 @@ std::string printable(std::string_view bytes) {
 
 std::string foreign_character(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
-    const Character next = read_character(text, at);
+    const Character next = character_at(text, at);
     const std::size_t size = std::max<std::size_t>(next.size, 1);
     if (next.code >= kDelete || next.code < 0x20) {
       const std::string point = fmt::format("U+{:04X}", static_cast<unsigned>(next.code));

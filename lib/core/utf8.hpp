@@ -1,4 +1,5 @@
-// Which characters may stand in a text, and how bytes are shown that are none.
+// Characters of UTF-8 text: read, written, counted, measured; which may stand in a text, and how
+// bytes are shown that are none.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +11,37 @@ namespace kinestat {
 
 /// The mark that some editors put before UTF-8 text; it is not part of the text.
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+struct Character {
+  char32_t code = 0;     ///< the code point, or the byte where there is none
+  std::size_t size = 0;  ///< [bytes]; 0: not a character
+  bool is_truncated = false;
+};
+
+/// What begins at that byte: overlong forms and surrogates are no characters.
+Character character_at(std::string_view text, std::size_t at);
+
+/// Whether the byte is not inside a character.
+inline bool begins_character(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+}
+
+/// The bytes of a code point.
+std::string utf8_of(char32_t code);
+
+/// Code points of a text that is UTF-8.
+std::size_t count_characters(std::string_view text);
+
+/// The columns that a character takes in a terminal: 2 for a wide one, 0 for one that is drawn into
+/// the one before it.
+std::size_t columns_of(char32_t code);
+
+/// The columns of a text that is UTF-8.
+std::size_t columns_of(std::string_view text);
+
+/// Whether it leaves no trace on the screen: spaces, marks of format, and what Unicode says to pass
+/// by where it is not known. Marks that change the character before them are seen in it.
+bool is_invisible(char32_t code);
 
 enum class CharacterFault {
   invalid,    ///< bytes that begin no UTF-8 character, overlong forms and surrogates included

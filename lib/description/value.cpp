@@ -2,15 +2,16 @@
 
 #include <algorithm>
 
+#include "core/utf8.hpp"
+
 namespace kinestat {
 
 namespace {
 
-// Code points among the first `bytes` bytes: all bytes but continuation bytes.
+// Characters among the first `bytes` bytes.
 int characters(std::string_view text, int bytes) {
   const std::string_view part = text.substr(0, static_cast<std::size_t>(std::max(bytes, 0)));
-  return static_cast<int>(std::ranges::count_if(
-      part, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  return static_cast<int>(count_characters(part));
 }
 
 }  // namespace

@@ -1,59 +1,18 @@
 #include "draw/markup.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "core/utf8.hpp"
 
 namespace kinestat {
 
 namespace {
 
 constexpr char32_t kReplacement = 0xFFFD;
-
-// The length that the first byte of a character announces; 0 for a byte that begins none.
-std::size_t announced_length(unsigned char first) {
-  if (first < 0x80) {
-    return 1;
-  }
-  if (first >= 0xC2 && first < 0xE0) {
-    return 2;
-  }
-  if (first >= 0xE0 && first < 0xF0) {
-    return 3;
-  }
-  return first >= 0xF0 && first < 0xF5 ? 4 : 0;
-}
-
-bool is_shortest(char32_t code, std::size_t length) {
-  return length < 3 || (length == 3 ? code >= 0x800 : code >= 0x10000 && code <= 0x10FFFF);
-}
-
-bool is_surrogate(char32_t code) {
-  return code >= 0xD800 && code <= 0xDFFF;
-}
-
-// The character at `at`, which moves behind it.
-char32_t next_character(std::string_view text, std::size_t& at) {
-  const auto first = static_cast<unsigned char>(text[at]);
-  const std::size_t length = announced_length(first);
-  if (length == 0 || at + length > text.size()) {
-    ++at;
-    return kReplacement;
-  }
-  char32_t code = length == 1 ? first : first & (0x7FU >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    const auto next = static_cast<unsigned char>(text[at + i]);
-    if ((next & 0xC0U) != 0x80U) {
-      ++at;
-      return kReplacement;
-    }
-    code = (code << 6U) | (next & 0x3FU);
-  }
-  at += length;
-  return is_shortest(code, length) && !is_surrogate(code) ? code : kReplacement;
-}
 
 // What XML 1.0 forbids or discourages: controls and non-characters.
 char32_t allowed(char32_t code) {
@@ -64,31 +23,14 @@ char32_t allowed(char32_t code) {
   return is_control || (code & 0xFFFEU) == 0xFFFE ? kReplacement : code;
 }
 
-void append(char32_t code, std::string& text) {
-  const auto tail = [&text](char32_t bits) { text += static_cast<char>(0x80U | (bits & 0x3FU)); };
-  if (code < 0x80) {
-    text += static_cast<char>(code);
-  } else if (code < 0x800) {
-    text += static_cast<char>(0xC0U | (code >> 6U));
-    tail(code);
-  } else if (code < 0x10000) {
-    text += static_cast<char>(0xE0U | (code >> 12U));
-    tail(code >> 6U);
-    tail(code);
-  } else {
-    text += static_cast<char>(0xF0U | (code >> 18U));
-    tail(code >> 12U);
-    tail(code >> 6U);
-    tail(code);
-  }
-}
-
 }  // namespace
 
 std::u32string code_points(std::string_view text) {
   std::u32string result;
   for (std::size_t at = 0; at < text.size();) {
-    result += next_character(text, at);
+    const Character next = character_at(text, at);
+    result += next.size > 0 ? next.code : kReplacement;
+    at += std::max<std::size_t>(next.size, 1);
   }
   return result;
 }
@@ -114,7 +56,7 @@ std::string escape_markup(std::string_view text) {
         result += "&#39;";
         break;
       default:
-        append(allowed(code), result);
+        result += utf8_of(allowed(code));
     }
   }
   return result;

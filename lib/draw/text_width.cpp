@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/utf8.hpp"
 #include "draw/markup.hpp"
 
 namespace kinestat {
@@ -41,7 +42,7 @@ double character_width(char32_t code, Weight weight) {
 }
 
 bool is_inside_character(std::string_view text, std::size_t at) {
-  return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+  return at < text.size() && !begins_character(text[at]);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "core/utf8.hpp"
 #include "format/sections/sections.hpp"
 
 namespace kinestat {
@@ -16,12 +17,6 @@ namespace kinestat {
 namespace {
 
 constexpr std::size_t kWidth = 95;
-
-// Characters, not bytes.
-std::size_t columns_of(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
 
 std::string form_text(const FormShape& shape) {
   if (shape.kind == FormKind::flag) {

@@ -62,7 +62,7 @@ SourceRange place(std::string_view text, std::size_t offset) {
     if (text[i] == '\n') {
       ++where.line;
       where.column = 1;
-    } else if (is_character_start(text[i])) {
+    } else if (begins_character(text[i])) {
       ++where.column;
     }
   }

@@ -36,21 +36,26 @@ std::string_view line_of(std::string_view text, int number) {
   return line;
 }
 
-// Spaces up to the column; tabs stay tabs so that the caret stands below its place.
-std::string indent_to(std::string_view line, int column) {
-  std::string result;
-  int at = 1;
-  for (const char c : line) {
-    if (at >= column) {
-      break;
+// What stands below some characters of a line: spaces up to the first, carets below the others.
+// Tabs stay tabs, and wide characters have two, so that carets stand below their places.
+std::string marks_below(std::string_view line, int column, int length) {
+  std::string spaces;
+  std::string carets;
+  int number = 1;
+  for (std::size_t at = 0; at < line.size() && number < column + length; ++number) {
+    const Character next = character_at(line, at);
+    const std::size_t width = columns_of(next.code);
+    if (number < column) {
+      spaces += next.code == '\t' ? std::string("\t") : std::string(width, ' ');
+    } else {
+      carets += std::string(width, '^');
     }
-    if ((static_cast<unsigned char>(c) & 0xC0U) == 0x80U) {
-      continue;
-    }
-    result += c == '\t' ? '\t' : ' ';
-    ++at;
+    at += std::max<std::size_t>(next.size, 1);
   }
-  return result + std::string(static_cast<std::size_t>(std::max(0, column - at)), ' ');
+  if (number < column) {  // behind the end of the line
+    spaces += std::string(static_cast<std::size_t>(column - number), ' ');
+  }
+  return spaces + (carets.empty() ? "^" : carets);
 }
 
 // Whether a terminal may show the characters in another order than they stand.
@@ -68,11 +73,10 @@ std::string excerpt(const SourceFile& source, const SourceRange& where) {
   if (where.line == 0 || !can_be_shown) {
     return {};
   }
-  return fmt::format("{:5} | {}\n      | {}{}\n",
+  return fmt::format("{:5} | {}\n      | {}\n",
                      where.line,
                      line,
-                     indent_to(line, where.column),
-                     std::string(static_cast<std::size_t>(std::clamp(where.length, 1, 100)), '^'));
+                     marks_below(line, where.column, std::clamp(where.length, 1, 100)));
 }
 
 std::string place(const SourceFile& source, const SourceRange& where) {

@@ -3,22 +3,18 @@
 #include <algorithm>
 
 #include "core/contract.hpp"
+#include "core/utf8.hpp"
 
 namespace kinestat {
 
 namespace {
-
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
 
 std::string line(const std::vector<std::string>& cells,
                  const std::vector<std::size_t>& widths,
                  const std::string& indent) {
   std::string result = indent;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::string padding(widths[i] - width(cells[i]), ' ');
+    const std::string padding(widths[i] - columns_of(cells[i]), ' ');
     result += i == 0 ? cells[i] + padding : "  " + padding + cells[i];
   }
   result.erase(result.find_last_not_of(' ') + 1);
@@ -37,11 +33,11 @@ void Table::add(std::vector<std::string> row) {
 std::string Table::text(const std::string& indent) const {
   std::vector<std::size_t> widths;
   for (const std::string& cell : head_) {
-    widths.push_back(width(cell));
+    widths.push_back(columns_of(cell));
   }
   for (const auto& row : rows_) {
     for (std::size_t i = 0; i < row.size(); ++i) {
-      widths[i] = std::max(widths[i], width(row[i]));
+      widths[i] = std::max(widths[i], columns_of(row[i]));
     }
   }
   std::string result = line(head_, widths, indent);

@@ -2,22 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <string>
 
 #include <fmt/format.h>
+
+#include "core/utf8.hpp"
 
 namespace kinestat {
 
 namespace {
 
-struct CodePoint {
-  std::uint32_t value = 0;
-  int length = 0;  // [bytes]; 0: not UTF-8
-};
-
 struct Advice {
-  std::uint32_t value = 0;
+  char32_t value = 0;
   std::string_view hint;
 };
 
@@ -69,29 +65,8 @@ constexpr auto kAdvice = std::to_array<Advice>({
     {0xFEFF, "remove this invisible character"},
 });
 
-std::uint8_t byte_at(std::string_view text, std::size_t at) {
-  return at < text.size() ? static_cast<std::uint8_t>(text[at]) : std::uint8_t{0};
-}
-
-CodePoint decode(std::string_view text, std::size_t at) {
-  const std::uint32_t first = byte_at(text, at);
-  if (first < 0x80U) {
-    return {first, 1};
-  }
-  const int length = first >= 0xF0U ? 4 : first >= 0xE0U ? 3 : first >= 0xC0U ? 2 : 0;
-  std::uint32_t value = length == 0 ? 0U : first & (0x7FU >> static_cast<unsigned>(length));
-  for (int i = 1; i < length; ++i) {
-    const std::uint32_t next = byte_at(text, at + static_cast<std::size_t>(i));
-    if ((next & 0xC0U) != 0x80U) {
-      return {first, 0};
-    }
-    value = (value << 6U) | (next & 0x3FU);
-  }
-  return length == 0 ? CodePoint{first, 0} : CodePoint{value, length};
-}
-
-std::string hint_for(std::uint32_t value) {
-  constexpr std::uint32_t kFullWidth = 0xFEE0U;  // from an ASCII character to its wide form
+std::string hint_for(char32_t value) {
+  constexpr char32_t kFullWidth = 0xFEE0U;  // from an ASCII character to its wide form
   if (value > kFullWidth + ' ' && value <= kFullWidth + '~') {
     return fmt::format("write {}", static_cast<char>(value - kFullWidth));
   }
@@ -101,29 +76,18 @@ std::string hint_for(std::uint32_t value) {
              : std::string("names are made of the letters A-Z and a-z, digits and '_'");
 }
 
-// Control characters and invisible ones are not repeated to the terminal.
-bool is_visible(std::uint32_t value) {
-  const bool is_control = value < 0x20U || (value >= 0x7FU && value <= 0xA0U);
-  const bool is_format = (value >= 0x2000U && value <= 0x200FU) ||
-                         (value >= 0x2028U && value <= 0x202FU) ||
-                         (value >= 0x2060U && value <= 0x206FU) || value == 0xFEFFU;
-  return !is_control && !is_format;
-}
-
 ExpressionError foreign(std::string_view text, std::size_t at) {
-  const CodePoint point = decode(text, at);
-  ExpressionError error{.offset = static_cast<int>(at),
-                        .length = std::max(point.length, 1),
-                        .code = "E0308",
-                        .message = fmt::format("byte 0x{:02X} is not UTF-8 text", point.value),
-                        .hint = "save the file as UTF-8"};
-  if (point.length > 0) {
-    const auto length = static_cast<std::size_t>(point.length);
-    const std::string shown =
-        is_visible(point.value) ? fmt::format("'{}' ", text.substr(at, length)) : std::string();
-    error.message =
-        fmt::format("character {}(U+{:04X}) cannot stand in an expression", shown, point.value);
-    error.hint = hint_for(point.value);
+  const Character found = character_at(text, at);
+  ExpressionError error{
+      .offset = static_cast<int>(at),
+      .length = std::max(static_cast<int>(found.size), 1),
+      .code = "E0308",
+      .message = fmt::format("byte 0x{:02X} is not UTF-8 text", static_cast<unsigned>(found.code)),
+      .hint = "save the file as UTF-8"};
+  if (found.size > 0) {
+    error.message = fmt::format("character {} cannot stand in an expression",
+                                foreign_character(text.substr(at, found.size)));
+    error.hint = hint_for(found.code);
   }
   return error;
 }

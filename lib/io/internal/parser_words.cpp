@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "core/utf8.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -79,7 +81,7 @@ std::string word_at(const YamlText& text, std::size_t at) {
     --end;
   }
   end = std::clamp(end, at + 1, at + kLongest);
-  while (!text.is_end(end) && !is_character_start(text[end])) {
+  while (!text.is_end(end) && !begins_character(text[end])) {
     ++end;
   }
   return std::string(text.part(at, end));

@@ -12,7 +12,7 @@ namespace {
 int count_characters(const std::string& text, std::size_t begin, std::size_t end) {
   const auto first = text.begin() + static_cast<std::ptrdiff_t>(begin);
   const auto last = text.begin() + static_cast<std::ptrdiff_t>(end);
-  return static_cast<int>(std::count_if(first, last, is_character_start));
+  return static_cast<int>(std::count_if(first, last, begins_character));
 }
 
 }  // namespace

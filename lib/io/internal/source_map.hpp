@@ -10,11 +10,6 @@
 
 namespace kinestat {
 
-/// True for every byte of UTF-8 text that is not the continuation of a character.
-inline bool is_character_start(char byte) {
-  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-}
-
 /// Owns a text without its byte order mark, and finds places in it. Offsets count bytes, columns
 /// count characters. Questions in rising order are cheap, also in one very long line.
 class SourceMap {

@@ -29,10 +29,8 @@ void refuse(SourceRange where, std::string message, std::string hint, Diagnostic
 SourceRange place_of(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
   const std::size_t line_start = before.rfind('\n') + 1;  // 0 if there is none
-  const auto is_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
   return {.line = 1 + static_cast<int>(std::ranges::count(before, '\n')),
-          .column =
-              1 + static_cast<int>(std::ranges::count_if(before.substr(line_start), is_character)),
+          .column = 1 + static_cast<int>(count_characters(before.substr(line_start))),
           .length = 1};
 }
 

@@ -33,11 +33,10 @@ int digits_of(const Difference& difference) {
 
 // Printable, without its end if it is long; characters stay whole.
 std::string shortened(const std::string& text) {
-  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
   std::string shown = printable(text);
   if (shown.size() > kLongestText) {
     std::size_t end = kLongestText;
-    while (end > 0 && continues(shown[end])) {
+    while (end > 0 && !begins_character(shown[end])) {
       --end;
     }
     shown = shown.substr(0, end) + "…";

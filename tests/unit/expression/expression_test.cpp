@@ -273,11 +273,11 @@ INSTANTIATE_TEST_SUITE_P(
         SyntaxFault{"at_most_sign", "a \xE2\x89\xA4 2", 2, 3, "E0308", "U+2264", "write <="},
         SyntaxFault{"greek_pi", "2*\xCF\x80", 2, 2, "E0308", "U+03C0", "write pi"},
         SyntaxFault{"true_minus", "\xE2\x88\x92\x33", 0, 3, "E0308", "U+2212", "write -"},
-        SyntaxFault{"no_break_space", "5\xC2\xA0mm", 1, 2, "E0308", "character (U+00A0)", "space"},
+        SyntaxFault{"no_break_space", "5\xC2\xA0mm", 1, 2, "E0308", "character U+00A0", "space"},
         SyntaxFault{"outside_the_basic_plane", "\xF0\x9F\x94\xA7", 0, 4, "E0308", "U+1F527", "A-Z"},
         SyntaxFault{"broken_utf8", "1 \xC3", 2, 1, "E0308", "0xC3", "UTF-8"},
         SyntaxFault{"stray_continuation", "\x80", 0, 1, "E0308", "0x80", "UTF-8"},
-        SyntaxFault{"control_character", "1 + \x01", 4, 1, "E0308", "(U+0001)", "names"}),
+        SyntaxFault{"control_character", "1 + \x01", 4, 1, "E0308", "character U+0001", "names"}),
     name_of_case);
 
 }  // namespace
