@@ -96,8 +96,9 @@ std::set<std::string, std::less<>> find_uncompared_names() {
 
 bool is_compared(std::string_view quantity) {
   static const std::set<std::string, std::less<>> uncompared = find_uncompared_names();
-  const std::vector<std::string_view> names = keys_of(fmt::format("/{}", quantity));
-  return std::ranges::none_of(names, [](std::string_view one) { return uncompared.contains(one); });
+  const std::string place = fmt::format("/{}", quantity);
+  return std::ranges::none_of(keys_of(place),
+                              [](std::string_view one) { return uncompared.contains(one); });
 }
 
 // In tables counts of mobility are the numbers that are written as whole ones.
