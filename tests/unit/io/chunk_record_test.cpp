@@ -10,10 +10,10 @@
 namespace kinestat {
 namespace {
 
-// What reading finds in a file of these bytes.
+// What reading finds in a file of these bytes; tests that run side by side have one each.
 RecordState state_of(const std::string& text, const std::string& plan, ChunkRecord& record) {
-  const std::string path =
-      (std::filesystem::path(testing::TempDir()) / "chunk_record_test.txt").string();
+  const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+  const std::string path = (std::filesystem::path(testing::TempDir()) / (name + ".txt")).string();
   std::ofstream(path, std::ios::binary) << text;
   const RecordState state = RecordFile(path).read_record(plan, record);
   std::remove(path.c_str());

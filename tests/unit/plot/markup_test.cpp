@@ -32,14 +32,15 @@ TEST(Markup, PutsLineEndsAndTabsAsSpaces) {
   EXPECT_EQ(escape_markup("a\tb\nc"), "a b c");
 }
 
-// A byte that begins none, one that is cut off, an overlong form, a surrogate, too large a number.
+// A byte that begins none, one that is cut off, overlong forms, a surrogate, too large a number:
+// one mark a byte, as the Unicode standard allows (section 3.9).
 TEST(Markup, ReplacesBytesThatAreNoCharacters) {
   EXPECT_EQ(escape_markup("\x80"), "\uFFFD");
   EXPECT_EQ(escape_markup("a\xE2\x82"), "a\uFFFD\uFFFD");
   EXPECT_EQ(escape_markup("\xC0\xBC"), "\uFFFD\uFFFD");
-  EXPECT_EQ(escape_markup("\xED\xA0\x80"), "\uFFFD");
-  EXPECT_EQ(escape_markup("\xF4\x90\x80\x80"), "\uFFFD");
-  EXPECT_EQ(escape_markup("\xE0\x80\xBC"), "\uFFFD");
+  EXPECT_EQ(escape_markup("\xED\xA0\x80"), "\uFFFD\uFFFD\uFFFD");
+  EXPECT_EQ(escape_markup("\xF4\x90\x80\x80"), "\uFFFD\uFFFD\uFFFD\uFFFD");
+  EXPECT_EQ(escape_markup("\xE0\x80\xBC"), "\uFFFD\uFFFD\uFFFD");
 }
 
 TEST(Markup, WritesCoordinatesShortly) {
