@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "expression/parse/limits.hpp"
-#include "expression/parse/number_text.hpp"
+#include "expression/parse/decimal_to_double.hpp"
 #include "expression/parse/parser.hpp"
 #include "expression/parse/scanner.hpp"
 

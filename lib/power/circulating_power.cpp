@@ -37,6 +37,7 @@ CirculatingPower circulating_among(const std::vector<int>& bodies,
   for (std::size_t i = 0; i < net.size(); ++i) {
     if (is_member(net[i].from) && is_member(net[i].to)) {
       power.arcs.push_back(i);
+      power.largest = std::max(power.largest, net[i].power);
       power.rolls = power.rolls || rolls(meshes, net[i].coupling);
     }
   }
@@ -60,6 +61,17 @@ std::vector<CirculatingPower> find_circulating_power(int body_count,
     result.push_back(circulating_among(part, net, meshes));
   }
   return result;
+}
+
+std::optional<double> find_recirculation(const std::vector<PowerArc>& net, double input) {
+  if (!(input > 0.0)) {
+    return std::nullopt;
+  }
+  double largest = 0.0;
+  for (const PowerArc& arc : net) {
+    largest = std::max(largest, arc.power);
+  }
+  return largest / input;
 }
 
 }  // namespace kinestat

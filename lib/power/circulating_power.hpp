@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/types.hpp"
@@ -16,6 +17,7 @@ struct PowerArc;
 struct CirculatingPower {
   std::vector<BodyId> bodies;     ///< in the sense of the flow where that is a single circle
   std::vector<std::size_t> arcs;  ///< indices into PowerGraph::net, likewise
+  double largest = 0.0;           ///< power of its arcs [W]
   bool rolls = false;             ///< whether a mesh among them rolls, and so loses power
 };
 
@@ -23,5 +25,9 @@ struct CirculatingPower {
 std::vector<CirculatingPower> find_circulating_power(int body_count,
                                                      const std::vector<PowerArc>& net,
                                                      const std::vector<MeshPower>& meshes);
+
+/// γ, the recirculation factor: the largest of the `net` powers over the power of the inputs [W].
+/// Above one only where power circulates; empty without input.
+std::optional<double> find_recirculation(const std::vector<PowerArc>& net, double input);
 
 }  // namespace kinestat

@@ -35,16 +35,10 @@ class GraphBuilder {
       add_to(which_.loads[i].acts.body, flow_.loads[i]);
     }
     const std::vector<Mesh> meshes = find_meshes(topology_, mechanism_.geometry);
-    find_mesh_powers(meshes);
+    graph_.meshes = find_mesh_powers(mechanism_, motion_, action_, flow_, meshes);
     graph_.net = find_net_powers(mechanism_, motion_, action_, meshes, graph_.arcs);
     graph_.circulating = find_circulating_power(topology_.body_count(), graph_.net, graph_.meshes);
-    if (flow_.input > 0.0) {
-      double largest = 0.0;
-      for (const PowerArc& arc : graph_.net) {
-        largest = std::max(largest, arc.power);
-      }
-      graph_.recirculation = largest / flow_.input;
-    }
+    graph_.recirculation = find_recirculation(graph_.net, flow_.input);
     return std::move(graph_);
   }
 
@@ -82,19 +76,6 @@ class GraphBuilder {
     if (powers) {
       powers->received += std::max(power, 0.0);
       powers->given += std::max(-power, 0.0);
-    }
-  }
-
-  void find_mesh_powers(const std::vector<Mesh>& meshes) {
-    for (const Mesh& mesh : meshes) {
-      const auto e = static_cast<std::size_t>(mesh.coupling.value);
-      if (mesh.carrier && flow_.into_head[e]) {
-        const BoundedTwist on_carrier = bounded_body(motion_, topology_.couplings[e].head) -
-                                        bounded_body(motion_, *mesh.carrier);
-        const BoundedNumber rolling = power(*bounded_wrench(action_, mesh.coupling), on_carrier);
-        graph_.meshes.push_back(
-            {.coupling = mesh.coupling, .carrier = *mesh.carrier, .rolling = rolling.zeroed()});
-      }
     }
   }
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "kinematics/kinematic_solution.hpp"
-#include "mechanism/gears/mesh.hpp"
 #include "mechanism/mechanism.hpp"
 #include "power/circulating_power.hpp"
+#include "power/mesh_power.hpp"
 #include "power/power_flow.hpp"
 #include "statics/static_solution.hpp"
 
@@ -29,14 +29,6 @@ struct BodyPower {
   double given = 0.0;
 };
 
-/// Teeth seen from their carrier, where only what rolls transmits power.
-struct MeshPower {
-  CouplingId coupling;
-  BodyId carrier;
-  double rolling = 0.0;  ///< into the head in the carrier's frame [W]; |rolling| is what losses of
-                         ///< the mesh are a share of (rolling, latent or potential power)
-};
-
 /// Seen from the ground, so that a train that turns as a block carries power too. Couplings whose
 /// wrench is open are left out, and with them the balance of their bodies.
 struct PowerGraph {
@@ -50,7 +42,7 @@ struct PowerGraph {
   std::vector<std::optional<BodyPower>> bodies;  ///< of all bodies; the ground, at rest, has zeros
   std::vector<MeshPower> meshes;                 ///< those whose carrier is known
   std::vector<CirculatingPower> circulating;
-  /// γ: largest power of `net` over the input, if any.
+  /// γ: what find_recirculation says of `net`, if there is an input.
   std::optional<double> recirculation;
 };
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "statics/mesh_loss.hpp"
+#include "statics/mesh_loss_law.hpp"
 #include "statics/static_solution.hpp"
 
 namespace kinestat {

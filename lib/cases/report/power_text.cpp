@@ -54,16 +54,12 @@ std::string circle_text(const Topology& topology,
 std::string loops_text(const Topology& topology, const PowerGraph& graph, const InUnits& in) {
   std::string text;
   for (const CirculatingPower& loop : graph.circulating) {
-    double largest = 0.0;
-    for (const std::size_t arc : loop.arcs) {
-      largest = std::max(largest, graph.net[arc].power);
-    }
     const std::string_view teeth = graph.meshes.empty() ? ""
                                    : loop.rolls         ? "; its teeth roll"
                                                         : "; no teeth roll in it";
     text += fmt::format("  power circulates: {}, up to {} {}{}\n",
                         circle_text(topology, graph, loop),
-                        format_short(in.power(largest)),
+                        format_short(in.power(loop.largest)),
                         in.units().text(QuantityKind::power),
                         teeth);
   }

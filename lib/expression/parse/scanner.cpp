@@ -6,7 +6,7 @@
 
 #include "expression/parse/characters.hpp"
 #include "expression/parse/number_format_errors.hpp"
-#include "expression/parse/number_text.hpp"
+#include "expression/parse/decimal_to_double.hpp"
 
 namespace kinestat {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
-#include "expression/parse/number_text.hpp"
+#include "expression/parse/decimal_to_double.hpp"
 #include "io/yaml_tree.hpp"
 
 namespace kinestat {

@@ -1,4 +1,4 @@
-#include "expression/parse/number_text.hpp"
+#include "expression/parse/decimal_to_double.hpp"
 
 #include <charconv>
 #include <cmath>

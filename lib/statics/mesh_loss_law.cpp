@@ -1,4 +1,4 @@
-#include "statics/mesh_loss.hpp"
+#include "statics/mesh_loss_law.hpp"
 
 #include <algorithm>
 #include <utility>
