@@ -69,6 +69,7 @@ constinit const CouplingKind kUniversal = {
     .keys = kKeysOfUniversal,
     .mechanics = &kMechanicsOfUniversal,
     .is_in_plane = false,
+    .is_bearing = true,
     .space_symbol = SpaceSymbol::cross,
 };
 
