@@ -13,10 +13,11 @@ class ContractViolation : public std::logic_error {
 
 }  // namespace kinestat
 
-/// Checks a condition that only a bug can break; active in release builds too.
-#define KINESTAT_EXPECTS(condition)                                        \
-  do {                                                                     \
-    if (!(condition)) {                                                    \
-      throw ::kinestat::ContractViolation(#condition, __FILE__, __LINE__); \
-    }                                                                      \
+/// Checks a condition that only a bug can break; active in release builds too. The name of the file
+/// has no folders, so that the program is the same wherever its sources are.
+#define KINESTAT_EXPECTS(condition)                                             \
+  do {                                                                          \
+    if (!(condition)) {                                                         \
+      throw ::kinestat::ContractViolation(#condition, __FILE_NAME__, __LINE__); \
+    }                                                                           \
   } while (false)

@@ -75,6 +75,7 @@ constinit const CouplingKind kCable = {
     .keys = kKeysOfCable,
     .mechanics = &kMechanicsOfCable,
     .needs_place = false,
+    .frees_more_in_space = true,
 };
 
 }  // namespace kinestat

@@ -31,6 +31,7 @@ constinit const CouplingKind kClutch = {
     .example = "{type: clutch, bodies: [shaft, drum], at: [0, 0]}",
     .keys = kKeysOfClutches,
     .mechanics = &kMechanicsOfClutch,
+    .is_hinge = true,
     .space_symbol = SpaceSymbol::hinge,
     .engages = true,
 };
@@ -44,6 +45,7 @@ constinit const CouplingKind kBrake = {
     .example = "{type: brake, bodies: [frame, ring], at: [0, 0]}",
     .keys = kKeysOfClutches,
     .mechanics = &kMechanicsOfClutch,
+    .is_hinge = true,
     .space_symbol = SpaceSymbol::hinge,
     .engages = true,
 };

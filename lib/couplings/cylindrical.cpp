@@ -58,6 +58,8 @@ constinit const CouplingKind kCylindrical = {
     .keys = kKeysOfCylindrical,
     .mechanics = &kMechanicsOfCylindrical,
     .is_in_plane = false,
+    .is_hinge = true,
+    .is_bearing = true,
     .space_symbol = SpaceSymbol::sleeve,
 };
 

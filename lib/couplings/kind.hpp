@@ -75,10 +75,13 @@ struct CouplingKind {
   std::span<const KindKey> keys = {};
   const KindMechanics* mechanics = nullptr;
   FrictionKind friction = FrictionKind::no_law;
-  bool is_in_plane = true;  ///< may stand in a planar mechanism
-  bool is_in_space = true;  ///< may stand in a spatial one
-  bool needs_place = true;  ///< 'at', without which it is only counted
+  bool is_in_plane = true;           ///< may stand in a planar mechanism
+  bool is_in_space = true;           ///< may stand in a spatial one
+  bool needs_place = true;           ///< 'at', without which it is only counted
+  bool frees_more_in_space = false;  ///< than it does in the plane
   Teeth teeth = Teeth::none;
+  bool is_hinge = false;     ///< its bodies turn about one axis
+  bool is_bearing = false;   ///< holds one body in another, as guides do
   bool only_pushes = false;  ///< surfaces that part rather than pull
   PlanarSymbol planar_symbol = PlanarSymbol::pin;
   SpaceSymbol space_symbol = SpaceSymbol::square;

@@ -62,6 +62,7 @@ struct CarriedParts {
                                            ///< follow; empty: with the tail
   Carried forces = kWithTail;
   Carried couples = kWithTail;
+  bool couple_is_across_turns = false;  ///< of its first two freedoms, as they are moved
   Follows place = Follows::tail;
   bool are_found_anew = false;  ///< from where the bodies touch in the moved position
 

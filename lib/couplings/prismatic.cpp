@@ -52,6 +52,7 @@ constinit const CouplingKind kPrismatic = {
     .mechanics = &kMechanicsOfPrismatic,
     .friction = FrictionKind::guide,
     .needs_place = false,
+    .is_bearing = true,
     .planar_symbol = PlanarSymbol::block,
     .space_symbol = SpaceSymbol::box,
 };

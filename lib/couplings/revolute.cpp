@@ -59,6 +59,8 @@ constinit const CouplingKind kRevolute = {
     .keys = kKeysOfRevolute,
     .mechanics = &kMechanicsOfRevolute,
     .friction = FrictionKind::journal,
+    .is_hinge = true,
+    .is_bearing = true,
     .space_symbol = SpaceSymbol::hinge,
 };
 

@@ -60,6 +60,7 @@ constinit const CouplingKind kSpherical = {
     .keys = kKeysOfSpherical,
     .mechanics = &kMechanicsOfSpherical,
     .is_in_plane = false,
+    .is_bearing = true,
     .space_symbol = SpaceSymbol::ball,
 };
 

@@ -52,7 +52,9 @@ constexpr auto kFreedomsOfUniversal = std::to_array<Carried>({kWithTail, kWithHe
 constinit const KindMechanics kMechanicsOfUniversal = {
     .screws = screws_by(write_universal),
     .law = law_of_universal,
-    .carried = {.freedoms = kFreedomsOfUniversal, .forces = kAtTail, .couples = kAtTail},
+    .carried = {.freedoms = kFreedomsOfUniversal,
+                .forces = kAtTail,
+                .couple_is_across_turns = true},
     .upgrades = upgrades_of_universal,
 };
 
@@ -67,6 +69,7 @@ constinit const CouplingKind kUniversal = {
     .keys = kKeysOfUniversal,
     .mechanics = &kMechanicsOfUniversal,
     .is_in_plane = false,
+    .is_bearing = true,
     .space_symbol = SpaceSymbol::cross,
 };
 

@@ -10,6 +10,8 @@
 
 #include "core/contract.hpp"
 #include "core/utf8.hpp"
+#include "couplings/coupling_catalogue.hpp"
+#include "couplings/kinds.hpp"
 #include "format/sections/sections.hpp"
 
 namespace kinestat {
@@ -111,17 +113,7 @@ class KeyTable {
     }
   }
 
-  const std::string& text() const { return text_; }
-
- private:
-  // But for keys of which another place has told the same.
-  void add_below(const FormKey& key, std::size_t indent) {
-    std::vector<FormKey> below = keys_of(key.shape);
-    std::erase_if(below, [&](const FormKey& one) {
-      return told_.contains({std::string(one.key), std::string(one.meaning)});
-    });
-    add(below, indent + 2);
-  }
+  void add_line(const std::string& line) { text_ += line + "\n"; }
 
   void add_wrapped(std::string_view words, std::size_t indent) {
     std::string line(indent, ' ');
@@ -139,9 +131,57 @@ class KeyTable {
     text_ += line + "\n";
   }
 
+  const std::string& text() const { return text_; }
+
+ private:
+  // But for keys of which another place has told the same.
+  void add_below(const FormKey& key, std::size_t indent) {
+    std::vector<FormKey> below = keys_of(key.shape);
+    std::erase_if(below, [&](const FormKey& one) {
+      return told_.contains({std::string(one.key), std::string(one.meaning)});
+    });
+    add(below, indent + 2);
+  }
+
   std::string text_;
   std::set<std::pair<std::string, std::string>> told_;  // keys with their meaning
 };
+
+// Axes of turning and normals along z, what slides along x; of two axes the first along x.
+CouplingGeometry usual_geometry(const CouplingKind& kind) {
+  const Axis z = {.direction = Vec3::UnitZ(), .keyword = 'z'};
+  const Axis x = {.direction = Vec3::UnitX(), .keyword = 'x'};
+  const bool turns = takes(kind, CouplingKey::turning_axis) || takes(kind, CouplingKey::normal);
+  CouplingGeometry geometry;
+  geometry.axis = turns ? z : x;
+  geometry.second = takes(kind, CouplingKey::axes) ? z : x;
+  return geometry;
+}
+
+template <class Named>
+std::string names_of(const std::vector<Named>& all) {
+  std::string text;
+  for (const Named& one : all) {
+    text += (text.empty() ? "" : " ") + one.name;
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string kind_line(std::string_view type, std::string_view freedoms, std::string_view actions) {
+  return fmt::format("  {:<16}{:<21}{}", type, freedoms, actions);
+}
+
+void add_kind(const CouplingKind& kind, KeyTable& table) {
+  const CouplingScrews screws = coupling_screws(
+      kind.type, kind.is_in_space ? Space::spatial : Space::planar, usual_geometry(kind));
+  const bool is_listed = takes(kind, CouplingKey::freedoms);
+  table.add_line(kind_line(kind.word,
+                           is_listed ? "as listed" : names_of(screws.freedoms),
+                           is_listed      ? "as listed"
+                           : kind.engages ? "of its own name"
+                                          : names_of(screws.constraints)));
+  table.add_wrapped(kind.meaning, 18);
+}
 
 }  // namespace
 
@@ -151,6 +191,15 @@ std::string key_table(std::string_view section) {
   KINESTAT_EXPECTS(at != file.keys.end());
   KeyTable table;
   table.add(keys_of(at->shape), 2);
+  return table.text();
+}
+
+std::string coupling_table() {
+  KeyTable table;
+  table.add_line(kind_line("type", "freedoms", "actions"));
+  for (const CouplingKind* kind : coupling_kinds()) {
+    add_kind(*kind, table);
+  }
   return table.text();
 }
 

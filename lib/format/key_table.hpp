@@ -11,6 +11,10 @@ namespace kinestat {
 /// example on one line, the meaning under it. Lines have at most 95 columns.
 std::string key_table(std::string_view section);
 
+/// The types of couplings: what each frees and bears, named by axes along those of the world, the
+/// meaning under it.
+std::string coupling_table();
+
 /// The sections themselves; `page_of` names the page of help of a section, if it has one.
 std::string section_table(const std::function<std::string(std::string_view section)>& page_of);
 

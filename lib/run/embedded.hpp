@@ -9,7 +9,8 @@ namespace kinestat {
 std::span<const EmbeddedText> embedded_starters();
 
 /// Pages of help; the first line of each is its title. A line "{{keys SECTION}}" stands for the
-/// keys of a section of the format, "{{sections}}" for the sections.
+/// keys of a section of the format, "{{sections}}" for the sections, "{{types}}" for the types of
+/// couplings, "{{units}}" for the units.
 std::span<const EmbeddedText> embedded_topics();
 
 /// An example for each diagnostic code, named by the code. A line begins with "- " if it stands in

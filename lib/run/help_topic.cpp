@@ -58,6 +58,9 @@ std::string table_of(std::string_view line, const EmbeddedText& page) {
   if (line == "{{units}}") {
     return list_of_units();
   }
+  if (line == "{{types}}") {
+    return coupling_table();
+  }
   KINESTAT_EXPECTS(line == "{{sections}}");
   return section_table([&](std::string_view section) {
     const std::string other = page_of(section);

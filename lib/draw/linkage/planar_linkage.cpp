@@ -218,7 +218,8 @@ class PlanarDrawing : private PlanarDrawer {
         continue;
       }
       const CouplingTopology& coupling = topology_.coupling(*point.coupling);
-      const bool has_slot = coupling.type == pin_in_slot && coupling.head == body;
+      const bool has_slot =
+          kind_of(coupling.type).planar_symbol == PlanarSymbol::slot && coupling.head == body;
       const bool has_rod =
           coupling.type == prismatic && coupling.tail == body && guide_body(coupling).value != 0;
       if (has_slot || has_rod) {

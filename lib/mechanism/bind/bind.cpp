@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "couplings/kinds.hpp"
 #include "description/cable_expansion.hpp"
 #include "description/gear_expansion.hpp"
 #include "mechanism/bind/graph_binder.hpp"
@@ -258,11 +259,10 @@ std::optional<Mechanism> bind_in_space(const MechanismDescription& description,
 }
 
 bool frees_more_in_space(const MechanismDescription& description) {
-  using enum CouplingType;
   return description.space == Space::planar &&
          std::ranges::any_of(description.couplings, [](const CouplingDescription& coupling) {
-           return coupling.type == cable || coupling.type == point_contact ||
-                  coupling.type == cam || coupling.contact || !coupling.constraints.empty();
+           return kind_of(coupling.type).frees_more_in_space || coupling.contact ||
+                  !coupling.constraints.empty();
          });
 }
 

@@ -33,7 +33,7 @@ bool DirectionBinder<Scalar>::check_in_plane(const AxisOf<Scalar>& axis,
   }
   refuse(where,
          turns ? fmt::format("{} of a planar mechanism turns about z", title())
-         : coupling_.type == CouplingType::prismatic
+         : takes(kind_of(coupling_.type), CouplingKey::sliding_axis)
              ? fmt::format("{} of a planar mechanism slides in the plane", title())
              : fmt::format("a direction of {} leaves the plane", title()),
          turns ? "remove 'axis', or write 'space: spatial' at the top of the file"

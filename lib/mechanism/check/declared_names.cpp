@@ -11,14 +11,14 @@ namespace kinestat {
 
 namespace {
 
-DriveKind kind_of(const CouplingDescription& coupling, const std::optional<Name>& freedom) {
+DriveKind drive_kind_of(const CouplingDescription& coupling, const std::optional<Name>& freedom) {
   using enum CouplingType;
   if (freedom && !freedom->text.empty()) {
     const char first = freedom->text.front();
     return first == 'v' ? DriveKind::sliding
                         : (first == 'w' ? DriveKind::turning : DriveKind::unknown);
   }
-  if (coupling.type == prismatic) {
+  if (takes(kind_of(coupling.type), CouplingKey::sliding_axis)) {
     return DriveKind::sliding;
   }
   if (coupling.type == screws) {
@@ -85,7 +85,7 @@ class NameCollector {
       const auto at = by_name_.find(actuator.coupling.text);
       add_actuator(
           actuator.name,
-          at == by_name_.end() ? DriveKind::unknown : kind_of(*at->second, actuator.freedom));
+          at == by_name_.end() ? DriveKind::unknown : drive_kind_of(*at->second, actuator.freedom));
       taken_.emplace(actuator.name.text, actuator.name.where);
     }
   }

@@ -89,8 +89,8 @@ class Mover {
       const auto i = static_cast<std::size_t>(coupling_.first_action + a);
       const Wrench& screw = mechanism_.geometry.actions[i];
       const bool is_couple = mechanism_.topology.actions[i].is_couple;
-      if (coupling_.type == CouplingType::universal && is_couple) {
-        result_.actions.push_back(couple_of_cross(screw));
+      if (is_couple && carried_.couple_is_across_turns) {
+        result_.actions.push_back(couple_across_turns(screw));
         continue;
       }
       const auto [line, moment] =
@@ -99,13 +99,13 @@ class Mover {
     }
   }
 
-  // Across both axes of a universal coupling, on the side where it was drawn.
-  Wrench couple_of_cross(const Wrench& drawn) const {
-    const Vec3& first = drawn_.geometry.axis.direction;
-    const Vec3& second = drawn_.geometry.second.direction;
-    const double side = first.cross(second).dot(drawn.moment) < 0.0 ? -1.0 : 1.0;
-    const Vec3 across =
-        poses_.tail.direction(first).cross(poses_.head.direction(second)).normalized();
+  // On the side on which it was drawn.
+  Wrench couple_across_turns(const Wrench& drawn) const {
+    const auto first = static_cast<std::size_t>(coupling_.first_freedom);
+    const Vec3& one = mechanism_.geometry.motions[first].angular;
+    const Vec3& other = mechanism_.geometry.motions[first + 1].angular;
+    const double side = one.cross(other).dot(drawn.moment) < 0.0 ? -1.0 : 1.0;
+    const Vec3 across = result_.motions[0].angular.cross(result_.motions[1].angular).normalized();
     return unit_couple<double>(side * across);
   }
 

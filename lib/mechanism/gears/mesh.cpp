@@ -170,8 +170,7 @@ class CarrierSearch {
 }  // namespace
 
 bool is_hinge(CouplingType type) {
-  using enum CouplingType;
-  return type == revolute || type == cylindrical || type == clutch || type == brake;
+  return kind_of(type).is_hinge;
 }
 
 std::vector<Mesh> find_meshes(const Topology& topology, const Geometry& geometry) {

@@ -11,9 +11,7 @@ namespace kinestat {
 namespace {
 
 bool is_bearing(CouplingType type) {
-  using enum CouplingType;
-  return type == revolute || type == cylindrical || type == spherical || type == universal ||
-         type == prismatic;
+  return kind_of(type).is_bearing;
 }
 
 class GearReader {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "couplings/kinds.hpp"
 #include "format/sections/sections.hpp"
 
 namespace kinestat {
@@ -39,6 +40,25 @@ TEST(KeyTable, NamesEverySectionAndThePagesThatAreKnown) {
   }
   EXPECT_NE(table.find("; help sweeps"), std::string::npos);
   EXPECT_NE(table.find("\n  x-"), std::string::npos);
+}
+
+TEST(CouplingTable, SaysOfEveryTypeWhatItFreesBearsAndMeans) {
+  const std::string table = coupling_table();
+
+  for (const CouplingKind* kind : coupling_kinds()) {
+    EXPECT_NE(("\n" + table).find("\n  " + std::string(kind->word) + " "), std::string::npos)
+        << kind->word;
+  }
+  EXPECT_TRUE(has_line(table, "  revolute        wz                   Rx Ry Rz Tx Ty")) << table;
+  EXPECT_TRUE(has_line(table, "  prismatic       vx                   Ry Rz Tx Ty Tz"));
+  EXPECT_TRUE(has_line(table, "  universal       wx wz                Rx Ry Rz Ty"));
+  EXPECT_TRUE(has_line(table, "  planar          wz vx vy             Rz Tx Ty"));
+  EXPECT_TRUE(has_line(table, "  line_contact    wx wz vx vy          Rz Ty"));
+  EXPECT_TRUE(has_line(table, "  pin_in_slot     wz vx                Ry"));
+  EXPECT_TRUE(has_line(table, "  rigid           none                 Rx Ry Rz Tx Ty Tz"));
+  EXPECT_TRUE(has_line(table, "  clutch          wz                   of its own name"));
+  EXPECT_TRUE(has_line(table, "  screws          as listed            as listed"));
+  EXPECT_TRUE(has_line(table, "                  slides along an axis: 1 freedom; needs axis"));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "mechanism/couplings/internal/coupling_binder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -18,7 +19,45 @@ namespace kinestat {
 namespace {
 
 constexpr std::string_view kAxisHint = "add axis: x, y, z, -x, … or a vector";
-constexpr std::string_view kNormalHint = "add normal: x, y, z, -x, … or a vector";
+
+/// A key that gives a direction.
+struct DirectionKey {
+  CouplingKey key;
+  std::string_view word;
+  std::optional<AxisDescription> CouplingDescription::*direction;
+  DirectionRole role;
+  std::string_view hint;              ///< where it lacks
+  std::string_view hint_across = {};  ///< where it is not perpendicular to the one before it
+};
+
+constexpr auto kDirections = std::to_array<DirectionKey>({
+    {CouplingKey::turning_axis,
+     "axis",
+     &CouplingDescription::axis,
+     DirectionRole::turning,
+     kAxisHint},
+    {CouplingKey::sliding_axis,
+     "axis",
+     &CouplingDescription::axis,
+     DirectionRole::in_plane,
+     kAxisHint},
+    {CouplingKey::normal,
+     "normal",
+     &CouplingDescription::normal,
+     DirectionRole::in_plane,
+     "add normal: x, y, z, -x, … or a vector"},
+    {CouplingKey::line,
+     "line",
+     &CouplingDescription::line,
+     DirectionRole::in_plane,
+     "add line: the direction of the line along which the bodies touch",
+     "the line lies in both surfaces, the normal is perpendicular to them"},
+    {CouplingKey::slot,
+     "slot",
+     &CouplingDescription::slot,
+     DirectionRole::in_plane,
+     "add slot: x or a vector"},
+});
 
 template <class Scalar>
 Scalar radians_of_a_turn() {
@@ -65,48 +104,45 @@ class GeometryBinder {
   }
 
   void bind_directions() {
-    using enum CouplingKey;
     const CouplingKind& kind = kind_of(coupling_.type);
     if (kind.teeth != Teeth::none) {
       bind_teeth();
-    } else if (takes(kind, axes)) {
+    } else if (takes(kind, CouplingKey::axes)) {
       bind_universal();
-    } else if (takes(kind, line)) {
-      bind_line_contact();
-    } else if (takes(kind, normal)) {
-      bind_axis(coupling_.normal, "normal", DirectionRole::in_plane, kNormalHint);
-    } else if (takes(kind, slot)) {
-      bind_axis(coupling_.slot, "slot", DirectionRole::in_plane, "add slot: x or a vector");
-    } else if (takes(kind, turning_axis)) {
-      bind_axis(coupling_.axis, "axis", DirectionRole::turning, kAxisHint);
-    } else if (takes(kind, sliding_axis)) {
-      bind_axis(coupling_.axis, "axis", DirectionRole::in_plane, kAxisHint);
+    } else {
+      bind_listed(kind);
     }
   }
 
-  void bind_axis(const std::optional<AxisDescription>& direction,
-                 std::string_view key,
-                 DirectionRole role,
-                 std::string_view hint) {
-    take(directions_.bind(direction, key, role, hint), geometry_.axis);
+  // The first direction that the kind takes, and a second perpendicular to it.
+  void bind_listed(const CouplingKind& kind) {
+    const int errors_before = found_.error_count();
+    const DirectionKey* first = nullptr;
+    for (const KindKey& own : kind.keys) {
+      const auto* const one = std::ranges::find(kDirections, own.key, &DirectionKey::key);
+      if (one == kDirections.end()) {
+        continue;
+      }
+      take(directions_.bind(coupling_.*one->direction, one->word, one->role, one->hint),
+           first == nullptr ? geometry_.axis : geometry_.second);
+      if (first != nullptr && found_.error_count() == errors_before) {
+        check_perpendicular(*first, *one);
+      }
+      first = one;
+    }
   }
 
-  void bind_line_contact() {
-    using enum DirectionRole;
-    const int errors_before = found_.error_count();
-    bind_axis(coupling_.normal, "normal", in_plane, kNormalHint);
-    take(directions_.bind(coupling_.line,
-                          "line",
-                          in_plane,
-                          "add line: the direction of the line along which the bodies touch"),
-         geometry_.second);
-    if (found_.error_count() == errors_before && coupling_.line && coupling_.normal) {
-      directions_.check_perpendicular(
-          geometry_.axis,
-          geometry_.second,
-          coupling_.line->where,
-          fmt::format("the line of {} is not perpendicular to its normal", directions_.title()),
-          "the line lies in both surfaces, the normal is perpendicular to them");
+  // Of a coupling that is only counted both may be missing.
+  void check_perpendicular(const DirectionKey& first, const DirectionKey& second) {
+    if (coupling_.*first.direction && coupling_.*second.direction) {
+      directions_.check_perpendicular(geometry_.axis,
+                                      geometry_.second,
+                                      (coupling_.*second.direction)->where,
+                                      fmt::format("the {} of {} is not perpendicular to its {}",
+                                                  second.word,
+                                                  directions_.title(),
+                                                  first.word),
+                                      second.hint_across);
     }
   }
 
@@ -141,7 +177,8 @@ class GeometryBinder {
     if (coupling_.screw) {
       geometry_.relative = bind_screw(*coupling_.screw);
     } else {
-      bind_axis(coupling_.axis, "axis", DirectionRole::turning, kAxisHint);
+      take(directions_.bind(coupling_.axis, "axis", DirectionRole::turning, kAxisHint),
+           geometry_.axis);
     }
     if (found_.error_count() == errors_before) {
       take(bind_line_of_action<Scalar>(coupling_, space_, geometry_.axis, evaluator_, found_),
