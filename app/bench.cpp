@@ -35,7 +35,7 @@ void add_bench(CLI::App& command, Job& job) {
   add_strict(command, options->files);
   with_value(command,
              command.add_option("--case", options->choice.case_label, "one case; default all"),
-             "LABEL");
+             "CASE");
   add_count(
       command,
       "--rounds",

@@ -6,7 +6,7 @@ namespace kinestat::app {
 
 namespace {
 
-constexpr std::array<Command, 19> kCommands = {{
+constexpr std::array<Command, 20> kCommands = {{
     {"new", "Write a commented mechanism file to begin with.", add_new},
     {"check", "Read and validate the files; say 'ok' for each that is well-formed.", add_check},
     {"analyze", "Run every pass that the cases of the files ask for.", add_analyze},
@@ -27,7 +27,8 @@ constexpr std::array<Command, 19> kCommands = {{
     {"plot", "Draw one picture of a file: charts, graphs, mechanisms.", add_plot},
     {"explain", "Explain a diagnostic code by an example, or list all codes.", add_explain},
     {"schema", "Print the JSON Schema of mechanism files and of what is written.", add_schema},
-    {"help", "Explain a topic, such as the format or the signs.", add_help},
+    {"completion", "Print what bash, zsh or fish reads to complete words.", add_completion, true},
+    {"help", "Explain a topic, such as the format or the signs.", add_help, true},
 }};
 
 }  // namespace

@@ -32,12 +32,14 @@ void add_plot(CLI::App& command, Job& job);
 void add_new(CLI::App& command, Job& job);
 void add_schema(CLI::App& command, Job& job);
 void add_explain(CLI::App& command, Job& job);
+void add_completion(CLI::App& command, Job& job);
 void add_help(CLI::App& command, Job& job);
 
 struct Command {
   std::string_view name;
   std::string_view summary;  ///< one line, for the list of commands
   void (*add_options)(CLI::App& command, Job& job);
+  bool looks_at_others = false;  ///< at what the other commands declare
 };
 
 /// In the order of help.

@@ -25,7 +25,7 @@ void add_matrices(CLI::App& command, GraphOptions& options) {
                                 options.case_label,
                                 "the case whose known magnitudes partition M_N\n"
                                 "and A_N; default the first"),
-             "LABEL");
+             "CASE");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "command.hpp"
+#include "man_page.hpp"
 #include "run/help_topic.hpp"
 
 namespace kinestat::app {
@@ -15,17 +16,23 @@ std::vector<std::string> words_of_help(const CLI::App& app) {
   return names;
 }
 
+const CLI::App* command_of(const CLI::App& app, const std::string& word) {
+  return word.empty() ? nullptr : app.get_subcommand_no_throw(word);
+}
+
+bool is_topic(const std::string& word) {
+  const std::vector<std::string> topics = help_topics();
+  return std::ranges::find(topics, word) != topics.end();
+}
+
 // The page of a topic, the help of a command, or that of the program for "commands". A topic may
 // have the name of a command, whose own help is that of --help.
 Outcome help(const CLI::App& app, const std::string& word) {
-  const std::vector<std::string> topics = help_topics();
-  if (std::ranges::find(topics, word) != topics.end()) {
+  if (is_topic(word)) {
     return help_topic(word, {});
   }
-  for (const CLI::App* command : app.get_subcommands({})) {
-    if (command->get_name() == word) {
-      return {.out = command->help(app.get_name()), .err = {}};
-    }
+  if (const CLI::App* command = command_of(app, word)) {
+    return {.out = command->help(app.get_name()), .err = {}};
   }
   if (word == "commands") {
     return {.out = app.get_formatter()->make_help(&app, app.get_name(), {}), .err = {}};
@@ -33,17 +40,46 @@ Outcome help(const CLI::App& app, const std::string& word) {
   return help_topic(word, words_of_help(app));
 }
 
+// The same for man(1): of the program, of a command, or of a topic, whose section is 7.
+Outcome manual(const CLI::App& app, const std::string& word) {
+  const std::string topic = word.ends_with(".7") ? word.substr(0, word.size() - 2) : word;
+  if (word.empty()) {
+    return {.out = man_page_of_program(app, help_topics()), .err = {}};
+  }
+  if (const CLI::App* command = command_of(app, word)) {
+    return {.out = man_page_of_command(*command, help_topic("exit-status", {}).out), .err = {}};
+  }
+  return is_topic(topic) ? Outcome{.out = man_page_of_topic(topic, help_topic(topic, {}).out), .err = {}}
+                         : help_topic(word, words_of_help(app));
+}
+
+struct HelpChoice {
+  std::string word;
+  bool is_for_man = false;
+};
+
 }  // namespace
 
 void add_help(CLI::App& command, Job& job) {
   command.footer(
       "  kinestat help\n"
       "  kinestat help signs\n"
-      "  kinestat help analyze\n");
-  auto word = std::make_shared<std::string>();
-  add_argument(command, "TOPIC", *word, "a topic, or the name of a command; without it, the list");
-  command.callback([word, &command, &job] {
-    job = [word, &command] { return help(*command.get_parent(), *word); };
+      "  kinestat help analyze\n"
+      "  kinestat help --man analyze | man -l -\n");
+  auto choice = std::make_shared<HelpChoice>();
+  add_argument(
+      command, "TOPIC", choice->word, "a topic, or the name of a command; without it, the list");
+  add_flag(
+      command,
+      "--man",
+      [choice] { choice->is_for_man = true; },
+      "as a page for man(1); motion.7 is a topic that\n"
+      "has the name of a command");
+  command.callback([choice, &command, &job] {
+    job = [choice, &command] {
+      const CLI::App& app = *command.get_parent();
+      return choice->is_for_man ? manual(app, choice->word) : help(app, choice->word);
+    };
   });
 }
 

@@ -9,14 +9,6 @@ namespace {
 constexpr std::size_t kCommandColumn = 12;
 constexpr std::size_t kOptionColumn = 28;
 
-// A text of its own marks an argument that is needed, but missed by the command itself.
-std::string positional_of(const CLI::Option& option) {
-  const bool is_list = option.get_expected_max() >= CLI::detail::expected_max_vector_size;
-  const std::string name = option.get_name(true) + (is_list ? "..." : "");
-  const bool is_needed = option.get_required() || !option.get_option_text().empty();
-  return is_needed ? name : "[" + name + "]";
-}
-
 std::string commands_of(const CLI::App& app) {
   std::ostringstream list;
   for (const CLI::App* command : app.get_subcommands({})) {
@@ -27,7 +19,7 @@ std::string commands_of(const CLI::App& app) {
 
 std::string options_of(const CLI::App& app) {
   std::ostringstream list;
-  for (const CLI::Option* option : app.get_options()) {
+  for (const CLI::Option* option : shown_options(app)) {
     if (option->nonpositional()) {
       const bool takes_value = option->get_expected_max() > 0;
       const std::string type = takes_value ? " " + option->get_type_name() : "";
@@ -40,22 +32,41 @@ std::string options_of(const CLI::App& app) {
 
 }  // namespace
 
+std::vector<const CLI::Option*> shown_options(const CLI::App& app) {
+  return app.get_options([](const CLI::Option* option) { return !option->get_group().empty(); });
+}
+
+// A text of its own marks an argument that is needed, but missed by the command itself.
+std::string argument_of(const CLI::Option& option) {
+  const bool is_list = option.get_expected_max() >= CLI::detail::expected_max_vector_size;
+  const std::string name = option.get_name(true) + (is_list ? "..." : "");
+  const bool is_needed = option.get_required() || !option.get_option_text().empty();
+  return is_needed ? name : "[" + name + "]";
+}
+
+std::string usage_of(const CLI::App& app) {
+  std::string use = app.get_subcommands({}).empty() ? "[OPTION]..." : "COMMAND [OPTION]...";
+  for (const CLI::Option* option : shown_options(app)) {
+    if (option->get_positional()) {
+      use += " " + argument_of(*option);
+    }
+  }
+  return use;
+}
+
 std::string HelpFormat::make_help(const CLI::App* app,
                                   std::string name,
                                   CLI::AppFormatMode /*mode*/) const {
-  std::ostringstream use;
   std::ostringstream list;
-  use << name << (app->get_subcommands({}).empty() ? "" : " COMMAND") << " [OPTION]...";
-  for (const CLI::Option* option : app->get_options()) {
+  for (const CLI::Option* option : shown_options(*app)) {
     if (option->get_positional()) {
-      const std::string argument = positional_of(*option);
-      use << " " << argument;
-      CLI::detail::format_help(list, argument, option->get_description(), kOptionColumn);
+      CLI::detail::format_help(
+          list, argument_of(*option), option->get_description(), kOptionColumn);
     }
   }
   const std::string arguments = list.str().empty() ? "" : "\n" + list.str();
-  return app->get_description() + "\n\nExamples:\n" + app->get_footer() + "\nUsage: " + use.str() +
-         "\n" + arguments + commands_of(*app) + options_of(*app);
+  return app->get_description() + "\n\nExamples:\n" + app->get_footer() + "\nUsage: " + name + " " +
+         usage_of(*app) + "\n" + arguments + commands_of(*app) + options_of(*app);
 }
 
 }  // namespace kinestat::app

@@ -93,7 +93,7 @@ class CommandLine {
 Outcome parse_and_run(const std::vector<std::string>& words) {
   const std::span<const Command> all = kinestat::app::commands();
   const auto named = std::ranges::find_if(all, [&words](const Command& one) {
-    return !words.empty() && words.front() == one.name && one.name != "help";
+    return !words.empty() && words.front() == one.name && !one.looks_at_others;
   });
   if (named != all.end()) {
     CommandLine line({named, 1});

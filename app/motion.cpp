@@ -18,7 +18,7 @@ void add_motion_choice(CLI::App& command, MotionChoice& choice) {
                                 choice.drive,
                                 "the actuator that drives, before what the\n"
                                 "file says; its motion needs --to then"),
-             "NAME");
+             "ACTUATOR");
   with_value(command,
              command.add_option(
                  "--from", choice.from, "where its motion begins, from the drawn\nposition"),
@@ -29,7 +29,7 @@ void add_motion_choice(CLI::App& command, MotionChoice& choice) {
   with_value(command, command.add_option("--steps", choice.steps, "number of steps"), "N");
   with_value(command,
              command.add_option("--case", choice.label, "the case whose speeds and loads apply"),
-             "LABEL");
+             "CASE");
   add_repeated(command,
                "--report",
                choice.report,

@@ -19,7 +19,7 @@ void add_choices(CLI::App& command, PlotChoice& choice) {
                                 choice.case_label,
                                 "the case or gear to show; default all, in\n"
                                 "pictures of one the first"),
-             "LABEL");
+             "CASE");
   add_choice<PictureForm>(
       command,
       "--emit",

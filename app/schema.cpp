@@ -10,7 +10,7 @@ void add_schema(CLI::App& command, Job& job) {
   auto name = std::make_shared<std::string>("mechanism");
   add_argument(
       command,
-      "NAME",
+      "SCHEMA",
       *name,
       "mechanism (default), report, mobility, inputs,\nsensitivity, sweep, synthesis, comparison "
       "or diagnostics");

@@ -22,9 +22,9 @@ void add_choice_options(CLI::App& command, SensitivityChoice& choice) {
                "of them without actuators",
                "VALUE");
   add_repeated(
-      command, "--by", choice.parameters, "a parameter; may be repeated; default all", "NAME");
+      command, "--by", choice.parameters, "one that varies; may be repeated; default all", "PARAMETER");
   with_value(
-      command, command.add_option("--case", choice.case_label, "one case; default all"), "LABEL");
+      command, command.add_option("--case", choice.case_label, "one case; default all"), "CASE");
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ void add_loading(CLI::App& command, LoadOptions& options) {
                "--set",
                options.overrides,
                "gives a parameter another value;\nmay be repeated",
-               "NAME=VALUE");
+               "PARAMETER=VALUE");
   const auto take = [&options](const std::string& text) {
     options.limits = ReadLimits::for_size(size_of(text));
   };

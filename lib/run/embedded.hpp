@@ -13,6 +13,9 @@ std::span<const EmbeddedText> embedded_starters();
 /// couplings, "{{units}}" for the units.
 std::span<const EmbeddedText> embedded_topics();
 
+/// Scripts that complete the words of a command line, named by their shell.
+std::span<const EmbeddedText> embedded_completions();
+
 /// An example for each diagnostic code, named by the code. A line begins with "- " if it stands in
 /// the wrong version only, with "+ " if in the right one only, else with two spaces.
 std::span<const EmbeddedText> embedded_examples();

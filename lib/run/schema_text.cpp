@@ -28,21 +28,28 @@ std::vector<ReportKind> written_kinds() {
 
 }  // namespace
 
+std::vector<std::string> schema_names() {
+  std::vector<std::string> names = {"mechanism"};
+  for (const ReportKind& kind : written_kinds()) {
+    names.emplace_back(kind.name);
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
 Outcome schema_text(const std::string& name) {
   Outcome outcome;
   if (name == "mechanism") {
     outcome.out = mechanism_schema();
     return outcome;
   }
-  std::vector<std::string> names = {"mechanism"};
   for (const ReportKind& kind : written_kinds()) {
     if (kind.name == name) {
       outcome.out = schema_text_of(kind.name, *kind.record);
       return outcome;
     }
-    names.emplace_back(kind.name);
   }
-  std::ranges::sort(names);
+  const std::vector<std::string> names = schema_names();
   const std::string guess = did_you_mean(name, names);
   add_message("E0101",
               fmt::format("there is no schema '{}'", printable(name)),

@@ -1,0 +1,50 @@
+#include <algorithm>
+
+#include "command.hpp"
+#include "completion_candidates.hpp"
+#include "run/completion_script.hpp"
+
+namespace kinestat::app {
+
+namespace {
+
+// What the scripts ask for: a line that says which paths fit, then a candidate a line, its meaning
+// behind a tab.
+std::string lines_of(const CompletionCandidates& candidates) {
+  std::string text = candidates.paths == PathKind::files     ? "files\n"
+                     : candidates.paths == PathKind::folders ? "folders\n"
+                                                             : "words\n";
+  for (const Candidate& one : candidates.words) {
+    text += one.word + (one.meaning.empty() ? "" : "\t" + one.meaning) + "\n";
+  }
+  return text;
+}
+
+struct Completion {
+  std::string shell;
+  std::vector<std::string> words;
+};
+
+}  // namespace
+
+void add_completion(CLI::App& command, Job& job) {
+  command.footer(
+      "  source <(kinestat completion bash)\n"
+      "  kinestat completion zsh > ~/.zfunc/_kinestat\n"
+      "  kinestat completion fish | source\n");
+  auto completion = std::make_shared<Completion>();
+  add_argument(command, "SHELL", completion->shell, "bash, zsh or fish").required();
+  // Behind the word `candidates`, for the scripts alone.
+  add_argument(command, "WORDS", completion->words, "").group("");
+  command.callback([completion, &command, &job] {
+    job = [completion, &command]() -> Outcome {
+      if (completion->shell == kCandidates) {
+        return {.out = lines_of(completion_candidates(*command.get_parent(), completion->words)),
+                .err = {}};
+      }
+      return completion_script(completion->shell);
+    };
+  });
+}
+
+}  // namespace kinestat::app

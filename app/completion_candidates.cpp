@@ -1,0 +1,206 @@
+#include "completion_candidates.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+#include "core/codes.hpp"
+#include "run/file_names.hpp"
+#include "run/help_topic.hpp"
+#include "run/plot.hpp"
+#include "run/schema_text.hpp"
+#include "run/starter.hpp"
+
+namespace kinestat::app {
+
+namespace {
+
+using Words = std::span<const std::string>;
+
+bool takes_value(const CLI::Option& option) {
+  return option.get_expected_max() > 0;
+}
+
+std::vector<Candidate> without_meaning(const std::vector<std::string>& words) {
+  std::vector<Candidate> candidates;
+  for (const std::string& word : words) {
+    candidates.push_back({.word = word, .meaning = {}});
+  }
+  return candidates;
+}
+
+// The names in the first of the words that is a file.
+FileNames names_of(Words words) {
+  const auto file = std::ranges::find_if(words, [](const std::string& word) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(word, ignored);
+  });
+  return file == words.end() ? FileNames{} : names_in_file(*file);
+}
+
+std::vector<Candidate> parameters_of(Words words) {
+  std::vector<Candidate> candidates = without_meaning(names_of(words).parameters);
+  for (Candidate& one : candidates) {
+    one.word += '=';
+  }
+  return candidates;
+}
+
+std::vector<Candidate> commands_of(const CLI::App& app) {
+  std::vector<Candidate> candidates;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    candidates.push_back({.word = command->get_name(), .meaning = command->get_description()});
+  }
+  return candidates;
+}
+
+std::vector<Candidate> topics_of(const CLI::App& app) {
+  std::vector<Candidate> candidates = without_meaning(help_topics());
+  const std::vector<Candidate> commands = commands_of(app);
+  candidates.insert(candidates.end(), commands.begin(), commands.end());
+  return candidates;
+}
+
+std::vector<Candidate> pictures() {
+  std::vector<Candidate> candidates = without_meaning(picture_names());
+  candidates.push_back({.word = std::string(kListPictures), .meaning = "all that a file has"});
+  return candidates;
+}
+
+std::vector<Candidate> codes() {
+  std::vector<Candidate> candidates;
+  for (const Code& row : all_codes()) {
+    candidates.push_back({.word = std::string(row.code), .meaning = std::string(row.title)});
+  }
+  return candidates;
+}
+
+// What a value is called in the help says what it may be.
+CompletionCandidates values_of(const std::string& called, const CLI::App& app, Words words) {
+  if (called.find('|') != std::string::npos) {
+    return {.words = without_meaning(CLI::detail::split(called, '|'))};
+  }
+  for (const char* file : {"FILE", "SHARD", "A", "B"}) {
+    if (called == file) {
+      return {.words = {}, .paths = PathKind::files};
+    }
+  }
+  if (called == "FOLDER") {
+    return {.words = {}, .paths = PathKind::folders};
+  }
+  const std::pair<const char*, std::function<std::vector<Candidate>()>> kinds[] = {
+      {"CASE", [&] { return without_meaning(names_of(words).cases); }},
+      {"ACTUATOR", [&] { return without_meaning(names_of(words).actuators); }},
+      {"PARAMETER", [&] { return without_meaning(names_of(words).parameters); }},
+      {"PARAMETER=VALUE", [&] { return parameters_of(words); }},
+      {"TOPIC", [&] { return topics_of(app); }},
+      {"PICTURE", pictures},
+      {"CODE", codes},
+      {"KIND", [] { return without_meaning(starter_kinds()); }},
+      {"SCHEMA", [] { return without_meaning(schema_names()); }},
+      {"SHELL", [] { return without_meaning({"bash", "zsh", "fish"}); }},
+  };
+  for (const auto& [name, candidates] : kinds) {
+    if (called == name) {
+      return {.words = candidates()};
+    }
+  }
+  return {};
+}
+
+std::vector<Candidate> options_of(const CLI::App& command) {
+  std::vector<Candidate> candidates;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      const std::string& meaning = option->get_description();
+      candidates.push_back(
+          {.word = "--" + name, .meaning = meaning.substr(0, meaning.find_first_of("\n;"))});
+    }
+  }
+  return candidates;
+}
+
+// The option of that name if a value belongs to it.
+const CLI::Option* option_with_value(const CLI::App& command, const std::string& name) {
+  const CLI::Option* option =
+      name.starts_with('-') ? command.get_option_no_throw(name) : nullptr;
+  return option != nullptr && takes_value(*option) ? option : nullptr;
+}
+
+// The argument without a name that comes behind the words.
+const CLI::Option* next_argument(const CLI::App& command, Words before) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (option_with_value(command, before[i]) != nullptr) {
+      ++i;
+    } else if (!before[i].starts_with('-')) {
+      ++count;
+    }
+  }
+  const CLI::Option* last = nullptr;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_positional()) {
+      last = option;
+      if (count == 0) {
+        return option;
+      }
+      --count;
+    }
+  }
+  const bool is_list =
+      last != nullptr && last->get_expected_max() >= CLI::detail::expected_max_vector_size;
+  return is_list ? last : nullptr;
+}
+
+// Before they are held against what is typed.
+CompletionCandidates all_candidates(const CLI::App& app, const CLI::App& command, Words words) {
+  const std::string& typed = words.back();
+  const Words before = words.first(words.size() - 1);
+  if (!before.empty()) {
+    if (const CLI::Option* option = option_with_value(command, before.back())) {
+      return values_of(option->get_type_name(), app, words);
+    }
+  }
+  if (typed.starts_with('-')) {
+    return {.words = options_of(command)};
+  }
+  const CLI::Option* argument = next_argument(command, before);
+  return argument == nullptr ? CompletionCandidates{}
+                             : values_of(argument->get_name(true), app, words);
+}
+
+// "--case=M" is completed as "M" behind "--case", and its candidates begin with "--case=" again.
+CompletionCandidates of_command(const CLI::App& app, const CLI::App& command, Words words) {
+  const std::string& typed = words.back();
+  const std::size_t equals = typed.starts_with("--") ? typed.find('=') : std::string::npos;
+  if (equals == std::string::npos) {
+    return all_candidates(app, command, words);
+  }
+  std::vector<std::string> split(words.begin(), words.end() - 1);
+  split.push_back(typed.substr(0, equals));
+  split.push_back(typed.substr(equals + 1));
+  CompletionCandidates candidates = all_candidates(app, command, split);
+  for (Candidate& one : candidates.words) {
+    one.word.insert(0, typed.substr(0, equals + 1));
+  }
+  return candidates;
+}
+
+}  // namespace
+
+CompletionCandidates completion_candidates(const CLI::App& app, Words words) {
+  if (words.empty()) {
+    return {.words = commands_of(app)};
+  }
+  CompletionCandidates candidates;
+  if (words.size() == 1) {
+    candidates.words = words.front().starts_with('-') ? options_of(app) : commands_of(app);
+  } else if (const CLI::App* command = app.get_subcommand_no_throw(words.front())) {
+    candidates = of_command(app, *command, words.subspan(1));
+  }
+  std::erase_if(candidates.words,
+                [&](const Candidate& one) { return !one.word.starts_with(words.back()); });
+  return candidates;
+}
+
+}  // namespace kinestat::app

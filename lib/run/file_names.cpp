@@ -1,0 +1,27 @@
+#include "run/file_names.hpp"
+
+#include "files/load_file.hpp"
+
+namespace kinestat {
+
+FileNames names_in_file(const std::string& path) {
+  SourceFile source;
+  Diagnostics found;
+  FileNames names;
+  const std::optional<Loaded> loaded = load(path, {}, source, found);
+  if (!loaded) {
+    return names;
+  }
+  for (const ParameterDescription& parameter : loaded->description.parameters) {
+    names.parameters.push_back(parameter.name.text);
+  }
+  for (const ActuatorTopology& actuator : loaded->mechanism.topology.actuators) {
+    names.actuators.push_back(actuator.name);
+  }
+  for (const Case& one : loaded->mechanism.cases) {
+    names.cases.push_back(one.label);
+  }
+  return names;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,19 @@
+// What a mechanism file names, for whoever types the words of a command.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace kinestat {
+
+/// In the order of the file.
+struct FileNames {
+  std::vector<std::string> parameters;
+  std::vector<std::string> actuators;
+  std::vector<std::string> cases;  ///< those of gears, too
+};
+
+/// All empty for a file that cannot be read or that is wrong.
+FileNames names_in_file(const std::string& path);
+
+}  // namespace kinestat
