@@ -13,6 +13,7 @@
 #include "kinematics/bounded_motion.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "statics/coupling_wrenches.hpp"
+#include "studies/sensitivity/equation_rounding.hpp"
 
 namespace kinestat {
 
@@ -58,53 +59,74 @@ std::vector<Probed> find_free(const Analysis& analysis) {
   return result;
 }
 
+// The mechanism with some values of the free parameters, and its cases.
+struct Probe {
+  Mechanism mechanism;
+  std::vector<CaseAnalysis> cases;
+};
+
 // The rates and actions of the cases with the free parameters at other values; empty if they cannot
 // be bound.
-std::vector<CaseAnalysis> solve_at(const MechanismDescription& description,
-                                   const std::vector<Probed>& free,
-                                   const std::vector<double>& values) {
+std::optional<Probe> solve_at(const MechanismDescription& description,
+                              const std::vector<Probed>& free,
+                              const std::vector<double>& values) {
   MechanismDescription moved = description;
   for (std::size_t i = 0; i < free.size(); ++i) {
     auto parsed =
         parse_expression(free[i].unit.empty() ? fmt::format("{}", values[i])
                                               : fmt::format("{}*{}", values[i], free[i].unit));
     if (!std::holds_alternative<Expression>(parsed)) {
-      return {};  // beyond what a number can be
+      return std::nullopt;  // beyond what a number can be
     }
     moved.parameters[free[i].index].value.expression = std::get<Expression>(std::move(parsed));
   }
   Diagnostics ignored;
-  const std::optional<Mechanism> mechanism = bind(moved, ignored);
-  return mechanism ? solve_case_passes(*mechanism, mechanism->cases, CasePasses::magnitudes)
-                   : std::vector<CaseAnalysis>{};
+  std::optional<Mechanism> mechanism = bind(moved, ignored);
+  if (!mechanism) {
+    return std::nullopt;
+  }
+  std::vector<CaseAnalysis> cases =
+      solve_case_passes(*mechanism, mechanism->cases, CasePasses::magnitudes);
+  return Probe{.mechanism = *std::move(mechanism), .cases = std::move(cases)};
 }
 
-// Each probe rounds the numbers of the file anew.
-BoundedNumber rounded_anew(const BoundedNumber& number) {
-  return {.value = number.value, .bound = number.bound + kDataRounding * std::abs(number.value)};
+// Each probe rounds the numbers of the file anew: those of the equations, and the magnitude itself.
+BoundedNumber rounded_anew(const BoundedNumber& number, double by_equations) {
+  return {.value = number.value,
+          .bound = number.bound + by_equations + kDataRounding * std::abs(number.value)};
 }
 
-Magnitudes rates_of(const CaseAnalysis& one) {
+Magnitudes rates_of(const Mechanism& mechanism, const CaseAnalysis& one) {
   if (!one.motion || one.motion->rates.empty()) {
     return std::nullopt;
   }
+  const std::vector<double> by_equations = rate_rounding(mechanism, one.which, *one.motion);
   std::vector<BoundedNumber> rates;
-  for (int f = 0; f < static_cast<int>(one.motion->rates.size()); ++f) {
-    rates.push_back(rounded_anew(bounded_rate(*one.motion, f)));
+  for (std::size_t f = 0; f < by_equations.size(); ++f) {
+    const BoundedNumber rate = bounded_rate(*one.motion, static_cast<int>(f));
+    rates.push_back(rounded_anew(rate, by_equations[f]));
   }
   return rates;
 }
 
 // An action that equilibrium leaves open is no number, and so is not affine.
-Magnitudes actions_of(const CaseAnalysis& one) {
+Magnitudes actions_of(const Mechanism& drawn, const CaseAnalysis& one) {
   if (!one.action || one.action->magnitudes.empty()) {
     return std::nullopt;
   }
+  std::optional<Mechanism> on_coast_flanks;
+  if (!one.coast_flanks.empty()) {
+    on_coast_flanks = drawn;
+    load_coast_flanks(one.coast_flanks, on_coast_flanks->geometry);
+  }
+  const Mechanism& mechanism = on_coast_flanks ? *on_coast_flanks : drawn;
+  const std::vector<double> by_equations = action_rounding(mechanism, one.which, *one.action);
   std::vector<BoundedNumber> actions;
-  for (int a = 0; a < static_cast<int>(one.action->magnitudes.size()); ++a) {
-    const bool is_known = one.action->magnitudes[static_cast<std::size_t>(a)].has_value();
-    actions.push_back(is_known ? rounded_anew(bounded_action(*one.action, a))
-                               : BoundedNumber{.value = std::numeric_limits<double>::quiet_NaN()});
+  for (std::size_t a = 0; a < by_equations.size(); ++a) {
+    actions.push_back(
+        one.action->magnitudes[a].has_value()
+            ? rounded_anew(bounded_action(*one.action, static_cast<int>(a)), by_equations[a])
+            : BoundedNumber{.value = std::numeric_limits<double>::quiet_NaN()});
   }
   return actions;
 }
@@ -161,18 +183,19 @@ void find_affine_dependence(Analysis& analysis) {
     analysis.free_parameters.push_back(
         {.name = analysis.description.parameters[one.index].name.text, .unit = one.unit});
   }
-  std::vector<std::vector<CaseAnalysis>> probes;
+  std::vector<std::optional<Probe>> probes;
   for (const std::vector<double>& values : affine_probes(parameters)) {
-    probes.push_back(probes.empty() ? analysis.cases
-                                    : solve_at(analysis.description, free, values));
+    probes.push_back(probes.empty()
+                         ? Probe{.mechanism = analysis.mechanism, .cases = analysis.cases}
+                         : solve_at(analysis.description, free, values));
   }
   const Topology& topology = analysis.mechanism.topology;
   for (std::size_t c = 0; c < analysis.cases.size(); ++c) {
     std::vector<Magnitudes> rates;
     std::vector<Magnitudes> actions;
-    for (const std::vector<CaseAnalysis>& cases : probes) {
-      rates.push_back(cases.empty() ? std::nullopt : rates_of(cases[c]));
-      actions.push_back(cases.empty() ? std::nullopt : actions_of(cases[c]));
+    for (const std::optional<Probe>& probe : probes) {
+      rates.push_back(probe ? rates_of(probe->mechanism, probe->cases[c]) : std::nullopt);
+      actions.push_back(probe ? actions_of(probe->mechanism, probe->cases[c]) : std::nullopt);
     }
     analysis.cases[c].affine_rates =
         fit(parameters, rates, [&](std::size_t f) { return topology.freedoms[f].is_rotation; });

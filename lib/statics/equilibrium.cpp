@@ -1,6 +1,7 @@
 #include "statics/equilibrium.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/contract.hpp"
@@ -17,18 +18,87 @@ namespace kinestat {
 
 namespace {
 
-std::vector<double> action_units(const Topology& topology, const CoordinateBasis& basis) {
+// The power of two next to a positive number.
+double rough_size(double number) {
+  return std::exp2(std::ilogb(number));
+}
+
+// The largest tension that pulls on each body, that to which the others are tied being 1; on one
+// that no cable touches, what its neighbours may hand on. Zero if there is none, and of the ground.
+std::vector<double> largest_tensions(const Topology& topology,
+                                     const std::vector<TiedAction>& ties) {
+  std::vector<double> largest(topology.bodies.size(), 0.0);
+  const auto include = [&](int action, double share) {
+    const CouplingTopology& segment =
+        topology.coupling(topology.actions[static_cast<std::size_t>(action)].coupling);
+    for (const BodyId body : {segment.tail, segment.head}) {
+      double& of_body = largest[static_cast<std::size_t>(body.value)];
+      of_body = body.value == 0 ? 0.0 : std::max(of_body, share);
+    }
+  };
+  for (const TiedAction& tie : ties) {
+    include(tie.action, tie.share);
+    include(tie.to, 1.0);
+  }
+  for (bool goes_on = true; goes_on;) {
+    const std::vector<double> before = largest;
+    for (const CouplingTopology& coupling : topology.couplings) {
+      const auto tail = static_cast<std::size_t>(coupling.tail.value);
+      const auto head = static_cast<std::size_t>(coupling.head.value);
+      if (tail != 0 && before[tail] == 0.0) {
+        largest[tail] = std::max(largest[tail], before[head]);
+      }
+      if (head != 0 && before[head] == 0.0) {
+        largest[head] = std::max(largest[head], before[tail]);
+      }
+    }
+    goes_on = largest != before;
+  }
+  return largest;
+}
+
+// Where tensions are very large multiples of each other, the largest entries of rows and columns do
+// not tell in which sizes actions must be counted for a rank decision: those on a body are as large
+// as the largest tension on it. Powers of two, which round nothing.
+std::vector<double> action_sizes(const Topology& topology, const std::vector<TiedAction>& ties) {
+  std::vector<double> sizes(topology.actions.size(), 1.0);
+  if (ties.empty()) {
+    return sizes;
+  }
+  const std::vector<double> tensions = largest_tensions(topology, ties);
+  for (std::size_t a = 0; a < sizes.size(); ++a) {
+    const CouplingTopology& coupling = topology.coupling(topology.actions[a].coupling);
+    const double tension = std::max(tensions[static_cast<std::size_t>(coupling.tail.value)],
+                                    tensions[static_cast<std::size_t>(coupling.head.value)]);
+    sizes[a] = tension > 0.0 ? rough_size(tension) : 1.0;
+  }
+  for (const TiedAction& tie : ties) {
+    sizes[static_cast<std::size_t>(tie.to)] = 1.0;
+    sizes[static_cast<std::size_t>(tie.action)] =
+        tie.friction_share > 0.0 ? rough_size(tie.friction_share) : 1.0;
+  }
+  return sizes;
+}
+
+std::vector<double> action_units(const Topology& topology,
+                                 const CoordinateBasis& basis,
+                                 const std::vector<double>& sizes,
+                                 const std::vector<TiedAction>& ties) {
   std::vector<double> units;
   units.reserve(topology.actions.size());
   for (int a = 0; a < topology.action_count(); ++a) {
-    units.push_back(action_unit(topology, basis, a));
+    units.push_back(action_unit(topology, basis, a) * sizes[static_cast<std::size_t>(a)]);
+  }
+  for (const TiedAction& tie : ties) {
+    units[static_cast<std::size_t>(tie.action)] = 1.0;  // the tension, in newtons as all of them
   }
   return units;
 }
 
-// Tensions count in the unit of forces, 1 N.
+// The tension to which others are tied counts in the unit of forces, 1 N.
 SparseMatrix tied_system(SparseMatrix system,
                          const std::vector<TiedAction>& ties,
+                         const std::vector<double>& sizes,
                          int body_count,
                          const CoordinateBasis& basis) {
   std::vector<const TiedAction*> tie_of(static_cast<std::size_t>(system.columns), nullptr);
@@ -39,13 +109,16 @@ SparseMatrix tied_system(SparseMatrix system,
     if (const TiedAction* tie = tie_of[static_cast<std::size_t>(entry.column)]) {
       entry.column = tie->to;
       entry.value *= tie->share;
+    } else {
+      entry.value *= sizes[static_cast<std::size_t>(entry.column)];
     }
   }
   std::erase_if(system.entries, [](const SparseEntry& entry) { return entry.value == 0.0; });
   for (const TiedAction& tie : ties) {
     const std::vector<double> column = load_vector(body_count, basis, tie.pulls);
     for (std::size_t row = 0; row < column.size(); ++row) {
-      system.add(static_cast<int>(row), tie.action, -column[row]);
+      const double size = sizes[static_cast<std::size_t>(tie.action)];
+      system.add(static_cast<int>(row), tie.action, -column[row] * size);
     }
   }
   return system;
@@ -61,10 +134,12 @@ Equilibrium::Equilibrium(const Mechanism& mechanism,
       primaries_(std::move(primaries)),
       ties_(std::move(ties)),
       driving_(mechanism.topology.driving_actions()),
-      units_(action_units(mechanism.topology, basis_)),
+      sizes_(action_sizes(mechanism.topology, ties_)),
+      units_(action_units(mechanism.topology, basis_, sizes_, ties_)),
       body_count_(mechanism.topology.body_count()),
       elimination_(tied_system(action_system(mechanism.topology, mechanism.geometry, basis_),
                                ties_,
+                               sizes_,
                                body_count_,
                                basis_),
                    primaries_),
@@ -156,7 +231,8 @@ void Equilibrium::settle(const Mechanism& mechanism,
   const Eigen::Map<const VecX> units(units_.data(), static_cast<Eigen::Index>(units_.size()));
   VecX x = magnitudes.cwiseQuotient(units);
   for (const TiedAction& one : ties_) {
-    x[one.action] = one.friction_share * x[one.to];
+    const double size = sizes_[static_cast<std::size_t>(one.action)];
+    x[one.action] = one.friction_share * x[one.to] / size;
   }
   settle_inexact(elimination_,
                  load_vector(body_count_, basis_, loads),

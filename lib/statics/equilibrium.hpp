@@ -84,6 +84,7 @@ class Equilibrium {
   std::vector<int> primaries_;
   std::vector<TiedAction> ties_;
   std::vector<int> driving_;   ///< actions of actuators
+  std::vector<double> sizes_;  ///< of what each action may become, a tension being 1: see ties
   std::vector<double> units_;  ///< SI per unit of the unknown of each action
   int body_count_ = 0;
   Elimination elimination_;

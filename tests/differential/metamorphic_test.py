@@ -272,6 +272,10 @@ class MetamorphicTest(unittest.TestCase):
     def test_reversed_couplings_change_signs_alone(self) -> None:
         self.check(changes.reversed_couplings, 40)
 
+    def test_the_origin_less_than_a_size_away_does_not_matter(self) -> None:
+        """Where screws are still written about the origin of the world."""
+        self.check(changes.moved_origin(0.77), 45)
+
     def test_the_origin_ten_sizes_away_does_not_matter(self) -> None:
         self.check(changes.moved_origin(10), 45)
 

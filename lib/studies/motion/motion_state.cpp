@@ -126,7 +126,8 @@ class StateSolver {
                         .jacobian = system_.jacobian(),
                         .unknown = unknown_,
                         .qr = qr_,
-                        .reach = system_.reach()},
+                        .reach = system_.reach(),
+                        .spread = system_.spread()},
                        configuration_.coordinates,
                        is_singular());
     MotionState state = solve(speeds, detail, &errors);

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "network/bases.hpp"
-#include "network/node_system.hpp"
 #include "studies/sensitivity/internal/action_state.hpp"
 #include "studies/sensitivity/internal/adjoint_side.hpp"
+#include "studies/sensitivity/internal/case_equations.hpp"
 #include "studies/sensitivity/internal/friction_slopes.hpp"
 #include "studies/sensitivity/internal/screw_slopes.hpp"
 
@@ -68,32 +68,6 @@ CoordinateBasis action_basis_for(const Mechanism& mechanism,
   return is_enough ? minimal : whole_basis(mechanism, mechanism.static_order, ScrewKind::wrench);
 }
 
-FactoredSide motion_equations(const DualCase& values, const CoordinateBasis& basis) {
-  const Topology& topology = values.topology();
-  std::vector<double> units;
-  for (int f = 0; f < topology.freedom_count(); ++f) {
-    units.push_back(rate_unit(topology, basis, f));
-  }
-  return {basis,
-          velocity_system(topology, values.mechanism().geometry, basis),
-          values.which().motions,
-          velocity_column(topology, basis, 0),
-          std::move(units)};
-}
-
-FactoredSide action_equations(const DualCase& values, const CoordinateBasis& basis) {
-  const Topology& topology = values.topology();
-  std::vector<double> units;
-  for (int a = 0; a < topology.action_count(); ++a) {
-    units.push_back(action_unit(topology, basis, a));
-  }
-  return {basis,
-          action_system(topology, values.mechanism().geometry, basis),
-          values.which().actions,
-          0,
-          std::move(units)};
-}
-
 }  // namespace
 
 AdjointBases find_adjoint_bases(const Mechanism& mechanism,
@@ -111,8 +85,8 @@ AdjointSide& CaseAdjoint::motion() {
   if (!motion_) {
     ParameterChanges changes;
     changes.total = motion_changes(values_, bases_.motion);
-    motion_ =
-        std::make_unique<AdjointSide>(motion_equations(values_, bases_.motion), std::move(changes));
+    motion_ = std::make_unique<AdjointSide>(
+        motion_equations(values_.mechanism(), values_.which(), bases_.motion), std::move(changes));
   }
   return *motion_;
 }
@@ -125,7 +99,7 @@ AdjointSide& CaseAdjoint::action() {
 }
 
 AdjointSide CaseAdjoint::make_action() {
-  FactoredSide equations = action_equations(values_, bases_.action);
+  FactoredSide equations = action_equations(values_.mechanism(), values_.which(), bases_.action);
   const ActionState state = find_action_state(values_, equations);
   ParameterChanges changes;
   changes.is_possible = values_.derivatives().starts_friction;

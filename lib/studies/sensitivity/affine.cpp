@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/contract.hpp"
+#include "core/rounding.hpp"
 #include "core/tolerance.hpp"
 
 namespace kinestat {
@@ -32,6 +33,16 @@ double near_mix(std::size_t i) {
   return turns(i + 11) / 1024.0;
 }
 
+// A value of a parameter is rounded where it is typed anew in its unit.
+BoundedNumber as_typed(double value) {
+  return {.value = value, .bound = kDataRounding * std::abs(value)};
+}
+
+BoundedNumber moved_by(const FreeParameter& parameter) {
+  const double sizes = std::abs(parameter.value) + std::abs(parameter.step);
+  return {.value = parameter.step, .bound = kDataRounding * sizes};
+}
+
 // One magnitude at all probes.
 std::optional<AffineValue> fit_one(std::span<const FreeParameter> parameters,
                                    std::span<const BoundedNumber> values,
@@ -42,11 +53,11 @@ std::optional<AffineValue> fit_one(std::span<const FreeParameter> parameters,
   double largest = std::abs(values[0].value);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const BoundedNumber change = values[i + 1] - values[0];
-    const BoundedNumber slope = change / BoundedNumber{.value = parameters[i].step};
+    const BoundedNumber slope = change / moved_by(parameters[i]);
     const double coefficient = settled(slope.value, slope.bound);
     result.coefficients.push_back(coefficient);
     if (coefficient != 0.0) {
-      constant = constant - slope * BoundedNumber{.value = parameters[i].value};
+      constant = constant - slope * as_typed(parameters[i].value);
     }
     largest = std::max(
         {largest, std::abs(values[i + 1].value), std::abs(coefficient * parameters[i].value)});

@@ -63,6 +63,21 @@ TEST(Affine, WritesRoundingAsZero) {
   EXPECT_EQ(fits[0]->constant, 0.0);
 }
 
+// 3.3 + 0.1 is no double: what the parameter itself rounds is neither slope nor constant.
+TEST(Affine, WritesRoundingOfTheParameterAsZero) {
+  const std::vector<FreeParameter> one = {{.value = 3.3, .step = 0.1}};
+  std::vector<Magnitudes> at_probes;
+  for (const std::vector<double>& probe : affine_probes(one)) {
+    at_probes.push_back(std::vector<BoundedNumber>{{.value = probe[0]}});
+  }
+
+  const auto fits = fit_affine(one, at_probes, std::vector<double>{1.0});
+
+  ASSERT_TRUE(fits[0]);
+  EXPECT_NEAR(fits[0]->coefficients[0], 1.0, 1e-13);
+  EXPECT_EQ(fits[0]->constant, 0.0);
+}
+
 // The second magnitude is known to the millionth of a millionth only.
 TEST(Affine, TellsASmallSlopeFromWhatAMagnitudeMayBeOffBy) {
   std::vector<Magnitudes> at_probes;

@@ -86,8 +86,7 @@ TEST(LinkageMotion, LeavesNoGaps) {
 double least_sine(const DriveCurve& curve, double from, double arc) {
   double least = 1.0;
   for (int i = 0; i <= 2000; ++i) {
-    const double c = curve.cosine(from + arc * i / 2000.0);
-    least = std::min(least, std::sqrt(1.0 - c * c));
+    least = std::min(least, std::sin(curve.transmission(from + arc * i / 2000.0)));
   }
   return least;
 }

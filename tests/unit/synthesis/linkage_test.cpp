@@ -77,7 +77,7 @@ TEST_P(ReferenceFourBars, HaveTheirVerdicts) {
       const double turn =
           std::remainder(found.coordinates[j] - expected.angles[j] * kDegree, 360.0 * kDegree);
       EXPECT_NEAR(turn, 0.0, 1e-12);
-      EXPECT_NEAR(found.transmission[j], expected.transmission[j] * kDegree, 1e-11);
+      EXPECT_NEAR(found.transmission[j], expected.transmission[j] * kDegree, 1e-12);
     }
   }
 }

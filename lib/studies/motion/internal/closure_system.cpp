@@ -309,22 +309,6 @@ std::vector<std::span<const int>> ClosureSystem<Frames>::rates_of_rows() const {
 }
 
 template <class Frames>
-double ClosureSystem<Frames>::reach() const {
-  double reach = 1.0;
-  const auto include = [&](int frame, const Plain& point) {
-    reach = std::max(reach, frames_[at(frame)].point(point).norm());
-  };
-  for (const ClosureJoint& joint : joints_) {
-    include(joint.parent, Frames::vector(joint.point));
-  }
-  for (const Row& row : rows_) {
-    include(row.tail_frame, row.tail_point);
-    include(row.head_frame, row.head_point);
-  }
-  return reach;
-}
-
-template <class Frames>
 double ClosureSystem<Frames>::largest_residual() const {
   double largest = 0.0;
   for (const double one : residuals_) {

@@ -48,6 +48,10 @@ class ClosureSystem {
   /// In sizes: no joint is farther from the origin, in the last evaluation; at least 1.
   double reach() const;
 
+  /// No two points about which joints turn, or at which the closure is taken, are farther from each
+  /// other now, in sizes; at least 1.
+  double spread() const;
+
   /// Which rows miss a length, the others an angle.
   const std::vector<bool>& is_length() const { return is_length_; }
 

@@ -28,11 +28,14 @@ double unit_of_motion(const MotionNetwork& network, bool is_turn) {
 
 // Along a path of joints: how far places and rates are off together, and how large they are.
 struct JointErrors::Sums {
-  double place = kRoundingOfFrame;
+  double joints = 0.0;               // of where the joints stand
+  double frames = kRoundingOfFrame;  // of the frames that are made from these
   double rate = 0.0;
   double rate_error = 0.0;
   double bend = 0.0;
   double bend_error = 0.0;
+
+  double place() const { return joints + frames; }
 };
 
 JointErrors::JointErrors(const FactoredClosure& closure,
@@ -90,9 +93,9 @@ void JointErrors::find_places(std::span<const double> coordinates, bool is_singu
   for (int r = 0; r < rows_; ++r) {
     for (const int rate : closure_.rates_of_rows[at(r)]) {
       const double factor =
-          is_rolling(r) ? std::abs(closure_.jacobian[at(rate * rows_ + r)]) : closure_.reach;
-      const double frame = is_rolling(r) ? 0.0 : kRoundingOfFrame;
-      rounding[at(r)] += factor * (2.0 * kEpsilon * coordinates_[at(rate)] + frame);
+          is_rolling(r) ? std::abs(closure_.jacobian[at(rate * rows_ + r)]) : closure_.spread;
+      const double frame = is_rolling(r) ? 0.0 : closure_.reach * kRoundingOfFrame;
+      rounding[at(r)] += factor * 2.0 * kEpsilon * coordinates_[at(rate)] + frame;
     }
   }
   places_ = carried(rounding);
@@ -115,13 +118,19 @@ void JointErrors::find_places(std::span<const double> coordinates, bool is_singu
 JointErrors::Sums JointErrors::sums_of(std::span<const int> rates) const {
   Sums sums;
   for (const int rate : rates) {
-    sums.place += places_[at(rate)] + kRoundingOfFrame;
+    sums.joints += places_[at(rate)];
+    sums.frames += kRoundingOfFrame;
     sums.rate += rates_[at(rate)];
     sums.rate_error += rate_errors_[at(rate)];
     sums.bend += bends_[at(rate)];
     sums.bend_error += bend_errors_[at(rate)];
   }
   return sums;
+}
+
+// How far the levers of a row are off.
+double JointErrors::misplaced(const Sums& sums) const {
+  return closure_.spread * sums.joints + closure_.reach * sums.frames;
 }
 
 // J φ = 0 and J ψ = -dJ/dt φ, whose coefficients are off as far as the joints between the sides of
@@ -153,9 +162,8 @@ void JointErrors::follow(std::span<const double> rates,
   std::vector<double> of_rows(at(rows_));
   for (int r = 0; r < rows_; ++r) {
     const Sums sums = sums_of(closure_.rates_of_rows[at(r)]);
-    of_rows[at(r)] =
-        driven_part(r, driven_errors) +
-        (is_rolling(r) ? rolling_part(r, rates_) : closure_.reach * sums.place * sums.rate);
+    of_rows[at(r)] = driven_part(r, driven_errors) +
+                     (is_rolling(r) ? rolling_part(r, rates_) : misplaced(sums) * sums.rate);
   }
   rate_errors_ = carried(of_rows);
   add_open(rate_errors_, rates_);
@@ -164,11 +172,10 @@ void JointErrors::follow(std::span<const double> rates,
   }
   for (int r = 0; r < rows_; ++r) {
     const Sums sums = sums_of(closure_.rates_of_rows[at(r)]);
-    of_rows[at(r)] =
-        driven_part(r, driven_bend_errors) +
-        (is_rolling(r) ? rolling_part(r, bends_)
-                       : closure_.reach * (sums.place * (sums.bend + sums.rate * sums.rate) +
-                                           2.0 * sums.rate * sums.rate_error));
+    of_rows[at(r)] = driven_part(r, driven_bend_errors) +
+                     (is_rolling(r) ? rolling_part(r, bends_)
+                                    : misplaced(sums) * (sums.bend + sums.rate * sums.rate) +
+                                          closure_.spread * 2.0 * sums.rate * sums.rate_error);
   }
   bend_errors_ = carried(of_rows);
   add_open(bend_errors_, bends_);
@@ -199,10 +206,10 @@ std::vector<JointErrors::Sums> JointErrors::sums_of_frames() const {
   std::vector<Sums> frames(1);
   for (const MotionJoint& joint : closure_.network.joints) {
     Sums sums = frames[at(joint.parent)];
-    sums.place += kRoundingOfFrame;
+    sums.frames += kRoundingOfFrame;
     for (int i = 0; i < count_of_rates(joint); ++i) {
       const std::size_t rate = at(joint.rate + i);
-      sums.place += places_[rate];
+      sums.joints += places_[rate];
       sums.rate += rates_[rate];
       sums.rate_error += rate_errors_[rate];
       sums.bend += bends_[rate];
@@ -216,17 +223,18 @@ std::vector<JointErrors::Sums> JointErrors::sums_of_frames() const {
 // In the plane axes do not turn.
 BodyBounds JointErrors::bounds_of(const Sums& sums) const {
   const bool is_planar = closure_.network.space == Space::planar;
-  const double axes = is_planar ? kRoundingOfFrame : sums.place;
+  const double place = sums.place();
+  const double axes = is_planar ? kRoundingOfFrame : place;
   const double lever = closure_.reach * closure_.network.length;
   const double squared = is_planar ? 0.0 : sums.rate * sums.rate;
   const double cross = is_planar ? 0.0 : 2.0 * sums.rate * sums.rate_error;
-  return {.turn = sums.place,
-          .shift = lever * sums.place,
+  return {.turn = place,
+          .shift = lever * place,
           .angular = sums.rate_error + axes * sums.rate,
-          .linear = lever * (sums.rate_error + sums.place * sums.rate),
+          .linear = lever * (sums.rate_error + place * sums.rate),
           .angular_rate = sums.bend_error + cross + axes * (sums.bend + squared),
           .linear_rate = lever * (sums.bend_error + 2.0 * sums.rate * sums.rate_error +
-                                  sums.place * (sums.bend + sums.rate * sums.rate))};
+                                  place * (sums.bend + sums.rate * sums.rate))};
 }
 
 StateBounds JointErrors::bounds(const Topology& topology) const {
@@ -242,7 +250,7 @@ StateBounds JointErrors::bounds(const Topology& topology) const {
   const std::vector<Sums> frames = sums_of_frames();
   for (const int frame : closure_.network.frame_of_body) {
     result.bodies.push_back(bounds_of(frames[at(frame)]));
-    result.place = std::max(result.place, closure_.reach * frames[at(frame)].place);
+    result.place = std::max(result.place, closure_.reach * frames[at(frame)].place());
   }
   fill_joints(result);
   fill_measures(frames, topology, result);

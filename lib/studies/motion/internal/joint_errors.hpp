@@ -19,11 +19,15 @@ struct FactoredClosure {
   std::span<const int> unknown;      ///< rates that the driven ones determine
   PivotedQr& qr;                     ///< of their columns
   double reach = 1.0;                ///< in sizes: no point of a joint is farther from the origin
+  double spread = 1.0;               ///< in sizes: no two points about which joints turn, or at
+                                     ///< which the closure is taken, are farther from each other
 };
 
 /// Running error analysis: where the joints stand is off by the next correction and by rounding
 /// that the inverse of the closure enlarges; the screws move by as much, and so do the rates and
-/// their derivatives, enlarged once more. In radians and sizes of the mechanism, one a rate.
+/// their derivatives, enlarged once more. Frames round by their distance from the origin; what a
+/// joint is off by moves the others by their distance from it alone. In radians and sizes of the
+/// mechanism, one a rate.
 class JointErrors {
  public:
   /// `coordinates` are those of the joints; in a singular position only the root of what rounds is
@@ -48,6 +52,7 @@ class JointErrors {
   std::vector<double> carried(const std::vector<double>& rows) const;
   void find_places(std::span<const double> coordinates, bool is_singular);
   void add_open(std::vector<double>& errors, const std::vector<double>& sizes) const;
+  double misplaced(const Sums& sums) const;
   Sums sums_of(std::span<const int> rates) const;
   std::vector<Sums> sums_of_frames() const;
   BodyBounds bounds_of(const Sums& sums) const;

@@ -50,12 +50,28 @@ std::vector<double> FactoredSide::scaled(std::vector<double> slopes) const {
   return slopes;
 }
 
-VecX FactoredSide::row_errors(const std::vector<double>& magnitudes) const {
+VecX FactoredSide::row_errors(const std::vector<double>& magnitudes,
+                              std::span<const double> rhs) const {
   VecX x = VecX::Zero(system_.columns);
   for (std::size_t i = 0; i < units_.size(); ++i) {
     x[first_column_ + static_cast<int>(i)] = magnitudes[i] / units_[i];
   }
-  return kinestat::row_errors(system_, {}, blocks(), x);
+  return kinestat::row_errors(system_, rhs, blocks(), x);
+}
+
+std::vector<double> FactoredSide::bounds(const std::vector<double>& magnitudes,
+                                         std::span<const double> rhs) const {
+  const VecX errors = row_errors(magnitudes, rhs);
+  const std::vector<int>& open = elimination_.free_columns();
+  std::vector<double> result(units_.size(), 0.0);
+  for (std::size_t i = 0; i < units_.size(); ++i) {
+    const int column = first_column_ + static_cast<int>(i);
+    if (!std::ranges::binary_search(open, column)) {
+      const AdjointSolution row = elimination_.solve_adjoint(VecX::Unit(system_.columns, column));
+      result[i] = units_[i] * row.rows.cwiseAbs().dot(errors);
+    }
+  }
+  return result;
 }
 
 InexactBlocks FactoredSide::blocks() const {

@@ -1,6 +1,7 @@
 // The equations of one side of a case, motions or actions, factored.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "math/elimination/data_zero.hpp"
@@ -33,7 +34,12 @@ class FactoredSide {
 
   /// How far each equation may be off by what rounding did to the screws in it, the magnitudes
   /// being these.
-  VecX row_errors(const std::vector<double>& magnitudes) const;
+  VecX row_errors(const std::vector<double>& magnitudes, std::span<const double> rhs = {}) const;
+
+  /// How far each magnitude may be off by that and by the same share of the right-hand side: row by
+  /// row of the inverse. Zero for those that are known or open.
+  std::vector<double> bounds(const std::vector<double>& magnitudes,
+                             std::span<const double> rhs) const;
 
   /// Whether the redundant equations hold when the right-hand side changes so.
   bool allows(const Change& change) const;
@@ -42,7 +48,7 @@ class FactoredSide {
   std::vector<std::vector<double>> open_magnitudes() const;
 
  private:
-  // What rounding did to the screws.
+  // What rounding did to screws and loads.
   InexactBlocks blocks() const;
   std::vector<double> right_hand_side(const Change& change) const;
   std::vector<double> magnitudes_of(const VecX& x) const;

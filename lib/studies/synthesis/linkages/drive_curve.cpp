@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
 
+#include "core/rounding.hpp"
 #include "core/tolerance.hpp"
+#include "math/numbers/settled.hpp"
 
 namespace kinestat {
 
@@ -19,10 +22,36 @@ double wrapped(double angle) {
   return std::remainder(angle, 2.0 * std::numbers::pi);
 }
 
-// The angle with this cosine, which only rounding takes beyond a dead point; NaN out of reach.
-double reached_angle(double cosine) {
-  return std::abs(cosine) < 1.0 + kSameValue ? std::acos(std::clamp(cosine, -1.0, 1.0))
-                                             : std::numeric_limits<double>::quiet_NaN();
+// The angle whose cosine is so far below 1 and above -1, both by any common factor: the cosine
+// itself has lost half of the digits next to 0 and π. Zero or π beyond.
+double angle_between(double below_one, double above_minus_one) {
+  return 2.0 *
+         std::atan2(std::sqrt(std::max(below_one, 0.0)), std::sqrt(std::max(above_minus_one, 0.0)));
+}
+
+// The same, which only rounding takes beyond a dead point; NaN out of reach.
+double reached_angle(double below_one, double above_minus_one) {
+  const double rounding = 0.5 * kSameValue * (below_one + above_minus_one);
+  return std::min(below_one, above_minus_one) > -rounding
+             ? angle_between(below_one, above_minus_one)
+             : std::numeric_limits<double>::quiet_NaN();
+}
+
+// A sum of lengths that are rounded themselves.
+double length_sum(std::initializer_list<double> terms) {
+  double sum = 0.0;
+  double size = 0.0;
+  for (const double term : terms) {
+    sum += term;
+    size += std::abs(term);
+  }
+  return settled(sum, kDataRounding * size);
+}
+
+// a² - b².
+double difference_of_squares(std::initializer_list<double> a_minus_b,
+                             std::initializer_list<double> a_plus_b) {
+  return length_sum(a_minus_b) * length_sum(a_plus_b);
 }
 
 // Normal of the path of a slider, or of the line of an inverted one in its own frame.
@@ -72,29 +101,29 @@ void DriveCurve::set_crank_input() {
   argument_ = Argument::cosine;
   if (output_.kind == DyadKind::slider) {
     // n . (A - p) = h cos μ.
-    const double h = std::abs(output_.circle_point - input_.circle_point);
     const Point normal = normal_of(output_);
     zero_ = std::arg(normal);
-    constant_ = dot(normal, input_.centre_point - output_.centre_point) / h;
-    factor_ = r / h;
+    set_cosine(dot(normal, input_.centre_point - output_.centre_point),
+               r,
+               std::abs(output_.circle_point - input_.circle_point));
     return;
   }
+  // ρ² = g² + r² - 2 g r cos x is the square of the distance from A to the output's centre.
   const Point ground = output_.centre_point - input_.centre_point;
   const double g = std::abs(ground);
   zero_ = g > 0.0 ? std::arg(ground) : 0.0;
-  // ρ² = g² + r² - 2 g r cos x is the square of the distance from A to the output's centre.
-  constant_ = g * g + r * r;
-  factor_ = -2.0 * g * r;
   if (output_.kind == DyadKind::crank) {
+    // ρ² = h² + k² - 2 h k cos μ.
     const double h = std::abs(output_.circle_point - input_.circle_point);
-    const double r2 = output_.length;
-    const double scale = 2.0 * h * r2;
-    constant_ = (h * h + r2 * r2 - constant_) / scale;
-    factor_ = -factor_ / scale;
+    const double k = output_.length;
+    below_one_ = difference_of_squares({g, -r, -h, k}, {g, -r, h, -k}) / (2.0 * h * k);
+    above_minus_one_ = difference_of_squares({h, k, -g, -r}, {h, k, g, r}) / (2.0 * h * k);
+    factor_ = g * r / (h * k);
     return;
   }
-  is_over_root_ = true;
-  over_root_ = dot(normal_of(output_), input_.circle_point - output_.circle_point);
+  set_over_root();
+  excess_ = difference_of_squares({g, -r, -over_root_}, {g, -r, over_root_});
+  factor_ = -2.0 * g * r;
 }
 
 // A = foot + x * direction.
@@ -103,47 +132,63 @@ void DriveCurve::set_slider_input() {
   const double h = std::abs(output_.circle_point - input_.circle_point);
   if (output_.kind == DyadKind::slider) {
     const Point normal = normal_of(output_);
+    const double e = dot(normal, input_.centre_point - output_.centre_point);
     argument_ = Argument::linear;
-    constant_ = dot(normal, input_.centre_point - output_.centre_point) / h;
+    below_one_ = length_sum({h, -e}) / h;
+    above_minus_one_ = length_sum({h, e}) / h;
     factor_ = dot(normal, along) / h;
     return;
   }
+  // ρ² = away² + x².
   argument_ = Argument::square;
   zero_ = dot(output_.centre_point - input_.centre_point, along);
   const double away = cross(along, output_.centre_point - input_.centre_point);
-  constant_ = away * away;
-  factor_ = 1.0;
   if (output_.kind == DyadKind::crank) {
-    const double r2 = output_.length;
-    const double scale = 2.0 * h * r2;
-    constant_ = (h * h + r2 * r2 - constant_) / scale;
-    factor_ = -1.0 / scale;
+    const double k = output_.length;
+    below_one_ = difference_of_squares({away, -h, k}, {away, h, -k}) / (2.0 * h * k);
+    above_minus_one_ = difference_of_squares({h, k, -away}, {h, k, away}) / (2.0 * h * k);
+    factor_ = -0.5 / (h * k);
     return;
   }
-  is_over_root_ = true;
-  over_root_ = dot(normal_of(output_), input_.circle_point - output_.circle_point);
+  set_over_root();
+  excess_ = difference_of_squares({away, -over_root_}, {away, over_root_});
+  factor_ = 1.0;
 }
 
 // The angle of the plane is zero + x; N is the normal of the input's line.
 void DriveCurve::set_inverted_input() {
-  const double own = std::arg(normal_of(input_));
+  const Point normal = normal_of(input_);
   if (output_.kind == DyadKind::inverted_slider) {
     argument_ = Argument::none;
-    constant_ = dot(normal_of(output_), normal_of(input_));
+    below_one_ = 0.5 * std::norm(normal_of(output_) - normal);
+    above_minus_one_ = 0.5 * std::norm(normal_of(output_) + normal);
     return;
   }
   argument_ = Argument::cosine;
   if (output_.kind == DyadKind::slider) {
-    zero_ = std::arg(normal_of(output_)) - own;
+    zero_ = std::arg(normal_of(output_)) - std::arg(normal);
     factor_ = 1.0;
     is_open_ended_ = true;
     return;
   }
   // N . (B0 - B) = r2 cos μ, where N . (B - w) is constant.
   const Point arm = output_.centre_point - input_.centre_point;
-  zero_ = (std::abs(arm) > 0.0 ? std::arg(arm) : 0.0) - own;
-  constant_ = -dot(normal_of(input_), output_.circle_point - input_.circle_point) / output_.length;
-  factor_ = std::abs(arm) / output_.length;
+  zero_ = (std::abs(arm) > 0.0 ? std::arg(arm) : 0.0) - std::arg(normal);
+  set_cosine(
+      -dot(normal, output_.circle_point - input_.circle_point), std::abs(arm), output_.length);
+}
+
+// cos μ = (constant + arm cos x) / length.
+void DriveCurve::set_cosine(double constant, double arm, double length) {
+  below_one_ = length_sum({length, -constant, -arm}) / length;
+  above_minus_one_ = length_sum({length, constant, -arm}) / length;
+  factor_ = arm / length;
+}
+
+// ρ cos μ is how far the line is from the input's circle point.
+void DriveCurve::set_over_root() {
+  is_over_root_ = true;
+  over_root_ = dot(normal_of(output_), input_.circle_point - output_.circle_point);
 }
 
 double DriveCurve::coordinate_of(const Pose& pose) const {
@@ -180,38 +225,127 @@ int DriveCurve::side_of(const Pose& pose) const {
   return work > 0.0 ? 1 : (work < 0.0 ? -1 : 0);
 }
 
-double DriveCurve::cosine(double x) const {
-  double argument = 0.0;
+DriveCurve::Offset DriveCurve::offset_of(double x) const {
   switch (argument_) {
-    case Argument::cosine:
-      argument = std::cos(x);
-      break;
+    case Argument::cosine: {
+      const double sine = std::sin(0.5 * x);
+      const double cosine = std::cos(0.5 * x);
+      return {.from_one = -2.0 * sine * sine, .from_minus_one = 2.0 * cosine * cosine};
+    }
     case Argument::square:
-      argument = x * x;
-      break;
+      return {.from_one = x * x, .from_minus_one = x * x};
     case Argument::linear:
-      argument = x;
-      break;
+      return {.from_one = x, .from_minus_one = x};
     case Argument::none:
       break;
   }
-  const double s = constant_ + factor_ * argument;
-  return is_over_root_ ? over_root_ / std::sqrt(s) : s;
+  return {};
+}
+
+double DriveCurve::below_one(const Offset& at) const {
+  return below_one_ - factor_ * at.from_one;
+}
+
+double DriveCurve::above_minus_one(const Offset& at) const {
+  return above_minus_one_ + factor_ * at.from_minus_one;
+}
+
+double DriveCurve::transmission_at(const Offset& at) const {
+  return is_over_root_
+             ? std::atan2(std::sqrt(std::max(excess_ + factor_ * at.from_one, 0.0)), over_root_)
+             : angle_between(below_one(at), above_minus_one(at));
+}
+
+double DriveCurve::transmission(double x) const {
+  return transmission_at(offset_of(x));
+}
+
+double DriveCurve::transmission_of(const Pose& pose) const {
+  const Force force = force_of(output_, pose);
+  const Point turn = unit_vector(pose.angle);
+  const Point arm = input_.kind == DyadKind::inverted_slider
+                        ? turn * normal_of(input_)
+                        : pose.place(input_.circle_point) - force.at;
+  const double size = std::abs(arm) * std::abs(force.direction);
+  const double across = settled(cross(arm, force.direction), kDataRounding * size);
+  return std::atan2(std::abs(across), dot(arm, force.direction));
+}
+
+double DriveCurve::reserve(double x) const {
+  const Offset at = offset_of(x);
+  if (!is_over_root_) {
+    return std::min(below_one(at), above_minus_one(at));
+  }
+  const double excess = excess_ + factor_ * at.from_one;
+  const double reach = over_root_ * over_root_ + excess;  // ρ²
+  return reach > 0.0 ? excess / (reach + std::abs(over_root_) * std::sqrt(reach)) : -1.0;
+}
+
+// cos μ falls with x, and an output that is an inverted slider has a dead point at one end alone.
+DriveCurve::Range DriveCurve::range_of_angle() const {
+  Range range{.low = 0.0, .high = std::numbers::pi};
+  range.low_transmission = transmission(range.low);
+  range.high_transmission = transmission(range.high);
+  if (factor_ == 0.0) {
+    return range;
+  }
+  const double before = is_over_root_ ? excess_ / factor_ : -below_one_ / factor_;
+  if (before > 0.0) {
+    range.low = angle_between(before, 2.0 - before);
+    range.low_transmission = is_over_root_ ? std::atan2(0.0, over_root_) : 0.0;
+  }
+  const double after = is_over_root_ ? 0.0 : -above_minus_one_ / factor_;
+  if (after > 0.0) {
+    range.high = angle_between(2.0 - after, after);
+    range.high_transmission = std::numbers::pi;
+  }
+  return range;
+}
+
+DriveCurve::Range DriveCurve::range_of_square() const {
+  Range range{.low = 0.0, .high = kInfinity};
+  const double before = is_over_root_ ? -excess_ : below_one_ / factor_;
+  range.low = std::sqrt(std::max(before, 0.0));
+  if (is_over_root_) {
+    range.low_transmission = transmission(range.low);
+    range.high_transmission = 0.5 * std::numbers::pi;
+    return range;
+  }
+  range.low_transmission = before > 0.0 ? 0.0 : transmission(0.0);
+  range.high = std::sqrt(std::max(-above_minus_one_ / factor_, 0.0));
+  range.high_transmission = std::numbers::pi;
+  return range;
+}
+
+DriveCurve::Range DriveCurve::range_of_line() const {
+  if (factor_ == 0.0) {
+    const double same = transmission(0.0);
+    return {
+        .low = -kInfinity, .high = kInfinity, .low_transmission = same, .high_transmission = same};
+  }
+  const double one = below_one_ / factor_;
+  const double minus_one = -above_minus_one_ / factor_;
+  return one < minus_one ? Range{.low = one,
+                                 .high = minus_one,
+                                 .low_transmission = 0.0,
+                                 .high_transmission = std::numbers::pi}
+                         : Range{.low = minus_one,
+                                 .high = one,
+                                 .low_transmission = std::numbers::pi,
+                                 .high_transmission = 0.0};
 }
 
 DriveCurve::Range DriveCurve::range() const {
-  const Range whole = argument_ == Argument::cosine   ? Range{-1.0, 1.0}
-                      : argument_ == Argument::square ? Range{0.0, kInfinity}
-                                                      : Range{-kInfinity, kInfinity};
-  if (factor_ == 0.0) {
-    return whole;
+  switch (argument_) {
+    case Argument::cosine:
+      return range_of_angle();
+    case Argument::square:
+      return range_of_square();
+    case Argument::linear:
+    case Argument::none:
+      break;
   }
-  // s from -1 to 1, or above over_root².
-  const double a = ((is_over_root_ ? over_root_ * over_root_ : -1.0) - constant_) / factor_;
-  const double b =
-      is_over_root_ ? (factor_ > 0.0 ? kInfinity : -kInfinity) : (1.0 - constant_) / factor_;
-  const auto [low, high] = std::minmax(a, b);
-  return {.low = std::max(low, whole.low), .high = std::min(high, whole.high)};
+  return range_of_line();
 }
 
 Point DriveCurve::input_place(double x) const {
@@ -226,16 +360,19 @@ double DriveCurve::plane_angle(const Point& input_place, int side) const {
   if (output_.kind == DyadKind::slider) {
     const Point normal = normal_of(output_);
     const double away = dot(normal, input_place - output_.centre_point);
-    return std::arg(normal) - side * reached_angle(-away / std::abs(arm)) - std::arg(arm);
+    const double h = std::abs(arm);
+    return std::arg(normal) - side * reached_angle(h + away, h - away) - std::arg(arm);
   }
   const Point to_centre = output_.centre_point - input_place;
   const double rho = std::abs(to_centre);
   if (output_.kind == DyadKind::crank) {
     const double h = std::abs(arm);
-    const double cosine = (h * h + rho * rho - output_.length * output_.length) / (2.0 * h * rho);
-    return std::arg(to_centre) - side * reached_angle(cosine) - std::arg(arm);
+    const double k = output_.length;
+    const double angle =
+        reached_angle((k - h + rho) * (k + h - rho), (h + rho - k) * (h + rho + k));
+    return std::arg(to_centre) - side * angle - std::arg(arm);
   }
-  return std::arg(to_centre) + side * reached_angle(-over_root_ / rho) -
+  return std::arg(to_centre) + side * reached_angle(rho + over_root_, rho - over_root_) -
          std::arg(normal_of(output_));
 }
 
@@ -245,7 +382,8 @@ Pose DriveCurve::pose_of_inverted_input(double x, int side) const {
   const Point along = unit_vector(pose.angle) * input_.direction;
   const double offset = dot(normal_of(input_), output_.circle_point - input_.circle_point);
   if (output_.kind == DyadKind::crank) {
-    const Point arm = unit_vector(side * reached_angle(cosine(x)));
+    const Offset at = offset_of(x);
+    const Point arm = unit_vector(side * reached_angle(below_one(at), above_minus_one(at)));
     const Point place =
         output_.centre_point - output_.length * (arm.real() * normal + arm.imag() * along);
     pose.origin = place - unit_vector(pose.angle) * output_.circle_point;

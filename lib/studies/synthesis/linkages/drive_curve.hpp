@@ -11,7 +11,7 @@ namespace kinestat {
 /// what that force has to move: with a crank or a slider as input the line to the input's circle
 /// point, with an inverted slider as input the normal of its line. Zero and π are dead points. Its
 /// cosine is a function of one argument of the input coordinate x, so that limits and extremes
-/// have closed forms.
+/// have closed forms; these keep the digits that the links have also next to dead points.
 class DriveCurve {
  public:
   DriveCurve(const Linkage& linkage, Drive drive);
@@ -33,21 +33,31 @@ class DriveCurve {
   /// Of a four-bar the sign of (B - A) x (B0 - B).
   int side_of(const Pose& pose) const;
 
-  /// cos μ at x; beyond ±1, or NaN, where the input cannot go.
-  double cosine(double x) const;
+  /// μ at x [rad]; that of the dead point where the input cannot go.
+  double transmission(double x) const;
+
+  /// μ of a pose that the linkage meets [rad].
+  double transmission_of(const Pose& pose) const;
+
+  /// 1 - |cos μ| at x; negative where the input cannot go.
+  double reserve(double x) const;
 
   /// The pose at x on a side; empty where the input cannot go.
   std::optional<Pose> pose_at(double x, int side) const;
 
-  /// The reachable arguments: of cos x, of x² or of x, see `Argument`; unbounded ones are infinite.
-  struct Range {
-    double low = 0.0;
-    double high = 0.0;
-  };
-
+  /// Of which x the cosine of μ is a linear function: of cos x, of x², of x, or of none.
   enum class Argument { cosine, square, linear, none };
 
   Argument argument() const { return argument_; }
+
+  /// What the input can reach, where nothing ends it infinite: values of |x|, or of x with a linear
+  /// argument or none; and μ there [rad].
+  struct Range {
+    double low = 0.0;
+    double high = 0.0;
+    double low_transmission = 0.0;
+    double high_transmission = 0.0;
+  };
 
   Range range() const;
 
@@ -55,9 +65,24 @@ class DriveCurve {
   bool is_open_ended() const { return is_open_ended_; }
 
  private:
+  // How far an argument is from 1 and from -1 if it is a cosine, else from 0.
+  struct Offset {
+    double from_one = 0.0;
+    double from_minus_one = 0.0;
+  };
+
   void set_crank_input();
   void set_slider_input();
   void set_inverted_input();
+  void set_cosine(double constant, double arm, double length);
+  void set_over_root();
+  Offset offset_of(double x) const;
+  double below_one(const Offset& at) const;
+  double above_minus_one(const Offset& at) const;
+  double transmission_at(const Offset& at) const;
+  Range range_of_angle() const;
+  Range range_of_square() const;
+  Range range_of_line() const;
   Point input_place(double x) const;
   double plane_angle(const Point& input_place, int side) const;
   Pose pose_of_inverted_input(double x, int side) const;
@@ -66,11 +91,14 @@ class DriveCurve {
   Dyad output_;
   Argument argument_ = Argument::none;
   bool is_open_ended_ = false;
-  double zero_ = 0.0;      // the input's own coordinate at x = 0
-  double constant_ = 0.0;  // s = constant + factor * argument
-  double factor_ = 0.0;
-  double over_root_ = 0.0;  // cos μ = over_root / sqrt(s) instead of s, with an inverted output
+  double zero_ = 0.0;             // the input's own coordinate at x = 0
+  double below_one_ = 0.0;        // 1 - cos μ at the offset 0 from 1
+  double above_minus_one_ = 0.0;  // 1 + cos μ at the offset 0 from -1
+  double factor_ = 0.0;           // by which cos μ grows with the argument
+  // With an inverted output cos μ = over_root / ρ instead, and ρ² - over_root² is linear.
   bool is_over_root_ = false;
+  double over_root_ = 0.0;
+  double excess_ = 0.0;  // ρ² - over_root² at the offset 0 from 1
 };
 
 }  // namespace kinestat

@@ -23,31 +23,29 @@ struct Interval {
 };
 
 Interval interval_of_angle(const DriveCurve::Range& range, double x) {
-  const bool upper_free = range.high >= 1.0;
-  const bool lower_free = range.low <= -1.0;
-  if (upper_free && lower_free) {
+  const bool is_free_at_zero = range.low <= 0.0;
+  const bool is_free_at_pi = range.high >= std::numbers::pi;
+  if (is_free_at_zero && is_free_at_pi) {
     return {.low = x, .high = x + 2.0 * std::numbers::pi, .is_turn = true};
   }
-  const double near = upper_free ? 0.0 : std::acos(std::clamp(range.high, -1.0, 1.0));
-  const double far = lower_free ? std::numbers::pi : std::acos(std::clamp(range.low, -1.0, 1.0));
-  if (upper_free) {
-    return {.low = -far, .high = far};
+  if (is_free_at_zero) {
+    return {.low = -range.high, .high = range.high};
   }
-  if (lower_free) {
-    return {.low = near, .high = 2.0 * std::numbers::pi - near};
+  if (is_free_at_pi) {
+    return {.low = range.low, .high = 2.0 * std::numbers::pi - range.low};
   }
-  return x < 0.0 ? Interval{.low = -far, .high = -near} : Interval{.low = near, .high = far};
+  return x < 0.0 ? Interval{.low = -range.high, .high = -range.low}
+                 : Interval{.low = range.low, .high = range.high};
 }
 
 Interval interval_of_square(const DriveCurve::Range& range, double x, double reach) {
-  const double far = std::isfinite(range.high) ? std::sqrt(range.high) : reach;
   const bool far_dead = std::isfinite(range.high);
+  const double far = far_dead ? range.high : reach;
   if (range.low <= 0.0) {
     return {.low = -far, .high = far, .low_dead = far_dead, .high_dead = far_dead};
   }
-  const double near = std::sqrt(range.low);
-  return x < 0.0 ? Interval{.low = -far, .high = -near, .low_dead = far_dead}
-                 : Interval{.low = near, .high = far, .high_dead = far_dead};
+  return x < 0.0 ? Interval{.low = -far, .high = -range.low, .low_dead = far_dead}
+                 : Interval{.low = range.low, .high = far, .high_dead = far_dead};
 }
 
 Interval interval_of(const DriveCurve& curve, double x, double reach) {

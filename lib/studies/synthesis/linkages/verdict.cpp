@@ -73,14 +73,14 @@ class Judge {
       const Pose pose = pose_of(position);
       const double x = curve_.coordinate_of(pose);
       verdict_.coordinates.push_back(x);
-      verdict_.transmission.push_back(transmission_at(x));
+      verdict_.transmission.push_back(curve_.transmission_of(pose));
       verdict_.circuits.push_back(circuits_(curve_.side_of(pose), x));
       verdict_.branches.push_back(branches_(curve_.side_of(pose), x));
     }
     verdict_.same_circuit = is_equal(verdict_.circuits);
     verdict_.same_branch = is_equal(verdict_.branches);
     verdict_.turns_fully = curve_.is_cyclic() && !bounds(zero_end_) && !bounds(far_end_);
-    verdict_.full = full_range();
+    verdict_.full = range_between(range_.low_transmission, range_.high_transmission);
     if (verdict_.same_circuit && verdict_.same_branch) {
       find_passage();
     }
@@ -124,17 +124,11 @@ class Judge {
 
   // |cos μ| below one, one, or beyond reach.
   End end_at(double x) const {
-    const double c = curve_.cosine(x);
-    const double beyond = std::isnan(c) ? 1.0 : std::abs(c) - 1.0;
-    if (std::abs(beyond) < kChangePoint) {
+    const double reserve = curve_.reserve(x);
+    if (std::abs(reserve) < kChangePoint) {
       return End::change_point;
     }
-    return beyond < 0.0 ? End::free : End::dead_point;
-  }
-
-  double transmission_at(double x) const {
-    const double c = curve_.cosine(x);
-    return std::isnan(c) ? 0.0 : std::acos(std::clamp(c, -1.0, 1.0));
+    return reserve > 0.0 ? End::free : End::dead_point;
   }
 
   // The coordinate without the jump: on a branch that does not contain x = 0 angles run from 0.
@@ -200,6 +194,10 @@ class Judge {
     verdict_.arc = arc;
   }
 
+  static TransmissionRange range_between(double one, double other) {
+    return {.least = std::min(one, other), .most = std::max(one, other)};
+  }
+
   static void include(TransmissionRange& range, double angle) {
     range.least = std::min(range.least, angle);
     range.most = std::max(range.most, angle);
@@ -211,40 +209,17 @@ class Judge {
     const double to = from + arc;
     const double low = std::min(from, to);
     const double high = std::max(from, to);
-    TransmissionRange range{.least = transmission_at(from), .most = transmission_at(from)};
-    include(range, transmission_at(to));
+    TransmissionRange range =
+        range_between(verdict_.transmission.front(), verdict_.transmission.back());
     if (curve_.argument() == DriveCurve::Argument::cosine) {
       for (double x = std::numbers::pi * std::ceil(low / std::numbers::pi); x <= high;
            x += std::numbers::pi) {
-        include(range, transmission_at(x));
+        include(range, curve_.transmission(x));
       }
     } else if (low < 0.0 && high > 0.0) {
-      include(range, transmission_at(0.0));
+      include(range, curve_.transmission(0.0));
     }
     return range;
-  }
-
-  TransmissionRange full_range() const {
-    TransmissionRange range{.least = std::numbers::pi, .most = 0.0};
-    for (const double angle :
-         {argument_transmission(range_.low), argument_transmission(range_.high)}) {
-      include(range, angle);
-    }
-    return range;
-  }
-
-  double argument_transmission(double argument) const {
-    using enum DriveCurve::Argument;
-    switch (curve_.argument()) {
-      case cosine:
-        return transmission_at(std::acos(std::clamp(argument, -1.0, 1.0)));
-      case square:
-        return transmission_at(std::sqrt(std::max(argument, 0.0)));
-      case linear:
-      case none:
-        return transmission_at(std::isfinite(argument) ? argument : 0.0);
-    }
-    return 0.0;
   }
 
   DriveCurve curve_;
