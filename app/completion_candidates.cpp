@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "core/codes.hpp"
-#include "run/file_names.hpp"
+#include "files/file_names.hpp"
 #include "run/help_topic.hpp"
 #include "run/plot.hpp"
 #include "run/schema_text.hpp"
@@ -98,7 +98,10 @@ CompletionCandidates values_of(const std::string& called, const CLI::App& app, W
       {"CODE", codes},
       {"KIND", [] { return without_meaning(starter_kinds()); }},
       {"SCHEMA", [] { return without_meaning(schema_names()); }},
-      {"SHELL", [] { return without_meaning({"bash", "zsh", "fish"}); }},
+      {"SHELL",
+       [] {
+         return without_meaning({"bash", "zsh", "fish"});
+       }},
   };
   for (const auto& [name, candidates] : kinds) {
     if (called == name) {
@@ -122,8 +125,7 @@ std::vector<Candidate> options_of(const CLI::App& command) {
 
 // The option of that name if a value belongs to it.
 const CLI::Option* option_with_value(const CLI::App& command, const std::string& name) {
-  const CLI::Option* option =
-      name.starts_with('-') ? command.get_option_no_throw(name) : nullptr;
+  const CLI::Option* option = name.starts_with('-') ? command.get_option_no_throw(name) : nullptr;
   return option != nullptr && takes_value(*option) ? option : nullptr;
 }
 

@@ -49,8 +49,9 @@ Outcome manual(const CLI::App& app, const std::string& word) {
   if (const CLI::App* command = command_of(app, word)) {
     return {.out = man_page_of_command(*command, help_topic("exit-status", {}).out), .err = {}};
   }
-  return is_topic(topic) ? Outcome{.out = man_page_of_topic(topic, help_topic(topic, {}).out), .err = {}}
-                         : help_topic(word, words_of_help(app));
+  return is_topic(topic)
+             ? Outcome{.out = man_page_of_topic(topic, help_topic(topic, {}).out), .err = {}}
+             : help_topic(word, words_of_help(app));
 }
 
 struct HelpChoice {

@@ -47,9 +47,8 @@ std::string verbatim(std::string_view text) {
 
 std::string head(std::string name, int section, std::string_view what) {
   std::string title = name;
-  std::ranges::transform(title, title.begin(), [](unsigned char c) {
-    return static_cast<char>(std::toupper(c));
-  });
+  std::ranges::transform(
+      title, title.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return fmt::format(".TH {} {} \"\" \"kinestat {}\" \"kinestat\"\n.SH NAME\n{} \\- {}\n",
                      roff(title),
                      section,

@@ -21,8 +21,11 @@ void add_choice_options(CLI::App& command, SensitivityChoice& choice) {
                "rates and actions that the actuators get, or all\n"
                "of them without actuators",
                "VALUE");
-  add_repeated(
-      command, "--by", choice.parameters, "one that varies; may be repeated; default all", "PARAMETER");
+  add_repeated(command,
+               "--by",
+               choice.parameters,
+               "one that varies; may be repeated; default all",
+               "PARAMETER");
   with_value(
       command, command.add_option("--case", choice.case_label, "one case; default all"), "CASE");
 }

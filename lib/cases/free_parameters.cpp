@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cases/case_passes.hpp"
 #include "core/rounding.hpp"
+#include "core/tolerance.hpp"
 #include "expression/parameters.hpp"
 #include "kinematics/bounded_motion.hpp"
 #include "mechanism/bind/bind.hpp"
@@ -90,45 +92,55 @@ std::optional<Probe> solve_at(const MechanismDescription& description,
   return Probe{.mechanism = *std::move(mechanism), .cases = std::move(cases)};
 }
 
-// Each probe rounds the numbers of the file anew: those of the equations, and the magnitude itself.
-BoundedNumber rounded_anew(const BoundedNumber& number, double by_equations) {
-  return {.value = number.value,
-          .bound = number.bound + by_equations + kDataRounding * std::abs(number.value)};
+// Each probe rounds the numbers of the file anew.
+BoundedNumber rounded_anew(const BoundedNumber& number) {
+  return {.value = number.value, .bound = number.bound + kDataRounding * std::abs(number.value)};
 }
 
-Magnitudes rates_of(const Mechanism& mechanism, const CaseAnalysis& one) {
+// The rates of a case at one probe.
+Magnitudes rates_of(const CaseAnalysis& one) {
   if (!one.motion || one.motion->rates.empty()) {
     return std::nullopt;
   }
-  const std::vector<double> by_equations = rate_rounding(mechanism, one.which, *one.motion);
   std::vector<BoundedNumber> rates;
-  for (std::size_t f = 0; f < by_equations.size(); ++f) {
-    const BoundedNumber rate = bounded_rate(*one.motion, static_cast<int>(f));
-    rates.push_back(rounded_anew(rate, by_equations[f]));
+  for (int f = 0; f < static_cast<int>(one.motion->rates.size()); ++f) {
+    rates.push_back(rounded_anew(bounded_rate(*one.motion, f)));
   }
   return rates;
 }
 
 // An action that equilibrium leaves open is no number, and so is not affine.
-Magnitudes actions_of(const Mechanism& drawn, const CaseAnalysis& one) {
+Magnitudes actions_of(const CaseAnalysis& one) {
   if (!one.action || one.action->magnitudes.empty()) {
     return std::nullopt;
   }
-  std::optional<Mechanism> on_coast_flanks;
-  if (!one.coast_flanks.empty()) {
-    on_coast_flanks = drawn;
-    load_coast_flanks(one.coast_flanks, on_coast_flanks->geometry);
-  }
-  const Mechanism& mechanism = on_coast_flanks ? *on_coast_flanks : drawn;
-  const std::vector<double> by_equations = action_rounding(mechanism, one.which, *one.action);
   std::vector<BoundedNumber> actions;
-  for (std::size_t a = 0; a < by_equations.size(); ++a) {
-    actions.push_back(
-        one.action->magnitudes[a].has_value()
-            ? rounded_anew(bounded_action(*one.action, static_cast<int>(a)), by_equations[a])
-            : BoundedNumber{.value = std::numeric_limits<double>::quiet_NaN()});
+  for (int a = 0; a < static_cast<int>(one.action->magnitudes.size()); ++a) {
+    const bool is_known = one.action->magnitudes[static_cast<std::size_t>(a)].has_value();
+    actions.push_back(is_known ? rounded_anew(bounded_action(*one.action, a))
+                               : BoundedNumber{.value = std::numeric_limits<double>::quiet_NaN()});
   }
   return actions;
+}
+
+// What the equations of a probe make of the rounding of their numbers.
+std::vector<double> rate_rounding_at(const Probe& probe,
+                                     std::size_t index,
+                                     std::span<const std::size_t> wanted) {
+  const CaseAnalysis& one = probe.cases[index];
+  return rate_rounding(wanted, probe.mechanism, one.which, *one.motion);
+}
+
+std::vector<double> action_rounding_at(const Probe& probe,
+                                       std::size_t index,
+                                       std::span<const std::size_t> wanted) {
+  const CaseAnalysis& one = probe.cases[index];
+  if (one.coast_flanks.empty()) {
+    return action_rounding(wanted, probe.mechanism, one.which, *one.action);
+  }
+  Mechanism on_coast_flanks = probe.mechanism;
+  load_coast_flanks(one.coast_flanks, on_coast_flanks.geometry);
+  return action_rounding(wanted, on_coast_flanks, one.which, *one.action);
 }
 
 // Of each magnitude the largest of its kind at any probe: is_first says which of two kinds it is.
@@ -151,24 +163,102 @@ std::vector<double> scales(const std::vector<Magnitudes>& probes, const IsFirst&
   return result;
 }
 
-// Those that depend on a parameter, or do so in another way than affinely.
-template <class IsFirst>
-std::vector<AffineMagnitude> fit(const std::vector<FreeParameter>& parameters,
-                                 const std::vector<Magnitudes>& probes,
-                                 const IsFirst& is_first) {
-  std::vector<AffineMagnitude> result;
-  const std::vector<std::optional<AffineValue>> fits =
-      fit_affine(parameters, probes, scales(probes, is_first));
-  for (std::size_t m = 0; m < fits.size(); ++m) {
-    const bool has_value = std::isfinite((*probes[0])[m].value);
-    const bool is_constant =
-        fits[m] && std::ranges::all_of(fits[m]->coefficients, [](double c) { return c == 0.0; });
-    if (has_value && !is_constant) {
-      result.push_back({.index = static_cast<int>(m), .value = fits[m]});
+// Whether the change of a magnitude with some parameter, or what is left of it where all of them
+// are zero, is so small that it may be rounding.
+bool may_be_rounding(const std::vector<Magnitudes>& probes,
+                     std::size_t m,
+                     const std::vector<FreeParameter>& parameters,
+                     double largest) {
+  const auto is_small = [&](double x) {
+    return std::abs(x) > 0.0 && std::abs(x) <= kAffine * largest;
+  };
+  const double drawn = (*probes[0])[m].value;
+  double constant = drawn;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const double change = (*probes[i + 1])[m].value - drawn;
+    if (is_small(change)) {
+      return true;
+    }
+    constant -= change / parameters[i].step * parameters[i].value;
+  }
+  return is_small(constant);
+}
+
+// The magnitudes of which that holds. What is larger, and rounding all the same, is seen at the
+// last probes, where it fits no affine function.
+std::vector<std::size_t> perhaps_rounding(const std::vector<Magnitudes>& probes,
+                                          const std::vector<FreeParameter>& parameters,
+                                          const std::vector<double>& largest) {
+  std::vector<std::size_t> result;
+  for (std::size_t m = 0; m < largest.size(); ++m) {
+    if (may_be_rounding(probes, m, parameters, largest[m])) {
+      result.push_back(m);
     }
   }
   return result;
 }
+
+// The dependence of the rates or of the actions of the case with that index.
+class AffineFit {
+ public:
+  using ValuesOf = Magnitudes (*)(const CaseAnalysis&);
+  using RoundingAt = std::vector<double> (*)(const Probe&,
+                                             std::size_t,
+                                             std::span<const std::size_t>);
+
+  AffineFit(const std::vector<FreeParameter>& parameters,
+            const std::vector<std::optional<Probe>>& probes,
+            std::size_t index)
+      : parameters_(parameters), probes_(probes), index_(index) {}
+
+  /// Those that depend on a parameter, or do so in another way than affinely. `is_first` says which
+  /// of two kinds a magnitude is.
+  template <class IsFirst>
+  std::vector<AffineMagnitude> run(ValuesOf values_of,
+                                   RoundingAt rounding_at,
+                                   const IsFirst& is_first) const {
+    std::vector<Magnitudes> values;
+    for (const std::optional<Probe>& probe : probes_) {
+      values.push_back(probe ? values_of(probe->cases[index_]) : std::nullopt);
+    }
+    const std::vector<double> largest = scales(values, is_first);
+    if (std::ranges::all_of(values, &Magnitudes::has_value)) {
+      add_rounding(rounding_at, largest, values);
+    }
+    return dependent(values, fit_affine(parameters_, values, largest));
+  }
+
+ private:
+  void add_rounding(RoundingAt rounding_at,
+                    const std::vector<double>& largest,
+                    std::vector<Magnitudes>& values) const {
+    const std::vector<std::size_t> wanted = perhaps_rounding(values, parameters_, largest);
+    for (std::size_t p = 0; !wanted.empty() && p <= parameters_.size(); ++p) {
+      const std::vector<double> rounding = rounding_at(*probes_[p], index_, wanted);
+      for (std::size_t i = 0; i < wanted.size(); ++i) {
+        (*values[p])[wanted[i]].bound += rounding[i];
+      }
+    }
+  }
+
+  static std::vector<AffineMagnitude> dependent(
+      const std::vector<Magnitudes>& values, const std::vector<std::optional<AffineValue>>& fits) {
+    std::vector<AffineMagnitude> result;
+    for (std::size_t m = 0; m < fits.size(); ++m) {
+      const bool has_value = std::isfinite((*values[0])[m].value);
+      const bool is_constant =
+          fits[m] && std::ranges::all_of(fits[m]->coefficients, [](double c) { return c == 0.0; });
+      if (has_value && !is_constant) {
+        result.push_back({.index = static_cast<int>(m), .value = fits[m]});
+      }
+    }
+    return result;
+  }
+
+  const std::vector<FreeParameter>& parameters_;
+  const std::vector<std::optional<Probe>>& probes_;
+  std::size_t index_;
+};
 
 }  // namespace
 
@@ -191,16 +281,13 @@ void find_affine_dependence(Analysis& analysis) {
   }
   const Topology& topology = analysis.mechanism.topology;
   for (std::size_t c = 0; c < analysis.cases.size(); ++c) {
-    std::vector<Magnitudes> rates;
-    std::vector<Magnitudes> actions;
-    for (const std::optional<Probe>& probe : probes) {
-      rates.push_back(probe ? rates_of(probe->mechanism, probe->cases[c]) : std::nullopt);
-      actions.push_back(probe ? actions_of(probe->mechanism, probe->cases[c]) : std::nullopt);
-    }
-    analysis.cases[c].affine_rates =
-        fit(parameters, rates, [&](std::size_t f) { return topology.freedoms[f].is_rotation; });
-    analysis.cases[c].affine_actions =
-        fit(parameters, actions, [&](std::size_t a) { return topology.actions[a].is_couple; });
+    const AffineFit fit(parameters, probes, c);
+    analysis.cases[c].affine_rates = fit.run(rates_of, rate_rounding_at, [&](std::size_t f) {
+      return topology.freedoms[f].is_rotation;
+    });
+    analysis.cases[c].affine_actions = fit.run(actions_of, action_rounding_at, [&](std::size_t a) {
+      return topology.actions[a].is_couple;
+    });
   }
 }
 

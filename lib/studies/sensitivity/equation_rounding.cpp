@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <span>
 
 #include "network/bases.hpp"
 #include "network/node_system.hpp"
@@ -29,14 +28,16 @@ std::vector<BodyWrench> outside_wrenches(const Mechanism& mechanism,
 
 }  // namespace
 
-std::vector<double> rate_rounding(const Mechanism& mechanism,
+std::vector<double> rate_rounding(std::span<const std::size_t> wanted,
+                                  const Mechanism& mechanism,
                                   const Case& which,
                                   const KinematicSolution& motion) {
   const CoordinateBasis basis = motion_basis(mechanism.geometry, mechanism.kinematic_order);
-  return motion_equations(mechanism, which, basis).bounds(motion.rates, {});
+  return motion_equations(mechanism, which, basis).bounds(wanted, motion.rates, {});
 }
 
-std::vector<double> action_rounding(const Mechanism& mechanism,
+std::vector<double> action_rounding(std::span<const std::size_t> wanted,
+                                    const Mechanism& mechanism,
                                     const Case& which,
                                     const StaticSolution& action) {
   const std::vector<BodyWrench> outside = outside_wrenches(mechanism, which, action);
@@ -46,7 +47,7 @@ std::vector<double> action_rounding(const Mechanism& mechanism,
                          std::back_inserter(magnitudes),
                          [](const std::optional<double>& one) { return one.value_or(0.0); });
   return action_equations(mechanism, which, basis)
-      .bounds(magnitudes, load_vector(mechanism.topology.body_count(), basis, outside));
+      .bounds(wanted, magnitudes, load_vector(mechanism.topology.body_count(), basis, outside));
 }
 
 }  // namespace kinestat

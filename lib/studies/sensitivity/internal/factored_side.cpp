@@ -59,17 +59,20 @@ VecX FactoredSide::row_errors(const std::vector<double>& magnitudes,
   return kinestat::row_errors(system_, rhs, blocks(), x);
 }
 
-std::vector<double> FactoredSide::bounds(const std::vector<double>& magnitudes,
+std::vector<double> FactoredSide::bounds(std::span<const std::size_t> wanted,
+                                         const std::vector<double>& magnitudes,
                                          std::span<const double> rhs) const {
   const VecX errors = row_errors(magnitudes, rhs);
   const std::vector<int>& open = elimination_.free_columns();
-  std::vector<double> result(units_.size(), 0.0);
-  for (std::size_t i = 0; i < units_.size(); ++i) {
+  std::vector<double> result;
+  for (const std::size_t i : wanted) {
     const int column = first_column_ + static_cast<int>(i);
-    if (!std::ranges::binary_search(open, column)) {
-      const AdjointSolution row = elimination_.solve_adjoint(VecX::Unit(system_.columns, column));
-      result[i] = units_[i] * row.rows.cwiseAbs().dot(errors);
+    if (std::ranges::binary_search(open, column)) {
+      result.push_back(0.0);
+      continue;
     }
+    const AdjointSolution row = elimination_.solve_adjoint(VecX::Unit(system_.columns, column));
+    result.push_back(units_[i] * row.rows.cwiseAbs().dot(errors));
   }
   return result;
 }

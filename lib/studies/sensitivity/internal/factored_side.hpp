@@ -36,9 +36,10 @@ class FactoredSide {
   /// being these.
   VecX row_errors(const std::vector<double>& magnitudes, std::span<const double> rhs = {}) const;
 
-  /// How far each magnitude may be off by that and by the same share of the right-hand side: row by
-  /// row of the inverse. Zero for those that are known or open.
-  std::vector<double> bounds(const std::vector<double>& magnitudes,
+  /// How far these of the magnitudes may be off by that and by the same share of the right-hand
+  /// side: row by row of the inverse. Zero for those that are known or open.
+  std::vector<double> bounds(std::span<const std::size_t> wanted,
+                             const std::vector<double>& magnitudes,
                              std::span<const double> rhs) const;
 
   /// Whether the redundant equations hold when the right-hand side changes so.

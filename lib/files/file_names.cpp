@@ -1,4 +1,4 @@
-#include "run/file_names.hpp"
+#include "files/file_names.hpp"
 
 #include "files/load_file.hpp"
 
