@@ -26,7 +26,6 @@ struct BoundedWrench {
   Wrench zeroed() const { return {.moment = moment.zeroed(), .force = force.zeroed()}; }
 };
 
-BoundedTwist operator+(const BoundedTwist& a, const BoundedTwist& b);
 BoundedTwist operator-(const BoundedTwist& a, const BoundedTwist& b);
 BoundedWrench operator+(const BoundedWrench& a, const BoundedWrench& b);
 
