@@ -10,7 +10,7 @@
 #include "format/mechanism_reader.hpp"
 #include "io/yaml_tree.hpp"
 #include "mechanism/bind/bind.hpp"
-#include "studies/benchmark/extreme_networks.hpp"
+#include "studies/benchmark/extreme.hpp"
 #include "studies/benchmark/report/benchmark_report.hpp"
 
 namespace kinestat {

@@ -3,12 +3,12 @@
 #include <optional>
 #include <utility>
 
-#include "cases/analysis_findings.hpp"
+#include "cases/case_findings.hpp"
 #include "cases/certainty_findings.hpp"
-#include "cases/certified_cases.hpp"
+#include "cases/solve_cases.hpp"
 #include "files/each_file.hpp"
 #include "files/load_file.hpp"
-#include "report/file/shift_report.hpp"
+#include "report/file/file_report.hpp"
 
 namespace kinestat {
 

@@ -5,7 +5,6 @@
 
 #include "files/each_file.hpp"
 #include "studies/synthesis/task/find_synthesis.hpp"
-#include "studies/synthesis/task/linkage_check.hpp"
 #include "studies/synthesis/task/linkage_files.hpp"
 
 namespace kinestat {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "math/numbers/bounded_vector.hpp"
+#include "math/numbers/bounded_number.hpp"
 #include "screw/screw_axis.hpp"
 
 namespace kinestat {

@@ -1,8 +1,8 @@
-#include "mechanism/check/synthesis_check.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
+
+#include "mechanism/check/section_checks.hpp"
 
 namespace kinestat {
 
