@@ -1,6 +1,4 @@
 #include "command.hpp"
-#include "options/accuracy_options.hpp"
-#include "options/output_options.hpp"
 
 namespace kinestat::app {
 
@@ -26,9 +24,8 @@ void add_analyze(CLI::App& command, Job& job) {
       [&analyse] { analyse.is_quiet = true; },
       "print no report on standard output");
   add_fail_fast(command, *options);
-  command.callback([options, &job] {
-    job = [options] { return analyse_files(options->paths, options->analyse); };
-  });
+  run_when_chosen(
+      command, job, [options] { return analyse_files(options->paths, options->analyse); });
 }
 
 }  // namespace kinestat::app

@@ -45,11 +45,8 @@ void add_bench(CLI::App& command, Job& job) {
       },
       "how often each method is timed; default 15, as\n"
       "far as two seconds a case and side allow");
-  command.callback([options, &job] {
-    job = [options] {
-      return benchmark_files(
-          options->files.paths, options->choice, options->files.analyse, seconds);
-    };
+  run_when_chosen(command, job, [options] {
+    return benchmark_files(options->files.paths, options->choice, options->files.analyse, seconds);
   });
 }
 

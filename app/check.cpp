@@ -11,9 +11,8 @@ void add_check(CLI::App& command, Job& job) {
   add_files(command, *options);
   add_strict(command, *options);
   add_fail_fast(command, *options);
-  command.callback([options, &job] {
-    job = [options] { return check_files(options->paths, options->analyse); };
-  });
+  run_when_chosen(
+      command, job, [options] { return check_files(options->paths, options->analyse); });
 }
 
 }  // namespace kinestat::app

@@ -1,6 +1,7 @@
 #include "command.hpp"
 
 #include <array>
+#include <utility>
 
 namespace kinestat::app {
 
@@ -32,6 +33,10 @@ constexpr std::array<Command, 20> kCommands = {{
 }};
 
 }  // namespace
+
+void run_when_chosen(CLI::App& command, Job& job, Job run) {
+  command.callback([run = std::move(run), &job] { job = run; });
+}
 
 std::span<const Command> commands() {
   return kCommands;

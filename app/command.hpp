@@ -14,6 +14,8 @@ namespace kinestat::app {
 /// What the chosen sub-command will do; set while the command line is parsed.
 using Job = std::function<Outcome()>;
 
+void run_when_chosen(CLI::App& command, Job& job, Job run);
+
 void add_analyze(CLI::App& command, Job& job);
 void add_check(CLI::App& command, Job& job);
 void add_graph(CLI::App& command, Job& job);

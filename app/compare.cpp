@@ -78,8 +78,8 @@ void add_compare(CLI::App& command, Job& job) {
   add_reports(command, *reports);
   add_tolerances(command, reports->options.tolerances);
   add_form(command, reports->options);
-  command.callback([reports, &job] {
-    job = [reports] { return compare_reports(reports->a, reports->b, reports->options); };
+  run_when_chosen(command, job, [reports] {
+    return compare_reports(reports->a, reports->b, reports->options);
   });
 }
 

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "command.hpp"
 #include "completion_candidates.hpp"
 #include "run/completion_script.hpp"
@@ -36,14 +34,12 @@ void add_completion(CLI::App& command, Job& job) {
   add_argument(command, "SHELL", completion->shell, "bash, zsh or fish").required();
   // Behind the word `candidates`, for the scripts alone.
   add_argument(command, "WORDS", completion->words, "").group("");
-  command.callback([completion, &command, &job] {
-    job = [completion, &command]() -> Outcome {
-      if (completion->shell == kCandidates) {
-        return {.out = lines_of(completion_candidates(*command.get_parent(), completion->words)),
-                .err = {}};
-      }
-      return completion_script(completion->shell);
-    };
+  run_when_chosen(command, job, [completion, &command]() -> Outcome {
+    if (completion->shell == kCandidates) {
+      return {.out = lines_of(completion_candidates(*command.get_parent(), completion->words)),
+              .err = {}};
+    }
+    return completion_script(completion->shell);
   });
 }
 

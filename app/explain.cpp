@@ -10,7 +10,7 @@ void add_explain(CLI::App& command, Job& job) {
       "  kinestat explain\n");
   auto code = std::make_shared<std::string>();
   add_argument(command, "CODE", *code, "the code in brackets of a message");
-  command.callback([code, &job] { job = [code] { return explain(*code); }; });
+  run_when_chosen(command, job, [code] { return explain(*code); });
 }
 
 }  // namespace kinestat::app

@@ -39,11 +39,9 @@ void add_graph(CLI::App& command, Job& job) {
   add_format(command, options->files);
   add_strict(command, options->files);
   add_matrices(command, *options);
-  command.callback([options, &job] {
-    job = [options] {
-      return graph_files(
-          options->files.paths, options->matrices, options->case_label, options->files.analyse);
-    };
+  run_when_chosen(command, job, [options] {
+    return graph_files(
+        options->files.paths, options->matrices, options->case_label, options->files.analyse);
   });
 }
 

@@ -76,11 +76,9 @@ void add_help(CLI::App& command, Job& job) {
       [choice] { choice->is_for_man = true; },
       "as a page for man(1); motion.7 is a topic that\n"
       "has the name of a command");
-  command.callback([choice, &command, &job] {
-    job = [choice, &command] {
-      const CLI::App& app = *command.get_parent();
-      return choice->is_for_man ? manual(app, choice->word) : help(app, choice->word);
-    };
+  run_when_chosen(command, job, [choice, &command] {
+    const CLI::App& app = *command.get_parent();
+    return choice->is_for_man ? manual(app, choice->word) : help(app, choice->word);
   });
 }
 

@@ -27,12 +27,10 @@ void add_merge(CLI::App& command, Job& job) {
                     "<name>.sweep.json; it must exist. Without it\n"
                     "rows go to standard output");
   add_messages(command, merge->options.diagnostics, merge->options.is_quiet);
-  command.callback([merge, &job] {
-    job = [merge] {
-      return run_streaming(
-          [&](const SweepHooks& hooks) { return merge_files(merge->paths, merge->options, hooks); },
-          {});
-    };
+  run_when_chosen(command, job, [merge] {
+    return run_streaming(
+        [&](const SweepHooks& hooks) { return merge_files(merge->paths, merge->options, hooks); },
+        {});
   });
 }
 

@@ -1,7 +1,6 @@
 #include "run/mobility.hpp"
 
 #include "command.hpp"
-#include "options/accuracy_options.hpp"
 
 namespace kinestat::app {
 
@@ -14,9 +13,8 @@ void add_mobility(CLI::App& command, Job& job) {
   add_format(command, *options);
   add_accuracy(command, options->analyse.accuracy);
   add_strict(command, *options);
-  command.callback([options, &job] {
-    job = [options] { return mobility_of_files(options->paths, options->analyse); };
-  });
+  run_when_chosen(
+      command, job, [options] { return mobility_of_files(options->paths, options->analyse); });
 }
 
 }  // namespace kinestat::app

@@ -1,7 +1,6 @@
 #include "run/motion.hpp"
 
 #include "command.hpp"
-#include "options/output_options.hpp"
 
 namespace kinestat::app {
 
@@ -61,10 +60,8 @@ void add_motion(CLI::App& command, Job& job) {
       [&analyse] { analyse.is_quiet = true; },
       "print no report on standard output");
   add_fail_fast(command, flags->files);
-  command.callback([flags, &job] {
-    job = [flags] {
-      return motion_of_files(flags->files.paths, flags->choice, flags->files.analyse);
-    };
+  run_when_chosen(command, job, [flags] {
+    return motion_of_files(flags->files.paths, flags->choice, flags->files.analyse);
   });
 }
 

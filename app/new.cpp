@@ -26,8 +26,8 @@ void add_new(CLI::App& command, Job& job) {
       "--force",
       [options] { options->overwrite = Overwrite::force; },
       "replace the file if it exists");
-  command.callback([options, &job] {
-    job = [options] { return write_starter(options->kind, options->path, options->overwrite); };
+  run_when_chosen(command, job, [options] {
+    return write_starter(options->kind, options->path, options->overwrite);
   });
 }
 

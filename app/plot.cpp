@@ -1,7 +1,6 @@
 #include "run/plot.hpp"
 
 #include "command.hpp"
-#include "options/accuracy_options.hpp"
 #include "seconds.hpp"
 
 namespace kinestat::app {
@@ -57,11 +56,9 @@ void add_plot(CLI::App& command, Job& job) {
   add_choices(command, options->choice);
   add_accuracy(command, options->files.analyse.accuracy);
   add_strict(command, options->files);
-  command.callback([options, &job] {
-    job = [options] {
-      return plot_file(
-          options->files.paths.front(), options->choice, options->files.analyse, seconds);
-    };
+  run_when_chosen(command, job, [options] {
+    return plot_file(
+        options->files.paths.front(), options->choice, options->files.analyse, seconds);
   });
 }
 

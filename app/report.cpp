@@ -1,5 +1,4 @@
 #include "command.hpp"
-#include "options/accuracy_options.hpp"
 #include "run/html_report.hpp"
 
 namespace kinestat::app {
@@ -35,10 +34,8 @@ void add_report(CLI::App& command, Job& job) {
       "replace a file that this program did not write");
   add_accuracy(command, analyse.accuracy);
   add_strict(command, options->files);
-  command.callback([options, &job] {
-    job = [options] {
-      return html_report_of_files(options->files.paths, options->page, options->files.analyse);
-    };
+  run_when_chosen(command, job, [options] {
+    return html_report_of_files(options->files.paths, options->page, options->files.analyse);
   });
 }
 

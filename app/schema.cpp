@@ -14,7 +14,7 @@ void add_schema(CLI::App& command, Job& job) {
       *name,
       "mechanism (default), report, mobility, inputs,\nsensitivity, sweep, synthesis, comparison "
       "or diagnostics");
-  command.callback([name, &job] { job = [name] { return schema_text(*name); }; });
+  run_when_chosen(command, job, [name] { return schema_text(*name); });
 }
 
 }  // namespace kinestat::app

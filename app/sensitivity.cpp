@@ -42,10 +42,8 @@ void add_sensitivity(CLI::App& command, Job& job) {
   add_format(command, options->files);
   add_strict(command, options->files);
   add_choice_options(command, options->choice);
-  command.callback([options, &job] {
-    job = [options] {
-      return sensitivity_files(options->files.paths, options->choice, options->files.analyse);
-    };
+  run_when_chosen(command, job, [options] {
+    return sensitivity_files(options->files.paths, options->choice, options->files.analyse);
   });
 }
 

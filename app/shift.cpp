@@ -1,7 +1,6 @@
 #include "run/shift.hpp"
 
 #include "command.hpp"
-#include "options/accuracy_options.hpp"
 
 namespace kinestat::app {
 
@@ -34,10 +33,8 @@ void add_shift(CLI::App& command, Job& job) {
       "--one-fewer",
       [flags] { flags->choice.one_fewer = true; },
       "also combinations of one element fewer");
-  command.callback([flags, &job] {
-    job = [flags] {
-      return shift_of_files(flags->files.paths, flags->choice, flags->files.analyse);
-    };
+  run_when_chosen(command, job, [flags] {
+    return shift_of_files(flags->files.paths, flags->choice, flags->files.analyse);
   });
 }
 

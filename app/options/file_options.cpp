@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "options/sweep_options.hpp"
+
 namespace kinestat::app {
 
 namespace {
@@ -117,6 +119,37 @@ void add_strict(CLI::App& command, FileOptions& options) {
       "--strict",
       [&options] { options.analyse.strictness = Strictness::strict; },
       "exit with status 1 if there are warnings");
+}
+
+void add_accuracy(CLI::App& command, AccuracyRequest& request) {
+  using enum Accuracy;
+  add_choice<Accuracy>(command,
+                       "--accuracy",
+                       {{"auto", automatic}, {"fast", fast}, {"high", high}, {"exact", exact}},
+                       request.accuracy,
+                       "how errors are bounded and made smaller;\n"
+                       "'kinestat help accuracy' says at what price");
+  add_count(
+      command,
+      "--digits",
+      [&request](std::uint64_t count) {
+        if (count > kMostAskedDigits) {
+          throw WrongValue(
+              "--digits", std::to_string(count), "it is 1 to 15, as values are written as doubles");
+        }
+        request.digits = static_cast<int>(count);
+      },
+      "decimal digits of a value that must be right\n"
+      "with auto, 1 to 15; without it 9");
+}
+
+void add_output(CLI::App& command, AnalyseOptions& analyse, const std::string& explanation) {
+  with_value(command, command.add_option("-o,--out", analyse.output.folder, explanation), "FOLDER");
+  add_flag(
+      command,
+      "--force",
+      [&analyse] { analyse.output.overwrite = Overwrite::force; },
+      "replace files that this program did not write");
 }
 
 }  // namespace kinestat::app

@@ -37,6 +37,12 @@ void add_fail_fast(CLI::App& command, FileOptions& options);
 /// Declares --strict.
 void add_strict(CLI::App& command, FileOptions& options);
 
+/// Declares --accuracy and --digits, by which the user trades time for accuracy.
+void add_accuracy(CLI::App& command, AccuracyRequest& request);
+
+/// Declares -o, explained by this, and --force.
+void add_output(CLI::App& command, AnalyseOptions& analyse, const std::string& explanation);
+
 /// Declares an argument without a name, such as FILE.
 template <class Value>
 CLI::Option& add_argument(CLI::App& command,

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "cases/cable_findings.hpp"
 #include "cases/known_side.hpp"
 #include "core/text.hpp"
 #include "screw/bounded_screw.hpp"

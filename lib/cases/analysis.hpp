@@ -66,4 +66,11 @@ struct Analysis {
   std::vector<FreeParameterLabel> free_parameters;
 };
 
+/// A mechanism file that was read and bound.
+struct Loaded {
+  MechanismDescription description;
+  Mechanism mechanism;
+  std::optional<ShiftAnalysis> shift;  ///< whose gears are among the cases
+};
+
 }  // namespace kinestat

@@ -1,10 +1,9 @@
-#include "cases/cable_findings.hpp"
-
 #include <algorithm>
 #include <limits>
 
 #include <fmt/format.h>
 
+#include "cases/action_findings.hpp"
 #include "core/text.hpp"
 #include "statics/one_sided_action.hpp"
 

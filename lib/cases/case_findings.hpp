@@ -74,4 +74,8 @@ CaseFindings find_case_findings(const JudgedFile& file,
 /// Adds them to the messages of the file.
 void add(const CaseFinding& one, Diagnostics& found);
 
+/// The findings of all cases, at the lines of these: why one was not solved, and what to give
+/// instead.
+void add_findings(const Analysis& analysis, Diagnostics& found);
+
 }  // namespace kinestat

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "cases/case_passes.hpp"
-#include "cases/certified_cases.hpp"
 #include "cases/exact_input_cases.hpp"
 #include "cases/free_parameters.hpp"
 #include "core/contract.hpp"
@@ -277,11 +276,6 @@ Bases bases_of(const Mechanism& mechanism) {
 }
 
 }  // namespace
-
-std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism,
-                                          const AccuracyRequest& request) {
-  return solve_some_cases(mechanism, mechanism.cases, request);
-}
 
 std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism,
                                            std::span<const Case> wanted,

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "cases/analysis.hpp"
-#include "cases/loaded.hpp"
+#include "cases/certainty.hpp"
 #include "core/accuracy.hpp"
 
 namespace kinestat {
@@ -15,13 +16,21 @@ namespace kinestat {
 /// motions are always counted, the actions if some case asks for any or if there are no cases.
 Analysis solve_cases(std::string file, Loaded loaded, const AccuracyRequest& request = {});
 
-/// The cases alone.
-std::vector<CaseAnalysis> solve_all_cases(const Mechanism& mechanism,
-                                          const AccuracyRequest& request = {});
-
-/// Some cases alone, which may be others than those of the mechanism.
+/// These cases alone, which may be others than those of the mechanism.
 std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism,
                                            std::span<const Case> cases,
                                            const AccuracyRequest& request = {});
+
+/// The passes of every case with as many digits as asked for, and what is proved of the ranks.
+struct CertifiedAnalysis {
+  Analysis analysis;
+  Certainty certainty;
+};
+
+/// solve_cases; where the request, or what the doubles prove, asks for it, with the numbers as
+/// typed.
+CertifiedAnalysis solve_certified_cases(std::string file,
+                                        Loaded loaded,
+                                        const AccuracyRequest& request);
 
 }  // namespace kinestat

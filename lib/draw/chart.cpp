@@ -10,7 +10,6 @@
 #include "core/contract.hpp"
 #include "draw/chart_frame.hpp"
 #include "draw/labels.hpp"
-#include "draw/marker.hpp"
 
 namespace kinestat {
 

@@ -1,7 +1,9 @@
-// The frame of a chart on a picture: where values stand, its grid and the words at its axes.
+// The frame of a chart on a picture: where values stand, its grid, the words at its axes, and
+// marks.
 #pragma once
 
 #include "draw/chart.hpp"
+#include "draw/svg.hpp"
 
 namespace kinestat {
 
@@ -35,5 +37,11 @@ void draw_grid(const ChartFrame& frame, Svg& svg);
 
 /// Numbers and titles of both axes.
 void draw_axes(const Chart& chart, const ChartFrame& frame, Svg& svg);
+
+/// How many shapes there are; then they begin again.
+inline constexpr int kMarkerShapes = 8;
+
+/// The n-th shape at a place: disc, square, triangle, diamond, then the same hollow.
+void draw_marker(int shape, PixelPoint place, Ink ink, double size, Svg& svg);
 
 }  // namespace kinestat

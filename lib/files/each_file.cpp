@@ -68,12 +68,11 @@ Outcome report_on_each_file(const std::vector<std::string>& paths,
                             const FileAnswer& answer) {
   const ReportForms forms = stream_forms(options.format, paths.size());
   return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
-    SourceFile source;
-    Diagnostics found;
-    if (const std::optional<FileReport> report = answer(path, forms, source, found)) {
+    ReportedFile file{.path = path, .forms = forms};
+    if (const std::optional<FileReport> report = answer(file)) {
       add_to_stream(*report, options, outcome);
     }
-    add_diagnostics(source, found, options.strictness, outcome);
+    add_diagnostics(file.source, file.found, options.strictness, outcome);
   });
 }
 

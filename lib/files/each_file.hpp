@@ -20,10 +20,16 @@ Outcome for_each_file(const std::vector<std::string>& paths,
                       const AnalyseOptions& options,
                       const FileJob& job);
 
-/// The report on one file in those forms, empty if there is none. Complaints about the file are
-/// added to `found`, whose places are in `source`.
-using FileAnswer = std::function<std::optional<FileReport>(
-    const std::string& path, const ReportForms& forms, SourceFile& source, Diagnostics& found)>;
+/// A file of a command line on the way to its report.
+struct ReportedFile {
+  const std::string& path;
+  const ReportForms& forms;
+  SourceFile source = {};
+  Diagnostics found = {};  ///< complaints about it, whose places are in the source
+};
+
+/// The report on one file, empty if there is none.
+using FileAnswer = std::function<std::optional<FileReport>(ReportedFile& file)>;
 
 /// The same for a job whose outcome is a report on standard output, with the diagnostics.
 Outcome report_on_each_file(const std::vector<std::string>& paths,

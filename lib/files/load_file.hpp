@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/loaded.hpp"
+#include "cases/analysis.hpp"
 #include "core/diagnostic.hpp"
 #include "core/source.hpp"
 #include "io/read_file.hpp"

@@ -1,5 +1,3 @@
-#include "pages/case_part.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -10,6 +8,7 @@
 #include "cases/report/case_text.hpp"
 #include "core/utf8.hpp"
 #include "pages/figures.hpp"
+#include "pages/page_parts.hpp"
 #include "pages/tables.hpp"
 #include "studies/shift/report/gear_report.hpp"
 

@@ -1,5 +1,3 @@
-#include "pages/file_section.hpp"
-
 #include <utility>
 
 #include <fmt/format.h>
@@ -7,11 +5,8 @@
 #include "core/utf8.hpp"
 #include "draw/linkage/linkage_drawing.hpp"
 #include "draw/train/gear_scheme.hpp"
-#include "pages/case_part.hpp"
 #include "pages/figures.hpp"
-#include "pages/findings_list.hpp"
-#include "pages/motion_part.hpp"
-#include "pages/summary.hpp"
+#include "pages/page_parts.hpp"
 #include "pages/tables.hpp"
 #include "studies/mobility/report/mobility_text.hpp"
 #include "studies/mobility/report/mobility_words.hpp"

@@ -1,8 +1,7 @@
-#include "pages/findings_list.hpp"
-
 #include <algorithm>
 #include <string_view>
 
+#include "pages/page_parts.hpp"
 #include "report/diagnostic_text.hpp"
 
 namespace kinestat {

@@ -16,4 +16,14 @@ std::string_view html_signature();
 /// and is complete without one.
 std::string html_report(std::span<const FilePage> pages);
 
+/// The only style of a page: the palette of the pictures, light and dark, and its own rules.
+std::string page_style();
+
+/// The only script.
+std::string_view page_script();
+
+/// The content security policy: nothing is loaded from anywhere; of style and script only those
+/// with these texts count.
+std::string content_policy(std::string_view style, std::string_view script);
+
 }  // namespace kinestat

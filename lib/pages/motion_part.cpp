@@ -1,10 +1,9 @@
-#include "pages/motion_part.hpp"
-
 #include <fmt/format.h>
 
 #include "core/utf8.hpp"
 #include "pages/motion_figure.hpp"
 #include "pages/motion_tables.hpp"
+#include "pages/page_parts.hpp"
 #include "pages/tables.hpp"
 #include "studies/motion/picture/motion_curves.hpp"
 #include "studies/motion/report/motion_text.hpp"

@@ -1,5 +1,3 @@
-#include "pages/summary.hpp"
-
 #include <algorithm>
 #include <utility>
 
@@ -9,8 +7,7 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "couplings/kinds.hpp"
-#include "pages/counted.hpp"
-#include "pages/synthesis_summary.hpp"
+#include "pages/page_parts.hpp"
 #include "report/number_format.hpp"
 #include "studies/shift/report/gear_report.hpp"
 
@@ -287,6 +284,14 @@ std::vector<std::string> summary_sentences(const FilePage& page) {
     }
   }
   return sentences;
+}
+
+std::string counted(int number, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", number, number == 1 ? one : many);
+}
+
+std::string counted(int number, std::string_view noun) {
+  return counted(number, noun, fmt::format("{}s", noun));
 }
 
 }  // namespace kinestat

@@ -1,11 +1,9 @@
-#include "pages/synthesis_summary.hpp"
-
 #include <algorithm>
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "pages/counted.hpp"
+#include "pages/page_parts.hpp"
 #include "report/number_format.hpp"
 #include "studies/synthesis/report/linkage_text.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "graph/strong_components.hpp"
+#include "graph/components.hpp"
 #include "power/power_graph.hpp"
 
 namespace kinestat {

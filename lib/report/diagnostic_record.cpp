@@ -1,4 +1,4 @@
-#include "report/diagnostic_record.hpp"
+#include "report/report_keys.hpp"
 
 namespace kinestat {
 

@@ -1,10 +1,9 @@
-#include "report/mechanism_record.hpp"
-
 #include <algorithm>
 
 #include "core/utf8.hpp"
 #include "core/version.hpp"
 #include "couplings/kinds.hpp"
+#include "report/report_keys.hpp"
 
 namespace kinestat {
 

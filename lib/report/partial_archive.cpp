@@ -17,7 +17,7 @@ WantedKeys& WantedKeys::with(std::string name) {
 }
 
 bool PartialArchive::begin(const Property& property) {
-  if (within_.back() == nullptr || !JsonTree::begin(property)) {
+  if (within_.back() == nullptr || !JsonArchive::begin(property)) {
     return false;
   }
   const WantedKeys* inner = wanted_below(within_.back(), property.key);
@@ -31,32 +31,32 @@ bool PartialArchive::begin(const Property& property) {
 
 void PartialArchive::end(const Property& property) {
   within_.pop_back();
-  JsonTree::end(property);
+  JsonArchive::end(property);
 }
 
 void PartialArchive::element(std::string_view name, std::string_view status) {
   within_.back() = wanted_below(within_[within_.size() - 2], name);
-  JsonTree::element(name, status);
+  JsonArchive::element(name, status);
 }
 
 void PartialArchive::begin_map() {
   within_.push_back(within_.back());
-  JsonTree::begin_map();
+  JsonArchive::begin_map();
 }
 
 void PartialArchive::end_map() {
   within_.pop_back();
-  JsonTree::end_map();
+  JsonArchive::end_map();
 }
 
 void PartialArchive::begin_list() {
   within_.push_back(&all_);
-  JsonTree::begin_list();
+  JsonArchive::begin_list();
 }
 
 void PartialArchive::end_list() {
   within_.pop_back();
-  JsonTree::end_list();
+  JsonArchive::end_list();
 }
 
 const WantedKeys* PartialArchive::wanted_below(const WantedKeys* keys,

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "report/json_tree.hpp"
+#include "report/json_archive.hpp"
 
 namespace kinestat {
 
@@ -23,10 +23,10 @@ struct WantedKeys {
 
 /// The value of a key that is not wanted is null, objects by a name that is not wanted are empty,
 /// and lists are whole.
-class PartialArchive : public JsonTree {
+class PartialArchive : public JsonArchive {
  public:
   PartialArchive(const FileUnits& units, const WantedKeys& wanted)
-      : JsonTree(units), within_{&wanted} {}
+      : JsonArchive(units, JsonLayout::line), within_{&wanted} {}
 
   bool begin(const Property& property) override;
   void end(const Property& property) override;

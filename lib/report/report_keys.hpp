@@ -1,10 +1,36 @@
 // The keys that reports of all forms share.
 #pragma once
 
-#include "report/diagnostic_record.hpp"
-#include "report/mechanism_record.hpp"
+#include <span>
+#include <string>
+
+#include "core/diagnostic.hpp"
+#include "mechanism/mechanism.hpp"
+#include "network/network_matrices.hpp"
+#include "record/record.hpp"
 
 namespace kinestat {
+
+/// What every report begins with.
+struct HeadView {
+  const std::string& file;  ///< path as the user gave it
+  const MechanismDescription& description;
+};
+
+/// Behind the keys "kinestat" and "mechanism".
+const Record<HeadView>& program_record();
+const Record<HeadView>& mechanism_record();
+
+struct GraphView {
+  const Mechanism& mechanism;
+  std::span<const LabelledMatrix> matrices;  ///< entries in the units of the file; may be none
+};
+
+const Record<GraphView>& graph_record();
+
+/// Writes errors and warnings as a list.
+void write_diagnostics(const Diagnostics& found, Archive& to);
+Shape diagnostics_shape();
 
 /// Those that every report begins with: program and mechanism. The view has `file` and
 /// `description`.

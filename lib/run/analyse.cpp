@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "cases/analysis_findings.hpp"
+#include "cases/case_findings.hpp"
 #include "cases/certainty_findings.hpp"
 #include "files/each_file.hpp"
 #include "mechanism/bind/bind.hpp"
-#include "report/file/certified_report.hpp"
+#include "report/file/file_report.hpp"
 #include "studies/motion/task/find_motion.hpp"
 #include "studies/shift/task/gear_cases.hpp"
 #include "studies/synthesis/task/find_synthesis.hpp"
@@ -56,7 +56,7 @@ std::optional<FileReport> analyse_description(const std::string& path,
     const std::optional<FoundMotion> motion =
         analysis.description.motion ? find_motion(analysis.description, analysis.mechanism, found)
                                     : std::nullopt;
-    return make_certified_report(
+    return make_report(
         analysis, certified->certainty, motion ? &motion->table : nullptr, forms, found);
   }
   const bool is_right = std::ranges::all_of(found.items(), [](const Diagnostic& one) {

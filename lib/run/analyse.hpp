@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/certified_cases.hpp"
-#include "cases/loaded.hpp"
+#include "cases/analysis.hpp"
+#include "cases/solve_cases.hpp"
 #include "files/file_options.hpp"
 
 namespace kinestat {

@@ -10,7 +10,7 @@
 #include "format/mechanism_reader.hpp"
 #include "io/yaml_tree.hpp"
 #include "mechanism/bind/bind.hpp"
-#include "studies/benchmark/extreme_networks.hpp"
+#include "studies/benchmark/extreme.hpp"
 #include "studies/benchmark/report/benchmark_report.hpp"
 
 namespace kinestat {
@@ -64,24 +64,20 @@ Outcome benchmark_files(const std::vector<std::string>& paths,
   for (const SourceFile& one : built_in) {
     names.push_back(one.path);
   }
-  return report_on_each_file(
-      names,
-      options,
-      [&](const std::string& path, const ReportForms& forms, SourceFile& source, Diagnostics& found)
-          -> std::optional<FileReport> {
-        const auto at = std::ranges::find(built_in, path, &SourceFile::path);
-        if (at != built_in.end()) {
-          source = *at;
-        }
-        const std::optional<Loaded> loaded = at != built_in.end()
-                                                 ? load_built_in(source, found)
-                                                 : load(path, options.load, source, found);
-        const auto results =
-            loaded ? benchmark_cases(loaded->mechanism, choice, clock, found) : std::nullopt;
-        return results ? std::optional(make_benchmark_report(
-                             path, loaded->description, *results, forms, found))
-                       : std::nullopt;
-      });
+  return report_on_each_file(names, options, [&](ReportedFile& file) -> std::optional<FileReport> {
+    const auto at = std::ranges::find(built_in, file.path, &SourceFile::path);
+    if (at != built_in.end()) {
+      file.source = *at;
+    }
+    const std::optional<Loaded> loaded =
+        at != built_in.end() ? load_built_in(file.source, file.found)
+                             : load(file.path, options.load, file.source, file.found);
+    const auto results =
+        loaded ? benchmark_cases(loaded->mechanism, choice, clock, file.found) : std::nullopt;
+    return results ? std::optional(make_benchmark_report(
+                         file.path, loaded->description, *results, file.forms, file.found))
+                   : std::nullopt;
+  });
 }
 
 }  // namespace kinestat

@@ -11,8 +11,7 @@
 #include "mechanism/bind/bind.hpp"
 #include "pages/html_document.hpp"
 #include "pages/motion_figure.hpp"
-#include "report/file/certified_report.hpp"
-#include "report/file/motion_report.hpp"
+#include "report/file/file_report.hpp"
 #include "run/analyse.hpp"
 #include "run/mobility.hpp"
 #include "run/motion.hpp"
@@ -100,11 +99,11 @@ class PageBuilder {
           move(analysis.mechanism, page_.found);
         }
         add_data("report",
-                 make_certified_report(analysis,
-                                       certified->certainty,
-                                       page_.motion ? &page_.motion->table : nullptr,
-                                       kForms,
-                                       page_.found));
+                 make_report(analysis,
+                             certified->certainty,
+                             page_.motion ? &page_.motion->table : nullptr,
+                             kForms,
+                             page_.found));
         differentiate(analysis);
         page_.analysis = std::move(certified->analysis);
       }

@@ -191,7 +191,7 @@ void merge_into(const std::vector<std::string>& paths,
                 const SweepHooks& hooks,
                 Outcome& outcome) {
   Diagnostics found;
-  std::string told;
+  std::string summary;
   if (options.folder.empty() || check_output_folder(options.folder, found)) {
     const std::vector<WholeShard> shards = read_shards(paths, found);
     std::vector<PieceFile> files;
@@ -212,11 +212,11 @@ void merge_into(const std::vector<std::string>& paths,
               : write_files(result_files(metadata, options.folder, "", files, counts),
                             options.overwrite,
                             found);
-      told = is_written && !options.is_quiet ? sweep_text(metadata, counts) : "";
+      summary = is_written && !options.is_quiet ? sweep_text(metadata, counts) : "";
     }
   }
   add_diagnostics({}, found, Strictness::normal, outcome);
-  tell(told, outcome);
+  tell(summary, outcome);
 }
 
 }  // namespace

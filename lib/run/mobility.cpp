@@ -91,18 +91,15 @@ std::optional<MobilityAnalysis> find_mobility(const std::string& path,
 }
 
 Outcome mobility_of_files(const std::vector<std::string>& paths, const AnalyseOptions& options) {
-  return report_on_each_file(
-      paths,
-      options,
-      [&](const std::string& path, const ReportForms& forms, SourceFile& source, Diagnostics& found)
-          -> std::optional<FileReport> {
-        auto description = load_description(path, options.load, source, found);
-        const auto analysis =
-            description ? find_mobility(path, *std::move(description), options.accuracy, found)
-                        : std::nullopt;
-        return analysis ? std::optional(make_mobility_report(*analysis, forms, found))
-                        : std::nullopt;
-      });
+  return report_on_each_file(paths, options, [&](ReportedFile& file) -> std::optional<FileReport> {
+    auto description = load_description(file.path, options.load, file.source, file.found);
+    const auto analysis =
+        description
+            ? find_mobility(file.path, *std::move(description), options.accuracy, file.found)
+            : std::nullopt;
+    return analysis ? std::optional(make_mobility_report(*analysis, file.forms, file.found))
+                    : std::nullopt;
+  });
 }
 
 }  // namespace kinestat

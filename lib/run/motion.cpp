@@ -7,7 +7,7 @@
 
 #include "files/each_file.hpp"
 #include "mechanism/bind/bind.hpp"
-#include "report/file/motion_report.hpp"
+#include "report/file/file_report.hpp"
 #include "studies/motion/task/find_motion.hpp"
 
 namespace kinestat {

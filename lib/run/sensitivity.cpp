@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "cases/analysis_findings.hpp"
+#include "cases/case_findings.hpp"
 #include "cases/solve_cases.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
@@ -297,24 +297,20 @@ std::optional<FoundSensitivity> find_sensitivity(const Analysis& analysis,
 Outcome sensitivity_files(const std::vector<std::string>& paths,
                           const SensitivityChoice& choice,
                           const AnalyseOptions& options) {
-  return report_on_each_file(
-      paths,
-      options,
-      [&](const std::string& path, const ReportForms& forms, SourceFile& source, Diagnostics& found)
-          -> std::optional<FileReport> {
-        std::optional<Loaded> loaded = load(path, options.load, source, found);
-        if (!loaded) {
-          return std::nullopt;
-        }
-        const Analysis analysis = solve_cases(path, *std::move(loaded));
-        add_findings(analysis, found);
-        const std::optional<FoundSensitivity> answer = find_sensitivity(analysis, choice, found);
-        if (!answer) {
-          return std::nullopt;
-        }
-        return make_sensitivity_report(
-            path, analysis.description, answer->parameters, answer->cases, forms, found);
-      });
+  return report_on_each_file(paths, options, [&](ReportedFile& file) -> std::optional<FileReport> {
+    std::optional<Loaded> loaded = load(file.path, options.load, file.source, file.found);
+    if (!loaded) {
+      return std::nullopt;
+    }
+    const Analysis analysis = solve_cases(file.path, *std::move(loaded));
+    add_findings(analysis, file.found);
+    const std::optional<FoundSensitivity> answer = find_sensitivity(analysis, choice, file.found);
+    if (!answer) {
+      return std::nullopt;
+    }
+    return make_sensitivity_report(
+        file.path, analysis.description, answer->parameters, answer->cases, file.forms, file.found);
+  });
 }
 
 }  // namespace kinestat

@@ -3,12 +3,12 @@
 #include <optional>
 #include <utility>
 
-#include "cases/analysis_findings.hpp"
+#include "cases/case_findings.hpp"
 #include "cases/certainty_findings.hpp"
-#include "cases/certified_cases.hpp"
+#include "cases/solve_cases.hpp"
 #include "files/each_file.hpp"
 #include "files/load_file.hpp"
-#include "report/file/shift_report.hpp"
+#include "report/file/file_report.hpp"
 
 namespace kinestat {
 
@@ -51,19 +51,15 @@ std::optional<CertifiedAnalysis> find_shift(const std::string& path,
 Outcome shift_of_files(const std::vector<std::string>& paths,
                        const ShiftChoice& choice,
                        const AnalyseOptions& options) {
-  return report_on_each_file(
-      paths,
-      options,
-      [&](const std::string& path, const ReportForms& forms, SourceFile& source, Diagnostics& found)
-          -> std::optional<FileReport> {
-        const auto certified = find_shift(path, choice, options, source, found);
-        if (!certified) {
-          return std::nullopt;
-        }
-        add_certainty_findings(certified->analysis, certified->certainty, found);
-        add_findings(certified->analysis, found);
-        return make_shift_report(certified->analysis, forms, found);
-      });
+  return report_on_each_file(paths, options, [&](ReportedFile& file) -> std::optional<FileReport> {
+    const auto certified = find_shift(file.path, choice, options, file.source, file.found);
+    if (!certified) {
+      return std::nullopt;
+    }
+    add_certainty_findings(certified->analysis, certified->certainty, file.found);
+    add_findings(certified->analysis, file.found);
+    return make_shift_report(certified->analysis, file.forms, file.found);
+  });
 }
 
 }  // namespace kinestat

@@ -128,7 +128,7 @@ void sweep_into(const std::string& path,
                 Outcome& outcome) {
   SourceFile source;
   Diagnostics found;
-  std::string told;
+  std::string messages;
   if (std::optional<Loaded> loaded = load(path, options.load, source, found)) {
     std::optional<SweepTask> task = make_sweep_task(source, *std::move(loaded), options, found);
     if (task) {
@@ -136,11 +136,11 @@ void sweep_into(const std::string& path,
       Outcome counted;
       options.folder.empty() ? stream(*task, options, hooks, found, counted)
                              : store(*task, options, hooks, found, counted);
-      told = std::move(counted.err);
+      messages = std::move(counted.err);
     }
   }
   add_diagnostics(source, found, Strictness::normal, outcome);
-  tell(told, outcome);
+  tell(messages, outcome);
 }
 
 void add_rows(const SolvedState& state, const SweepTask& task, SweepTable& table) {

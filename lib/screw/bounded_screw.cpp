@@ -51,10 +51,6 @@ std::optional<ScrewAxis> axis_of(const BoundedVector& line,
 
 }  // namespace
 
-BoundedTwist operator+(const BoundedTwist& a, const BoundedTwist& b) {
-  return {.angular = bounded_sum(a.angular, b.angular), .linear = bounded_sum(a.linear, b.linear)};
-}
-
 BoundedTwist operator-(const BoundedTwist& a, const BoundedTwist& b) {
   return {.angular = bounded_difference(a.angular, b.angular),
           .linear = bounded_difference(a.linear, b.linear)};

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "math/numbers/bounded_vector.hpp"
+#include "math/numbers/bounded_number.hpp"
 #include "screw/screw_axis.hpp"
 
 namespace kinestat {
@@ -26,7 +26,6 @@ struct BoundedWrench {
   Wrench zeroed() const { return {.moment = moment.zeroed(), .force = force.zeroed()}; }
 };
 
-BoundedTwist operator+(const BoundedTwist& a, const BoundedTwist& b);
 BoundedTwist operator-(const BoundedTwist& a, const BoundedTwist& b);
 BoundedWrench operator+(const BoundedWrench& a, const BoundedWrench& b);
 

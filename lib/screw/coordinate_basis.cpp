@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/tolerance.hpp"
-#include "math/dense/orthonormal.hpp"
+#include "math/dense/span.hpp"
 
 namespace kinestat {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/rounding.hpp"
-#include "math/numbers/bounded_vector.hpp"
+#include "math/numbers/bounded_number.hpp"
 
 namespace kinestat {
 

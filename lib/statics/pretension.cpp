@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "math/dense/linear_programme.hpp"
-#include "math/dense/orthonormal.hpp"
+#include "math/dense/span.hpp"
 #include "statics/equilibrium.hpp"
 #include "statics/one_sided_action.hpp"
 

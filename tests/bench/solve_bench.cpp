@@ -127,7 +127,7 @@ void add_report(const std::string& name,
   jobs.push_back({name,
                   [&analysis, forms] {
                     Diagnostics found;
-                    keep(make_report(analysis, forms, found));
+                    keep(make_report(analysis, {}, nullptr, forms, found));
                   },
                   {}});
 }

@@ -1,5 +1,3 @@
-#include "pages/policy.hpp"
-
 #include <gtest/gtest.h>
 
 #include "pages/html_document.hpp"

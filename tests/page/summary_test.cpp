@@ -1,11 +1,10 @@
-#include "pages/summary.hpp"
-
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
 #include "cases/solve_cases.hpp"
 #include "files/load_file.hpp"
+#include "pages/page_parts.hpp"
 #include "studies/synthesis/task/find_synthesis.hpp"
 
 namespace kinestat {

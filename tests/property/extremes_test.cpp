@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/certainty_findings.hpp"
-#include "cases/certified_cases.hpp"
+#include "cases/solve_cases.hpp"
 #include "format/mechanism_reader.hpp"
 #include "mechanism/bind/bind.hpp"
 

@@ -4,10 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cases/report/affine_report.hpp"
-#include "cases/report/power_text.hpp"
 #include "cases/report/ratio_in_units.hpp"
-#include "cases/report/statics_text.hpp"
 #include "core/utf8.hpp"
 #include "kinematics/bounded_motion.hpp"
 #include "mechanism/label_kind.hpp"

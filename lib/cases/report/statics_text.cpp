@@ -1,9 +1,8 @@
-#include "cases/report/statics_text.hpp"
-
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "cases/report/case_text.hpp"
 #include "math/dense/readable_basis.hpp"
 #include "mechanism/label_kind.hpp"
 #include "report/number_format.hpp"

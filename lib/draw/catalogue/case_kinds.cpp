@@ -5,7 +5,6 @@
 #include "draw/catalogue/catalogue_parts.hpp"
 #include "draw/gnuplot.hpp"
 #include "studies/shift/picture/ratio_ladder.hpp"
-#include "studies/shift/picture/shift_matrix.hpp"
 
 namespace kinestat {
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "draw/catalogue/catalogue_parts.hpp"
-#include "draw/graph/dot.hpp"
 #include "draw/graph/graph_drawing.hpp"
 #include "draw/linkage/linkage_drawing.hpp"
 #include "draw/picture_title.hpp"

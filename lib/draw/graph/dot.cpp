@@ -1,10 +1,10 @@
-#include "draw/graph/dot.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
+
+#include "draw/graph/graph_drawing.hpp"
 
 namespace kinestat {
 

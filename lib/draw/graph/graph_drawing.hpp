@@ -1,4 +1,4 @@
-// Pictures of graphs: coupling, motion and action graph, circuits, cut-sets, power flow.
+// Pictures of graphs: coupling, motion and action graph, circuits, cut-sets, power flow; and DOT.
 #pragma once
 
 #include <optional>
@@ -18,5 +18,9 @@ Picture draw_graph(const GraphModel& model);
 /// The same graph with other edges highlighted, side by side under the title of all. Empty without
 /// models.
 std::optional<Picture> draw_graphs(const std::vector<GraphModel>& models, std::string title);
+
+/// The graph in the language DOT: branches full, chords dashed, what is highlighted thick; with
+/// power, edges point where it goes, and ports are nodes of their own.
+std::string dot_text(const GraphModel& model);
 
 }  // namespace kinestat

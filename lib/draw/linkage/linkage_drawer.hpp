@@ -65,4 +65,20 @@ class LinkageDrawer {
   Svg& svg_;
 };
 
+/// Fills the canvas, whose view looks along -z with y upwards.
+void draw_planar(const Analysis& analysis,
+                 const LinkageOptions& options,
+                 const LinkageParts& parts,
+                 LinkageCanvas& canvas);
+
+/// From above, z upwards; of some directions around z the one from which couplings stand apart
+/// best. `points` are what the picture must hold.
+LinkageView best_view(const Analysis& analysis, const std::vector<Vec3>& points);
+
+/// Fills the canvas.
+void draw_spatial(const Analysis& analysis,
+                  const LinkageOptions& options,
+                  const LinkageParts& parts,
+                  LinkageCanvas& canvas);
+
 }  // namespace kinestat

@@ -7,8 +7,7 @@
 #include <fmt/format.h>
 
 #include "draw/linkage/linkage_canvas.hpp"
-#include "draw/linkage/planar_linkage.hpp"
-#include "draw/linkage/spatial_linkage.hpp"
+#include "draw/linkage/linkage_drawer.hpp"
 #include "draw/picture_title.hpp"
 
 namespace kinestat {

@@ -1,11 +1,10 @@
-#include "draw/linkage/planar_linkage.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "couplings/kinds.hpp"
 #include "draw/linkage/file_numbers.hpp"
+#include "draw/linkage/linkage_drawer.hpp"
 #include "draw/linkage/linkage_frames.hpp"
 #include "draw/linkage/planar_drawer.hpp"
 #include "draw/symbols.hpp"

@@ -1,5 +1,3 @@
-#include "draw/linkage/spatial_linkage.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,9 +1,132 @@
 // The functions of evaluate.hpp and parameters.hpp for the number type Dual.
-#include "expression/evaluate/dual_carrier.hpp"
+#include <cmath>
+#include <string_view>
+
+#include "core/contract.hpp"
+#include "expression/evaluate/carrier.hpp"
 #include "expression/evaluate/evaluate_as.hpp"
+#include "expression/expression.hpp"
 #include "expression/parameters/parameter_values.hpp"
+#include "expression/units.hpp"
+#include "math/numbers/dual.hpp"
 
 namespace kinestat {
+
+template <>
+struct Carrier<Dual> {
+  static Dual number(std::string_view literal, double value);
+  static Dual pi();
+  static Dual to_si(const Dual& count, const UnitScale& unit);
+  static Dual from_si(const Dual& value, const UnitScale& unit);
+  static Dual apply(const Node& operation, const Dual& a, const Dual& b);
+};
+
+namespace {
+
+bool is_near_whole(double value) {
+  return is_tie(value, std::round(value));
+}
+
+bool is_near_half(double value) {
+  return is_tie(value, std::round(value - 0.5) + 0.5);
+}
+
+// mod(a, b) = a - b*floor(a/b), whose floor is constant between its jumps; what moves a in
+// proportion to b does not come to one.
+Dual modulo(const Dual& a, const Dual& b) {
+  const Dual quotient = a / b;
+  return a - b * staircase(std::floor(quotient.value), is_near_whole(quotient.value), quotient);
+}
+
+Dual apply_function(Function function, const Dual& a, const Dual& b) {
+  switch (function) {
+    case Function::sin:
+      return sin(a);
+    case Function::cos:
+      return cos(a);
+    case Function::tan:
+      return tan(a);
+    case Function::asin:
+      return asin(a);
+    case Function::acos:
+      return acos(a);
+    case Function::atan:
+      return atan(a);
+    case Function::atan2:
+      return atan2(a, b);
+    case Function::sqrt:
+      return sqrt(a);
+    case Function::abs:
+      return abs(a);
+    case Function::exp:
+      return exp(a);
+    case Function::log:
+    case Function::ln:
+      return log(a);
+    case Function::log10:
+      return log10(a);
+    case Function::min:
+      return min(a, b);
+    case Function::max:
+      return max(a, b);
+    case Function::hypot:
+      return hypot(a, b);
+    case Function::mod:
+      return modulo(a, b);
+    case Function::floor:
+    case Function::ceil:
+      return staircase(0.0, is_near_whole(a.value), a);
+    case Function::round:
+      return staircase(0.0, is_near_half(a.value), a);
+    case Function::gcd:
+      break;
+  }
+  return staircase(0.0, true, a, b);  // of whole numbers alone
+}
+
+}  // namespace
+
+Dual Carrier<Dual>::number(std::string_view /*literal*/, double value) {
+  return {value, {}};
+}
+
+Dual Carrier<Dual>::pi() {
+  return {};
+}
+
+Dual Carrier<Dual>::to_si(const Dual& count, const UnitScale& unit) {
+  return chain(0.0, unit.factor(), count);
+}
+
+Dual Carrier<Dual>::from_si(const Dual& value, const UnitScale& unit) {
+  return chain(0.0, unit.from_si(1.0), value);
+}
+
+Dual Carrier<Dual>::apply(const Node& operation, const Dual& a, const Dual& b) {
+  switch (operation.kind) {
+    case NodeKind::negate:
+      return -a;
+    case NodeKind::add:
+      return a + b;
+    case NodeKind::subtract:
+      return a - b;
+    case NodeKind::multiply:
+      return a * b;
+    case NodeKind::divide:
+      return a / b;
+    case NodeKind::power:
+      return pow(a, b);
+    case NodeKind::function:
+      return apply_function(operation.function, a, b);
+    case NodeKind::number:
+    case NodeKind::unit:
+    case NodeKind::name:
+    case NodeKind::pi:
+      break;
+  }
+  KINESTAT_EXPECTS(operation.kind == NodeKind::function);
+  return {};
+}
 
 using DualQuantity = BasicQuantity<Dual>;
 using DualLookup = BasicNameLookup<Dual>;

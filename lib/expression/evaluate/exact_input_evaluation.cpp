@@ -1,9 +1,150 @@
 // The functions of evaluate.hpp and parameters.hpp for the number type ExactInput.
+#include <string_view>
+#include <utility>
+
+#include "expression/evaluate/carrier.hpp"
 #include "expression/evaluate/evaluate_as.hpp"
-#include "expression/evaluate/exact_input_carrier.hpp"
+#include "expression/evaluate/exact_arithmetic.hpp"
+#include "expression/evaluate/exact_carrier.hpp"
+#include "expression/evaluate/precise_carrier.hpp"
+#include "expression/expression.hpp"
 #include "expression/parameters/parameter_values.hpp"
+#include "expression/units.hpp"
+#include "math/numbers/exact_input.hpp"
 
 namespace kinestat {
+
+template <>
+struct Carrier<ExactInput> {
+  static ExactInput number(std::string_view literal, double value);
+  static ExactInput pi();
+  static ExactInput to_si(const ExactInput& count, const UnitScale& unit);
+  static ExactInput from_si(const ExactInput& value, const UnitScale& unit);
+  static ExactInput apply(const Node& operation, const ExactInput& a, const ExactInput& b);
+};
+
+namespace {
+
+// Powers up to this are products.
+constexpr int kLargestPower = 16;
+
+ExactInput exact_input(const Precise& precise, const Exact& exact) {
+  std::optional<RootSum> roots;
+  if (exact.exact) {
+    roots = RootSum(exact.exact->factor, 4);
+  }
+  return {0.0, precise.precise, std::move(roots), exact.exact ? exact.exact->pi_power : 0};
+}
+
+Precise precise_of(const ExactInput& number) {
+  return {.value = number.value, .precise = number.precise};
+}
+
+// The fraction times a power of pi that a number is; empty for other sums of roots.
+Exact exact_of(const ExactInput& number) {
+  ExactInput factor = number;
+  factor.pi_power = 0;
+  const std::optional<Rational> fraction = rational_of(factor);
+  return {.value = number.value,
+          .exact = fraction ? MaybeExact(PiRational{*fraction, number.pi_power}) : std::nullopt};
+}
+
+std::optional<int> small_power(const ExactInput& exponent) {
+  const std::optional<Rational> value = rational_of(exponent);
+  const bool is_small = value && is_whole(*value) && abs(*value) <= kLargestPower;
+  return is_small ? std::optional(value->convert_to<int>()) : std::nullopt;
+}
+
+std::optional<ExactInput> raised(const ExactInput& base, const ExactInput& exponent) {
+  const std::optional<int> power = small_power(exponent);
+  if (!power) {
+    return std::nullopt;
+  }
+  ExactInput result(1.0);
+  for (int i = 0; i < std::abs(*power); ++i) {
+    result = result * base;
+  }
+  return *power < 0 ? ExactInput(1.0) / result : result;
+}
+
+// What fractions do not answer, sums of roots may.
+std::optional<ExactInput> apply_to_roots(const Node& operation,
+                                         const ExactInput& a,
+                                         const ExactInput& b) {
+  switch (operation.kind) {
+    case NodeKind::negate:
+      return -a;
+    case NodeKind::add:
+      return a + b;
+    case NodeKind::subtract:
+      return a - b;
+    case NodeKind::multiply:
+      return a * b;
+    case NodeKind::divide:
+      return a / b;
+    case NodeKind::power:
+      return raised(a, b);
+    default:
+      break;
+  }
+  if (operation.kind != NodeKind::function) {
+    return std::nullopt;
+  }
+  switch (operation.function) {
+    case Function::sin:
+      return sin(a);
+    case Function::cos:
+      return cos(a);
+    case Function::tan:
+      return tan(a);
+    case Function::sqrt:
+      return sqrt(a);
+    case Function::hypot:
+      return sqrt(a * a + b * b);
+    case Function::abs:
+      return abs(a);
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+ExactInput Carrier<ExactInput>::number(std::string_view literal, double value) {
+  return exact_input(Carrier<Precise>::number(literal, value),
+                     Carrier<Exact>::number(literal, value));
+}
+
+ExactInput Carrier<ExactInput>::pi() {
+  return exact_input_pi();
+}
+
+ExactInput Carrier<ExactInput>::to_si(const ExactInput& count, const UnitScale& unit) {
+  const PiRational size = size_of(unit);
+  const ExactInput scale(0.0,
+                         Carrier<Precise>::to_si(Carrier<Precise>::number("1", 1.0), unit).precise,
+                         RootSum(size.factor, 4),
+                         size.pi_power);
+  return count * scale;
+}
+
+ExactInput Carrier<ExactInput>::from_si(const ExactInput& value, const UnitScale& unit) {
+  return value / to_si(ExactInput(1.0), unit);
+}
+
+ExactInput Carrier<ExactInput>::apply(const Node& operation,
+                                      const ExactInput& a,
+                                      const ExactInput& b) {
+  const Exact fraction = Carrier<Exact>::apply(operation, exact_of(a), exact_of(b));
+  const std::optional<ExactInput> roots =
+      fraction.exact ? std::nullopt : apply_to_roots(operation, a, b);
+  if (roots) {
+    return *roots;
+  }
+  const Precise digits = Carrier<Precise>::apply(operation, precise_of(a), precise_of(b));
+  return fraction.exact && fraction.exact->factor.is_zero() ? ExactInput(0.0)
+                                                            : exact_input(digits, fraction);
+}
 
 using ExactInputQuantity = BasicQuantity<ExactInput>;
 using ExactInputLookup = BasicNameLookup<ExactInput>;

@@ -165,4 +165,17 @@ LeastSquares find_least_squares(MatX A, VecX b, const VecX& weights) {
   return RowUnknowns(std::move(A), std::move(b), weights).solve();
 }
 
+NormalEquations::NormalEquations(const MatX& A) {
+  KINESTAT_EXPECTS(A.rows() >= A.cols());
+  const Eigen::HouseholderQR<MatX> factors(A);
+  R_ = factors.matrixQR().topRows(A.cols());
+}
+
+VecX NormalEquations::solve(VecX b) const {
+  KINESTAT_EXPECTS(b.size() == R_.rows());
+  R_.triangularView<Eigen::Upper>().transpose().solveInPlace(b);
+  R_.triangularView<Eigen::Upper>().solveInPlace(b);
+  return b;
+}
+
 }  // namespace kinestat

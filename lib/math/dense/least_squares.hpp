@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/types.hpp"
 #include "math/elimination/rank.hpp"
 
 namespace kinestat {
@@ -22,5 +23,18 @@ struct LeastSquares {
 /// (Peters and Wilkinson 1970): what remains for the QR is as well-conditioned with weights of very
 /// different size as with equal ones.
 LeastSquares find_least_squares(MatX A, VecX b, const VecX& weights);
+
+/// Aᵀ A x = b for any b, by QR of A, whose columns are independent; Aᵀ A is never formed.
+class NormalEquations {
+ public:
+  NormalEquations() = default;
+
+  explicit NormalEquations(const MatX& A);
+
+  VecX solve(VecX b) const;
+
+ private:
+  MatX R_;  ///< its upper triangle: Aᵀ A = Rᵀ R
+};
 
 }  // namespace kinestat

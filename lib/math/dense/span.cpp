@@ -1,11 +1,11 @@
 #include "math/dense/span.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <Eigen/QR>
 
 #include "core/tolerance.hpp"
-#include "math/dense/orthonormal.hpp"
 #include "math/elimination/echelon.hpp"
 #include "math/elimination/elimination.hpp"
 
@@ -64,6 +64,29 @@ VecX coordinates_in(const Eigen::Ref<const MatX>& A, const VecX& b) {
   // Not by the normal equations: columns that are nearly parallel would depend on each other there.
   const Eigen::ColPivHouseholderQR<MatX> factors(with_unit_columns(A));
   return factors.solve(b).cwiseQuotient(A.colwise().norm().transpose());
+}
+
+MatX orthonormal_range(const Eigen::Ref<const MatX>& matrix) {
+  MatX rest = matrix;
+  MatX basis(matrix.rows(), std::min(matrix.rows(), matrix.cols()));
+  Eigen::Index rank = 0;
+  double first = 0.0;
+  while (rank < basis.cols()) {
+    Eigen::Index longest = 0;
+    const double norm = rest.colwise().norm().maxCoeff(&longest);
+    first = rank == 0 ? norm : first;
+    if (norm <= kRankZero * first) {
+      break;
+    }
+    basis.col(rank) = rest.col(longest) / norm;
+    const VecX direction = basis.col(rank);
+    for (int pass = 0; pass < 2; ++pass) {
+      const VecX shares = rest.transpose() * direction;
+      rest -= direction * shares.transpose();
+    }
+    ++rank;
+  }
+  return basis.leftCols(rank);
 }
 
 }  // namespace kinestat

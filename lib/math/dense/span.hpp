@@ -21,4 +21,8 @@ std::vector<int> independent_columns(const Eigen::Ref<const MatX>& A);
 /// x of A x = b for b in the span of A, whose columns are independent.
 VecX coordinates_in(const Eigen::Ref<const MatX>& A, const VecX& b);
 
+/// Columns of the result: orthonormal, as many as the rank (kRankZero relative to the longest
+/// column). Gram-Schmidt with the longest remaining column first and each projection done twice.
+MatX orthonormal_range(const Eigen::Ref<const MatX>& matrix);
+
 }  // namespace kinestat

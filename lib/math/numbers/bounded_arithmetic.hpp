@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "math/numbers/bounded_vector.hpp"
+#include "math/numbers/bounded_number.hpp"
 #include "math/numbers/internal/unit_roundoff.hpp"
 
 namespace kinestat {

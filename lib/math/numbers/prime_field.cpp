@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/contract.hpp"
-#include "math/numbers/internal/prime_divisors.hpp"
 
 namespace kinestat {
 

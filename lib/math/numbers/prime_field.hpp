@@ -69,4 +69,20 @@ class PrimeField {
 /// Euler's function: how many of 1, …, n have no divisor in common with n.
 int totient(int n);
 
+/// Calls `visit` with each prime divisor of n > 0 once, ascending.
+template <class Visit>
+void for_each_prime_divisor(int n, const Visit& visit) {
+  for (int q = 2; q * q <= n; ++q) {
+    if (n % q == 0) {
+      visit(q);
+    }
+    while (n % q == 0) {
+      n /= q;
+    }
+  }
+  if (n > 1) {
+    visit(n);
+  }
+}
+
 }  // namespace kinestat

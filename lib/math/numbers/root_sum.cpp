@@ -7,7 +7,7 @@
 
 #include "core/contract.hpp"
 #include "math/elimination/exact_elimination.hpp"
-#include "math/numbers/internal/prime_divisors.hpp"
+#include "math/numbers/prime_field.hpp"
 
 namespace kinestat {
 

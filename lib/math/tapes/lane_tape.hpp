@@ -55,8 +55,6 @@ class LaneTape {
   /// Whether anything depends on it.
   bool reads_input(std::size_t input) const { return reads_input_[input]; }
 
-  std::size_t output_count() const { return outputs_.size(); }
-
   std::size_t operation_count() const { return operations_.size(); }
 
   void set_input(Workspace& workspace, std::size_t input, std::size_t lane, double value) const {

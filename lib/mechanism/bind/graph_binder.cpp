@@ -1,5 +1,3 @@
-#include "mechanism/bind/graph_binder.hpp"
-
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -9,6 +7,7 @@
 
 #include "core/text.hpp"
 #include "graph/components.hpp"
+#include "mechanism/bind/structure_binder.hpp"
 
 namespace kinestat {
 

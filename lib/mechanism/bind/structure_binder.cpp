@@ -10,7 +10,6 @@
 #include "mechanism/bind/extent.hpp"
 #include "mechanism/bind/reference_points.hpp"
 #include "mechanism/cases/actuator_binder.hpp"
-#include "mechanism/check/axis_place_check.hpp"
 #include "mechanism/check/expect.hpp"
 #include "mechanism/check/geometry_check.hpp"
 #include "mechanism/couplings/internal/coupling_binder.hpp"

@@ -8,7 +8,6 @@
 #include "core/contract.hpp"
 #include "core/text.hpp"
 #include "mechanism/cases/load_moment.hpp"
-#include "mechanism/cases/weight_binder.hpp"
 
 namespace kinestat {
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mechanism/cases/case.hpp"
+#include "mechanism/cases/load.hpp"
 #include "mechanism/check/section_context.hpp"
 
 namespace kinestat {
@@ -16,5 +17,11 @@ std::vector<std::vector<Load>> bind_loads(const SectionContext& context);
 
 /// Gives the cases their loads; one on which any acts asks for its actions.
 void add_loads(std::vector<std::vector<Load>> loads, std::vector<Case>& cases);
+
+/// One load gravity.BODY for every body with a mass, at its centre of mass: mass · gravity, about
+/// the origin of the evaluator. None without gravity, though masses and centres are evaluated.
+/// Bodies without a mass are massless. A mass without a centre is an error, gravity without any
+/// mass a warning.
+std::vector<Load> bind_weights(const SectionContext& context);
 
 }  // namespace kinestat

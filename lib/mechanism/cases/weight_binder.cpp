@@ -1,9 +1,8 @@
-#include "mechanism/cases/weight_binder.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
+#include "mechanism/cases/load_binder.hpp"
 #include "mechanism/cases/load_moment.hpp"
 
 namespace kinestat {

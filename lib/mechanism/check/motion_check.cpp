@@ -1,8 +1,7 @@
-#include "mechanism/check/motion_check.hpp"
-
 #include <fmt/format.h>
 
 #include "mechanism/check/report_name_check.hpp"
+#include "mechanism/check/section_checks.hpp"
 
 namespace kinestat {
 

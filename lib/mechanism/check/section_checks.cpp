@@ -1,16 +1,19 @@
 #include "mechanism/check/section_checks.hpp"
 
-#include "mechanism/check/body_check.hpp"
-#include "mechanism/check/motion_check.hpp"
 #include "mechanism/check/report_name_check.hpp"
-#include "mechanism/check/shift_check.hpp"
-#include "mechanism/check/sweep_check.hpp"
-#include "mechanism/check/synthesis_check.hpp"
-#include "mechanism/gears/internal/loss_check.hpp"
+#include "mechanism/gears/internal/losses.hpp"
 
 namespace kinestat {
 
 namespace {
+
+void check_outlines(const SectionContext& context) {
+  for (const BodyDescription& body : context.description.bodies) {
+    for (const PointDescription& point : body.outline) {
+      context.point(point);
+    }
+  }
+}
 
 // Their couplings or actuators.
 void check_knowns(const std::vector<Assignment>& knowns, const SectionContext& context) {
@@ -32,7 +35,7 @@ void check_knowns(const std::vector<Assignment>& knowns, const SectionContext& c
 }  // namespace
 
 void check_sections(const SectionContext& context) {
-  check_bodies(context);
+  check_outlines(context);
   check_losses(context);
   check_shift(context);
   check_motion(context);

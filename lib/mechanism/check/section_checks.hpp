@@ -22,4 +22,17 @@ void check_reported_quantities(const MechanismDescription& description,
                                const Topology& topology,
                                Diagnostics& found);
 
+/// The numbers and references of the section `motion`.
+void check_motion(const SectionContext& context);
+
+/// Those of `shift`. Complains of elements and labels that contradict each other, too.
+void check_shift(const SectionContext& context);
+
+/// Those of `sweep`. Complains of ranges that never end and of sweeps that are too large, too.
+void check_sweep(const SectionContext& context);
+
+/// The numbers of `synthesis`. Complains of a task that no linkage can fulfil by its count of
+/// positions, too.
+void check_synthesis(const SectionContext& context);
+
 }  // namespace kinestat

@@ -1,5 +1,3 @@
-#include "mechanism/check/shift_check.hpp"
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -8,6 +6,7 @@
 
 #include "core/text.hpp"
 #include "couplings/kinds.hpp"
+#include "mechanism/check/section_checks.hpp"
 
 namespace kinestat {
 

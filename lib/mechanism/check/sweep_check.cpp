@@ -1,5 +1,3 @@
-#include "mechanism/check/sweep_check.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <variant>
@@ -8,6 +6,7 @@
 
 #include "core/text.hpp"
 #include "mechanism/check/report_name_check.hpp"
+#include "mechanism/check/section_checks.hpp"
 
 namespace kinestat {
 

@@ -1,8 +1,8 @@
-#include "mechanism/check/synthesis_check.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
+
+#include "mechanism/check/section_checks.hpp"
 
 namespace kinestat {
 
@@ -88,10 +88,10 @@ class SynthesisCheck {
       return;
     }
     if (!curvature.free_point && !is_varied(FreeNumber::free_point)) {
-      lacks(curvature, what, "free_point", "free_point: [x, y]");
+      refuse_missing(curvature, what, "free_point", "free_point: [x, y]");
     }
     if (!curvature.m && !is_varied(FreeNumber::m)) {
-      lacks(curvature, what, "m", "m: 0.58");
+      refuse_missing(curvature, what, "m", "m: 0.58");
     }
   }
 
@@ -117,10 +117,10 @@ class SynthesisCheck {
             "delete '{}' here to try the range, or '{}' of 'vary' to keep the number", key, word));
   }
 
-  void lacks(const CurvatureDescription& curvature,
-             const std::string& what,
-             std::string_view key,
-             std::string_view example) {
+  void refuse_missing(const CurvatureDescription& curvature,
+                      const std::string& what,
+                      std::string_view key,
+                      std::string_view example) {
     context_.found.error(
         "E0303",
         curvature.where,

@@ -1,9 +1,8 @@
-#include "report/file/analysis_text.hpp"
-
 #include <fmt/format.h>
 
 #include "cases/report/case_text.hpp"
 #include "core/utf8.hpp"
+#include "report/file/file_report.hpp"
 #include "report/report_parts.hpp"
 #include "report/table.hpp"
 #include "studies/shift/report/shift_text.hpp"

@@ -1,8 +1,5 @@
 #include "report/file/file_report.hpp"
 
-#include "report/file/analysis_text.hpp"
-#include "report/file/certified_report.hpp"
-#include "report/file/motion_report.hpp"
 #include "report/file/report_record.hpp"
 #include "report/partial_archive.hpp"
 #include "report/published.hpp"
@@ -10,18 +7,15 @@
 #include "report/table_archive.hpp"
 #include "studies/motion/report/motion_csv.hpp"
 #include "studies/motion/report/motion_text.hpp"
+#include "studies/shift/report/shift_text.hpp"
 
 namespace kinestat {
 
-FileReport make_report(const Analysis& analysis, const ReportForms& forms, Diagnostics& found) {
-  return make_certified_report(analysis, {}, nullptr, forms, found);
-}
-
-FileReport make_certified_report(const Analysis& analysis,
-                                 const Certainty& certainty,
-                                 const MotionTable* motion,
-                                 const ReportForms& forms,
-                                 Diagnostics& found) {
+FileReport make_report(const Analysis& analysis,
+                       const Certainty& certainty,
+                       const MotionTable* motion,
+                       const ReportForms& forms,
+                       Diagnostics& found) {
   const FileUnits& units = analysis.description.units;
   ReportView view{.file = analysis.file,
                   .description = analysis.description,
@@ -34,7 +28,7 @@ FileReport make_certified_report(const Analysis& analysis,
     const WantedKeys wanted = keys_of(published);
     PartialArchive partial(units, wanted);
     report_record().write(view, partial);
-    check_published(partial.take(), published, found);
+    check_published(Json::parse(partial.take()), published, found);
   }
   view.found = &found;
   FileReport report;
@@ -62,6 +56,43 @@ FileReport make_head_report(const std::string& file,
   add_json(report_record, view, description.units, forms, report);
   if (forms.text) {
     report.text = title_text(file, description);
+  }
+  return report;
+}
+
+FileReport make_motion_report(const MotionAnalysis& analysis,
+                              const ReportForms& forms,
+                              const Diagnostics& found) {
+  FileReport report;
+  const ReportView view{.file = analysis.file,
+                        .description = analysis.description,
+                        .motion = &analysis.motion,
+                        .found = &found};
+  add_forms(report_record, view, forms, report);
+  if (forms.csv) {
+    report.csv.push_back(
+        {.pass = "motion",
+         .text = motion_csv(name_in_tables(analysis.file, analysis.description), analysis.motion)});
+  }
+  if (forms.text) {
+    report.text = title_text(analysis.file, analysis.description) + "\n" +
+                  motion_blocks(analysis.motion).text();
+  }
+  return report;
+}
+
+FileReport make_shift_report(const Analysis& analysis,
+                             const ReportForms& forms,
+                             const Diagnostics& found) {
+  FileReport report;
+  const ReportView view{.file = analysis.file,
+                        .description = analysis.description,
+                        .transmission = &analysis,
+                        .found = &found};
+  add_forms(report_record, view, forms, report);
+  if (forms.text) {
+    report.text =
+        title_text(analysis.file, analysis.description) + "\n" + shift_blocks(analysis).text();
   }
   return report;
 }

@@ -1,8 +1,11 @@
-// The same mechanism as somebody else might have drawn it.
+// The same mechanism as somebody else might have drawn it, and networks that are hard to solve.
 #pragma once
 
 #include <array>
 #include <string_view>
+#include <vector>
+
+#include "core/source.hpp"
 
 namespace kinestat {
 
@@ -23,5 +26,9 @@ inline constexpr std::array<Extreme, 6> kExtremes = {{
     {.name = "origin 1e6", .scale = 1.0, .distance = 1e6},
     {.name = "origin 1e9", .scale = 1.0, .distance = 1e9},
 }};
+
+/// Four-bars at 1e-4 and 1e-8 of their size from a dead point, and a train of 80 gears each of
+/// which turns 3.5 times slower than the one before. Their paths stand in angle brackets.
+std::vector<SourceFile> extreme_networks();
 
 }  // namespace kinestat

@@ -7,7 +7,7 @@
 
 #include "core/rounding.hpp"
 #include "math/dense/linear_programme.hpp"
-#include "math/dense/orthonormal.hpp"
+#include "math/dense/span.hpp"
 #include "math/numbers/settled.hpp"
 #include "network/bases.hpp"
 #include "studies/inputs/solution_space.hpp"

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
-#include "math/dense/orthonormal.hpp"
 #include "math/dense/smallest_singular_value.hpp"
+#include "math/dense/span.hpp"
 #include "math/elimination/echelon.hpp"
 #include "studies/inputs/internal/cobasis_search.hpp"
 

@@ -1,7 +1,6 @@
-#include "studies/mobility/free_motion_record.hpp"
-
 #include "mechanism/label_kind.hpp"
 #include "screw/screw_record.hpp"
+#include "studies/mobility/mobility_counts_record.hpp"
 
 namespace kinestat {
 

@@ -1,4 +1,4 @@
-#include "studies/mobility/grubler_record.hpp"
+#include "studies/mobility/mobility_counts_record.hpp"
 
 namespace kinestat {
 

@@ -12,7 +12,7 @@ namespace kinestat {
 
 namespace {
 
-// Rows of numbers: the rates in the order in which they are told, then six of each moving body.
+// Rows of numbers: the rates in the order in which they are reported, then six of each moving body.
 class MotionRows {
  public:
   MotionRows(const Mechanism& mechanism, const CoordinateBasis& basis)
@@ -94,7 +94,7 @@ class MotionRows {
 
   const Mechanism& mechanism_;
   const CoordinateBasis& basis_;
-  std::vector<int> order_;  ///< freedoms as they are told
+  std::vector<int> order_;  ///< freedoms as they are reported
 };
 
 }  // namespace
@@ -114,19 +114,19 @@ MotionSpace find_motion_space(const Mechanism& mechanism, const CoordinateBasis&
     all.push_back(rows.row_of(solution));
   }
   std::vector<FreeMotion> passive;
-  MatX told(0, rows.columns());
+  MatX reported(0, rows.columns());
   for (const PassiveFreedom& one : found) {
     const VecX row = rows.row_of(one);
-    const MatX beside = readable_basis(row.transpose(), rows.scales(), told);
+    const MatX beside = readable_basis(row.transpose(), rows.scales(), reported);
     if (beside.rows() == 0) {
       continue;  // it follows from those before
     }
-    told.conservativeResize(told.rows() + 1, Eigen::NoChange);
-    told.row(told.rows() - 1) = row.transpose();
+    reported.conservativeResize(reported.rows() + 1, Eigen::NoChange);
+    reported.row(reported.rows() - 1) = row.transpose();
     passive.push_back(rows.motion_of(readable_basis(row.transpose(), rows.scales()).row(0)));
     passive.back().passive = one.bodies;
   }
-  const MatX basis_rows = readable_basis(rows_of(all, rows.columns()), rows.scales(), told);
+  const MatX basis_rows = readable_basis(rows_of(all, rows.columns()), rows.scales(), reported);
   for (Eigen::Index j = 0; j < basis_rows.rows(); ++j) {
     space.motions.push_back(rows.motion_of(basis_rows.row(j)));
   }

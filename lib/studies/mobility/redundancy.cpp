@@ -70,9 +70,9 @@ class RedundancySearch {
     for (const Circuit& circuit : find_circuits(mechanism_.graph)) {
       add_circuit(circuit, result.constraints);
     }
-    std::vector<VecX> told;
+    std::vector<VecX> circuit_stresses;
     for (const RedundantConstraint& one : result.constraints) {
-      told.push_back(one.magnitudes);
+      circuit_stresses.push_back(one.magnitudes);
     }
     std::vector<VecX> all;
     for (const VecX& vector : elimination.null_vectors()) {
@@ -80,7 +80,7 @@ class RedundancySearch {
     }
     const Eigen::Index columns = topology_.action_count();
     const MatX rest =
-        readable_basis(rows_of(all, columns), action_scales(), rows_of(told, columns));
+        readable_basis(rows_of(all, columns), action_scales(), rows_of(circuit_stresses, columns));
     for (Eigen::Index j = 0; j < rest.rows(); ++j) {
       result.constraints.push_back(spread_constraint(rest.row(j)));
     }

@@ -433,14 +433,6 @@ MotionState MotionStates::solve_bounded(const Configuration& configuration,
                          : solver_->spatial->solve_bounded_in(configuration, speeds, detail);
 }
 
-MotionState solve_state(const MotionNetwork& network,
-                        const Mechanism& mechanism,
-                        const Configuration& configuration,
-                        const GivenSpeeds& speeds,
-                        StateDetail detail) {
-  return MotionStates(network, mechanism).solve(configuration, speeds, detail);
-}
-
 Vec3 point_position(const MotionState& state,
                     BodyId body,
                     const Vec3& drawn,
@@ -487,12 +479,6 @@ BoundedRate point_acceleration(const MotionState& state, BodyId body, const Vec3
       acceleration_bound(state.bounds.bodies[b], arm, arm, state.twists[b], state.twist_rates[b]);
   const double rounding = state.bounds.rate_rate_rounding * (state.bounds.reach + arm.norm());
   return {.value = settled_rates(acceleration, bound, rounding), .bound = bound};
-}
-
-PointMotion point_motion(const MotionState& state, BodyId body, const Vec3& drawn) {
-  return {.position = point_position(state, body, drawn),
-          .velocity = point_velocity(state, body, drawn).value,
-          .acceleration = point_acceleration(state, body, drawn).value};
 }
 
 }  // namespace kinestat

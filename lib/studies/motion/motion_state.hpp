@@ -79,20 +79,6 @@ class MotionStates {
   std::unique_ptr<Solver> solver_;
 };
 
-/// Of one configuration alone.
-[[nodiscard]] MotionState solve_state(const MotionNetwork& network,
-                                      const Mechanism& mechanism,
-                                      const Configuration& configuration,
-                                      const GivenSpeeds& speeds,
-                                      StateDetail detail);
-
-/// World frame, SI.
-struct PointMotion {
-  Vec3 position = Vec3::Zero();
-  Vec3 velocity = Vec3::Zero();
-  Vec3 acceleration = Vec3::Zero();
-};
-
 /// In the world frame, with the bound of each component: 0 where the state has none.
 struct BoundedRate {
   Vec3 value = Vec3::Zero();
@@ -100,11 +86,8 @@ struct BoundedRate {
 };
 
 /// Of the point of a body that was drawn at `drawn`. Accelerations are zero where the state has
-/// none; where it has bounds, components are settled by them.
-PointMotion point_motion(const MotionState& state, BodyId body, const Vec3& drawn);
-
-/// Its parts, each by itself; the position in the frame of the mechanism or, given `origin`, in the
-/// world.
+/// none; where it has bounds, components are settled by them. The position in the frame of the
+/// mechanism or, given `origin`, in the world.
 Vec3 point_position(const MotionState& state,
                     BodyId body,
                     const Vec3& drawn,

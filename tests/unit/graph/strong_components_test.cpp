@@ -1,5 +1,3 @@
-#include "graph/strong_components.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <random>
@@ -7,6 +5,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "graph/components.hpp"
 
 namespace kinestat {
 namespace {

@@ -1,7 +1,6 @@
-#include "math/dense/normal_equations.hpp"
-
 #include <gtest/gtest.h>
 
+#include "math/dense/least_squares.hpp"
 #include "support/near.hpp"
 
 namespace kinestat {

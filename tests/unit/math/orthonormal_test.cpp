@@ -1,7 +1,6 @@
-#include "math/dense/orthonormal.hpp"
-
 #include <gtest/gtest.h>
 
+#include "math/dense/span.hpp"
 #include "support/near.hpp"
 #include "support/random.hpp"
 

@@ -1,9 +1,8 @@
-#include "mechanism/gears/internal/loss_binder.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "mechanism/gears/internal/losses.hpp"
 #include "unit/mechanism/checked_text.hpp"
 
 namespace kinestat {

@@ -1,7 +1,6 @@
-#include "mechanism/gears/internal/loss_check.hpp"
-
 #include <gtest/gtest.h>
 
+#include "mechanism/gears/internal/losses.hpp"
 #include "unit/mechanism/checked_text.hpp"
 
 namespace kinestat {

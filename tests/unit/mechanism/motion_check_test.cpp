@@ -1,7 +1,6 @@
-#include "mechanism/check/motion_check.hpp"
-
 #include <gtest/gtest.h>
 
+#include "mechanism/check/section_checks.hpp"
 #include "unit/mechanism/checked_text.hpp"
 
 namespace kinestat {

@@ -1,7 +1,6 @@
-#include "mechanism/cases/weight_binder.hpp"
-
 #include <gtest/gtest.h>
 
+#include "mechanism/cases/load_binder.hpp"
 #include "support/mechanism_text.hpp"
 #include "support/near.hpp"
 #include "unit/mechanism/checked_text.hpp"

@@ -23,6 +23,19 @@ void PrintTo(const Subject& subject, std::ostream* out) {
   *out << subject.file;
 }
 
+// World frame, SI.
+struct PointMotion {
+  Vec3 position = Vec3::Zero();
+  Vec3 velocity = Vec3::Zero();
+  Vec3 acceleration = Vec3::Zero();
+};
+
+PointMotion point_motion(const MotionState& state, BodyId body, const Vec3& drawn) {
+  return {.position = point_position(state, body, drawn),
+          .velocity = point_velocity(state, body, drawn).value,
+          .acceleration = point_acceleration(state, body, drawn).value};
+}
+
 class Library : public testing::TestWithParam<Subject> {
  protected:
   Library()

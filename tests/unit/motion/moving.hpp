@@ -102,13 +102,11 @@ inline MotionState state_at(const Moving& subject,
                             double speed,
                             double acceleration = 0.0) {
   const DriveSpeed drive{.speed = speed, .acceleration = acceleration};
-  return solve_state(
-      subject.network,
-      subject.mechanism,
-      configuration,
-      {.drives = std::vector<DriveSpeed>(subject.network.driven_freedoms.size(), drive),
-       .passive = {}},
-      StateDetail::acceleration);
+  return MotionStates(subject.network, subject.mechanism)
+      .solve(configuration,
+             {.drives = std::vector<DriveSpeed>(subject.network.driven_freedoms.size(), drive),
+              .passive = {}},
+             StateDetail::acceleration);
 }
 
 inline double worst_closure_error(const MotionSolution& solution) {

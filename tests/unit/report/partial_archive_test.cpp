@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "report/json_values.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -39,7 +41,7 @@ Json partial_tree(const WantedKeys& wanted) {
   const FileUnits units;
   PartialArchive archive(units, wanted);
   tree_record().write({}, archive);
-  return archive.take();
+  return Json::parse(archive.take());
 }
 
 TEST(PartialArchive, HasNullsWhereNobodyLooks) {

@@ -1,5 +1,3 @@
-#include "studies/synthesis/task/linkage_description.hpp"
-
 #include <string>
 #include <vector>
 
@@ -8,6 +6,7 @@
 #include "format/mechanism_reader.hpp"
 #include "format/mechanism_writer.hpp"
 #include "mechanism/bind/bind.hpp"
+#include "studies/synthesis/task/linkage_files.hpp"
 #include "support/read_text.hpp"
 
 namespace kinestat {

@@ -206,9 +206,6 @@ TEST_P(KnownCurves, HoldTheDyadsOfALinkage) {
     const auto dyad = find_dyad(positions, circle_point);
     ASSERT_TRUE(dyad);
     EXPECT_LT(kinestat::distance(*dyad, linkage.one), 1e-8);
-    const auto back = find_dyad_with_centre(positions, linkage.one.centre_point);
-    ASSERT_TRUE(back);
-    EXPECT_LT(kinestat::distance(*back, linkage.one), 1e-8);
     const auto& infinite = seed % 2 == 0 ? found.slider : found.inverted_slider;
     ASSERT_TRUE(infinite);
     EXPECT_LT(kinestat::distance(*infinite, linkage.other), 1e-8);
@@ -285,33 +282,6 @@ TEST(ThreePositions, LeadThePointsOfACircleOnLines) {
   const auto dyad = find_dyad(positions, moving);
   ASSERT_TRUE(dyad);
   EXPECT_EQ(dyad->kind, DyadKind::slider);
-}
-
-TEST(TwoPositions, LeaveThePerpendicularBisector) {
-  const std::vector<PositionJets> positions = {finite_position({0.0, 0.0}, 0.0),
-                                               finite_position({2.0, 0.0}, 0.7)};
-
-  const auto line = find_centre_line(positions, {0.0, 0.0});
-
-  ASSERT_TRUE(line);
-  EXPECT_NEAR(std::abs(line->normal.real()), 1.0, 1e-15);
-  EXPECT_NEAR(line->offset * line->normal.real(), 1.0, 1e-15);
-}
-
-TEST(TwoPositions, OfTheSamePlaneLeaveTheLineToThePole) {
-  const auto position = find_jets({.at = {0.4, 0.2}, .angle = 0.3, .pole = Point(3.0, 1.0)});
-
-  const auto line = find_centre_line(std::vector{*position.jets}, {1.0, 5.0});
-
-  ASSERT_TRUE(line);
-  EXPECT_NEAR(dot(line->normal, {3.0, 1.0}), line->offset, 1e-13);
-  EXPECT_NEAR(dot(line->normal, {1.0, 5.0}), line->offset, 1e-13);
-}
-
-TEST(TwoPositions, LeaveThePoleOpen) {
-  const auto position = find_jets({.at = {0.4, 0.2}, .angle = 0.3, .pole = Point(3.0, 1.0)});
-
-  EXPECT_FALSE(find_centre_line(std::vector{*position.jets}, {3.0, 1.0}));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "studies/synthesis/positions/special_frame.hpp"
 #include "studies/synthesis/positions/specification.hpp"
 #include "support/angles.hpp"
 
@@ -34,6 +35,20 @@ std::optional<std::vector<PositionJets>> table_3(std::span<const double> choice)
 std::optional<std::vector<PositionJets>> table_5(std::span<const double> choice) {
   const auto first = find_jets(first_position(0.0, true), {.s = choice[0], .tau = choice[1]});
   return std::vector{*first.jets, finite_position({0.0, 0.0}, 27.0 * kDegree)};
+}
+
+// The ratio m that another free point has in such a motion, infinite on the inflection circle: the
+// way back from effective freedom to what a user specifies. Empty in the pole.
+std::optional<double> find_ratio(const PositionJets& position, const Point& free_point) {
+  const std::optional<SpecialFrame> frame = find_special_frame(position);
+  const Point arm = frame ? free_point - frame->pole : Point(0.0, 0.0);
+  const double r = std::abs(arm);
+  if (!(r > 0.0)) {
+    return std::nullopt;
+  }
+  // m = r / (r - j), j where the line of the point meets the inflection circle.
+  const Point diameter = unit_vector(frame->angle) * Point(0.0, frame->diameter);
+  return r / (r - dot(diameter, arm) / r);
 }
 
 // The reference was computed independently by a search of its own.

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
-#include "mechanism/cables/internal/cable_route_check.hpp"
 
 namespace kinestat {
 

@@ -1,5 +1,3 @@
-#include "mechanism/cables/internal/cable_contact_check.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
+#include "mechanism/cables/internal/cable_check.hpp"
 
 namespace kinestat {
 

@@ -1,12 +1,10 @@
-#include "mechanism/cables/internal/cable_route_check.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
 #include "description/cable_expansion.hpp"
-#include "mechanism/cables/internal/cable_contact_check.hpp"
+#include "mechanism/cables/internal/cable_check.hpp"
 #include "mechanism/cables/internal/cable_station_binder.hpp"
 
 namespace kinestat {

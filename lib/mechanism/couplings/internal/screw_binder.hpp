@@ -3,6 +3,8 @@
 
 #include "core/diagnostic.hpp"
 #include "couplings/coupling_catalogue.hpp"
+#include "couplings/coupling_geometry.hpp"
+#include "description/coupling_description.hpp"
 
 namespace kinestat {
 
@@ -37,5 +39,9 @@ class ScrewBinder {
 void check_stiffness(const CouplingDescription& coupling,
                      const CouplingScrews& screws,
                      Diagnostics& found);
+
+/// Keeps only the constraints that `passive:` names; complains about names that the coupling does
+/// not have.
+void keep_passive(const CouplingDescription& coupling, CouplingScrews& screws, Diagnostics& found);
 
 }  // namespace kinestat

@@ -8,8 +8,6 @@
 
 #include "core/tolerance.hpp"
 #include "mechanism/gears/internal/gear_binder.hpp"
-#include "mechanism/gears/internal/planet_member_check.hpp"
-#include "mechanism/gears/internal/planet_spacing_check.hpp"
 
 namespace kinestat {
 

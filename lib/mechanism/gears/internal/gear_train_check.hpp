@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mechanism/check/section_context.hpp"
+#include "mechanism/gears/gear_layout.hpp"
 
 namespace kinestat {
 
@@ -11,5 +12,19 @@ namespace kinestat {
 /// teeth with profile shift or planets at unequal angles. The numbers of `gears` must be right, its
 /// meshes couplings.
 void check_gear_train(const SectionContext& context);
+
+/// Complains of planets without a distance from the main axis or with two, of meshes of two planets
+/// without a module, and of `count`, `centre_distance` and `side` where they mean nothing. After it
+/// a layout can be found.
+void check_planet_members(const SectionContext& context,
+                          const GearTrain& train,
+                          const GearNumbers& numbers);
+
+/// Warns of planets with a `count` that cannot be spaced equally (W0306) or whose tip circles meet
+/// (W0307): of one planet, and of planets that mesh with each other, from one set to the next. Tips
+/// are one module outside the pitch circle.
+void check_planet_spacing(const SectionContext& context,
+                          const GearNumbers& numbers,
+                          const GearLayout& layout);
 
 }  // namespace kinestat

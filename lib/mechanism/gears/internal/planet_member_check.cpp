@@ -1,5 +1,3 @@
-#include "mechanism/gears/internal/planet_member_check.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,6 +6,7 @@
 
 #include "core/tolerance.hpp"
 #include "description/gear_expansion.hpp"
+#include "mechanism/gears/internal/gear_train_check.hpp"
 
 namespace kinestat {
 

@@ -1,5 +1,3 @@
-#include "mechanism/gears/internal/planet_spacing_check.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "mechanism/gears/internal/gear_train_check.hpp"
 #include "mechanism/gears/internal/planet_assembly.hpp"
 #include "mechanism/gears/internal/planet_set.hpp"
 

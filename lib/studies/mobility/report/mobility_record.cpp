@@ -5,11 +5,8 @@
 #include "network/evidence_record.hpp"
 #include "report/report_keys.hpp"
 #include "screw/screw_record.hpp"
-#include "studies/mobility/free_motion_record.hpp"
-#include "studies/mobility/grubler_record.hpp"
 #include "studies/mobility/mobility_counts_record.hpp"
 #include "studies/mobility/report/mobility_words.hpp"
-#include "studies/mobility/reshetov_record.hpp"
 #include "studies/motion/finite_mobility_record.hpp"
 
 namespace kinestat {

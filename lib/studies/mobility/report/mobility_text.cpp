@@ -7,7 +7,6 @@
 #include "report/number_format.hpp"
 #include "report/report_parts.hpp"
 #include "studies/mobility/report/mobility_words.hpp"
-#include "studies/mobility/report/redundancy_text.hpp"
 
 namespace kinestat {
 

@@ -1,6 +1,8 @@
 // The mobility of one file for people.
 #pragma once
 
+#include <string>
+
 #include "report/text_blocks.hpp"
 #include "studies/mobility/report/mobility_report.hpp"
 
@@ -17,5 +19,9 @@ struct MobilityBlocks {
 };
 
 MobilityBlocks mobility_blocks(const MobilityAnalysis& analysis);
+
+/// The self-stresses in space and, where the mechanism has one, in its plane or in the least order
+/// that holds its motions; then the advice. Only for a mechanism with places.
+std::string redundancies_text(const MobilityAnalysis& analysis);
 
 }  // namespace kinestat

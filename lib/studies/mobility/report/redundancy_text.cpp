@@ -1,10 +1,9 @@
-#include "studies/mobility/report/redundancy_text.hpp"
-
 #include <fmt/format.h>
 
 #include "couplings/kinds.hpp"
 #include "mechanism/label_kind.hpp"
 #include "report/number_format.hpp"
+#include "studies/mobility/report/mobility_text.hpp"
 #include "studies/mobility/report/mobility_words.hpp"
 
 namespace kinestat {

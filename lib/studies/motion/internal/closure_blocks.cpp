@@ -6,7 +6,6 @@
 #include "core/index.hpp"
 #include "graph/components.hpp"
 #include "graph/matching.hpp"
-#include "graph/strong_components.hpp"
 
 namespace kinestat {
 

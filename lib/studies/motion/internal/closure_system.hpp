@@ -4,8 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "studies/motion/internal/closure_joint.hpp"
-#include "studies/motion/internal/framed_row.hpp"
+#include "studies/motion/internal/closure_rows.hpp"
 #include "studies/motion/internal/planar_frames.hpp"
 #include "studies/motion/internal/spatial_frames.hpp"
 #include "studies/motion/internal/turns.hpp"

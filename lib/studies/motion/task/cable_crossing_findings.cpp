@@ -1,5 +1,3 @@
-#include "studies/motion/task/cable_crossing_findings.hpp"
-
 #include <algorithm>
 #include <numbers>
 
@@ -8,6 +6,7 @@
 #include "core/index.hpp"
 #include "couplings/cable_geometry.hpp"
 #include "mechanism/couplings/moved_coupling.hpp"
+#include "studies/motion/task/position_findings.hpp"
 
 namespace kinestat {
 

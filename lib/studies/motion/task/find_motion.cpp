@@ -1,13 +1,9 @@
 #include "studies/motion/task/find_motion.hpp"
 
 #include "studies/motion/motion.hpp"
-#include "studies/motion/task/friction_turn_findings.hpp"
 #include "studies/motion/task/motion_choice.hpp"
 #include "studies/motion/task/motion_findings.hpp"
-#include "studies/motion/task/motion_passive_findings.hpp"
-#include "studies/motion/task/motion_speed_findings.hpp"
 #include "studies/motion/task/motion_table_maker.hpp"
-#include "studies/motion/task/motion_transmission_findings.hpp"
 #include "studies/motion/task/position_findings.hpp"
 
 namespace kinestat {

@@ -1,12 +1,11 @@
-#include "studies/motion/task/friction_turn_findings.hpp"
-
 #include <algorithm>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "studies/motion/task/row_place.hpp"
+#include "studies/motion/task/motion_findings.hpp"
+#include "studies/motion/task/position_findings.hpp"
 
 namespace kinestat {
 

@@ -20,20 +20,20 @@ using Reader = std::function<std::optional<double>(const MotionPosition&)>;
 using Vector = std::array<std::optional<double>, 3>;
 
 // Empty where it would be rounding.
-std::optional<double> told(double value, double bound) {
+std::optional<double> reported(double value, double bound) {
   return is_reported(value, bound) ? std::optional(value) : std::nullopt;
 }
 
-Vector told(const BoundedRate& rate) {
-  return {told(rate.value[0], rate.bound),
-          told(rate.value[1], rate.bound),
-          told(rate.value[2], rate.bound)};
+Vector reported(const BoundedRate& rate) {
+  return {reported(rate.value[0], rate.bound),
+          reported(rate.value[1], rate.bound),
+          reported(rate.value[2], rate.bound)};
 }
 
 std::optional<double> entry(const std::vector<std::optional<double>>& list,
                             const std::vector<double>& bounds,
                             std::size_t i) {
-  return i < list.size() && list[i] ? told(*list[i], bounds[i]) : std::nullopt;
+  return i < list.size() && list[i] ? reported(*list[i], bounds[i]) : std::nullopt;
 }
 
 // Empty too where the position is so near a singular one that they would be rounding.
@@ -209,7 +209,7 @@ class ReadingList {
       if (detail_.velocity) {
         add_vector(
             name, "velocity", MotionKind::velocity, [point](const MotionPosition& at) -> Vector {
-              return has_motion(at) ? told(point_velocity(at.state, point.body, point.at))
+              return has_motion(at) ? reported(point_velocity(at.state, point.body, point.at))
                                     : Vector{};
             });
       }
@@ -219,7 +219,7 @@ class ReadingList {
                    MotionKind::acceleration,
                    [point](const MotionPosition& at) -> Vector {
                      return has_acceleration(at)
-                                ? told(point_acceleration(at.state, point.body, point.at))
+                                ? reported(point_acceleration(at.state, point.body, point.at))
                                 : Vector{};
                    });
       }
@@ -248,7 +248,7 @@ class ReadingList {
                  "linear",
                  MotionKind::velocity,
                  [body, reference](const MotionPosition& at) -> Vector {
-                   return has_motion(at) ? told(point_velocity(at.state, body, reference))
+                   return has_motion(at) ? reported(point_velocity(at.state, body, reference))
                                          : Vector{};
                  });
     }
@@ -267,7 +267,7 @@ class ReadingList {
           [b, i, twists, bound](const MotionPosition& at) -> std::optional<double> {
             const std::vector<Twist>& list = at.state.*twists;
             return has_motion(at) && b < list.size()
-                       ? told(list[b].angular[i], at.state.bounds.bodies[b].*bound)
+                       ? reported(list[b].angular[i], at.state.bounds.bodies[b].*bound)
                        : std::nullopt;
           });
     }
@@ -298,8 +298,9 @@ class ReadingList {
                  "linear_acceleration",
                  MotionKind::acceleration,
                  [body, reference](const MotionPosition& at) -> Vector {
-                   return has_acceleration(at) ? told(point_acceleration(at.state, body, reference))
-                                               : Vector{};
+                   return has_acceleration(at)
+                              ? reported(point_acceleration(at.state, body, reference))
+                              : Vector{};
                  });
     }
   }

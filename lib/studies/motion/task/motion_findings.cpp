@@ -390,9 +390,9 @@ bool check_report(const MotionPlan& plan, const Mechanism& mechanism, Diagnostic
 }
 
 bool check_movable(const FoundMotion& motion, const Mechanism& mechanism, Diagnostics& found) {
-  std::set<std::pair<int, MotionObstacle>> told;
+  std::set<std::pair<int, MotionObstacle>> refused;
   for (const UnmovableCoupling& one : motion.network.obstacles) {
-    if (!told.insert({one.coupling.value, one.why}).second) {
+    if (!refused.insert({one.coupling.value, one.why}).second) {
       continue;
     }
     const CouplingTopology& coupling = mechanism.topology.coupling(one.coupling);

@@ -22,4 +22,29 @@ void add_motion_findings(const FoundMotion& motion,
                          const Mechanism& mechanism,
                          Diagnostics& found);
 
+/// Why rows have no velocities or accelerations, beside what is found of the case in each position;
+/// nothing where all rows have what was asked for.
+void add_motion_speed_findings(const FoundMotion& motion,
+                               const Mechanism& mechanism,
+                               Diagnostics& found);
+
+/// W0506, once, that drives leave positions open: bodies that turn or shift without any other
+/// feeling it, where the report has positions that show it, or velocities that neither the drives
+/// nor the case determine.
+void add_motion_passive_findings(const FoundMotion& motion,
+                                 const Mechanism& mechanism,
+                                 Diagnostics& found);
+
+/// W0505, why there is no transmission angle: where one is asked for and no position has it. At
+/// dead points alone it explains itself.
+void add_motion_transmission_findings(const FoundMotion& motion,
+                                      const Mechanism& mechanism,
+                                      Diagnostics& found);
+
+/// W0508, once a coupling, that friction turns round: at a dead point its friction has no
+/// direction, and just before and behind it two.
+void add_friction_turn_findings(const FoundMotion& motion,
+                                const Mechanism& mechanism,
+                                Diagnostics& found);
+
 }  // namespace kinestat

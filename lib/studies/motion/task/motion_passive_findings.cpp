@@ -1,5 +1,3 @@
-#include "studies/motion/task/motion_passive_findings.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -11,6 +9,7 @@
 #include "core/tolerance.hpp"
 #include "studies/mobility/passive_freedom.hpp"
 #include "studies/motion/configuration.hpp"
+#include "studies/motion/task/motion_findings.hpp"
 
 namespace kinestat {
 

@@ -1,5 +1,3 @@
-#include "studies/motion/task/motion_speed_findings.hpp"
-
 #include <algorithm>
 #include <functional>
 #include <string>
@@ -8,7 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "studies/motion/task/row_place.hpp"
+#include "studies/motion/task/motion_findings.hpp"
+#include "studies/motion/task/position_findings.hpp"
 
 namespace kinestat {
 

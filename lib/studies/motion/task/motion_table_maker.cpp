@@ -7,9 +7,9 @@
 #include "cases/case_status.hpp"
 #include "couplings/kinds.hpp"
 #include "studies/motion/motion.hpp"
-#include "studies/motion/task/cable_crossing_findings.hpp"
 #include "studies/motion/task/motion_columns.hpp"
 #include "studies/motion/task/motion_events.hpp"
+#include "studies/motion/task/position_findings.hpp"
 
 namespace kinestat {
 

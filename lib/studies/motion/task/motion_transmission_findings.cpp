@@ -1,11 +1,10 @@
-#include "studies/motion/task/motion_transmission_findings.hpp"
-
 #include <algorithm>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "power/transmission_angle.hpp"
+#include "studies/motion/task/motion_findings.hpp"
 #include "studies/motion/task/motion_position.hpp"
 
 namespace kinestat {

@@ -1,12 +1,16 @@
 // What there is to say of the positions of a motion, each thing once.
 #pragma once
 
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "cases/case_findings.hpp"
 #include "core/diagnostic.hpp"
+#include "studies/motion/configuration.hpp"
 #include "studies/motion/report/motion_table.hpp"
+#include "studies/motion/task/found_motion.hpp"
 
 namespace kinestat {
 
@@ -31,5 +35,17 @@ class PositionFindings {
 
   std::vector<Held> held_;
 };
+
+/// Cables that cross themselves in this configuration with these poses, unless the file says that
+/// they are meant to.
+void add_crossing_cables(const MechanismDescription& description,
+                         const Mechanism& mechanism,
+                         const FoundMotion& motion,
+                         const Configuration& configuration,
+                         std::span<const BodyPose> poses,
+                         CaseFindings& found);
+
+/// "m = 5 deg, n = 20 mm": the positions of the drives.
+std::string row_place(const MotionTable& table, const MotionRow& row);
 
 }  // namespace kinestat

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "math/dense/normal_equations.hpp"
+#include "math/dense/least_squares.hpp"
 #include "studies/sensitivity/internal/factored_side.hpp"
 
 namespace kinestat {

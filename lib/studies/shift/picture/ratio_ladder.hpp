@@ -1,4 +1,5 @@
-// The ratios of the gears on a logarithmic ladder: equal steps are equal distances.
+// Pictures of the gears of a transmission: its ratios on a logarithmic ladder (equal steps are
+// equal distances) and its shift table.
 #pragma once
 
 #include "cases/analysis.hpp"
@@ -16,5 +17,9 @@ bool has_ratios(const Analysis& analysis);
 /// Places at least that far from each other, in the order of `wished`, which ascends, and as near
 /// to it as a simple push allows.
 std::vector<double> spread_places(const std::vector<double>& wished, double distance);
+
+/// Gears with their engaged elements, ratios, steps and efficiencies, then what is no gear, with
+/// its class. The analysis must have a section `shift`.
+Picture draw_shift_matrix(const Analysis& analysis);
 
 }  // namespace kinestat

@@ -1,5 +1,3 @@
-#include "studies/shift/picture/shift_matrix.hpp"
-
 #include <algorithm>
 #include <utility>
 
@@ -9,6 +7,7 @@
 #include "draw/axes.hpp"
 #include "draw/picture_title.hpp"
 #include "draw/text_styles.hpp"
+#include "studies/shift/picture/ratio_ladder.hpp"
 #include "studies/shift/report/gear_report.hpp"
 
 namespace kinestat {

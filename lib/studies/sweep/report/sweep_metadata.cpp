@@ -7,7 +7,7 @@
 #include "core/utf8.hpp"
 #include "core/version.hpp"
 #include "report/json_archive.hpp"
-#include "report/json_tree.hpp"
+#include "report/json_values.hpp"
 #include "studies/sweep/report/sweep_record.hpp"
 
 namespace kinestat {
@@ -28,7 +28,8 @@ const FileUnits& no_units() {
 }
 
 Json top_json(const std::optional<TopChoice>& top) {
-  return top ? json_of(top_record(), *top, no_units()) : Json(nullptr);
+  return top ? Json::parse(json_text(top_record(), *top, no_units(), JsonLayout::line))
+             : Json(nullptr);
 }
 
 std::optional<TopChoice> top_of(const Json& json) {

@@ -139,18 +139,16 @@ Vec3 values_at(const LinearRow& row, const Point& z) {
   return result;
 }
 
-// The conditions of a given circle point, or of a given centre, each with what rounding of the
-// positions does to it.
+// The conditions of the centre of a circle point, each with what rounding of the positions does to
+// it.
 struct Conditions {
   std::vector<Vec3> rows;
   std::vector<double> errors;
 
-  Conditions(const ConditionRows& system,
-             LinearRow (*row_for)(const ConditionRow&),
-             const Point& given) {
+  Conditions(const ConditionRows& system, const Point& circle_point) {
     for (std::size_t i = 0; i < system.rows.size(); ++i) {
-      rows.push_back(values_at(row_for(system.rows[i]), given));
-      errors.push_back(system.noise[i] * (1.0 + std::abs(given)));
+      rows.push_back(values_at(row_for_circle_point(system.rows[i]), circle_point));
+      errors.push_back(system.noise[i] * (1.0 + std::abs(circle_point)));
     }
   }
 };
@@ -180,7 +178,7 @@ CommonSolution common_solution(const Conditions& all) {
 
 using DyadCoordinates = Eigen::Matrix<double, 7, 1>;
 
-// A dyad whose circle point and centre are given as (x, y, h), one of them with h = 1.
+// A dyad whose circle point and centre are given as (x, y, h).
 DyadCoordinates seven_of(const Vec3& circle, const Vec3& centre) {
   const Point z(circle[0], circle[1]);
   const Point w(centre[0], centre[1]);
@@ -266,38 +264,12 @@ FourPositionCurves find_curves(std::span<const PositionJets> positions) {
 std::optional<Dyad> find_dyad(std::span<const PositionJets> positions, const Point& circle_point) {
   const ConditionRows system = make_condition_rows(positions);
   const Point z = in_system(system, circle_point);
-  const CommonSolution centre = common_solution({system, row_for_circle_point, z});
+  const CommonSolution centre = common_solution({system, z});
   if (!(centre.error < kUselessLoss)) {
     return std::nullopt;
   }
   const Vec3 circle(z.real(), z.imag(), 1.0);
   return dyad_with_digits(seven_of(circle, centre.vector), system, positions, centre.error);
-}
-
-std::optional<Dyad> find_dyad_with_centre(std::span<const PositionJets> positions,
-                                          const Point& centre) {
-  const ConditionRows system = make_condition_rows(positions);
-  const Point w = in_system(system, centre);
-  const CommonSolution circle = common_solution({system, row_for_centre, w});
-  if (!(circle.error < kUselessLoss)) {
-    return std::nullopt;
-  }
-  const Vec3 fixed(w.real(), w.imag(), 1.0);
-  return dyad_with_digits(seven_of(circle.vector, fixed), system, positions, circle.error);
-}
-
-std::optional<PlaneLine> find_centre_line(std::span<const PositionJets> positions,
-                                          const Point& circle_point) {
-  KINESTAT_EXPECTS(position_count(positions) == 2);
-  const ConditionRows system = make_condition_rows(positions);
-  const Vec3 row = values_at(row_for_circle_point(system.rows[0]), in_system(system, circle_point));
-  const double size = row.head<2>().norm();
-  if (!(size > kCancellation)) {
-    return std::nullopt;
-  }
-  const Point normal = Point(row[0], row[1]) / size;
-  return PlaneLine{.normal = normal,
-                   .offset = -system.length * row[2] / size + dot(normal, {system.x, system.y})};
 }
 
 std::optional<Circle> find_straight_path_circle(std::span<const PositionJets> positions) {

@@ -33,16 +33,6 @@ FourPositionCurves find_curves(std::span<const PositionJets> positions);
 /// lies far away. Empty if the positions leave it open.
 std::optional<Dyad> find_dyad(std::span<const PositionJets> positions, const Point& circle_point);
 
-/// The other way round: of a centre in the fixed frame.
-std::optional<Dyad> find_dyad_with_centre(std::span<const PositionJets> positions,
-                                          const Point& centre);
-
-/// Two positions: the line of all centres of a circle point [fixed frame, at the first position];
-/// of P-P the perpendicular bisector of its places, of PP the line to the pole. Empty if the point
-/// stays where it is.
-std::optional<PlaneLine> find_centre_line(std::span<const PositionJets> positions,
-                                          const Point& circle_point);
-
 /// Three positions: the points whose places lie on a straight line, fixed frame, at the first
 /// position; of PPP the inflection circle. Empty if the plane only translates.
 std::optional<Circle> find_straight_path_circle(std::span<const PositionJets> positions);

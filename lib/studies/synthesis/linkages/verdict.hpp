@@ -47,8 +47,6 @@ struct DriveVerdict {
   TransmissionRange full;                        ///< over all that the first branch can reach
   std::optional<TransmissionRange> working_arc;  ///< from the first to the last position
   double arc = 0.0;  ///< what the input moves from first to last [rad or length], with its sign
-
-  bool is_defect_free() const { return same_circuit && same_branch && passage != Passage::none; }
 };
 
 /// Positions in their order: of each group of coincident ones the pose counts, and its sense if its

@@ -1,9 +1,7 @@
 #include "studies/synthesis/positions/position_jets.hpp"
 
-#include "core/contract.hpp"
 #include "core/index.hpp"
 #include "studies/synthesis/positions/internal/jets.hpp"
-#include "studies/synthesis/positions/internal/jets_by_angle.hpp"
 
 namespace kinestat {
 
@@ -29,22 +27,6 @@ std::vector<Point> point_jets(const PositionJets& position, const Point& moving)
   for (int k = 0; k < position.order(); ++k) {
     result[at(k)] = result[at(k)] * moving + origin(position, k);
   }
-  return result;
-}
-
-PositionJets by_angle(const PositionJets& position) {
-  PositionJets result = position;
-  if (position.order() < 2) {
-    return result;
-  }
-  const std::vector<double> speed(position.angle.begin() + 1, position.angle.end());
-  KINESTAT_EXPECTS(speed[0] != 0.0);
-  result.x = jets_by_angle(position.x, speed);
-  result.y = jets_by_angle(position.y, speed);
-  result.angle.assign(position.angle.size(), 0.0);
-  result.angle[0] = position.angle[0];
-  result.angle[1] = 1.0;
-  result.is_directed = false;
   return result;
 }
 

@@ -47,9 +47,6 @@ std::vector<Point> rotation_jets(const PositionJets& position);
 /// Derivatives 0 to n - 1 of the place of a moving point, fixed frame.
 std::vector<Point> point_jets(const PositionJets& position, const Point& moving);
 
-/// The same motion with its angle as the parameter. The position must turn: γ' is not zero.
-PositionJets by_angle(const PositionJets& position);
-
 /// How many positions a task prescribes: each group counts its order.
 int position_count(std::span<const PositionJets> positions);
 

@@ -101,11 +101,6 @@ Scalar settled_sum(const Scalar& sum, const Scalar& size) {
 }  // namespace
 
 template <class Scalar>
-PointOf<Scalar> SpecialFrameOf<Scalar>::to_fixed(const PointOf<Scalar>& point) const {
-  return pole + turned_by(angle) * point;
-}
-
-template <class Scalar>
 PointOf<Scalar> SpecialFrameOf<Scalar>::from_fixed(const PointOf<Scalar>& point) const {
   return turned_by(Scalar(-angle)) * (point - pole);
 }

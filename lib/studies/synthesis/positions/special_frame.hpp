@@ -32,8 +32,7 @@ struct SpecialFrameOf {
   /// How far they may be off, coordinate by coordinate; none where nothing is known.
   FrameBounds bounds = {};
 
-  /// A point given in this frame, in the fixed one; and back.
-  PointOf<Scalar> to_fixed(const PointOf<Scalar>& point) const;
+  /// A point given in the fixed frame, in this one.
   PointOf<Scalar> from_fixed(const PointOf<Scalar>& point) const;
 };
 

@@ -222,16 +222,4 @@ SpecifiedPosition find_jets(const PositionSpecification& specification,
   return Specifier<double>(specification, &freedom).run();
 }
 
-std::optional<double> find_ratio(const PositionJets& position, const Point& free_point) {
-  const std::optional<SpecialFrame> frame = find_special_frame(position);
-  const Point arm = frame ? free_point - frame->pole : Point(0.0, 0.0);
-  const double r = std::abs(arm);
-  if (!(r > 0.0)) {
-    return std::nullopt;
-  }
-  // m = r / (r - j), j where the line of the point meets the inflection circle.
-  const Point diameter = unit_vector(frame->angle) * Point(0.0, frame->diameter);
-  return r / (r - dot(diameter, arm) / r);
-}
-
 }  // namespace kinestat

@@ -78,8 +78,4 @@ SpecifiedPositionOf<BigFloat> find_precise_jets(
 SpecifiedPosition find_jets(const PositionSpecification& specification,
                             const EffectiveFreedom& freedom);
 
-/// The ratio m that another free point has in such a motion, infinite on the inflection circle: the
-/// way back from effective freedom to what a user specifies. Empty in the pole.
-std::optional<double> find_ratio(const PositionJets& position, const Point& free_point);
-
 }  // namespace kinestat

@@ -1,11 +1,10 @@
-#include "studies/synthesis/report/found_linkage_record.hpp"
-
 #include <optional>
 #include <string>
 
 #include "core/utf8.hpp"
 #include "studies/synthesis/linkages/linkage_motion.hpp"
 #include "studies/synthesis/linkages/linkage_record.hpp"
+#include "studies/synthesis/report/synthesis_record.hpp"
 
 namespace kinestat {
 

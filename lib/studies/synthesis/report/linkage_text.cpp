@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/utf8.hpp"
-#include "studies/synthesis/report/limits_text.hpp"
+#include "studies/synthesis/report/plane_text.hpp"
 
 namespace kinestat {
 

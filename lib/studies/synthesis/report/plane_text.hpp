@@ -8,6 +8,7 @@
 #include "report/in_units.hpp"
 #include "report/number_format.hpp"
 #include "studies/synthesis/positions/plane.hpp"
+#include "studies/synthesis/report/synthesis_report.hpp"
 
 namespace kinestat {
 
@@ -33,5 +34,18 @@ class PlaneText {
  private:
   InUnits in_;
 };
+
+/// The limits with which a linkage would be usable, so that they can be typed as they are printed:
+/// " and takes limits: {link_ratio: 12.4}"; empty where no limit helps, or none is needed.
+std::string limits_text(const LinkageCandidate& candidate,
+                        const LinkageLimits& limits,
+                        const PlaneText& plane);
+
+/// A line on the usable linkages of other kinds than the task asks for; empty without any.
+std::string left_out_text(const SynthesisTask& task, const LinkageLimits& limits);
+
+/// What is known of the instant in every position that is prescribed with derivatives: pole,
+/// curvature of the path of the origin E, special frame. Empty without such positions.
+std::string positions_text(const SynthesisTask& task, const PlaneText& plane);
 
 }  // namespace kinestat

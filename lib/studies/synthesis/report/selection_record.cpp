@@ -1,9 +1,8 @@
-#include "studies/synthesis/report/selection_record.hpp"
-
 #include <array>
 #include <optional>
 
 #include "studies/synthesis/positions/plane_record.hpp"
+#include "studies/synthesis/report/synthesis_record.hpp"
 
 namespace kinestat {
 

@@ -8,13 +8,10 @@
 
 #include "core/digit_limits.hpp"
 #include "core/utf8.hpp"
-#include "report/diagnostic_record.hpp"
-#include "report/mechanism_record.hpp"
+#include "report/report_keys.hpp"
 #include "studies/synthesis/dyads/dyad_record.hpp"
 #include "studies/synthesis/positions/plane_record.hpp"
 #include "studies/synthesis/positions/position_record.hpp"
-#include "studies/synthesis/report/found_linkage_record.hpp"
-#include "studies/synthesis/report/selection_record.hpp"
 
 namespace kinestat {
 

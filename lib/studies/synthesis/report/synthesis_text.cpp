@@ -8,7 +8,7 @@
 #include "core/digit_limits.hpp"
 #include "report/report_parts.hpp"
 #include "studies/synthesis/report/linkage_text.hpp"
-#include "studies/synthesis/report/position_text.hpp"
+#include "studies/synthesis/report/plane_text.hpp"
 
 namespace kinestat {
 

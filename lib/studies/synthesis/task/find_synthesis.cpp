@@ -12,7 +12,6 @@
 #include "core/digit_limits.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "studies/synthesis/dyads/precise_burmester.hpp"
-#include "studies/synthesis/task/last_decimal.hpp"
 #include "studies/synthesis/task/synthesis_selection.hpp"
 #include "studies/synthesis/task/synthesis_task.hpp"
 #include "studies/synthesis/task/task_positions.hpp"

@@ -1,5 +1,3 @@
-#include "studies/synthesis/task/last_decimal.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>

@@ -1,5 +1,3 @@
-#include "studies/synthesis/task/linkage_check.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,7 +11,7 @@
 #include "mechanism/bind/bind.hpp"
 #include "studies/motion/configuration.hpp"
 #include "studies/motion/motion.hpp"
-#include "studies/synthesis/task/linkage_description.hpp"
+#include "studies/synthesis/task/linkage_files.hpp"
 
 namespace kinestat {
 

@@ -1,5 +1,3 @@
-#include "studies/synthesis/task/linkage_description.hpp"
-
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -12,6 +10,7 @@
 #include "report/in_units.hpp"
 #include "report/number_format.hpp"
 #include "studies/synthesis/report/linkage_text.hpp"
+#include "studies/synthesis/task/linkage_files.hpp"
 
 namespace kinestat {
 

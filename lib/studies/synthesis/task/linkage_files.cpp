@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "format/mechanism_writer.hpp"
-#include "studies/synthesis/task/linkage_description.hpp"
 
 namespace kinestat {
 

@@ -11,6 +11,7 @@
 #include "expression/parameters.hpp"
 #include "expression/precise.hpp"
 #include "studies/synthesis/dyads/precise_point.hpp"
+#include "studies/synthesis/positions/position_jets.hpp"
 #include "studies/synthesis/report/synthesis_report.hpp"
 
 namespace kinestat {
@@ -59,5 +60,11 @@ class TaskPositions {
   const SynthesisDescription& task_;
   BasicParameterTable<Number> table_;
 };
+
+/// How many decimals the positions are written with: of places and of angles the number with the
+/// most: short ones may have lost zeros at
+/// their end. Whole numbers, formulas and parameters count as exact. The description is right by
+/// itself (check).
+LastDecimal last_decimal_of(const MechanismDescription& description);
 
 }  // namespace kinestat

@@ -1,11 +1,24 @@
-// A condition of closure between the frames of two bodies.
+// The joints of a network and its conditions between frames, as its closure needs them.
 #pragma once
 
 #include <vector>
 
+#include "couplings/finite_law.hpp"
 #include "studies/motion/motion_network.hpp"
 
 namespace kinestat {
+
+/// Lengths in sizes of the mechanism. One without a coordinate slides by its direction, once.
+struct ClosureJoint {
+  ElementaryKind kind = ElementaryKind::turn;
+  int parent = 0;
+  Vec3 direction = Vec3::UnitZ();
+  Vec3 point = Vec3::Zero();
+  double pitch = 0.0;
+  double sense = 1.0;
+  int coordinate = -1;
+  int rate = -1;
+};
 
 /// Points and directions in the frames, lengths in sizes of the mechanism.
 template <class Vector>

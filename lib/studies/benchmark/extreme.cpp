@@ -1,4 +1,4 @@
-#include "studies/benchmark/extreme_networks.hpp"
+#include "studies/benchmark/extreme.hpp"
 
 #include <string>
 

@@ -1,9 +1,8 @@
-#include "cases/report/affine_report.hpp"
-
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "cases/report/case_text.hpp"
 #include "mechanism/label_kind.hpp"
 #include "report/number_format.hpp"
 

@@ -1,0 +1,49 @@
+// The parts of the section of a file on the page.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/diagnostic.hpp"
+#include "core/source.hpp"
+#include "pages/file_page.hpp"
+#include "pages/html.hpp"
+#include "pages/section_writer.hpp"
+#include "studies/synthesis/report/synthesis_report.hpp"
+
+namespace kinestat {
+
+/// The cases or gears of a file: a choice of them, a panel for each, and all side by side. Nothing
+/// if there are none. The file must have an analysis.
+void add_case_part(SectionWriter& section);
+
+/// The finite motion: its drawing, tables and curves. Of a file that asks for a motion without
+/// getting one, that there is none.
+void add_motion_part(SectionWriter& section);
+
+/// What is wrong with the file, as on a terminal; words are broken into lines, the line of the file
+/// with its carets is not.
+void add_findings(const SourceFile& source, const Diagnostics& found, Html& html);
+
+/// What was found, from the whole to the parts: bodies, couplings and mobility; cases with their
+/// ratios and efficiencies; gears; synthesised linkages. Six significant digits, units of the file.
+/// Empty for a file of which nothing is known.
+std::vector<std::string> summary_sentences(const FilePage& page);
+
+/// What a synthesis has found: the task, its dyads and the best linkage; of a task with choices
+/// those of the first.
+std::vector<std::string> synthesis_sentences(const SynthesisAnalysis& synthesis);
+
+/// "1 body", "2 bodies".
+std::string counted(int number, std::string_view one, std::string_view many);
+
+/// "1 coupling", "2 couplings".
+std::string counted(int number, std::string_view noun);
+
+/// Adds the section of a file and gives its headings. Ids begin with `id`; the figures are
+/// numbered on from `figures`.
+std::vector<PageHeading> add_file_section(
+    const FilePage& page, const std::string& id, PageForm form, int& figures, Html& html);
+
+}  // namespace kinestat
