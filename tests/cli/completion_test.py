@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+"""What shells complete: every command, option and word that the help has, and the names of a file,
+in bash, zsh and fish as users would see it."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+RAVIGNEAUX = ROOT / "mechanisms/transmissions/ravigneaux.yaml"
+PROGRAM = Path("kinestat")
+
+
+def run(*words: str | Path, **more: object) -> str:
+    done = subprocess.run([PROGRAM, *words], capture_output=True, encoding="utf-8", check=False,
+                          **more)
+    if done.returncode != 0:
+        raise AssertionError(f"{words}: {done.returncode}\n{done.stderr}")
+    return done.stdout
+
+
+def candidates(*words: str | Path) -> tuple[str, list[str]]:
+    """What fits beside the words, and the words."""
+    kind, *lines = run("completion", "candidates", "--", *words).splitlines()
+    return kind, [line.split("\t")[0] for line in lines]
+
+
+def commands() -> list[str]:
+    listed = run("--help").partition("\nCommands:\n")[2].partition("\nOptions:\n")[0]
+    return re.findall(r"^  (\S+)", listed, re.MULTILINE)
+
+
+def entries(command: str) -> list[tuple[list[str], str]]:
+    """Of its help: the long names of an option, and what its value is called."""
+    listed = run(command, "--help").partition("\nOptions:\n")[2]
+    found = re.findall(r"^  (-\S+)(?: (\S+))?", listed, re.MULTILINE)
+    return [([name for name in names.split(",") if name.startswith("--")], value)
+            for names, value in found]
+
+
+class Candidates(unittest.TestCase):
+    def test_commands_are_those_of_the_help(self) -> None:
+        self.assertGreater(len(commands()), 15)
+        self.assertEqual(candidates(""), ("words", commands()))
+        self.assertEqual(candidates("sy"), ("words", ["synthesize"]))
+
+    def test_options_and_their_words_are_those_of_the_help(self) -> None:
+        with_words = 0
+        for command in commands():
+            names = [name for names, _ in entries(command) for name in names]
+            self.assertEqual(candidates(command, "--")[1], names, command)
+            for long_names, value in entries(command):
+                if "|" in value:
+                    with_words += 1
+                    for name in long_names:
+                        self.assertEqual(candidates(command, name, "")[1], value.split("|"), name)
+        self.assertGreater(with_words, 20)
+
+    def test_names_are_those_of_the_file(self) -> None:
+        for before in ([], ["--strict"], ["--format", "json"]):
+            self.assertEqual(candidates("plot", *before, "levers", RAVIGNEAUX, "--case", "M"),
+                             ("words", ["M1", "M2", "M3", "MR"]))
+        parameters = candidates("analyze", RAVIGNEAUX, "--set", "")[1]
+        text = RAVIGNEAUX.read_text(encoding="utf-8")
+        section = text.partition("\nparameters:\n")[2]
+        names = re.findall(r"^  (\w+):", re.split(r"^\w", section, flags=re.MULTILINE)[0],
+                           re.MULTILINE)
+        self.assertGreater(len(names), 3)
+        self.assertEqual(parameters, [f"{name}=" for name in names])
+        self.assertEqual(candidates("motion", RAVIGNEAUX, "--case=M1")[1], ["--case=M1"])
+
+    def test_paths_stand_where_files_and_folders_do(self) -> None:
+        self.assertEqual(candidates("analyze", ""), ("files", []))
+        self.assertEqual(candidates("analyze", "a.yaml", "b"), ("files", []))
+        self.assertEqual(candidates("analyze", "--out", "")[0], "folders")
+        self.assertEqual(candidates("plot", "levers", "")[0], "files")
+
+    def test_a_file_that_is_wrong_has_no_names_and_no_message(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "wrong.yaml"
+            for text in ("kinestat: 1\nbodies: [", "", "\0"):
+                file.write_text(text, encoding="utf-8")
+                self.assertEqual(candidates("plot", "levers", file, "--case", ""), ("words", []))
+            self.assertEqual(candidates("plot", "levers", folder, "--case", ""), ("words", []))
+
+    def test_words_beyond_the_last_and_unknown_commands_have_no_candidates(self) -> None:
+        self.assertEqual(candidates("compare", "a", "b", ""), ("words", []))
+        self.assertEqual(candidates("no such command", ""), ("words", []))
+
+    def test_what_a_value_may_be_is_known(self) -> None:
+        """Everything in the help but numbers and texts that a user makes up."""
+        free = {"VALUE", "N", "K/N", "SIZE", "X", "KEY=VALUE", "NAME", "NAMES", "QUANTITY", "SEED"}
+        for command in commands():
+            for long_names, value in entries(command):
+                if value and "|" not in value and value not in free:
+                    kind, words = candidates(command, RAVIGNEAUX, long_names[0], "")
+                    self.assertTrue(kind != "words" or words, f"{command} {long_names[0]} {value}")
+
+
+class Shells(unittest.TestCase):
+    """Each with its own script, asked for the same line."""
+
+    def setUp(self) -> None:
+        folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, folder)
+        (folder / "kinestat").symlink_to(PROGRAM)
+        shutil.copy(RAVIGNEAUX, folder / "train.yaml")
+        (folder / "train folder").mkdir()
+        self.folder = folder
+        self.env = {"PATH": f"{folder}:{os.environ['PATH']}", "HOME": str(folder),
+                    "TERM": "dumb", "LC_ALL": "C.UTF-8"}
+
+    def shell(self, name: str, script: str) -> list[str]:
+        if not shutil.which(name):
+            self.skipTest(f"{name} is not installed")
+        done = subprocess.run([name, "-c", script], cwd=self.folder, env=self.env, check=False,
+                              capture_output=True, encoding="utf-8")
+        self.assertEqual((done.returncode, done.stderr), (0, ""), script)
+        return done.stdout.splitlines()
+
+    def bash(self, *words: str) -> list[str]:
+        quoted = " ".join(f"'{word}'" for word in words)
+        # compopt works within a completion alone.
+        return self.shell("bash", f"""
+            compopt() {{ :; }}
+            source <(kinestat completion bash)
+            COMP_WORDS=(kinestat {quoted}) COMP_CWORD={len(words)}
+            _kinestat
+            printf '%s\\n' "${{COMPREPLY[@]}}" """)
+
+    def test_bash(self) -> None:
+        self.assertEqual(self.bash("ana"), ["analyze"])
+        self.assertEqual(self.bash("plot", "levers", "train.yaml", "--case", "M"),
+                         ["M1", "M2", "M3", "MR"])
+        self.assertEqual(self.bash("analyze", "tr"), ["train folder", "train.yaml"])
+        self.assertEqual(self.bash("analyze", "--out", "tr"), ["train folder"])
+        self.assertEqual(self.bash("analyze", "--format", "j"), ["json"])
+
+    def test_fish(self) -> None:
+        def complete(line: str) -> list[str]:
+            script = f"kinestat completion fish | source; complete --do-complete '{line}'"
+            return sorted(word.split("\t")[0] for word in self.shell("fish", script))
+        self.assertEqual(complete("kinestat ana"), ["analyze"])
+        self.assertEqual(complete("kinestat plot levers train.yaml --case M"),
+                         ["M1", "M2", "M3", "MR"])
+        self.assertEqual(complete("kinestat analyze --format j"), ["json"])
+        self.assertIn("train.yaml", complete("kinestat analyze tr"))
+
+    def test_zsh_takes_the_script(self) -> None:
+        script = "autoload -Uz compinit; compinit -u -D; source <(kinestat completion zsh); " \
+                 "print ${_comps[kinestat]}"
+        self.assertEqual(self.shell("zsh", script), ["_kinestat"])
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--program", type=Path, required=True)
+    arguments, rest = parser.parse_known_args()
+    PROGRAM = arguments.program.resolve()
+    unittest.main(argv=[sys.argv[0], *rest])
