@@ -39,11 +39,16 @@ void add_help(CLI::App& command, Job& job) {
   command.footer(
       "  kinestat help\n"
       "  kinestat help signs\n"
+      "  kinestat help reports power\n"
       "  kinestat help analyze\n");
   auto word = std::make_shared<std::string>();
+  auto part = std::make_shared<std::string>();
   add_argument(command, "TOPIC", *word, "a topic, or the name of a command; without it, the list");
-  command.callback([word, &command, &job] {
-    job = [word, &command] { return help(*command.get_parent(), *word); };
+  add_argument(command, "PART", *part, "of 'reports': the keys of which report, or of what in it");
+  command.callback([word, part, &command, &job] {
+    job = [word, part, &command] {
+      return part->empty() ? help(*command.get_parent(), *word) : help_part(*word, *part);
+    };
   });
 }
 

@@ -9,14 +9,13 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "core/page_text.hpp"
 #include "core/utf8.hpp"
 #include "format/sections/sections.hpp"
 
 namespace kinestat {
 
 namespace {
-
-constexpr std::size_t kWidth = 95;
 
 std::string form_text(const FormShape& shape) {
   if (shape.kind == FormKind::flag) {
@@ -104,10 +103,10 @@ class KeyTable {
                          key.key,
                          "",
                          begin - indent - columns_of(key.key),
-                         facts_of(key, page, kWidth - begin));
-    add_wrapped(key.meaning.empty() ? key.shape->meaning : key.meaning, begin);
+                         facts_of(key, page, kPageWidth - begin));
+    text_ += page_lines("", key.meaning.empty() ? key.shape->meaning : key.meaning, begin);
     for (const Word& word : key.shape->words) {
-      add_wrapped(fmt::format("{}: {}", word.text, word.meaning), begin);
+      text_ += page_lines("", fmt::format("{}: {}", word.text, word.meaning), begin);
     }
   }
 
@@ -121,22 +120,6 @@ class KeyTable {
       return told_.contains({std::string(one.key), std::string(one.meaning)});
     });
     add(below, indent + 2);
-  }
-
-  void add_wrapped(std::string_view words, std::size_t indent) {
-    std::string line(indent, ' ');
-    while (!words.empty()) {
-      const std::string_view word = words.substr(0, words.find(' '));
-      words.remove_prefix(std::min(words.size(), word.size() + 1));
-      const bool is_first = columns_of(line) == indent;
-      if (!is_first && columns_of(line) + 1 + columns_of(word) > kWidth) {
-        text_ += line + "\n";
-        line = std::string(indent, ' ') + std::string(word);
-      } else {
-        line += (is_first ? "" : " ") + std::string(word);
-      }
-    }
-    text_ += line + "\n";
   }
 
   std::string text_;
