@@ -1,10 +1,18 @@
+#include <fmt/format.h>
+
 #include "command.hpp"
 #include "completion_candidates.hpp"
-#include "run/completion_script.hpp"
+#include "core/text.hpp"
+#include "core/utf8.hpp"
+#include "run/embedded.hpp"
 
 namespace kinestat::app {
 
 namespace {
+
+// In place of a shell: with it the scripts ask the program itself for what may follow, as in
+// `kinestat completion candidates -- WORD...`, the last word being the one that is typed.
+constexpr std::string_view kCandidates = "candidates";
 
 // What the scripts ask for: a line that says which paths fit, then a candidate a line, its meaning
 // behind a tab.
@@ -16,6 +24,19 @@ std::string lines_of(const CompletionCandidates& candidates) {
     text += one.word + (one.meaning.empty() ? "" : "\t" + one.meaning) + "\n";
   }
   return text;
+}
+
+Outcome script_for(const std::string& shell) {
+  Outcome outcome;
+  if (const EmbeddedText* script = find_text(embedded_completions(), shell)) {
+    outcome.out = script->text;
+    return outcome;
+  }
+  add_message("E0101",
+              fmt::format("there is no completion for '{}'", printable(shell)),
+              fmt::format("shells are {}", plain_list(names_of(embedded_completions()))),
+              outcome);
+  return outcome;
 }
 
 struct Completion {
@@ -39,7 +60,7 @@ void add_completion(CLI::App& command, Job& job) {
       return {.out = lines_of(completion_candidates(*command.get_parent(), completion->words)),
               .err = {}};
     }
-    return completion_script(completion->shell);
+    return script_for(completion->shell);
   });
 }
 

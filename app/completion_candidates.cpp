@@ -6,6 +6,7 @@
 
 #include "core/codes.hpp"
 #include "files/file_names.hpp"
+#include "run/embedded.hpp"
 #include "run/help_topic.hpp"
 #include "run/plot.hpp"
 #include "run/schema_text.hpp"
@@ -30,7 +31,7 @@ std::vector<Candidate> without_meaning(const std::vector<std::string>& words) {
 }
 
 // The names in the first of the words that is a file.
-FileNames names_of(Words words) {
+FileNames names_in(Words words) {
   const auto file = std::ranges::find_if(words, [](const std::string& word) {
     std::error_code ignored;
     return std::filesystem::is_regular_file(word, ignored);
@@ -39,7 +40,7 @@ FileNames names_of(Words words) {
 }
 
 std::vector<Candidate> parameters_of(Words words) {
-  std::vector<Candidate> candidates = without_meaning(names_of(words).parameters);
+  std::vector<Candidate> candidates = without_meaning(names_in(words).parameters);
   for (Candidate& one : candidates) {
     one.word += '=';
   }
@@ -89,9 +90,9 @@ CompletionCandidates values_of(const std::string& called, const CLI::App& app, W
     return {.words = {}, .paths = PathKind::folders};
   }
   const std::pair<const char*, std::function<std::vector<Candidate>()>> kinds[] = {
-      {"CASE", [&] { return without_meaning(names_of(words).cases); }},
-      {"ACTUATOR", [&] { return without_meaning(names_of(words).actuators); }},
-      {"PARAMETER", [&] { return without_meaning(names_of(words).parameters); }},
+      {"CASE", [&] { return without_meaning(names_in(words).cases); }},
+      {"ACTUATOR", [&] { return without_meaning(names_in(words).actuators); }},
+      {"PARAMETER", [&] { return without_meaning(names_in(words).parameters); }},
       {"PARAMETER=VALUE", [&] { return parameters_of(words); }},
       {"TOPIC", [&] { return topics_of(app); }},
       {"PICTURE", pictures},

@@ -56,6 +56,7 @@ Outcome manual(const CLI::App& app, const std::string& word) {
 
 struct HelpChoice {
   std::string word;
+  std::string part;
   bool is_for_man = false;
 };
 
@@ -65,11 +66,14 @@ void add_help(CLI::App& command, Job& job) {
   command.footer(
       "  kinestat help\n"
       "  kinestat help signs\n"
+      "  kinestat help reports power\n"
       "  kinestat help analyze\n"
       "  kinestat help --man analyze | man -l -\n");
   auto choice = std::make_shared<HelpChoice>();
   add_argument(
       command, "TOPIC", choice->word, "a topic, or the name of a command; without it, the list");
+  add_argument(
+      command, "PART", choice->part, "of 'reports': the keys of which report, or of what in it");
   add_flag(
       command,
       "--man",
@@ -78,7 +82,9 @@ void add_help(CLI::App& command, Job& job) {
       "has the name of a command");
   run_when_chosen(command, job, [choice, &command] {
     const CLI::App& app = *command.get_parent();
-    return choice->is_for_man ? manual(app, choice->word) : help(app, choice->word);
+    return choice->is_for_man     ? manual(app, choice->word)
+           : choice->part.empty() ? help(app, choice->word)
+                                  : help_part(choice->word, choice->part);
   });
 }
 

@@ -139,7 +139,8 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "value has the wrong shape",
      "A list, a mapping or a single value is expected where another one stands, or a list has the "
      "wrong length: points are [x, y] in the plane and [x, y, z] in space. The hint shows the "
-     "form. A decimal comma turns one number into two."},
+     "form. A decimal comma turns one number into two, and true and false are no texts without "
+     "quotes."},
     {"E0305",
      wrong_input,
      "value is not one of those allowed",

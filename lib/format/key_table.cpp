@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "core/page_text.hpp"
 #include "core/utf8.hpp"
 #include "couplings/coupling_catalogue.hpp"
 #include "couplings/kinds.hpp"
@@ -17,8 +18,6 @@
 namespace kinestat {
 
 namespace {
-
-constexpr std::size_t kWidth = 95;
 
 std::string form_text(const FormShape& shape) {
   if (shape.kind == FormKind::flag) {
@@ -106,29 +105,17 @@ class KeyTable {
                          key.key,
                          "",
                          begin - indent - columns_of(key.key),
-                         facts_of(key, page, kWidth - begin));
-    add_wrapped(key.meaning.empty() ? key.shape->meaning : key.meaning, begin);
+                         facts_of(key, page, kPageWidth - begin));
+    text_ += page_lines("", key.meaning.empty() ? key.shape->meaning : key.meaning, begin);
     for (const Word& word : key.shape->words) {
-      add_wrapped(fmt::format("{}: {}", word.text, word.meaning), begin);
+      text_ += page_lines("", fmt::format("{}: {}", word.text, word.meaning), begin);
     }
   }
 
   void add_line(const std::string& line) { text_ += line + "\n"; }
 
-  void add_wrapped(std::string_view words, std::size_t indent) {
-    std::string line(indent, ' ');
-    while (!words.empty()) {
-      const std::string_view word = words.substr(0, words.find(' '));
-      words.remove_prefix(std::min(words.size(), word.size() + 1));
-      const bool is_first = columns_of(line) == indent;
-      if (!is_first && columns_of(line) + 1 + columns_of(word) > kWidth) {
-        text_ += line + "\n";
-        line = std::string(indent, ' ') + std::string(word);
-      } else {
-        line += (is_first ? "" : " ") + std::string(word);
-      }
-    }
-    text_ += line + "\n";
+  void add_lines(std::string_view words, std::size_t indent) {
+    text_ += page_lines("", words, indent);
   }
 
   const std::string& text() const { return text_; }
@@ -180,7 +167,7 @@ void add_kind(const CouplingKind& kind, KeyTable& table) {
                            is_listed      ? "as listed"
                            : kind.engages ? "of its own name"
                                           : names_of(screws.constraints)));
-  table.add_wrapped(kind.meaning, 18);
+  table.add_lines(kind.meaning, 18);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ void check_instead(const FormRule& rule, const FileValue& mapping) {
 
 bool is_true(const FileValue& mapping, std::string_view key) {
   const YamlNode* flag = mapping.node.find(key);
-  return flag != nullptr && flag->text == "true" && !flag->quoted;
+  return flag != nullptr && is_truth_value(*flag) && flag->text == "true";
 }
 
 void check_unless_true(const FormRule& rule, const FileValue& mapping) {

@@ -28,7 +28,8 @@ const std::vector<FormShape>& text_shapes() {
   static const std::vector<FormShape> shapes = {
       {.kind = FormKind::text,
        .definition = "text",
-       .meaning = "Free text. A text that looks like a number may stand without quotes."},
+       .meaning = "Free text. What looks like a number may stand without quotes; true, false and "
+                  "null need them."},
       {.kind = FormKind::text,
        .definition = "label",
        .meaning = "Free text that names a case or a gear."},

@@ -16,6 +16,8 @@ namespace kinestat {
 
 namespace {
 
+constexpr const char* kQuote = "put it in quotes: '{}'";
+
 // A space of another kind behind a ':' makes key and value one key.
 std::string missing_value_hint(std::string_view what) {
   const std::string foreign = foreign_character(what);
@@ -36,6 +38,22 @@ bool check_scalar(const YamlNode& node, std::string_view what, Diagnostics& foun
       node.where,
       fmt::format("{} {} where a single value is expected", what, shape),
       node.kind == YamlKind::null ? missing_value_hint(what) : "write one value, without brackets");
+  return false;
+}
+
+// Other readers of YAML would not take it for a text either.
+bool check_no_truth_value(const YamlNode& node,
+                          std::string_view what,
+                          std::string_view asked,
+                          std::string_view hint,
+                          Diagnostics& found) {
+  if (!is_truth_value(node)) {
+    return true;
+  }
+  found.error("E0304",
+              node.where,
+              fmt::format("{} is the truth value {} where {} is expected", what, node.text, asked),
+              fmt::format(fmt::runtime(hint), node.text));
   return false;
 }
 
@@ -154,13 +172,17 @@ std::string with_commas(const YamlNode& node) {
 std::optional<std::string> read_text(const YamlNode& node,
                                      std::string_view what,
                                      Diagnostics& found) {
-  return check_scalar(node, what, found) ? std::optional(node.text) : std::nullopt;
+  return check_scalar(node, what, found) &&
+                 check_no_truth_value(node, what, "a text", kQuote, found)
+             ? std::optional(node.text)
+             : std::nullopt;
 }
 
 std::optional<Name> read_reference(const YamlNode& node,
                                    std::string_view what,
                                    Diagnostics& found) {
-  if (!check_scalar(node, what, found)) {
+  if (!check_scalar(node, what, found) ||
+      !check_no_truth_value(node, what, "a name", kQuote, found)) {
     return std::nullopt;
   }
   return Name{.text = node.text, .where = node.where};
@@ -186,7 +208,8 @@ bool check_name(const Name& name, std::string_view what, Diagnostics& found) {
 }
 
 std::optional<Value> read_value(const YamlNode& node, std::string_view what, Diagnostics& found) {
-  if (!check_scalar(node, what, found)) {
+  if (!check_scalar(node, what, found) ||
+      !check_no_truth_value(node, what, "a number", "write a number or an expression", found)) {
     return std::nullopt;
   }
   auto parsed = parse_expression(node.text);
@@ -220,8 +243,7 @@ std::optional<double> read_number(const YamlNode& node, std::string_view what, D
 }
 
 std::optional<bool> read_bool(const YamlNode& node, std::string_view what, Diagnostics& found) {
-  if (node.kind == YamlKind::scalar && !node.quoted &&
-      (node.text == "true" || node.text == "false")) {
+  if (is_truth_value(node)) {
     return node.text == "true";
   }
   const bool is_word = node.text == "true" || node.text == "false";

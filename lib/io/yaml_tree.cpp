@@ -54,6 +54,11 @@ const YamlNode* YamlNode::find(std::string_view key) const {
   return entry == entries.end() ? nullptr : &entry->value;
 }
 
+bool is_truth_value(const YamlNode& node) {
+  return node.kind == YamlKind::scalar && !node.quoted &&
+         (node.text == "true" || node.text == "false");
+}
+
 std::optional<YamlNode> read_yaml(const SourceFile& source,
                                   const ReadLimits& limits,
                                   Diagnostics& found) {

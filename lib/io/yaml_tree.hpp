@@ -43,6 +43,10 @@ struct YamlEntry {
   YamlNode value;
 };
 
+/// Whether it is true or false without quotes, which are no texts and no numbers; nothing else is a
+/// truth value.
+bool is_truth_value(const YamlNode& node);
+
 /// The one document of a file, whose root is a mapping. What two YAML readers could understand
 /// differently is refused: E0202 to E0210, and E0304 for another root. Empty iff an error was
 /// added.

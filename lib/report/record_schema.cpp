@@ -5,19 +5,12 @@
 #include <fmt/format.h>
 
 #include "core/version.hpp"
+#include "record/measure_word.hpp"
 #include "report/json_values.hpp"
 
 namespace kinestat {
 
 namespace {
-
-std::string word_of(const Measure& measure) {
-  if (const auto* kind = std::get_if<QuantityKind>(&measure)) {
-    return std::string(name_of(*kind));
-  }
-  const auto* bare = std::get_if<Bare>(&measure);
-  return std::string(bare != nullptr ? word_of(*bare) : word_of(std::get<ByContext>(measure)));
-}
 
 Json schema_of(const Shape& shape, const std::string& meaning);
 

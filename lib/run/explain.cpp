@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/codes.hpp"
+#include "core/page_text.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "run/embedded.hpp"
@@ -12,22 +13,6 @@
 namespace kinestat {
 
 namespace {
-
-// Breaks a paragraph into lines of at most 80 characters.
-std::string wrapped(std::string_view paragraph) {
-  constexpr std::size_t kWidth = 80;
-  std::string text;
-  std::size_t length = 0;
-  while (!paragraph.empty()) {
-    const std::string_view word = paragraph.substr(0, paragraph.find(' '));
-    paragraph.remove_prefix(std::min(word.size() + 1, paragraph.size()));
-    const bool fits = length + word.size() + 1 <= kWidth;
-    text += text.empty() ? "" : (fits ? " " : "\n");
-    length = fits || text.empty() ? length + word.size() + 1 : word.size();
-    text += word;
-  }
-  return text + "\n";
-}
 
 std::string upper(std::string word) {
   std::ranges::transform(word, word.begin(), [](char c) {
@@ -47,7 +32,9 @@ std::string indented(std::string_view text) {
 }
 
 std::string page_of(const Code& row) {
-  std::string page = fmt::format("{}: {}\n\n{}", row.code, row.title, wrapped(row.paragraph));
+  constexpr std::size_t kWidth = 80;
+  std::string page =
+      fmt::format("{}: {}\n\n{}", row.code, row.title, page_lines("", row.paragraph, 0, kWidth));
   if (const EmbeddedText* example = find_text(embedded_examples(), row.code)) {
     page += fmt::format("\nExample, wrong with -, right with +:\n\n{}", indented(example->text));
   }

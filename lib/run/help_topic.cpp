@@ -5,11 +5,14 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "core/page_text.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "expression/units.hpp"
 #include "format/key_table.hpp"
 #include "run/embedded.hpp"
+#include "run/written_reports.hpp"
+#include "studies/compare/compare_values.hpp"
 
 namespace kinestat {
 
@@ -36,17 +39,7 @@ std::string page_of(std::string_view section) {
 }
 
 std::string list_of_units() {
-  constexpr std::size_t kWidth = 80;
-  std::string text;
-  std::string line = "   ";
-  for (const std::string& name : unit_names()) {
-    if (line.size() + name.size() + 1 > kWidth) {
-      text += line + "\n";
-      line = "   ";
-    }
-    line += " " + name;
-  }
-  return text + line + "\n";
+  return page_lines("", fmt::format("{}", fmt::join(unit_names(), " ")), 4);
 }
 
 // A line between braces in the page, as what it stands for.
@@ -60,6 +53,15 @@ std::string table_of(std::string_view line, const EmbeddedText& page) {
   }
   if (line == "{{types}}") {
     return coupling_table();
+  }
+  if (line == "{{report}}") {
+    return report_keys();
+  }
+  if (line == "{{kinds}}") {
+    return page_lines("", plain_list(value_kinds(), value_kinds().size()), 4);
+  }
+  if (line == "{{reports}}") {
+    return page_lines("", plain_list(report_pages(), report_pages().size()), 4);
   }
   KINESTAT_EXPECTS(line == "{{sections}}");
   return section_table([&](std::string_view section) {
@@ -113,6 +115,22 @@ Outcome help_topic(const std::string& word, std::span<const std::string> command
                   ? fmt::format("topics are {}", plain_list(help_topics(), help_topics().size()))
                   : guess,
               outcome);
+  return outcome;
+}
+
+Outcome help_part(const std::string& topic, const std::string& part) {
+  Outcome outcome;
+  outcome.out = topic == "reports" ? report_page(part) : "";
+  if (outcome.out.empty()) {
+    const std::vector<std::string> parts = report_pages();
+    const std::string guess = topic == "reports" ? did_you_mean(part, parts) : "";
+    add_message("E0101",
+                fmt::format("there is no help on '{} {}'", printable(topic), printable(part)),
+                guess.empty()
+                    ? fmt::format("parts of 'reports' are {}", plain_list(parts, parts.size()))
+                    : guess,
+                outcome);
+  }
   return outcome;
 }
 

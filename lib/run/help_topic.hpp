@@ -16,4 +16,7 @@ std::vector<std::string> help_topics();
 /// could be meant.
 Outcome help_topic(const std::string& word, std::span<const std::string> commands);
 
+/// The page of a part of a topic, of which "reports" alone has some.
+Outcome help_part(const std::string& topic, const std::string& part);
+
 }  // namespace kinestat

@@ -7,30 +7,14 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "format/schema.hpp"
-#include "report/diagnostic_json.hpp"
 #include "report/record_schema.hpp"
-#include "studies/compare/compare_text.hpp"
-#include "studies/compare/report_kinds.hpp"
-#include "studies/sweep/report/sweep_record.hpp"
+#include "run/written_reports.hpp"
 
 namespace kinestat {
 
-namespace {
-
-// All JSON that the program writes.
-std::vector<ReportKind> written_kinds() {
-  std::vector<ReportKind> kinds = {{"comparison", &comparison_record()},
-                                   {"diagnostics", &diagnostics_line_record()},
-                                   {"sweep", &sweep_summary_record()}};
-  kinds.insert(kinds.end(), report_kinds().begin(), report_kinds().end());
-  return kinds;
-}
-
-}  // namespace
-
 std::vector<std::string> schema_names() {
   std::vector<std::string> names = {"mechanism"};
-  for (const ReportKind& kind : written_kinds()) {
+  for (const ReportKind& kind : written_reports()) {
     names.emplace_back(kind.name);
   }
   std::ranges::sort(names);
@@ -43,7 +27,7 @@ Outcome schema_text(const std::string& name) {
     outcome.out = mechanism_schema();
     return outcome;
   }
-  for (const ReportKind& kind : written_kinds()) {
+  for (const ReportKind& kind : written_reports()) {
     if (kind.name == name) {
       outcome.out = schema_text_of(kind.name, *kind.record);
       return outcome;

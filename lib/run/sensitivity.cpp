@@ -28,33 +28,15 @@ struct Variable {
   double factor = 1.0;  ///< SI per unit
 };
 
-QuantityKind kind_of(ValueKind kind) {
-  switch (kind) {
-    case ValueKind::angular_velocity:
-      return QuantityKind::angular_velocity;
-    case ValueKind::velocity:
-      return QuantityKind::velocity;
-    case ValueKind::moment:
-      return QuantityKind::moment;
-    case ValueKind::force:
-      return QuantityKind::force;
-    case ValueKind::power:
-      return QuantityKind::power;
-    case ValueKind::length:
-      return QuantityKind::length;
-  }
-  return QuantityKind::dimensionless;
-}
-
 // The unit of a value as text, and SI per unit.
 std::pair<std::string, double> unit_of(const ReportedValue& value, const FileUnits& units) {
-  const QuantityKind kind = kind_of(value.kind);
   if (!value.per) {
-    return {units.text(kind), units.factor(kind)};
+    return {units.text(value.kind), units.factor(value.kind)};
   }
-  const QuantityKind per = kind_of(*value.per);
-  return {kind == per ? "" : fmt::format("{} per {}", units.text(kind), units.text(per)),
-          units.factor(kind) / units.factor(per)};
+  return {value.kind == *value.per
+              ? ""
+              : fmt::format("{} per {}", units.text(value.kind), units.text(*value.per)),
+          units.factor(value.kind) / units.factor(*value.per)};
 }
 
 std::vector<std::string> parameter_names(const MechanismDescription& description) {

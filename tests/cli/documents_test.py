@@ -120,6 +120,46 @@ class Topics(unittest.TestCase):
                     self.assertEqual(kinestat("explain", code).returncode, 0, code)
 
 
+def report_parts() -> list[str]:
+    hint = kinestat("help", "reports", "?").stderr.splitlines()[-1]
+    return hint.split("parts of 'reports' are ")[1].split(", ")
+
+
+def keys_of(schema_part: Any) -> Iterator[str]:
+    """The keys of all objects of a schema."""
+    if isinstance(schema_part, list):
+        for item in schema_part:
+            yield from keys_of(item)
+    elif isinstance(schema_part, dict):
+        yield from schema_part.get("properties", {})
+        for item in schema_part.values():
+            yield from keys_of(item)
+
+
+class ReportKeys(unittest.TestCase):
+    def test_stand_on_pages_that_fit_a_terminal(self) -> None:
+        pages = {part: kinestat("help", "reports", part).stdout for part in report_parts()}
+        shared = kinestat("help", "reports").stdout + pages["mechanism"] + pages["diagnostics"]
+        names = [path.name.removesuffix(".schema.json")
+                 for path in (ROOT / "schemas").glob("*.schema.json")]
+        for name in names:
+            if name == "mechanism":
+                continue  # a file, no report
+            told = shared + ("".join(pages.values()) if name == "report" else pages[name])
+            for key in set(keys_of(schema(name))):
+                with self.subTest(name, key=key):
+                    self.assertRegex(told, rf"(?m)^ +{key}  ")
+        for part, page in pages.items():
+            with self.subTest(part):
+                self.assertLessEqual(max(map(len, page.splitlines())), 95)
+
+    def test_have_no_page_of_another_name(self) -> None:
+        for words in (("reports", "pwer"), ("signs", "power")):
+            told = kinestat("help", *words)
+            self.assertEqual((told.returncode, told.stdout), (2, ""))
+            self.assertIn("E0101", told.stderr)
+
+
 class Starters(unittest.TestCase):
     def test_follow_the_schema(self) -> None:
         for kind in kinds():

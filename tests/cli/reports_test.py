@@ -317,7 +317,7 @@ class Reports(unittest.TestCase):
                 side, key = row["quantity"].split("/")
                 value = answer["inputs"][side].get(key)
                 if key == "drives":
-                    self.assertIn(row["unit"], ("N", "N*m", "N*mm"))
+                    self.assertIn(row["unit"], ("N per N", "N*m per N", "N*mm per N"))
                     self.assertEqual(row["value"], json.dumps(value[row["element"]]), row)
                     continue
                 self.assertEqual(row["unit"], "", row)

@@ -242,3 +242,105 @@ def radians(file: MechanismFile) -> None:
             if not slide_of.get(drive["drive"]) and re.fullmatch(r"[-+]?[\d.]+", drive[key]):
                 drive[key] += f" {unit}"
     file.tree["units"]["angle"] = "rad"
+
+
+# What the other kinds of quantity are reported in, and what a bare number of the file is in.
+OTHER_UNITS = {"time": ("min", "s"), "mass": ("g", "kg"), "force": ("kN", "N"),
+               "moment": ("N*mm", "N*m"), "angular_velocity": ("rpm", "rad/s"),
+               "power": ("kW", "W"), "stiffness": ("N/mm", "N/m")}
+USUAL = {kind: usual for kind, (_, usual) in OTHER_UNITS.items()}
+
+
+def _each_with_unit(file: MechanismFile, tree: dict | list | None,
+                    unit_of: Callable[[str], str]) -> None:
+    """To the bare numbers of a list or a mapping; `unit_of` its key."""
+    for key, text in list(tree.items() if isinstance(tree, dict) else enumerate(tree or [])):
+        if isinstance(text, str):
+            tree[key] = _with_unit(file, text, unit_of(key))
+
+
+def _give_unit(file: MechanismFile, tree: dict, key: str, unit: str) -> None:
+    """To the bare number behind a key, or to those in the list or mapping there."""
+    if isinstance(tree.get(key), str):
+        tree[key] = _with_unit(file, tree[key], unit)
+    else:
+        _each_with_unit(file, tree.get(key), lambda _: unit)
+
+
+def _give_known_units(file: MechanismFile) -> None:
+    """To what cases and gears know, but for the rates of slides, which go with the length."""
+    slides = slides_of(file)
+
+    def slides_at(name: str) -> bool:
+        return slides.get(name, name.split(".")[-1][:1] in ("v", "R", "F"))
+
+    for case in (file.tree.get("cases") or {}).values():
+        _each_with_unit(file, case.get("action"),
+                        lambda name: USUAL["force" if slides_at(name) else "moment"])
+        rates = {n: x for n, x in (case.get("motion") or {}).items() if not slides_at(n)}
+        _each_with_unit(file, rates, lambda _: USUAL["angular_velocity"])
+        (case.get("motion") or {}).update(rates)
+    shift = file.tree.get("shift") or {}
+    for key, kind in (("input_action", "moment"), ("input_motion", "angular_velocity")):
+        _give_unit(file, shift, key, USUAL[kind])
+
+
+def _give_load_units(file: MechanismFile) -> None:
+    """To loads, masses and stiffness."""
+    cases = (file.tree.get("cases") or {}).values()
+    for loads in [file.tree.get("loads"), *(case.get("loads") for case in cases)]:
+        for load in (loads or {}).values():
+            _give_unit(file, load, "force", USUAL["force"])
+            _give_unit(file, load, "couple", USUAL["moment"])
+    for _, one in file.couplings():
+        _each_with_unit(file, one.get("stiffness"),
+                        lambda name: "N*m/rad" if name[0] == "T" else USUAL["stiffness"])
+    bodies = file.tree["bodies"]
+    for one in bodies.values() if isinstance(bodies, dict) else []:
+        if isinstance(one, dict) and not re.search("[a-z]", one.get("mass", "kg")):
+            one["mass"] += f" {USUAL['mass']}"
+
+
+def units_throughout(length: str) -> Callable[[MechanismFile], Factors | None]:
+    """All quantities of the report in other units; those of the file keep theirs."""
+    def change(file: MechanismFile) -> Factors | None:
+        units = file.tree.get("units") or {}
+        rubs_by_size = any({"tau", "c"} & set(one["friction"]) for _, one in file.couplings()
+                           if isinstance(one.get("friction"), dict))
+        if not _has_geometry(file) or rubs_by_size or set(units) - {"length", "angle"}:
+            return None
+        _give_known_units(file)
+        _give_load_units(file)
+        if other_units(length)(file) is None:
+            return None
+        radians(file)
+        file.tree["units"].update({kind: new for kind, (new, _) in OTHER_UNITS.items()})
+        return Factors()
+    return change
+
+
+POINTS_OF_TASKS = {"at", "pole", "centre", "free_point"}
+
+
+def _metres(tree: dict | list) -> None:
+    for key, one in tree.items() if isinstance(tree, dict) else enumerate(tree):
+        if key in POINTS_OF_TASKS:
+            tree[key] = [f"({text})*1 m" for text in one]
+        elif isinstance(one, (dict, list)):
+            _metres(one)
+
+
+def units_of_task(file: MechanismFile, length: str, other_angle: bool) -> None:
+    """A synthesis task in metres, reported in another unit of length, perhaps of angle, too."""
+    task = file.tree["synthesis"]
+    _metres(task)
+    units = dict(file.tree.get("units") or {})
+    old = units.get("angle", "rad")
+    units["length"] = length
+    if other_angle:
+        units["angle"] = "deg" if old == "rad" else "rad"
+        for position in task["positions"]:
+            for one in [position, *position.get("derivatives", [])]:
+                if re.fullmatch(r"[-+.\de]+", one.get("angle", "")):
+                    one["angle"] += f" {old}"
+    file.tree["units"] = units

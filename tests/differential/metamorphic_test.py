@@ -210,21 +210,29 @@ class MetamorphicTest(unittest.TestCase):
     def test_compare_finds_no_difference_in_metres_and_radians(self) -> None:
         self.check_compare("m", 25)
 
-    def test_compare_finds_no_difference_of_mobility_and_sensitivity_in_metres(self) -> None:
+    def test_compare_finds_no_difference_of_studies_in_metres(self) -> None:
         """Rates of a motion are for one unit of its first freedom, whatever that is."""
-        units, count = changes.other_units("m"), 0
+        self.check_studies(changes.other_units("m"), 280)
+
+    def test_compare_finds_no_difference_of_studies_in_other_units_throughout(self) -> None:
+        """Tensions, torques, powers and speeds among them."""
+        self.check_studies(changes.units_throughout("in"), 360)
+
+    def check_studies(self, change: Callable[[MechanismFile], Factors | None], least: int) -> None:
+        """At least so many reports are compared."""
+        commands = ("mobility", "inputs", "sensitivity", "shift", "motion")
+        count = 0
         with tempfile.TemporaryDirectory() as folder:
             for name, path in self.files.items():
                 file = MechanismFile.read(path)
                 texts = [file.text()]
-                if units(file) is None:
+                if change(file) is None:
                     continue
                 texts.append(file.text())
-                for command, style in itertools.product(("mobility", "sensitivity"),
-                                                        ("json", "csv")):
+                for command, style in itertools.product(commands, ("json", "csv")):
                     with self.subTest(file=name, command=command, style=style):
                         count += self.compare_outputs(Path(folder), command, style, texts)
-        self.assertGreaterEqual(count, 160)
+        self.assertGreaterEqual(count, least)
 
     def compare_outputs(self, folder: Path, command: str, style: str, texts: list[str]) -> int:
         """0 where the command has no answer."""
@@ -242,26 +250,22 @@ class MetamorphicTest(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return 1
 
-    def test_compare_finds_no_difference_between_tasks_in_metres_and_millimetres(self) -> None:
-        """Slider-cranks among them, whose drives have lengths for coordinates."""
-        names = ("crank_rocker", "slider_crank", "oscillating_slider")
-        for name in names:
-            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
-                reports = []
-                for unit in ("m", "mm"):
-                    file = MechanismFile.read(library / "synthesis" / f"{name}.yaml")
-                    for position in file.tree["synthesis"]["positions"]:
-                        position["at"] = [f"({x})*1 m" for x in position["at"]]
-                    file.tree["units"] = {**(file.tree.get("units") or {}), "length": unit}
-                    path = Path(folder) / f"{unit}.yaml"
-                    path.write_text(file.text(), encoding="utf-8")
-                    report = subprocess.run([program, "synthesize", "--format", "json", path],
-                                            capture_output=True, check=False).stdout
-                    reports.append(Path(folder) / f"{unit}.json")
-                    reports[-1].write_bytes(report)
-                done = subprocess.run([program, "compare", "--rtol", "1e-7", *reports],
-                                      capture_output=True, text=True, check=False)
-                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+    def test_compare_finds_no_difference_between_tasks_in_other_units(self) -> None:
+        """Slider-cranks among them, whose drives have lengths for coordinates, and curves."""
+        count = 0
+        paths = sorted((library / "synthesis").glob("*.yaml"))
+        for path, units in itertools.product(paths, (("mm", False), ("in", True))):
+            with self.subTest(path.stem, units=units), tempfile.TemporaryDirectory() as folder:
+                texts = [self.task_in(path, *units) for units in (("m", False), units)]
+                for style in ("json", "csv"):
+                    count += self.compare_outputs(Path(folder), "synthesize", style, texts)
+        self.assertGreaterEqual(count, 80)
+
+    @staticmethod
+    def task_in(path: Path, length: str, other_angle: bool) -> str:
+        file = MechanismFile.read(path)
+        changes.units_of_task(file, length, other_angle)
+        return file.text()
 
     def test_compare_finds_no_difference_in_inches_and_radians(self) -> None:
         self.check_compare("in", 45)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import json
 import random
 from typing import Any, Callable, Iterator
 
@@ -25,6 +26,27 @@ def at(value: Any, path: Path) -> Any:
     for key in path:
         value = value[key]
     return value
+
+
+def single_values(value: Any) -> Iterator[tuple[Path, Any]]:
+    """What is neither a list nor a mapping, with its path."""
+    for path in paths(value):
+        if not isinstance(at(value, path), (list, dict)):
+            yield path, at(value, path)
+
+
+def other_types(value: Any) -> list[Any]:
+    """What another type of single value makes of it, quoted numbers and words among them."""
+    quoted = [] if isinstance(value, str) or value is None else [json.dumps(value)]
+    others = [True, False, 1, 1.5, None, *quoted]
+    return [one for one in others if (type(one), one) != (type(value), value)]
+
+
+def replaced(document: Any, path: Path, value: Any) -> Any:
+    """A copy with another value there."""
+    changed = copy.deepcopy(document)
+    at(changed, path[:-1])[path[-1]] = value
+    return changed
 
 
 def misspelt(word: str, chance: random.Random) -> str:

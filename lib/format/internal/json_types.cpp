@@ -7,6 +7,7 @@ namespace kinestat {
 Json types_of(const FormShape& shape) {
   switch (shape.kind) {
     case FormKind::number:
+    case FormKind::constant:
       return Json::array({"number", "string"});
     case FormKind::text:
       return Json::array({"string", "number"});
@@ -14,8 +15,6 @@ Json types_of(const FormShape& shape) {
     case FormKind::word:
     case FormKind::literal:
       return "string";
-    case FormKind::constant:
-      return "number";
     case FormKind::flag:
       return "boolean";
     case FormKind::vector:

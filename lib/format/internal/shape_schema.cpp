@@ -312,7 +312,10 @@ Json ShapeSchema::in_place(const FormKey& key) {
     }
     schema.update(number);
   } else if (shape.kind == FormKind::constant) {
-    schema["const"] = example_json(std::string(shape.sketch));
+    const std::string constant(shape.sketch);
+    for (const Json& one : {example_json(constant), Json(constant)}) {  // in quotes, too
+      schema["anyOf"].push_back({{"const", one}});
+    }
   } else {
     schema["type"] = types_of(shape);
   }

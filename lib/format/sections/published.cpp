@@ -1,6 +1,7 @@
 // The section `published`.
 #include <cmath>
 
+#include "format/alternatives.hpp"
 #include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
 #include "format/value_forms.hpp"
@@ -25,6 +26,19 @@ void check_tolerance(const PublishedValue& one, const FileValue& value) {
   }
 }
 
+Form<Name> json_pointer() {
+  Form<Name> form = only_if(
+      free_name(),
+      [](const YamlNode& node) {
+        return node.kind != YamlKind::scalar || node.text.starts_with('/');
+      },
+      "{} must be a JSON Pointer into the report, which begins with '/'",
+      "write for example value: /cases/M1/ratio");
+  form.shape.pattern = "^/";
+  form.shape.pattern_text = "Write a JSON Pointer into the report, such as /cases/M1/ratio.";
+  return form;
+}
+
 const Mapping<PublishedValue>& published_value() {
   static const Mapping<PublishedValue> mapping(
       "published_value",
@@ -32,7 +46,7 @@ const Mapping<PublishedValue>& published_value() {
       "{value: /cases/M1/ratio, is: 2.847, tolerance: 0.0005, where: Tab. 5.15}",
       [](auto& m) {
         m.key("value", "Where the number stands in the report: a JSON Pointer.")
-            .needed(&PublishedValue::pointer, free_name(), "/cases/M1/ratio")
+            .needed(&PublishedValue::pointer, json_pointer(), "/cases/M1/ratio")
             .add_hint("'value: /cases/…', a JSON Pointer into the report");
         m.key("is", "The right value, in the report's units.")
             .needed(&PublishedValue::is, plain_number(bare_number()), "2.847")

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "core/tolerance.hpp"
+#include "mechanism/label_kind.hpp"
 #include "statics/completed_actions.hpp"
 #include "studies/sensitivity/internal/value_path.hpp"
 
@@ -56,17 +57,19 @@ Found find_ratio(const DualCase& values, const std::string& name) {
   if (name == "ratio" && values.motion() != nullptr) {
     const auto fast = static_cast<std::size_t>(in.freedom);
     const auto slow = static_cast<std::size_t>(out.freedom);
-    return quotient(
-        values.rate(fast), rate_kind(topology, fast), values.rate(slow), rate_kind(topology, slow));
+    return quotient(values.rate(fast),
+                    kind_of(topology.freedoms[fast]),
+                    values.rate(slow),
+                    kind_of(topology.freedoms[slow]));
   }
   if (name == "torque_ratio" && values.action() != nullptr) {
     const auto given = sum_of_actions(values, which.inputs);
     const auto taken = sum_of_actions(values, which.outputs);
     if (given && taken) {
       return quotient(*given,
-                      action_kind(topology, static_cast<std::size_t>(in.action)),
+                      kind_of(topology.actions[static_cast<std::size_t>(in.action)]),
                       *taken,
-                      action_kind(topology, static_cast<std::size_t>(out.action)));
+                      kind_of(topology.actions[static_cast<std::size_t>(out.action)]));
     }
   }
   return std::nullopt;

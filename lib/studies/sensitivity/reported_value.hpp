@@ -6,19 +6,17 @@
 #include <string_view>
 #include <vector>
 
+#include "expression/quantity.hpp"
 #include "studies/sensitivity/dual_case.hpp"
 
 namespace kinestat {
-
-/// What a reported number measures; a ratio is of a rate (or action) per another.
-enum class ValueKind { angular_velocity, velocity, moment, force, power, length };
 
 /// `value` has derivatives towards all rates, then all actions, all frictions and the parameters,
 /// as if these were independent of each other.
 struct ReportedValue {
   std::string name;  ///< the path below the case: "kinematics/freedoms/d.wz"
-  ValueKind kind = ValueKind::angular_velocity;
-  std::optional<ValueKind> per;  ///< of a ratio, which is of `kind` per this
+  QuantityKind kind = QuantityKind::dimensionless;
+  std::optional<QuantityKind> per;  ///< of a ratio, which is of `kind` per this
   Dual value;
 };
 

@@ -161,8 +161,8 @@ TEST(ReportedValue, IsFoundByItsShortNameAndByItsPath) {
   EXPECT_EQ(find_reported_value(values, "d.vx")->name, "kinematics/freedoms/d.vx");
   EXPECT_EQ(find_reported_value(values, "drive")->name, "statics/actions/drive");
   EXPECT_EQ(find_reported_value(values, "power/supplied/b")->value.value, 0.0);
-  EXPECT_EQ(find_reported_value(values, "ratio")->kind, ValueKind::angular_velocity);
-  EXPECT_EQ(find_reported_value(values, "ratio")->per, ValueKind::velocity);
+  EXPECT_EQ(find_reported_value(values, "ratio")->kind, QuantityKind::angular_velocity);
+  EXPECT_EQ(find_reported_value(values, "ratio")->per, QuantityKind::velocity);
   for (const char* wrong : {"",
                             "/",
                             "d",

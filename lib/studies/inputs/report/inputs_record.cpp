@@ -200,11 +200,17 @@ void add_actuators(Record<CableTensionView>& keys) {
   keys.flag("least",
             "No smaller number does; false: another choice of drives might need fewer.",
             [](const View& v) { return v.cables.is_possible && v.cables.is_least(); });
+  keys.text("per",
+            "The unit of force: the drives go with a tension of at least 1 of it in each segment; "
+            "no key without drives.",
+            [](const View& v) { return v.units.text(QuantityKind::force); })
+      .only_if([](const View& v) { return !v.cables.drives.empty(); })
+      .reference_unit()
+      .not_compared();
   keys.numbers("drives",
                ByContext::action,
                "Freedoms whose actuators pull against each other, with their actions, of tail on "
-               "head, for a tension of at least one unit of force in each segment; empty where the "
-               "cables keep themselves in tension.",
+               "head, for that tension; empty where the cables keep themselves in tension.",
                emit_drives);
 }
 

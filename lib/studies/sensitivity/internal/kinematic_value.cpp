@@ -1,14 +1,15 @@
+#include "mechanism/label_kind.hpp"
 #include "studies/sensitivity/internal/value_path.hpp"
 
 namespace kinestat {
 
 std::optional<ReportedValue> find_kinematic_value(const DualCase& values, const PathParts& parts) {
-  using enum ValueKind;
+  using enum QuantityKind;
   const Topology& topology = values.topology();
   if (parts.size() == 3 && parts[1] == "freedoms") {
     const auto f = index_where(
         topology.freedoms.size(), parts[2], [&](int i) { return topology.freedom_name(i); });
-    return f ? as_value(rate_kind(topology, *f), values.rate(*f)) : std::nullopt;
+    return f ? as_value(kind_of(topology.freedoms[*f]), values.rate(*f)) : std::nullopt;
   }
   const auto b = parts[1] == "bodies" && parts.size() == 5 ? index_of(topology.bodies, parts[2])
                                                            : std::nullopt;

@@ -25,7 +25,7 @@ class PowerFormula {
 
   Found find(const PathParts& parts) const {
     if (parts.size() == 2) {
-      return parts[1] == "input" ? as_value(ValueKind::power, input()) : std::nullopt;
+      return parts[1] == "input" ? as_value(QuantityKind::power, input()) : std::nullopt;
     }
     if (parts.size() != 3) {
       return std::nullopt;
@@ -33,7 +33,7 @@ class PowerFormula {
     if (parts[1] == "efficiency") {
       return parts[2] == "friction" ? efficiency() : std::nullopt;
     }
-    return as_value(ValueKind::power, power_of(parts[1], parts[2]));
+    return as_value(QuantityKind::power, power_of(parts[1], parts[2]));
   }
 
  private:
@@ -155,7 +155,7 @@ class PowerFormula {
     const Dual in = sum_of(which.inputs);
     const Dual out = sum_of(which.outputs);
     return in.value > 0.0 && out.value <= 0.0
-               ? quotient(-out, ValueKind::power, in, ValueKind::power)
+               ? quotient(-out, QuantityKind::power, in, QuantityKind::power)
                : std::nullopt;
   }
 

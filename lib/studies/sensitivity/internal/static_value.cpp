@@ -1,3 +1,4 @@
+#include "mechanism/label_kind.hpp"
 #include "studies/sensitivity/internal/value_path.hpp"
 
 namespace kinestat {
@@ -5,13 +6,13 @@ namespace kinestat {
 namespace {
 
 using Found = std::optional<ReportedValue>;
-using enum ValueKind;
 
 const LocalOrigin& origin_of(const DualCase& values) {
   return values.mechanism().geometry.origin;
 }
 
 Found coupling_value(const DualCase& values, const PathParts& parts) {
+  using enum QuantityKind;
   const auto e = index_of(values.topology().couplings, parts[2]);
   if (!e || parts.size() != 5) {
     return std::nullopt;
@@ -36,6 +37,7 @@ Found coupling_value(const DualCase& values, const PathParts& parts) {
 
 // Its size as a couple or a drag; the moment is about the point of the coupling.
 Found friction_value(const DualCase& values, const PathParts& parts) {
+  using enum QuantityKind;
   const auto i = index_where(values.friction_count(), parts[2], [&](int k) {
     const FrictionLawOf<Dual>& law = values.friction_law(static_cast<std::size_t>(k));
     return values.topology().coupling(law.coupling).name;
@@ -67,7 +69,7 @@ Found find_static_value(const DualCase& values, const PathParts& parts) {
   if (parts.size() == 3 && parts[1] == "actions") {
     const auto a = index_where(
         topology.actions.size(), parts[2], [&](int i) { return topology.action_name(i); });
-    return a ? as_value(action_kind(topology, *a), values.magnitude(*a)) : std::nullopt;
+    return a ? as_value(kind_of(topology.actions[*a]), values.magnitude(*a)) : std::nullopt;
   }
   if (parts.size() > 3 && parts[1] == "couplings") {
     return coupling_value(values, parts);

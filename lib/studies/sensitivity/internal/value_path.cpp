@@ -3,9 +3,9 @@
 namespace kinestat {
 
 std::optional<ReportedValue> quotient(const Dual& a,
-                                      ValueKind of_a,
+                                      QuantityKind of_a,
                                       const Dual& b,
-                                      ValueKind of_b) {
+                                      QuantityKind of_b) {
   if (b.value == 0.0) {
     return std::nullopt;
   }
@@ -13,7 +13,7 @@ std::optional<ReportedValue> quotient(const Dual& a,
 }
 
 std::optional<ReportedValue> component(
-    const PathParts& parts, const std::vector<std::pair<ValueKind, Vec3Of<Dual>>>& vectors) {
+    const PathParts& parts, const std::vector<std::pair<QuantityKind, Vec3Of<Dual>>>& vectors) {
   const std::string& last = parts.back();
   const auto i = static_cast<std::size_t>(last.size() == 1 ? last[0] - '0' : -1);
   if (i >= 3 * vectors.size()) {
@@ -21,14 +21,6 @@ std::optional<ReportedValue> component(
   }
   const auto& [kind, vector] = vectors[i / 3];
   return as_value(kind, vector[static_cast<Eigen::Index>(i % 3)]);
-}
-
-ValueKind rate_kind(const Topology& topology, std::size_t freedom) {
-  return topology.freedoms[freedom].is_rotation ? ValueKind::angular_velocity : ValueKind::velocity;
-}
-
-ValueKind action_kind(const Topology& topology, std::size_t action) {
-  return topology.actions[action].is_couple ? ValueKind::moment : ValueKind::force;
 }
 
 }  // namespace kinestat

@@ -14,18 +14,21 @@ namespace kinestat {
 using PathParts = std::vector<std::string>;
 
 /// Without its name.
-inline std::optional<ReportedValue> as_value(ValueKind kind, const std::optional<Dual>& value) {
+inline std::optional<ReportedValue> as_value(QuantityKind kind, const std::optional<Dual>& value) {
   return value ? std::optional(
                      ReportedValue{.name = {}, .kind = kind, .per = std::nullopt, .value = *value})
                : std::nullopt;
 }
 
 /// Empty where the divisor is zero.
-std::optional<ReportedValue> quotient(const Dual& a, ValueKind of_a, const Dual& b, ValueKind of_b);
+std::optional<ReportedValue> quotient(const Dual& a,
+                                      QuantityKind of_a,
+                                      const Dual& b,
+                                      QuantityKind of_b);
 
 /// One component of vectors that stand behind each other, by the last part of a path.
 std::optional<ReportedValue> component(
-    const PathParts& parts, const std::vector<std::pair<ValueKind, Vec3Of<Dual>>>& vectors);
+    const PathParts& parts, const std::vector<std::pair<QuantityKind, Vec3Of<Dual>>>& vectors);
 
 /// Which of `count` things has the name that name(i) gives.
 template <class Name>
@@ -45,12 +48,6 @@ std::optional<std::size_t> index_of(const Items& items, const std::string& name)
     return items[static_cast<std::size_t>(i)].name;
   });
 }
-
-/// Of the rate of a freedom.
-ValueKind rate_kind(const Topology& topology, std::size_t freedom);
-
-/// Of the magnitude of an action.
-ValueKind action_kind(const Topology& topology, std::size_t action);
 
 /// The formula at a path that begins with "kinematics", "statics" or "power", its name left out.
 /// The case must have the motions, the actions or both.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/report/ratio_in_units.hpp"
 #include "core/contract.hpp"
 #include "kinematics/bounded_motion.hpp"
 #include "mechanism/label_kind.hpp"
@@ -21,17 +22,9 @@ bool has_ratio(const Case& which) {
   return !which.inputs.empty() && which.outputs.size() == 1;
 }
 
-bool turns(const Topology& topology, int actuator) {
-  const auto freedom =
-      static_cast<std::size_t>(topology.actuators[static_cast<std::size_t>(actuator)].freedom);
-  return topology.freedoms[freedom].is_rotation;
-}
-
-QuantityKind kind_of(SweepColumnKind ratio_kind, bool is_rotation) {
-  if (ratio_kind == SweepColumnKind::ratio) {
-    return rate_kind(is_rotation);
-  }
-  return action_kind(is_rotation);
+// Of the two that the columns may show.
+const RatioInUnits& ratio_in(const RatiosInUnits& ratios, SweepColumnKind kind) {
+  return kind == ratio ? ratios.ratio : ratios.torque_ratio;
 }
 
 class ColumnSearch {
@@ -41,6 +34,7 @@ class ColumnSearch {
                std::span<const Case> cases,
                Diagnostics& found)
       : description_(description),
+        mechanism_(mechanism),
         topology_(mechanism.topology),
         cases_(cases),
         found_(found),
@@ -143,10 +137,8 @@ class ColumnSearch {
     std::vector<std::string> units;
     for (const Case& one : cases_) {
       if (has_ratio(one)) {
-        const QuantityKind in = kind_of(kind, turns(topology_, one.inputs.front()));
-        const QuantityKind out = kind_of(kind, turns(topology_, one.outputs.front()));
-        units.push_back(in == out ? ""
-                                  : fmt::format("{} per {}", units_.text(in), units_.text(out)));
+        const RatioEnds ends{.input = one.inputs.front(), .output = one.outputs.front()};
+        units.push_back(ratio_in(ratios_in_units({}, ends, mechanism_, units_), kind).unit);
         if (std::ranges::count(units, units.back()) > 1) {
           units.pop_back();
         }
@@ -171,6 +163,7 @@ class ColumnSearch {
   }
 
   const MechanismDescription& description_;
+  const Mechanism& mechanism_;
   const Topology& topology_;
   std::span<const Case> cases_;
   Diagnostics& found_;
@@ -195,19 +188,6 @@ std::optional<double> action_value(const CaseAnalysis& one, std::size_t action, 
                          one.action->magnitudes[action].has_value();
   return has_value ? std::optional(bounded_action(*one.action, static_cast<int>(action)).zeroed())
                    : std::nullopt;
-}
-
-std::optional<double> ratio_value(SweepColumnKind kind,
-                                  const CaseAnalysis& one,
-                                  const Topology& topology,
-                                  const FileUnits& units) {
-  if (!one.ratios) {
-    return std::nullopt;
-  }
-  const std::optional<double>& value = kind == ratio ? one.ratios->ratio : one.ratios->torque_ratio;
-  const QuantityKind in = kind_of(kind, turns(topology, one.which.inputs.front()));
-  const QuantityKind out = kind_of(kind, turns(topology, one.which.outputs.front()));
-  return !value || in == out ? value : std::optional(*value * units.factor(out) / units.factor(in));
 }
 
 }  // namespace
@@ -239,7 +219,8 @@ std::optional<double> value_of(const SweepColumn& column,
   switch (column.kind) {
     case ratio:
     case torque_ratio:
-      return ratio_value(column.kind, one, mechanism.topology, units);
+      return one.ratios ? ratio_in(ratios_in_units(one, mechanism, units), column.kind).value
+                        : std::nullopt;
     case step:
       return std::nullopt;
     case efficiency:

@@ -76,9 +76,13 @@ const Record<CubicView>& cubic_record() {
       "(x^2+y^2)(k1 x+k2 y)+q11 x^2+q12 xy+q22 y^2+l1 x+l2 y+c=0 in the fixed frame at the first "
       "position.",
       [](Record<View>& keys) {
-        keys.part("coefficients", coefficients_record(), [](const View& v) {
-          return v.cubic.settled_about({0.0, 0.0}, v.units.factor(QuantityKind::length));
-        });
+        // Their common factor hangs on the unit; focus, asymptote and points tell the curve.
+        keys.part("coefficients",
+                  coefficients_record(),
+                  [](const View& v) {
+                    return v.cubic.settled_about({0.0, 0.0}, v.units.factor(QuantityKind::length));
+                  })
+            .not_compared();
         add_point(keys, "focus", QuantityKind::length, "The singular focus.", [](const View& v) {
           return v.cubic.focus();
         });
