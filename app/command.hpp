@@ -14,6 +14,7 @@ namespace kinestat::app {
 /// What the chosen sub-command will do; set while the command line is parsed.
 using Job = std::function<Outcome()>;
 
+/// Has the parser set `job` to `run` when it meets the command.
 void run_when_chosen(CLI::App& command, Job& job, Job run);
 
 void add_analyze(CLI::App& command, Job& job);
