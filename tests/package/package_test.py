@@ -4,6 +4,7 @@ README says, removed without a trace; the archive unpacked in a folder and used 
 from __future__ import annotations
 
 import argparse
+import gzip
 import os
 import re
 import shutil
@@ -19,6 +20,11 @@ ROOT = Path(__file__).resolve().parents[2]
 LARGEST = 5_000_000  # bytes of a package
 FILES = {"mechanisms/transmissions/ravigneaux.yaml", "schemas/mechanism.schema.json",
          "examples/largest_powers.sh"}
+SHELL_FILES = {"man/man1/kinestat-motion.1.gz": b"\\-\\-steps",
+               "man/man7/kinestat-motion.7.gz": b"KINESTAT\\-MOTION 7",
+               "bash-completion/completions/kinestat": b"complete -F _kinestat kinestat",
+               "zsh/vendor-completions/_kinestat": b"#compdef kinestat",
+               "fish/vendor_completions.d/kinestat.fish": b"--command kinestat"}
 options = argparse.Namespace()
 
 
@@ -69,6 +75,14 @@ class Packages(unittest.TestCase):
         """Runs what the README shows, with the installed program and files alone."""
         for name in FILES:
             self.assertTrue((data / name).is_file(), name)
+        for name, text in SHELL_FILES.items():
+            file = data.parent / name
+            content = gzip.decompress(file.read_bytes()) if file.suffix == ".gz" else file.read_bytes()
+            self.assertIn(text, content, name)
+        pages = {page.name.split(".")[0] for page in (data.parent / "man/man1").iterdir()}
+        told = run([program, "--help"]).stdout.partition("\nCommands:\n")[2]
+        commands = re.findall(r"^  (\S+)", told.partition("\nOptions:\n")[0], re.MULTILINE)
+        self.assertEqual(pages, {"kinestat", *(f"kinestat-{name}" for name in commands)})
         with tempfile.TemporaryDirectory(dir=self.folder) as work:
             (Path(work) / "mechanisms").symlink_to(data / "mechanisms")
             env = {"PATH": f"{program.parent}:/usr/bin:/bin", "HOME": work, "LC_ALL": "C"}
