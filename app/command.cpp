@@ -38,6 +38,15 @@ void run_when_chosen(CLI::App& command, Job& job, Job run) {
   command.callback([run = std::move(run), &job] { job = run; });
 }
 
+const CLI::App* find_command(const CLI::App& app, const std::string& name) {
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == name) {
+      return command;
+    }
+  }
+  return nullptr;
+}
+
 std::span<const Command> commands() {
   return kCommands;
 }

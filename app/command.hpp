@@ -38,6 +38,9 @@ void add_explain(CLI::App& command, Job& job);
 void add_completion(CLI::App& command, Job& job);
 void add_help(CLI::App& command, Job& job);
 
+/// The command of that name, or null.
+const CLI::App* find_command(const CLI::App& app, const std::string& name);
+
 struct Command {
   std::string_view name;
   std::string_view summary;  ///< one line, for the list of commands

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "command.hpp"
 #include "core/codes.hpp"
 #include "files/file_names.hpp"
 #include "run/embedded.hpp"
@@ -11,6 +12,7 @@
 #include "run/plot.hpp"
 #include "run/schema_text.hpp"
 #include "run/starter.hpp"
+#include "run/written_reports.hpp"
 
 namespace kinestat::app {
 
@@ -39,7 +41,7 @@ FileNames names_in(Words words) {
   return file == words.end() ? FileNames{} : names_in_file(*file);
 }
 
-std::vector<Candidate> parameters_of(Words words) {
+std::vector<Candidate> parameter_candidates(Words words) {
   std::vector<Candidate> candidates = without_meaning(names_in(words).parameters);
   for (Candidate& one : candidates) {
     one.word += '=';
@@ -47,7 +49,7 @@ std::vector<Candidate> parameters_of(Words words) {
   return candidates;
 }
 
-std::vector<Candidate> commands_of(const CLI::App& app) {
+std::vector<Candidate> command_candidates(const CLI::App& app) {
   std::vector<Candidate> candidates;
   for (const CLI::App* command : app.get_subcommands({})) {
     candidates.push_back({.word = command->get_name(), .meaning = command->get_description()});
@@ -55,20 +57,20 @@ std::vector<Candidate> commands_of(const CLI::App& app) {
   return candidates;
 }
 
-std::vector<Candidate> topics_of(const CLI::App& app) {
+std::vector<Candidate> topic_candidates(const CLI::App& app) {
   std::vector<Candidate> candidates = without_meaning(help_topics());
-  const std::vector<Candidate> commands = commands_of(app);
+  const std::vector<Candidate> commands = command_candidates(app);
   candidates.insert(candidates.end(), commands.begin(), commands.end());
   return candidates;
 }
 
-std::vector<Candidate> pictures() {
+std::vector<Candidate> picture_candidates() {
   std::vector<Candidate> candidates = without_meaning(picture_names());
   candidates.push_back({.word = std::string(kListPictures), .meaning = "all that a file has"});
   return candidates;
 }
 
-std::vector<Candidate> codes() {
+std::vector<Candidate> code_candidates() {
   std::vector<Candidate> candidates;
   for (const Code& row : all_codes()) {
     candidates.push_back({.word = std::string(row.code), .meaning = std::string(row.title)});
@@ -93,10 +95,11 @@ CompletionCandidates values_of(const std::string& called, const CLI::App& app, W
       {"CASE", [&] { return without_meaning(names_in(words).cases); }},
       {"ACTUATOR", [&] { return without_meaning(names_in(words).actuators); }},
       {"PARAMETER", [&] { return without_meaning(names_in(words).parameters); }},
-      {"PARAMETER=VALUE", [&] { return parameters_of(words); }},
-      {"TOPIC", [&] { return topics_of(app); }},
-      {"PICTURE", pictures},
-      {"CODE", codes},
+      {"PARAMETER=VALUE", [&] { return parameter_candidates(words); }},
+      {"TOPIC", [&] { return topic_candidates(app); }},
+      {"PICTURE", picture_candidates},
+      {"CODE", code_candidates},
+      {"PART", [] { return without_meaning(report_pages()); }},
       {"KIND", [] { return without_meaning(starter_kinds()); }},
       {"SCHEMA", [] { return without_meaning(schema_names()); }},
       {"SHELL",
@@ -112,7 +115,7 @@ CompletionCandidates values_of(const std::string& called, const CLI::App& app, W
   return {};
 }
 
-std::vector<Candidate> options_of(const CLI::App& command) {
+std::vector<Candidate> option_candidates(const CLI::App& command) {
   std::vector<Candidate> candidates;
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& name : option->get_lnames()) {
@@ -165,7 +168,7 @@ CompletionCandidates all_candidates(const CLI::App& app, const CLI::App& command
     }
   }
   if (typed.starts_with('-')) {
-    return {.words = options_of(command)};
+    return {.words = option_candidates(command)};
   }
   const CLI::Option* argument = next_argument(command, before);
   return argument == nullptr ? CompletionCandidates{}
@@ -193,12 +196,13 @@ CompletionCandidates of_command(const CLI::App& app, const CLI::App& command, Wo
 
 CompletionCandidates completion_candidates(const CLI::App& app, Words words) {
   if (words.empty()) {
-    return {.words = commands_of(app)};
+    return {.words = command_candidates(app)};
   }
   CompletionCandidates candidates;
   if (words.size() == 1) {
-    candidates.words = words.front().starts_with('-') ? options_of(app) : commands_of(app);
-  } else if (const CLI::App* command = app.get_subcommand_no_throw(words.front())) {
+    candidates.words =
+        words.front().starts_with('-') ? option_candidates(app) : command_candidates(app);
+  } else if (const CLI::App* command = find_command(app, words.front())) {
     candidates = of_command(app, *command, words.subspan(1));
   }
   std::erase_if(candidates.words,

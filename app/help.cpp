@@ -16,10 +16,6 @@ std::vector<std::string> words_of_help(const CLI::App& app) {
   return names;
 }
 
-const CLI::App* command_of(const CLI::App& app, const std::string& word) {
-  return word.empty() ? nullptr : app.get_subcommand_no_throw(word);
-}
-
 bool is_topic(const std::string& word) {
   const std::vector<std::string> topics = help_topics();
   return std::ranges::find(topics, word) != topics.end();
@@ -31,7 +27,7 @@ Outcome help(const CLI::App& app, const std::string& word) {
   if (is_topic(word)) {
     return help_topic(word, {});
   }
-  if (const CLI::App* command = command_of(app, word)) {
+  if (const CLI::App* command = find_command(app, word)) {
     return {.out = command->help(app.get_name()), .err = {}};
   }
   if (word == "commands") {
@@ -46,7 +42,7 @@ Outcome manual(const CLI::App& app, const std::string& word) {
   if (word.empty()) {
     return {.out = man_page_of_program(app, help_topics()), .err = {}};
   }
-  if (const CLI::App* command = command_of(app, word)) {
+  if (const CLI::App* command = find_command(app, word)) {
     return {.out = man_page_of_command(*command, help_topic("exit-status", {}).out), .err = {}};
   }
   return is_topic(topic)

@@ -58,7 +58,7 @@ std::string head(std::string name, int section, std::string_view what) {
 }
 
 // "\fB-o\fR, \fB--out\fR \fIFOLDER\fR"
-std::string names_of(const CLI::Option& option) {
+std::string bold_names_of(const CLI::Option& option) {
   std::string text;
   for (const std::string& name : CLI::detail::split(option.get_name(false, true), ',')) {
     text += (text.empty() ? "" : ", ") + bold(name);
@@ -70,7 +70,7 @@ std::string entry(const std::string& term, const std::string& meaning) {
   return ".TP\n" + term + "\n" + flowing(meaning) + "\n";
 }
 
-std::string arguments_of(const CLI::App& app) {
+std::string argument_entries(const CLI::App& app) {
   std::string text;
   for (const CLI::Option* option : shown_options(app)) {
     if (option->get_positional()) {
@@ -80,11 +80,11 @@ std::string arguments_of(const CLI::App& app) {
   return text.empty() ? text : ".SH ARGUMENTS\n" + text;
 }
 
-std::string options_of(const CLI::App& app) {
+std::string option_entries(const CLI::App& app) {
   std::string text = ".SH OPTIONS\n";
   for (const CLI::Option* option : shown_options(app)) {
     if (option->nonpositional()) {
-      text += entry(names_of(*option), option->get_description());
+      text += entry(bold_names_of(*option), option->get_description());
     }
   }
   return text;
@@ -109,14 +109,14 @@ std::string man_page_of_program(const CLI::App& app, const std::vector<std::stri
                 flowing(command->get_description()) + "\n";
   }
   return head("kinestat", 1, summary_of(app)) + ".SH SYNOPSIS\n" + bold("kinestat") + " " +
-         italic(usage_of(app)) + "\n" + commands + options_of(app) + ".SH EXAMPLES\n" +
+         italic(usage_of(app)) + "\n" + commands + option_entries(app) + ".SH EXAMPLES\n" +
          verbatim(app.get_footer()) + ".SH SEE ALSO\n" + also + "\n";
 }
 
 std::string man_page_of_command(const CLI::App& command, std::string_view exit_status) {
   return head("kinestat-" + command.get_name(), 1, summary_of(command)) + ".SH SYNOPSIS\n" +
          bold("kinestat " + command.get_name()) + " " + italic(usage_of(command)) + "\n" +
-         arguments_of(command) + options_of(command) + ".SH EXAMPLES\n" +
+         argument_entries(command) + option_entries(command) + ".SH EXAMPLES\n" +
          verbatim(command.get_footer()) + ".SH EXIT STATUS\n" + verbatim(exit_status) +
          ".SH SEE ALSO\n" + bold("kinestat") + "(1)\n";
 }

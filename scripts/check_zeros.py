@@ -31,7 +31,7 @@ DECISIONS = {
     "lib/studies/inputs/cable_tension.cpp": "consistency: pretensions of 1 that are in equilibrium already",
     "lib/mechanism/cables/internal/cable_contact_check.cpp": "drawing: contacts lie on the rim",
     "lib/mechanism/bind/extent.cpp": "consistency: all corners at an end move alike",
-    "lib/mechanism/bind/derivatives.cpp": "rank: parameters that move a screw by rounding",
+    "lib/mechanism/bind/rounding_slopes.cpp": "rank: parameters that move a screw by rounding",
     "lib/studies/mobility/passive_freedom.cpp": "rank: what a passive freedom moves",
     "lib/studies/mobility/redundancy.cpp": "rank: what a self-stress of a circuit loads",
     "lib/studies/motion/internal/path_tracker.cpp": "search: steps of a branch are near each other",

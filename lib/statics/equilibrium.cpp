@@ -23,6 +23,40 @@ double rough_size(double number) {
   return std::exp2(std::ilogb(number));
 }
 
+// Gives each body that has none the largest tension of its neighbours, layer by layer.
+void hand_on(const Topology& topology, std::vector<double>& largest) {
+  std::vector<std::vector<std::size_t>> neighbours(largest.size());
+  for (const CouplingTopology& coupling : topology.couplings) {
+    const auto tail = static_cast<std::size_t>(coupling.tail.value);
+    const auto head = static_cast<std::size_t>(coupling.head.value);
+    neighbours[tail].push_back(head);
+    neighbours[head].push_back(tail);
+  }
+  std::vector<std::size_t> layer;
+  for (std::size_t body = 1; body < largest.size(); ++body) {
+    if (largest[body] > 0.0) {
+      layer.push_back(body);
+    }
+  }
+  while (!layer.empty()) {
+    std::vector<std::pair<std::size_t, double>> handed;
+    for (const std::size_t body : layer) {
+      for (const std::size_t other : neighbours[body]) {
+        if (other != 0 && largest[other] == 0.0) {
+          handed.emplace_back(other, largest[body]);
+        }
+      }
+    }
+    layer.clear();
+    for (const auto& [body, tension] : handed) {
+      if (largest[body] == 0.0) {
+        layer.push_back(body);
+      }
+      largest[body] = std::max(largest[body], tension);
+    }
+  }
+}
+
 // The largest tension that pulls on each body, that to which the others are tied being 1; on one
 // that no cable touches, what its neighbours may hand on. Zero if there is none, and of the ground.
 std::vector<double> largest_tensions(const Topology& topology,
@@ -40,20 +74,7 @@ std::vector<double> largest_tensions(const Topology& topology,
     include(tie.action, tie.share);
     include(tie.to, 1.0);
   }
-  for (bool goes_on = true; goes_on;) {
-    const std::vector<double> before = largest;
-    for (const CouplingTopology& coupling : topology.couplings) {
-      const auto tail = static_cast<std::size_t>(coupling.tail.value);
-      const auto head = static_cast<std::size_t>(coupling.head.value);
-      if (tail != 0 && before[tail] == 0.0) {
-        largest[tail] = std::max(largest[tail], before[head]);
-      }
-      if (head != 0 && before[head] == 0.0) {
-        largest[head] = std::max(largest[head], before[tail]);
-      }
-    }
-    goes_on = largest != before;
-  }
+  hand_on(topology, largest);
   return largest;
 }
 
@@ -158,9 +179,10 @@ void Equilibrium::find_stresses(double closure_error) {
     return;
   }
   const std::vector<VecX> vectors = settled_null_vectors(elimination_, blocks_);
+  const Eigen::Map<const VecX> sizes(sizes_.data(), static_cast<Eigen::Index>(sizes_.size()));
   MatX stresses(static_cast<Eigen::Index>(units_.size()), static_cast<Eigen::Index>(count));
   for (std::size_t j = 0; j < count; ++j) {
-    stresses.col(static_cast<Eigen::Index>(j)) = vectors[j].normalized();
+    stresses.col(static_cast<Eigen::Index>(j)) = vectors[j].cwiseProduct(sizes).normalized();
   }
   stresses_ = orthonormal_range(stresses);
   is_moved_ = stresses_.cols() == stresses.cols();
@@ -208,7 +230,10 @@ EquilibriumActions Equilibrium::solve_to(const AccuracyRequest& request,
   const Eigen::Map<const VecX> units(units_.data(), static_cast<Eigen::Index>(units_.size()));
   VecX x = solved.solution.x;
   if (is_moved_) {
-    x -= stresses_ * (stresses_.transpose() * x);
+    const Eigen::Map<const VecX> sizes(sizes_.data(), static_cast<Eigen::Index>(sizes_.size()));
+    VecX whole = x.cwiseProduct(sizes);
+    whole -= stresses_ * (stresses_.transpose() * whole);
+    x = whole.cwiseQuotient(sizes);
   }
   tie(x);
   EquilibriumActions result{

@@ -26,6 +26,16 @@ std::vector<BodyWrench> outside_wrenches(const Mechanism& mechanism,
   return result;
 }
 
+// Behind a slipping cable a tension is a share of the one ahead, which may be 1e14 times as large:
+// as a difference to its friction it would pass for rounding.
+bool has_slipping_cable(const Mechanism& mechanism, const StaticSolution& action) {
+  return std::ranges::any_of(mechanism.contacts, [&](const CableContact& contact) {
+    return contact.slips &&
+           std::ranges::find(action.friction, *contact.slips, &FrictionAction::coupling) !=
+               action.friction.end();
+  });
+}
+
 }  // namespace
 
 std::vector<double> rate_rounding(std::span<const std::size_t> wanted,
@@ -40,6 +50,9 @@ std::vector<double> action_rounding(std::span<const std::size_t> wanted,
                                     const Mechanism& mechanism,
                                     const Case& which,
                                     const StaticSolution& action) {
+  if (has_slipping_cable(mechanism, action)) {
+    return std::vector<double>(wanted.size(), 0.0);
+  }
   const std::vector<BodyWrench> outside = outside_wrenches(mechanism, which, action);
   const CoordinateBasis basis = action_basis(mechanism.geometry, mechanism.static_order, outside);
   std::vector<double> magnitudes;

@@ -19,8 +19,9 @@ std::vector<double> rate_rounding(std::span<const std::size_t> wanted,
                                   const KinematicSolution& motion);
 
 /// Of such actions [N·m or N], by what it does to the unit screws, to loads and to friction, whose
-/// size is taken for known; zero for those that equilibrium leaves open. The solution has its
-/// magnitudes, and the mechanism the flanks on which its teeth press.
+/// size is taken for known; zero for those that equilibrium
+/// leaves open, and for all where a cable slips, for which there is no such bound yet. The solution
+/// has its magnitudes, and the mechanism the flanks on which its teeth press.
 std::vector<double> action_rounding(std::span<const std::size_t> wanted,
                                     const Mechanism& mechanism,
                                     const Case& which,

@@ -307,7 +307,7 @@ DriveCurve::Range DriveCurve::range_of_square() const {
   const double before = is_over_root_ ? -excess_ : below_one_ / factor_;
   range.low = std::sqrt(std::max(before, 0.0));
   if (is_over_root_) {
-    range.low_transmission = transmission(range.low);
+    range.low_transmission = before > 0.0 ? std::atan2(0.0, over_root_) : transmission(0.0);
     range.high_transmission = 0.5 * std::numbers::pi;
     return range;
   }
