@@ -164,24 +164,24 @@ std::vector<double> scales(const std::vector<Magnitudes>& probes, const IsFirst&
 }
 
 // Whether the change of a magnitude with some parameter, or what is left of it where all of them
-// are zero, is so small that it may be rounding.
+// are zero, is so small that it may be rounding, but not so small that its own bound says so.
 bool may_be_rounding(const std::vector<Magnitudes>& probes,
                      std::size_t m,
                      const std::vector<FreeParameter>& parameters,
                      double largest) {
-  const auto is_small = [&](double x) {
-    return std::abs(x) > 0.0 && std::abs(x) <= kAffine * largest;
+  const auto is_in_doubt = [&](const BoundedNumber& x) {
+    return std::abs(x.value) > x.bound && std::abs(x.value) <= kAffine * largest;
   };
-  const double drawn = (*probes[0])[m].value;
-  double constant = drawn;
+  const BoundedNumber drawn = (*probes[0])[m];
+  BoundedNumber constant = drawn;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const double change = (*probes[i + 1])[m].value - drawn;
-    if (is_small(change)) {
+    const BoundedNumber change = (*probes[i + 1])[m] - drawn;
+    if (is_in_doubt(change)) {
       return true;
     }
-    constant -= change / parameters[i].step * parameters[i].value;
+    constant = constant - change * BoundedNumber{.value = parameters[i].value / parameters[i].step};
   }
-  return is_small(constant);
+  return is_in_doubt(constant);
 }
 
 // The magnitudes of which that holds. What is larger, and rounding all the same, is seen at the

@@ -140,7 +140,7 @@ class Shells(unittest.TestCase):
         self.assertEqual(self.bash("ana"), ["analyze"])
         self.assertEqual(self.bash("plot", "levers", "train.yaml", "--case", "M"),
                          ["M1", "M2", "M3", "MR"])
-        self.assertEqual(self.bash("analyze", "tr"), ["train folder", "train.yaml"])
+        self.assertEqual(sorted(self.bash("analyze", "tr")), ["train folder", "train.yaml"])
         self.assertEqual(self.bash("analyze", "--out", "tr"), ["train folder"])
         self.assertEqual(self.bash("analyze", "--format", "j"), ["json"])
 
