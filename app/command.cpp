@@ -28,7 +28,10 @@ constexpr std::array<Command, 20> kCommands = {{
     {"plot", "Draw one picture of a file: charts, graphs, mechanisms.", add_plot},
     {"explain", "Explain a diagnostic code by an example, or list all codes.", add_explain},
     {"schema", "Print the JSON Schema of mechanism files and of what is written.", add_schema},
-    {"completion", "Print what bash, zsh or fish reads to complete words.", add_completion, true},
+    {"completion",
+     "Print the script by which bash, zsh or fish completes words.",
+     add_completion,
+     true},
     {"help", "Explain a topic, such as the format or the signs.", add_help, true},
 }};
 

@@ -26,8 +26,15 @@ std::string lines_of(const CompletionCandidates& candidates) {
   return text;
 }
 
-Outcome script_for(const std::string& shell) {
+Outcome script_for(const std::string& shell, const std::vector<std::string>& more) {
   Outcome outcome;
+  if (!more.empty()) {
+    add_message("E0101",
+                fmt::format("unexpected word '{}'", printable(more.front())),
+                "one shell at a time",
+                outcome);
+    return outcome;
+  }
   if (const EmbeddedText* script = find_text(embedded_completions(), shell)) {
     outcome.out = script->text;
     return outcome;
@@ -60,7 +67,7 @@ void add_completion(CLI::App& command, Job& job) {
       return {.out = lines_of(completion_candidates(*command.get_parent(), completion->words)),
               .err = {}};
     }
-    return script_for(completion->shell);
+    return script_for(completion->shell, completion->words);
   });
 }
 

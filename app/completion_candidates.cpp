@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "core/codes.hpp"
 #include "files/file_names.hpp"
+#include "help_format.hpp"
 #include "run/embedded.hpp"
 #include "run/help_topic.hpp"
 #include "run/plot.hpp"
@@ -19,10 +20,6 @@ namespace kinestat::app {
 namespace {
 
 using Words = std::span<const std::string>;
-
-bool takes_value(const CLI::Option& option) {
-  return option.get_expected_max() > 0;
-}
 
 std::vector<Candidate> without_meaning(const std::vector<std::string>& words) {
   std::vector<Candidate> candidates;
@@ -119,9 +116,10 @@ std::vector<Candidate> option_candidates(const CLI::App& command) {
   std::vector<Candidate> candidates;
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& name : option->get_lnames()) {
-      const std::string& meaning = option->get_description();
-      candidates.push_back(
-          {.word = "--" + name, .meaning = meaning.substr(0, meaning.find_first_of("\n;"))});
+      std::string meaning =
+          option->get_description().substr(0, option->get_description().find(';'));
+      std::ranges::replace(meaning, '\n', ' ');
+      candidates.push_back({.word = "--" + name, .meaning = std::move(meaning)});
     }
   }
   return candidates;

@@ -1,6 +1,9 @@
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "command.hpp"
+#include "core/utf8.hpp"
 #include "man_page.hpp"
 #include "run/help_topic.hpp"
 
@@ -50,6 +53,15 @@ Outcome manual(const CLI::App& app, const std::string& word) {
              : help_topic(word, words_of_help(app));
 }
 
+Outcome without_part(const std::string& part) {
+  Outcome outcome;
+  add_message("E0101",
+              fmt::format("there is no page of the manual on the part '{}'", printable(part)),
+              "leave --man out, or the part",
+              outcome);
+  return outcome;
+}
+
 struct HelpChoice {
   std::string word;
   std::string part;
@@ -78,9 +90,11 @@ void add_help(CLI::App& command, Job& job) {
       "has the name of a command");
   run_when_chosen(command, job, [choice, &command] {
     const CLI::App& app = *command.get_parent();
-    return choice->is_for_man     ? manual(app, choice->word)
-           : choice->part.empty() ? help(app, choice->word)
-                                  : help_part(choice->word, choice->part);
+    if (!choice->part.empty()) {
+      return choice->is_for_man ? without_part(choice->part)
+                                : help_part(choice->word, choice->part);
+    }
+    return choice->is_for_man ? manual(app, choice->word) : help(app, choice->word);
   });
 }
 

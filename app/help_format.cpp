@@ -21,8 +21,7 @@ std::string options_of(const CLI::App& app) {
   std::ostringstream list;
   for (const CLI::Option* option : shown_options(app)) {
     if (option->nonpositional()) {
-      const bool takes_value = option->get_expected_max() > 0;
-      const std::string type = takes_value ? " " + option->get_type_name() : "";
+      const std::string type = takes_value(*option) ? " " + option->get_type_name() : "";
       CLI::detail::format_help(
           list, option->get_name(false, true) + type, option->get_description(), kOptionColumn);
     }
@@ -34,6 +33,10 @@ std::string options_of(const CLI::App& app) {
 
 std::vector<const CLI::Option*> shown_options(const CLI::App& app) {
   return app.get_options([](const CLI::Option* option) { return !option->get_group().empty(); });
+}
+
+bool takes_value(const CLI::Option& option) {
+  return option.get_expected_max() > 0;
 }
 
 // A text of its own marks an argument that is needed, but missed by the command itself.

@@ -11,6 +11,9 @@ namespace kinestat::app {
 /// Options and arguments that users are shown; the others have no group.
 std::vector<const CLI::Option*> shown_options(const CLI::App& app);
 
+/// Whether a word belongs to the option.
+bool takes_value(const CLI::Option& option);
+
 /// "FILE...", "[TOPIC]" and so on, as the use has it.
 std::string argument_of(const CLI::Option& option);
 

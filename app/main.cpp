@@ -89,7 +89,7 @@ class CommandLine {
 };
 
 // To declare the options of all commands takes longer than to read a small file. So first those of
-// the command that is named are; only help and messages look at the others.
+// the command that is named are; only commands that look at others, and messages, do so for all.
 Outcome parse_and_run(const std::vector<std::string>& words) {
   const std::span<const Command> all = kinestat::app::commands();
   const auto named = std::ranges::find_if(all, [&words](const Command& one) {

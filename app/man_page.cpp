@@ -12,15 +12,35 @@ namespace kinestat::app {
 
 namespace {
 
+// Of a character what is printed as it is: some formatters take these for others.
+std::string as_roff(char c) {
+  switch (c) {
+    case '\\':
+      return "\\e";
+    case '-':
+      return "\\-";
+    case '\'':
+      return "\\(aq";
+    case '`':
+      return "\\(ga";
+    case '^':
+      return "\\(ha";
+    case '~':
+      return "\\(ti";
+    default:
+      return {c};
+  }
+}
+
 // As roff has it: no character is taken for a command, and a hyphen can be searched and copied.
 std::string roff(std::string_view text) {
   std::string result;
   bool begins_line = true;
   for (const char c : text) {
-    if (begins_line && (c == '.' || c == '\'')) {
+    if (begins_line && c == '.') {
       result += "\\&";
     }
-    result += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);
+    result += as_roff(c);
     begins_line = c == '\n';
   }
   return result;
@@ -63,7 +83,7 @@ std::string bold_names_of(const CLI::Option& option) {
   for (const std::string& name : CLI::detail::split(option.get_name(false, true), ',')) {
     text += (text.empty() ? "" : ", ") + bold(name);
   }
-  return option.get_expected_max() > 0 ? text + " " + italic(option.get_type_name()) : text;
+  return takes_value(option) ? text + " " + italic(option.get_type_name()) : text;
 }
 
 std::string entry(const std::string& term, const std::string& meaning) {
@@ -88,6 +108,13 @@ std::string option_entries(const CLI::App& app) {
     }
   }
   return text;
+}
+
+// A page of help without its title.
+std::string_view body_of(std::string_view page) {
+  page.remove_prefix(std::min(page.size(), page.find('\n')));
+  page.remove_prefix(std::min(page.size(), page.find_first_not_of('\n')));
+  return page;
 }
 
 // Without its full stop, as a line of whatis(1).
@@ -117,7 +144,7 @@ std::string man_page_of_command(const CLI::App& command, std::string_view exit_s
   return head("kinestat-" + command.get_name(), 1, summary_of(command)) + ".SH SYNOPSIS\n" +
          bold("kinestat " + command.get_name()) + " " + italic(usage_of(command)) + "\n" +
          argument_entries(command) + option_entries(command) + ".SH EXAMPLES\n" +
-         verbatim(command.get_footer()) + ".SH EXIT STATUS\n" + verbatim(exit_status) +
+         verbatim(command.get_footer()) + ".SH EXIT STATUS\n" + verbatim(body_of(exit_status)) +
          ".SH SEE ALSO\n" + bold("kinestat") + "(1)\n";
 }
 
@@ -125,10 +152,8 @@ std::string man_page_of_topic(std::string_view name, std::string_view page) {
   const std::string_view first = page.substr(0, page.find('\n'));
   const std::size_t colon = first.find(": ");
   const std::string_view title = colon == std::string_view::npos ? first : first.substr(colon + 2);
-  std::string_view rest = page.substr(std::min(page.size(), first.size() + 1));
-  rest.remove_prefix(std::min(rest.find_first_not_of('\n'), rest.size()));
-  return head(fmt::format("kinestat-{}", name), 7, title) + ".SH DESCRIPTION\n" + verbatim(rest) +
-         ".SH SEE ALSO\n" + bold("kinestat") + "(1)\n";
+  return head(fmt::format("kinestat-{}", name), 7, title) + ".SH DESCRIPTION\n" +
+         verbatim(body_of(page)) + ".SH SEE ALSO\n" + bold("kinestat") + "(1)\n";
 }
 
 }  // namespace kinestat::app

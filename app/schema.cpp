@@ -1,4 +1,5 @@
 #include "command.hpp"
+#include "core/text.hpp"
 #include "run/schema_text.hpp"
 
 namespace kinestat::app {
@@ -8,12 +9,10 @@ void add_schema(CLI::App& command, Job& job) {
       "  kinestat schema > mechanism.schema.json\n"
       "  kinestat schema report\n");
   auto name = std::make_shared<std::string>("mechanism");
-  add_argument(
-      command,
-      "SCHEMA",
-      *name,
-      "mechanism (default), report, mobility, inputs,\nsensitivity, sweep, synthesis, comparison "
-      "or diagnostics");
+  add_argument(command,
+               "SCHEMA",
+               *name,
+               "mechanism (default) or what is written:\n" + plain_list(schema_names()));
   run_when_chosen(command, job, [name] { return schema_text(*name); });
 }
 

@@ -26,7 +26,7 @@ void refuse(const Override& text, std::string message, std::string hint, Diagnos
 void apply(const Override& text, MechanismDescription& description, Diagnostics& found) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
-    refuse(text, "this is not NAME=VALUE", "write for example --set N1=24", found);
+    refuse(text, "this is not PARAMETER=VALUE", "write for example --set N1=24", found);
     return;
   }
   const std::string name = text.substr(0, equals);

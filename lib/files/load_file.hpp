@@ -12,7 +12,7 @@
 
 namespace kinestat {
 
-/// A parameter given on the command line: NAME=VALUE.
+/// A parameter given on the command line: PARAMETER=VALUE.
 using Override = std::string;
 
 /// What a command says about reading its files.

@@ -21,7 +21,7 @@ std::optional<long> whole_number_of(const std::string& text) {
 }
 
 Json scalar_json(const YamlNode& node) {
-  if (!node.quoted && (node.text == "true" || node.text == "false")) {
+  if (is_truth_value(node)) {
     return node.text == "true";
   }
   if (const auto whole = node.quoted ? std::nullopt : whole_number_of(node.text)) {

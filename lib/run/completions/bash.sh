@@ -1,28 +1,38 @@
 # Completion of kinestat for bash: source <(kinestat completion bash)
 _kinestat() {
-  local words=("${COMP_WORDS[@]}") at=$COMP_CWORD typed=${COMP_WORDS[COMP_CWORD]} before=""
-  # bash takes --case=M1 and 2:3 apart; bash-completion, where it is loaded, does not.
-  if declare -F _get_comp_words_by_ref >/dev/null; then
-    local cur="" cword=0
-    _get_comp_words_by_ref -n "=:" cur words cword
-    at=$cword typed=$cur
-  fi
-  local answer kind line
-  answer=$("${words[0]/#\~/$HOME}" completion candidates -- "${words[@]:1:at-1}" "$typed" \
-    2>/dev/null) || return
+  local words=() line=${COMP_LINE:0:COMP_POINT} last=${COMP_WORDS[COMP_CWORD]} word raw
+  # bash takes --case=M1 and 2:3 apart: what has no blank between is one word.
+  for word in "${COMP_WORDS[@]:0:COMP_CWORD}" ""; do
+    if [[ ${#words[@]} -gt 0 && $line != [[:blank:]]* ]]; then
+      words[-1]+=$word
+    else
+      words+=("$word")
+    fi
+    line=${line#"${line%%[![:blank:]]*}"}
+    line=${line#"$word"}
+  done
+  words[-1]+=$line raw=${words[-1]}
+  [[ $last == [=:] ]] && last=""
+  [[ $raw == *"$last" ]] || last=${raw##*[=:]}  # the cursor stands within the word
+  local at before=${raw%"$last"} answer kind
+  for at in "${!words[@]}"; do  # the program sees words as the shell would give them
+    word=${words[at]//[\"\'\\]/}
+    words[at]=${word/#\~\//$HOME/}
+  done
+  answer=$("${words[0]}" completion candidates -- "${words[@]:1}" 2>/dev/null) || return
   kind=${answer%%$'\n'*}
   COMPREPLY=()
   case $kind in
-    files) mapfile -t COMPREPLY < <(compgen -f -- "$typed"); compopt -o filenames ;;
-    folders) mapfile -t COMPREPLY < <(compgen -d -- "$typed"); compopt -o filenames ;;
+    files) mapfile -t COMPREPLY < <(compgen -f -- "${raw#"$before"}"); compopt -o filenames ;;
+    folders) mapfile -t COMPREPLY < <(compgen -d -- "${raw#"$before"}"); compopt -o filenames ;;
   esac
-  [[ $typed == *=* && ${COMP_WORDS[COMP_CWORD]} != "$typed" ]] && before=${typed%"${typed#*=}"}
   while IFS= read -r line; do
     line=${line%%$'\t'*}
-    [[ -n $line ]] || continue
     [[ $line == *= ]] && compopt -o nospace
     line=${line#"$before"}
-    COMPREPLY+=("$(printf '%q' "$line")")
+    [[ -n $line ]] || continue
+    [[ $last == [\"\']* ]] || line=$(printf '%q' "$line")
+    COMPREPLY+=("$line")
   done < <(tail -n +2 <<<"$answer")
 }
 complete -F _kinestat kinestat

@@ -1,20 +1,23 @@
 #compdef kinestat
 # Completion of kinestat for zsh: as _kinestat in a folder of $fpath, or sourced after compinit.
 _kinestat() {
-  local -a answer candidates
+  local -a given answer candidates open
   local line
-  answer=("${(@f)$(${words[1]} completion candidates -- "${(@Q)words[2,CURRENT-1]}" \
-    "${(Q)PREFIX}" 2>/dev/null)}")
+  given=("${(@Q)words[1,CURRENT-1]}" "${(Q)PREFIX}")
+  given=("${(@)given/#\~\//$HOME/}")
+  answer=("${(@f)$(${given[1]} completion candidates -- "${(@)given[2,-1]}" 2>/dev/null)}")
   case ${answer[1]} in
-    files) _files ;;
-    folders) _files -/ ;;
+    files) compset -P '--*='; _files ;;
+    folders) compset -P '--*='; _files -/ ;;
   esac
   for line in "${(@)answer[2,-1]}"; do
     [[ -n $line ]] || continue
-    line=${line//:/\\:}
-    candidates+=("${line/$'\t'/:}")
+    line=${${line//\\/\\\\}//:/\\:}
+    line=${line/$'\t'/:}
+    [[ $line == *= ]] && open+=("$line") || candidates+=("$line")
   done
   (( ${#candidates} )) && _describe -V kinestat candidates
+  (( ${#open} )) && _describe -V kinestat open -S ''
 }
 if [[ $funcstack[1] == _kinestat ]]; then
   _kinestat "$@"
