@@ -6,11 +6,15 @@ from __future__ import annotations
 
 import argparse
 import os
+import pty
 import re
+import select
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -106,58 +110,98 @@ class Candidates(unittest.TestCase):
 
 
 class Shells(unittest.TestCase):
-    """Each with its own script, asked for the same line."""
+    """Each with its own script, on a terminal, as a user types: a line, the key TAB, and what the
+    line is then."""
+
+    # The line between signs that no prompt and no completion has.
+    START = {
+        "bash": (["bash", "--norc", "-i"],
+                 "bind -x '\"\\C-x\\C-x\": printf \"[[%s]]\" \"$READLINE_LINE\"'; "
+                 "bind 'set bell-style none'; source <(kinestat completion bash)"),
+        "zsh": (["zsh", "-f", "-i"],
+                "autoload -Uz compinit; compinit -u -D; source <(kinestat completion zsh); "
+                "show() { print -rn -- \"[[$BUFFER]]\" }; zle -N show; "
+                "bindkey -e; bindkey '^X^X' show"),
+        "fish": (["fish", "--no-config", "-i"],
+                 "kinestat completion fish | source; "
+                 "bind \\cx\\cx 'printf \"[[%s]]\" (commandline | string collect)'"),
+    }
+    LINES = {
+        "kinestat ana": "kinestat analyze",
+        "kinestat analyze --format j": "kinestat analyze --format json",
+        "kinestat analyze --format=j": "kinestat analyze --format=json",
+        "kinestat plot linkage crank.yaml --case dr":
+            "kinestat plot linkage crank.yaml --case drawn\\ position",
+        "kinestat plot linkage crank.yaml --case drawn\\ p":
+            "kinestat plot linkage crank.yaml --case drawn\\ position",
+        "kinestat plot linkage a\\ crank.yaml --case dr":
+            "kinestat plot linkage a\\ crank.yaml --case drawn\\ position",
+        "kinestat plot linkage ~/crank.yaml --case dr":
+            "kinestat plot linkage ~/crank.yaml --case drawn\\ position",
+        "kinestat analyze crank.yaml --set fr": "kinestat analyze crank.yaml --set frame_length=",
+        "kinestat analyze crank.yaml --set=fr": "kinestat analyze crank.yaml --set=frame_length=",
+        "kinestat analyze cr": "kinestat analyze crank.yaml",
+        "kinestat analyze ~/cr": "kinestat analyze ~/crank.yaml",
+        "kinestat analyze --out fol": "kinestat analyze --out folder/",
+    }
 
     def setUp(self) -> None:
         folder = Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, folder)
-        (folder / "kinestat").symlink_to(PROGRAM)
-        shutil.copy(RAVIGNEAUX, folder / "train.yaml")
-        (folder / "train folder").mkdir()
+        (folder / "bin").mkdir()
+        (folder / "bin/kinestat").symlink_to(PROGRAM)
+        (folder / "folder").mkdir()
+        run("new", "four-bar", folder / "crank.yaml")
+        shutil.copy(folder / "crank.yaml", folder / "a crank.yaml")
         self.folder = folder
-        self.env = {"PATH": f"{folder}:{os.environ['PATH']}", "HOME": str(folder),
-                    "TERM": "dumb", "LC_ALL": "C.UTF-8"}
 
-    def shell(self, name: str, script: str) -> list[str]:
+    def open(self, name: str) -> None:
         if not shutil.which(name):
             self.skipTest(f"{name} is not installed")
-        done = subprocess.run([name, "-c", script], cwd=self.folder, env=self.env, check=False,
-                              capture_output=True, encoding="utf-8")
-        self.assertEqual((done.returncode, done.stderr), (0, ""), script)
-        return done.stdout.splitlines()
+        words, script = self.START[name]
+        child, self.terminal = pty.fork()
+        if child == 0:
+            os.chdir(self.folder)
+            os.execvpe(words[0], words, {
+                "PATH": f"{self.folder}/bin:{os.environ['PATH']}", "HOME": str(self.folder),
+                "TERM": "xterm", "LC_ALL": "C.UTF-8", "PS1": "$ ", "HISTFILE": "/dev/null"})
+        self.addCleanup(self.close, child)
+        self.type(script + "; printf '<%s>' ready\r", "<ready>")
 
-    def bash(self, *words: str) -> list[str]:
-        quoted = " ".join(f"'{word}'" for word in words)
-        # compopt works within a completion alone.
-        return self.shell("bash", f"""
-            compopt() {{ :; }}
-            source <(kinestat completion bash)
-            COMP_WORDS=(kinestat {quoted}) COMP_CWORD={len(words)}
-            _kinestat
-            printf '%s\\n' "${{COMPREPLY[@]}}" """)
+    def close(self, child: int) -> None:
+        os.kill(child, signal.SIGKILL)
+        os.waitpid(child, 0)
+        os.close(self.terminal)
+
+    def type(self, keys: str, until: str) -> str:
+        """What the terminal shows from then on, up to and with that."""
+        os.write(self.terminal, keys.encode())
+        shown = ""
+        end = time.monotonic() + 60
+        while not re.search(re.escape(until), shown):
+            ready = select.select([self.terminal], [], [], max(0.0, end - time.monotonic()))[0]
+            self.assertTrue(ready, f"{keys!r}: {shown!r}")
+            shown += os.read(self.terminal, 65536).decode(errors="replace")
+        return shown
+
+    def check(self, name: str) -> None:
+        self.open(name)
+        for line, expected in self.LINES.items():
+            with self.subTest(line=line):
+                shown = self.type(f"{line}\t\x18\x18", "]]")
+                found = re.findall(r"\[\[(.*?)\]\]", shown, re.DOTALL)
+                self.assertEqual(found[-1].rstrip(), expected)
+            self.type("\x03", "")
+            time.sleep(0.1)
 
     def test_bash(self) -> None:
-        self.assertEqual(self.bash("ana"), ["analyze"])
-        self.assertEqual(self.bash("plot", "levers", "train.yaml", "--case", "M"),
-                         ["M1", "M2", "M3", "MR"])
-        self.assertEqual(sorted(self.bash("analyze", "tr")), ["train folder", "train.yaml"])
-        self.assertEqual(self.bash("analyze", "--out", "tr"), ["train folder"])
-        self.assertEqual(self.bash("analyze", "--format", "j"), ["json"])
+        self.check("bash")
+
+    def test_zsh(self) -> None:
+        self.check("zsh")
 
     def test_fish(self) -> None:
-        def complete(line: str) -> list[str]:
-            script = f"kinestat completion fish | source; complete --do-complete '{line}'"
-            return sorted(word.split("\t")[0] for word in self.shell("fish", script))
-        self.assertEqual(complete("kinestat ana"), ["analyze"])
-        self.assertEqual(complete("kinestat plot levers train.yaml --case M"),
-                         ["M1", "M2", "M3", "MR"])
-        self.assertEqual(complete("kinestat analyze --format j"), ["json"])
-        self.assertIn("train.yaml", complete("kinestat analyze tr"))
-
-    def test_zsh_takes_the_script(self) -> None:
-        script = "autoload -Uz compinit; compinit -u -D; source <(kinestat completion zsh); " \
-                 "print ${_comps[kinestat]}"
-        self.assertEqual(self.shell("zsh", script), ["_kinestat"])
+        self.check("fish")
 
 
 if __name__ == "__main__":
