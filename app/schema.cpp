@@ -1,4 +1,5 @@
 #include "command.hpp"
+#include "core/page_text.hpp"
 #include "core/text.hpp"
 #include "run/schema_text.hpp"
 
@@ -9,10 +10,10 @@ void add_schema(CLI::App& command, Job& job) {
       "  kinestat schema > mechanism.schema.json\n"
       "  kinestat schema report\n");
   auto name = std::make_shared<std::string>("mechanism");
-  add_argument(command,
-               "SCHEMA",
-               *name,
-               "mechanism (default) or what is written:\n" + plain_list(schema_names()));
+  std::string meaning = "mechanism (default) or what is written:\n" +
+                        page_lines("", plain_list(schema_names(), schema_names().size()), 0, 50);
+  meaning.pop_back();
+  add_argument(command, "SCHEMA", *name, meaning);
   run_when_chosen(command, job, [name] { return schema_text(*name); });
 }
 

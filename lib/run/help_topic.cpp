@@ -119,18 +119,22 @@ Outcome help_topic(const std::string& word, std::span<const std::string> command
 }
 
 Outcome help_part(const std::string& topic, const std::string& part) {
+  constexpr std::string_view kTopic = "reports";
   Outcome outcome;
-  outcome.out = topic == "reports" ? report_page(part) : "";
-  if (outcome.out.empty()) {
-    const std::vector<std::string> parts = report_pages();
-    const std::string guess = topic == "reports" ? did_you_mean(part, parts) : "";
-    add_message("E0101",
-                fmt::format("there is no help on '{} {}'", printable(topic), printable(part)),
-                guess.empty()
-                    ? fmt::format("parts of 'reports' are {}", plain_list(parts, parts.size()))
-                    : guess,
-                outcome);
+  outcome.out = topic == kTopic ? report_page(part) : "";
+  if (!outcome.out.empty()) {
+    return outcome;
   }
+  const std::vector<std::string> parts = report_pages();
+  const std::string guess = did_you_mean(part, parts);
+  add_message(
+      "E0101",
+      fmt::format("there is no help on '{} {}'", printable(topic), printable(part)),
+      topic != kTopic
+          ? fmt::format("only '{}' has parts, as in 'kinestat help {} power'", kTopic, kTopic)
+      : guess.empty() ? fmt::format("parts of '{}' are {}", kTopic, plain_list(parts, parts.size()))
+                      : guess,
+      outcome);
   return outcome;
 }
 
