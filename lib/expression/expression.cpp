@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "expression/parse/limits.hpp"
 #include "expression/parse/decimal_to_double.hpp"
+#include "expression/parse/limits.hpp"
 #include "expression/parse/parser.hpp"
 #include "expression/parse/scanner.hpp"
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "expression/parse/characters.hpp"
-#include "expression/parse/number_format_errors.hpp"
 #include "expression/parse/decimal_to_double.hpp"
+#include "expression/parse/number_format_errors.hpp"
 
 namespace kinestat {
 
