@@ -11,7 +11,7 @@ sanitize=("${test[@]}" clang libclang-rt-14-dev)
 bench=("${build[@]}" liblapack-dev libblas-dev libsuitesparse-dev)
 lint=(clang-format clang-tidy)
 browser=(chromium chromium-driver)
-viewers=(graphviz gnuplot-nox)
+viewers=(graphviz gnuplot-nox groff-base zsh fish)
 
 stop() {
   local status=$1
