@@ -184,15 +184,17 @@ class Shells(unittest.TestCase):
             shown += os.read(self.terminal, 65536).decode(errors="replace")
         return shown
 
+    def line_after(self, keys: str) -> str:
+        shown = self.type(f"{keys}\x18\x18", "]]")
+        return re.findall(r"\[\[(.*?)\]\]", shown, re.DOTALL)[-1].rstrip()
+
     def check(self, name: str) -> None:
         self.open(name)
         for line, expected in self.LINES.items():
             with self.subTest(line=line):
-                shown = self.type(f"{line}\t\x18\x18", "]]")
-                found = re.findall(r"\[\[(.*?)\]\]", shown, re.DOTALL)
-                self.assertEqual(found[-1].rstrip(), expected)
-            self.type("\x03", "")
-            time.sleep(0.1)
+                self.assertEqual(self.line_after(f"{line}\t"), expected)
+            while self.line_after("\x05\x15"):  # to its end, and all of it away
+                time.sleep(0.1)
 
     def test_bash(self) -> None:
         self.check("bash")
