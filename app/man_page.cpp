@@ -32,7 +32,7 @@ std::string as_roff(char c) {
   }
 }
 
-// As roff has it: no character is taken for a command, and a hyphen can be searched and copied.
+// Escaped for roff: no character is taken for a command, and a hyphen can be searched and copied.
 std::string roff(std::string_view text) {
   std::string result;
   bool begins_line = true;
