@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <set>
 #include <string>
 #include <string_view>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -17,8 +18,8 @@ namespace {
 
 constexpr int kMostLevels = 64;
 
-// An object that keeps its keys in order is searched from its beginning for every new key: about
-// 20 000 keys in one object, or as much in many, take a second.
+// An object that keeps its keys in order is searched from its beginning for a key: no object may
+// have more than about 20 000, nor all together as much to search.
 constexpr std::size_t kMostSearchSteps = 200'000'000;
 
 void refuse(SourceRange where, std::string message, std::string hint, Diagnostics& found) {
@@ -90,48 +91,153 @@ void refuse_syntax(std::string_view text,
   refuse(where, "this is not JSON from here on", "", found);
 }
 
-// Sees every key while the text is read.
-class KeyCheck {
+// Puts the value together as its parts are read, and stops to do so at the first thing that no
+// report has. Items wait until the end of their list or object is read: it is made in its size
+// then, where one that grew would copy all below it, for nlohmann's objects have constant keys.
+class JsonBuilder {
  public:
-  explicit KeyCheck(Diagnostics& found) : found_(found) {}
+  explicit JsonBuilder(Diagnostics& found) : found_(found) {}
 
-  // Answers whether the reader may keep the value.
-  bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
-    using Event = Json::parse_event_t;
-    if (found_.has_errors()) {
-      return false;
+  Json take_value() { return std::move(whole_); }
+
+  // What nlohmann's reader calls. Each answers that it shall read on: what is no JSON matters more.
+  bool null() { return put(Json()); }
+
+  bool boolean(bool value) { return put(value); }
+
+  bool number_integer(Json::number_integer_t value) { return put(value); }
+
+  bool number_unsigned(Json::number_unsigned_t value) { return put(value); }
+
+  bool number_float(Json::number_float_t value, const std::string& /*text*/) { return put(value); }
+
+  bool string(std::string& value) { return put(value); }
+
+  bool binary(Json::binary_t& value) { return put(Json::binary(value)); }
+
+  bool start_object(std::size_t /*size*/) { return open(true); }
+
+  bool start_array(std::size_t /*size*/) { return open(false); }
+
+  bool end_array() { return close(); }
+
+  bool end_object() { return close(); }
+
+  bool key(const std::string& key) {
+    if (!found_.has_errors()) {
+      see_key(key);
+      items_.emplace_back(key, Json());
     }
-    if (depth >= kMostLevels && (event == Event::object_start || event == Event::array_start)) {
-      refuse_thing(fmt::format("nesting deeper than {} levels", kMostLevels));
-    }
-    if (event == Event::object_start) {
-      keys_.emplace_back();
-    } else if (event == Event::object_end) {
-      keys_.pop_back();
-    } else if (event == Event::key) {
-      see_key(parsed.get<std::string>());
-    }
-    return !found_.has_errors();
+    return true;
+  }
+
+  template <typename Error>
+  [[noreturn]] bool parse_error(std::size_t /*byte*/,
+                                const std::string& /*token*/,
+                                const Error& error) {
+    throw error;
   }
 
  private:
+  using Item = std::pair<std::string, Json>;  // those of lists have no key
+
+  // A list or an object that was not read to its end.
+  struct Open {
+    std::size_t begin = 0;  // of its items among those that wait
+    bool is_object = false;
+    std::unordered_set<std::string> keys;  // only if they are many
+  };
+
+  bool put(Json value) {
+    if (found_.has_errors()) {
+      return true;
+    }
+    if (open_.empty()) {
+      whole_ = std::move(value);
+    } else if (open_.back().is_object) {
+      items_.back().second = std::move(value);
+    } else {
+      items_.emplace_back(std::string(), std::move(value));
+    }
+    return true;
+  }
+
+  bool open(bool is_object) {
+    if (open_.size() >= kMostLevels) {
+      refuse_thing(fmt::format("nesting deeper than {} levels", kMostLevels));
+    }
+    if (!found_.has_errors()) {
+      open_.push_back({.begin = items_.size(), .is_object = is_object, .keys = {}});
+    }
+    return true;
+  }
+
+  bool close() {
+    if (found_.has_errors()) {
+      return true;
+    }
+    const auto begin = items_.begin() + static_cast<std::ptrdiff_t>(open_.back().begin);
+    Json value = open_.back().is_object ? object_of(begin) : list_of(begin);
+    items_.erase(begin, items_.end());
+    open_.pop_back();
+    return put(std::move(value));
+  }
+
+  Json object_of(std::vector<Item>::iterator item) const {
+    Json::object_t object;
+    object.reserve(static_cast<std::size_t>(items_.end() - item));
+    for (; item != items_.end(); ++item) {
+      object.emplace_back(std::move(item->first), std::move(item->second));
+    }
+    return object;
+  }
+
+  Json list_of(std::vector<Item>::iterator item) const {
+    Json::array_t list;
+    list.reserve(static_cast<std::size_t>(items_.end() - item));
+    for (; item != items_.end(); ++item) {
+      list.push_back(std::move(item->second));
+    }
+    return list;
+  }
+
   void see_key(const std::string& key) {
-    if (!keys_.back().insert(key).second) {
+    if (!is_new(key)) {
       refuse_thing(
           fmt::format("the key '{}' is given twice in one object", printable(key.substr(0, 80))));
     }
-    search_steps_ += keys_.back().size();
+    search_steps_ += items_.size() - open_.back().begin + 1;
     if (search_steps_ > kMostSearchSteps) {
       refuse_thing("an object has too many keys");
     }
   }
 
+  // A few keys are faster searched than kept in a set.
+  bool is_new(const std::string& key) {
+    constexpr std::ptrdiff_t kFewKeys = 16;
+    const auto begin = items_.begin() + static_cast<std::ptrdiff_t>(open_.back().begin);
+    if (items_.end() - begin < kFewKeys) {
+      return std::find_if(begin, items_.end(), [&](const Item& one) { return one.first == key; }) ==
+             items_.end();
+    }
+    std::unordered_set<std::string>& keys = open_.back().keys;
+    if (keys.empty()) {
+      std::for_each(begin, items_.end(), [&](const Item& one) { keys.insert(one.first); });
+    }
+    return keys.insert(key).second;
+  }
+
+  // Of several things the first is told.
   void refuse_thing(std::string message) {
-    refuse({}, std::move(message), "a report of this program has no such thing", found_);
+    if (!found_.has_errors()) {
+      refuse({}, std::move(message), "a report of this program has no such thing", found_);
+    }
   }
 
   Diagnostics& found_;
-  std::vector<std::set<std::string>> keys_;
+  std::vector<Item> items_;
+  std::vector<Open> open_;
+  Json whole_;
   std::size_t search_steps_ = 0;
 };
 
@@ -139,12 +245,9 @@ class KeyCheck {
 
 std::optional<Json> read_json(const SourceFile& source, Diagnostics& found) {
   Diagnostics wrong;
-  KeyCheck check(wrong);
-  Json value;
+  JsonBuilder builder(wrong);
   try {
-    value = Json::parse(source.text, [&check](int depth, Json::parse_event_t event, Json& parsed) {
-      return check(depth, event, parsed);
-    });
+    Json::sax_parse(source.text, &builder);
   } catch (const Json::parse_error& error) {
     refuse_syntax(source.text, error.byte, error.what(), found);
     return {};
@@ -157,7 +260,7 @@ std::optional<Json> read_json(const SourceFile& source, Diagnostics& found) {
     refuse({}, first.message, first.hint, found);
     return {};
   }
-  return value;
+  return builder.take_value();
 }
 
 }  // namespace kinestat
