@@ -35,11 +35,11 @@ std::string_view first_keys(std::string_view place, std::size_t count) {
   return place.substr(0, end);
 }
 
-// Every place that a report has, with those above the values.
-std::unordered_set<std::string_view> places_of(const ReportValues& report) {
+// Every place above the values of a report.
+std::unordered_set<std::string_view> places_above(const ReportValues& report) {
   std::unordered_set<std::string_view> places;
   for (const KeptValue& value : report.items()) {
-    std::string_view place = value.place;
+    std::string_view place = value.parent;
     while (!place.empty() && places.insert(place).second) {
       place = place.substr(0, place.rfind('/'));
     }
@@ -55,7 +55,7 @@ class Largest {
     for (const KeptValue& value : report.items()) {
       if (value.type == ValueType::number) {
         const ValueUnit& unit = report.unit_of(value);
-        double& largest = kinds_at(value.place)[unit.kind];
+        double& largest = kinds_at(value)[unit.kind];
         largest =
             std::min(std::max(largest, std::abs(unit.scale.to_si(value.number))), kLargestFinite);
       }
@@ -63,44 +63,54 @@ class Largest {
   }
 
   // In the unit of the value.
-  double of(std::string_view place, const ValueUnit& unit) {
-    return std::min(unit.scale.from_si(kinds_at(place).at(unit.kind)), kLargestFinite);
+  double of(const KeptValue& value, const ValueUnit& unit) {
+    return std::min(unit.scale.from_si(kinds_at(value).at(unit.kind)), kLargestFinite);
   }
 
  private:
   using Kinds = std::map<std::string, double, std::less<>>;
 
-  Kinds& kinds_at(std::string_view place) {
-    const std::string_view keys = first_keys(place, 2);
-    if (last_ == nullptr || keys != last_keys_) {
-      const auto at = by_keys_.try_emplace(std::string(keys)).first;
-      last_keys_ = at->first;
-      last_ = &at->second;
+  Kinds& kinds_at(const KeptValue& value) {
+    if (last_ != nullptr && value.parent.data() == last_parent_) {
+      return *last_;
     }
+    const std::string place = value.place();
+    const std::string_view keys = first_keys(place, 2);
+    last_ = &by_keys_[std::string(keys)];
+    // Directly below the first key each value is named by its own key.
+    last_parent_ = keys.size() <= value.parent.size() ? value.parent.data() : nullptr;
     return *last_;
   }
 
   std::unordered_map<std::string, Kinds> by_keys_;
-  std::string_view last_keys_;
+  const char* last_parent_ = nullptr;
   Kinds* last_ = nullptr;
 };
 
-// Looks for one place after the other. Two reports mostly have theirs in one order: what follows
+// Looks for one value after the other. Two reports mostly have theirs in one order: what follows
 // the value that was found last is tried before all places are indexed.
 class Finder {
  public:
-  explicit Finder(const ReportValues& report) : report_(report), next_(report.items().begin()) {}
+  explicit Finder(const ReportValues& report) : report_(report) {}
 
-  const KeptValue* find(std::string_view place) {
-    if (next_ == report_.items().end() || next_->place != place) {
-      return report_.find(place);
-    }
-    return &*next_++;
+  // Which of the items stands where the value does in its report.
+  std::optional<std::size_t> find(const KeptValue& value) {
+    const auto position = is_next(value) ? next_ : report_.position_of(value.parent, value.key);
+    next_ = position ? *position + 1 : next_;
+    return position;
   }
 
  private:
+  bool is_next(const KeptValue& value) const {
+    if (next_ >= report_.items().size()) {
+      return false;
+    }
+    const KeptValue& next = report_.items()[next_];
+    return next.key == value.key && next.parent == value.parent;
+  }
+
   const ReportValues& report_;
-  std::deque<KeptValue>::const_iterator next_;
+  std::size_t next_ = 0;
 };
 
 class Comparer {
@@ -113,18 +123,19 @@ class Comparer {
 
   ReportComparison run() {
     Finder in_b(b_);
+    std::vector<bool> is_in_a(b_.items().size());
     for (const KeptValue& value : a_.items()) {
-      if (const KeptValue* other = in_b.find(value.place)) {
+      if (const auto other = in_b.find(value)) {
+        is_in_a[*other] = true;
         ++result_.value_count;
-        compare_values(value, *other);
+        compare_values(value, b_.items()[*other]);
       } else {
         add_missing(DifferenceType::only_in_a, value);
       }
     }
-    Finder in_a(a_);
-    for (const KeptValue& value : b_.items()) {
-      if (in_a.find(value.place) == nullptr) {
-        add_missing(DifferenceType::only_in_b, value);
+    for (std::size_t i = 0; i < is_in_a.size(); ++i) {
+      if (!is_in_a[i]) {
+        add_missing(DifferenceType::only_in_b, b_.items()[i]);
       }
     }
     for (const ToleranceRule& rule : tolerances_.rules) {
@@ -138,7 +149,7 @@ class Comparer {
  private:
   static bool is_met(const ReportValues& values, std::string_view pattern) {
     return std::ranges::any_of(
-        values.items(), [&](const KeptValue& value) { return is_within(value.place, pattern); });
+        values.items(), [&](const KeptValue& value) { return is_within(value.place(), pattern); });
   }
 
   void compare_values(const KeptValue& a, const KeptValue& b) {
@@ -147,7 +158,7 @@ class Comparer {
       compare_numbers(a, b);
     } else if (a.type != b.type || a.text != b.text) {
       const bool are_words = is_word(a) && is_word(b);
-      add(are_words ? DifferenceType::text : DifferenceType::no_value, a.place, &a, &b);
+      add(are_words ? DifferenceType::text : DifferenceType::no_value, a.place(), &a, &b);
     }
   }
 
@@ -155,7 +166,7 @@ class Comparer {
     const ValueUnit& unit = a_.unit_of(a);
     const ValueUnit& other = b_.unit_of(b);
     if (unit.dimension != other.dimension || unit.assumes != other.assumes) {
-      add(DifferenceType::unit, a.place, &a, &b).other_unit = other.text;
+      add(DifferenceType::unit, a.place(), &a, &b).other_unit = other.text;
       return;
     }
     KeptValue converted = b;
@@ -163,14 +174,15 @@ class Comparer {
       converted.number = std::clamp(
           unit.scale.from_si(other.scale.to_si(b.number)), -kLargestFinite, kLargestFinite);
     }
-    const NumberPair pair{.place = a.place,
+    place_.assign(a.parent).append("/").append(a.key);
+    const NumberPair pair{.place = place_,
                           .a = a.number,
                           .b = converted.number,
                           .unit = unit,
-                          .largest = largest_.of(a.place, unit)};
+                          .largest = largest_.of(a, unit)};
     const double allowed = allowed_difference(pair, tolerances_);
     if (!are_equal(pair, allowed)) {
-      Difference& difference = add(DifferenceType::number, a.place, &a, &converted);
+      Difference& difference = add(DifferenceType::number, a.place(), &a, &converted);
       difference.amount = std::min(std::abs(pair.a - pair.b), kLargestFinite);
       difference.allowed = std::min(allowed, kLargestFinite);
     }
@@ -201,22 +213,23 @@ class Comparer {
     const KeptValue* a = is_in_a ? &value : nullptr;
     const KeptValue* b = is_in_a ? nullptr : &value;
     const ReportValues& others = is_in_a ? b_ : a_;
-    auto& known = is_in_a ? places_of_b_ : places_of_a_;
+    auto& known = is_in_a ? places_above_b_ : places_above_a_;
     if (!known) {
-      known = places_of(others);
+      known = places_above(others);
     }
-    const auto& places = *known;
-    if (places.contains(value.place)) {  // one value here, several below it there
-      add(is_word(value) ? DifferenceType::text : DifferenceType::no_value, value.place, a, b);
+    const std::string whole = value.place();
+    if (known->contains(whole)) {  // one value here, several below it there
+      add(is_word(value) ? DifferenceType::text : DifferenceType::no_value, whole, a, b);
       return;
     }
     // What the other lacks as a whole is one difference, at least two keys below the top.
     std::size_t keys = 2;
-    while (places.contains(first_keys(value.place, keys))) {
+    while (known->contains(first_keys(whole, keys))) {
       ++keys;
     }
-    const std::string_view place = first_keys(value.place, keys);
-    if (others.find(place.substr(0, place.rfind('/'))) != nullptr) {
+    const std::string_view place = first_keys(whole, keys);
+    const std::string_view above = place.substr(0, place.rfind('/'));
+    if (others.find(place) != nullptr || others.find(above) != nullptr) {
       return;  // several values here, one there: said of the one
     }
     const auto [at, is_new] = missing_.emplace(place, result_.differences.size());
@@ -231,8 +244,9 @@ class Comparer {
   const ReportValues& b_;
   const Tolerances& tolerances_;
   // Needed only if the other report lacks a place.
-  std::optional<std::unordered_set<std::string_view>> places_of_a_;
-  std::optional<std::unordered_set<std::string_view>> places_of_b_;
+  std::optional<std::unordered_set<std::string_view>> places_above_a_;
+  std::optional<std::unordered_set<std::string_view>> places_above_b_;
+  std::string place_;  // of the numbers that are compared
   Largest largest_;
   std::unordered_map<std::string, std::size_t> missing_;  // place, index of its difference
   ReportComparison result_;

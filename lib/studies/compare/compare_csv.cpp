@@ -126,9 +126,8 @@ class TableReader {
     if (!add_value(row, place)) {
       return;
     }
-    const bool is_new = values_.add({.place = place_below(place, "status"),
-                                     .type = ValueType::text,
-                                     .text = cell(row, "status")});
+    const bool is_new =
+        values_.add(place_below(place, "status"), ValueType::text, cell(row, "status"));
     if (!is_new) {
       refuse_line(row.line,
                   fmt::format("there are two rows for {}", printable(place)),
@@ -173,7 +172,7 @@ class TableReader {
       return false;
     }
     if (text.empty()) {
-      values_.add({.place = place, .type = ValueType::null, .text = {}});
+      values_.add(place, ValueType::null);
       return true;
     }
     const std::optional<double> number = read_cell(text, row.line, found_);

@@ -1,12 +1,13 @@
 #include "studies/compare/compare_json.hpp"
 
 #include <algorithm>
-#include <array>
-#include <iterator>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
-#include <utility>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -21,56 +22,69 @@ namespace kinestat {
 
 namespace {
 
-std::string name_of(const Json& item) {
+std::string_view name_of(const Json& item) {
   if (item.is_string()) {
-    return item.get<std::string>();
+    return item.get_ref<const std::string&>();
   }
   const auto at = item.find("name");
-  return at != item.end() && at->is_string() ? at->get<std::string>() : "";
+  return at != item.end() && at->is_string() ? at->get_ref<const std::string&>()
+                                             : std::string_view();
 }
 
-// The keys of the items of a list: their names, or their numbers if some have none or the same, or
-// if their order means something.
-std::vector<std::string> keys_of_items(const Json& list, bool is_ordered) {
-  std::vector<std::string> keys;
-  std::set<std::string> names;
+// The names of the items of a list; empty if some have none or the same.
+std::vector<std::string_view> names_of_items(const Json& list) {
+  std::vector<std::string_view> names;
+  std::set<std::string_view> seen;
   for (const Json& item : list) {
-    keys.push_back(name_of(item));
-    names.insert(keys.back());
-  }
-  if (names.contains("") || names.size() < keys.size() || is_ordered) {
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      keys[i] = std::to_string(i);
+    const std::string_view name = name_of(item);
+    if (name.empty() || !seen.insert(name).second) {
+      return {};
     }
+    names.push_back(name);
   }
-  return keys;
+  return names;
 }
 
 // A value on the way through a report, with what the record of reports says of it.
 struct Visited {
-  std::string place;
   const Json& value;
   const Shape* shape = nullptr;     // null of what this program does not know
-  bool is_ordered = false;          // of a list of names
   const Json* object = nullptr;     // whose key it is
   const Json* reference = nullptr;  // the unit for one of which rates and actions are
-  std::vector<std::string> labels;  // names of the elements on the way, and numbers of items
+  bool is_ordered = false;          // of a list of names
 
-  Visited below(std::string_view key, const Json& item, const Shape* of_item) const {
-    return {.place = place_below(place, key),
-            .value = item,
-            .shape = of_item,
-            .is_ordered = false,
-            .object = &value,
-            .reference = reference,
-            .labels = labels};
+  Visited below(const Json& item, const Shape* of_item) const {
+    return {.value = item, .shape = of_item, .object = &value, .reference = reference};
+  }
+};
+
+// Where a walk through a report has come to.
+class ReportPath {
+ public:
+  const std::string& place() const { return place_; }
+
+  const Labels& labels() const { return labels_; }
+
+  // Goes below a key for the time of a visit.
+  template <typename Visit>
+  void below(std::string_view key, Visit visit) {
+    const std::size_t size = place_.size();
+    append_key(place_, key);
+    visit();
+    place_.resize(size);
   }
 
-  Visited element(const std::string& name, const Json& item, const Shape* of_item) const {
-    Visited result = below(name, item, of_item);
-    result.labels.push_back(name);
-    return result;
+  // Likewise below that of an element or an item.
+  template <typename Visit>
+  void element(std::string_view name, Visit visit) {
+    labels_.push_back(name);
+    below(name, visit);
+    labels_.pop_back();
   }
+
+ private:
+  std::string place_;
+  Labels labels_;
 };
 
 class Collector {
@@ -80,27 +94,36 @@ class Collector {
   // Adds a value and all that it contains.
   void add(const Visited& at) {
     if (at.value.is_number()) {
-      values_.append_number(at.place, at.value.get<double>(), unit_of(at));
+      values_.append_number(path_.place(), at.value.get<double>(), number_of(unit_of(at)));
     } else if (at.value.is_structured() && at.value.empty()) {
-      values_.append({.place = at.place, .type = ValueType::empty, .text = {}});
+      values_.append(path_.place(), ValueType::empty);
     } else if (at.value.is_object()) {
       add_object(at);
     } else if (at.value.is_array()) {
       add_list(at);
     } else {
-      add_word(at);
+      add_word(at.value);
     }
   }
 
  private:
-  ValueUnit unit_of(const Visited& at) const {
+  const ValueUnit& unit_of(const Visited& at) const {
     if (at.shape != nullptr && at.object != nullptr &&
         at.shape->measure == Measure(ByContext::beside)) {
       return units_.beside(*at.object);
     }
     return at.shape != nullptr && at.reference != nullptr && is_magnitude(at.shape->measure)
-               ? units_.per(*at.reference, *at.shape, at.labels)
-               : units_.unit_of(at.shape, at.labels);
+               ? units_.per(*at.reference, *at.shape, path_.labels())
+               : units_.unit_of(at.shape, path_.labels());
+  }
+
+  // Among the units of the values.
+  std::uint32_t number_of(const ValueUnit& unit) {
+    const auto [at, is_new] = numbers_of_units_.try_emplace(&unit);
+    if (is_new) {
+      at->second = values_.index_of(unit);
+    }
+    return at->second;
   }
 
   static bool is_magnitude(const Measure& measure) {
@@ -122,24 +145,23 @@ class Collector {
     const bool has_keys = at.shape != nullptr && at.shape->record != nullptr;
     Visited inside = at;
     inside.reference = has_keys ? reference_in(at) : at.reference;
-    for (const auto& [key, item] : at.value.items()) {
+    for (const auto& [key, item] : at.value.get_ref<const Json::object_t&>()) {
       if (!has_keys) {
-        add(inside.element(key, item, item_shape(at.shape)));
+        path_.element(key, [&] { add(inside.below(item, item_shape(at.shape))); });
         continue;
       }
       const Property* property = find_property(*at.shape->record, key);
-      if (property == nullptr) {
-        add(inside.below(key, item, nullptr));
-      } else if (property->is_compared) {
-        add_property(inside, *property, item);
+      if (property == nullptr || property->is_compared) {
+        path_.below(key, [&] { add_property(inside, property, item); });
       }
     }
   }
 
-  void add_property(const Visited& at, const Property& property, const Json& item) {
-    Visited next = at.below(property.key, item, &property.shape);
-    next.is_ordered = property.is_ordered;
-    if (property.shape.form == Shape::Form::list && is_of_cells(property.shape.items.front())) {
+  // Null of one that this program does not know.
+  void add_property(const Visited& at, const Property* property, const Json& item) {
+    Visited next = at.below(item, property == nullptr ? nullptr : &property->shape);
+    next.is_ordered = property != nullptr && property->is_ordered;
+    if (item.is_array() && !item.empty() && is_of_rows(next.shape)) {
       add_rows(at.value, next);
     } else {
       add(next);
@@ -147,88 +169,81 @@ class Collector {
   }
 
   void add_list(const Visited& at) {
-    const std::vector<std::string> keys = keys_of_items(at.value, at.is_ordered);
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      const bool is_tuple = at.shape != nullptr && at.shape->form == Shape::Form::tuple;
+    const bool is_tuple = at.shape != nullptr && at.shape->form == Shape::Form::tuple;
+    const std::vector<std::string_view> names =
+        at.is_ordered ? std::vector<std::string_view>() : names_of_items(at.value);
+    for (std::size_t i = 0; i < at.value.size(); ++i) {
       const Shape* item = !is_tuple                    ? item_shape(at.shape)
                           : i < at.shape->items.size() ? &at.shape->items[i]
                                                        : nullptr;
-      add(at.element(keys[i], at.value[i], item));
+      const std::string number = std::to_string(i);
+      path_.element(names.empty() ? number : names[i], [&] { add(at.below(at.value[i], item)); });
     }
   }
 
   // A row has cells by the names of the columns of its motion.
   void add_rows(const Json& motion, const Visited& rows) {
-    if (rows.value.empty()) {
-      add(rows);
-    }
     const std::vector<Column> columns = columns_of(motion, rows);
     for (std::size_t r = 0; r < rows.value.size(); ++r) {
       const Json& row = rows.value[r];
+      const std::string number = std::to_string(r);
       if (columns.empty() || !row.is_array() || row.size() != columns.size()) {
-        add(rows.element(std::to_string(r), row, item_shape(rows.shape)));
+        path_.element(number, [&] { add(rows.below(row, item_shape(rows.shape))); });
       } else {
-        add_cells(rows.place + "/" + std::to_string(r), columns, rows, row);
+        path_.below(number, [&] { add_cells(columns, rows, row); });
       }
     }
   }
 
   // Of millions of cells the numbers differ alone: all else is found once a column.
   struct Column {
-    std::string key;  // below the place of a row, with its "/"
-    ValueUnit unit;
+    std::string_view name;
+    std::uint32_t unit = 0;   // among those of the values
     bool is_compared = true;  // of two with one name, the first
   };
 
-  std::vector<Column> columns_of(const Json& motion, const Visited& rows) const {
+  std::vector<Column> columns_of(const Json& motion, const Visited& rows) {
     std::vector<Column> columns;
     const auto named = motion.find("columns");
     if (named == motion.end() || !named->is_array()) {
       return columns;
     }
     const Shape* cell = item_shape(item_shape(rows.shape));
-    std::set<std::string> names = {std::string(kClosureErrorColumn)};
+    std::set<std::string_view> names = {kClosureErrorColumn};
     for (const Json& one : *named) {
-      const std::string name = name_of(one);
-      std::vector<std::string> labels = rows.labels;
-      labels.insert(labels.end(), {std::string(), name});
-      columns.push_back({.key = place_below("", name),
-                         .unit = units_.unit_of(cell, labels),
+      const std::string_view name = name_of(one);
+      Labels labels = path_.labels();
+      labels.insert(labels.end(), {std::string_view(), name});
+      columns.push_back({.name = name,
+                         .unit = number_of(units_.unit_of(cell, labels)),
                          .is_compared = names.insert(name).second});
     }
     return columns;
   }
 
-  void add_cells(const std::string& place,
-                 const std::vector<Column>& columns,
-                 const Visited& rows,
-                 const Json& row) {
-    std::string at;
+  void add_cells(const std::vector<Column>& columns, const Visited& rows, const Json& row) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       if (!columns[c].is_compared) {
         continue;
       }
-      at.assign(place).append(columns[c].key);
-      if (row[c].is_number()) {
-        values_.append_number(at, row[c].get<double>(), columns[c].unit);
-      } else {
-        add({.place = at,
-             .value = row[c],
-             .shape = item_shape(item_shape(rows.shape)),
-             .is_ordered = false,
-             .object = &row,
-             .labels = rows.labels});
-      }
+      path_.below(columns[c].name, [&] {
+        if (row[c].is_number()) {
+          values_.append_number(path_.place(), row[c].get<double>(), columns[c].unit);
+        } else {
+          add({.value = row[c], .shape = item_shape(item_shape(rows.shape)), .object = &row});
+        }
+      });
     }
   }
 
-  void add_word(const Visited& at) {
-    const Json& value = at.value;
-    values_.append({.place = at.place,
-                    .type = value.is_null() ? ValueType::null : ValueType::text,
-                    .text = value.is_string()    ? value.get<std::string>()
-                            : value.is_boolean() ? (value.get<bool>() ? "true" : "false")
-                                                 : ""});
+  void add_word(const Json& value) {
+    if (value.is_null()) {
+      values_.append(path_.place(), ValueType::null);
+    } else if (value.is_boolean()) {
+      values_.append(path_.place(), ValueType::text, value.get<bool>() ? "true" : "false");
+    } else {
+      values_.append(path_.place(), ValueType::text, value.get_ref<const std::string&>());
+    }
   }
 
   // Of every element of a map or a list; a number by name is like the number alone.
@@ -239,7 +254,11 @@ class Collector {
     return &shape->items.front();
   }
 
-  static bool is_of_cells(const Shape& row) {
+  static bool is_of_rows(const Shape* shape) {
+    if (shape == nullptr || shape->form != Shape::Form::list) {
+      return false;
+    }
+    const Shape& row = shape->items.front();
     return !row.items.empty() && row.items.front().form == Shape::Form::cell;
   }
 
@@ -250,6 +269,8 @@ class Collector {
 
   const ReportUnits& units_;
   ReportValues& values_;
+  ReportPath path_;
+  std::unordered_map<const ValueUnit*, std::uint32_t> numbers_of_units_;
 };
 
 // How often each code occurs.
@@ -265,7 +286,7 @@ void add_codes(const Json& report, ReportValues& values) {
     }
   }
   for (const auto& [code, count] : counts) {
-    values.append_number(place_below("/diagnostics", code), count, count_unit());
+    values.append_number(place_below("/diagnostics", code), count, values.index_of(count_unit()));
   }
 }
 
@@ -311,7 +332,7 @@ std::optional<ReportValues> read_json_report(const SourceFile& source, Diagnosti
   }
   ReportValues values(ReportForm::json);
   const Shape whole = object_shape(record_of(*report), false);
-  Collector(*units, values).add({.place = "", .value = *report, .shape = &whole, .labels = {}});
+  Collector(*units, values).add({.value = *report, .shape = &whole});
   add_codes(*report, values);
   return values;
 }

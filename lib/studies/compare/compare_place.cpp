@@ -17,15 +17,24 @@ std::string_view take_key(std::string_view& place) {
 }  // namespace
 
 std::string place_below(const std::string& place, std::string_view key) {
-  std::string result = place + "/";
+  std::string result = place;
+  append_key(result, key);
+  return result;
+}
+
+void append_key(std::string& place, std::string_view key) {
+  place += '/';
+  if (key.find_first_of("~/") == std::string_view::npos) {
+    place += key;
+    return;
+  }
   for (const char c : key) {
     if (c == '~' || c == '/') {
-      result += c == '~' ? "~0" : "~1";
+      place += c == '~' ? "~0" : "~1";
     } else {
-      result += c;
+      place += c;
     }
   }
-  return result;
 }
 
 std::vector<std::string_view> keys_of(std::string_view place) {

@@ -10,6 +10,9 @@ namespace kinestat {
 /// The place of a key below another place, escaped by RFC 6901: '~' as "~0", '/' as "~1".
 std::string place_below(const std::string& place, std::string_view key);
 
+/// Goes from a place to that below it.
+void append_key(std::string& place, std::string_view key);
+
 /// The keys on the way to a place, as they are escaped in it.
 std::vector<std::string_view> keys_of(std::string_view place);
 

@@ -84,8 +84,8 @@ class SweepReader {
         return;
       }
     }
-    const bool is_new = values_.add(
-        {.place = place_below(*place, kStatus), .type = ValueType::text, .text = row.cells.back()});
+    const bool is_new =
+        values_.add(place_below(*place, kStatus), ValueType::text, row.cells.back());
     if (!is_new) {
       refuse_line(row.line,
                   fmt::format("there are two rows for {}", printable(*place)),
@@ -138,7 +138,7 @@ class SweepReader {
   // False if an error was added. A place that is taken shows when the status is added.
   bool add_value(const CsvRow& row, const std::string& place, std::size_t column) {
     if (row.cells[column].empty()) {
-      values_.add({.place = place, .type = ValueType::null, .text = {}});
+      values_.add(place, ValueType::null);
       return true;
     }
     const auto number = read_cell(row.cells[column], row.line, found_);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -43,6 +44,50 @@ char letter_of(std::string_view name) {
   return dot == std::string_view::npos || dot + 1 == name.size() ? '\0' : name[dot + 1];
 }
 
+// The unit that a text is, or another where it is none.
+ValueUnit unit_or(std::string_view text, const ValueUnit& other) {
+  auto unit = read_unit(text);
+  auto* known = std::get_if<ValueUnit>(&unit);
+  return known != nullptr ? std::move(*known) : other;
+}
+
+const ValueUnit& bare_unit_of(Bare measure) {
+  static const auto units = [] {
+    std::map<Bare, ValueUnit> result = {{Bare::count, count_unit()}};
+    for (const Bare one : {Bare::number, Bare::ratio, Bare::efficiency, Bare::direction}) {
+      result.emplace(one, bare_unit(std::string(word_of(one))));
+    }
+    return result;
+  }();
+  return units.at(measure);
+}
+
+// Of a magnitude per parameter.
+ValueUnit unit_of_coefficient(const ValueUnit& magnitude, const ValueUnit& parameter) {
+  ValueUnit unit = magnitude;
+  if (parameter.text.empty() || !parameter.assumes.empty()) {
+    unit.assumes += parameter.assumes;
+    return unit;
+  }
+  unit.text = fmt::format("{}/({})", magnitude.text, parameter.text);
+  unit.scale = magnitude.scale / parameter.scale;
+  unit.dimension = magnitude.dimension / parameter.dimension;
+  return unit;
+}
+
+// What is made of two units, once.
+template <typename Quotients, typename Make>
+const ValueUnit& quotient(Quotients& known,
+                          const ValueUnit& above,
+                          const ValueUnit& below,
+                          Make make) {
+  const auto [at, is_new] = known.try_emplace({&above, &below});
+  if (is_new) {
+    at->second = make(above, below);
+  }
+  return at->second;
+}
+
 }  // namespace
 
 std::optional<ReportUnits> ReportUnits::read(const Json& report, std::string& problem) {
@@ -74,6 +119,11 @@ std::optional<std::string> ReportUnits::read_file_units(const Json& report) {
       return fmt::format("/mechanism/units/{}: {}", key_of(kind), printable(error->message));
     }
   }
+  for (const QuantityKind kind : all_quantity_kinds()) {
+    kinds_[static_cast<std::size_t>(kind)] = std::get<ValueUnit>(read_unit(units_.text(kind)));
+    unknown_.assumes += fmt::format("{} ", units_.factor(kind));
+  }
+  per_length_ = unit_or(fmt::format("1/({})", units_.text(QuantityKind::length)), unknown_);
   return {};
 }
 
@@ -105,14 +155,17 @@ void ReportUnits::read_couplings(const Json& report) {
       ++i;
     }
   }
+  const bool are_alike = std::ranges::all_of(actuators_, [this](const auto& one) {
+    return one.second != '?' && one.second == actuators_.begin()->second;
+  });
+  ratio_ = are_alike ? bare_unit_of(Bare::ratio) : unknown_;
+  ratio_.kind = "ratio";
 }
 
 // One that is no unit is not reported.
 void ReportUnits::read_ratios(const Json& report) {
   const auto read = [this](const Json& text) {
-    const auto unit = read_unit(text.is_string() ? text.get<std::string>() : "");
-    const auto* known = std::get_if<ValueUnit>(&unit);
-    ValueUnit result = known != nullptr ? *known : unknown();
+    ValueUnit result = unit_or(text.is_string() ? text.get<std::string>() : "", unknown_);
     result.kind = "ratio";
     return result;
   };
@@ -161,27 +214,29 @@ void ReportUnits::read_synthesis(const Json& report) {
   }
 }
 
-ValueUnit ReportUnits::beside(const Json& object) const {
+const ValueUnit& ReportUnits::beside(const Json& object) const {
   return named(member(object, "unit"));
 }
 
-ValueUnit ReportUnits::named(const Json& text) const {
-  const auto unit = read_unit(text.is_string() ? text.get<std::string>() : "?");
-  const auto* known = std::get_if<ValueUnit>(&unit);
-  return known != nullptr ? *known : unknown();
+const ValueUnit& ReportUnits::named(const Json& text) const {
+  static const std::string nothing = "?";
+  const std::string& name = text.is_string() ? text.get_ref<const std::string&>() : nothing;
+  const auto at = named_.find(name);
+  return at != named_.end() ? at->second
+                            : named_.emplace(name, unit_or(name, unknown_)).first->second;
 }
 
-ValueUnit ReportUnits::unit_of(const Shape* shape, const std::vector<std::string>& labels) const {
+const ValueUnit& ReportUnits::unit_of(const Shape* shape, const Labels& labels) const {
   if (shape == nullptr) {
-    return unknown();
+    return unknown_;
   }
   if (const auto* kind = std::get_if<QuantityKind>(&shape->measure)) {
     return of(*kind);
   }
   if (const auto* bare = std::get_if<Bare>(&shape->measure)) {
-    return *bare == Bare::count ? count_unit() : bare_unit(std::string(word_of(*bare)));
+    return bare_unit_of(*bare);
   }
-  const std::string label = labels.empty() ? "" : labels.back();
+  const std::string_view label = labels.empty() ? std::string_view() : labels.back();
   switch (std::get<ByContext>(shape->measure)) {
     case ByContext::rate:
       return rate(label);
@@ -192,7 +247,7 @@ ValueUnit ReportUnits::unit_of(const Shape* shape, const std::vector<std::string
     case ByContext::action_ratio:
       return ratio(action_ratios_, labels);
     case ByContext::coefficient:
-      return labels.size() < 2 ? unknown() : coefficient(labels[labels.size() - 2], label);
+      return labels.size() < 2 ? unknown_ : coefficient(labels[labels.size() - 2], label);
     case ByContext::drive:
       return drive(label);
     case ByContext::column:
@@ -200,71 +255,53 @@ ValueUnit ReportUnits::unit_of(const Shape* shape, const std::vector<std::string
     case ByContext::coordinate:
       return coordinate(labels);
     case ByContext::per_length:
-      return per_length();
+      return per_length_;
     case ByContext::beside:
     case ByContext::relative:
-      return unknown();
+      return unknown_;
   }
-  return unknown();
+  return unknown_;
 }
 
-ValueUnit ReportUnits::of(QuantityKind kind) const {
-  return std::get<ValueUnit>(read_unit(units_.text(kind)));
-}
-
-ValueUnit ReportUnits::unknown() const {
-  ValueUnit unit;
-  for (const QuantityKind kind : all_quantity_kinds()) {
-    unit.assumes += fmt::format("{} ", units_.factor(kind));
-  }
-  return unit;
-}
-
-ValueUnit ReportUnits::rate(std::string_view freedom) const {
+const ValueUnit& ReportUnits::rate(std::string_view freedom) const {
   switch (letter_of(freedom)) {
     case 'w':
       return of(QuantityKind::angular_velocity);
     case 'v':
       return of(QuantityKind::velocity);
     default:
-      return unknown();
+      return unknown_;
   }
 }
 
 // The reaction of a coupling, "a.Rx", "a.Tz" or "rope_1.F", or an actuator.
-ValueUnit ReportUnits::action(std::string_view name) const {
+const ValueUnit& ReportUnits::action(std::string_view name) const {
   const auto actuator = actuators_.find(name);
   const char kind = actuator == actuators_.end() ? letter_of(name) : actuator->second;
   if (kind == 'T' || kind == 'w') {
     return of(QuantityKind::moment);
   }
   const bool is_force = kind == 'R' || kind == 'F' || kind == 'v';
-  return is_force ? of(QuantityKind::force) : unknown();
+  return is_force ? of(QuantityKind::force) : unknown_;
 }
 
 // Its case names the unit where input and output differ, or the shift table, there by output if it
 // has several. Where neither does, the ratio of two alike is bare; which two it is of, the report
 // does not say.
-ValueUnit ReportUnits::ratio(const RatioUnits& units,
-                             const std::vector<std::string>& labels) const {
-  if (const auto at = units.of_cases.find(labels.empty() ? "" : labels.back());
+const ValueUnit& ReportUnits::ratio(const RatioUnits& units, const Labels& labels) const {
+  if (const auto at = units.of_cases.find(labels.empty() ? std::string_view() : labels.back());
       labels.size() < 2 && at != units.of_cases.end()) {
     return at->second;
   }
-  if (const auto at = units.of_outputs.find(labels.size() < 2 ? "" : labels.back());
+  if (const auto at = units.of_outputs.find(labels.size() < 2 ? std::string_view() : labels.back());
       at != units.of_outputs.end()) {
     return at->second;
   }
-  const bool are_alike = std::ranges::all_of(actuators_, [this](const auto& one) {
-    return one.second != '?' && one.second == actuators_.begin()->second;
-  });
-  ValueUnit unit = are_alike ? bare_unit("ratio") : unknown();
-  unit.kind = "ratio";
-  return unit;
+  return ratio_;
 }
 
 // By its name, or by its number in the order of the file.
-ValueUnit ReportUnits::drive(std::string_view label) const {
+const ValueUnit& ReportUnits::drive(std::string_view label) const {
   auto at = std::ranges::find(drives_, label, [](const auto& one) { return one.first; });
   std::ptrdiff_t i = 0;
   if (at == drives_.end() &&
@@ -272,40 +309,34 @@ ValueUnit ReportUnits::drive(std::string_view label) const {
       i < std::ssize(drives_)) {
     at = drives_.begin() + i;
   }
-  return at == drives_.end() ? unknown() : at->second;
+  return at == drives_.end() ? unknown_ : at->second;
 }
 
-ValueUnit ReportUnits::column(std::string_view name) const {
+const ValueUnit& ReportUnits::column(std::string_view name) const {
   const auto at = columns_.find(name);
-  return at == columns_.end() ? unknown() : at->second;
+  return at == columns_.end() ? unknown_ : at->second;
 }
 
-ValueUnit ReportUnits::parameter(std::string_view name) const {
+const ValueUnit& ReportUnits::parameter(std::string_view name) const {
   const auto at = parameters_.find(name);
-  return at == parameters_.end() ? unknown() : at->second;
+  return at == parameters_.end() ? unknown_ : at->second;
 }
 
-ValueUnit ReportUnits::magnitude(std::string_view name) const {
+const ValueUnit& ReportUnits::magnitude(std::string_view name) const {
   const bool is_rate = letter_of(name) == 'w' || letter_of(name) == 'v';
   return is_rate ? rate(name) : action(name);
 }
 
-ValueUnit ReportUnits::per(const Json& reference,
-                           const Shape& shape,
-                           const std::vector<std::string>& labels) const {
-  return unit_per(unit_of(&shape, labels), named(reference));
-}
-
-ValueUnit ReportUnits::per_length() const {
-  const auto unit = read_unit(fmt::format("1/({})", units_.text(QuantityKind::length)));
-  const auto* known = std::get_if<ValueUnit>(&unit);
-  return known != nullptr ? *known : unknown();
+const ValueUnit& ReportUnits::per(const Json& reference,
+                                  const Shape& shape,
+                                  const Labels& labels) const {
+  return quotient(references_, unit_of(&shape, labels), named(reference), unit_per);
 }
 
 // By the numbers of task, linkage and drive.
-ValueUnit ReportUnits::coordinate(const std::vector<std::string>& labels) const {
+const ValueUnit& ReportUnits::coordinate(const Labels& labels) const {
   if (labels.size() < 3) {
-    return unknown();
+    return unknown_;
   }
   const bool slides =
       sliding_drives_.contains(fmt::format("{}/{}/{}", labels[0], labels[1], labels[2]));
@@ -313,18 +344,9 @@ ValueUnit ReportUnits::coordinate(const std::vector<std::string>& labels) const 
 }
 
 // Of a magnitude per parameter; "1" is the constant.
-ValueUnit ReportUnits::coefficient(std::string_view magnitude, std::string_view name) const {
-  ValueUnit unit = this->magnitude(magnitude);
-  const ValueUnit per = name == "1" ? ValueUnit{} : parameter(name);
-  if (per.text.empty() || !per.assumes.empty()) {
-    unit.assumes += per.assumes;
-    return unit;
-  }
-  return {.kind = std::move(unit.kind),
-          .text = fmt::format("{}/({})", unit.text, per.text),
-          .scale = unit.scale / per.scale,
-          .dimension = unit.dimension / per.dimension,
-          .assumes = std::move(unit.assumes)};
+const ValueUnit& ReportUnits::coefficient(std::string_view magnitude, std::string_view name) const {
+  const ValueUnit& above = this->magnitude(magnitude);
+  return name == "1" ? above : quotient(coefficients_, above, parameter(name), unit_of_coefficient);
 }
 
 }  // namespace kinestat

@@ -1,6 +1,7 @@
 #include "studies/compare/compare_values.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace kinestat {
@@ -40,6 +41,23 @@ std::string kind_of(const Dimension& dimension) {
     }
   }
   return "number";
+}
+
+struct SplitPlace {
+  std::string_view parent;
+  std::string_view key;
+};
+
+SplitPlace split(std::string_view place) {
+  const std::size_t slash = place.rfind('/');
+  return slash == std::string_view::npos
+             ? SplitPlace{.parent = {}, .key = place}
+             : SplitPlace{.parent = place.substr(0, slash), .key = place.substr(slash + 1)};
+}
+
+std::size_t hash_of(std::string_view parent, std::string_view key) {
+  const std::hash<std::string_view> hash;
+  return 31 * hash(parent) + hash(key);
 }
 
 }  // namespace
@@ -94,27 +112,38 @@ std::variant<ValueUnit, ExpressionError> read_unit(std::string_view text) {
                    .assumes = {}};
 }
 
+std::string KeptValue::place() const {
+  std::string result;
+  result.reserve(parent.size() + 1 + key.size());
+  return result.append(parent).append("/").append(key);
+}
+
 ReportValue KeptValue::value() const {
-  return {.place = std::string(place),
-          .type = type,
-          .number = number,
-          .unit = unit,
-          .text = std::string(text)};
+  return {
+      .place = place(), .type = type, .number = number, .unit = unit, .text = std::string(text)};
 }
 
 const KeptValue* ReportValues::find(std::string_view place) const {
-  for (; indexed_count_ < items_.size(); ++indexed_count_) {
-    index_.emplace(items_[indexed_count_].place, indexed_count_);
-  }
-  const auto at = index_.find(place);
-  return at == index_.end() ? nullptr : &items_[at->second];
+  const auto [parent, key] = split(place);
+  const auto position = position_of(parent, key);
+  return position ? &items_[*position] : nullptr;
 }
 
-bool ReportValues::add(const ReportValue& value) {
-  if (find(value.place) != nullptr) {
+std::optional<std::size_t> ReportValues::position_of(std::string_view parent,
+                                                     std::string_view key) const {
+  for (std::size_t i = index_.count(); i < items_.size(); ++i) {
+    index_.add(hash_of(items_[i].parent, items_[i].key), static_cast<std::uint32_t>(i));
+  }
+  return index_.find(hash_of(parent, key), [&](std::uint32_t item) {
+    return items_[item].key == key && items_[item].parent == parent;
+  });
+}
+
+bool ReportValues::add(std::string_view place, ValueType type, std::string_view text) {
+  if (find(place) != nullptr) {
     return false;
   }
-  append(value);
+  append(place, type, text);
   return true;
 }
 
@@ -122,30 +151,30 @@ bool ReportValues::add_number(std::string_view place, double number, const Value
   if (find(place) != nullptr) {
     return false;
   }
-  append_number(place, number, unit);
+  append_number(place, number, index_of(unit));
   return true;
 }
 
-void ReportValues::append(const ReportValue& value) {
-  keep(value.place,
-       {.place = {},
-        .text = kept(value.text),
-        .number = value.number,
-        .unit = static_cast<std::uint32_t>(value.unit),
-        .type = value.type});
+void ReportValues::append(std::string_view place, ValueType type, std::string_view text) {
+  KeptValue value;
+  value.text = kept(text);
+  value.type = type;
+  keep(place, value);
 }
 
-void ReportValues::append_number(std::string_view place, double number, const ValueUnit& unit) {
-  keep(place,
-       {.place = {},
-        .text = {},
-        .number = number,
-        .unit = index_of(unit),
-        .type = ValueType::number});
+void ReportValues::append_number(std::string_view place, double number, std::uint32_t unit) {
+  KeptValue value;
+  value.number = number;
+  value.unit = unit;
+  value.type = ValueType::number;
+  keep(place, value);
 }
 
 void ReportValues::keep(std::string_view place, KeptValue value) {
-  value.place = kept(place);
+  const auto [parent, key] = split(place);
+  const bool has_neighbour = !items_.empty() && items_.back().parent == parent;
+  value.parent = has_neighbour ? items_.back().parent : kept(parent);
+  value.key = kept(key);
   items_.push_back(value);
 }
 

@@ -4,12 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "expression/units.hpp"
+#include "studies/compare/place_index.hpp"
 
 namespace kinestat {
 
@@ -63,17 +64,20 @@ enum class ReportForm { json, csv };
 
 /// A value as a report keeps it: what it says stands in the report, and lives as long.
 struct KeptValue {
-  std::string_view place;
+  std::string_view parent;  ///< the place of what it is in
+  std::string_view key;     ///< below it, escaped as in places
   std::string_view text;
   double number = 0.0;
   std::uint32_t unit = 0;
   ValueType type = ValueType::null;
 
+  std::string place() const;
   ReportValue value() const;
 };
 
 /// The values in the order of the report; no two have one place. Large reports have millions: a
-/// value costs its place and little more, and places are indexed only where one is looked for.
+/// value costs its key and little more, neighbours share the place above them, and places are
+/// indexed only where one is looked for.
 class ReportValues {
  public:
   explicit ReportValues(ReportForm form) : form_(form) {}
@@ -93,25 +97,29 @@ class ReportValues {
   /// The value at a place, or null.
   const KeptValue* find(std::string_view place) const;
 
+  /// Which of the items has a place.
+  std::optional<std::size_t> position_of(std::string_view parent, std::string_view key) const;
+
   /// Adds a value; false if there is one at this place, and then adds nothing.
-  bool add(const ReportValue& value);
+  bool add(std::string_view place, ValueType type, std::string_view text = {});
   bool add_number(std::string_view place, double number, const ValueUnit& unit);
 
   /// The same of values whose places are known to differ.
-  void append(const ReportValue& value);
-  void append_number(std::string_view place, double number, const ValueUnit& unit);
+  void append(std::string_view place, ValueType type, std::string_view text = {});
+  void append_number(std::string_view place, double number, std::uint32_t unit);
+
+  /// The number of a unit in this report.
+  std::uint32_t index_of(const ValueUnit& unit);
 
  private:
   void keep(std::string_view place, KeptValue value);
   std::string_view kept(std::string_view text);
-  std::uint32_t index_of(const ValueUnit& unit);
 
   ReportForm form_;
   std::deque<KeptValue> items_;
   std::deque<std::string> blocks_;  // of places and texts; a block never grows beyond its capacity
   std::vector<ValueUnit> units_;
-  mutable std::unordered_map<std::string_view, std::size_t> index_;
-  mutable std::size_t indexed_count_ = 0;  // of the items, from the first on
+  mutable PlaceIndex index_;  // of the items, from the first on
 };
 
 }  // namespace kinestat

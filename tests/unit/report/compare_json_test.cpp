@@ -49,9 +49,9 @@ TEST(JsonReport, LeavesOutWhatDiffersBetweenTwoRuns) {
                              "power": {"balance_residual": 1e-17}}})"));
 
   ASSERT_EQ(values.items().size(), 3U);
-  EXPECT_EQ(values.items()[0].place, "/mechanism/name");
-  EXPECT_EQ(values.items()[1].place, "/mechanism/space");
-  EXPECT_EQ(values.items()[2].place, "/mechanism/parameters");
+  EXPECT_EQ(values.items()[0].place(), "/mechanism/name");
+  EXPECT_EQ(values.items()[1].place(), "/mechanism/space");
+  EXPECT_EQ(values.items()[2].place(), "/mechanism/parameters");
 }
 
 TEST(JsonReport, KeepsACaseThatIsCalledEvidence) {
