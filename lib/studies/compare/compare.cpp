@@ -38,8 +38,12 @@ std::string_view first_keys(std::string_view place, std::size_t count) {
 // Every place above the values of a report.
 std::unordered_set<std::string_view> places_above(const ReportValues& report) {
   std::unordered_set<std::string_view> places;
+  const char* last = nullptr;
   for (const KeptValue& value : report.items()) {
     std::string_view place = value.parent;
+    if (std::exchange(last, place.data()) == place.data()) {
+      continue;  // neighbours share it
+    }
     while (!place.empty() && places.insert(place).second) {
       place = place.substr(0, place.rfind('/'));
     }

@@ -69,6 +69,23 @@ TEST(JsonReport, PutsNamedThingsUnderTheirNames) {
   EXPECT_NE(values.find("/graph/tree/a"), nullptr);
 }
 
+TEST(JsonReport, KeepsThePlaceAboveOnceForNeighbours) {
+  const ReportValues values =
+      json_values(json_report(R"(, "graph": {"couplings": [{"name": "b", "at": [1, 2, 0]}]})"));
+
+  const char* above = values.find("/graph/couplings/b/at/0")->parent.data();
+
+  EXPECT_EQ(values.find("/graph/couplings/b/at/1")->parent.data(), above);
+  EXPECT_EQ(values.find("/graph/couplings/b/at/2")->parent.data(), above);
+}
+
+TEST(JsonReport, TakesRowsThatAreNoListForAValue) {
+  const ReportValues values = json_values(json_report(R"(, "motion": {"columns": [], "rows": 5})"));
+
+  ASSERT_NE(values.find("/motion/rows"), nullptr);
+  EXPECT_EQ(values.find("/motion/rows")->number, 5.0);
+}
+
 TEST(JsonReport, KeepsTheOrderOfTailAndHead) {
   const ReportValues values = json_values(
       json_report(R"(, "graph": {"couplings": [{"name": "b", "bodies": ["f", "c"]}]})"));
