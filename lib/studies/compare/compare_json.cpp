@@ -13,10 +13,12 @@
 
 #include "core/utf8.hpp"
 #include "core/version.hpp"
+#include "record/shapes.hpp"
 #include "studies/compare/compare_json_text.hpp"
 #include "studies/compare/compare_place.hpp"
 #include "studies/compare/compare_units.hpp"
 #include "studies/compare/report_kinds.hpp"
+#include "studies/motion/report/motion_table.hpp"
 
 namespace kinestat {
 
