@@ -68,7 +68,7 @@ constinit const CouplingKind kCable = {
     .type = CouplingType::cable,
     .word = "cable",
     .meaning =
-        "a straight segment of a rope: 5 freedoms (2 in the plane); tension is positive; needs "
+        "a straight segment of a cable: 5 freedoms (2 in the plane); tension is positive; needs "
         "from, to",
     .example = "{type: cable, bodies: [frame, load], from: [0, 5], to: [0, 1]}",
     .others = kNamesOfCable,

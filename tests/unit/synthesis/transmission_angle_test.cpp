@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSlack = 0x1p-40;
 
-// Driven at a crank of length 1, with a coupler of length 3; its frame at the crank pin.
+// One dyad is a crank of length 1; the moving frame is at its pin, along the coupler.
 Linkage four_bar(double ground, double coupler, double rocker) {
   return {
       .one = {.circle_point = {0.0, 0.0}, .centre_point = {0.0, 0.0}, .length = 1.0},
