@@ -18,6 +18,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+int sign_of(double value) {
+  return value > 0.0 ? 1 : (value < 0.0 ? -1 : 0);
+}
+
 double wrapped(double angle) {
   return std::remainder(angle, 2.0 * std::numbers::pi);
 }
@@ -37,45 +41,92 @@ double reached_angle(double below_one, double above_minus_one) {
              : std::numeric_limits<double>::quiet_NaN();
 }
 
+BoundedNumber operator-(const BoundedNumber& a) {
+  return {.value = -a.value, .bound = a.bound};
+}
+
 // A sum of lengths that are rounded themselves.
-double length_sum(std::initializer_list<double> terms) {
+double length_sum(std::initializer_list<BoundedNumber> terms) {
   double sum = 0.0;
-  double size = 0.0;
-  for (const double term : terms) {
-    sum += term;
-    size += std::abs(term);
+  double bound = 0.0;
+  for (const BoundedNumber& term : terms) {
+    sum += term.value;
+    bound += term.bound + kDataRounding * std::abs(term.value);
   }
-  return settled(sum, kDataRounding * size);
+  return settled(sum, bound);
 }
 
 // a² - b².
-double difference_of_squares(std::initializer_list<double> a_minus_b,
-                             std::initializer_list<double> a_plus_b) {
+double difference_of_squares(std::initializer_list<BoundedNumber> a_minus_b,
+                             std::initializer_list<BoundedNumber> a_plus_b) {
   return length_sum(a_minus_b) * length_sum(a_plus_b);
 }
 
-// Normal of the path of a slider, or of the line of an inverted one in its own frame.
-Point normal_of(const Dyad& dyad) {
-  return left_of(dyad.direction);
+// With what its positions leave open, and as rounded as coordinates of its size.
+BoundedPoint rounded_point(const Point& value, const Point& bound) {
+  return BoundedPoint::within(value, bound + BoundedPoint::written(value).bound());
 }
 
-// The force of the output on the coupler, where it acts and its direction.
-struct Force {
-  Point at;
-  Point direction;
+BoundedPoint circle_point_of(const Dyad& dyad) {
+  return rounded_point(dyad.circle_point, dyad.circle_bound);
+}
+
+BoundedPoint centre_point_of(const Dyad& dyad) {
+  return rounded_point(dyad.centre_point, dyad.centre_bound);
+}
+
+BoundedPoint direction_of(const Dyad& dyad) {
+  return rounded_point(dyad.direction, dyad.direction_bound);
+}
+
+// Normal of the path of a slider, or of the line of an inverted one in its own frame.
+BoundedPoint normal_of(const Dyad& dyad) {
+  const BoundedPoint along = direction_of(dyad);
+  return {.x = -along.y, .y = along.x};
+}
+
+BoundedNumber distance(const BoundedPoint& a, const BoundedPoint& b) {
+  const BoundedPoint between = b - a;
+  return {.value = std::abs(between.value()), .bound = std::abs(between.bound())};
+}
+
+// It is the distance of its centre from a place that is the origin of the plane and an arm in it,
+// all of which round by their own distance from the origins.
+BoundedNumber length_of(const Dyad& crank) {
+  const double far = std::abs(crank.centre_point) + std::abs(crank.circle_point) + crank.length;
+  return {.value = crank.length,
+          .bound = std::abs(centre_point_of(crank).bound()) +
+                   std::abs(circle_point_of(crank).bound()) + kDataRounding * far};
+}
+
+// The force of the output on the coupler, and from where it acts to the input's circle point; or
+// the normal of the line of an inverted input.
+struct Lever {
+  BoundedPoint arm;
+  BoundedPoint force;
 };
 
-Force force_of(const Dyad& output, const Pose& pose) {
-  const Point place = pose.place(output.circle_point);
+// Between two points of the plane first, which no place of the plane rounds.
+Lever lever_of(const Dyad& input, const Dyad& output, const Pose& pose) {
+  const BoundedPoint turn = bounded_unit_vector(pose.angle);
+  const bool slides = input.kind == DyadKind::inverted_slider;
+  const BoundedPoint from = circle_point_of(output);
+  Lever lever{.arm = turn * (slides ? normal_of(input) : circle_point_of(input) - from),
+              .force = normal_of(output)};
   switch (output.kind) {
     case DyadKind::crank:
-      return {.at = place, .direction = output.centre_point - place};
+      lever.force = centre_point_of(output) - pose.bounded_place(from);
+      break;
     case DyadKind::slider:
-      return {.at = place, .direction = normal_of(output)};
+      break;
     case DyadKind::inverted_slider:
-      return {.at = output.centre_point, .direction = unit_vector(pose.angle) * normal_of(output)};
+      lever.force = turn * lever.force;
+      if (!slides) {
+        lever.arm = pose.bounded_place(circle_point_of(input)) - centre_point_of(output);
+      }
+      break;
   }
-  return {};
+  return lever;
 }
 
 }  // namespace
@@ -97,98 +148,110 @@ DriveCurve::DriveCurve(const Linkage& linkage, Drive drive)
 
 // A = A0 + r e^{i(zero + x)}.
 void DriveCurve::set_crank_input() {
-  const double r = input_.length;
+  const BoundedNumber r = length_of(input_);
   argument_ = Argument::cosine;
   if (output_.kind == DyadKind::slider) {
     // n . (A - p) = h cos μ.
-    const Point normal = normal_of(output_);
-    zero_ = std::arg(normal);
-    set_cosine(dot(normal, input_.centre_point - output_.centre_point),
-               r,
-               std::abs(output_.circle_point - input_.circle_point));
+    const BoundedPoint normal = normal_of(output_);
+    zero_ = std::arg(normal.value());
+    set_cosine(dot(normal, centre_point_of(input_) - centre_point_of(output_)), r, coupler());
     return;
   }
   // ρ² = g² + r² - 2 g r cos x is the square of the distance from A to the output's centre.
   const Point ground = output_.centre_point - input_.centre_point;
-  const double g = std::abs(ground);
-  zero_ = g > 0.0 ? std::arg(ground) : 0.0;
+  const BoundedNumber g = distance(centre_point_of(input_), centre_point_of(output_));
+  zero_ = g.value > 0.0 ? std::arg(ground) : 0.0;
   if (output_.kind == DyadKind::crank) {
     // ρ² = h² + k² - 2 h k cos μ.
-    const double h = std::abs(output_.circle_point - input_.circle_point);
-    const double k = output_.length;
-    below_one_ = difference_of_squares({g, -r, -h, k}, {g, -r, h, -k}) / (2.0 * h * k);
-    above_minus_one_ = difference_of_squares({h, k, -g, -r}, {h, k, g, r}) / (2.0 * h * k);
-    factor_ = g * r / (h * k);
+    const BoundedNumber h = coupler();
+    const BoundedNumber k = length_of(output_);
+    const double product = h.value * k.value;
+    below_one_ = difference_of_squares({g, -r, -h, k}, {g, -r, h, -k}) / (2.0 * product);
+    above_minus_one_ = difference_of_squares({h, k, -g, -r}, {h, k, g, r}) / (2.0 * product);
+    factor_ = g.value * r.value / product;
     return;
   }
-  set_over_root();
-  excess_ = difference_of_squares({g, -r, -over_root_}, {g, -r, over_root_});
-  factor_ = -2.0 * g * r;
+  const BoundedNumber away = set_over_root();
+  excess_ = difference_of_squares({g, -r, -away}, {g, -r, away});
+  factor_ = -2.0 * g.value * r.value;
 }
 
 // A = foot + x * direction.
 void DriveCurve::set_slider_input() {
-  const Point along = input_.direction;
-  const double h = std::abs(output_.circle_point - input_.circle_point);
+  const BoundedPoint along = direction_of(input_);
+  const BoundedNumber h = coupler();
   if (output_.kind == DyadKind::slider) {
-    const Point normal = normal_of(output_);
-    const double e = dot(normal, input_.centre_point - output_.centre_point);
+    const BoundedPoint normal = normal_of(output_);
+    const BoundedNumber e = dot(normal, centre_point_of(input_) - centre_point_of(output_));
     argument_ = Argument::linear;
-    below_one_ = length_sum({h, -e}) / h;
-    above_minus_one_ = length_sum({h, e}) / h;
-    factor_ = dot(normal, along) / h;
+    below_one_ = length_sum({h, -e}) / h.value;
+    above_minus_one_ = length_sum({h, e}) / h.value;
+    factor_ = dot(normal, along).zeroed() / h.value;
     return;
   }
   // ρ² = away² + x².
   argument_ = Argument::square;
-  zero_ = dot(output_.centre_point - input_.centre_point, along);
-  const double away = cross(along, output_.centre_point - input_.centre_point);
+  const BoundedPoint ground = centre_point_of(output_) - centre_point_of(input_);
+  zero_ = dot(ground.value(), input_.direction);
+  const BoundedNumber away = cross(along, ground);
   if (output_.kind == DyadKind::crank) {
-    const double k = output_.length;
-    below_one_ = difference_of_squares({away, -h, k}, {away, h, -k}) / (2.0 * h * k);
-    above_minus_one_ = difference_of_squares({h, k, -away}, {h, k, away}) / (2.0 * h * k);
-    factor_ = -0.5 / (h * k);
+    const BoundedNumber k = length_of(output_);
+    const double product = h.value * k.value;
+    below_one_ = difference_of_squares({away, -h, k}, {away, h, -k}) / (2.0 * product);
+    above_minus_one_ = difference_of_squares({h, k, -away}, {h, k, away}) / (2.0 * product);
+    factor_ = -0.5 / product;
     return;
   }
-  set_over_root();
-  excess_ = difference_of_squares({away, -over_root_}, {away, over_root_});
+  const BoundedNumber offset = set_over_root();
+  excess_ = difference_of_squares({away, -offset}, {away, offset});
   factor_ = 1.0;
 }
 
 // The angle of the plane is zero + x; N is the normal of the input's line.
 void DriveCurve::set_inverted_input() {
-  const Point normal = normal_of(input_);
+  const BoundedPoint normal = normal_of(input_);
   if (output_.kind == DyadKind::inverted_slider) {
     argument_ = Argument::none;
-    below_one_ = 0.5 * std::norm(normal_of(output_) - normal);
-    above_minus_one_ = 0.5 * std::norm(normal_of(output_) + normal);
+    below_one_ = 0.5 * std::norm((normal_of(output_) - normal).zeroed());
+    above_minus_one_ = 0.5 * std::norm((normal_of(output_) + normal).zeroed());
     return;
   }
   argument_ = Argument::cosine;
   if (output_.kind == DyadKind::slider) {
-    zero_ = std::arg(normal_of(output_)) - std::arg(normal);
+    zero_ = std::arg(normal_of(output_).value()) - std::arg(normal.value());
     factor_ = 1.0;
     is_open_ended_ = true;
     return;
   }
   // N . (B0 - B) = r2 cos μ, where N . (B - w) is constant.
   const Point arm = output_.centre_point - input_.centre_point;
-  zero_ = (std::abs(arm) > 0.0 ? std::arg(arm) : 0.0) - std::arg(normal);
-  set_cosine(
-      -dot(normal, output_.circle_point - input_.circle_point), std::abs(arm), output_.length);
+  zero_ = (std::abs(arm) > 0.0 ? std::arg(arm) : 0.0) - std::arg(normal.value());
+  set_cosine(-dot(normal, circle_point_of(output_) - circle_point_of(input_)),
+             distance(centre_point_of(input_), centre_point_of(output_)),
+             length_of(output_));
 }
 
 // cos μ = (constant + arm cos x) / length.
-void DriveCurve::set_cosine(double constant, double arm, double length) {
-  below_one_ = length_sum({length, -constant, -arm}) / length;
-  above_minus_one_ = length_sum({length, constant, -arm}) / length;
-  factor_ = arm / length;
+void DriveCurve::set_cosine(const BoundedNumber& constant,
+                            const BoundedNumber& arm,
+                            const BoundedNumber& length) {
+  const BoundedNumber offset = {.value = constant.zeroed(), .bound = constant.bound};
+  below_one_ = length_sum({length, -offset, -arm}) / length.value;
+  above_minus_one_ = length_sum({length, offset, -arm}) / length.value;
+  factor_ = arm.value / length.value;
 }
 
 // ρ cos μ is how far the line is from the input's circle point.
-void DriveCurve::set_over_root() {
+BoundedNumber DriveCurve::set_over_root() {
   is_over_root_ = true;
-  over_root_ = dot(normal_of(output_), input_.circle_point - output_.circle_point);
+  const BoundedNumber away =
+      dot(normal_of(output_), circle_point_of(input_) - circle_point_of(output_));
+  over_root_ = away.value;
+  return away;
+}
+
+BoundedNumber DriveCurve::coupler() const {
+  return distance(circle_point_of(input_), circle_point_of(output_));
 }
 
 double DriveCurve::coordinate_of(const Pose& pose) const {
@@ -204,25 +267,28 @@ double DriveCurve::coordinate_of(const Pose& pose) const {
 }
 
 int DriveCurve::sense_of(const PositionJets& position) const {
+  const double turn = position.angle[1];
+  if (input_.kind == DyadKind::inverted_slider) {
+    return sign_of(turn);
+  }
   const std::vector<Point> place = point_jets(position, input_.circle_point);
   const Point arm = place[0] - input_.centre_point;
   const Point along =
       input_.kind == DyadKind::crank ? left_of(arm) / std::abs(arm) : input_.direction;
-  const bool turns = input_.kind == DyadKind::inverted_slider;
-  const double rate = turns ? position.angle[1] : dot(along, place[1]);
-  const double size = turns ? std::abs(rate) : std::abs(place[1]);
-  return !(std::abs(rate) > kCancellation * size) ? 0 : (rate > 0.0 ? 1 : -1);
+  // Where the circle point is the pole, what is left of both terms is their rounding.
+  const double bound =
+      kDataRounding * (std::abs(origin(position, 1)) + std::abs(turn * input_.circle_point)) +
+      std::abs(turn) * std::abs(circle_point_of(input_).bound());
+  const double rate = dot(along, place[1]);
+  return sign_of(settled(rate, bound + kCancellation * std::abs(place[1])));
 }
 
 int DriveCurve::side_of(const Pose& pose) const {
-  const Force force = force_of(output_, pose);
-  if (input_.kind == DyadKind::inverted_slider && output_.kind == DyadKind::inverted_slider) {
+  if (argument_ == Argument::none) {
     return 0;
   }
-  const double work = input_.kind == DyadKind::inverted_slider
-                          ? dot(force.direction, unit_vector(pose.angle) * input_.direction)
-                          : cross(force.at - pose.place(input_.circle_point), force.direction);
-  return work > 0.0 ? 1 : (work < 0.0 ? -1 : 0);
+  const Lever lever = lever_of(input_, output_, pose);
+  return -sign_of(cross(lever.arm, lever.force).zeroed());
 }
 
 DriveCurve::Offset DriveCurve::offset_of(double x) const {
@@ -261,14 +327,9 @@ double DriveCurve::transmission(double x) const {
 }
 
 double DriveCurve::transmission_of(const Pose& pose) const {
-  const Force force = force_of(output_, pose);
-  const Point turn = unit_vector(pose.angle);
-  const Point arm = input_.kind == DyadKind::inverted_slider
-                        ? turn * normal_of(input_)
-                        : pose.place(input_.circle_point) - force.at;
-  const double size = std::abs(arm) * std::abs(force.direction);
-  const double across = settled(cross(arm, force.direction), kDataRounding * size);
-  return std::atan2(std::abs(across), dot(arm, force.direction));
+  const Lever lever = lever_of(input_, output_, pose);
+  const double across = cross(lever.arm, lever.force).zeroed();
+  return std::atan2(std::abs(across), dot(lever.arm.value(), lever.force.value()));
 }
 
 double DriveCurve::reserve(double x) const {
@@ -358,7 +419,7 @@ Point DriveCurve::input_place(double x) const {
 double DriveCurve::plane_angle(const Point& input_place, int side) const {
   const Point arm = output_.circle_point - input_.circle_point;
   if (output_.kind == DyadKind::slider) {
-    const Point normal = normal_of(output_);
+    const Point normal = left_of(output_.direction);
     const double away = dot(normal, input_place - output_.centre_point);
     const double h = std::abs(arm);
     return std::arg(normal) - side * reached_angle(h + away, h - away) - std::arg(arm);
@@ -373,14 +434,14 @@ double DriveCurve::plane_angle(const Point& input_place, int side) const {
     return std::arg(to_centre) - side * angle - std::arg(arm);
   }
   return std::arg(to_centre) + side * reached_angle(rho + over_root_, rho - over_root_) -
-         std::arg(normal_of(output_));
+         std::arg(left_of(output_.direction));
 }
 
 Pose DriveCurve::pose_of_inverted_input(double x, int side) const {
   Pose pose{.origin = {}, .angle = zero_ + x};
-  const Point normal = unit_vector(pose.angle) * normal_of(input_);
   const Point along = unit_vector(pose.angle) * input_.direction;
-  const double offset = dot(normal_of(input_), output_.circle_point - input_.circle_point);
+  const Point normal = left_of(along);
+  const double offset = dot(left_of(input_.direction), output_.circle_point - input_.circle_point);
   if (output_.kind == DyadKind::crank) {
     const Offset at = offset_of(x);
     const Point arm = unit_vector(side * reached_angle(below_one(at), above_minus_one(at)));
@@ -391,9 +452,9 @@ Pose DriveCurve::pose_of_inverted_input(double x, int side) const {
   }
   // The line along which the output's circle point is led, cut with what the output asks for.
   const Point place = input_.centre_point + offset * normal;
-  const Point other_normal = output_.kind == DyadKind::slider
-                                 ? normal_of(output_)
-                                 : unit_vector(pose.angle) * normal_of(output_);
+  const Point line = left_of(output_.direction);
+  const Point other_normal =
+      output_.kind == DyadKind::slider ? line : unit_vector(pose.angle) * line;
   const double slide = dot(other_normal, output_.centre_point - place) / dot(other_normal, along);
   pose.origin = place + slide * along - unit_vector(pose.angle) * output_.circle_point;
   return pose;

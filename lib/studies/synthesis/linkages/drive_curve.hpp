@@ -29,8 +29,8 @@ class DriveCurve {
   /// grows with the parameter, -1 where it falls, 0 in a dead point. The order is 2 at least.
   int sense_of(const PositionJets& position) const;
 
-  /// 1 or -1: on which side of the dead points the pose is; 0 in one, and where there are none.
-  /// Of a four-bar the sign of (B - A) x (B0 - B).
+  /// 1 or -1: on which side of the dead points the pose is; 0 in one, as far as the rounding of
+  /// pose and dyads tells, and where there are none. Of a four-bar the sign of (B - A) x (B0 - B).
   int side_of(const Pose& pose) const;
 
   /// μ at x [rad]; that of the dead point where the input cannot go.
@@ -74,8 +74,11 @@ class DriveCurve {
   void set_crank_input();
   void set_slider_input();
   void set_inverted_input();
-  void set_cosine(double constant, double arm, double length);
-  void set_over_root();
+  void set_cosine(const BoundedNumber& constant,
+                  const BoundedNumber& arm,
+                  const BoundedNumber& length);
+  BoundedNumber set_over_root();
+  BoundedNumber coupler() const;
   Offset offset_of(double x) const;
   double below_one(const Offset& at) const;
   double above_minus_one(const Offset& at) const;
