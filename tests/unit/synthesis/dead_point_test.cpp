@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "studies/synthesis/linkages/drive_curve.hpp"
+#include "studies/synthesis/linkages/verdict.hpp"
 #include "support/angles.hpp"
 
 namespace kinestat {
@@ -20,6 +20,10 @@ std::vector<double> directions() {
     result.push_back(0.12 * i - 3.0);
   }
   return result;
+}
+
+PositionJets position_of(const Pose& pose) {
+  return finite_position(pose.origin, pose.angle);
 }
 
 struct InDeadPoint {
@@ -77,6 +81,64 @@ INSTANTIATE_TEST_SUITE_P(Linkages,
                          DeadPoint,
                          testing::Values(&stretched, &stretched_to_slider, &across_guide));
 
+// The crank leads the rocker from a dead point to either side of it.
+TEST(BranchOfADeadPoint, IsThatOfItsNeighbours) {
+  for (const Point& at : kPlaces) {
+    for (const double angle : directions()) {
+      SCOPED_TRACE(testing::Message() << at << " direction " << angle);
+      const auto [linkage, pose] = stretched(at, angle);
+      const DriveCurve crank(linkage, Drive::one);
+      const double x = crank.coordinate_of(pose);
+      const int side = crank.side_of(pose);
+      const PositionJets dead = position_of(pose);
+      const PositionJets before = position_of(*crank.pose_at(x - 0.3, side));
+      const PositionJets after = position_of(*crank.pose_at(x + 0.3, side));
+      const auto verdict_of = [&](const std::vector<PositionJets>& positions) {
+        return find_verdict(linkage, Drive::other, positions);
+      };
+
+      for (const PositionJets& other : {before, after}) {
+        for (const DriveVerdict& verdict : {verdict_of({dead, other}), verdict_of({other, dead})}) {
+          EXPECT_TRUE(verdict.same_circuit);
+          EXPECT_TRUE(verdict.same_branch);
+          EXPECT_NE(verdict.passage, Passage::none);
+        }
+      }
+      EXPECT_FALSE(verdict_of({before, dead, after}).same_branch);
+    }
+  }
+}
+
+// In a parallelogram all links are in line at x = 0 and π, where its halves and sides meet.
+TEST(BranchOfAChangePoint, IsThatOfItsNeighbours) {
+  for (const Point& at : kPlaces) {
+    for (const double angle : directions()) {
+      const Linkage linkage{.one = {.circle_point = {0.0, 0.0}, .centre_point = at, .length = 1.0},
+                            .other = {.circle_point = {2.0, 0.0},
+                                      .centre_point = at + 2.0 * unit_vector(angle),
+                                      .length = 1.0}};
+      for (const std::vector<double>& way :
+           {std::vector{0.0, 1.0, 2.0}, {-2.0, -1.0, 0.0}, {1.0, 2.0, kPi}, {-kPi, -2.0, -1.0}}) {
+        SCOPED_TRACE(testing::Message() << at << " direction " << angle << " from " << way[0]);
+        std::vector<PositionJets> positions;
+        for (const double x : way) {
+          positions.push_back(position_of({.origin = at + unit_vector(angle + x), .angle = angle}));
+        }
+
+        const DriveVerdict verdict = find_verdict(linkage, Drive::one, positions);
+
+        EXPECT_FALSE(verdict.turns_fully);
+        EXPECT_TRUE(verdict.same_circuit);
+        EXPECT_TRUE(verdict.same_branch);
+        EXPECT_EQ(verdict.passage, Passage::increasing);
+        EXPECT_NEAR(verdict.arc, way.back() - way.front(), 1e-7);
+        EXPECT_EQ(verdict.full.least, 0.0);
+        EXPECT_EQ(verdict.full.most, kPi);
+      }
+    }
+  }
+}
+
 // The circle point of the driven dyad is the pole.
 TEST(SenseInADeadPoint, IsNone) {
   const Point circle_point(1.1, 0.7);
@@ -99,6 +161,30 @@ TEST(SenseInADeadPoint, IsNone) {
         const Dyad crank{.centre_point = at, .length = std::abs(arm)};
 
         EXPECT_EQ(DriveCurve({.one = crank, .other = driven}, Drive::other).sense_of(position), 0);
+      }
+    }
+  }
+}
+
+// Through a crank across the path of its slider, to either side, it transmits the same.
+TEST(EqualWays, LeaveTheShorterOne) {
+  for (const Point& at : kPlaces) {
+    for (const double angle : directions()) {
+      const Point path = unit_vector(angle);
+      const Linkage linkage{.one = {.circle_point = {0.0, 0.0}, .centre_point = at, .length = 1.0},
+                            .other = {.kind = DyadKind::slider,
+                                      .circle_point = {2.5, 0.0},
+                                      .centre_point = at + 3.1 * path,
+                                      .direction = path}};
+      const DriveCurve curve(linkage, Drive::one);
+      for (const double x : {0.9, 2.1}) {
+        SCOPED_TRACE(testing::Message() << at << " direction " << angle << " from " << x);
+        const std::vector<PositionJets> positions = {position_of(*curve.pose_at(-x, 1)),
+                                                     position_of(*curve.pose_at(x, 1))};
+
+        const DriveVerdict verdict = find_verdict(linkage, Drive::one, positions);
+
+        EXPECT_NEAR(verdict.arc, x < 0.5 * kPi ? 2.0 * x : 2.0 * x - 2.0 * kPi, 1e-7);
       }
     }
   }

@@ -9,6 +9,7 @@
 
 #include "core/contract.hpp"
 #include "core/synthesis_tolerance.hpp"
+#include "core/tolerance.hpp"
 
 namespace kinestat {
 
@@ -18,7 +19,8 @@ namespace {
 // where everything meets; a dead point, where it turns back; infinity.
 enum class End { free, change_point, dead_point, infinity };
 
-// Which of the four kinds of poses are connected: side 1 or -1, x above or below zero.
+// Which of the four kinds of poses are connected: side 1 or -1, x above or below zero. A change
+// point at zero has the sign of its half.
 class Connections {
  public:
   int operator()(int side, double x) const { return label_[index(side, x)]; }
@@ -44,7 +46,7 @@ class Connections {
 
  private:
   static std::size_t index(int side, double x) {
-    return (x < 0.0 ? 2U : 0U) + (side < 0 ? 1U : 0U);
+    return (std::signbit(x) ? 2U : 0U) + (side < 0 ? 1U : 0U);
   }
 
   void join(std::size_t a, std::size_t b) {
@@ -71,11 +73,14 @@ class Judge {
   DriveVerdict run() {
     for (const PositionJets& position : positions_) {
       const Pose pose = pose_of(position);
-      const double x = curve_.coordinate_of(pose);
-      verdict_.coordinates.push_back(x);
+      verdict_.coordinates.push_back(curve_.coordinate_of(pose));
       verdict_.transmission.push_back(curve_.transmission_of(pose));
-      verdict_.circuits.push_back(circuits_(curve_.side_of(pose), x));
-      verdict_.branches.push_back(branches_(curve_.side_of(pose), x));
+      sides_.push_back(curve_.side_of(pose));
+    }
+    place_dead_points();
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      verdict_.circuits.push_back(circuits_(sides_[i], verdict_.coordinates[i]));
+      verdict_.branches.push_back(branches_(sides_[i], verdict_.coordinates[i]));
     }
     verdict_.same_circuit = is_equal(verdict_.circuits);
     verdict_.same_branch = is_equal(verdict_.branches);
@@ -122,6 +127,30 @@ class Judge {
     }
   }
 
+  // A position in a dead point ends the branches on both sides, one in a change point also those of
+  // both halves: it counts to that of the position before it, or behind it where there is none.
+  void place_dead_points() {
+    const auto first = std::ranges::find_if(sides_, [](int side) { return side != 0; });
+    if (first == sides_.end()) {
+      return;
+    }
+    auto neighbour = static_cast<std::size_t>(first - sides_.begin());
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      if (sides_[i] == 0) {
+        sides_[i] = sides_[neighbour];
+        double& x = verdict_.coordinates[i];
+        if (nearer_end(x) == End::change_point) {
+          x = std::copysign(x, verdict_.coordinates[neighbour]);
+        }
+      }
+      neighbour = std::max(neighbour, i);
+    }
+  }
+
+  End nearer_end(double x) const {
+    return std::abs(x) - range_.low < range_.high - std::abs(x) ? zero_end_ : far_end_;
+  }
+
   // |cos μ| below one, one, or beyond reach.
   End end_at(double x) const {
     const double reserve = curve_.reserve(x);
@@ -133,7 +162,8 @@ class Judge {
 
   // The coordinate without the jump: on a branch that does not contain x = 0 angles run from 0.
   double unrolled(double x) const {
-    return curve_.is_cyclic() && bounds(zero_end_) && x < 0.0 ? x + 2.0 * std::numbers::pi : x;
+    return curve_.is_cyclic() && bounds(zero_end_) && std::signbit(x) ? x + 2.0 * std::numbers::pi
+                                                                      : x;
   }
 
   // Whether the derivatives that have a sense ask for no other one.
@@ -162,12 +192,13 @@ class Judge {
     }
   }
 
-  // Of two ways, which only two positions leave open, the one that transmits better; of equal ones
-  // the shorter.
+  // Of two ways, which only two positions leave open, the one that transmits better; of those that
+  // are equal but for rounding, the shorter.
   bool is_better_way(double arc, double other) const {
     const double margin = range_of_arc(arc).margin();
     const double other_margin = range_of_arc(other).margin();
-    return margin != other_margin ? margin > other_margin : std::abs(arc) < std::abs(other);
+    return std::abs(margin - other_margin) > kSameValue ? margin > other_margin
+                                                        : std::abs(arc) < std::abs(other);
   }
 
   // How far the input turns from the first position to the last in one sense.
@@ -229,6 +260,7 @@ class Judge {
   End far_end_ = End::free;
   Connections circuits_;
   Connections branches_;
+  std::vector<int> sides_;
   DriveVerdict verdict_;
 };
 

@@ -31,7 +31,8 @@ enum class Passage {
 std::string_view word_of(Passage passage);
 
 /// (pt: defeitos de circuito, ramo e ordem) A linkage is assembled in one circuit and cannot leave
-/// it; a circuit has branches that dead points of the input separate.
+/// it; a circuit has branches that dead points of the input separate. A position in a dead point
+/// ends more than one of them: it counts to that of the position before it, or behind it.
 struct DriveVerdict {
   Drive drive = Drive::one;
   std::vector<double> coordinates;   ///< of the positions, see DriveCurve::coordinate_of
