@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing; does nothing when all are there.
-# Usage: scripts/setup.sh [build|test|sanitize|bench|lint|browser|viewers]...   (default: build test)
+# Usage: scripts/setup.sh [build|test|sanitize|bench|lint|browser|viewers|manual]...   (default: build test)
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config libeigen3-dev libyaml-cpp-dev libcli11-dev
@@ -12,6 +12,7 @@ bench=("${build[@]}" liblapack-dev libblas-dev libsuitesparse-dev)
 lint=(clang-format clang-tidy)
 browser=(chromium chromium-driver)
 viewers=(graphviz gnuplot-nox groff-base zsh fish)
+manual=(python3 python3-yaml python3-sphinx python3-myst-parser furo)
 
 stop() {
   local status=$1
@@ -31,7 +32,8 @@ for part in "$@"; do
     lint) wanted+=("${lint[@]}") ;;
     browser) wanted+=("${browser[@]}") ;;
     viewers) wanted+=("${viewers[@]}") ;;
-    *) stop 2 "unknown part '$part'; parts are build, test, sanitize, bench, lint, browser, viewers" ;;
+    manual) wanted+=("${manual[@]}") ;;
+    *) stop 2 "unknown part '$part'; parts are build, test, sanitize, bench, lint, browser, viewers, manual" ;;
   esac
 done
 
