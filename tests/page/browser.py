@@ -137,8 +137,8 @@ class Browser:
             ],
         )
 
-    def open(self, path: Path) -> None:
-        self._send("POST", "/url", {"url": path.as_uri()})
+    def open(self, path: Path, query: str = "") -> None:
+        self._send("POST", "/url", {"url": path.as_uri() + query})
 
     def ask(self, script: str, *arguments: object) -> object:
         """What the body of a function answers."""
