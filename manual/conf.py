@@ -18,7 +18,8 @@ html_show_search_summary = False
 html_math_renderer = "mathml"
 
 html_theme = "furo"
-html_static_path = ["static"]
+# A font that knows where the signs of formulas stand, which few systems have.
+html_static_path = ["static", "/usr/share/fonts/opentype/stix-word/STIXMath-Regular.otf"]
 html_css_files = ["manual.css"]
 html_copy_source = False
 html_use_index = False
