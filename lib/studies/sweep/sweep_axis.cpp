@@ -97,6 +97,16 @@ void SweepAxis::read_list(const std::vector<Value>& values,
   size_ = values.size();
 }
 
+void SweepAxis::run_through(std::vector<double> counts) {
+  size_ = counts.size();
+  counts_ = std::move(counts);
+  values_.clear();
+  values_.reserve(counts_.size());
+  for (const double count : counts_) {
+    values_.push_back(count * above_ / below_);
+  }
+}
+
 void SweepAxis::read_range(const VariedParameter& varied, const BasicParameterTable<Exact>& exact) {
   const Exact from = evaluated(*varied.from, exact).value;
   const Exact to = evaluated(*varied.to, exact).value;

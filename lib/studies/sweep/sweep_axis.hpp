@@ -23,6 +23,9 @@ class SweepAxis {
             const VariedParameter& varied,
             const BasicParameterTable<Exact>& exact);
 
+  /// From now on it runs through these values, counted in its unit.
+  void run_through(std::vector<double> counts);
+
   const std::string& name() const { return name_; }
 
   /// Index of the parameter in the description.

@@ -15,6 +15,22 @@ SweepPlan::SweepPlan(const MechanismDescription& description) {
   add_requirements(description);
 }
 
+// Strides of 1 give every axis the place that is the number of the state.
+void SweepPlan::run_through(std::span<const double> rows) {
+  KINESTAT_EXPECTS(!axes_.empty() && rows.size() % axes_.size() == 0);
+  state_count_ = rows.size() / axes_.size();
+  runs_together_ = true;
+  std::ranges::fill(strides_, 1);
+  for (std::size_t a = 0; a < axes_.size(); ++a) {
+    std::vector<double> counts;
+    counts.reserve(state_count_);
+    for (std::size_t i = a; i < rows.size(); i += axes_.size()) {
+      counts.push_back(rows[i]);
+    }
+    axes_[a].run_through(std::move(counts));
+  }
+}
+
 void SweepPlan::add_axes(const MechanismDescription& description) {
   const std::vector<Parameter> parameters = parameters_of(description);
   const BasicParameterTable<Exact> exact = evaluate_parameters<Exact>(parameters).table;

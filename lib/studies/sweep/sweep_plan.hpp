@@ -27,12 +27,25 @@ struct PlannedRequirement {
 
 /// States are numbered in the order of the file: the last axis turns fastest. They are worked off
 /// in chunks, whose size depends on the plan alone, so that shards and resumed runs agree on them.
+/// Where the axes run together, state i has value i of each.
 class SweepPlan {
  public:
   /// The description must have passed bind and hold a sweep.
   explicit SweepPlan(const MechanismDescription& description);
 
+  /// From now on the axes run together through rows, one behind the other: a number for each axis,
+  /// counted in its unit.
+  void run_through(std::span<const double> rows);
+
+  /// Whether the states are rows and no product.
+  bool runs_together() const { return runs_together_; }
+
   std::span<const SweepAxis> axes() const { return axes_; }
+
+  /// Which value of an axis a state has.
+  std::uint64_t place_of(std::uint64_t state, std::size_t axis) const {
+    return state / strides_[axis] % axes_[axis].size();
+  }
 
   /// In the order in which they need each other.
   std::span<const DependentParameter> dependents() const { return dependents_; }
@@ -63,6 +76,7 @@ class SweepPlan {
   std::vector<int> depths_;  ///< of each parameter: the last axis on which it depends, or -1
   std::vector<std::uint64_t> strides_;
   std::uint64_t state_count_ = 1;
+  bool runs_together_ = false;
 };
 
 }  // namespace kinestat

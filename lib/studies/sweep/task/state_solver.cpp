@@ -33,9 +33,8 @@ StateBinder::StateBinder(const SweepTask& task) : task_(task), description_(task
 std::optional<Mechanism> StateBinder::bind(std::uint64_t state) {
   for (std::size_t a = 0; a < task_.plan.axes().size(); ++a) {
     const SweepAxis& axis = task_.plan.axes()[a];
-    const std::uint64_t place = state / task_.plan.stride(static_cast<int>(a)) % axis.size();
     Value& value = description_.parameters[static_cast<std::size_t>(axis.parameter())].value;
-    value.expression = expression_of(axis.value_at(place));
+    value.expression = expression_of(axis.value_at(task_.plan.place_of(state, a)));
     value.text_column = 0;
   }
   Diagnostics found;
@@ -193,16 +192,15 @@ void StateSolver::decide_gears(const Mechanism& mechanism, std::vector<Case>& ca
 // Now and then a state is analysed both ways, so that no mistake of a tape stays unseen.
 void StateSolver::check_some(std::size_t count) {
   constexpr std::uint64_t kCheckEvery = 100003;  // takes a tenth of the time that tapes take
-  const std::uint64_t first = solved_.front().number;
-  const std::uint64_t next = (first + kCheckEvery - 1) / kCheckEvery * kCheckEvery;
-  if (next > solved_[count - 1].number) {
+  if (unchecked_ >= count) {
+    unchecked_ -= count;
     return;
   }
-  for (std::size_t lane = 0; lane < count; ++lane) {
-    if (solved_[lane].number == next && is_undefined_[lane] == 0 && taped_->has_answer(lane)) {
-      check_tape(next, rows_of(lane));
-    }
+  const auto lane = static_cast<std::size_t>(unchecked_);
+  if (is_undefined_[lane] == 0 && taped_->has_answer(lane)) {
+    check_tape(solved_[lane].number, rows_of(lane));
   }
+  unchecked_ = kCheckEvery - (count - lane);
 }
 
 void StateSolver::check_tape(std::uint64_t state, std::span<const SweepRow> taped) {

@@ -73,6 +73,7 @@ class StateSolver {
   std::vector<SweepRow> rows_;                     ///< of each lane, case by case
   std::vector<SolvedState> solved_;                ///< of each lane
   std::vector<std::optional<ShiftState>> states_;  ///< of each row that is of a combination
+  std::uint64_t unchecked_ = 0;  ///< how many follow before one is analysed both ways
 };
 
 /// Of the ratio of a gear in SI; empty of any other case, and where a state is no gear.

@@ -47,7 +47,7 @@ Slots slots_at(const SweepPlan& plan, std::uint64_t state) {
   for (std::size_t i = 0; i < plan.axes().size(); ++i) {
     const SweepAxis& axis = plan.axes()[i];
     const auto slot = static_cast<std::size_t>(axis.parameter());
-    slots.values[slot] = axis.value_at(state / plan.stride(static_cast<int>(i)) % axis.size());
+    slots.values[slot] = axis.value_at(plan.place_of(state, i));
     slots.has_value[slot] = true;
   }
   std::vector<Quantity> scratch;
