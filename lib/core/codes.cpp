@@ -27,6 +27,13 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "NAME=VALUE, where NAME is one of the section 'parameters' and VALUE a number or an "
      "expression that measures the same as the value of the file; in the shell, quotes keep a "
      "value with spaces together, as in --set 'h_z=10 mm'."},
+    {"E0103",
+     usage,
+     "wrong use of the library",
+     "A function of libkinestat, or of what is built on it, was given a name that the mechanism or "
+     "its report does not have, a number that is infinite or none, or nothing at all where "
+     "something is needed. Nothing was changed. The message names it and, where there is one, the "
+     "nearest that exists."},
     {"E0151",
      environment,
      "input cannot be read",

@@ -4,24 +4,25 @@
 
 namespace kinestat {
 
-FileNames names_in_file(const std::string& path) {
-  SourceFile source;
-  Diagnostics found;
+FileNames names_of(const Loaded& loaded) {
   FileNames names;
-  const std::optional<Loaded> loaded = load(path, {}, source, found);
-  if (!loaded) {
-    return names;
-  }
-  for (const ParameterDescription& parameter : loaded->description.parameters) {
+  for (const ParameterDescription& parameter : loaded.description.parameters) {
     names.parameters.push_back(parameter.name.text);
   }
-  for (const ActuatorTopology& actuator : loaded->mechanism.topology.actuators) {
+  for (const ActuatorTopology& actuator : loaded.mechanism.topology.actuators) {
     names.actuators.push_back(actuator.name);
   }
-  for (const Case& one : loaded->mechanism.cases) {
+  for (const Case& one : loaded.mechanism.cases) {
     names.cases.push_back(one.label);
   }
   return names;
+}
+
+FileNames names_in_file(const std::string& path) {
+  SourceFile source;
+  Diagnostics found;
+  const std::optional<Loaded> loaded = load(path, {}, source, found);
+  return loaded ? names_of(*loaded) : FileNames{};
 }
 
 }  // namespace kinestat

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "cases/analysis.hpp"
+
 namespace kinestat {
 
 /// In the order of the file.
@@ -12,6 +14,8 @@ struct FileNames {
   std::vector<std::string> actuators;
   std::vector<std::string> cases;  ///< those of gears, too
 };
+
+FileNames names_of(const Loaded& loaded);
 
 /// All empty for a file that cannot be read or that is wrong.
 FileNames names_in_file(const std::string& path);

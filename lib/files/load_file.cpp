@@ -82,9 +82,11 @@ void check_dimensions(const std::vector<Parameter>& given,
   }
 }
 
-void apply_all(const std::vector<Override>& overrides,
-               MechanismDescription& description,
-               Diagnostics& found) {
+}  // namespace
+
+void apply_overrides(const std::vector<Override>& overrides,
+                     MechanismDescription& description,
+                     Diagnostics& found) {
   const std::vector<Parameter> given = parameters_of(description);
   for (const Override& text : overrides) {
     apply(text, description, found);
@@ -92,7 +94,22 @@ void apply_all(const std::vector<Override>& overrides,
   check_dimensions(given, description, found);
 }
 
-}  // namespace
+std::optional<MechanismDescription> read_description(const SourceFile& source,
+                                                     const LoadOptions& options,
+                                                     Diagnostics& found) {
+  const std::optional<YamlNode> tree = read_yaml(source, options.limits, found);
+  if (!tree) {
+    return std::nullopt;
+  }
+  std::optional<MechanismDescription> description = read_mechanism(*tree, found);
+  if (!description) {
+    return std::nullopt;
+  }
+  if (!options.overrides.empty()) {
+    apply_overrides(options.overrides, *description, found);
+  }
+  return found.has_errors() ? std::nullopt : std::move(description);
+}
 
 std::optional<MechanismDescription> load_description(const std::string& path,
                                                      const LoadOptions& options,
@@ -104,18 +121,7 @@ std::optional<MechanismDescription> load_description(const std::string& path,
     return std::nullopt;
   }
   source = *std::move(file);
-  const std::optional<YamlNode> tree = read_yaml(source, options.limits, found);
-  if (!tree) {
-    return std::nullopt;
-  }
-  std::optional<MechanismDescription> description = read_mechanism(*tree, found);
-  if (!description) {
-    return std::nullopt;
-  }
-  if (!options.overrides.empty()) {
-    apply_all(options.overrides, *description, found);
-  }
-  return found.has_errors() ? std::nullopt : std::move(description);
+  return read_description(source, options, found);
 }
 
 void refuse_without_mechanism(const MechanismDescription& description, Diagnostics& found) {

@@ -28,6 +28,16 @@ std::optional<MechanismDescription> load_description(const std::string& path,
                                                      SourceFile& source,
                                                      Diagnostics& found);
 
+/// The same of a file that was read.
+std::optional<MechanismDescription> read_description(const SourceFile& source,
+                                                     const LoadOptions& options,
+                                                     Diagnostics& found);
+
+/// Gives parameters other values; complains of those that cannot be given.
+void apply_overrides(const std::vector<Override>& overrides,
+                     MechanismDescription& description,
+                     Diagnostics& found);
+
 /// Says that a file holds no mechanism, and what does: E0303.
 void refuse_without_mechanism(const MechanismDescription& description, Diagnostics& found);
 

@@ -80,12 +80,16 @@ void add_message(std::string_view code, std::string message, std::string hint, O
   add_diagnostics({}, found, Strictness::normal, outcome);
 }
 
-void add_bug(const std::string& path, std::string_view what, Outcome& outcome) {
-  Diagnostics found;
+void add_bug(std::string_view what, Diagnostics& found) {
   found.error("E0155",
               {},
               fmt::format("internal error: {}", what),
               "this is a bug of kinestat; please report it with the file");
+}
+
+void add_bug(const std::string& path, std::string_view what, Outcome& outcome) {
+  Diagnostics found;
+  add_bug(what, found);
   add_diagnostics({.path = path, .text = {}}, found, Strictness::normal, outcome);
 }
 

@@ -62,7 +62,10 @@ void tell(std::string_view text, Outcome& outcome);
 /// Appends one error of the program itself, such as a wrong command line.
 void add_message(std::string_view code, std::string message, std::string hint, Outcome& outcome);
 
-/// What to say when a contract inside the program was broken while a file was processed.
+/// What to say when a contract inside the program was broken.
+void add_bug(std::string_view what, Diagnostics& found);
+
+/// The same while a file was processed.
 void add_bug(const std::string& path, std::string_view what, Outcome& outcome);
 
 }  // namespace kinestat

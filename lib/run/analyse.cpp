@@ -28,8 +28,29 @@ ReportForms forms_of(const AnalyseOptions& options, std::size_t file_count) {
   return forms;
 }
 
-// Empty if the description is wrong. One that is right, but has no mechanism or holds something
-// that decides and is not analysed yet, has a report that says so.
+void analyse_file(const std::string& path,
+                  const AnalyseOptions& options,
+                  const ReportForms& forms,
+                  Outcome& outcome) {
+  SourceFile source;
+  Diagnostics found;
+  std::optional<MechanismDescription> description =
+      load_description(path, options.load, source, found);
+  if (description) {
+    const std::optional<FileReport> report =
+        analyse_description(path, *std::move(description), options.accuracy, forms, found);
+    if (report) {
+      add_to_stream(*report, options, outcome);
+      if (!options.output.folder.empty()) {
+        write_report(*report, report_stem(path), options.output, found);
+      }
+    }
+  }
+  add_diagnostics(source, found, options.strictness, outcome);
+}
+
+}  // namespace
+
 std::optional<FileReport> analyse_description(const std::string& path,
                                               MechanismDescription description,
                                               const AccuracyRequest& accuracy,
@@ -64,29 +85,6 @@ std::optional<FileReport> analyse_description(const std::string& path,
   });
   return is_right ? std::optional(make_head_report(path, description, forms, found)) : std::nullopt;
 }
-
-void analyse_file(const std::string& path,
-                  const AnalyseOptions& options,
-                  const ReportForms& forms,
-                  Outcome& outcome) {
-  SourceFile source;
-  Diagnostics found;
-  std::optional<MechanismDescription> description =
-      load_description(path, options.load, source, found);
-  if (description) {
-    const std::optional<FileReport> report =
-        analyse_description(path, *std::move(description), options.accuracy, forms, found);
-    if (report) {
-      add_to_stream(*report, options, outcome);
-      if (!options.output.folder.empty()) {
-        write_report(*report, report_stem(path), options.output, found);
-      }
-    }
-  }
-  add_diagnostics(source, found, options.strictness, outcome);
-}
-
-}  // namespace
 
 std::optional<CertifiedAnalysis> analyse_mechanism(const std::string& path,
                                                    Loaded loaded,
