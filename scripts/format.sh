@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Lays out the C++ files of app, lib and tests with clang-format 14.
+# Lays out the C and C++ files with clang-format 14.
 # Usage: scripts/format.sh [--check]   (--check changes nothing; status 77 without clang-format 14)
 set -euo pipefail
 
@@ -20,5 +20,5 @@ if [[ -z $formatter ]]; then
   exit 4
 fi
 
-find app lib tests \( -name '*.hpp' -o -name '*.cpp' \) -print0 |
+find app lib tests include examples \( -name '*.hpp' -o -name '*.cpp' -o -name '*.[hc]' \) -print0 |
   xargs -0 --no-run-if-empty "$formatter" --style=file "${mode[@]}"

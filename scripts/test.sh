@@ -15,8 +15,8 @@ fi
 [[ ${CI:-} == true ]] && werror=ON || werror=OFF
 
 "$root/scripts/setup.sh" "$packages"
-[[ $preset == sanitize ]] || "$root/scripts/setup.sh" browser viewers manual ||
-  echo "test.sh: no browser could be installed; tests of pages and of the manual are skipped" >&2
+[[ $preset == sanitize ]] || "$root/scripts/setup.sh" browser viewers ||
+  echo "test.sh: no browser could be installed; tests of pages are skipped" >&2
 cd "$root"
 cmake --preset "$preset" -DBUILD_TESTING=ON -DKINESTAT_WERROR="$werror"
 cmake --build --preset "$preset"
