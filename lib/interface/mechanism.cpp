@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/version.hpp"
+#include "expression/parameters.hpp"
 #include "interface/last_messages.hpp"
 #include "interface/mechanism_handle.hpp"
 
@@ -45,6 +46,23 @@ bool sets(const Override& one, std::string_view parameter) {
          one.starts_with(parameter);
 }
 
+// Whether the value can be worked out.
+void check_value(std::string_view parameter,
+                 std::string_view value,
+                 const MechanismDescription& description,
+                 Diagnostics& found) {
+  const std::vector<Parameter> parameters = parameters_of(description);
+  for (const ParameterError& one : evaluate_parameters(parameters).errors) {
+    if (!found.has_errors() &&
+        parameters[static_cast<std::size_t>(one.parameter)].name == parameter) {
+      found.error("E0102",
+                  {},
+                  fmt::format("{} cannot be '{}': {}", parameter, value, one.error.message),
+                  one.error.hint);
+    }
+  }
+}
+
 void set_parameter(kinestat_mechanism& mechanism,
                    std::string_view parameter,
                    std::string_view value,
@@ -54,6 +72,7 @@ void set_parameter(kinestat_mechanism& mechanism,
   overrides.push_back(fmt::format("{}={}", parameter, value));
   MechanismDescription description = mechanism.file;
   apply_overrides(overrides, description, found);
+  check_value(parameter, value, description, found);
   if (!found.has_errors()) {
     mechanism.overrides = std::move(overrides);
     mechanism.description = std::move(description);

@@ -153,7 +153,7 @@ int kinestat_play(kinestat_tape* tape,
                   double* outputs,
                   const char** statuses) {
   return kinestat::answer_call([&](kinestat::CallMessages& messages) {
-    if (kinestat::is_given(tape, "the tape", messages.found) &&
+    if (kinestat::is_given(tape, "the tape", messages.found) && states > 0 &&
         kinestat::is_given(inputs, "the list of inputs", messages.found) &&
         kinestat::is_given(outputs, "the place of the outputs", messages.found)) {
       kinestat::play(tape->player, inputs, states, outputs, statuses, messages.found);

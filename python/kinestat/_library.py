@@ -9,7 +9,7 @@ import threading
 import weakref
 from ctypes import POINTER, c_char_p, c_double, c_int, c_size_t, c_void_p
 from pathlib import Path
-from typing import Any, Iterator
+from typing import Any, Iterator, NoReturn
 
 VARIABLE = "KINESTAT_LIBRARY"
 NAMES = ("libkinestat.so.0", "libkinestat.so", "libkinestat.dylib")
@@ -126,6 +126,10 @@ class Handle:
         self.pointer = pointer
         self.lock = threading.RLock()
         weakref.finalize(self, getattr(library, free), pointer)
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("mechanisms, reports and tapes cannot be pickled or copied deeply; let each "
+                        "process load the mechanism itself")
 
 
 def c_text(text: str, what: str) -> bytes:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from ctypes import byref, c_char_p, c_void_p
 from decimal import Decimal
@@ -33,11 +34,14 @@ def value_text(value: Value) -> str:
     if isinstance(value, SupportsIndex):  # integers of NumPy
         return str(value.__index__())
     try:
-        return repr(float(value))
+        number = float(value)
     except TypeError:
         raise TypeError(
             f"a value of a parameter is a number or a text, not {type(value).__name__}"
         ) from None
+    if not math.isfinite(number):
+        raise ValueError(f"a value of a parameter is finite, not {number}")
+    return repr(number)
 
 
 class Parameters(MutableMapping[str, Any]):

@@ -94,6 +94,9 @@ TEST(MechanismHandle, AWrongValueLeavesTheOldOne) {
   EXPECT_NE(std::string(message().hint).find("Ns"), std::string::npos);
   EXPECT_EQ(kinestat_set(mechanism.get(), "module", "20 deg"), KINESTAT_USAGE);
   EXPECT_EQ(kinestat_set(mechanism.get(), "Ns", "2 +"), KINESTAT_USAGE);
+  EXPECT_EQ(kinestat_set(mechanism.get(), "Ns", "many"), KINESTAT_USAGE);
+  EXPECT_EQ(kinestat_set(mechanism.get(), "Ns", "1/0"), KINESTAT_USAGE);
+  EXPECT_EQ(kinestat_set(mechanism.get(), "Ns", "Nr"), KINESTAT_USAGE);  // which uses Ns
   EXPECT_NEAR(number(analyze(mechanism), "/cases/ring held/ratio"), 3.5, 1e-12);
 }
 

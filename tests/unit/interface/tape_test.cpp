@@ -155,6 +155,7 @@ TEST(TapeHandle, RefusesWhatIsNoNumber) {
   EXPECT_EQ(outputs[0], -1);
   EXPECT_NE(std::string(message().text).find("'Np' is nan in state 1"), std::string::npos);
   EXPECT_EQ(kinestat_play(tape.get(), inputs, 0, outputs, nullptr), KINESTAT_DONE);
+  EXPECT_EQ(kinestat_play(tape.get(), nullptr, 0, nullptr, nullptr), KINESTAT_DONE);
   EXPECT_EQ(kinestat_play(tape.get(), nullptr, 1, outputs, nullptr), KINESTAT_USAGE);
 }
 
