@@ -147,7 +147,9 @@ class Collector {
     const bool has_keys = at.shape != nullptr && at.shape->record != nullptr;
     Visited inside = at;
     inside.reference = has_keys ? reference_in(at) : at.reference;
-    for (const auto& [key, item] : at.value.get_ref<const Json::object_t&>()) {
+    for (const auto& entry : at.value.get_ref<const Json::object_t&>()) {
+      const std::string& key = entry.first;
+      const Json& item = entry.second;  // by names, which clang 14 lets a function have
       if (!has_keys) {
         path_.element(key, [&] { add(inside.below(item, item_shape(at.shape))); });
         continue;
