@@ -26,7 +26,7 @@ if [[ ! -f $build/build.ninja ]]; then
   echo "run.sh: building for the first time, which takes some minutes" >&2
   (cd "$root" && quietly cmake --preset release -DBUILD_TESTING=OFF)
 fi
-NINJA_STATUS='run.sh: step %f of %t, %p after %e s: ' cmake --build "$build" --target kinestat kinestat_shell_files >&2 || {
+NINJA_STATUS='run.sh: step %f of %t, %p after %e s: ' cmake --build "$build" --target kinestat kinestat_shared kinestat_shell_files >&2 || {
   echo "run.sh: failed: the build of kinestat" >&2
   exit 4
 }
