@@ -51,6 +51,38 @@ std::string what_to_add(const FormKey& key, std::optional<Space> space) {
       "'{}: {}'{}", key.key, sketch_of(key.shape, space.value_or(Space::spatial)), remark);
 }
 
+// Most keys that are missing may be: only of the others it is worked out what to add.
+void miss_key(const FormShape& shape,
+              const FormKey& key,
+              Fields& fields,
+              const FileValue& mapping) {
+  const bool is_needed = (key.is_needed && !is_replaced(shape, key.key, mapping)) ||
+                         is_called_for(shape, key.key, mapping);
+  if (!is_needed) {
+    return;
+  }
+  if (!key.absence.code.empty()) {
+    mapping.found.error(key.absence.code,
+                        mapping.where,
+                        std::string(key.absence.message),
+                        std::string(key.missing));
+    return;
+  }
+  (void)fields.require(
+      key.key, key.missing.empty() ? what_to_add(key, mapping.space) : std::string(key.missing));
+}
+
+// "'trace' of 'motion'"; every key has one, and few are told.
+std::string title_of_key(std::string_view key, std::string_view mapping) {
+  std::string title;
+  title.reserve(key.size() + mapping.size() + 6);
+  title.append("'").append(key).append("'");
+  if (!mapping.empty()) {
+    title.append(" of ").append(mapping);
+  }
+  return title;
+}
+
 void check_instead(const FormRule& rule, const FileValue& mapping) {
   for (const std::string_view key : rule.others) {
     if (has(mapping, rule.key) && has(mapping, key)) {
@@ -120,27 +152,17 @@ std::optional<FileValue> find_key(const FormShape& shape,
                                   Fields& fields,
                                   const FileValue& mapping) {
   const FormKey& key = shape.keys[index];
-  const bool is_needed = (key.is_needed && !is_replaced(shape, key.key, mapping)) ||
-                         is_called_for(shape, key.key, mapping);
-  const bool has_own_absence = !key.absence.code.empty();
-  if (is_needed && has_own_absence && !has(mapping, key.key)) {
-    mapping.found.error(key.absence.code,
-                        mapping.where,
-                        std::string(key.absence.message),
-                        std::string(key.missing));
+  const YamlNode* node = fields.find(key.key);
+  if (node == nullptr) {
+    miss_key(shape, key, fields, mapping);
+    return std::nullopt;
   }
-  const YamlNode* node = is_needed && !has_own_absence
-                             ? fields.require(key.key,
-                                              key.missing.empty() ? what_to_add(key, mapping.space)
-                                                                  : std::string(key.missing))
-                             : fields.find(key.key);
-  if (node == nullptr || (!mapping.space && depends_on_space(key.shape))) {
+  if (!mapping.space && depends_on_space(key.shape)) {
     return std::nullopt;
   }
   const bool is_section = mapping.what.empty();
   return FileValue{.node = *node,
-                   .what = is_section ? fmt::format("'{}'", key.key)
-                                      : fmt::format("'{}' of {}", key.key, mapping.what),
+                   .what = title_of_key(key.key, mapping.what),
                    .key = &key,
                    .owner = mapping.what,
                    .where = node->where,

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <vector>
 
 #include "math/numbers/settled.hpp"
 
@@ -10,27 +10,40 @@ namespace kinestat {
 
 namespace {
 
-// A solution, how far each equation may be off by its numbers, and the most that may change.
-struct InexactSolution {
-  VecX& x;
-  VecX errors;
-  VecX most;
-};
-
-// Few values are so small that their own row of the inverse has to say; it serves all solutions.
-void settle_column(const Elimination& factors, int column, std::vector<InexactSolution>& all) {
-  const auto is_in_doubt = [&](const InexactSolution& one) {
-    return one.x[column] != 0.0 && std::abs(one.x[column]) <= one.most[column];
-  };
-  if (std::ranges::none_of(all, is_in_doubt)) {
-    return;
-  }
-  const VecX row =
-      factors.solve_adjoint(VecX::Unit(factors.matrix().columns, column)).rows.cwiseAbs();
-  for (InexactSolution& one : all) {
-    if (is_in_doubt(one)) {
-      one.x[column] = settled(one.x[column], row.dot(one.errors));
+// Which columns have to be asked about, the errors being the largest of any solution, or no number:
+// of few a value is so small that its own row of the inverse has to say.
+std::vector<int> doubtful_columns(const Elimination& factors,
+                                  std::span<const VecX> solutions,
+                                  const VecX& most) {
+  const std::vector<int>& open = factors.free_columns();
+  std::vector<int> columns;
+  for (int column = 0; column < factors.matrix().columns; ++column) {
+    const bool is_in_doubt = std::ranges::any_of(solutions, [&](const VecX& x) {
+      return x[column] != 0.0 && !(std::abs(x[column]) > most[column]);
+    });
+    if (is_in_doubt && !std::ranges::binary_search(open, column)) {
+      columns.push_back(column);
     }
+  }
+  return columns;
+}
+
+// The row of the inverse serves all solutions.
+void settle_column(const Elimination& factors,
+                   int column,
+                   std::span<const VecX> errors,
+                   std::span<const VecX> most,
+                   std::span<VecX> solutions) {
+  VecX row;
+  for (std::size_t i = 0; i < solutions.size(); ++i) {
+    double& value = solutions[i][column];
+    if (value == 0.0 || !(std::abs(value) <= most[i][column])) {
+      continue;
+    }
+    if (row.size() == 0) {
+      row = factors.solve_adjoint(VecX::Unit(factors.matrix().columns, column)).rows.cwiseAbs();
+    }
+    value = settled(value, row.dot(errors[i]));
   }
 }
 
@@ -38,18 +51,30 @@ void settle_all(const Elimination& factors,
                 std::span<const double> rhs,
                 const InexactBlocks& blocks,
                 std::span<VecX> solutions) {
-  std::vector<InexactSolution> all;
-  all.reserve(solutions.size());
-  for (VecX& x : solutions) {
-    VecX errors = row_errors(factors.matrix(), rhs, blocks, x);
-    VecX most = factors.most_change(errors);
-    all.push_back({.x = x, .errors = std::move(errors), .most = std::move(most)});
+  if (solutions.empty()) {
+    return;
   }
-  const std::vector<int>& open = factors.free_columns();
-  for (int column = 0; column < factors.matrix().columns; ++column) {
-    if (!std::ranges::binary_search(open, column)) {
-      settle_column(factors, column, all);
+  // One bound for all of them, with which those of each are not worked out where none is in doubt.
+  VecX largest = VecX::Zero(factors.matrix().rows);
+  std::vector<VecX> errors;
+  errors.reserve(solutions.size());
+  for (const VecX& x : solutions) {
+    errors.push_back(row_errors(factors.matrix(), rhs, blocks, x));
+    largest = largest.cwiseMax(errors.back());
+  }
+  std::vector<VecX> most = {factors.most_change(largest)};
+  const std::vector<int> columns = doubtful_columns(factors, solutions, most.front());
+  if (columns.empty()) {
+    return;
+  }
+  if (solutions.size() > 1) {
+    most.clear();
+    for (const VecX& one : errors) {
+      most.push_back(factors.most_change(one));
     }
+  }
+  for (const int column : columns) {
+    settle_column(factors, column, errors, most, solutions);
   }
 }
 
@@ -68,9 +93,10 @@ VecX row_errors(const SparseMatrix& matrix,
   for (std::size_t r = 0; r < rhs.size(); ++r) {
     of_blocks[static_cast<int>(r) / blocks.rows] += std::abs(rhs[r]);
   }
+  of_blocks *= blocks.share;
   VecX errors(matrix.rows);
-  for (int r = 0; r < matrix.rows; ++r) {
-    errors[r] = blocks.share * of_blocks[r / blocks.rows];
+  for (int first = 0, block = 0; first < matrix.rows; first += blocks.rows, ++block) {
+    errors.segment(first, std::min(blocks.rows, matrix.rows - first)).setConstant(of_blocks[block]);
   }
   return errors;
 }

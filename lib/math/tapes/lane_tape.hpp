@@ -31,6 +31,9 @@ class LaneTape {
       return cells()[cell * lanes_ + lane];
     }
 
+    /// Of all lanes.
+    const double* numbers(std::size_t cell) const { return cells() + cell * lanes_; }
+
    private:
     friend class LaneTape;
 

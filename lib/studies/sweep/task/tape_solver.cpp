@@ -169,23 +169,35 @@ void TapeSolver::fill(std::size_t count, std::span<SweepRow> rows) {
 
 // Column by column, of which nothing but the tape decides.
 void TapeSolver::fill_columns(std::size_t count, std::span<SweepRow> rows) {
+  if (workspace_.lanes() == kLanes) {
+    fill_columns_of<kLanes>(count, rows);
+  } else {
+    fill_columns_of<1>(count, rows);
+  }
+}
+
+// Of lanes without a state the numbers are looked at, too: a fixed number of lanes is a vector.
+template <std::size_t lanes>
+void TapeSolver::fill_columns_of(std::size_t count, std::span<SweepRow> rows) {
   const std::size_t cases = task_.cases.size();
-  double doubts[kLanes] = {};  // above zero where a value is faint, no number if it is not finite
+  double doubts[lanes] = {};  // above zero where a value is faint, no number if it is not finite
   for (SweepRow& row : rows.first(count * cases)) {
     row.status = "solved";
   }
   for (std::size_t i = 0; i < cases; ++i) {
-    Sizes sizes[kLanes];
+    SizesOf<lanes> sizes;
     for (const TapedColumn& one : tapes_.cases[i].columns) {
+      const double* values = workspace_.numbers(one.cell);
+      sizes.add(values);
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        doubts[lane] += 0.0 * values[lane];
+      }
       for (std::size_t lane = 0; lane < count; ++lane) {
-        const double value = workspace_.number(one.cell, lane);
-        doubts[lane] += 0.0 * value;
-        sizes[lane].add(value);
-        rows[lane * cases + i].values[one.column] = value;
+        rows[lane * cases + i].values[one.column] = values[lane];
       }
     }
-    for (std::size_t lane = 0; lane < count; ++lane) {
-      doubts[lane] += sizes[lane].are_apart() ? 1.0 : 0.0;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      doubts[lane] += sizes.are_apart(lane) ? 1.0 : 0.0;
     }
   }
   for (std::size_t lane = 0; lane < count; ++lane) {

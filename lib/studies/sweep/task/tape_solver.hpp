@@ -61,6 +61,8 @@ class TapeSolver {
                   std::size_t lane);
   bool decide_gears(std::size_t lane);
   void fill_columns(std::size_t count, std::span<SweepRow> rows);
+  template <std::size_t lanes>
+  void fill_columns_of(std::size_t count, std::span<SweepRow> rows);
   bool fill_cases(std::size_t lane, std::span<SweepRow> rows);
   bool fill_case(std::size_t i, std::size_t lane, SweepRow& row);
   bool is_possible(const CaseTape& taped, std::size_t lane) const;
