@@ -117,6 +117,8 @@ TEST(BranchOfAChangePoint, IsThatOfItsNeighbours) {
                             .other = {.circle_point = {2.0, 0.0},
                                       .centre_point = at + 2.0 * unit_vector(angle),
                                       .length = 1.0}};
+
+      EXPECT_EQ(classify(*lengths_of(linkage)).kind, GrashofClass::change_point);
       for (const std::vector<double>& way :
            {std::vector{0.0, 1.0, 2.0}, {-2.0, -1.0, 0.0}, {1.0, 2.0, kPi}, {-kPi, -2.0, -1.0}}) {
         SCOPED_TRACE(testing::Message() << at << " direction " << angle << " from " << way[0]);

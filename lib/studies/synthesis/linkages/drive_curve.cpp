@@ -11,6 +11,7 @@
 #include "core/rounding.hpp"
 #include "core/tolerance.hpp"
 #include "math/numbers/settled.hpp"
+#include "studies/synthesis/linkages/rounded_dyad.hpp"
 
 namespace kinestat {
 
@@ -62,41 +63,10 @@ double difference_of_squares(std::initializer_list<BoundedNumber> a_minus_b,
   return length_sum(a_minus_b) * length_sum(a_plus_b);
 }
 
-// With what its positions leave open, and as rounded as coordinates of its size.
-BoundedPoint rounded_point(const Point& value, const Point& bound) {
-  return BoundedPoint::within(value, bound + BoundedPoint::written(value).bound());
-}
-
-BoundedPoint circle_point_of(const Dyad& dyad) {
-  return rounded_point(dyad.circle_point, dyad.circle_bound);
-}
-
-BoundedPoint centre_point_of(const Dyad& dyad) {
-  return rounded_point(dyad.centre_point, dyad.centre_bound);
-}
-
-BoundedPoint direction_of(const Dyad& dyad) {
-  return rounded_point(dyad.direction, dyad.direction_bound);
-}
-
 // Normal of the path of a slider, or of the line of an inverted one in its own frame.
 BoundedPoint normal_of(const Dyad& dyad) {
   const BoundedPoint along = direction_of(dyad);
   return {.x = -along.y, .y = along.x};
-}
-
-BoundedNumber distance(const BoundedPoint& a, const BoundedPoint& b) {
-  const BoundedPoint between = b - a;
-  return {.value = std::abs(between.value()), .bound = std::abs(between.bound())};
-}
-
-// It is the distance of its centre from a place that is the origin of the plane and an arm in it,
-// all of which round by their own distance from the origins.
-BoundedNumber length_of(const Dyad& crank) {
-  const double far = std::abs(crank.centre_point) + std::abs(crank.circle_point) + crank.length;
-  return {.value = crank.length,
-          .bound = std::abs(centre_point_of(crank).bound()) +
-                   std::abs(circle_point_of(crank).bound()) + kDataRounding * far};
 }
 
 // The force of the output on the coupler, and from where it acts to the input's circle point; or

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/synthesis_tolerance.hpp"
+#include "studies/synthesis/linkages/rounded_dyad.hpp"
 
 namespace kinestat {
 
@@ -86,10 +87,15 @@ std::optional<FourBarLengths> lengths_of(const Linkage& linkage) {
   if (linkage.type() != LinkageType::four_bar) {
     return std::nullopt;
   }
-  return FourBarLengths{.ground = std::abs(linkage.other.centre_point - linkage.one.centre_point),
-                        .crank_one = linkage.one.length,
-                        .coupler = std::abs(linkage.other.circle_point - linkage.one.circle_point),
-                        .crank_other = linkage.other.length};
+  const auto& [one, other] = linkage;
+  const BoundedNumber ground = distance(centre_point_of(one), centre_point_of(other));
+  const BoundedNumber coupler = distance(circle_point_of(one), circle_point_of(other));
+  return FourBarLengths{
+      .ground = ground.value,
+      .crank_one = one.length,
+      .coupler = coupler.value,
+      .crank_other = other.length,
+      .bound = ground.bound + coupler.bound + length_of(one).bound + length_of(other).bound};
 }
 
 std::string_view word_of(GrashofClass which) {
@@ -129,7 +135,7 @@ Grashof classify(const FourBarLengths& lengths) {
   const double sum = all[0] + all[1] + all[2] + all[3];
   // s + l against p + q, of which the sum is the rest.
   const double excess = 2.0 * (lengths.shortest() + lengths.longest()) - sum;
-  if (std::abs(excess) < kChangePoint * sum) {
+  if (std::abs(excess) < std::max(kChangePoint * sum, lengths.bound)) {
     return {.kind = GrashofClass::change_point, .which = shortest};
   }
   if (excess > 0.0) {

@@ -57,6 +57,7 @@ struct FourBarLengths {
   double crank_one = 0.0;
   double coupler = 0.0;
   double crank_other = 0.0;
+  double bound = 0.0;  ///< by how much all four together may be off
 
   double longest() const;
   double shortest() const;
