@@ -78,21 +78,44 @@ class Tableau {
     return basic_[static_cast<std::size_t>(row)] >= unknowns_;
   }
 
-  // Bland: the first column that helps enters, of the rows that allow least the first leaves. A
-  // column that no row holds back would have no lower bound, so that its gain is mere rounding. The
-  // number of steps is bounded in case rounding leads in a circle after all.
+  // The column of largest gain enters, of the rows that allow least the first leaves. A step that
+  // gains nothing may be the first of a circle: until one gains again, the first column that helps
+  // enters (Bland), which ends every circle. A column that no row holds back would have no lower
+  // bound, so that its gain is mere rounding. The number of steps is bounded in case rounding leads
+  // in a circle after all.
   void improve(double least_gain) {
-    Eigen::Index steps = kMostPivots * table_.cols();
-    for (Eigen::Index c = 0; c < unknowns_ && steps > 0;) {
-      const Eigen::Index row = table_(rows_, c) < -least_gain ? leaving_row(c) : rows_;
+    bool is_stuck = false;
+    for (Eigen::Index steps = kMostPivots * table_.cols(); steps > 0; --steps) {
+      const auto [row, column] = entering(least_gain, is_stuck);
       if (row == rows_) {
-        ++c;
+        return;
+      }
+      is_stuck = table_(row, right()) <= 0.0;
+      pivot(row, column);
+    }
+  }
+
+  struct Place {
+    Eigen::Index row = 0;
+    Eigen::Index column = 0;
+  };
+
+  // Row rows_: nothing helps.
+  Place entering(double least_gain, bool is_stuck) const {
+    Place found{.row = rows_};
+    double largest = least_gain;
+    for (Eigen::Index c = 0; c < unknowns_; ++c) {
+      const Eigen::Index row = -table_(rows_, c) > largest ? leaving_row(c) : rows_;
+      if (row == rows_) {
         continue;
       }
-      pivot(row, c);
-      c = 0;
-      --steps;
+      found = {.row = row, .column = c};
+      if (is_stuck) {
+        break;
+      }
+      largest = -table_(rows_, c);
     }
+    return found;
   }
 
   Eigen::Index leaving_row(Eigen::Index column) const {
