@@ -89,4 +89,11 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> can
   return nearest.empty() ? std::string() : fmt::format("did you mean '{}'?", nearest);
 }
 
+std::string guess_before(std::string_view word,
+                         std::span<const std::string> candidates,
+                         std::string rest) {
+  const std::string guess = did_you_mean(word, candidates);
+  return guess.empty() ? rest : fmt::format("{} {}", guess, rest);
+}
+
 }  // namespace kinestat

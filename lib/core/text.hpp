@@ -21,4 +21,9 @@ std::string nearest_name(std::string_view word, std::span<const std::string> can
 /// "did you mean 'x'?" or empty, from nearest_name.
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
+/// The same and what follows it: "did you mean 'x'? its names are x, y"; `rest` alone without one.
+std::string guess_before(std::string_view word,
+                         std::span<const std::string> candidates,
+                         std::string rest);
+
 }  // namespace kinestat

@@ -1,14 +1,13 @@
 #include "files/file_names.hpp"
 
 #include "files/load_file.hpp"
+#include "files/parameter_names.hpp"
 
 namespace kinestat {
 
 FileNames names_of(const Loaded& loaded) {
-  FileNames names;
-  for (const ParameterDescription& parameter : loaded.description.parameters) {
-    names.parameters.push_back(parameter.name.text);
-  }
+  FileNames names{
+      .parameters = parameter_names(loaded.description), .actuators = {}, .cases = {}};
   for (const ActuatorTopology& actuator : loaded.mechanism.topology.actuators) {
     names.actuators.push_back(actuator.name);
   }

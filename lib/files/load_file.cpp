@@ -9,6 +9,7 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "expression/parameters.hpp"
+#include "files/parameter_names.hpp"
 #include "format/mechanism_reader.hpp"
 #include "io/yaml_tree.hpp"
 #include "mechanism/bind/bind.hpp"
@@ -33,18 +34,9 @@ void apply(const Override& text, MechanismDescription& description, Diagnostics&
   const auto parameter = std::ranges::find(
       description.parameters, name, [](const ParameterDescription& p) { return p.name.text; });
   if (parameter == description.parameters.end()) {
-    std::vector<std::string> names;
-    for (const ParameterDescription& one : description.parameters) {
-      names.push_back(one.name.text);
-    }
-    const std::string guess = did_you_mean(name, names);
     refuse(text,
            fmt::format("the file has no parameter '{}'", printable(name)),
-           names.empty()   ? fmt::format("add 'parameters: {{{}}}' to the file and use '{}' in it",
-                                       printable(name + ": " + text.substr(equals + 1)),
-                                       printable(name))
-           : guess.empty() ? fmt::format("its parameters are {}", plain_list(names))
-                           : guess,
+           parameter_hint(name, description, text.substr(equals + 1)),
            found);
     return;
   }

@@ -29,13 +29,10 @@ PointerTarget missing(const Json& at, const std::string& token, const std::strin
   for (const auto& [key, value] : at.items()) {
     keys.push_back(key);
   }
-  const std::string guess = did_you_mean(token, keys);
   return {.value = nullptr,
           .problem = fmt::format("'{}' has no '{}'", path.empty() ? "/" : path, token),
-          .hint = keys.empty()
-                      ? std::string()
-                      : fmt::format(
-                            "{}{}there are {}", guess, guess.empty() ? "" : " ", plain_list(keys))};
+          .hint = keys.empty() ? std::string()
+                               : guess_before(token, keys, "there are " + plain_list(keys))};
 }
 
 }  // namespace

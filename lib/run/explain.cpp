@@ -59,10 +59,9 @@ Outcome explain(const std::string& code) {
   for (const Code& row : all_codes()) {
     codes.emplace_back(row.code);
   }
-  const std::string guess = did_you_mean(code, codes);
   add_message("E0101",
               fmt::format("there is no code '{}'", printable(code)),
-              fmt::format("{}{}'kinestat explain' lists all", guess, guess.empty() ? "" : " "),
+              guess_before(code, codes, "'kinestat explain' lists all"),
               outcome);
   return outcome;
 }

@@ -34,10 +34,9 @@ Outcome schema_text(const std::string& name) {
     }
   }
   const std::vector<std::string> names = schema_names();
-  const std::string guess = did_you_mean(name, names);
   add_message("E0101",
               fmt::format("there is no schema '{}'", printable(name)),
-              fmt::format("{}{}schemas are {}", guess, guess.empty() ? "" : " ", plain_list(names)),
+              guess_before(name, names, "schemas are " + plain_list(names)),
               outcome);
   return outcome;
 }

@@ -13,6 +13,7 @@
 #include "core/utf8.hpp"
 #include "expression/parameters.hpp"
 #include "files/each_file.hpp"
+#include "files/parameter_names.hpp"
 #include "mechanism/bind/derivatives.hpp"
 #include "studies/sensitivity/adjoint.hpp"
 #include "studies/sensitivity/report/sensitivity_report.hpp"
@@ -37,22 +38,6 @@ std::pair<std::string, double> unit_of(const ReportedValue& value, const FileUni
               ? ""
               : fmt::format("{} per {}", units.text(value.kind), units.text(*value.per)),
           units.factor(value.kind) / units.factor(*value.per)};
-}
-
-std::vector<std::string> parameter_names(const MechanismDescription& description) {
-  std::vector<std::string> names;
-  for (const ParameterDescription& parameter : description.parameters) {
-    names.push_back(parameter.name.text);
-  }
-  return names;
-}
-
-// "did you mean 'x'? " before what follows.
-std::string guess_before(const std::string& name,
-                         const std::vector<std::string>& names,
-                         std::string rest) {
-  const std::string guess = did_you_mean(name, names);
-  return guess.empty() ? rest : fmt::format("{} {}", guess, rest);
 }
 
 class SensitivityJob {
@@ -98,14 +83,10 @@ class SensitivityJob {
     const std::vector<std::string> names = parameter_names(description);
     for (const std::string& name : choice_.parameters) {
       if (std::ranges::find(names, name) == names.end()) {
-        found_.error(
-            "E0101",
-            {},
-            fmt::format("--by '{}': there is no such parameter", printable(name)),
-            names.empty()
-                ? "the file has no parameters"
-                : guess_before(
-                      name, names, fmt::format("its parameters are {}", plain_list(names))));
+        found_.error("E0101",
+                     {},
+                     fmt::format("--by '{}': there is no such parameter", printable(name)),
+                     parameter_hint(name, description));
       }
     }
     if (names.empty() && choice_.parameters.empty()) {

@@ -14,11 +14,10 @@ namespace {
 
 void refuse_kind(const std::string& kind, Outcome& outcome) {
   const std::vector<std::string> kinds = starter_kinds();
-  const std::string guess = did_you_mean(kind, kinds);
   add_message("E0101",
               kind.empty() ? "'new' needs a kind of mechanism"
                            : fmt::format("there is no starter file '{}'", printable(kind)),
-              fmt::format("{}{}kinds are {}", guess, guess.empty() ? "" : " ", plain_list(kinds)),
+              guess_before(kind, kinds, "kinds are " + plain_list(kinds)),
               outcome);
 }
 

@@ -194,13 +194,12 @@ class CaseBinder {
         same_coupling.push_back(name);
       }
     }
-    const std::string guess = did_you_mean(target.text, candidates);
     const std::string hint =
         same_coupling.empty()
             ? fmt::format("{}{}s are {}", actuators_text(), word, plain_list(names))
             : fmt::format("write {}, or declare an actuator on that coupling",
                           fmt::join(same_coupling, " or "));
-    return guess.empty() ? hint : fmt::format("{} {}", guess, hint);
+    return guess_before(target.text, candidates, hint);
   }
 
   std::vector<int> bind_actuators(const std::vector<Name>& names) {
@@ -210,18 +209,17 @@ class CaseBinder {
         result.push_back(*at);
         continue;
       }
-      const std::string guess = did_you_mean(name.text, actuators_.names());
       const bool is_load = loads_.find(name.text).has_value();
       found_.error(
           "E0313",
           name.where,
           fmt::format(
               "'{}' is {}", name.text, is_load ? "a load, not an actuator" : "not an actuator"),
-          actuators_.names().empty() ? "declare it under 'actuators:'"
-                                     : fmt::format("{}{}actuators are {}",
-                                                   guess,
-                                                   guess.empty() ? "" : " ",
-                                                   plain_list(actuators_.names())));
+          actuators_.names().empty()
+              ? "declare it under 'actuators:'"
+              : guess_before(name.text,
+                             actuators_.names(),
+                             "actuators are " + plain_list(actuators_.names())));
     }
     return result;
   }

@@ -71,18 +71,18 @@ void check_report_names(const std::vector<Name>& names,
     const bool is_known = std::ranges::find(words, name.text) != words.end() ||
                           context.names.actuators.contains(name.text);
     if (!is_known) {
-      const std::string guess = context.found.is_hint_worth_it()
-                                    ? did_you_mean(name.text, undotted(words, context))
-                                    : std::string();
+      const std::vector<std::string> guesses =
+          context.found.is_hint_worth_it() ? undotted(words, context) : std::vector<std::string>();
       context.found.error(
           "E0313",
           name.where,
           fmt::format("{} cannot hold '{}'", role, name.text),
-          fmt::format("{}{}write one of {}, an actuator, or coupling.freedom or coupling.action, "
-                      "for example a.wz",
-                      guess,
-                      guess.empty() ? "" : " ",
-                      plain_list(words)));
+          guess_before(
+              name.text,
+              guesses,
+              fmt::format("write one of {}, an actuator, or coupling.freedom or coupling.action, "
+                          "for example a.wz",
+                          plain_list(words))));
     }
   }
   context.repeats(names, role);
@@ -108,13 +108,12 @@ void check_report_quantities(const std::vector<Name>& names,
         std::ranges::find(at->second, name.text) != at->second.end()) {
       continue;
     }
-    const std::string guess = did_you_mean(name.text, at->second);
     found.error(
         "E0313",
         name.where,
         fmt::format(
             "'{}' is neither a freedom nor an action of coupling '{}'", name.text, at->first),
-        fmt::format("{}{}it has {}", guess, guess.empty() ? "" : " ", plain_list(at->second)));
+        guess_before(name.text, at->second, "it has " + plain_list(at->second)));
   }
 }
 

@@ -38,12 +38,10 @@ std::optional<std::map<std::string, std::size_t>> read_header(const CsvRow& head
   for (std::size_t i = 0; i < header.cells.size(); ++i) {
     const std::string name = printable(header.cells[i].substr(0, 80));
     if (std::ranges::find(known, header.cells[i]) == known.end()) {
-      const std::string guess = did_you_mean(name, known);
-      refuse_line(
-          header.line,
-          fmt::format("the table has an unknown column '{}'", name),
-          fmt::format("{}{}columns are {}", guess, guess.empty() ? "" : " ", plain_list(known)),
-          found);
+      refuse_line(header.line,
+                  fmt::format("the table has an unknown column '{}'", name),
+                  guess_before(name, known, "columns are " + plain_list(known)),
+                  found);
       return {};
     }
     if (!columns.emplace(header.cells[i], i).second) {

@@ -89,12 +89,12 @@ std::optional<ToleranceRule> read_rule(const std::string& text, Diagnostics& fou
   const std::string key = text.substr(0, equals);
   const bool is_place = key.starts_with('/');
   if (!is_place && std::ranges::find(value_kinds(), key) == value_kinds().end()) {
-    const std::string guess = did_you_mean(key, value_kinds());
-    return reader.refuse(fmt::format("there is no kind of quantity '{}'", key),
-                         fmt::format("{}{}kinds are {}; a place begins with '/'",
-                                     guess,
-                                     guess.empty() ? "" : " ",
-                                     plain_list(value_kinds(), value_kinds().size())));
+    return reader.refuse(
+        fmt::format("there is no kind of quantity '{}'", key),
+        guess_before(key,
+                     value_kinds(),
+                     fmt::format("kinds are {}; a place begins with '/'",
+                                 plain_list(value_kinds(), value_kinds().size()))));
   }
   std::optional<ToleranceRule> rule = reader.read(text.substr(equals + 1));
   if (!rule) {

@@ -93,15 +93,13 @@ void keep_passive(const CouplingDescription& coupling, CouplingScrews& screws, D
     }
     kept.push_back(name.text);
     if (std::ranges::find(available, name.text) == available.end()) {
-      const std::string guess = did_you_mean(name.text, available);
-      found.error("E0313",
-                  name.where,
-                  fmt::format("{} has no constraint '{}'", title, name.text),
-                  available.empty() ? "it has no passive constraints; remove 'passive'"
-                                    : fmt::format("{}{}its constraints are {}",
-                                                  guess,
-                                                  guess.empty() ? "" : " ",
-                                                  plain_list(available)));
+      found.error(
+          "E0313",
+          name.where,
+          fmt::format("{} has no constraint '{}'", title, name.text),
+          available.empty()
+              ? "it has no passive constraints; remove 'passive'"
+              : guess_before(name.text, available, "its constraints are " + plain_list(available)));
     }
   }
   std::erase_if(screws.constraints, [&](const NamedWrench& constraint) {

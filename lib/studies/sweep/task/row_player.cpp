@@ -9,6 +9,7 @@
 #include "core/contract.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "files/parameter_names.hpp"
 
 namespace kinestat {
 
@@ -17,21 +18,15 @@ namespace {
 bool is_one_of_parameters(const MechanismDescription& description,
                           const std::string& name,
                           Diagnostics& found) {
-  std::vector<std::string> names;
-  for (const ParameterDescription& one : description.parameters) {
-    names.push_back(one.name.text);
+  const std::vector<std::string> names = parameter_names(description);
+  const bool is_known = std::ranges::find(names, name) != names.end();
+  if (!is_known) {
+    found.error("E0103",
+                {},
+                fmt::format("the file has no parameter '{}'", printable(name)),
+                parameter_hint(name, description));
   }
-  if (std::ranges::find(names, name) != names.end()) {
-    return true;
-  }
-  const std::string guess = did_you_mean(name, names);
-  found.error("E0103",
-              {},
-              fmt::format("the file has no parameter '{}'", printable(name)),
-              guess.empty() ? names.empty() ? "add 'parameters:' to the file"
-                                            : "its parameters are " + plain_list(names)
-                            : guess);
-  return false;
+  return is_known;
 }
 
 // The sweep that the request stands for; its axes have one value each, that of the file.

@@ -146,11 +146,10 @@ std::optional<std::size_t> find_key(const std::vector<SweepColumn>& columns,
   for (const SweepColumn& column : columns) {
     names.push_back(column.name);
   }
-  const std::string guess = did_you_mean(top.by, names);
   found.error("E0101",
               {},
               fmt::format("--by '{}': the rows have no such quantity", printable(top.by)),
-              fmt::format("{}{}they have {}", guess, guess.empty() ? "" : " ", plain_list(names)));
+              guess_before(top.by, names, "they have " + plain_list(names)));
   return std::nullopt;
 }
 
