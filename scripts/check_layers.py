@@ -33,6 +33,7 @@ THIRD_PARTY: dict[str, set[str] | None] = {
     "boost/property_map/": {"graph"},
     "boost/": {"math"},
     "gmp": {"math"},
+    "mpfr": {"math"},
     "xxhash": {"io"},
     "sha2.h": {"core"},
     "utf8proc": {"core"},

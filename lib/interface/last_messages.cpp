@@ -5,12 +5,23 @@
 
 #include <fmt/format.h>
 
+#include "math/numbers/big_float.hpp"
 #include "report/diagnostic_text.hpp"
 
 namespace kinestat {
 
+namespace {
+
+// Of this thread, given back when it ends.
+struct NumberMemory {
+  ~NumberMemory() { release_big_float_memory(); }
+};
+
+}  // namespace
+
 CallMessages& last_messages() {
   static thread_local CallMessages messages;
+  static thread_local const NumberMemory memory;
   return messages;
 }
 

@@ -26,5 +26,4 @@
 #include <fmt/format.h>
 
 #include "core/types.hpp"
-#include "math/numbers/big_float.hpp"
 #include "math/numbers/rational.hpp"

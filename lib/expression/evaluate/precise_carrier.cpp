@@ -11,18 +11,13 @@ namespace {
 
 using MaybePrecise = std::optional<BigFloat>;
 
-const BigFloat& pi() {
-  static const BigFloat value = acos(BigFloat(-1));
-  return value;
-}
-
 BigFloat precise_size_of(const UnitScale& unit) {
   BigFloat size = BigFloat(unit.numerator) / BigFloat(unit.denominator);
   for (int i = 0; i < unit.pi_power; ++i) {
-    size *= pi();
+    size *= big_float_pi();
   }
   for (int i = 0; i > unit.pi_power; --i) {
-    size /= pi();
+    size /= big_float_pi();
   }
   return size;
 }
@@ -42,14 +37,16 @@ MaybePrecise raised(const BigFloat& base, const BigFloat& exponent) {
   if (base == 0) {
     return exponent < 0 ? std::nullopt : MaybePrecise(exponent == 0 ? 1 : 0);
   }
-  if (floor(exponent) == exponent && abs(exponent) <= kLargest) {
-    return MaybePrecise(pow(base, static_cast<int>(exponent)));
+  const BigFloat whole = settled_whole(exponent);
+  if (floor(whole) == whole && abs(whole) <= kLargest) {
+    return MaybePrecise(pow(base, static_cast<int>(whole)));
   }
   return base < 0 ? std::nullopt : MaybePrecise(pow(base, exponent));
 }
 
 // Rounding of the double may have let a value pass that lies beyond the domain by less than that.
-MaybePrecise of_sine(Function function, const BigFloat& a) {
+MaybePrecise of_sine(Function function, const BigFloat& sine) {
+  const BigFloat a = settled_whole(sine);
   if (abs(a) > 1) {
     return std::nullopt;
   }
@@ -63,9 +60,14 @@ MaybePrecise logarithm(Function function, const BigFloat& a) {
   return function == Function::log10 ? log10(a) : log(a);
 }
 
+// Halves away from zero: twice a half is whole.
 BigFloat rounded(const BigFloat& a) {
-  const BigFloat half = BigFloat(1) / 2;
-  return a < 0 ? BigFloat(ceil(a - half)) : BigFloat(floor(a + half));
+  return round(BigFloat(settled_whole(2 * a) / 2));
+}
+
+// The rest of a whole quotient is zero.
+BigFloat modulo(const BigFloat& a, const BigFloat& b) {
+  return settled_sum(a, -(b * floor(settled_whole(a / b))));
 }
 
 MaybePrecise apply_to_one(Function function, const BigFloat& a) {
@@ -92,9 +94,9 @@ MaybePrecise apply_to_one(Function function, const BigFloat& a) {
     case Function::log10:
       return logarithm(function, a);
     case Function::floor:
-      return floor(a);
+      return floor(settled_whole(a));
     case Function::ceil:
-      return ceil(a);
+      return ceil(settled_whole(a));
     default:
       break;
   }
@@ -111,9 +113,10 @@ MaybePrecise apply_function(Function function, const BigFloat& a, const BigFloat
     case Function::max:
       return a < b ? b : a;
     case Function::mod:
-      return b == 0 ? std::nullopt : MaybePrecise(a - b * floor(a / b));
+      return b == 0 ? std::nullopt : MaybePrecise(modulo(a, b));
     case Function::gcd:
-      return BigFloat(std::gcd(static_cast<long long>(a), static_cast<long long>(b)));
+      return BigFloat(std::gcd(static_cast<long long>(settled_whole(a)),
+                               static_cast<long long>(settled_whole(b))));
     case Function::hypot:
       return sqrt(a * a + b * b);
     default:
@@ -126,9 +129,9 @@ MaybePrecise apply_to(const Node& operation, const BigFloat& a, const BigFloat& 
     case NodeKind::negate:
       return BigFloat(-a);
     case NodeKind::add:
-      return a + b;
+      return settled_sum(a, b);
     case NodeKind::subtract:
-      return a - b;
+      return settled_sum(a, -b);
     case NodeKind::multiply:
       return a * b;
     case NodeKind::divide:
@@ -154,7 +157,7 @@ Precise Carrier<Precise>::number(std::string_view literal, double /*value*/) {
 }
 
 Precise Carrier<Precise>::pi() {
-  return carrying(kinestat::pi());
+  return carrying(big_float_pi());
 }
 
 Precise Carrier<Precise>::to_si(const Precise& count, const UnitScale& unit) {

@@ -19,9 +19,6 @@ constexpr int kMostDegree = 96;
 // An inverse solves as many equations.
 constexpr int kLargestInvertedDegree = 24;
 
-// Of the hundred that a BigFloat has.
-constexpr int kPreciseDigits = 90;
-
 using MaybeRoots = std::optional<RootSum>;
 using MaybePrecise = std::optional<BigFloat>;
 
@@ -60,12 +57,6 @@ MaybeRoots combined(const RootSum& a, const RootSum& b, const Combine& combine) 
     result = RootSum(result.terms().at(0), 4);
   }
   return is_small(result) ? MaybeRoots(std::move(result)) : std::nullopt;
-}
-
-// What is left where digits cancel is rounding.
-BigFloat without_rounding(BigFloat sum, const BigFloat& a, const BigFloat& b) {
-  static const BigFloat share = pow(BigFloat(10), -kPreciseDigits);
-  return abs(sum) <= share * (abs(a) + abs(b)) ? BigFloat(0) : sum;
 }
 
 int power_of(const ExactInput& a) {
@@ -214,7 +205,7 @@ bool is_zero(const ExactInput& number) {
 }
 
 ExactInput exact_input_pi() {
-  static const BigFloat value = acos(BigFloat(-1));
+  const BigFloat& value = big_float_pi();
   return {static_cast<double>(value), value, RootSum(Rational(1), 4), 1};
 }
 
@@ -228,9 +219,7 @@ ExactInput operator-(const ExactInput& a) {
 ExactInput operator+(const ExactInput& a, const ExactInput& b) {
   const bool has_digits = a.precise && b.precise;
   return made(a.value + b.value,
-              has_digits ? MaybePrecise(without_rounding(
-                               BigFloat(*a.precise + *b.precise), *a.precise, *b.precise))
-                         : std::nullopt,
+              has_digits ? MaybePrecise(settled_sum(*a.precise, *b.precise)) : std::nullopt,
               exact_sum(a, b),
               a.exact && a.exact->is_zero() ? b.pi_power : a.pi_power);
 }

@@ -79,6 +79,16 @@ INSTANTIATE_TEST_SUITE_P(
                     "atan2(-1, -1)",
                     "-2.3561944901923449288469825374596271631478770495313"},
         PreciseCase{"rest", "mod(-0.1, 0.3)", "0.2"},
+        // Quotients and products of decimals that are whole, though no binary fraction is.
+        PreciseCase{"no_rest", "mod(0.3, 0.1)", "0"},
+        PreciseCase{"whole_quotient", "floor(0.3/0.1)", "3"},
+        PreciseCase{"whole_product", "ceil(3*0.1*10)", "3"},
+        PreciseCase{"half_of_decimals", "round(0.1*5)", "1"},
+        PreciseCase{"power_by_decimals", "(-2)^(0.1*30)", "-8"},
+        PreciseCase{"sine_of_decimals",
+                    "asin(0.1*10)",
+                    "1.5707963267948966192313216916397514"
+                    "420985846996876"},
         PreciseCase{"rounded", "round(-2.5)", "-3"},
         PreciseCase{"floor", "floor(-2.1)", "-3"},
         PreciseCase{"ceiling", "ceil(2.1)", "3"},
@@ -91,6 +101,15 @@ TEST(Precise, HasAHundredDigits) {
   const Precise third = precisely_evaluated("1/3").value;
 
   EXPECT_LT(abs(3 * *third.precise - 1), BigFloat("1e-99"));
+}
+
+// Of a hundred digits typed the last counts.
+TEST(Precise, KeepsADifferenceInTheLastDigit) {
+  const std::string zeros(98, '0');
+
+  const Precise last = precisely_evaluated("1." + zeros + "1 - 1").value;
+
+  EXPECT_EQ(last.precise->convert_to<double>(), 1e-99);
 }
 
 // Doubles divide by a rounding error of 5.6e-17 here.

@@ -7,10 +7,9 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <system_error>
-#include <thread>
 #include <utility>
 
+#include "math/numbers/number_threads.hpp"
 #include "studies/sweep/task/state_solver.hpp"
 
 namespace kinestat {
@@ -201,20 +200,6 @@ class Workshop {
   std::exception_ptr failure_;
 };
 
-// As many as the system gives; this thread works, too.
-std::vector<std::thread> start_helpers(Workshop& workshop, std::size_t count) {
-  std::vector<std::thread> helpers;
-  helpers.reserve(count);
-  try {
-    while (helpers.size() < count) {
-      helpers.emplace_back([&workshop] { workshop.work(); });
-    }
-  } catch (const std::system_error&) {
-    // Fewer threads give the same result, later.
-  }
-  return helpers;
-}
-
 }  // namespace
 
 RunEnd run_chunks(const SweepTask& task,
@@ -226,11 +211,7 @@ RunEnd run_chunks(const SweepTask& task,
   const auto most = std::max<std::uint64_t>(1, chunks.size());
   const auto threads = static_cast<std::size_t>(std::clamp<std::uint64_t>(jobs, 1, most));
   Workshop workshop(task, chunks, threads, sink, hooks, progress);
-  std::vector<std::thread> helpers = start_helpers(workshop, threads - 1);
-  workshop.work();
-  for (std::thread& helper : helpers) {
-    helper.join();
-  }
+  work_on_threads(threads, [&workshop] { workshop.work(); });
   return workshop.result();
 }
 

@@ -4,9 +4,9 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
-#include <vector>
+
+#include "math/numbers/number_threads.hpp"
 
 namespace kinestat {
 
@@ -50,18 +50,7 @@ ForEach for_each_on_threads(std::uint64_t jobs) {
   const auto most = static_cast<std::size_t>(jobs == 0 ? cores : std::min(jobs, cores));
   return [most](std::size_t count, const std::function<void(std::size_t)>& job) {
     Crew crew(count, job);
-    std::vector<std::thread> helpers;
-    try {
-      while (helpers.size() + 1 < std::min(most, count)) {
-        helpers.emplace_back([&crew] { crew.work(); });
-      }
-    } catch (const std::system_error&) {
-      // Fewer threads give the same result, later.
-    }
-    crew.work();
-    for (std::thread& helper : helpers) {
-      helper.join();
-    }
+    work_on_threads(std::min(most, count), [&crew] { crew.work(); });
     crew.rethrow();
   };
 }
