@@ -1,5 +1,5 @@
-"""The packages: made from the program of this build, installed into an empty root, used as the
-README says, removed without a trace; the archive unpacked in a folder and used there."""
+"""The packages: made from this build; the program installed into an empty root, used as the README
+says, removed without a trace; the library unpacked and used; the archive likewise."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ import time
 import unittest
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+from library_case import ROOT, LibraryCase
+
 LARGEST = 5_000_000  # bytes of a package
 FILES = {"mechanisms/transmissions/ravigneaux.yaml", "schemas/mechanism.schema.json",
          "examples/largest_powers.sh"}
@@ -52,25 +53,52 @@ def readme_commands() -> list[str]:
     return commands
 
 
-class Packages(unittest.TestCase):
+class Made:
+    """The packages, made once: the Debian ones by name, and the archive."""
+
     folder: Path
-    deb: Path
+    debs: dict[str, Path]
     archive: Path
 
-    @classmethod
-    def setUpClass(cls) -> None:
-        cls.folder = Path(tempfile.mkdtemp(prefix="kinestat-package."))
-        cls.addClassCleanup(shutil.rmtree, cls.folder)
-        generators = "DEB;TGZ" if shutil.which("dpkg-deb") else "TGZ"
-        start = time.monotonic()
-        made = run([options.cpack, "--config", str(options.build / "CPackConfig.cmake"),
-                    "-G", generators, "-B", str(cls.folder / "made")], cwd=cls.folder)
-        print(f"packages made in {time.monotonic() - start:.1f} s", file=sys.stderr)
-        if made.returncode != 0:
-            raise AssertionError(made.stdout + made.stderr)
-        cls.archive = next((cls.folder / "made").glob("*.tar.gz"))
-        cls.deb = next((cls.folder / "made").glob("*.deb"), Path())
 
+def setUpModule() -> None:
+    Made.folder = Path(tempfile.mkdtemp(prefix="kinestat-package."))
+    unittest.addModuleCleanup(shutil.rmtree, Made.folder)
+    generators = "DEB;TGZ" if shutil.which("dpkg-deb") else "TGZ"
+    start = time.monotonic()
+    made = run([options.cpack, "--config", str(options.build / "CPackConfig.cmake"),
+                "-G", generators, "-B", str(Made.folder / "made")], cwd=Made.folder)
+    print(f"packages made in {time.monotonic() - start:.1f} s", file=sys.stderr)
+    if made.returncode != 0:
+        raise AssertionError(made.stdout + made.stderr)
+    (Made.archive,) = (Made.folder / "made").glob("*.tar.gz")
+    Made.debs = {file.name.split("_")[0]: file for file in (Made.folder / "made").glob("*.deb")}
+
+
+def field(package: str, name: str) -> str:
+    return run(["dpkg-deb", "--field", str(Made.debs[package]), name]).stdout.strip()
+
+
+def unpacked_debs() -> Path:
+    """A folder with what is in all Debian packages."""
+    if not Made.debs:
+        raise unittest.SkipTest("dpkg is not installed")
+    root = Path(tempfile.mkdtemp(dir=Made.folder))
+    for deb in Made.debs.values():
+        run(["dpkg-deb", "--extract", str(deb), str(root)])
+    return root
+
+
+def unpacked_archive() -> Path:
+    """The archive, unpacked into a folder whose name has a space; the folder in it."""
+    place = Path(tempfile.mkdtemp(prefix="a place ", dir=Made.folder))
+    with tarfile.open(Made.archive) as archive:
+        archive.extractall(place)
+    (top,) = place.iterdir()
+    return top
+
+
+class Packages(unittest.TestCase):
     def use(self, program: Path, data: Path) -> None:
         """Runs what the README shows, with the installed program and files alone."""
         for name in FILES:
@@ -83,7 +111,7 @@ class Packages(unittest.TestCase):
         told = run([program, "--help"]).stdout.partition("\nCommands:\n")[2]
         commands = re.findall(r"^  (\S+)", told.partition("\nOptions:\n")[0], re.MULTILINE)
         self.assertEqual(pages, {"kinestat", *(f"kinestat-{name}" for name in commands)})
-        with tempfile.TemporaryDirectory(dir=self.folder) as work:
+        with tempfile.TemporaryDirectory(dir=Made.folder) as work:
             (Path(work) / "mechanisms").symlink_to(data / "mechanisms")
             env = {"PATH": f"{program.parent}:/usr/bin:/bin", "HOME": work, "LC_ALL": "C"}
             commands = readme_commands()
@@ -100,9 +128,9 @@ class Packages(unittest.TestCase):
             self.assertTrue((Path(work) / "crank.yaml").is_file())
 
     def installed(self) -> Path:
-        if not self.deb.is_file() or not shutil.which("dpkg"):
+        if not Made.debs:
             self.skipTest("dpkg is not installed")
-        root = Path(tempfile.mkdtemp(dir=self.folder))
+        root = Path(tempfile.mkdtemp(dir=Made.folder))
         for name in ("info", "updates"):
             (root / "var/lib/dpkg" / name).mkdir(parents=True)
         (root / "var/lib/dpkg/status").touch()
@@ -121,7 +149,7 @@ class Packages(unittest.TestCase):
         root = self.installed()
         before = tree(root)
         start = time.monotonic()
-        self.dpkg(root, "--install", str(self.deb))
+        self.dpkg(root, "--install", str(Made.debs["kinestat"]))
         program = root / "usr/bin/kinestat"
         data = root / "usr/share/kinestat"
         if options.static and os.geteuid() == 0:
@@ -140,18 +168,14 @@ class Packages(unittest.TestCase):
         self.assertEqual(tree(root), before)
 
     def test_archive_in_any_folder(self) -> None:
-        place = Path(tempfile.mkdtemp(prefix="a place ", dir=self.folder))
-        with tarfile.open(self.archive) as archive:
-            archive.extractall(place)
-        (top,) = place.iterdir()
+        top = unpacked_archive()
         self.use(top / "bin/kinestat", top / "share/kinestat")
 
     def test_package_is_small(self) -> None:
-        for package in (self.deb, self.archive):
-            if package.is_file():
-                print(f"{package.name}: {package.stat().st_size} bytes", file=sys.stderr)
-        if self.deb.is_file():  # gzip packs a program by a fifth less
-            self.assertLessEqual(self.deb.stat().st_size, LARGEST)
+        for package in (*Made.debs.values(), Made.archive):
+            print(f"{package.name}: {package.stat().st_size} bytes", file=sys.stderr)
+        for deb in Made.debs.values():  # gzip packs a program by a fifth less
+            self.assertLessEqual(deb.stat().st_size, LARGEST, deb.name)
 
     def test_program_needs_no_other_file(self) -> None:
         if not options.static or not shutil.which("readelf"):
@@ -162,17 +186,46 @@ class Packages(unittest.TestCase):
         self.assertNotIn("(NEEDED)", headers)
         self.assertIn("DYN (Position-Independent Executable file)", headers)
 
+    def test_packages_need_each_other_and_little_else(self) -> None:
+        if not Made.debs:
+            self.skipTest("dpkg is not installed")
+        same = f"libkinestat0 (= {field('kinestat', 'Version')})"
+        if options.static:
+            self.assertEqual(field("kinestat", "Depends"), "")
+        self.assertEqual(re.findall(r"([^ ,]+) \(", field("libkinestat0", "Depends")),
+                         ["libc6", "libgmp10"])
+        self.assertEqual(field("libkinestat-dev", "Depends"), same)
+        self.assertEqual(field("python3-kinestat", "Depends"), f"python3:any (>= 3.9), {same}")
+
     def test_lintian_finds_no_error(self) -> None:
-        if not self.deb.is_file() or not shutil.which("lintian"):
+        if not Made.debs or not shutil.which("lintian"):
             self.skipTest("lintian is not installed")
-        done = run(["lintian", "--allow-root", "--fail-on", "error", str(self.deb)])
+        done = run(["lintian", "--allow-root", "--fail-on", "error",
+                    *map(str, Made.debs.values())])
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+
+class PackagedLibrary(LibraryCase, unittest.TestCase):
+    """Of the Debian packages, unpacked: it needs others, which an empty root has not."""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.cmake = options.cmake
+        cls.prefix = unpacked_debs() / "usr"
+
+
+class ArchivedLibrary(LibraryCase, unittest.TestCase):
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.cmake = options.cmake
+        cls.prefix = unpacked_archive()
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--build", type=Path, required=True)
     parser.add_argument("--cpack", required=True)
+    parser.add_argument("--cmake", required=True)
     parser.add_argument("--static", action="store_true")
     options, rest = parser.parse_known_args()
     unittest.main(argv=[sys.argv[0], *rest])
