@@ -8,8 +8,14 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 set(changelog ${CMAKE_CURRENT_BINARY_DIR}/changelog)
-if(GZIP_PROGRAM)
-  configure_file(${CMAKE_CURRENT_LIST_DIR}/changelog.in ${changelog} @ONLY)
+find_program(AWK_PROGRAM awk)
+if(AWK_PROGRAM AND GZIP_PROGRAM)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+    ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${CMAKE_CURRENT_LIST_DIR}/changelog.awk)
+  execute_process(
+    COMMAND ${AWK_PROGRAM} -v package=kinestat -v maintainer=${CPACK_PACKAGE_CONTACT}
+      -f ${CMAKE_CURRENT_LIST_DIR}/changelog.awk ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+    OUTPUT_FILE ${changelog} COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND ${GZIP_PROGRAM} -9nkf ${changelog} COMMAND_ERROR_IS_FATAL ANY)
 endif()
 

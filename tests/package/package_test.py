@@ -14,6 +14,7 @@ import tarfile
 import tempfile
 import time
 import unittest
+from email.utils import parsedate_to_datetime
 from pathlib import Path
 
 from library_case import ROOT, LibraryCase
@@ -51,6 +52,15 @@ def readme_commands() -> list[str]:
             if is_call and (block[0] == "sh" or f"$ {line}" in block[1]):
                 commands.append(line)
     return commands
+
+
+def versions() -> list[tuple[str, str, list[str]]]:
+    """The versions of CHANGELOG.md that have a date, and the words of a Debian changelog for each."""
+    text = ROOT.joinpath("CHANGELOG.md").read_text(encoding="utf-8")
+    text = re.sub(r"^### (.*)$", r"[ \1 ]", text, flags=re.MULTILINE)
+    text = re.sub(r"^- ", "* ", text, flags=re.MULTILINE)
+    return [(version, date, words.split()) for version, date, words in
+            re.findall(r"^## (\S+) - (\S+)\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)]
 
 
 class Made:
@@ -197,12 +207,31 @@ class Packages(unittest.TestCase):
         self.assertEqual(field("libkinestat-dev", "Depends"), same)
         self.assertEqual(field("python3-kinestat", "Depends"), f"python3:any (>= 3.9), {same}")
 
+    def test_changelogs_say_what_that_of_the_project_says(self) -> None:
+        root = unpacked_debs()
+        for name in Made.debs:
+            file = root / f"usr/share/doc/{name}/changelog.gz"
+            entries = re.findall(r"^kinestat \((\S+)\) [^\n]*\n(.*?)^ -- [^\n]*>  ([^\n]*)\n",
+                                 gzip.decompress(file.read_bytes()).decode(), re.MULTILINE | re.DOTALL)
+            told = [(version, parsedate_to_datetime(date).date().isoformat(), text.split())
+                    for version, text, date in entries]
+            self.assertEqual(told, versions(), name)
+
     def test_lintian_finds_no_error(self) -> None:
         if not Made.debs or not shutil.which("lintian"):
             self.skipTest("lintian is not installed")
         done = run(["lintian", "--allow-root", "--fail-on", "error",
                     *map(str, Made.debs.values())])
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+
+class Version(unittest.TestCase):
+    def test_is_the_same_everywhere(self) -> None:
+        (version, date, _), *_ = versions()
+        self.assertEqual(run([str(options.build / "app/kinestat"), "--version"]).stdout,
+                         f"kinestat {version}\n")
+        citation = ROOT.joinpath("CITATION.cff").read_text(encoding="utf-8")
+        self.assertIn(f"\nversion: {version}\ndate-released: {date}\n", citation)
 
 
 class PackagedLibrary(LibraryCase, unittest.TestCase):
