@@ -25,7 +25,6 @@ FILES = {"mechanisms/transmissions/ravigneaux.yaml", "schemas/mechanism.schema.j
 SHELL_FILES = {"man/man1/kinestat-motion.1.gz": b"\\-\\-steps",
                "man/man7/kinestat-motion.7.gz": b"KINESTAT\\-MOTION 7",
                "bash-completion/completions/kinestat": b"complete -F _kinestat kinestat",
-               "zsh/vendor-completions/_kinestat": b"#compdef kinestat",
                "fish/vendor_completions.d/kinestat.fish": b"--command kinestat"}
 options = argparse.Namespace()
 
@@ -109,7 +108,7 @@ def unpacked_archive() -> Path:
 
 
 class Packages(unittest.TestCase):
-    def use(self, program: Path, data: Path) -> None:
+    def use(self, program: Path, data: Path, zsh: str) -> None:
         """Runs what the README shows, with the installed program and files alone."""
         for name in FILES:
             self.assertTrue((data / name).is_file(), name)
@@ -117,6 +116,8 @@ class Packages(unittest.TestCase):
             file = data.parent / name
             content = gzip.decompress(file.read_bytes()) if file.suffix == ".gz" else file.read_bytes()
             self.assertIn(text, content, name)
+        self.assertEqual([str(file.relative_to(data.parent / "zsh"))
+                          for file in data.parent.glob("zsh/*/*")], [zsh])
         pages = {page.name.split(".")[0] for page in (data.parent / "man/man1").iterdir()}
         told = run([program, "--help"]).stdout.partition("\nCommands:\n")[2]
         commands = re.findall(r"^  (\S+)", told.partition("\nOptions:\n")[0], re.MULTILINE)
@@ -173,13 +174,22 @@ class Packages(unittest.TestCase):
                   file=sys.stderr)
             self.assertIn("</html>", (root / "out/page.html").read_text(encoding="utf-8"))
             shutil.rmtree(root / "out")
-        self.use(program, data)
+        self.use(program, data, "vendor-completions/_kinestat")
         self.dpkg(root, "--purge", "kinestat")
         self.assertEqual(tree(root), before)
 
     def test_archive_in_any_folder(self) -> None:
         top = unpacked_archive()
-        self.use(top / "bin/kinestat", top / "share/kinestat")
+        self.use(top / "bin/kinestat", top / "share/kinestat", "site-functions/_kinestat")
+
+    @unittest.skipUnless(shutil.which("zsh"), "zsh is not installed")
+    def test_zsh_completes_from_the_archive_as_the_readme_says(self) -> None:
+        told, = re.findall(r"`(fpath=.*?)`", ROOT.joinpath("README.md").read_text(encoding="utf-8"))
+        home = unpacked_archive()
+        home.rename(home.parent / ".local")
+        begin = "autoload -Uz compinit; compinit -D -u; print -r - $_comps[kinestat]"
+        done = run(["zsh", "-f", "-c", f"{told}; {begin}"], env={**os.environ, "HOME": str(home.parent)})
+        self.assertEqual((done.stdout, done.stderr), ("_kinestat\n", ""))
 
     def test_package_is_small(self) -> None:
         for package in (*Made.debs.values(), Made.archive):
