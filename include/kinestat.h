@@ -44,7 +44,7 @@ typedef struct kinestat_report kinestat_report;
 /* The solution of one case, recorded, to be played for many values of some parameters. */
 typedef struct kinestat_tape kinestat_tape;
 
-/* The version of the library, "0.1.0". */
+/* The version of the library, as "1.2.3". */
 KINESTAT_API const char* kinestat_version(void);
 
 /* Reads a mechanism file and binds it; free the mechanism with kinestat_free_mechanism. */

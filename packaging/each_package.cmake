@@ -1,4 +1,7 @@
-# Read by CPack for each kind of package: an archive unpacks into a folder of its own.
-if(CPACK_GENERATOR STREQUAL "TGZ")
+# Read by CPack for each kind of package: an archive is one, and unpacks into a folder of its own.
+if(NOT CPACK_GENERATOR STREQUAL "DEB")
+  list(FILTER CPACK_COMPONENTS_ALL EXCLUDE REGEX "^debian_")
+  list(APPEND CPACK_COMPONENTS_ALL zsh)
+  set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
   set(CPACK_COMPONENT_INCLUDE_TOPLEVEL_DIRECTORY ON)
 endif()

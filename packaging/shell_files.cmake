@@ -28,7 +28,7 @@ foreach(section 1 7)
 endforeach()
 
 write(bash-completion/completions/kinestat completion bash)
-write(zsh/vendor-completions/_kinestat completion zsh)
+write(zsh/site-functions/_kinestat completion zsh)
 write(fish/vendor_completions.d/kinestat.fish completion fish)
 
 if(GZIP)

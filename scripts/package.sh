@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and makes the packages: a .deb and a .tar.gz that runs from any
-# folder. Says where they are.
+# Installs what is missing, builds, and makes the packages: .deb files for the program, the library,
+# its headers and Python, and a .tar.gz with all of these that runs from any folder. Says where they
+# are.
 # Usage: scripts/package.sh [FOLDER]   (default: build/release/packages)
 set -euo pipefail
 
@@ -13,10 +14,10 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=build/release
 [[ $# -gt 0 ]] || folder=$PWD/$build/packages
 
-scripts/setup.sh build
+scripts/setup.sh package
 [[ -f $build/build.ninja ]] || cmake --preset release -DBUILD_TESTING=OFF >&2
 cmake --build "$build" --target packages >&2
-made=("$PWD/$build"/packages/kinestat*.{deb,tar.gz})
+made=("$PWD/$build"/packages/*.{deb,tar.gz})
 mkdir -p "$folder"
 for file in "${made[@]}"; do
   [[ $folder/${file##*/} -ef $file ]] || cp "$file" "$folder"

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing; does nothing when all are there.
-# Usage: scripts/setup.sh [build|test|sanitize|bench|lint|browser|viewers|manual]...   (default: build test)
+# Usage: scripts/setup.sh [build|package|test|sanitize|bench|lint|browser|viewers|manual]...   (default: build test)
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config libeigen3-dev libyaml-cpp-dev libcli11-dev
   libfmt-dev nlohmann-json3-dev libboost-dev libgmp-dev libmpfr-dev
   libxxhash-dev libmd-dev libutf8proc-dev)
-test=("${build[@]}" libgtest-dev python3 python3-jsonschema python3-yaml)
+package=("${build[@]}" dpkg-dev file)  # to find what the library needs
+test=("${package[@]}" libgtest-dev python3 python3-jsonschema python3-yaml)
 sanitize=("${test[@]}" clang libclang-rt-14-dev)
 bench=("${build[@]}" liblapack-dev libblas-dev libsuitesparse-dev)
 lint=(clang-format clang-tidy)
@@ -26,6 +27,7 @@ wanted=()
 for part in "$@"; do
   case $part in
     build) wanted+=("${build[@]}") ;;
+    package) wanted+=("${package[@]}") ;;
     test) wanted+=("${test[@]}") ;;
     sanitize) wanted+=("${sanitize[@]}") ;;
     bench) wanted+=("${bench[@]}") ;;
@@ -33,7 +35,7 @@ for part in "$@"; do
     browser) wanted+=("${browser[@]}") ;;
     viewers) wanted+=("${viewers[@]}") ;;
     manual) wanted+=("${manual[@]}") ;;
-    *) stop 2 "unknown part '$part'; parts are build, test, sanitize, bench, lint, browser, viewers, manual" ;;
+    *) stop 2 "unknown part '$part'; parts are build, package, test, sanitize, bench, lint, browser, viewers, manual" ;;
   esac
 done
 

@@ -66,7 +66,7 @@ def _candidates() -> Iterator[str]:
     package = Path(__file__).resolve().parent
     folders = [package]
     for parent in list(package.parents)[:4]:
-        folders += [parent / "lib", parent / "build" / "release" / "lib"]
+        folders += [parent / "lib", parent / "lib64", parent / "build" / "release" / "lib"]
     for folder in folders:
         for name in NAMES:
             if (folder / name).is_file():

@@ -114,14 +114,18 @@ class Shells(unittest.TestCase):
     line is then."""
 
     # The line between signs that no prompt and no completion has.
+    SHOW = ("show() { print -rn -- \"[[$BUFFER]]\" }; zle -N show; "
+            "bindkey -e; bindkey '^X^X' show")
     START = {
         "bash": (["bash", "--norc", "-i"],
                  "bind -x '\"\\C-x\\C-x\": printf \"[[%s]]\" \"$READLINE_LINE\"'; "
                  "bind 'set bell-style none'; source <(kinestat completion bash)"),
         "zsh": (["zsh", "-f", "-i"],
-                "autoload -Uz compinit; compinit -u -D; source <(kinestat completion zsh); "
-                "show() { print -rn -- \"[[$BUFFER]]\" }; zle -N show; "
-                "bindkey -e; bindkey '^X^X' show"),
+                f"autoload -Uz compinit; compinit -u -D; source <(kinestat completion zsh); {SHOW}"),
+        "zsh from a folder": (["zsh", "-f", "-i"],
+                              "mkdir ~/.zfunc; kinestat completion zsh > ~/.zfunc/_kinestat; "
+                              "fpath+=(~/.zfunc); autoload -Uz compinit; compinit -u -D; "
+                              f"{SHOW}"),
         "fish": (["fish", "--no-config", "-i"],
                  "kinestat completion fish | source; "
                  "bind \\cx\\cx 'printf \"[[%s]]\" (commandline | string collect)'"),
@@ -156,9 +160,9 @@ class Shells(unittest.TestCase):
         self.folder = folder
 
     def open(self, name: str) -> None:
-        if not shutil.which(name):
-            self.skipTest(f"{name} is not installed")
         words, script = self.START[name]
+        if not shutil.which(words[0]):
+            self.skipTest(f"{words[0]} is not installed")
         child, self.terminal = pty.fork()
         if child == 0:
             os.chdir(self.folder)
@@ -201,6 +205,9 @@ class Shells(unittest.TestCase):
 
     def test_zsh(self) -> None:
         self.check("zsh")
+
+    def test_zsh_from_a_folder(self) -> None:
+        self.check("zsh from a folder")
 
     def test_fish(self) -> None:
         self.check("fish")

@@ -1,5 +1,5 @@
-"""The packages: made from the program of this build, installed into an empty root, used as the
-README says, removed without a trace; the archive unpacked in a folder and used there."""
+"""The packages: made from this build; the program installed into an empty root, used as the README
+says, removed without a trace; the library unpacked and used; the archive likewise."""
 
 from __future__ import annotations
 
@@ -14,16 +14,17 @@ import tarfile
 import tempfile
 import time
 import unittest
+from email.utils import parsedate_to_datetime
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+from library_case import ROOT, LibraryCase
+
 LARGEST = 5_000_000  # bytes of a package
 FILES = {"mechanisms/transmissions/ravigneaux.yaml", "schemas/mechanism.schema.json",
          "examples/largest_powers.sh"}
 SHELL_FILES = {"man/man1/kinestat-motion.1.gz": b"\\-\\-steps",
                "man/man7/kinestat-motion.7.gz": b"KINESTAT\\-MOTION 7",
                "bash-completion/completions/kinestat": b"complete -F _kinestat kinestat",
-               "zsh/vendor-completions/_kinestat": b"#compdef kinestat",
                "fish/vendor_completions.d/kinestat.fish": b"--command kinestat"}
 options = argparse.Namespace()
 
@@ -52,26 +53,62 @@ def readme_commands() -> list[str]:
     return commands
 
 
-class Packages(unittest.TestCase):
+def versions() -> list[tuple[str, str, list[str]]]:
+    """The versions of CHANGELOG.md that have a date, and the words of a Debian changelog for each."""
+    text = ROOT.joinpath("CHANGELOG.md").read_text(encoding="utf-8")
+    text = re.sub(r"^### (.*)$", r"[ \1 ]", text, flags=re.MULTILINE)
+    text = re.sub(r"^- ", "* ", text, flags=re.MULTILINE)
+    return [(version, date, words.split()) for version, date, words in
+            re.findall(r"^## (\S+) - (\S+)\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)]
+
+
+class Made:
+    """The packages, made once: the Debian ones by name, and the archive."""
+
     folder: Path
-    deb: Path
+    debs: dict[str, Path]
     archive: Path
 
-    @classmethod
-    def setUpClass(cls) -> None:
-        cls.folder = Path(tempfile.mkdtemp(prefix="kinestat-package."))
-        cls.addClassCleanup(shutil.rmtree, cls.folder)
-        generators = "DEB;TGZ" if shutil.which("dpkg-deb") else "TGZ"
-        start = time.monotonic()
-        made = run([options.cpack, "--config", str(options.build / "CPackConfig.cmake"),
-                    "-G", generators, "-B", str(cls.folder / "made")], cwd=cls.folder)
-        print(f"packages made in {time.monotonic() - start:.1f} s", file=sys.stderr)
-        if made.returncode != 0:
-            raise AssertionError(made.stdout + made.stderr)
-        cls.archive = next((cls.folder / "made").glob("*.tar.gz"))
-        cls.deb = next((cls.folder / "made").glob("*.deb"), Path())
 
-    def use(self, program: Path, data: Path) -> None:
+def setUpModule() -> None:
+    Made.folder = Path(tempfile.mkdtemp(prefix="kinestat-package."))
+    unittest.addModuleCleanup(shutil.rmtree, Made.folder)
+    generators = "DEB;TGZ" if shutil.which("dpkg-deb") else "TGZ"
+    start = time.monotonic()
+    made = run([options.cpack, "--config", str(options.build / "CPackConfig.cmake"),
+                "-G", generators, "-B", str(Made.folder / "made")], cwd=Made.folder)
+    print(f"packages made in {time.monotonic() - start:.1f} s", file=sys.stderr)
+    if made.returncode != 0:
+        raise AssertionError(made.stdout + made.stderr)
+    (Made.archive,) = (Made.folder / "made").glob("*.tar.gz")
+    Made.debs = {file.name.split("_")[0]: file for file in (Made.folder / "made").glob("*.deb")}
+
+
+def field(package: str, name: str) -> str:
+    return run(["dpkg-deb", "--field", str(Made.debs[package]), name]).stdout.strip()
+
+
+def unpacked_debs() -> Path:
+    """A folder with what is in all Debian packages."""
+    if not Made.debs:
+        raise unittest.SkipTest("dpkg is not installed")
+    root = Path(tempfile.mkdtemp(dir=Made.folder))
+    for deb in Made.debs.values():
+        run(["dpkg-deb", "--extract", str(deb), str(root)])
+    return root
+
+
+def unpacked_archive() -> Path:
+    """The archive, unpacked into a folder whose name has a space; the folder in it."""
+    place = Path(tempfile.mkdtemp(prefix="a place ", dir=Made.folder))
+    with tarfile.open(Made.archive) as archive:
+        archive.extractall(place)
+    (top,) = place.iterdir()
+    return top
+
+
+class Packages(unittest.TestCase):
+    def use(self, program: Path, data: Path, zsh: str) -> None:
         """Runs what the README shows, with the installed program and files alone."""
         for name in FILES:
             self.assertTrue((data / name).is_file(), name)
@@ -79,11 +116,13 @@ class Packages(unittest.TestCase):
             file = data.parent / name
             content = gzip.decompress(file.read_bytes()) if file.suffix == ".gz" else file.read_bytes()
             self.assertIn(text, content, name)
+        self.assertEqual([str(file.relative_to(data.parent / "zsh"))
+                          for file in data.parent.glob("zsh/*/*")], [zsh])
         pages = {page.name.split(".")[0] for page in (data.parent / "man/man1").iterdir()}
         told = run([program, "--help"]).stdout.partition("\nCommands:\n")[2]
         commands = re.findall(r"^  (\S+)", told.partition("\nOptions:\n")[0], re.MULTILINE)
         self.assertEqual(pages, {"kinestat", *(f"kinestat-{name}" for name in commands)})
-        with tempfile.TemporaryDirectory(dir=self.folder) as work:
+        with tempfile.TemporaryDirectory(dir=Made.folder) as work:
             (Path(work) / "mechanisms").symlink_to(data / "mechanisms")
             env = {"PATH": f"{program.parent}:/usr/bin:/bin", "HOME": work, "LC_ALL": "C"}
             commands = readme_commands()
@@ -100,9 +139,9 @@ class Packages(unittest.TestCase):
             self.assertTrue((Path(work) / "crank.yaml").is_file())
 
     def installed(self) -> Path:
-        if not self.deb.is_file() or not shutil.which("dpkg"):
+        if not Made.debs:
             self.skipTest("dpkg is not installed")
-        root = Path(tempfile.mkdtemp(dir=self.folder))
+        root = Path(tempfile.mkdtemp(dir=Made.folder))
         for name in ("info", "updates"):
             (root / "var/lib/dpkg" / name).mkdir(parents=True)
         (root / "var/lib/dpkg/status").touch()
@@ -121,7 +160,7 @@ class Packages(unittest.TestCase):
         root = self.installed()
         before = tree(root)
         start = time.monotonic()
-        self.dpkg(root, "--install", str(self.deb))
+        self.dpkg(root, "--install", str(Made.debs["kinestat"]))
         program = root / "usr/bin/kinestat"
         data = root / "usr/share/kinestat"
         if options.static and os.geteuid() == 0:
@@ -135,23 +174,28 @@ class Packages(unittest.TestCase):
                   file=sys.stderr)
             self.assertIn("</html>", (root / "out/page.html").read_text(encoding="utf-8"))
             shutil.rmtree(root / "out")
-        self.use(program, data)
+        self.use(program, data, "vendor-completions/_kinestat")
         self.dpkg(root, "--purge", "kinestat")
         self.assertEqual(tree(root), before)
 
     def test_archive_in_any_folder(self) -> None:
-        place = Path(tempfile.mkdtemp(prefix="a place ", dir=self.folder))
-        with tarfile.open(self.archive) as archive:
-            archive.extractall(place)
-        (top,) = place.iterdir()
-        self.use(top / "bin/kinestat", top / "share/kinestat")
+        top = unpacked_archive()
+        self.use(top / "bin/kinestat", top / "share/kinestat", "site-functions/_kinestat")
+
+    @unittest.skipUnless(shutil.which("zsh"), "zsh is not installed")
+    def test_zsh_completes_from_the_archive_as_the_readme_says(self) -> None:
+        told, = re.findall(r"`(fpath=.*?)`", ROOT.joinpath("README.md").read_text(encoding="utf-8"))
+        home = unpacked_archive()
+        home.rename(home.parent / ".local")
+        begin = "autoload -Uz compinit; compinit -D -u; print -r - $_comps[kinestat]"
+        done = run(["zsh", "-f", "-c", f"{told}; {begin}"], env={**os.environ, "HOME": str(home.parent)})
+        self.assertEqual((done.stdout, done.stderr), ("_kinestat\n", ""))
 
     def test_package_is_small(self) -> None:
-        for package in (self.deb, self.archive):
-            if package.is_file():
-                print(f"{package.name}: {package.stat().st_size} bytes", file=sys.stderr)
-        if self.deb.is_file():  # gzip packs a program by a fifth less
-            self.assertLessEqual(self.deb.stat().st_size, LARGEST)
+        for package in (*Made.debs.values(), Made.archive):
+            print(f"{package.name}: {package.stat().st_size} bytes", file=sys.stderr)
+        for deb in Made.debs.values():  # gzip packs a program by a fifth less
+            self.assertLessEqual(deb.stat().st_size, LARGEST, deb.name)
 
     def test_program_needs_no_other_file(self) -> None:
         if not options.static or not shutil.which("readelf"):
@@ -162,17 +206,65 @@ class Packages(unittest.TestCase):
         self.assertNotIn("(NEEDED)", headers)
         self.assertIn("DYN (Position-Independent Executable file)", headers)
 
-    def test_lintian_finds_no_error(self) -> None:
-        if not self.deb.is_file() or not shutil.which("lintian"):
+    def test_packages_need_each_other_and_little_else(self) -> None:
+        if not Made.debs:
+            self.skipTest("dpkg is not installed")
+        same = f"libkinestat0 (= {field('kinestat', 'Version')})"
+        if options.static:
+            self.assertEqual(field("kinestat", "Depends"), "")
+        self.assertEqual(re.findall(r"([^ ,]+) \(", field("libkinestat0", "Depends")),
+                         ["libc6", "libgmp10"])
+        self.assertEqual(field("libkinestat-dev", "Depends"), same)
+        self.assertEqual(field("python3-kinestat", "Depends"), f"python3:any (>= 3.9), {same}")
+
+    def test_changelogs_say_what_that_of_the_project_says(self) -> None:
+        root = unpacked_debs()
+        for name in Made.debs:
+            file = root / f"usr/share/doc/{name}/changelog.gz"
+            entries = re.findall(r"^kinestat \((\S+)\) [^\n]*\n(.*?)^ -- [^\n]*>  ([^\n]*)\n",
+                                 gzip.decompress(file.read_bytes()).decode(), re.MULTILINE | re.DOTALL)
+            told = [(version, parsedate_to_datetime(date).date().isoformat(), text.split())
+                    for version, text, date in entries]
+            self.assertEqual(told, versions(), name)
+
+    def test_lintian_finds_no_error_and_no_warning(self) -> None:
+        if not Made.debs or not shutil.which("lintian"):
             self.skipTest("lintian is not installed")
-        done = run(["lintian", "--allow-root", "--fail-on", "error", str(self.deb)])
+        done = run(["lintian", "--allow-root", "--fail-on", "error,warning",
+                    *map(str, Made.debs.values())])
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+
+class Version(unittest.TestCase):
+    def test_is_the_same_everywhere(self) -> None:
+        (version, date, _), *_ = versions()
+        self.assertEqual(run([str(options.build / "app/kinestat"), "--version"]).stdout,
+                         f"kinestat {version}\n")
+        citation = ROOT.joinpath("CITATION.cff").read_text(encoding="utf-8")
+        self.assertIn(f"\nversion: {version}\ndate-released: {date}\n", citation)
+
+
+class PackagedLibrary(LibraryCase, unittest.TestCase):
+    """Of the Debian packages, unpacked: it needs others, which an empty root has not."""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.cmake = options.cmake
+        cls.prefix = unpacked_debs() / "usr"
+
+
+class ArchivedLibrary(LibraryCase, unittest.TestCase):
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.cmake = options.cmake
+        cls.prefix = unpacked_archive()
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--build", type=Path, required=True)
     parser.add_argument("--cpack", required=True)
+    parser.add_argument("--cmake", required=True)
     parser.add_argument("--static", action="store_true")
     options, rest = parser.parse_known_args()
     unittest.main(argv=[sys.argv[0], *rest])

@@ -55,7 +55,7 @@ class Library(Case):
 
     @unittest.skipUnless(os.environ.get("KINESTAT_LIBRARY"), "KINESTAT_LIBRARY is not set")
     def test_a_library_beside_the_package_or_above_it(self) -> None:
-        for place in ("a/b/kinestat", "a/lib", "lib", "a/build/release/lib"):
+        for place in ("a/b/kinestat", "a/lib", "a/lib64", "lib", "a/build/release/lib"):
             package = self.package()
             folder = package.parents[1] / place
             folder.mkdir(parents=True, exist_ok=True)
