@@ -8,7 +8,10 @@
  * Nothing here prints, ends the process or throws. An object may be used by one thread at a time,
  * different objects by different threads. Texts are UTF-8, end with a null, and live as long as the
  * object that they are asked of. Numbers are in the units that the mechanism file writes; the angle
- * of a file without units is the radian, its length the metre. */
+ * of a file without units is the radian, its length the metre.
+ *
+ * Functions and values may be added; none is changed or removed as long as the library keeps the
+ * number of its name, libkinestat.so.0. */
 #ifndef KINESTAT_H
 #define KINESTAT_H
 

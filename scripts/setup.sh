@@ -12,7 +12,7 @@ sanitize=("${test[@]}" clang libclang-rt-14-dev)
 bench=("${build[@]}" liblapack-dev libblas-dev libsuitesparse-dev)
 lint=(clang-format clang-tidy)
 browser=(chromium chromium-driver)
-viewers=(graphviz gnuplot-nox groff-base zsh fish)
+viewers=(graphviz gnuplot-nox groff-base zsh fish valgrind)
 manual=(python3 python3-yaml python3-sphinx python3-myst-parser furo fonts-stix)
 
 stop() {

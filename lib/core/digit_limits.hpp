@@ -9,7 +9,7 @@ inline constexpr int kDoubleDigits = 16;
 /// What is more than a double has.
 inline constexpr int kLeastDigits = 17;
 
-/// What BigFloat has, and some more for its rounding.
+/// More are not worked out.
 inline constexpr int kMostDigits = 100;
 
 }  // namespace kinestat

@@ -39,7 +39,7 @@ inline constexpr double kCollinearSpecification = 1e-7;
 inline constexpr double kSameLinkage = 1e-5;
 
 /// Four links are at a change point if shortest and longest equal the other two to this share of
-/// their sum.
+/// their sum, or within the bounds of their lengths.
 inline constexpr double kChangePoint = 1e-10;
 
 /// Dyads of positions that lose all but one digit are not worth having.

@@ -31,7 +31,7 @@ inline std::nullptr_t no_names(std::string_view /*name*/) {
 /// Errors: E0309 for dimensions that do not fit, E0311 for an unknown name, E0316 where there is no
 /// finite value (division by zero, sqrt(-1), log(0), tan(90 deg)) or a product or power is too
 /// small to differ from zero; each at the smallest part that shows it. They do not depend on the
-/// type of number, which is double, Dual, Exact or Precise.
+/// type of number, which is double, Dual, Exact or ExactInput.
 template <class Number = double>
 std::variant<BasicQuantity<Number>, ExpressionError> evaluate(
     const Expression& expression,

@@ -92,7 +92,7 @@ using ParameterValues = BasicParameterValues<double>;
 
 /// Evaluates the parameters in the order in which they need each other. Errors: those of evaluate,
 /// and E0310 once for every circle, at its first parameter. Those that depend on a parameter in
-/// error have no value and no error of their own. `Number` is double, Exact or Precise.
+/// error have no value and no error of their own. `Number` is double, Exact or ExactInput.
 template <class Number = double>
 BasicParameterValues<Number> evaluate_parameters(std::span<const Parameter> parameters);
 

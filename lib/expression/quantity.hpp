@@ -32,8 +32,8 @@ Dimension power(const Dimension& base, int exponent);
 bool is_bare(const Dimension& dimension);
 
 /// A value in SI: metre, kilogram, second, radian. `Number` is double, Dual (math/numbers/dual.hpp:
-/// with derivatives), Exact (exact.hpp: with its exact value where it has one) or Precise
-/// (precise.hpp: with a hundred digits).
+/// with derivatives), Exact (exact.hpp: with its exact value where it has one) or
+/// ExactInput (math/numbers/exact_input.hpp: likewise, and with a hundred digits).
 template <class Number>
 struct BasicQuantity {
   Number value{};

@@ -6,8 +6,7 @@
 namespace kinestat {
 
 FileNames names_of(const Loaded& loaded) {
-  FileNames names{
-      .parameters = parameter_names(loaded.description), .actuators = {}, .cases = {}};
+  FileNames names{.parameters = parameter_names(loaded.description), .actuators = {}, .cases = {}};
   for (const ActuatorTopology& actuator : loaded.mechanism.topology.actuators) {
     names.actuators.push_back(actuator.name);
   }

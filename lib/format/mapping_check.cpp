@@ -52,10 +52,10 @@ std::string what_to_add(const FormKey& key, std::optional<Space> space) {
 }
 
 // Most keys that are missing may be: only of the others it is worked out what to add.
-void miss_key(const FormShape& shape,
-              const FormKey& key,
-              Fields& fields,
-              const FileValue& mapping) {
+void complain_of_missing(const FormShape& shape,
+                         const FormKey& key,
+                         Fields& fields,
+                         const FileValue& mapping) {
   const bool is_needed = (key.is_needed && !is_replaced(shape, key.key, mapping)) ||
                          is_called_for(shape, key.key, mapping);
   if (!is_needed) {
@@ -154,7 +154,7 @@ std::optional<FileValue> find_key(const FormShape& shape,
   const FormKey& key = shape.keys[index];
   const YamlNode* node = fields.find(key.key);
   if (node == nullptr) {
-    miss_key(shape, key, fields, mapping);
+    complain_of_missing(shape, key, fields, mapping);
     return std::nullopt;
   }
   if (!mapping.space && depends_on_space(key.shape)) {

@@ -10,18 +10,9 @@
 
 namespace kinestat {
 
-namespace {
-
-// Of this thread, given back when it ends.
-struct NumberMemory {
-  ~NumberMemory() { release_big_float_memory(); }
-};
-
-}  // namespace
-
 CallMessages& last_messages() {
   static thread_local CallMessages messages;
-  static thread_local const NumberMemory memory;
+  static thread_local const BigFloatMemory memory;  // of a thread that ends before the process
   return messages;
 }
 

@@ -22,7 +22,12 @@ function end_version() {
   end_version()
   if ($3 == "-") {
     command = "date --utc --rfc-email --date=" $4
-    command | getline date
+    if ((command | getline date) <= 0) {
+      printf "changelog.awk: %s:%d: \"%s\" is no date that GNU date reads; write 2026-01-31\n", \
+        FILENAME, FNR, $4 > "/dev/stderr"
+      failed = 1
+      exit 1
+    }
     close(command)
     printf "%s (%s) unstable; urgency=medium\n", package, $2
   }
@@ -39,4 +44,4 @@ function end_version() {
   sub(/^- /, "")
   item = item " " $0
 }
-END { end_version() }
+END { if (!failed) end_version() }

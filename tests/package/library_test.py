@@ -49,6 +49,20 @@ class InstalledLibrary(LibraryCase, unittest.TestCase):
         self.assertEqual(done.returncode, 2)
         self.assertIn("ring held", done.stderr)
 
+    @unittest.skipUnless(shutil.which("valgrind"), "without valgrind")
+    def test_touches_no_memory_but_its_own_and_loses_none(self) -> None:
+        report = self.examples() / "report"
+        for place in (("transmissions/ravigneaux.yaml", "/cases/M2/ratio"),
+                      ("planar/four_bar.yaml", "/cases/known output/kinematics/order"),
+                      ("cables/pulley_rr_chains.yaml", "/cases/block moves/kinematics/order")):
+            with self.subTest(place[0]):
+                done = subprocess.run(
+                    ["valgrind", "--quiet", "--leak-check=full", "--error-exitcode=99", report,
+                     ROOT / "mechanisms" / place[0], place[1]],
+                    capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertNotIn("==", done.stderr)
+
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)

@@ -213,7 +213,7 @@ class Packages(unittest.TestCase):
         if options.static:
             self.assertEqual(field("kinestat", "Depends"), "")
         self.assertEqual(re.findall(r"([^ ,]+) \(", field("libkinestat0", "Depends")),
-                         ["libc6", "libgmp10"])
+                         ["libc6", "libgmp10", "libmpfr6"])
         self.assertEqual(field("libkinestat-dev", "Depends"), same)
         self.assertEqual(field("python3-kinestat", "Depends"), f"python3:any (>= 3.9), {same}")
 

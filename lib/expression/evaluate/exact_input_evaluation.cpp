@@ -6,7 +6,7 @@
 #include "expression/evaluate/evaluate_as.hpp"
 #include "expression/evaluate/exact_arithmetic.hpp"
 #include "expression/evaluate/exact_carrier.hpp"
-#include "expression/evaluate/precise_carrier.hpp"
+#include "expression/evaluate/precise_operations.hpp"
 #include "expression/expression.hpp"
 #include "expression/parameters/parameter_values.hpp"
 #include "expression/units.hpp"
@@ -28,16 +28,12 @@ namespace {
 // Powers up to this are products.
 constexpr int kLargestPower = 16;
 
-ExactInput exact_input(const Precise& precise, const Exact& exact) {
-  std::optional<RootSum> roots;
-  if (exact.exact) {
-    roots = RootSum(exact.exact->factor, 4);
-  }
-  return {0.0, precise.precise, std::move(roots), exact.exact ? exact.exact->pi_power : 0};
+BigFloat digits_of(const PiRational& exact) {
+  return to_big_float(exact.factor) * pow(big_float_pi(), exact.pi_power);
 }
 
-Precise precise_of(const ExactInput& number) {
-  return {.value = number.value, .precise = number.precise};
+ExactInput exact_input(const PiRational& exact) {
+  return {0.0, digits_of(exact), RootSum(exact.factor, 4), exact.pi_power};
 }
 
 // The fraction times a power of pi that a number is; empty for other sums of roots.
@@ -67,7 +63,8 @@ std::optional<ExactInput> raised(const ExactInput& base, const ExactInput& expon
   return *power < 0 ? ExactInput(1.0) / result : result;
 }
 
-// What fractions do not answer, sums of roots may.
+// What fractions do not answer, sums of roots may; of sums, products and quotients at least the
+// digits are known.
 std::optional<ExactInput> apply_to_roots(const Node& operation,
                                          const ExactInput& a,
                                          const ExactInput& b) {
@@ -111,8 +108,9 @@ std::optional<ExactInput> apply_to_roots(const Node& operation,
 }  // namespace
 
 ExactInput Carrier<ExactInput>::number(std::string_view literal, double value) {
-  return exact_input(Carrier<Precise>::number(literal, value),
-                     Carrier<Exact>::number(literal, value));
+  const Exact exact = Carrier<Exact>::number(literal, value);
+  return exact.exact ? exact_input(*exact.exact)
+                     : ExactInput(0.0, precise_number(literal), std::nullopt, 0);
 }
 
 ExactInput Carrier<ExactInput>::pi() {
@@ -120,12 +118,7 @@ ExactInput Carrier<ExactInput>::pi() {
 }
 
 ExactInput Carrier<ExactInput>::to_si(const ExactInput& count, const UnitScale& unit) {
-  const PiRational size = size_of(unit);
-  const ExactInput scale(0.0,
-                         Carrier<Precise>::to_si(Carrier<Precise>::number("1", 1.0), unit).precise,
-                         RootSum(size.factor, 4),
-                         size.pi_power);
-  return count * scale;
+  return count * exact_input(size_of(unit));
 }
 
 ExactInput Carrier<ExactInput>::from_si(const ExactInput& value, const UnitScale& unit) {
@@ -136,14 +129,17 @@ ExactInput Carrier<ExactInput>::apply(const Node& operation,
                                       const ExactInput& a,
                                       const ExactInput& b) {
   const Exact fraction = Carrier<Exact>::apply(operation, exact_of(a), exact_of(b));
-  const std::optional<ExactInput> roots =
-      fraction.exact ? std::nullopt : apply_to_roots(operation, a, b);
-  if (roots) {
+  if (fraction.exact) {
+    return exact_input(*fraction.exact);
+  }
+  if (const std::optional<ExactInput> roots = apply_to_roots(operation, a, b)) {
     return *roots;
   }
-  const Precise digits = Carrier<Precise>::apply(operation, precise_of(a), precise_of(b));
-  return fraction.exact && fraction.exact->factor.is_zero() ? ExactInput(0.0)
-                                                            : exact_input(digits, fraction);
+  const bool has_digits = a.precise && b.precise;
+  return {0.0,
+          has_digits ? apply_precisely(operation, *a.precise, *b.precise) : std::nullopt,
+          std::nullopt,
+          0};
 }
 
 using ExactInputQuantity = BasicQuantity<ExactInput>;

@@ -36,6 +36,7 @@ class Tableau {
       table_.row(rows_) -= table_.row(r);
     }
     table_.row(rows_).segment(unknowns_, rows_).setZero();
+    least_step_ = kRankZero * largest;
     improve(least_);
     if (std::abs(table_(rows_, right())) > kConsistency * largest) {
       return false;
@@ -90,7 +91,7 @@ class Tableau {
       if (row == rows_) {
         return;
       }
-      is_stuck = table_(row, right()) <= 0.0;
+      is_stuck = table_(row, right()) <= least_step_;
       pivot(row, column);
     }
   }
@@ -155,6 +156,7 @@ class Tableau {
   MatX table_;
   std::vector<Eigen::Index> basic_;  ///< the unknown that each row is solved for
   double least_ = 0.0;               ///< below it an entry is zero
+  double least_step_ = 0.0;          ///< below it an unknown that leaves has moved nothing
 };
 
 }  // namespace

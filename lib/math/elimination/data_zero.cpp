@@ -10,8 +10,8 @@ namespace kinestat {
 
 namespace {
 
-// Which columns have to be asked about, the errors being the largest of any solution, or no number:
-// of few a value is so small that its own row of the inverse has to say.
+// Columns with a value that is not surely beyond `most`, the change that the largest errors of all
+// solutions may cause, or is a NaN. They are few, and their own row of the inverse has to say.
 std::vector<int> doubtful_columns(const Elimination& factors,
                                   std::span<const VecX> solutions,
                                   const VecX& most) {

@@ -2,33 +2,28 @@
 
 namespace kinestat {
 
-namespace {
-
-// Of the sizes of the terms of a sum.
-const BigFloat& rounding() {
+const BigFloat& big_float_rounding() {
   static const BigFloat share = pow(BigFloat(10), 10 - kBigFloatDigits);
   return share;
 }
-
-}  // namespace
 
 const BigFloat& big_float_pi() {
   static const BigFloat value = acos(BigFloat(-1));
   return value;
 }
 
+BigFloat to_big_float(const Rational& value) {
+  return BigFloat(boost::multiprecision::numerator(value)) /
+         BigFloat(boost::multiprecision::denominator(value));
+}
+
 BigFloat settled_sum(const BigFloat& a, const BigFloat& b) {
   const BigFloat sum = a + b;
-  return abs(sum) <= rounding() * (abs(a) + abs(b)) ? BigFloat(0) : sum;
+  return abs(sum) <= big_float_rounding() * (abs(a) + abs(b)) ? BigFloat(0) : sum;
 }
 
-BigFloat settled_whole(const BigFloat& a) {
-  const BigFloat nearest = round(a);
-  return abs(a - nearest) <= rounding() * abs(a) ? nearest : a;
-}
-
-void release_big_float_memory() {
-  mpfr_free_cache();
+BigFloatMemory::~BigFloatMemory() {
+  mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE);
 }
 
 }  // namespace kinestat

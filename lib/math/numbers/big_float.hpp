@@ -2,32 +2,40 @@
 #pragma once
 
 #include <boost/multiprecision/mpfr.hpp>
-#include <string>
+
+#include "core/digit_limits.hpp"
+#include "math/numbers/rational.hpp"
 
 namespace kinestat {
 
-/// So many more than the hundred that are asked for at most (core/digit_limits.hpp) that what
-/// binary digits round of a decimal is told from what someone typed.
-inline constexpr int kBigFloatDigits = 120;
+/// Binary digits round decimals, and what follows from them: so many more are kept than may be
+/// asked for.
+inline constexpr int kBigFloatDigits = kMostDigits + 20;
 
-/// In place: without a memory allocation a number.
+/// Held in place: a number allocates no memory.
 using BigFloat = boost::multiprecision::number<
     boost::multiprecision::mpfr_float_backend<kBigFloatDigits,
                                               boost::multiprecision::allocate_stack>,
     boost::multiprecision::et_off>;
 
+/// As a share of what it is a sum of, a number that rounding may have left where zero should be:
+/// its last ten digits.
+const BigFloat& big_float_rounding();
+
 const BigFloat& big_float_pi();
 
-/// a + b, and zero where no more is left of both than the rounding of their last ten digits:
-/// 0.1 + 0.2 - 0.3 is zero.
+/// With all its digits.
+BigFloat to_big_float(const Rational& value);
+
+/// a + b, or zero if that may be rounding of a and b: 1.1*1.1 - 1.21 is zero.
 BigFloat settled_sum(const BigFloat& a, const BigFloat& b);
 
-/// The whole number that differs from `a` by no more than the rounding of its last ten digits, as
-/// 0.3 / 0.1 does from 3; `a` itself if there is none.
-BigFloat settled_whole(const BigFloat& a);
-
-/// What MPFR keeps for each thread, as the digits of pi. A thread calls it when it has ended its
-/// work; it may work with numbers again.
-void release_big_float_memory();
+/// Gives back what MPFR keeps for the thread that it is made in, as the digits of pi.
+struct BigFloatMemory {
+  BigFloatMemory() = default;
+  BigFloatMemory(const BigFloatMemory&) = delete;
+  BigFloatMemory& operator=(const BigFloatMemory&) = delete;
+  ~BigFloatMemory();
+};
 
 }  // namespace kinestat

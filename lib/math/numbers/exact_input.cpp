@@ -63,11 +63,14 @@ int power_of(const ExactInput& a) {
   return a.exact && a.exact->is_zero() ? 0 : a.pi_power;
 }
 
+// The digits of a fraction do not hang on the digits of what it is made of.
 ExactInput made(double value, MaybePrecise precise, MaybeRoots exact, int power) {
   ExactInput result(value, std::move(precise), std::move(exact), power);
   if (result.exact && result.exact->is_zero()) {
-    result.precise = BigFloat(0);
     result.pi_power = 0;
+  }
+  if (const std::optional<Rational> fraction = rational_of(result)) {
+    result.precise = to_big_float(*fraction);
   }
   return result;
 }

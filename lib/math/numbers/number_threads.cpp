@@ -14,8 +14,8 @@ void work_on_threads(std::size_t count, const std::function<void()>& work) {
   try {
     while (helpers.size() + 1 < count) {
       helpers.emplace_back([&work] {
+        const BigFloatMemory memory;
         work();
-        release_big_float_memory();
       });
     }
   } catch (const std::system_error&) {

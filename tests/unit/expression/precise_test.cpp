@@ -1,5 +1,3 @@
-#include "expression/precise.hpp"
-
 #include <cmath>
 #include <string>
 #include <variant>
@@ -8,11 +6,12 @@
 
 #include "expression/evaluate.hpp"
 #include "expression/parameters.hpp"
+#include "math/numbers/exact_input.hpp"
 
 namespace kinestat {
 namespace {
 
-using PreciseQuantity = BasicQuantity<Precise>;
+using PreciseQuantity = BasicQuantity<ExactInput>;
 
 const PreciseQuantity* no_name(std::string_view /*name*/) {
   return nullptr;
@@ -20,7 +19,7 @@ const PreciseQuantity* no_name(std::string_view /*name*/) {
 
 PreciseQuantity precisely_evaluated(std::string_view text) {
   return std::get<PreciseQuantity>(
-      evaluate<Precise>(std::get<Expression>(parse_expression(text)), no_name));
+      evaluate<ExactInput>(std::get<Expression>(parse_expression(text)), no_name));
 }
 
 struct PreciseCase {
@@ -32,7 +31,7 @@ struct PreciseCase {
 class PreciseValues : public testing::TestWithParam<PreciseCase> {};
 
 TEST_P(PreciseValues, HaveTheDigitsOfTheTables) {
-  const Precise number = precisely_evaluated(GetParam().text).value;
+  const ExactInput number = precisely_evaluated(GetParam().text).value;
 
   ASSERT_TRUE(number.precise.has_value());
   const BigFloat expected(GetParam().digits);
@@ -79,16 +78,19 @@ INSTANTIATE_TEST_SUITE_P(
                     "atan2(-1, -1)",
                     "-2.3561944901923449288469825374596271631478770495313"},
         PreciseCase{"rest", "mod(-0.1, 0.3)", "0.2"},
-        // Quotients and products of decimals that are whole, though no binary fraction is.
-        PreciseCase{"no_rest", "mod(0.3, 0.1)", "0"},
-        PreciseCase{"whole_quotient", "floor(0.3/0.1)", "3"},
-        PreciseCase{"whole_product", "ceil(3*0.1*10)", "3"},
-        PreciseCase{"half_of_decimals", "round(0.1*5)", "1"},
-        PreciseCase{"power_by_decimals", "(-2)^(0.1*30)", "-8"},
+        // 1.1*1.1 is 1.21, but not of their binary fractions.
+        PreciseCase{"no_rest", "mod(1.1*1.1, 1.21)", "0"},
+        PreciseCase{"whole_quotient", "floor(1.21/(1.1*1.1))", "1"},
+        PreciseCase{"whole_from_below", "ceil(1.1*1.1/1.21)", "1"},
+        PreciseCase{"half_of_decimals", "round(1.21/(1.1*1.1)/2)", "1"},
+        PreciseCase{"power_by_decimals", "(-2)^(1.1*1.1/1.21)", "-2"},
         PreciseCase{"sine_of_decimals",
-                    "asin(0.1*10)",
-                    "1.5707963267948966192313216916397514"
-                    "420985846996876"},
+                    "asin(1.1*1.1/1.21)",
+                    "1.5707963267948966192313216916397514420985846996876"},
+        PreciseCase{"after_cancelling", "floor((1000.000000001 - 1000)/1e-9)", "1"},
+        PreciseCase{"behind_half_a_turn",
+                    "atan2(-0*sqrt(2), -1)",
+                    "3.1415926535897932384626433832795028841971693993751"},
         PreciseCase{"rounded", "round(-2.5)", "-3"},
         PreciseCase{"floor", "floor(-2.1)", "-3"},
         PreciseCase{"ceiling", "ceil(2.1)", "3"},
@@ -98,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& one) { return one.param.name; });
 
 TEST(Precise, HasAHundredDigits) {
-  const Precise third = precisely_evaluated("1/3").value;
+  const ExactInput third = precisely_evaluated("1/3").value;
 
   EXPECT_LT(abs(3 * *third.precise - 1), BigFloat("1e-99"));
 }
@@ -107,7 +109,7 @@ TEST(Precise, HasAHundredDigits) {
 TEST(Precise, KeepsADifferenceInTheLastDigit) {
   const std::string zeros(98, '0');
 
-  const Precise last = precisely_evaluated("1." + zeros + "1 - 1").value;
+  const ExactInput last = precisely_evaluated("1." + zeros + "1 - 1").value;
 
   EXPECT_EQ(last.precise->convert_to<double>(), 1e-99);
 }
@@ -116,6 +118,8 @@ TEST(Precise, KeepsADifferenceInTheLastDigit) {
 TEST(Precise, IsEmptyWhereOnlyRoundingGivesAValue) {
   EXPECT_FALSE(precisely_evaluated("1/(0.1 + 0.2 - 0.3)").value.precise.has_value());
   EXPECT_FALSE(precisely_evaluated("2*ln(0.1 + 0.2 - 0.3)").value.precise.has_value());
+  EXPECT_FALSE(precisely_evaluated("1/(1 + 1e-15 - 1 - 1e-15)").value.precise.has_value());
+  EXPECT_FALSE(precisely_evaluated("1/ln(1.1*1.1/1.21)").value.precise.has_value());
 }
 
 TEST(Precise, FollowsThroughParameters) {
@@ -123,7 +127,7 @@ TEST(Precise, FollowsThroughParameters) {
       {"third", std::get<Expression>(parse_expression("1/3")), {}, {}},
       {"whole", std::get<Expression>(parse_expression("3*third")), {}, {}}};
 
-  const auto values = evaluate_parameters<Precise>(parameters);
+  const auto values = evaluate_parameters<ExactInput>(parameters);
 
   EXPECT_LT(abs(*values.table.find("whole")->value.precise - 1), BigFloat("1e-99"));
 }
@@ -132,10 +136,10 @@ TEST(Precise, CountsInTheUnitsOfTheFile) {
   FileUnits units;
   units.set(QuantityKind::angle, "deg");
 
-  const auto angle = evaluate_as<Precise>(
+  const auto angle = evaluate_as<ExactInput>(
       QuantityKind::angle, std::get<Expression>(parse_expression("180")), units, no_name);
 
-  EXPECT_LT(abs(*std::get<Precise>(angle).precise -
+  EXPECT_LT(abs(*std::get<ExactInput>(angle).precise -
                 BigFloat("3.1415926535897932384626433832795028841971693993751")),
             BigFloat("1e-48"));
 }

@@ -86,6 +86,19 @@ TEST(LinearProgramme, DoesNotGoRoundInCircles) {
   EXPECT_NEAR(0.75 * (*x)[7] + 0.02 * (*x)[6] + 150 * (*x)[1] + 6 * (*x)[3] - 0.77, -0.05, kClose);
 }
 
+// What rounding leaves of Beale's zeros is no step forward.
+TEST(LinearProgramme, DoesNotGoRoundInCirclesByRounding) {
+  const MatX A = matrix(4, 8, {0.25, -60, -0.04, 9, 1, 0, 0, 0, 0.5, -90, -0.02, 3, 0, 1, 0, 0,
+                               0,    0,   1,     0, 0, 0, 1, 0, 1,   0,   0,     0, 0, 0, 0, 1});
+
+  const auto x =
+      find_least_cost(A, vector({1e-17, 1e-17, 1, 1}), vector({0, 150, 0, 6, 0, 0, 0.02, 0.75}));
+
+  ASSERT_TRUE(x);
+  EXPECT_NEAR((*x)[0], 0.04, kClose);
+  EXPECT_NEAR((*x)[2], 1.0, kClose);
+}
+
 TEST(LinearProgramme, IsEmptyWithoutUnknowns) {
   EXPECT_TRUE(find_least_cost(MatX(0, 0), VecX(), VecX()));
   EXPECT_FALSE(find_least_cost(MatX(1, 0), vector({1}), VecX()));

@@ -1,9 +1,11 @@
 // What is said of a linkage in a dead point must not hang on how its numbers round.
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "core/synthesis_tolerance.hpp"
 #include "studies/synthesis/linkages/verdict.hpp"
 #include "support/angles.hpp"
 
@@ -106,6 +108,20 @@ TEST(BranchOfADeadPoint, IsThatOfItsNeighbours) {
       }
       EXPECT_FALSE(verdict_of({before, dead, after}).same_branch);
     }
+  }
+}
+
+// With a crank that is shorter by more than the coordinates may round, the links are those of a
+// crank-rocker: 1 - d + 2 is less than 1 + 2.
+TEST(GrashofClassOfRoundedLengths, IsACrankRockerWhereTheDifferenceIsNoRounding) {
+  for (const Point& at : kPlaces) {
+    FourBarLengths lengths = *lengths_of(
+        {.one = {.circle_point = {0.0, 0.0}, .centre_point = at, .length = 1.0},
+         .other = {
+             .circle_point = {2.0, 0.0}, .centre_point = at + Point(2.0, 0.0), .length = 1.0}});
+    lengths.crank_one -= 2.0 * std::max(lengths.bound, kChangePoint * 6.0);
+
+    EXPECT_EQ(classify(lengths).kind, GrashofClass::crank_rocker) << at;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <type_traits>
 
+#include "core/rounding.hpp"
 #include "math/numbers/big_float.hpp"
 #include "studies/synthesis/positions/plane.hpp"
 
@@ -55,6 +56,16 @@ class PrecisePoint {
   BigFloat x_{0};
   BigFloat y_{0};
 };
+
+/// What rounding may leave of a sum that is zero, as a share of the sizes of its terms.
+template <class Scalar>
+Scalar sum_rounding() {
+  if constexpr (std::is_same_v<Scalar, double>) {
+    return kDataRounding;
+  } else {
+    return big_float_rounding();
+  }
+}
 
 /// The points that go with a type of number.
 template <class Scalar>

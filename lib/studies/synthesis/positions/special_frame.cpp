@@ -92,10 +92,9 @@ Circle circle_of(const SpecialFrame& frame, double along) {
 
 // What rounding leaves where a sum of terms of that size should be zero is zero.
 template <class Scalar>
-Scalar settled_sum(const Scalar& sum, const Scalar& size) {
+Scalar without_rounding(const Scalar& sum, const Scalar& size) {
   using std::abs;
-  constexpr double kRoundings = kDataRounding / kEpsilon;
-  return abs(sum) <= kRoundings * std::numeric_limits<Scalar>::epsilon() * size ? Scalar(0) : sum;
+  return abs(sum) <= sum_rounding<Scalar>() * size ? Scalar(0) : sum;
 }
 
 }  // namespace
@@ -155,8 +154,8 @@ PositionJetsOf<Scalar> jets_of(const SpecialFrameOf<Scalar>& frame,
     const PointOf<Scalar> jet = turned_by(frame.angle) * frame.derivatives[k] +
                                 quarter_turns<Scalar>(k) * (at - frame.pole);
     const Scalar size = Scalar(abs(frame.derivatives[k])) + abs(at) + abs(frame.pole);
-    position.x.push_back(settled_sum<Scalar>(jet.real(), size));
-    position.y.push_back(settled_sum<Scalar>(jet.imag(), size));
+    position.x.push_back(without_rounding<Scalar>(jet.real(), size));
+    position.y.push_back(without_rounding<Scalar>(jet.imag(), size));
   }
   position.angle[0] = angle;
   position.angle[1] = Scalar(1);

@@ -25,7 +25,7 @@ bool solve_precise_tasks(int digits,
                          const SynthesisValues& values,
                          Diagnostics& found,
                          SynthesisAnalysis& analysis) {
-  const TaskPositions<Precise> precise(analysis.description);
+  const TaskPositions<ExactInput> precise(analysis.description);
   const auto tasks = precise.of_tasks({}, found);
   if (!tasks) {
     return false;
@@ -196,7 +196,7 @@ bool check_synthesis_task(const MechanismDescription& description, Diagnostics& 
   const SynthesisValues values(description);
   if (const auto digits = values.digits()) {
     return check_digits(*digits, description, found) &&
-           TaskPositions<Precise>(description).of_tasks({}, found).has_value();
+           TaskPositions<ExactInput>(description).of_tasks({}, found).has_value();
   }
   return description.synthesis->vary.empty()
              ? values.positions_of_tasks({}, found).has_value()

@@ -86,7 +86,7 @@ double digits_of(double value, const Value& /*where*/, Diagnostics& /*found*/) {
   return value;
 }
 
-BigFloat digits_of(const Precise& value, const Value& where, Diagnostics& found) {
+BigFloat digits_of(const ExactInput& value, const Value& where, Diagnostics& found) {
   if (!value.precise) {
     found.error(
         "E0316",
@@ -241,6 +241,6 @@ auto TaskPositions<Number>::of_tasks(const SynthesisChoice& choice, Diagnostics&
 }
 
 template class TaskPositions<double>;
-template class TaskPositions<Precise>;
+template class TaskPositions<ExactInput>;
 
 }  // namespace kinestat

@@ -9,15 +9,15 @@
 #include "core/diagnostic.hpp"
 #include "description/mechanism_description.hpp"
 #include "expression/parameters.hpp"
-#include "expression/precise.hpp"
+#include "math/numbers/exact_input.hpp"
 #include "studies/synthesis/dyads/precise_point.hpp"
 #include "studies/synthesis/positions/position_jets.hpp"
 #include "studies/synthesis/report/synthesis_report.hpp"
 
 namespace kinestat {
 
-/// Positions of a description that is right by itself (check). `Number` is double, or Precise for
-/// values as typed.
+/// Positions of a description that is right by itself (check). `Number` is double, or ExactInput
+/// for values as typed.
 template <class Number>
 class TaskPositions {
  public:

@@ -34,9 +34,7 @@ class NullSpaceFinder {
   }
 
  private:
-  static bool is_rounding(const BigFloat& pivot) {
-    return pivot < 1024 * std::numeric_limits<BigFloat>::epsilon();
-  }
+  static bool is_rounding(const BigFloat& pivot) { return pivot < big_float_rounding(); }
 
   BigFloat take_pivot(std::size_t step) {
     std::size_t best_row = step;

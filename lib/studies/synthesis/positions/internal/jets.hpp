@@ -3,9 +3,10 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
+
+#include "studies/synthesis/dyads/precise_point.hpp"
 
 namespace kinestat {
 
@@ -37,7 +38,7 @@ Scalar turn_between(const Scalar& from, const Scalar& to) {
   using std::round;
   const Scalar full = 2 * acos(Scalar(-1));
   const Scalar turn = (to - from) - full * round((to - from) / full);
-  const Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon() * (abs(from) + abs(to));
+  const Scalar rounding = sum_rounding<Scalar>() * (abs(from) + abs(to));
   return abs(turn) <= rounding ? Scalar(0) : turn;
 }
 
