@@ -59,7 +59,10 @@ void add_top(CLI::App& command, TopChoice& top) {
       [&top](std::uint64_t count) { top.count = count; },
       "keep the best N rows alone; needs --by");
   with_value(command,
-             command.add_option("--by", top.by, "the quantity that decides which rows are best"),
+             command.add_option("--by",
+                                top.by,
+                                "the quantity that decides which rows are best,\n"
+                                "or a formula: 'abs(ratio - 25)'"),
              "QUANTITY");
   add_choice<RankOrder>(command,
                         "--order",

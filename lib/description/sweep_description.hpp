@@ -18,7 +18,7 @@ struct VariedParameter {
   std::optional<Value> step;
 };
 
-/// A condition that a combination must fulfil to be analysed.
+/// A condition of a combination, or of a row.
 struct Requirement {
   Condition condition;
   SourceRange where;
@@ -27,9 +27,10 @@ struct Requirement {
 
 struct SweepDescription {
   std::vector<VariedParameter> vary;
-  std::vector<Requirement> require;
-  std::vector<Name> cases;   ///< labels; empty: all
-  std::vector<Name> report;  ///< the quantities that a row holds
+  std::vector<Requirement> require;  ///< what combinations must fulfil to be analysed
+  std::vector<Name> cases;           ///< labels; empty: all
+  std::vector<Name> report;          ///< the quantities that a row holds
+  std::vector<Requirement> keep;     ///< what rows must fulfil to be written
   SourceRange where;
 };
 

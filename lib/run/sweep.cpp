@@ -48,7 +48,7 @@ class StreamedSweep {
  private:
   bool take(ChunkResult result) {
     counts_.add(result.counts);
-    if (!task_.key) {
+    if (!task_.metadata.top) {
       return hooks_.write(result.body);
     }
     for (RankedRow& row : read_rows(result.body)) {
@@ -143,14 +143,18 @@ void sweep_into(const std::string& path,
   tell(messages, outcome);
 }
 
-void add_rows(const SolvedState& state, const SweepTask& task, SweepTable& table) {
+// Those that the file keeps.
+void add_rows(const SolvedState& state, const SweepTask& task, RowJudge& judge, SweepTable& table) {
+  judge.enter(state.places);
   std::vector<double> places;
   for (std::size_t i = 0; i < state.places.size(); ++i) {
     places.push_back(task.plan.axes()[i].count_at(state.places[i]));
   }
   for (const SweepRow& row : state.rows) {
-    table.rows.push_back(
-        {.places = places, .label = task.cases[row.which].label, .values = row.values});
+    if (!judge.failing_condition(row)) {
+      table.rows.push_back(
+          {.places = places, .label = task.cases[row.which].label, .values = row.values});
+    }
   }
 }
 
@@ -176,10 +180,11 @@ std::optional<SweepTable> find_sweep_table(const SourceFile& source,
   }
   task->tapes = record_tapes(*task);
   StateSolver solver(*task);
+  RowJudge judge(task->plan, task->columns, task->choice);
   StateWalk walk(task->plan, 0, table.states);
   for (auto states = solver.solve_next(walk); !states.empty(); states = solver.solve_next(walk)) {
     for (const SolvedState& state : states) {
-      add_rows(state, *task, table);
+      add_rows(state, *task, judge, table);
     }
   }
   return table;

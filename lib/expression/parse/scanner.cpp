@@ -38,10 +38,17 @@ std::optional<ExpressionError> find_special_value(std::string_view text, std::si
   return not_finite(text, begin, begin + word.size());
 }
 
+// Names of quantities of reports have a dot: a.wz.
 Token scan_name(std::string_view text, std::size_t begin) {
-  std::size_t end = begin;
-  while (end < text.size() && is_name_part(text[end])) {
-    ++end;
+  const auto end_of_part = [&](std::size_t at) {
+    while (at < text.size() && is_name_part(text[at])) {
+      ++at;
+    }
+    return at;
+  };
+  std::size_t end = end_of_part(begin);
+  while (end + 1 < text.size() && text[end] == '.' && is_name_start(text[end + 1])) {
+    end = end_of_part(end + 1);
   }
   return {.kind = TokenKind::name,
           .offset = static_cast<int>(begin),

@@ -59,16 +59,18 @@ Form<VariedParameter> variation() {
   return form;
 }
 
-Form<Requirement> requirement() {
+Form<Requirement> requirement(std::string_view key,
+                              std::string_view definition,
+                              std::string_view meaning,
+                              std::string_view example) {
   return {
       .shape = {.kind = FormKind::name,
-                .definition = "condition",
-                .meaning = "A condition of parameters, with == != < <= > >= and or not mod "
-                           "floor gcd.",
-                .examples = {"N3 == N1 + 2*N2"}},
-      .read = [](const FileValue& value) -> std::optional<Requirement> {
+                .definition = definition,
+                .meaning = meaning,
+                .examples = {example}},
+      .read = [key](const FileValue& value) -> std::optional<Requirement> {
         const YamlNode& node = value.node;
-        const auto text = read_text(node, "a condition of 'require'", value.found);
+        const auto text = read_text(node, fmt::format("a condition of '{}'", key), value.found);
         if (!text) {
           return std::nullopt;
         }
@@ -118,10 +120,26 @@ const Mapping<SweepDescription>& sweep_section() {
                     "{N1: {from: 15, to: 40, step: 1}}");
         m.key("require",
               "Conditions that a combination must fulfil to be analysed; what fails is counted.")
-            .may(&SweepDescription::require, one_or_more(requirement()), "[N3 == N1 + 2*N2]");
+            .may(&SweepDescription::require,
+                 one_or_more(requirement("require",
+                                         "condition",
+                                         "A condition of parameters, with == != < <= > >= and or "
+                                         "not mod floor gcd.",
+                                         "N3 == N1 + 2*N2")),
+                 "[N3 == N1 + 2*N2]");
         m.key("cases", "The cases and gears to analyse; default all.")
             .may(&SweepDescription::cases, one_or_more(label()), "[M1, M2]");
         declare_report(m);
+        m.key("keep",
+              "Conditions of parameters and reported quantities that a row must fulfil to be "
+              "written; what fails, or cannot be told for want of a value, is counted.")
+            .may(&SweepDescription::keep,
+                 one_or_more(requirement("keep",
+                                         "row_condition",
+                                         "A condition of parameters and of quantities that "
+                                         "'report' names, with == != < <= > >= and or not.",
+                                         "efficiency > 0.95")),
+                 "[efficiency > 0.95, abs(ratio - 4) < 0.1]");
       });
   return mapping;
 }

@@ -29,6 +29,9 @@ class SweepCheck {
         check_dimensions(requirement);
       }
     }
+    for (const Requirement& condition : sweep_.keep) {
+      check_row_names(condition);
+    }
     for (const Name& label : sweep_.cases) {
       check_state(label);
     }
@@ -132,6 +135,43 @@ class SweepCheck {
     const Value name = {.expression = Expression(text, nodes, {text}),
                         .where = place_of(requirement, value.offset + node.offset, node.length)};
     return context_.evaluator.quantity(name).has_value();
+  }
+
+  // Names of a condition of rows are parameters, which thereby are used, and what rows hold; what
+  // they hold where 'report' is left out is known once the mechanism is bound.
+  void check_row_names(const Requirement& requirement) {
+    for (const ConditionValue& value : requirement.condition.values()) {
+      for (const Node& node : value.expression.nodes()) {
+        if (node.kind != NodeKind::name) {
+          continue;
+        }
+        const std::string name(value.expression.text_of(node));
+        if (context_.names.parameters.contains(name)) {
+          check_name(requirement, value, node);
+        } else if (!sweep_.report.empty() &&
+                   std::ranges::find(sweep_.report, name, &Name::text) == sweep_.report.end()) {
+          refuse_row_name(name, place_of(requirement, value.offset + node.offset, node.length));
+        }
+      }
+    }
+  }
+
+  void refuse_row_name(const std::string& name, SourceRange where) {
+    std::vector<std::string> held;
+    for (const Name& one : sweep_.report) {
+      held.push_back(one.text);
+    }
+    context_.found.error(
+        "E0313",
+        where,
+        fmt::format("'keep' of 'sweep' asks for '{}', which is neither a parameter nor in its "
+                    "'report'",
+                    name),
+        guess_before(name,
+                     held,
+                     fmt::format("'report' has {}; add '{}' there if rows should be chosen by it",
+                                 plain_list(held),
+                                 name)));
   }
 
   // As far as the values under `parameters` show; that they give no result says nothing, for the

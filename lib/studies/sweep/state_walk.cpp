@@ -85,14 +85,7 @@ void StateWalk::enter(std::uint64_t state) {
   const auto moved = static_cast<int>(is_next ? step_on() : jump_to(state));
   state_ = state;
   is_first_ = false;
-  for (const DependentParameter& one : plan_.dependents()) {
-    if (one.depth >= moved) {
-      const auto slot = static_cast<std::size_t>(one.parameter);
-      const std::optional<Quantity> value = one.value.evaluate(slots_, scratch_);
-      slots_.values[slot] = value.value_or(Quantity{});
-      slots_.has_value[slot] = value.has_value();
-    }
-  }
+  plan_.evaluate_dependents(moved, slots_, scratch_);
   is_undefined_ = std::ranges::any_of(plan_.dependents(), [&](const DependentParameter& one) {
     return !slots_.has_value[static_cast<std::size_t>(one.parameter)];
   });

@@ -34,6 +34,26 @@ std::optional<std::string_view> value_of(std::string_view word, std::string_view
   return word.starts_with(name) ? std::optional(word.substr(name.size())) : std::nullopt;
 }
 
+// Joined by commas; empty for anything else.
+std::optional<std::vector<std::uint64_t>> whole_numbers(std::optional<std::string_view> text) {
+  std::vector<std::uint64_t> numbers;
+  for (const std::string_view one : split(text.value_or("?"), ',')) {
+    const auto number = whole_number(one);
+    if (!number) {
+      return std::nullopt;
+    }
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+void add_each(const std::vector<std::uint64_t>& more, std::vector<std::uint64_t>& sums) {
+  sums.resize(std::max(sums.size(), more.size()), 0);
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    sums[i] += more[i];
+  }
+}
+
 }  // namespace
 
 std::uint64_t SweepCounts::analysed() const {
@@ -43,10 +63,8 @@ std::uint64_t SweepCounts::analysed() const {
 void SweepCounts::add(const SweepCounts& other) {
   states += other.states;
   rows += other.rows;
-  excluded.resize(std::max(excluded.size(), other.excluded.size()), 0);
-  for (std::size_t i = 0; i < other.excluded.size(); ++i) {
-    excluded[i] += other.excluded[i];
-  }
+  add_each(other.excluded, excluded);
+  add_each(other.dropped, dropped);
   for (const auto& [status, count] : other.statuses) {
     statuses[status] += count;
   }
@@ -57,35 +75,36 @@ std::string write_counts(const SweepCounts& counts) {
   for (const auto& [status, count] : counts.statuses) {
     statuses += fmt::format("{}{}:{}", statuses.empty() ? "" : ",", status, count);
   }
-  return fmt::format("states={} excluded={} rows={} statuses={}",
+  return fmt::format("states={} excluded={} rows={} dropped={} statuses={}",
                      counts.states,
                      fmt::join(counts.excluded, ","),
                      counts.rows,
+                     fmt::join(counts.dropped, ","),
                      statuses);
 }
 
 std::optional<SweepCounts> read_counts(const std::string& text) {
   const std::vector<std::string_view> words = split(text, ' ');
-  if (words.size() != 4) {
+  if (words.size() != 5) {
     return std::nullopt;
   }
   const auto states = value_of(words[0], "states=");
   const auto excluded = value_of(words[1], "excluded=");
   const auto rows = value_of(words[2], "rows=");
-  const auto statuses = value_of(words[3], "statuses=");
+  const auto dropped = value_of(words[3], "dropped=");
+  const auto statuses = value_of(words[4], "statuses=");
   const auto state_count = whole_number(states.value_or(""));
   const auto row_count = whole_number(rows.value_or(""));
-  if (!state_count || !excluded || !row_count || !statuses) {
+  const auto excluded_counts = whole_numbers(excluded);
+  const auto dropped_counts = whole_numbers(dropped);
+  if (!state_count || !excluded_counts || !row_count || !dropped_counts || !statuses) {
     return std::nullopt;
   }
-  SweepCounts counts{.states = *state_count, .excluded = {}, .rows = *row_count, .statuses = {}};
-  for (const std::string_view one : split(*excluded, ',')) {
-    const auto count = whole_number(one);
-    if (!count) {
-      return std::nullopt;
-    }
-    counts.excluded.push_back(*count);
-  }
+  SweepCounts counts{.states = *state_count,
+                     .excluded = *excluded_counts,
+                     .rows = *row_count,
+                     .dropped = *dropped_counts,
+                     .statuses = {}};
   for (const std::string_view one : split(*statuses, ',')) {
     const std::size_t colon = one.find(':');
     const auto count =

@@ -14,6 +14,7 @@ struct SweepCounts {
   std::uint64_t states = 0;             ///< all, those left out included
   std::vector<std::uint64_t> excluded;  ///< by each requirement, the first that they violate
   std::uint64_t rows = 0;               ///< one a state and case
+  std::vector<std::uint64_t> dropped;   ///< rows, by each condition of 'keep', the first that fails
   std::map<std::string, std::uint64_t, std::less<>> statuses;  ///< rows by status
 
   /// States that no requirement has excluded.

@@ -81,6 +81,17 @@ void SweepPlan::add_requirements(const MechanismDescription& description) {
   }
 }
 
+void SweepPlan::evaluate_dependents(int axis, Slots& slots, std::vector<Quantity>& scratch) const {
+  for (const DependentParameter& one : dependents_) {
+    if (one.depth >= axis) {
+      const auto slot = static_cast<std::size_t>(one.parameter);
+      const std::optional<Quantity> value = one.value.evaluate(slots, scratch);
+      slots.values[slot] = value.value_or(Quantity{});
+      slots.has_value[slot] = value.has_value();
+    }
+  }
+}
+
 int SweepPlan::depth_of(std::span<const int> slots) const {
   int depth = -1;
   for (const int slot : slots) {

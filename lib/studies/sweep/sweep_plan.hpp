@@ -55,6 +55,10 @@ class SweepPlan {
   /// The parameters as the file gives them, slot by slot.
   const Slots& slots() const { return slots_; }
 
+  /// Works out the parameters that depend on this axis or one behind it; what its formula gives no
+  /// value has none.
+  void evaluate_dependents(int axis, Slots& slots, std::vector<Quantity>& scratch) const;
+
   std::uint64_t state_count() const { return state_count_; }
 
   /// How many states share their values on the axes up to this one.

@@ -56,6 +56,7 @@ SweepMetadata metadata_of(const Json& json) {
   metadata.heading = json.at("heading").get<std::string>();
   metadata.signature = json.at("signature").get<std::string>();
   metadata.requirements = json.at("require").get<std::vector<std::string>>();
+  metadata.keep = json.at("keep").get<std::vector<std::string>>();
   metadata.states = json.at("states").get<std::uint64_t>();
   metadata.chunks = json.at("chunks").get<std::uint64_t>();
   metadata.top = top_of(json.at("top"));
@@ -102,6 +103,7 @@ std::string write_shard_header(const SweepMetadata& metadata, const ShardNumber&
   json["heading"] = metadata.heading;
   json["signature"] = metadata.signature;
   json["require"] = metadata.requirements;
+  json["keep"] = metadata.keep;
   json["states"] = metadata.states;
   json["chunks"] = metadata.chunks;
   json["top"] = top_json(metadata.top);
@@ -149,6 +151,10 @@ std::string sweep_text(const SweepMetadata& metadata, const SweepCounts& counts)
   for (std::size_t i = 0; i < counts.excluded.size() && i < metadata.requirements.size(); ++i) {
     text += fmt::format(
         "  left out by '{}': {}\n", printable(metadata.requirements[i]), counts.excluded[i]);
+  }
+  for (std::size_t i = 0; i < counts.dropped.size() && i < metadata.keep.size(); ++i) {
+    text += fmt::format(
+        "  not kept by '{}': {} rows\n", printable(metadata.keep[i]), counts.dropped[i]);
   }
   for (const auto& [status, count] : counts.statuses) {
     text += fmt::format("  {}: {}\n", status, count);

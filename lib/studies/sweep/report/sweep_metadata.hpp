@@ -31,7 +31,7 @@ struct ShardNumber {
 /// The rows that are kept of a sweep, where not all are.
 struct TopChoice {
   std::uint64_t count = 0;
-  std::string by;  ///< name of a quantity
+  std::string by;  ///< name of a quantity, or a formula of names
   RankOrder order = RankOrder::largest;
 };
 
@@ -46,6 +46,7 @@ struct SweepMetadata {
   std::string heading;                    ///< the first line of the result; empty for JSON
   std::string signature;                  ///< how the result begins
   std::vector<std::string> requirements;  ///< as typed
+  std::vector<std::string> keep;          ///< likewise
   std::uint64_t states = 0;
   std::uint64_t chunks = 0;
   std::optional<TopChoice> top;

@@ -39,6 +39,29 @@ void emit_requirements(const SweepSummaryView& v, const Each<RequirementView>& e
   }
 }
 
+struct KeptView {
+  const std::string& condition;
+  std::uint64_t dropped = 0;
+};
+
+const Record<KeptView>& kept_record() {
+  using View = KeptView;
+  static const Record<View> record("One condition of rows.", [](Record<View>& keys) {
+    keys.text("condition", "As the file has it.", [](const View& v) { return v.condition; });
+    keys.count("dropped",
+               "Rows of which it is the first condition that fails, or cannot be told.",
+               [](const View& v) { return v.dropped; });
+  });
+  return record;
+}
+
+void emit_kept(const SweepSummaryView& v, const Each<KeptView>& each) {
+  const std::vector<std::uint64_t>& dropped = v.counts.dropped;
+  for (std::size_t i = 0; i < v.metadata.keep.size(); ++i) {
+    each({.condition = v.metadata.keep[i], .dropped = i < dropped.size() ? dropped[i] : 0});
+  }
+}
+
 void write_statuses(const SweepSummaryView& v, Archive& to) {
   to.begin_map();
   for (const auto& [status, count] : v.counts.statuses) {
@@ -82,9 +105,11 @@ void add_counts_of_sweep(Record<SweepSummaryView>& keys) {
   keys.count("analysed", "States that no requirement leaves out.", [](const View& v) {
     return v.counts.analysed();
   });
-  keys.count("rows",
-             "Rows of all analysed states, one a case; with --top more than are written.",
-             [](const View& v) { return v.counts.rows; });
+  keys.count(
+      "rows",
+      "Rows of all analysed states, one a case; with 'keep' and --top more than are written.",
+      [](const View& v) { return v.counts.rows; });
+  keys.list("keep", kept_record(), "The conditions of rows in the order of the file.", emit_kept);
   keys.custom(
       "statuses",
       map_shape(whole_shape(false)),
@@ -105,7 +130,9 @@ const Record<TopChoice>& top_record() {
   static const Record<View> record(
       "Which rows were chosen; null where all were written.", [](Record<View>& keys) {
         keys.count("count", "How many at most.", [](const View& v) { return v.count; }).at_least(1);
-        keys.text("by", "The quantity that decides.", [](const View& v) { return v.by; });
+        keys.text("by", "The quantity, or the formula, that decides.", [](const View& v) {
+          return v.by;
+        });
         keys.word("order", {"largest", "smallest"}, "Which values come first.", [](const View& v) {
           return word_of(v.order);
         });

@@ -27,6 +27,7 @@ class ChunkSolver {
       : task_(task),
         hooks_(hooks),
         states_(task),
+        judge_(task.plan, task.columns, task.choice),
         text_(task.plan, task.cases, task.columns, task.metadata.format) {}
 
   // Empty if the run is stopped meanwhile.
@@ -34,6 +35,7 @@ class ChunkSolver {
     const std::uint64_t begin = chunk * task_.plan.chunk_size();
     const std::uint64_t end = std::min(begin + task_.plan.chunk_size(), task_.plan.state_count());
     ChunkResult result{.chunk = chunk, .body = {}, .counts = {}};
+    result.counts.dropped.resize(task_.choice.keep.size(), 0);
     const std::optional<TopChoice>& top = task_.metadata.top;
     TopRows best(top ? top->count : 0, top ? top->order : RankOrder::largest);
     StateWalk walk(task_.plan, begin, end);
@@ -48,7 +50,7 @@ class ChunkSolver {
     }
     result.counts.states = end - begin;
     result.counts.excluded.assign(walk.excluded().begin(), walk.excluded().end());
-    if (task_.key) {
+    if (top) {
       result.body = write_rows(best.take());
     }
     return result;
@@ -57,17 +59,22 @@ class ChunkSolver {
  private:
   void add_state(const SolvedState& state, TopRows& best, ChunkResult& result) {
     text_.enter(state.places);
+    judge_.enter(state.places);
     for (const SweepRow& row : state.rows) {
       ++result.counts.rows;
       count(row.status, result.counts);
-      if (!task_.key) {
+      if (const auto failing = judge_.failing_condition(row)) {
+        ++result.counts.dropped[*failing];
+        continue;
+      }
+      if (!task_.choice.rank) {
         text_.append(row, result.body);
         continue;
       }
-      const double key = row.values[*task_.key];
+      const std::optional<double> key = judge_.rank();
       const std::uint64_t number = state.number * task_.cases.size() + row.which;
-      if (!std::isnan(key) && best.accepts(key, number)) {
-        RankedRow ranked{.key = key, .number = number, .text = {}};
+      if (key && best.accepts(*key, number)) {
+        RankedRow ranked{.key = *key, .number = number, .text = {}};
         text_.append(row, ranked.text);
         best.add(std::move(ranked));
       }
@@ -86,6 +93,7 @@ class ChunkSolver {
   const SweepTask& task_;
   const SweepHooks& hooks_;
   StateSolver states_;
+  RowJudge judge_;
   SweepRowText text_;
 };
 

@@ -134,25 +134,6 @@ void refuse_overridden_axes(const SweepDescription& sweep,
   }
 }
 
-// By the name in the file, without the unit.
-std::optional<std::size_t> find_key(const std::vector<SweepColumn>& columns,
-                                    const TopChoice& top,
-                                    Diagnostics& found) {
-  const auto at = std::ranges::find(columns, top.by, &SweepColumn::name);
-  if (at != columns.end()) {
-    return static_cast<std::size_t>(at - columns.begin());
-  }
-  std::vector<std::string> names;
-  for (const SweepColumn& column : columns) {
-    names.push_back(column.name);
-  }
-  found.error("E0101",
-              {},
-              fmt::format("--by '{}': the rows have no such quantity", printable(top.by)),
-              guess_before(top.by, names, "they have " + plain_list(names)));
-  return std::nullopt;
-}
-
 // Everything that decides the bytes of the rows.
 std::string plan_text(const SourceFile& source,
                       const SweepOptions& options,
@@ -175,6 +156,7 @@ std::string plan_text(const SourceFile& source,
 }
 
 SweepMetadata metadata_of(const SourceFile& source,
+                          const SweepDescription& sweep,
                           const SweepOptions& options,
                           const SweepTask& task) {
   const SweepRowText text(task.plan, task.cases, task.columns, options.format);
@@ -189,6 +171,9 @@ SweepMetadata metadata_of(const SourceFile& source,
   metadata.signature = text.signature();
   for (const PlannedRequirement& one : task.plan.requirements()) {
     metadata.requirements.push_back(one.text);
+  }
+  for (const Requirement& one : sweep.keep) {
+    metadata.keep.push_back(one.condition.text());
   }
   metadata.states = task.plan.state_count();
   metadata.chunks = task.plan.chunk_count();
@@ -225,14 +210,14 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
     cases.push_back(loaded.mechanism.cases[i]);
   }
   auto columns = find_sweep_columns(description, loaded.mechanism, cases, found);
-  std::optional<std::size_t> key;
-  if (columns && options.top) {
-    key = find_key(*columns, *options.top, found);
-  }
   if (found.error_count() > errors_before) {
     return std::nullopt;
   }
   SweepPlan plan(description);
+  std::optional<RowChoice> rows = find_row_choice(description, plan, *columns, options.top, found);
+  if (!rows) {
+    return std::nullopt;
+  }
   SweepTask task{.description = without_tasks(description),
                  .mechanism = std::move(loaded.mechanism),
                  .plan = std::move(plan),
@@ -243,7 +228,7 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
                  .is_usually_solved = {},
                  .columns = *std::move(columns),
                  .has_statics = false,
-                 .key = key,
+                 .choice = *std::move(rows),
                  .tapes = {},
                  .metadata = {}};
   task.has_statics = std::ranges::any_of(
@@ -256,7 +241,7 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
     task.is_usually_solved.push_back((!one.motion || one.motion->status == SolveStatus::solved) &&
                                      (!one.action || one.action->status == SolveStatus::solved));
   }
-  task.metadata = metadata_of(source, options, task);
+  task.metadata = metadata_of(source, sweep, options, task);
   return task;
 }
 

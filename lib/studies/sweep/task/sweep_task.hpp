@@ -8,6 +8,7 @@
 #include "files/load_file.hpp"
 #include "studies/sweep/report/sweep_column.hpp"
 #include "studies/sweep/sweep_plan.hpp"
+#include "studies/sweep/task/row_choice.hpp"
 #include "studies/sweep/task/sweep_options.hpp"
 #include "studies/sweep/task/sweep_tapes.hpp"
 #include "studies/sweep/task/swept_gears.hpp"
@@ -25,7 +26,7 @@ struct SweepTask {
   std::vector<bool> is_usually_solved;  ///< of each: whether it has an answer as the file has it
   std::vector<SweepColumn> columns;
   bool has_statics = false;         ///< whether a quantity needs actions
-  std::optional<std::size_t> key;   ///< the quantity by which the top rows are chosen
+  RowChoice choice;                 ///< which rows are written
   std::optional<SweepTapes> tapes;  ///< which refer to the task, so that it must stay in its place;
                                     ///< empty where every state is analysed as a whole
   SweepMetadata metadata;

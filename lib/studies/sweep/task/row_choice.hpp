@@ -1,0 +1,54 @@
+// Which rows of a sweep are written, and which of them are best.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/diagnostic.hpp"
+#include "description/mechanism_description.hpp"
+#include "expression/slots.hpp"
+#include "studies/sweep/report/sweep_metadata.hpp"
+#include "studies/sweep/task/row_scope.hpp"
+
+namespace kinestat {
+
+struct RowChoice {
+  std::vector<SlotCondition> keep;     ///< what a row must fulfil
+  std::optional<SlotExpression> rank;  ///< by which the best are chosen; empty: all are written
+  bool asks_parameters = false;        ///< whether any of these names parameters
+};
+
+/// Of the section `sweep` and of --top. A condition or a formula names parameters and quantities of
+/// the rows; errors are those of conditions (E0311 for another name), and E0101 for --by. Empty iff
+/// an error was added.
+std::optional<RowChoice> find_row_choice(const MechanismDescription& description,
+                                         const SweepPlan& plan,
+                                         std::span<const SweepColumn> columns,
+                                         const std::optional<TopChoice>& top,
+                                         Diagnostics& found);
+
+/// Judges rows; each worker has its own.
+class RowJudge {
+ public:
+  /// All of these must outlive it.
+  RowJudge(const SweepPlan& plan, std::span<const SweepColumn> columns, const RowChoice& choice)
+      : choice_(choice), scope_(plan, columns) {}
+
+  /// Takes the places of a state on the axes.
+  void enter(std::span<const std::uint64_t> places);
+
+  /// Takes a row of that state; the first condition that does not hold or cannot be told.
+  std::optional<std::size_t> failing_condition(const SweepRow& row);
+
+  /// What ranks that row [SI], if it has a value.
+  std::optional<double> rank();
+
+ private:
+  const RowChoice& choice_;
+  RowScope scope_;
+  std::vector<Quantity> scratch_;
+};
+
+}  // namespace kinestat
