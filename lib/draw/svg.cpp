@@ -69,31 +69,6 @@ double stroke_margin(const Paint& paint) {
 
 }  // namespace
 
-void PixelBox::add(PixelPoint point) {
-  left = std::min(left, point.x);
-  top = std::min(top, point.y);
-  right = std::max(right, point.x);
-  bottom = std::max(bottom, point.y);
-}
-
-void PixelBox::add(const PixelBox& box) {
-  if (!box.is_empty()) {
-    add(PixelPoint{.x = box.left, .y = box.top});
-    add(PixelPoint{.x = box.right, .y = box.bottom});
-  }
-}
-
-PixelBox PixelBox::grown(double margin) const {
-  return {.left = left - margin,
-          .top = top - margin,
-          .right = right + margin,
-          .bottom = bottom + margin};
-}
-
-bool PixelBox::overlaps(const PixelBox& other) const {
-  return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
-}
-
 void Svg::open_element(std::string_view name) {
   elements_ += fmt::format("<{}", name);
 }
@@ -124,7 +99,26 @@ void Svg::close_element(const Paint& paint) {
   elements_ += "/>\n";
 }
 
+void Svg::include(const PixelBox& box) {
+  if (!moving_) {
+    bounds_.add(box);
+    return;
+  }
+  if (box.is_empty()) {
+    return;
+  }
+  for (const double x : {box.left, box.right}) {
+    for (const double y : {box.top, box.bottom}) {
+      include(PixelPoint{.x = x, .y = y}, 0.0);
+    }
+  }
+}
+
 void Svg::include(PixelPoint point, double margin) {
+  if (moving_) {
+    moving_->reach.emplace_back(point, margin);
+    return;
+  }
   bounds_.add(
       PixelBox{.left = point.x, .top = point.y, .right = point.x, .bottom = point.y}.grown(margin));
 }
@@ -186,7 +180,7 @@ void Svg::rectangle(const PixelBox& box, const Paint& paint, double corner_radiu
     attribute("rx", corner_radius);
   }
   close_element(paint);
-  bounds_.add(box.grown(stroke_margin(paint)));
+  include(box.grown(stroke_margin(paint)));
 }
 
 void Svg::circle(PixelPoint centre, double radius, const Paint& paint) {
@@ -203,7 +197,7 @@ void Svg::path(std::string_view data, const PixelBox& bounds, const Paint& paint
   open_element("path");
   attribute("d", data);
   close_element(paint);
-  bounds_.add(bounds.grown(stroke_margin(paint)));
+  include(bounds.grown(stroke_margin(paint)));
 }
 
 void Svg::arrow(PixelPoint from, PixelPoint to, const Paint& paint, double head) {
@@ -276,7 +270,7 @@ void Svg::text(PixelPoint place, std::string_view text, const TextStyle& style) 
                  " stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
   }
   elements_ += ">" + escape_markup(text) + "</text>\n";
-  bounds_.add(text_box(place, text, style));
+  include(text_box(place, text, style));
 }
 
 void Svg::open_group(std::string_view title, std::span<const Attribute> attributes) {
@@ -299,12 +293,15 @@ void Svg::open_group(std::string_view title, std::span<const Attribute> attribut
 void Svg::close_group() {
   KINESTAT_EXPECTS(open_groups_ > 0);
   elements_ += "</g>\n";
+  if (moving_ && moving_->depth == open_groups_) {
+    include_moved(*std::exchange(moving_, std::nullopt));
+  }
   --open_groups_;
 }
 
 void Svg::add(const Svg& other) {
   elements_ += other.elements();
-  bounds_.add(other.bounds());
+  include(other.bounds());
 }
 
 std::string Svg::id(std::string_view name) {

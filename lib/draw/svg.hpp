@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,41 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "draw/group_motion.hpp"
 #include "draw/palette.hpp"
+#include "draw/pixel_box.hpp"
 #include "draw/text_width.hpp"
 
 namespace kinestat {
-
-/// A place on the picture [px], y downwards.
-struct PixelPoint {
-  double x = 0.0;
-  double y = 0.0;
-};
-
-/// A rectangle [px]; empty until something is added.
-struct PixelBox {
-  double left = std::numeric_limits<double>::infinity();
-  double top = std::numeric_limits<double>::infinity();
-  double right = -std::numeric_limits<double>::infinity();
-  double bottom = -std::numeric_limits<double>::infinity();
-
-  bool is_empty() const { return left > right; }
-
-  double width() const { return is_empty() ? 0.0 : right - left; }
-
-  double height() const { return is_empty() ? 0.0 : bottom - top; }
-
-  PixelPoint centre() const { return {.x = (left + right) / 2, .y = (top + bottom) / 2}; }
-
-  void add(PixelPoint point);
-
-  void add(const PixelBox& box);
-
-  /// With a margin on all sides, which may be negative.
-  PixelBox grown(double margin) const;
-
-  bool overlaps(const PixelBox& other) const;
-};
 
 /// How a shape is painted.
 struct Paint {
@@ -105,6 +75,20 @@ class Svg {
   /// Groups nest; an empty title is left out, any other is shown when pointed at.
   void open_group(std::string_view title = {}, std::span<const Attribute> attributes = {});
 
+  /// One that moves by itself, without script; no other such group may stand in it. A program that
+  /// knows no motion shows it as at the first key frame.
+  void open_moving_group(std::string_view title,
+                         std::span<const Attribute> attributes,
+                         const GroupMotion& motion,
+                         const Cycle& cycle);
+
+  /// One that is seen, of a cycle, only from some key frames until the next: `is_seen` is parallel
+  /// to Cycle::times, its last never asked for. A program that knows no motion shows it if it is
+  /// seen at the first key frame.
+  void open_passing_group(std::span<const Attribute> attributes,
+                          const std::vector<bool>& is_seen,
+                          const Cycle& cycle);
+
   void close_group();
 
   /// Everything that the other has drawn; its groups must be closed.
@@ -117,7 +101,8 @@ class Svg {
   /// All elements so far; every group must be closed.
   const std::string& elements() const;
 
-  /// Where everything drawn so far lies, strokes and widest text included.
+  /// Where everything drawn so far lies, strokes and widest text included; of a group that moves,
+  /// where it comes at the key frames, once it is closed.
   const PixelBox& bounds() const { return bounds_; }
 
  private:
@@ -126,10 +111,21 @@ class Svg {
   void attribute(std::string_view name, double value);
   void close_element(const Paint& paint);
   void include(PixelPoint point, double margin);
+  void include(const PixelBox& box);
+
+  // What has been drawn of the group that moves.
+  struct MovingGroup {
+    GroupMotion motion;
+    int depth = 0;  ///< how many groups are open within the picture, itself among them
+    std::vector<std::pair<PixelPoint, double>> reach;  ///< points with their margins
+  };
+
+  void include_moved(const MovingGroup& group);
 
   std::string elements_;
   PixelBox bounds_;
   int open_groups_ = 0;
+  std::optional<MovingGroup> moving_;
 };
 
 /// Where a text lies, ascenders and descenders included; its corners for a text that is turned.

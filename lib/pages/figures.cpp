@@ -39,6 +39,7 @@ PicturePlace place_of(const PictureKind& kind) {
   }
   switch (kind.need) {
     case PictureNeed::motion:
+    case PictureNeed::moving:
       return PicturePlace::motion;
     case PictureNeed::sweep:
       return PicturePlace::sweep;

@@ -9,7 +9,7 @@
 #include "cases/analysis.hpp"
 #include "core/diagnostic.hpp"
 #include "core/source.hpp"
-#include "draw/linkage/linkage_drawing.hpp"
+#include "draw/linkage/drawn_motion.hpp"
 #include "report/text_blocks.hpp"
 #include "studies/mobility/report/mobility_report.hpp"
 #include "studies/motion/report/motion_table.hpp"
@@ -28,9 +28,8 @@ struct PageData {
 /// A finite motion, and where the bodies are in it.
 struct PageMotion {
   MotionTable table;
-  std::vector<std::size_t> shown;          ///< of the rows of the table, those that are drawn
-  std::vector<LinkagePosition> positions;  ///< at these
-  std::vector<TracedPath> paths;
+  std::vector<std::size_t> shown;  ///< of the rows of the table, those that are drawn
+  DrawnMotion drawn;               ///< at these
 };
 
 /// How the values of a case move with the parameters, in tables.

@@ -17,23 +17,13 @@ namespace {
 // More positions than these look no smoother.
 constexpr std::size_t kMostSteps = 720;
 
-// Bodies and couplings that are drawn anew for positions, all together: each is about 500 bytes.
-constexpr std::size_t kMostParts = 1000;
-
-std::size_t most_positions(const Mechanism& mechanism) {
-  const Topology& topology = mechanism.topology;
-  const std::size_t parts = topology.bodies.size() + topology.couplings.size();
-  return mechanism.space == Space::planar ? kMostSteps
-                                          : std::max<std::size_t>(kMostParts / parts, 2);
-}
-
 class MotionFigure {
  public:
   MotionFigure(const Analysis& analysis, const PageMotion& motion, const std::string& id)
       : mechanism_(analysis.mechanism), analysis_(analysis), motion_(motion), id_(id) {}
 
   void add_to(int number, Html& html) const {
-    const bool moves = motion_.positions.size() > 1;
+    const bool moves = positions().size() > 1;
     if (moves) {
       html.open("figure",
                 {{"class", "motion"},
@@ -62,15 +52,12 @@ class MotionFigure {
  private:
   bool is_planar() const { return mechanism_.space == Space::planar; }
 
-  bool has_cables() const {
-    return std::ranges::any_of(mechanism_.topology.couplings, [](const CouplingTopology& one) {
-      return one.type == CouplingType::cable;
-    });
-  }
+  const std::vector<LinkagePosition>& positions() const { return motion_.drawn.positions; }
 
   std::string caption() const {
-    const std::string paths = motion_.paths.empty() ? "" : " and the paths of its traced points";
-    const std::size_t shown = motion_.positions.size();
+    const std::string paths =
+        motion_.drawn.paths.empty() ? "" : " and the paths of its traced points";
+    const std::size_t shown = positions().size();
     const std::size_t all = motion_.table.rows.size();
     const std::string some =
         shown < all ? fmt::format(", at {} of the {} positions of the motion", shown, all) : "";
@@ -78,33 +65,7 @@ class MotionFigure {
   }
 
   Picture drawing() const {
-    LinkageOptions options;
-    options.shows_forces = false;
-    options.paths = motion_.paths;
-    const bool needs_frames = !is_planar() || has_cables();
-    for (const LinkagePosition& position : motion_.positions) {
-      add_places(position.poses, options);
-    }
-    if (needs_frames && motion_.positions.size() > 1) {
-      options.frames = motion_.positions;
-    }
-    return draw_linkage(analysis_, options);
-  }
-
-  // Where couplings and reference points are with these poses.
-  void add_places(const std::vector<BodyPose>& poses, LinkageOptions& options) const {
-    const Topology& topology = mechanism_.topology;
-    options.travel.resize(topology.couplings.size());
-    for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
-      const CouplingTopology& coupling = topology.couplings[e];
-      const BodyId moving = coupling.head.value == 0 ? coupling.tail : coupling.head;
-      const BodyPose& pose = poses[static_cast<std::size_t>(moving.value)];
-      options.travel[e].push_back(pose.point(mechanism_.geometry.points[e]));
-      options.reach.push_back(options.travel[e].back());
-    }
-    for (std::size_t b = 1; b < topology.bodies.size(); ++b) {
-      options.reach.push_back(poses[b].point(mechanism_.geometry.references[b]));
-    }
+    return draw_linkage(analysis_, motion_options(mechanism_, motion_.drawn));
   }
 
   void add_controls(Html& html) const {
@@ -114,7 +75,7 @@ class MotionFigure {
     html.single("input",
                 {{"type", "range"},
                  {"min", "0"},
-                 {"max", fmt::format("{}", motion_.positions.size() - 1)},
+                 {"max", fmt::format("{}", positions().size() - 1)},
                  {"step", "1"},
                  {"value", fmt::format("{}", std::max(drawn_step(), 0))},
                  {"aria-label", name}});
@@ -145,8 +106,8 @@ class MotionFigure {
   // Of the steps the one with the poses of the drawn position, where names and the like may stand;
   // -1 if there is none.
   int drawn_step() const {
-    for (std::size_t i = 0; i < motion_.positions.size(); ++i) {
-      if (is_drawn(motion_.positions[i].poses)) {
+    for (std::size_t i = 0; i < positions().size(); ++i) {
+      if (is_drawn(positions()[i].poses)) {
         return static_cast<int>(i);
       }
     }
@@ -156,40 +117,24 @@ class MotionFigure {
   // In space it is enough that couplings are in their places: how a rod spins is not seen.
   bool is_drawn(const std::vector<BodyPose>& poses) const {
     if (is_planar()) {
-      return are_same(poses, std::vector<BodyPose>(poses.size()));
+      return are_same(mechanism_, poses, std::vector<BodyPose>(poses.size()));
     }
     LinkageOptions moved;
     LinkageOptions still;
-    add_places(poses, moved);
-    add_places(std::vector<BodyPose>(poses.size()), still);
+    add_places(mechanism_, poses, moved);
+    add_places(mechanism_, std::vector<BodyPose>(poses.size()), still);
     return std::ranges::equal(moved.reach, still.reach, [this](const Vec3& a, const Vec3& b) {
       return (a - b).norm() <= kReportsAgree * mechanism_.geometry.length;
     });
-  }
-
-  bool are_same(const std::vector<BodyPose>& some, const std::vector<BodyPose>& others) const {
-    for (std::size_t b = 0; b < some.size(); ++b) {
-      const double turned = (some[b].rotation - others[b].rotation).norm();
-      const double shifted = (some[b].shift - others[b].shift).norm();
-      if (turned > kReportsAgree || shifted > kReportsAgree * mechanism_.geometry.length) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  // Whether the motion comes back to where it began, so that it can go round.
-  bool is_closed() const {
-    return are_same(motion_.positions.front().poses, motion_.positions.back().poses);
   }
 
   // For each body of a planar mechanism its shift in the plane [m] and its angle.
   std::string poses_json() const {
     std::string poses;
     std::vector<std::string> labels;
-    for (std::size_t i = 0; i < motion_.positions.size(); ++i) {
+    for (std::size_t i = 0; i < positions().size(); ++i) {
       std::vector<std::string> numbers;
-      for (const BodyPose& pose : motion_.positions[i].poses) {
+      for (const BodyPose& pose : positions()[i].poses) {
         if (!is_planar()) {
           break;
         }
@@ -207,7 +152,7 @@ class MotionFigure {
     }
     return fmt::format(R"({{"drawn":{},"closed":{},"bodies":[{}],"labels":[{}],"poses":[{}]}})",
                        drawn_step(),
-                       is_closed(),
+                       is_closed(mechanism_, motion_.drawn),
                        fmt::join(bodies, ","),
                        fmt::join(labels, ","),
                        poses);
@@ -222,16 +167,8 @@ class MotionFigure {
 }  // namespace
 
 std::vector<std::size_t> shown_positions(const Mechanism& mechanism, std::size_t count) {
-  const std::size_t most = most_positions(mechanism);
-  const std::size_t stride = (count + most - 1) / most;
-  std::vector<std::size_t> shown;
-  for (std::size_t i = 0; i < count; i += stride) {
-    shown.push_back(i);
-  }
-  if (!shown.empty() && shown.back() + 1 < count) {
-    shown.push_back(count - 1);
-  }
-  return shown;
+  return spread_positions(count,
+                          mechanism.space == Space::planar ? kMostSteps : most_frames(mechanism));
 }
 
 void add_motion_figure(const Analysis& analysis,

@@ -35,7 +35,7 @@ void add_motion_part(SectionWriter& section) {
     return;
   }
   section.open_part("motion", "Motion");
-  const bool is_drawn = page.analysis && !page.motion->positions.empty();
+  const bool is_drawn = page.analysis && !page.motion->drawn.positions.empty();
   html.open("div", {{"class", is_drawn ? "pair both" : "pair"}});
   if (is_drawn) {
     html.open("div");

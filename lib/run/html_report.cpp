@@ -18,8 +18,7 @@
 #include "run/sensitivity.hpp"
 #include "run/sweep.hpp"
 #include "run/synthesis.hpp"
-#include "studies/motion/configuration.hpp"
-#include "studies/motion/moved_mechanism.hpp"
+#include "studies/motion/picture/drawn_motion_maker.hpp"
 #include "studies/motion/task/find_motion.hpp"
 #include "studies/synthesis/task/find_synthesis.hpp"
 
@@ -27,38 +26,11 @@ namespace kinestat {
 
 namespace {
 
-// Where the traced points are in every position, and the bodies in those that are shown.
-PageMotion page_motion(const FoundMotion& motion,
-                       const MechanismDescription& description,
-                       const Mechanism& mechanism) {
+PageMotion page_motion(const FoundMotion& motion, const Mechanism& mechanism) {
   const auto count = static_cast<std::size_t>(motion.solution.position_count());
-  PageMotion page{.table = motion.table,
-                  .shown = shown_positions(mechanism, count),
-                  .positions = {},
-                  .paths = {}};
-  for (std::size_t p = 0; p < motion.plan.trace.size(); ++p) {
-    const TracedPoint& point = motion.plan.trace[p];
-    page.paths.push_back(
-        {.name = fmt::format("{}.{}", mechanism.topology.body(point.body).name, p + 1),
-         .points = {},
-         .body = point.body,
-         .drawn = point.at});
-  }
-  const std::vector<DrawnCoupling> drawn = bind_drawn_couplings(description, mechanism);
-  Mechanism moved = mechanism;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Configuration configuration = motion.solution.configuration_at(static_cast<int>(i));
-    std::vector<BodyPose> poses = body_poses(motion.network, configuration);
-    for (TracedPath& path : page.paths) {
-      const auto body = static_cast<std::size_t>(path.body->value);
-      path.points.push_back(poses[body].point(path.drawn));
-    }
-    if (page.shown[page.positions.size()] == i) {
-      move_mechanism(motion.network, drawn, configuration, poses, mechanism, moved);
-      page.positions.push_back({.poses = std::move(poses), .geometry = moved.geometry});
-    }
-  }
-  return page;
+  std::vector<std::size_t> shown = shown_positions(mechanism, count);
+  DrawnMotion drawn = make_drawn_motion(motion, motion.solution, shown, mechanism);
+  return {.table = motion.table, .shown = std::move(shown), .drawn = std::move(drawn)};
 }
 
 class PageBuilder {
@@ -121,7 +93,7 @@ class PageBuilder {
   void move(const Mechanism& mechanism, Diagnostics& found) {
     const std::optional<FoundMotion> motion = find_motion(*page_.description, mechanism, found);
     if (motion) {
-      page_.motion = page_motion(*motion, *page_.description, mechanism);
+      page_.motion = page_motion(*motion, mechanism);
     }
   }
 

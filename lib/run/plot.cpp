@@ -48,14 +48,16 @@ std::string_view signature_of(PictureForm form) {
 // Everything of a file that pictures are made of, as far as somebody asked for it.
 struct PictureSolutions {
   std::optional<Analysis> analysis;
-  std::optional<MotionTable> motion;
+  std::optional<FoundMotion> motion;
+  std::optional<MovingMechanism> moving;
   std::optional<SynthesisAnalysis> synthesis;
   std::optional<std::vector<BenchmarkedCase>> benchmark;
   std::optional<SweepTable> sweep;
 
   PictureSource source() const {
     return {.analysis = analysis ? &*analysis : nullptr,
-            .motion = motion ? &*motion : nullptr,
+            .motion = motion ? &motion->table : nullptr,
+            .moving = moving ? &*moving : nullptr,
             .synthesis = synthesis ? &*synthesis : nullptr,
             .benchmark = benchmark ? &*benchmark : nullptr,
             .sweep = sweep ? &*sweep : nullptr};
@@ -137,7 +139,9 @@ class PictureJob {
       case PictureNeed::benchmark:
         return find_benchmark(found);
       case PictureNeed::motion:
-        return find_motion_table(found);
+        return find_motion_of_file(found);
+      case PictureNeed::moving:
+        return find_moving(found);
       case PictureNeed::sweep:
         return find_sweep(found);
     }
@@ -168,7 +172,7 @@ class PictureJob {
     return certified.has_value();
   }
 
-  bool find_motion_table(Diagnostics& found) {
+  bool find_motion_of_file(Diagnostics& found) {
     if (!description_->motion) {
       found.error("E0303",
                   {},
@@ -181,11 +185,20 @@ class PictureJob {
     if (!mechanism) {
       return false;
     }
-    std::optional<FoundMotion> motion = find_motion(*description_, *mechanism, found);
-    if (motion) {
-      solutions_.motion = std::move(motion->table);
+    solutions_.motion = find_motion(*description_, *mechanism, found);
+    return solutions_.motion.has_value();
+  }
+
+  // Of a drawing that does not close a picture would show bodies that hang in no joint.
+  bool find_moving(Diagnostics& found) {
+    if (!find(PictureNeed::motion)) {
+      return false;
     }
-    return motion.has_value();
+    const std::optional<Mechanism> mechanism = bind_mechanism(found);
+    if (mechanism) {
+      solutions_.moving = moving_mechanism(path_, *description_, *mechanism, *solutions_.motion);
+    }
+    return mechanism.has_value();
   }
 
   bool find_sweep(Diagnostics& found) {
@@ -267,7 +280,8 @@ class PictureJob {
     if (!is_of_synthesis && !description_->has_mechanism()) {
       return "the file holds no mechanism";
     }
-    if (kind.need == PictureNeed::motion && !description_->motion) {
+    const bool is_of_motion = kind.need == PictureNeed::motion || kind.need == PictureNeed::moving;
+    if (is_of_motion && !description_->motion) {
       return "the file has no section 'motion'";
     }
     if (kind.need == PictureNeed::sweep && !description_->sweep) {
@@ -315,7 +329,7 @@ class PictureJob {
   Diagnostics found_;
   std::optional<MechanismDescription> description_;
   PictureSolutions solutions_;
-  std::array<std::optional<bool>, 5> is_found_;  ///< by PictureNeed
+  std::array<std::optional<bool>, 6> is_found_;  ///< by PictureNeed
 };
 
 // Forms that a picture has, beside svg.

@@ -12,8 +12,8 @@ from picture import Pictures
 from program import Program
 
 # Which pictures say most of a mechanism, the best first; the other kinds show how the method works.
-_SHOWN = ["linkage", "gear-scheme", "burmester", "lever", "shift-matrix", "ratio-ladder", "sweep-curves",
-          "motion-curves", "paths", "power-flow", "coupling-graph"]
+_SHOWN = ["linkage", "animation", "gear-scheme", "burmester", "lever", "shift-matrix", "ratio-ladder",
+          "sweep-curves", "motion-curves", "paths", "power-flow", "coupling-graph"]
 
 
 def gallery_pages(program: Program, pictures: Pictures, library: list[Mechanism]) -> dict[str, str]:

@@ -213,12 +213,22 @@ class Pictures(unittest.TestCase):
         def check(root: ElementTree.Element, text: str) -> None:
             for element in root.iter():
                 self.assertNotIn(element.tag.removeprefix(SVG),
-                                 ("script", "image", "use", "foreignObject", "a", "animate"))
+                                 ("script", "image", "use", "foreignObject", "a", "set"))
                 for key in element.attrib:
                     self.assertFalse(key.startswith("on") or "href" in key or key == "style", key)
             self.assertNotIn("url(", text)
 
         self.each(check)
+
+    def test_move_only_where_they_say_so(self) -> None:
+        # An animation of `href` could run what it likes.
+        for path, name in pictures():
+            with self.subTest(file=path.name, picture=name):
+                root = ElementTree.fromstring(drawn(path, name).stdout)
+                moved = {element.attrib["attributeName"] for element in root.iter()
+                         if element.tag.removeprefix(SVG).startswith("animate")}
+                self.assertLessEqual(moved, {"transform", "display"})
+                self.assertEqual(bool(moved), name == "animation")
 
     def test_have_ids_once(self) -> None:
         def check(root: ElementTree.Element, _: str) -> None:

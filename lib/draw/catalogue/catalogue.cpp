@@ -25,6 +25,8 @@ bool has_need(PictureNeed need, const PictureSource& source) {
       return source.benchmark != nullptr;
     case PictureNeed::motion:
       return source.motion != nullptr;
+    case PictureNeed::moving:
+      return source.moving != nullptr;
     case PictureNeed::sweep:
       return source.sweep != nullptr;
   }

@@ -10,6 +10,7 @@
 #include "cases/analysis.hpp"
 #include "draw/picture.hpp"
 #include "studies/benchmark/report/benchmark_report.hpp"
+#include "studies/motion/picture/animation.hpp"
 #include "studies/motion/report/motion_table.hpp"
 #include "studies/sweep/report/sweep_table.hpp"
 #include "studies/synthesis/report/synthesis_report.hpp"
@@ -20,6 +21,7 @@ namespace kinestat {
 struct PictureSource {
   const Analysis* analysis = nullptr;
   const MotionTable* motion = nullptr;
+  const MovingMechanism* moving = nullptr;  ///< only beside `motion`
   const SynthesisAnalysis* synthesis = nullptr;
   const std::vector<BenchmarkedCase>* benchmark = nullptr;
   const SweepTable* sweep = nullptr;
@@ -30,7 +32,7 @@ struct PictureSource {
 };
 
 /// What must be found for a picture.
-enum class PictureNeed { analysis, motion, synthesis, benchmark, sweep };
+enum class PictureNeed { analysis, motion, moving, synthesis, benchmark, sweep };
 
 /// Whether a picture is of the file, or of one of its cases.
 enum class PictureScope { file, one_case };

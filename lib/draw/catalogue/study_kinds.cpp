@@ -33,6 +33,14 @@ Picture draw_plane(const PictureSource& source) {
   return draw_burmester(*source.synthesis, 0);
 }
 
+std::string why_no_animation(const PictureSource& source) {
+  return source.moving->motion.positions.size() < 2 ? "its motion has no two positions" : "";
+}
+
+Picture draw_moving(const PictureSource& source) {
+  return draw_animation(*source.moving, *source.motion);
+}
+
 Figure motion_of(const PictureSource& source) {
   return motion_figure(*source.motion, titled("Motion", source));
 }
@@ -96,6 +104,11 @@ std::string pareto_text(const PictureSource& source) {
 }
 
 constexpr auto kStudyKinds = std::to_array<PictureKind>({
+    {.name = "animation",
+     .sentence = "the mechanism to scale, going through its motion by itself",
+     .need = PictureNeed::moving,
+     .why_not = why_no_animation,
+     .draw = draw_moving},
     {.name = "motion-curves",
      .sentence = "positions, velocities and more of a motion against its drive",
      .need = PictureNeed::motion,

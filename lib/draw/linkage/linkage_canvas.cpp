@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -68,7 +69,32 @@ LinkageCanvas::LinkageCanvas(const Analysis& analysis,
 void LinkageCanvas::open_body(BodyId body) {
   const Topology& topology = analysis_.mechanism.topology;
   const std::array<Attribute, 1> marks = {{{"data-body", body_mark(topology, body)}}};
-  svg_.open_group(topology.body(body).name, marks);
+  const std::string& name = topology.body(body).name;
+  if (const BodyTrack* const track = track_of(body)) {
+    svg_.open_moving_group(name, marks, on_picture(*track), options_.cycle->pace);
+  } else {
+    svg_.open_group(name, marks);
+  }
+}
+
+const BodyTrack* LinkageCanvas::track_of(BodyId body) const {
+  return options_.cycle && !options_.cycle->tracks.empty()
+             ? &options_.cycle->tracks[static_cast<std::size_t>(body.value)]
+             : nullptr;
+}
+
+// Of a view along -z, on which y points down, so that what turns about +z turns anticlockwise.
+GroupMotion LinkageCanvas::on_picture(const BodyTrack& track) const {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  GroupMotion motion;
+  motion.pivot = view_.at(track.point);
+  for (const Vec3& place : track.places) {
+    motion.shifts.push_back(view_.along(place - track.point));
+  }
+  for (const double turn : track.turns) {
+    motion.turns.push_back(-kDegrees * turn);
+  }
+  return motion;
 }
 
 void LinkageCanvas::open_layer(const std::string& name) {

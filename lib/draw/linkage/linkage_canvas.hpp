@@ -28,6 +28,7 @@ class LinkageCanvas {
 
   const LinkageView& view() const { return view_; }
 
+  /// A group of what moves with the body.
   void open_body(BodyId body);
 
   void open_layer(const std::string& name);
@@ -68,6 +69,9 @@ class LinkageCanvas {
     double distance = 0.0;
     TextStyle style;
   };
+
+  const BodyTrack* track_of(BodyId body) const;
+  GroupMotion on_picture(const BodyTrack& track) const;
 
   // Where it ends at the right. None where places are no more than examples.
   double draw_scale(PixelPoint from);

@@ -15,6 +15,9 @@
 // What no such matrix moves, a spatial mechanism and the cables of a planar one, is drawn anew for
 // every position of LinkageOptions::frames, in a group `<g data-frame="K" display="none">`; shown,
 // it stands for the `"still"` layers of a spatial mechanism, or for all cables.
+//
+// With LinkageOptions::cycle no script is needed: the same groups move, and the frames take turns,
+// by themselves.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +42,22 @@ struct TracedPath {
 /// A position of a finite motion.
 struct LinkagePosition {
   std::vector<BodyPose> poses;  ///< of each body
-  Geometry geometry;            ///< moved to them
+  std::vector<double> turns;    ///< in the plane: of each body about +z [rad], full turns counted
+  Geometry geometry;            ///< moved to the poses
+};
+
+/// How a body of a planar mechanism goes through a cycle: a point of it, and its turn about that.
+struct BodyTrack {
+  Vec3 point = Vec3::Zero();  ///< as drawn [m]
+  std::vector<Vec3> places;   ///< of the point, at each time of the cycle [m]
+  std::vector<double> turns;  ///< since it was drawn, likewise [rad]
+};
+
+/// Positions through which a drawing goes over and over.
+struct LinkageCycle {
+  Cycle pace;
+  std::vector<BodyTrack> tracks;    ///< of each body; empty in space
+  std::vector<std::size_t> frames;  ///< at each time, index into LinkageOptions::frames
 };
 
 /// What a drawing shows beside the mechanism.
@@ -47,10 +65,12 @@ struct LinkageOptions {
   std::optional<std::size_t> which;  ///< index into Analysis::cases: its forces and drives
   bool shows_forces = true;          ///< of the case, if it has actions
   bool shows_velocities = false;     ///< of the case, if it has motions
+  bool shows_names = true;           ///< of bodies and couplings
   std::vector<TracedPath> paths;
   std::vector<Vec3> reach;  ///< points that the picture holds, such as all places in a motion [m]
   std::vector<std::vector<Vec3>> travel;  ///< of each coupling, where it comes [m]; or empty
   std::vector<LinkagePosition> frames;
+  std::optional<LinkageCycle> cycle;  ///< empty: the drawing stands still
 };
 
 /// To scale, planar mechanisms as they are, spatial ones in parallel projection with z upwards, in

@@ -1,7 +1,5 @@
 #include "draw/linkage/linkage_frames.hpp"
 
-#include <array>
-
 #include <fmt/format.h>
 
 namespace kinestat {
@@ -33,6 +31,25 @@ LinkageOptions options_at(const LinkagePosition& position, const LinkageOptions&
   return moved;
 }
 
+// When the cycle is at the frame.
+std::vector<bool> times_of(std::size_t frame, const LinkageCycle& cycle) {
+  std::vector<bool> times;
+  for (const std::size_t one : cycle.frames) {
+    times.push_back(one == frame);
+  }
+  return times;
+}
+
+void open_frame(std::size_t frame, const LinkageOptions& options, Svg& svg) {
+  std::vector<Attribute> marks = {{"data-frame", fmt::format("{}", frame)}};
+  if (options.cycle) {
+    svg.open_passing_group(marks, times_of(frame, *options.cycle), options.cycle->pace);
+    return;
+  }
+  marks.emplace_back("display", "none");
+  svg.open_group({}, marks);
+}
+
 }  // namespace
 
 void draw_linkage_frames(const Analysis& analysis,
@@ -51,9 +68,7 @@ void draw_linkage_frames(const Analysis& analysis,
     const LinkageOptions at_position = options_at(position, options);
     LinkageCanvas frame(moved, at_position, canvas.view());
     write(moved, at_position, parts, frame);
-    const std::array<Attribute, 2> marks = {
-        {{"data-frame", fmt::format("{}", i)}, {"display", "none"}}};
-    canvas.svg().open_group({}, marks);
+    open_frame(i, options, canvas.svg());
     canvas.svg().add(frame.svg());
     canvas.svg().close_group();
   }

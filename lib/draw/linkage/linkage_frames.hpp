@@ -11,7 +11,8 @@ using FrameWriter = void (*)(const Analysis& analysis,
                              const LinkageParts& parts,
                              LinkageCanvas& canvas);
 
-/// Adds a hidden group `data-frame` to the canvas for each of LinkageOptions::frames, in its view.
+/// Adds a group `data-frame` to the canvas for each of LinkageOptions::frames, in its view: hidden,
+/// or seen as LinkageOptions::cycle says.
 void draw_linkage_frames(const Analysis& analysis,
                          const LinkageOptions& options,
                          LinkageCanvas& canvas,

@@ -61,21 +61,29 @@ class PlanarDrawing : private PlanarDrawer {
       draw_link(body);
       svg_.close_group();
     }
-    draw_cables();
+    if (!options_.cycle) {
+      draw_cables();
+    }
     draw_linkage_frames(analysis_, options_, canvas_, draw_cables_at);
     canvas_.draw_paths();
     draw_planar_couplings(analysis_, options_, parts_, canvas_);
-    canvas_.name_couplings();
-    for (const BodyId body : bodies_from_behind()) {
-      name_body(body);
+    if (options_.shows_names) {
+      add_names();
     }
-    name_ground();
     canvas_.draw_arrows();
     canvas_.draw_names();
     canvas_.draw_legend();
   }
 
  private:
+  void add_names() {
+    canvas_.name_couplings();
+    for (const BodyId body : bodies_from_behind()) {
+      name_body(body);
+    }
+    name_ground();
+  }
+
   // Moving bodies that are drawn, those with the largest wheels first.
   std::vector<BodyId> bodies_from_behind() const {
     std::vector<BodyId> bodies = moving_bodies();

@@ -60,13 +60,14 @@ class SpatialDrawing : private LinkageDrawer {
 
   void draw() {
     canvas_.draw_paths();
-    canvas_.open_layer("still");
-    draw_mechanism();
-    svg_.close_group();
+    if (!options_.cycle) {
+      canvas_.open_layer("still");
+      draw_mechanism();
+      svg_.close_group();
+    }
     draw_linkage_frames(analysis_, options_, canvas_, draw_mechanism_at);
-    canvas_.name_couplings();
-    for (int b = 0; b < topology_.body_count(); ++b) {
-      name_body(BodyId{b});
+    if (options_.shows_names) {
+      add_names();
     }
     canvas_.draw_arrows();
     canvas_.draw_names();
@@ -92,6 +93,13 @@ class SpatialDrawing : private LinkageDrawer {
   }
 
  private:
+  void add_names() {
+    canvas_.name_couplings();
+    for (int b = 0; b < topology_.body_count(); ++b) {
+      name_body(BodyId{b});
+    }
+  }
+
   Vec3 out() const { return canvas_.view().right.cross(canvas_.view().up); }
 
   const Vec3& place(CouplingId id) const { return canvas_.place(id); }

@@ -1,23 +1,16 @@
 #include "draw/linkage/linkage_drawing.hpp"
 
 #include <cmath>
-#include <regex>
 
 #include <gtest/gtest.h>
 
 #include "draw/linkage/linkage_canvas.hpp"
 #include "draw/markup.hpp"
 #include "library_analysis.hpp"
+#include "unit/plot/picture_text.hpp"
 
 namespace kinestat {
 namespace {
-
-// The number of an attribute of the picture's outermost group.
-double attribute(const Picture& picture, const std::string& name) {
-  std::smatch match;
-  const std::regex pattern(name + "=\"([^\"]*)\"");
-  return std::regex_search(picture.elements, match, pattern) ? std::stod(match[1]) : NAN;
-}
 
 TEST(LinkageDrawing, PutsPinsWhereItsScaleSays) {
   const Picture picture = draw_linkage(library_analysis("planar/four_bar.yaml"));

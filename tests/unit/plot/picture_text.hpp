@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <regex>
 #include <string>
 
 #include "draw/picture.hpp"
@@ -26,6 +27,15 @@ inline std::size_t count_of(const Picture& picture, const std::string& text) {
     ++count;
   }
   return count;
+}
+
+/// The number of an attribute where the picture has it first; NaN where it has none.
+inline double attribute(const Picture& picture, const std::string& name) {
+  std::smatch match;
+  const std::regex pattern(name + "=\"([^\"]*)\"");
+  return std::regex_search(picture.elements, match, pattern)
+             ? std::stod(match[1])
+             : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace kinestat
