@@ -4,6 +4,7 @@ unseen."""
 
 from __future__ import annotations
 
+import csv
 import json
 import random
 import re
@@ -73,6 +74,26 @@ class Sharing(InFolder):
         merged = kinestat("merge", *self.shards(7, "top", *top)).stdout
         self.assertEqual(merged, streamed)
         self.assertEqual(len(streamed.splitlines()), 6)
+
+    def test_kept_rows_are_those_that_fulfil_the_conditions(self) -> None:
+        """By the numbers of all rows, in any shards, and the best of them by a formula."""
+        self.write(TRAIN + SWEEP + '  keep: [ratio > 4.2, "abs(e.Rc) < 100 N or Np == 18"]\n')
+        def is_kept(row: dict[str, str]) -> bool:
+            return float(row["ratio"]) > 4.2 and (abs(float(row["e.Rc [N]"])) < 100 or
+                                                  row["Np"] == "18")
+        every = list(csv.DictReader(self.files["train.sweep.csv"].decode().splitlines()))
+        expected = [row for row in every if is_kept(row)]
+        self.assertTrue(0 < len(expected) < len(every))
+        merged = kinestat("merge", *self.shards(5))
+        self.assertEqual(list(csv.DictReader(merged.stdout.splitlines())), expected)
+        self.assertEqual(kinestat("sweep", "--jobs", "2", self.file).stdout, merged.stdout)
+        self.assertIn(f"not kept by 'ratio > 4.2': "
+                      f"{sum(float(row['ratio']) <= 4.2 for row in every)} rows", merged.stderr)
+        best = kinestat("sweep", "--top", "1", "--by", "abs(ratio - 4.6) + Ns/1000", "--order",
+                        "smallest", self.file).stdout
+        self.assertEqual(list(csv.DictReader(best.splitlines())),
+                         [min(expected, key=lambda row: abs(float(row["ratio"]) - 4.6) +
+                              float(row["Ns"]) / 1000)])
 
     def test_missing_and_duplicate_shards_are_named(self) -> None:
         shards = self.shards(4)

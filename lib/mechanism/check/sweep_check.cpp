@@ -161,17 +161,15 @@ class SweepCheck {
     for (const Name& one : sweep_.report) {
       held.push_back(one.text);
     }
+    const std::string guess = did_you_mean(name, held);
     context_.found.error(
         "E0313",
         where,
         fmt::format("'keep' of 'sweep' asks for '{}', which is neither a parameter nor in its "
                     "'report'",
                     name),
-        guess_before(name,
-                     held,
-                     fmt::format("'report' has {}; add '{}' there if rows should be chosen by it",
-                                 plain_list(held),
-                                 name)));
+        guess.empty() ? fmt::format("add '{}' to 'report', which has {}", name, plain_list(held))
+                      : guess);
   }
 
   // As far as the values under `parameters` show; that they give no result says nothing, for the

@@ -51,8 +51,11 @@ TEST(TopRows, AreReadBackToTheLastBit) {
 }
 
 TEST(SweepCounts, AreReadBack) {
-  const SweepCounts counts{
-      .states = 100, .excluded = {7, 0}, .rows = 186, .statuses = {{"solved", 180}, {"E0314", 6}}};
+  const SweepCounts counts{.states = 100,
+                           .excluded = {7, 0},
+                           .rows = 186,
+                           .dropped = {3, 0, 11},
+                           .statuses = {{"solved", 180}, {"E0314", 6}}};
 
   const std::optional<SweepCounts> read = read_counts(write_counts(counts));
 
@@ -60,9 +63,10 @@ TEST(SweepCounts, AreReadBack) {
   EXPECT_EQ(read->states, counts.states);
   EXPECT_EQ(read->excluded, counts.excluded);
   EXPECT_EQ(read->rows, counts.rows);
+  EXPECT_EQ(read->dropped, counts.dropped);
   EXPECT_EQ(read->statuses, counts.statuses);
   EXPECT_EQ(read->analysed(), 93U);
-  EXPECT_FALSE(read_counts("states=1 excluded=x rows=1 statuses=").has_value());
+  EXPECT_FALSE(read_counts("states=1 excluded=x rows=1 dropped= statuses=").has_value());
 }
 
 }  // namespace
