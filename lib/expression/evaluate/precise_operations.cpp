@@ -15,20 +15,29 @@ MaybePrecise finite(MaybePrecise value) {
   return value && isfinite(*value) ? std::move(value) : std::nullopt;
 }
 
+// The whole number that `a` may be but for rounding, or `a` itself: 1000 times the cube root of 0.001
+// is 100.
+BigFloat settled_whole(const BigFloat& a) {
+  const BigFloat nearest = round(a);
+  return abs(a - nearest) <= big_float_rounding() * abs(a) ? nearest : a;
+}
+
 // A whole exponent multiplies, so that a base below zero has a power.
 MaybePrecise raised(const BigFloat& base, const BigFloat& exponent) {
   constexpr int kLargest = 1'000'000;
   if (base == 0) {
     return exponent < 0 ? std::nullopt : MaybePrecise(exponent == 0 ? 1 : 0);
   }
-  if (floor(exponent) == exponent && abs(exponent) <= kLargest) {
-    return MaybePrecise(pow(base, static_cast<int>(exponent)));
+  const BigFloat whole = settled_whole(exponent);
+  if (floor(whole) == whole && abs(whole) <= kLargest) {
+    return MaybePrecise(pow(base, static_cast<int>(whole)));
   }
   return base < 0 ? std::nullopt : MaybePrecise(pow(base, exponent));
 }
 
 // Rounding of the double may have let a value pass that lies beyond the domain by less than that.
-MaybePrecise of_sine(Function function, const BigFloat& a) {
+MaybePrecise of_sine(Function function, const BigFloat& sine) {
+  const BigFloat a = settled_whole(sine);
   if (abs(a) > 1) {
     return std::nullopt;
   }
@@ -66,14 +75,14 @@ MaybePrecise apply_to_one(Function function, const BigFloat& a) {
     case Function::log10:
       return logarithm(function, a);
     case Function::floor:
-      return floor(a);
+      return floor(settled_whole(a));
     case Function::ceil:
-      return ceil(a);
+      return ceil(settled_whole(a));
     default:
       break;
   }
   KINESTAT_EXPECTS(function == Function::round);
-  return round(a);
+  return round(BigFloat(settled_whole(2 * a) / 2));  // halves away from zero
 }
 
 MaybePrecise apply_function(Function function, const BigFloat& a, const BigFloat& b) {
@@ -85,9 +94,11 @@ MaybePrecise apply_function(Function function, const BigFloat& a, const BigFloat
     case Function::max:
       return a < b ? b : a;
     case Function::mod:
-      return b == 0 ? std::nullopt : MaybePrecise(a - b * floor(a / b));
+      return b == 0 ? std::nullopt
+                    : MaybePrecise(settled_sum(a, -(b * floor(settled_whole(a / b)))));
     case Function::gcd:
-      return BigFloat(std::gcd(static_cast<long long>(a), static_cast<long long>(b)));
+      return BigFloat(std::gcd(static_cast<long long>(settled_whole(a)),
+                               static_cast<long long>(settled_whole(b))));
     case Function::hypot:
       return sqrt(a * a + b * b);
     default:

@@ -218,7 +218,7 @@ std::size_t Parser::closing_of(std::size_t opening) const {
 int Parser::fail_condition(const Token& where, std::string_view word, std::string_view what) {
   return fail(where,
               fmt::format("'{}' {}, and this is the place of a value", word, what),
-              "write a number or an expression; conditions stand under 'require' only");
+              "write a number or an expression; conditions stand under 'require' and 'keep' only");
 }
 
 bool Parser::is_decimal_comma() const {

@@ -142,18 +142,27 @@ class SweepCheck {
   void check_row_names(const Requirement& requirement) {
     for (const ConditionValue& value : requirement.condition.values()) {
       for (const Node& node : value.expression.nodes()) {
-        if (node.kind != NodeKind::name) {
-          continue;
-        }
         const std::string name(value.expression.text_of(node));
-        if (context_.names.parameters.contains(name)) {
+        const SourceRange where = place_of(requirement, value.offset + node.offset, node.length);
+        const bool is_reported =
+            std::ranges::find(sweep_.report, name, &Name::text) != sweep_.report.end();
+        const bool is_parameter = context_.names.parameters.contains(name);
+        if (is_reported && (node.kind == NodeKind::unit || is_parameter)) {
+          refuse_two_meanings(name, is_parameter ? "a parameter" : "a unit", where);
+        } else if (node.kind == NodeKind::name && is_parameter) {
           check_name(requirement, value, node);
-        } else if (!sweep_.report.empty() &&
-                   std::ranges::find(sweep_.report, name, &Name::text) == sweep_.report.end()) {
-          refuse_row_name(name, place_of(requirement, value.offset + node.offset, node.length));
+        } else if (node.kind == NodeKind::name && !sweep_.report.empty() && !is_reported) {
+          refuse_row_name(name, where);
         }
       }
     }
+  }
+
+  void refuse_two_meanings(const std::string& name, const std::string& other, SourceRange where) {
+    context_.found.error("E0306",
+                         where,
+                         fmt::format("'{}' is {} and a quantity that the rows hold", name, other),
+                         "give the actuator or the parameter another name");
   }
 
   void refuse_row_name(const std::string& name, SourceRange where) {

@@ -60,6 +60,10 @@ std::uint64_t SweepCounts::analysed() const {
   return states - std::accumulate(excluded.begin(), excluded.end(), std::uint64_t{0});
 }
 
+std::uint64_t SweepCounts::kept() const {
+  return rows - std::accumulate(dropped.begin(), dropped.end(), std::uint64_t{0});
+}
+
 void SweepCounts::add(const SweepCounts& other) {
   states += other.states;
   rows += other.rows;

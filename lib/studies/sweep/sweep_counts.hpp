@@ -20,6 +20,9 @@ struct SweepCounts {
   /// States that no requirement has excluded.
   std::uint64_t analysed() const;
 
+  /// Rows that fulfil all conditions of 'keep'.
+  std::uint64_t kept() const;
+
   void add(const SweepCounts& other);
 };
 

@@ -104,7 +104,11 @@ INSTANTIATE_TEST_SUITE_P(
                     PreciseCase{"whole_from_below", "ceil(1.1*1.1/1.21)", "1"},
                     PreciseCase{"half", "round(1.21/(1.1*1.1)/2)", "1"},
                     PreciseCase{"after_cancelling", "floor((1000.000000001 - 1000)/1e-9)", "1"},
-                    PreciseCase{"under_a_root", "sqrt(1.21) - 1.1", "0"}),
+                    PreciseCase{"under_a_root", "sqrt(1.21) - 1.1", "0"},
+                    // Powers that are no fractions to the program.
+                    PreciseCase{"floor_of_a_power", "floor(0.001^(1/3)*100)", "10"},
+                    PreciseCase{"rest_of_a_power", "mod(0.001^(1/3), 0.1)", "0"},
+                    PreciseCase{"half_of_a_power", "round(1000^(1/3)/4)", "3"}),
     [](const auto& one) { return one.param.name; });
 
 // A product with a minus zero is no angle of -180 deg.

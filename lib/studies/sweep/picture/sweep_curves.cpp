@@ -121,7 +121,7 @@ std::string why_no_curves_of_sweep(const SweepTable& sweep) {
         kMostSweptStates);
   }
   if (sweep.rows.empty()) {
-    return fmt::format("the requirements of its sweep exclude all of its {} states; require less",
+    return fmt::format("the conditions of its sweep leave no row of its {} states; ask for less",
                        sweep.states);
   }
   const bool has_value = std::ranges::any_of(sweep.rows, [](const SweepTableRow& row) {

@@ -143,11 +143,12 @@ std::optional<std::string> read_plan_of_summary(const std::string& text) {
 }
 
 std::string sweep_text(const SweepMetadata& metadata, const SweepCounts& counts) {
-  std::string text = fmt::format("{}: {} states, {} analysed, {} rows\n",
+  std::string text = fmt::format("{}: {} states, {} analysed, {} rows",
                                  metadata.stem,
                                  counts.states,
                                  counts.analysed(),
                                  counts.rows);
+  text += metadata.keep.empty() ? "\n" : fmt::format(", {} kept\n", counts.kept());
   for (std::size_t i = 0; i < counts.excluded.size() && i < metadata.requirements.size(); ++i) {
     text += fmt::format(
         "  left out by '{}': {}\n", printable(metadata.requirements[i]), counts.excluded[i]);

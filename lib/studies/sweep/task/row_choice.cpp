@@ -44,7 +44,9 @@ class ChoiceSearch {
           error->code,
           place_in(one.where, one.text_column, one.condition.text(), error->offset, error->length),
           error->message,
-          is_name ? fmt::format("{} ('report' of 'sweep' names what rows hold)", error->hint)
+          is_name ? fmt::format("{}{}'report' of 'sweep' names what rows hold",
+                                error->hint,
+                                error->hint.empty() ? "" : " ")
                   : error->hint);
       return;
     }

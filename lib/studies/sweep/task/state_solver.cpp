@@ -18,12 +18,23 @@ namespace kinestat {
 
 namespace {
 
-// The text that gives this number and no other.
-Expression expression_of(const Quantity& value) {
-  const std::string unit = is_bare(value.dimension) ? "" : " " + si_unit_of(value.dimension);
-  auto parsed = parse_expression(fmt::format("{}{}", value.value, unit));
+Expression number_in(double count, const std::string& unit) {
+  auto parsed =
+      parse_expression(unit.empty() ? fmt::format("{}", count) : fmt::format("{} {}", count, unit));
   KINESTAT_EXPECTS(std::holds_alternative<Expression>(parsed));
   return std::get<Expression>(std::move(parsed));
+}
+
+// As it would be typed, so that 180 deg is half a turn and no rounding of it; in SI where that
+// alone gives the number.
+Expression expression_of(const SweepAxis& axis, std::uint64_t place) {
+  const Quantity value = axis.value_at(place);
+  Expression typed = number_in(axis.count_at(place), axis.unit());
+  const auto evaluated = evaluate(typed, no_names);
+  const auto* same = std::get_if<Quantity>(&evaluated);
+  return same != nullptr && same->value == value.value && same->dimension == value.dimension
+             ? typed
+             : number_in(value.value, is_bare(value.dimension) ? "" : si_unit_of(value.dimension));
 }
 
 }  // namespace
@@ -34,7 +45,7 @@ std::optional<Mechanism> StateBinder::bind(std::uint64_t state) {
   for (std::size_t a = 0; a < task_.plan.axes().size(); ++a) {
     const SweepAxis& axis = task_.plan.axes()[a];
     Value& value = description_.parameters[static_cast<std::size_t>(axis.parameter())].value;
-    value.expression = expression_of(axis.value_at(task_.plan.place_of(state, a)));
+    value.expression = expression_of(axis, task_.plan.place_of(state, a));
     value.text_column = 0;
   }
   Diagnostics found;
