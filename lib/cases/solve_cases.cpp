@@ -311,6 +311,22 @@ CaseAnalysis solve_case_in_motion(const Mechanism& mechanism,
                     {.which = which, .accuracy = usual, .passes = passes, .motion = &motion});
 }
 
+CaseAnalysis solve_certified_case(const MechanismDescription& description,
+                                  const Mechanism& mechanism,
+                                  std::size_t index,
+                                  const Case& which) {
+  const AccuracyRequest request{.accuracy = Accuracy::automatic};
+  ExactInputCases exact_input(description, mechanism, request);
+  CaseCertainty certainty;
+  return solve_case(mechanism,
+                    bases_of(mechanism),
+                    {.which = which,
+                     .accuracy = request,
+                     .exact_input = &exact_input,
+                     .index = index,
+                     .certainty = &certainty});
+}
+
 Analysis solve_cases(std::string file, Loaded loaded, const AccuracyRequest& request) {
   return solve_certified_cases(std::move(file), std::move(loaded), request).analysis;
 }

@@ -21,6 +21,14 @@ std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism,
                                            std::span<const Case> cases,
                                            const AccuracyRequest& request = {});
 
+/// One case as an analysis answers it: with bounds, and with the numbers as typed where the bounds
+/// ask for them. `mechanism` must be what bind made of the description, and `which` its case of
+/// that index, perhaps with fewer passes.
+CaseAnalysis solve_certified_case(const MechanismDescription& description,
+                                  const Mechanism& mechanism,
+                                  std::size_t index,
+                                  const Case& which);
+
 /// The passes of every case with as many digits as asked for, and what is proved of the ranks.
 struct CertifiedAnalysis {
   Analysis analysis;

@@ -15,8 +15,8 @@ MaybePrecise finite(MaybePrecise value) {
   return value && isfinite(*value) ? std::move(value) : std::nullopt;
 }
 
-// The whole number that `a` may be but for rounding, or `a` itself: 1000 times the cube root of 0.001
-// is 100.
+// The whole number that `a` may be but for rounding, or `a` itself: 1000 times the cube root of
+// 0.001 is 100.
 BigFloat settled_whole(const BigFloat& a) {
   const BigFloat nearest = round(a);
   return abs(a - nearest) <= big_float_rounding() * abs(a) ? nearest : a;

@@ -175,13 +175,23 @@ void StateSolver::analyse(std::uint64_t state, bool is_undefined, std::span<Swee
     CaseAnalysis one = solve_some_cases(*mechanism, which).front();
     fill_row(task_, *mechanism, one, rows[i]);
     if (may_be_rounding(task_, rows[i])) {
-      one = solve_some_cases(*mechanism, which, {.accuracy = Accuracy::automatic}).front();
+      one = solve_again(*mechanism, i, cases[i]);
       fill_row(task_, *mechanism, one, rows[i]);
     }
     rows[i].status = row_status(one, task_, task_.is_usually_solved[i]);
     ratios[i] = gear_ratio(task_, i, one);
   }
   fill_steps(task_.columns, ratios, rows);
+}
+
+// With bounds. A gear is decided anew by the state, and is no case of the description.
+CaseAnalysis StateSolver::solve_again(const Mechanism& mechanism,
+                                      std::size_t row,
+                                      const Case& which) {
+  return task_.gears[row]
+             ? solve_some_cases(mechanism, std::span(&which, 1), {.accuracy = Accuracy::automatic})
+                   .front()
+             : solve_certified_case(binder_.description(), mechanism, task_.chosen[row], which);
 }
 
 void StateSolver::decide_gears(const Mechanism& mechanism, std::vector<Case>& cases) {

@@ -60,6 +60,7 @@ class StateSolver {
   void take(const StateWalk& walk, std::size_t lane, std::size_t count);
   void analyse(std::size_t lane);
   void analyse(std::uint64_t state, bool is_undefined, std::span<SweepRow> rows);
+  CaseAnalysis solve_again(const Mechanism& mechanism, std::size_t row, const Case& which);
   void decide_gears(const Mechanism& mechanism, std::vector<Case>& cases);
   void check_some(std::size_t count);
   void check_tape(std::uint64_t state, std::span<const SweepRow> taped);
