@@ -72,7 +72,7 @@ TEST(SweepLack, SaysThatNoStateIsAllowed) {
   sweep.rows.clear();
 
   EXPECT_TRUE(why_no_curves_of_sweep(sweep).starts_with(
-      "the requirements of its sweep exclude all of its 6 states"));
+      "the conditions of its sweep leave no row of its 6 states"));
 }
 
 }  // namespace
