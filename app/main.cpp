@@ -36,13 +36,15 @@ int finish(Outcome outcome) {
   return static_cast<int>(outcome.status);
 }
 
+constexpr const char* kVersionFlag = "--version";
+
 // The program with some of its commands, and what its words ask for.
 class CommandLine {
  public:
   explicit CommandLine(std::span<const Command> some) {
     app_.formatter(std::make_shared<kinestat::app::HelpFormat>());
     app_.set_version_flag(
-        "--version", "kinestat " + std::string(kinestat::kVersion), "the version");
+        kVersionFlag, "kinestat " + std::string(kinestat::kVersion), "the version");
     app_.set_help_flag("-h,--help", "this help");
     app_.require_subcommand(0, 1);
     app_.footer(
@@ -89,9 +91,13 @@ class CommandLine {
 };
 
 // To declare the options of all commands takes longer than to read a small file. So first those of
-// the command that is named are; only commands that look at others, and messages, do so for all.
+// the command that is named are, and none for the version; only commands that look at others, and
+// messages, do so for all.
 Outcome parse_and_run(const std::vector<std::string>& words) {
   const std::span<const Command> all = kinestat::app::commands();
+  if (words.size() == 1 && words.front() == kVersionFlag) {
+    return CommandLine({}).run(words);
+  }
   const auto named = std::ranges::find_if(all, [&words](const Command& one) {
     return !words.empty() && words.front() == one.name && !one.looks_at_others;
   });
