@@ -36,45 +36,42 @@ class ChoiceSearch {
   }
 
   void add_condition(const Requirement& one, RowChoice& choice) {
+    for (const ConditionValue& value : one.condition.values()) {
+      if (const auto wrong = find_wrong_name(value.expression)) {
+        refuse_condition(one, value.offset, *wrong);
+        return;
+      }
+    }
     const auto holds = evaluate_condition(one.condition, lookup(), names_.names());
     const auto* error = std::get_if<ExpressionError>(&holds);
     if (error != nullptr && error->code != kNoFiniteValue) {
-      const bool is_name = error->code == "E0311";
-      found_.error(
-          error->code,
-          place_in(one.where, one.text_column, one.condition.text(), error->offset, error->length),
-          error->message,
-          is_name ? fmt::format("{}{}'report' of 'sweep' names what rows hold",
-                                error->hint,
-                                error->hint.empty() ? "" : " ")
-                  : error->hint);
+      refuse_condition(one, 0, *error);
       return;
     }
     choice.keep.emplace_back(one.condition, slot_of());
   }
 
   void add_rank(const TopChoice& top, RowChoice& choice) {
-    const bool is_quantity = std::ranges::find(quantities_, top.by) != quantities_.end();
-    auto parsed = is_quantity ? std::variant<Expression, ExpressionError>(expression_named(top.by))
-                              : parse_expression(top.by);
+    // Whatever else has its name: what ranks rows is a quantity first.
+    if (std::ranges::find(quantities_, top.by) != quantities_.end()) {
+      choice.rank.emplace(expression_named(top.by),
+                          [this](const std::string& name) { return names_.quantity_slot(name); });
+      return;
+    }
+    const auto parsed = parse_expression(top.by);
     if (const auto* error = std::get_if<ExpressionError>(&parsed)) {
-      refuse_rank(top, error->message, error->hint);
+      refuse_rank(top, *error);
       return;
     }
     const auto& formula = std::get<Expression>(parsed);
-    for (const std::string& name : formula.names()) {
-      if (names_.slot_of(name) < 0) {
-        refuse_rank(top,
-                    name == top.by ? "the rows have no such quantity"
-                                   : fmt::format("the rows have no quantity '{}'", printable(name)),
-                    guess_before(name, names_.names(), "they have " + plain_list(quantities_)));
-        return;
-      }
+    if (const auto wrong = find_wrong_name(formula)) {
+      refuse_rank(top, *wrong);
+      return;
     }
     const auto value = evaluate(formula, lookup(), names_.names());
     const auto* error = std::get_if<ExpressionError>(&value);
     if (error != nullptr && error->code != kNoFiniteValue) {
-      refuse_rank(top, error->message, error->hint);
+      refuse_rank(top, *error);
       return;
     }
     choice.rank.emplace(formula, slot_of());
@@ -92,9 +89,45 @@ class ChoiceSearch {
     return [this](const std::string& name) { return names_.slot_of(name); };
   }
 
-  void refuse_rank(const TopChoice& top, const std::string& message, std::string hint) {
+  // The first name that nothing has, or two things have. Evaluation does not see all names: it
+  // stops where a condition is decided.
+  std::optional<ExpressionError> find_wrong_name(const Expression& formula) const {
+    for (const Node& node : formula.nodes()) {
+      const std::string name(node.kind == NodeKind::name ? formula.text_of(node) : "");
+      const int slot = name.empty() ? 0 : names_.slot_of(name);
+      if (slot < 0) {
+        return ExpressionError{
+            .offset = node.offset,
+            .length = node.length,
+            .code = "E0311",
+            .message = fmt::format("the rows have no quantity '{}'", printable(name)),
+            .hint = guess_before(name, names_.names(), "they have " + plain_list(quantities_))};
+      }
+      const int quantity = name.empty() ? -1 : names_.quantity_slot(name);
+      if (quantity >= 0 && quantity != slot) {
+        return ExpressionError{
+            .offset = node.offset,
+            .length = node.length,
+            .code = "E0306",
+            .message = fmt::format("'{}' is a parameter and a quantity that the rows hold", name),
+            .hint = "give the actuator or the parameter another name"};
+      }
+    }
+    return std::nullopt;
+  }
+
+  void refuse_condition(const Requirement& one, int offset, const ExpressionError& error) {
     found_.error(
-        "E0101", {}, fmt::format("--by '{}': {}", printable(top.by), message), std::move(hint));
+        error.code,
+        place_in(
+            one.where, one.text_column, one.condition.text(), offset + error.offset, error.length),
+        error.message,
+        error.hint);
+  }
+
+  void refuse_rank(const TopChoice& top, const ExpressionError& error) {
+    found_.error(
+        "E0101", {}, fmt::format("--by '{}': {}", printable(top.by), error.message), error.hint);
   }
 
   RowNames names_;

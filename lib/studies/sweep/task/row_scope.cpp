@@ -34,6 +34,7 @@ RowNames::RowNames(const MechanismDescription& description, std::span<const Swee
   for (const ParameterDescription& one : description.parameters) {
     names_.push_back(one.name.text);
   }
+  first_ = std::ssize(names_);
   for (const SweepColumn& one : columns) {
     names_.push_back(one.name);
   }
@@ -41,6 +42,11 @@ RowNames::RowNames(const MechanismDescription& description, std::span<const Swee
 
 int RowNames::slot_of(const std::string& name) const {
   const auto at = std::ranges::find(names_, name);
+  return at != names_.end() ? static_cast<int>(at - names_.begin()) : -1;
+}
+
+int RowNames::quantity_slot(const std::string& name) const {
+  const auto at = std::find(names_.begin() + first_, names_.end(), name);
   return at != names_.end() ? static_cast<int>(at - names_.begin()) : -1;
 }
 

@@ -1,6 +1,7 @@
 // What formulas about the rows of a sweep may name.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -14,7 +15,7 @@
 
 namespace kinestat {
 
-/// Parameters and quantities of the rows by their names; a parameter hides a quantity of its name.
+/// Parameters and quantities of the rows by their names.
 class RowNames {
  public:
   RowNames(const MechanismDescription& description, std::span<const SweepColumn> columns);
@@ -22,10 +23,14 @@ class RowNames {
   /// Its slot: those of the parameters, then those of the quantities; -1 if there is none.
   int slot_of(const std::string& name) const;
 
+  /// Likewise, of a quantity alone.
+  int quantity_slot(const std::string& name) const;
+
   std::span<const std::string> names() const { return names_; }
 
  private:
   std::vector<std::string> names_;
+  std::ptrdiff_t first_ = 0;  ///< place of the first quantity
 };
 
 /// The values of these names, row by row.
