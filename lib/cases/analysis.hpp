@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/made_once.hpp"
 #include "kinematics/kinematic_solution.hpp"
 #include "mechanism/mechanism.hpp"
 #include "power/power_flow.hpp"
@@ -45,8 +46,18 @@ struct CaseAnalysis {
   std::optional<PowerGraph> power_graph;             ///< beside `power`
   std::optional<TransmissionEfficiency> efficiency;  ///< beside `power`, where meshes lose any
   std::optional<Ratios> ratios;
-  std::vector<AffineMagnitude> affine_rates;    ///< only those that depend on a free parameter
-  std::vector<AffineMagnitude> affine_actions;  ///< likewise
+};
+
+/// The magnitudes of one case that depend on a free parameter.
+struct AffineCase {
+  std::vector<AffineMagnitude> rates;
+  std::vector<AffineMagnitude> actions;
+};
+
+/// How the cases depend on the parameters that the file leaves free; empty without any.
+struct AffineDependence {
+  std::vector<FreeParameterLabel> parameters;
+  std::vector<AffineCase> cases;  ///< as those of the analysis
 };
 
 /// The section `shift` and the states of the transmission.
@@ -63,7 +74,7 @@ struct Analysis {
   MobilityCounts mobility;
   std::vector<CaseAnalysis> cases;
   std::optional<ShiftAnalysis> shift;
-  std::vector<FreeParameterLabel> free_parameters;
+  MadeOnce<AffineDependence> affine;  ///< affine_dependence says it
 };
 
 /// A mechanism file that was read and bound.

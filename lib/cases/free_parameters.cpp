@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cases/case_passes.hpp"
+#include "core/contract.hpp"
 #include "core/rounding.hpp"
 #include "core/tolerance.hpp"
 #include "expression/parameters.hpp"
@@ -260,17 +261,17 @@ class AffineFit {
   std::size_t index_;
 };
 
-}  // namespace
-
-void find_affine_dependence(Analysis& analysis) {
+AffineDependence find_affine_dependence(const Analysis& analysis) {
+  AffineDependence result{.parameters = {},
+                          .cases = std::vector<AffineCase>(analysis.cases.size())};
   const std::vector<Probed> free = find_free(analysis);
   if (free.empty() || analysis.cases.empty()) {
-    return;
+    return result;
   }
   std::vector<FreeParameter> parameters;
   for (const Probed& one : free) {
     parameters.push_back(one.parameter);
-    analysis.free_parameters.push_back(
+    result.parameters.push_back(
         {.name = analysis.description.parameters[one.index].name.text, .unit = one.unit});
   }
   std::vector<std::optional<Probe>> probes;
@@ -282,13 +283,26 @@ void find_affine_dependence(Analysis& analysis) {
   const Topology& topology = analysis.mechanism.topology;
   for (std::size_t c = 0; c < analysis.cases.size(); ++c) {
     const AffineFit fit(parameters, probes, c);
-    analysis.cases[c].affine_rates = fit.run(rates_of, rate_rounding_at, [&](std::size_t f) {
+    result.cases[c].rates = fit.run(rates_of, rate_rounding_at, [&](std::size_t f) {
       return topology.freedoms[f].is_rotation;
     });
-    analysis.cases[c].affine_actions = fit.run(actions_of, action_rounding_at, [&](std::size_t a) {
+    result.cases[c].actions = fit.run(actions_of, action_rounding_at, [&](std::size_t a) {
       return topology.actions[a].is_couple;
     });
   }
+  return result;
+}
+
+}  // namespace
+
+const AffineDependence& affine_dependence(const Analysis& analysis) {
+  return analysis.affine.get([&] { return find_affine_dependence(analysis); });
+}
+
+const AffineCase& affine_case(const Analysis& analysis, const CaseAnalysis& one) {
+  const std::ptrdiff_t index = &one - analysis.cases.data();
+  KINESTAT_EXPECTS(index >= 0 && index < std::ssize(analysis.cases));
+  return affine_dependence(analysis).cases[static_cast<std::size_t>(index)];
 }
 
 }  // namespace kinestat

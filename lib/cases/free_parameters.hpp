@@ -5,8 +5,11 @@
 
 namespace kinestat {
 
-/// Fills the affine dependence of every case on the parameters `{free: …}`, by solving the cases
-/// again with these parameters moved. Does nothing for a file without free parameters.
-void find_affine_dependence(Analysis& analysis);
+/// The affine dependence of every case on the parameters `{free: …}`, found when it is first asked
+/// for by solving the cases again with these parameters moved.
+const AffineDependence& affine_dependence(const Analysis& analysis);
+
+/// That of one of the cases of the analysis.
+const AffineCase& affine_case(const Analysis& analysis, const CaseAnalysis& one);
 
 }  // namespace kinestat

@@ -6,7 +6,6 @@
 
 #include "cases/case_passes.hpp"
 #include "cases/exact_input_cases.hpp"
-#include "cases/free_parameters.hpp"
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "kinematics/velocity.hpp"
@@ -355,7 +354,6 @@ CertifiedAnalysis solve_certified_cases(std::string file,
                                          .index = c,
                                          .certainty = &result.certainty.cases[c]}));
   }
-  find_affine_dependence(analysis);
   if (request.accuracy != Accuracy::fast) {
     exact_input.find_ranks(analysis.mobility.minimal.actions.has_value(), result.certainty);
     exact_input.count_exact_input(result.certainty, analysis.mobility);

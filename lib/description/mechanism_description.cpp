@@ -1,5 +1,7 @@
 #include "description/mechanism_description.hpp"
 
+#include <algorithm>
+
 namespace kinestat {
 
 std::vector<Parameter> parameters_of(const MechanismDescription& description) {
@@ -12,6 +14,10 @@ std::vector<Parameter> parameters_of(const MechanismDescription& description) {
                           .value_where = parameter.value.where});
   }
   return parameters;
+}
+
+bool has_free_parameters(const MechanismDescription& description) {
+  return std::ranges::any_of(description.parameters, &ParameterDescription::is_free);
 }
 
 }  // namespace kinestat

@@ -92,4 +92,7 @@ struct MechanismDescription {
 /// The parameters as the expression module evaluates them.
 std::vector<Parameter> parameters_of(const MechanismDescription& description);
 
+/// Whether the value of any parameter is but an example.
+bool has_free_parameters(const MechanismDescription& description);
+
 }  // namespace kinestat

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/free_parameters.hpp"
 #include "cases/report/case_text.hpp"
 #include "mechanism/label_kind.hpp"
 #include "report/number_format.hpp"
@@ -20,12 +21,13 @@ struct Shown {
 template <class Use>
 void for_each_magnitude(const Analysis& analysis, const CaseAnalysis& one, const Use& use) {
   const Topology& topology = analysis.mechanism.topology;
-  for (const AffineMagnitude& rate : one.affine_rates) {
+  const AffineCase& affine = affine_case(analysis, one);
+  for (const AffineMagnitude& rate : affine.rates) {
     const bool turns = topology.freedoms[static_cast<std::size_t>(rate.index)].is_rotation;
     use(Shown{
         .name = topology.freedom_name(rate.index), .kind = rate_kind(turns), .value = rate.value});
   }
-  for (const AffineMagnitude& action : one.affine_actions) {
+  for (const AffineMagnitude& action : affine.actions) {
     const bool turns = topology.actions[static_cast<std::size_t>(action.index)].is_couple;
     use(Shown{.name = topology.action_name(action.index),
               .kind = action_kind(turns),
@@ -41,16 +43,17 @@ void add_term(double coefficient, const std::string& name, std::string& sum) {
   sum += name.empty() ? "" : " " + name;
 }
 
-std::string sum_text(const Analysis& analysis, const Shown& shown) {
-  const FileUnits& units = analysis.description.units;
+std::string sum_text(const FileUnits& units,
+                     const std::vector<FreeParameterLabel>& parameters,
+                     const Shown& shown) {
   std::string sum;
   if (shown.value->constant != 0.0) {
     add_term(units.from_si(shown.kind, shown.value->constant), "", sum);
   }
-  for (std::size_t i = 0; i < analysis.free_parameters.size(); ++i) {
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
     const double coefficient = units.from_si(shown.kind, shown.value->coefficients[i]);
     if (coefficient != 0.0) {
-      add_term(coefficient, analysis.free_parameters[i].name, sum);
+      add_term(coefficient, parameters[i].name, sum);
     }
   }
   return sum;
@@ -68,17 +71,19 @@ std::string parameters_text(const std::vector<FreeParameterLabel>& parameters) {
 }  // namespace
 
 std::string affine_text(const Analysis& analysis, const CaseAnalysis& one) {
+  const FileUnits& units = analysis.description.units;
+  const std::vector<FreeParameterLabel>& parameters = affine_dependence(analysis).parameters;
   std::string lines;
   for_each_magnitude(analysis, one, [&](const Shown& shown) {
     lines += shown.value ? fmt::format("  {} [{}] = {}\n",
                                        shown.name,
-                                       analysis.description.units.text(shown.kind),
-                                       sum_text(analysis, shown))
+                                       units.text(shown.kind),
+                                       sum_text(units, parameters, shown))
                          : fmt::format("  {} is not affine in them\n", shown.name);
   });
   return lines.empty() ? lines
                        : fmt::format("  With the free parameters {}:\n{}\n",
-                                     parameters_text(analysis.free_parameters),
+                                     parameters_text(parameters),
                                      lines);
 }
 

@@ -1,5 +1,6 @@
 #include "cases/report/case_record.hpp"
 
+#include "cases/free_parameters.hpp"
 #include "cases/report/ratio_in_units.hpp"
 #include "kinematics/kinematic_record.hpp"
 #include "mechanism/label_kind.hpp"
@@ -109,7 +110,7 @@ void add_ratios(Record<CaseView>& keys) {
 void write_affine(std::string_view name,
                   QuantityKind kind,
                   const std::optional<AffineValue>& value,
-                  const Analysis& analysis,
+                  const std::vector<FreeParameterLabel>& parameters,
                   Archive& to) {
   to.element(name, {});
   if (!value) {
@@ -119,9 +120,9 @@ void write_affine(std::string_view name,
   to.begin_map();
   to.element("1", {});
   to.quantity(value->constant, kind);
-  for (std::size_t i = 0; i < analysis.free_parameters.size(); ++i) {
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (value->coefficients[i] != 0.0) {  // without influence
-      to.element(analysis.free_parameters[i].name, {});
+      to.element(parameters[i].name, {});
       to.quantity(value->coefficients[i], kind);
     }
   }
@@ -130,14 +131,16 @@ void write_affine(std::string_view name,
 
 void write_all_affine(const CaseView& v, Archive& to) {
   const Topology& topology = v.analysis.mechanism.topology;
+  const std::vector<FreeParameterLabel>& parameters = affine_dependence(v.analysis).parameters;
+  const AffineCase& affine = affine_case(v.analysis, v.one);
   to.begin_map();
-  for (const AffineMagnitude& rate : v.one.affine_rates) {
+  for (const AffineMagnitude& rate : affine.rates) {
     const QuantityKind kind = kind_of(topology.freedoms[static_cast<std::size_t>(rate.index)]);
-    write_affine(topology.freedom_name(rate.index), kind, rate.value, v.analysis, to);
+    write_affine(topology.freedom_name(rate.index), kind, rate.value, parameters, to);
   }
-  for (const AffineMagnitude& action : v.one.affine_actions) {
+  for (const AffineMagnitude& action : affine.actions) {
     const QuantityKind kind = kind_of(topology.actions[static_cast<std::size_t>(action.index)]);
-    write_affine(topology.action_name(action.index), kind, action.value, v.analysis, to);
+    write_affine(topology.action_name(action.index), kind, action.value, parameters, to);
   }
   to.end_map();
 }
@@ -222,7 +225,7 @@ const Record<CaseView>& case_record() {
             "in them.",
             write_all_affine)
         .not_in_tables()
-        .only_if([](const CaseView& v) { return !v.analysis.free_parameters.empty(); });
+        .only_if([](const CaseView& v) { return has_free_parameters(v.analysis.description); });
   });
   return record;
 }

@@ -273,9 +273,7 @@ PixelBox LinkageCanvas::bounds() const {
 
 double LinkageCanvas::draw_scale(PixelPoint from) {
   const FileUnits& units = analysis_.description.units;
-  const bool is_example =
-      std::ranges::any_of(analysis_.description.parameters, &ParameterDescription::is_free);
-  if (is_example) {
+  if (has_free_parameters(analysis_.description)) {
     const std::string text = "places of free parameters are examples: no scale";
     svg_.text({.x = from.x, .y = from.y + 4}, text, kSmall);
     return from.x + text_width(text, kSmall.size);

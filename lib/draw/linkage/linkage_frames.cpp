@@ -14,7 +14,7 @@ Analysis without_solutions(const Analysis& analysis) {
           .mobility = {},
           .cases = {},
           .shift = {},
-          .free_parameters = {}};
+          .affine = {}};
 }
 
 // The traced points as they stand with these poses.

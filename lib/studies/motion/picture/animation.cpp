@@ -97,7 +97,7 @@ MovingMechanism moving_mechanism(std::string file,
                     .mobility = {},
                     .cases = {},
                     .shift = {},
-                    .free_parameters = {}},
+                    .affine = {}},
           .motion = smooth_motion(found, mechanism)};
 }
 
