@@ -50,9 +50,19 @@ std::vector<double> comparable_actions(const Mechanism& mechanism, const StaticS
 
 }  // namespace
 
+void check_exact_input(const MechanismDescription& description,
+                       const Mechanism& mechanism,
+                       const AccuracyRequest& request,
+                       Diagnostics& found) {
+  if (request.accuracy == Accuracy::exact) {
+    (void)bind_exact_input(description, mechanism, found);
+  }
+}
+
 const ExactInputMechanism* ExactInputCases::find() {
   if (!is_bound_) {
-    exact_input_ = bind_exact_input(*description_, *mechanism_);
+    Diagnostics ignored;  // the doubles answer then
+    exact_input_ = bind_exact_input(*description_, *mechanism_, ignored);
     is_bound_ = true;
   }
   return exact_input_ ? &*exact_input_ : nullptr;

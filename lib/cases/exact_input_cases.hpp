@@ -7,12 +7,21 @@
 
 #include "cases/certainty.hpp"
 #include "core/accuracy.hpp"
+#include "core/diagnostic.hpp"
 #include "kinematics/kinematic_solution.hpp"
 #include "mechanism/bind/exact_input_mechanism.hpp"
 #include "statics/static_solution.hpp"
 #include "studies/mobility/mobility_counts.hpp"
 
 namespace kinestat {
+
+/// Where the request is for exact numbers: E0316 for those that have a value by rounding alone, and
+/// what else is wrong with a number as typed. `mechanism` must be what bind made of the
+/// description.
+void check_exact_input(const MechanismDescription& description,
+                       const Mechanism& mechanism,
+                       const AccuracyRequest& request,
+                       Diagnostics& found);
 
 /// Answers from the numbers as typed for one mechanism, whose cases are those of the description.
 /// The automatic way asks for them only in mechanisms of some hundred unknowns.

@@ -14,11 +14,14 @@ template <class T>
 class MadeOnce {
  public:
   MadeOnce() : state_(std::make_unique<State>()) {}
+
   MadeOnce(const MadeOnce& /*other*/) : MadeOnce() {}
+
   MadeOnce& operator=(const MadeOnce& /*other*/) {
     state_ = std::make_unique<State>();
     return *this;
   }
+
   ~MadeOnce() = default;
 
   /// `make` must give the same value whoever asks.

@@ -8,6 +8,7 @@
 
 #include "cases/case_findings.hpp"
 #include "cases/certainty_findings.hpp"
+#include "cases/exact_input_cases.hpp"
 #include "files/each_file.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "report/file/file_report.hpp"
@@ -91,6 +92,7 @@ std::optional<CertifiedAnalysis> analyse_mechanism(const std::string& path,
                                                    const AccuracyRequest& accuracy,
                                                    Diagnostics& found) {
   loaded.shift = add_gears(loaded.description, loaded.mechanism, {}, found);
+  check_exact_input(loaded.description, loaded.mechanism, accuracy, found);
   if (found.has_errors()) {
     return std::nullopt;
   }

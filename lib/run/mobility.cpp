@@ -69,6 +69,10 @@ std::optional<MobilityAnalysis> find_mobility(const std::string& path,
       }
       return std::nullopt;
     }
+    check_exact_input(description, *mechanism, accuracy, found);
+    if (found.has_errors()) {
+      return std::nullopt;
+    }
     analysis.mechanism = *std::move(mechanism);
     analysis.in_space = *std::move(in_space);
   } else {

@@ -5,6 +5,7 @@
 
 #include "cases/case_findings.hpp"
 #include "cases/certainty_findings.hpp"
+#include "cases/exact_input_cases.hpp"
 #include "cases/solve_cases.hpp"
 #include "files/each_file.hpp"
 #include "files/load_file.hpp"
@@ -43,6 +44,10 @@ std::optional<CertifiedAnalysis> find_shift(const std::string& path,
     return std::nullopt;
   }
   drop_own_cases(*loaded);
+  check_exact_input(loaded->description, loaded->mechanism, options.accuracy, found);
+  if (found.has_errors()) {
+    return std::nullopt;
+  }
   return solve_certified_cases(path, *std::move(loaded), options.accuracy);
 }
 

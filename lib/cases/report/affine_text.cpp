@@ -81,10 +81,10 @@ std::string affine_text(const Analysis& analysis, const CaseAnalysis& one) {
                                        sum_text(units, parameters, shown))
                          : fmt::format("  {} is not affine in them\n", shown.name);
   });
-  return lines.empty() ? lines
-                       : fmt::format("  With the free parameters {}:\n{}\n",
-                                     parameters_text(parameters),
-                                     lines);
+  return lines.empty()
+             ? lines
+             : fmt::format(
+                   "  With the free parameters {}:\n{}\n", parameters_text(parameters), lines);
 }
 
 }  // namespace kinestat

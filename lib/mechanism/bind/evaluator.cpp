@@ -1,7 +1,9 @@
 #include "mechanism/bind/evaluator.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 #include <variant>
 
 #include <fmt/format.h>
@@ -9,6 +11,7 @@
 #include "core/tolerance.hpp"
 #include "core/utf8.hpp"
 #include "expression/evaluate.hpp"
+#include "mechanism/check/value_by_rounding.hpp"
 #include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
@@ -101,6 +104,11 @@ std::optional<Scalar> EvaluatorOf<Scalar>::number(const Value& value, QuantityKi
     return std::nullopt;
   }
   const Scalar number = std::get<Scalar>(result);
+  if constexpr (std::is_same_v<Scalar, ExactInput>) {
+    if (!number.precise && std::ranges::find(by_rounding_, &value) == by_rounding_.end()) {
+      by_rounding_.push_back(&value);
+    }
+  }
   if (kind == QuantityKind::angle) {
     warn_of_degrees(value, value_of(number));
   }
@@ -217,6 +225,13 @@ void EvaluatorOf<Scalar>::warn_of_unused() const {
                    name.where,
                    fmt::format("parameter '{}' is never used", name.text),
                    "use it or remove it");
+  }
+}
+
+template <class Scalar>
+void EvaluatorOf<Scalar>::refuse_values_by_rounding() const {
+  for (const Value* value : by_rounding_) {
+    refuse_value_by_rounding(*value, found_);
   }
 }
 

@@ -55,6 +55,9 @@ class EvaluatorOf {
   /// Warns of parameters that nothing refers to.
   void warn_of_unused() const;
 
+  /// E0316 for each number so far that has a value by rounding alone: only ExactInput sees any.
+  void refuse_values_by_rounding() const;
+
  private:
   void warn_of_degrees(const Value& value, double angle);
   std::optional<double> from_origin(const Value& coordinate, double origin) const;
@@ -64,6 +67,7 @@ class EvaluatorOf {
   Diagnostics& found_;
   BasicParameterTable<Scalar> table_;
   LocalOrigin origin_;
+  std::vector<const Value*> by_rounding_;  ///< of which ExactInput knows no digits
   std::shared_ptr<const BasicParameterTable<ExactInput>>
       exact_input_;  ///< where the origin is not the world's
 };

@@ -30,8 +30,9 @@ ExactInputCase exact_input_case(CaseNumbersOf<ExactInput> numbers) {
 }  // namespace
 
 std::optional<ExactInputMechanism> bind_exact_input(const MechanismDescription& description,
-                                                    const Mechanism& mechanism) {
-  Diagnostics found;
+                                                    const Mechanism& mechanism,
+                                                    Diagnostics& found) {
+  const int errors_before = found.error_count();
   EvaluatorOf<ExactInput> evaluator(
       description, evaluate_parameters<ExactInput>(parameters_of(description)).table, found);
   NumberRebinder<ExactInput> rebinder(description, mechanism, evaluator, found);
@@ -55,7 +56,8 @@ std::optional<ExactInputMechanism> bind_exact_input(const MechanismDescription& 
     result.cases.push_back(
         exact_input_case(rebinder.bind_case(description.cases[c], mechanism.cases[c])));
   }
-  return found.has_errors() ? std::nullopt : std::optional(std::move(result));
+  evaluator.refuse_values_by_rounding();
+  return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;
 }
 
 }  // namespace kinestat

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/diagnostic.hpp"
+#include "description/mechanism_description.hpp"
 #include "math/numbers/exact_input.hpp"
 #include "mechanism/mechanism.hpp"
 
@@ -29,9 +31,11 @@ struct ExactInputMechanism {
 };
 
 /// Reads the description again; `mechanism` must be what bind made of it. Directions have length
-/// one, so that they are exact where their length is. Empty if the description no longer evaluates,
-/// as a root of what is zero but for rounding.
+/// one, so that they are exact where their length is. Empty iff an error was added: the description
+/// no longer evaluates, as a root of what is zero but for rounding, or a number has a value by
+/// rounding alone (E0316).
 std::optional<ExactInputMechanism> bind_exact_input(const MechanismDescription& description,
-                                                    const Mechanism& mechanism);
+                                                    const Mechanism& mechanism,
+                                                    Diagnostics& found);
 
 }  // namespace kinestat

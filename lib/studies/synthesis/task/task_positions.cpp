@@ -9,6 +9,7 @@
 
 #include "core/contract.hpp"
 #include "expression/evaluate.hpp"
+#include "mechanism/check/value_by_rounding.hpp"
 #include "studies/synthesis/positions/specification.hpp"
 
 namespace kinestat {
@@ -88,12 +89,7 @@ double digits_of(double value, const Value& /*where*/, Diagnostics& /*found*/) {
 
 BigFloat digits_of(const ExactInput& value, const Value& where, Diagnostics& found) {
   if (!value.precise) {
-    found.error(
-        "E0316",
-        where.where,
-        fmt::format("'{}' has a value by the rounding of 16 digits alone, and none with more",
-                    where.expression.text()),
-        "check what it is made of");
+    refuse_value_by_rounding(where, found);
   }
   return value.precise.value_or(BigFloat(value.value));
 }
