@@ -31,7 +31,8 @@ bool is_between_inputs_and_outputs(const Case& which, const CasePowers& powers) 
     const int actuator = static_cast<int>(i);
     const bool is_named = std::ranges::find(which.inputs, actuator) != which.inputs.end() ||
                           std::ranges::find(which.outputs, actuator) != which.outputs.end();
-    if (!is_named && !powers.slips.empty() && powers.slips[i] && powers.actuators[i] <= 0.0) {
+    const bool slips = powers.slips != nullptr && (*powers.slips)[i];
+    if (!is_named && slips && powers.actuators[i] <= 0.0) {
       continue;
     }
     double& size = is_named ? largest : beside;

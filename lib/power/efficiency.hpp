@@ -26,9 +26,9 @@ struct Efficiency {
 struct CasePowers {
   const std::vector<double>& actuators;
   const std::vector<double>& loads;
-  double largest = 0.0;          ///< of the whole network
-  std::vector<bool> slips = {};  ///< of each actuator, whether what it takes is lost: a clutch or
-                                 ///< brake; empty: none
+  double largest = 0.0;                      ///< of the whole network
+  const std::vector<bool>* slips = nullptr;  ///< of each actuator, whether what it takes is lost: a
+                                             ///< clutch or brake; null: none
 };
 
 /// The clutches and brakes among the actuators.

@@ -200,11 +200,10 @@ PowerFlow find_power(const Mechanism& mechanism,
   }
   flow.input = input_power(which, flow);
   if (!flow.friction.empty()) {
-    Efficiency found = find_efficiency(which,
-                                       {.actuators = flow.actuators,
-                                        .loads = flow.loads,
-                                        .largest = largest,
-                                        .slips = find_slipping(mechanism.topology)});
+    const std::vector<bool> slips = find_slipping(mechanism.topology);
+    Efficiency found = find_efficiency(
+        which,
+        {.actuators = flow.actuators, .loads = flow.loads, .largest = largest, .slips = &slips});
     flow.efficiency = found.value;
     flow.no_efficiency = std::move(found.reason);
     flow.is_self_locking = found.is_self_locking;

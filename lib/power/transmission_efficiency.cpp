@@ -125,11 +125,12 @@ class LossyCase {
 
  private:
   Efficiency between_ends(const Case& which, const PowerFlow& flow) const {
+    const std::vector<bool> slips = find_slipping(mechanism_.topology);
     return find_efficiency(which,
                            {.actuators = flow.actuators,
                             .loads = flow.loads,
                             .largest = flow.largest,
-                            .slips = find_slipping(mechanism_.topology)});
+                            .slips = &slips});
   }
 
   // Loads and frictions may leave the coordinates that the actions need.
@@ -217,11 +218,12 @@ Efficiency absolute_of(const Mechanism& mechanism, const SolvedCase& solved) {
     return no_efficiency("the case does not name input and output");
   }
   const PowerFlow& power = solved.power;
+  const std::vector<bool> slips = find_slipping(mechanism.topology);
   Efficiency result = find_efficiency(solved.which,
                                       {.actuators = power.actuators,
                                        .loads = power.loads,
                                        .largest = power.largest,
-                                       .slips = find_slipping(mechanism.topology)});
+                                       .slips = &slips});
   if (!result.value) {
     return result;
   }

@@ -54,6 +54,13 @@ class Dependence {
            std::ranges::any_of(coupling.axes, [&](const AxisDescription& one) { return of(one); });
   }
 
+  bool of(const LossDescription& losses) const {
+    const auto of_loss = [&](const LossValue& loss) { return of(loss.value); };
+    return (losses.gear_external && of_loss(*losses.gear_external)) ||
+           (losses.gear_internal && of_loss(*losses.gear_internal)) ||
+           std::ranges::any_of(losses.meshes, of_loss, &MeshLoss::loss);
+  }
+
   /// Of any number of the coupling that is drawn.
   bool of_all(const CouplingDescription& coupling) const {
     const auto of_screw = [&](const ScrewDescription& screw) { return of(screw); };

@@ -88,7 +88,8 @@ std::optional<Rebinder> Rebinder::make(const MechanismDescription& description,
   result.action_space_ =
       description.static_order == OrderChoice::spatial ? Space::spatial : description.space;
   result.table_ = evaluate_parameters(parameters_of(description)).table;
-  if (!result.add_couplings(mechanism, varies)) {
+  if (Dependence(result.table_, varies).of(description.losses) ||
+      !result.add_couplings(mechanism, varies)) {
     return std::nullopt;
   }
   result.add_primaries(mechanism, varies);

@@ -44,7 +44,7 @@ class Rebinder {
  public:
   /// `mechanism` must be what bind made of the description, which must outlive it; `varies` is of
   /// each parameter, those that follow from others among them. Empty where more moves than it
-  /// knows: cables, gears in teeth, friction, loads, and screws that are given directly.
+  /// knows: cables, gears in teeth, losses, friction, loads, and screws that are given directly.
   static std::optional<Rebinder> make(const MechanismDescription& description,
                                       const Mechanism& mechanism,
                                       const std::vector<bool>& varies);

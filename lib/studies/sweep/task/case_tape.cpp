@@ -14,52 +14,55 @@ namespace kinestat {
 
 namespace {
 
-// The magnitudes of one case that quantities, or the status of a row, need [SI].
-struct TapedSide {
-  NetworkSide side = NetworkSide::motion;
-  std::vector<int> wanted;  ///< freedoms or actions, ascending
-  std::vector<TapeNumber> numbers;
-
-  TapeNumber number(int index) const {
-    return numbers[static_cast<std::size_t>(std::ranges::lower_bound(wanted, index) -
-                                            wanted.begin())];
-  }
-};
-
 class CaseRecorder {
  public:
   CaseRecorder(const SweepTask& task,
                std::size_t place,
-               const SweptGeometry& geometry,
+               const SweptNumbers& numbers,
                SweepNotes& notes)
       : task_(task),
         place_(place),
         topology_(task.mechanism.topology),
-        geometry_(geometry),
+        numbers_(numbers),
         notes_(notes) {}
 
   // False where no tape can be made.
   bool record(const CaseAnalysis& one) {
     const Case& which = one.which;
-    const TapedPrimaries primaries = geometry_.rebinder->record_primaries(
-        task_.chosen[place_], which, notes_.slots, notes_.recorder);
+    const TapedPrimaries primaries = record_primaries(which);
     std::optional<TapedSide> motion;
     std::optional<TapedSide> action;
+    Side motions(*this, NetworkSide::motion, which.motions, primaries.motions);
+    Side actions(*this, NetworkSide::action, which.actions, primaries.actions, one.coast_flanks);
     if (one.motion) {
-      motion = record_side(NetworkSide::motion, which.motions, primaries.motions);
+      motion = motions.record();
     }
     if (one.action) {
-      action = record_side(NetworkSide::action, which.actions, primaries.actions);
+      action = actions.record();
     }
     if (motion.has_value() != one.motion.has_value() ||
         action.has_value() != one.action.has_value()) {
       return false;
     }
+    if (action) {
+      demand_flanks(one.coast_flanks, *action);
+    }
+    if (asks_power() && one.power &&
+        !add_power({.solved = one,
+                    .motion = *motion,
+                    .action = *action,
+                    .equilibrium = actions.system(),
+                    .shares = numbers_.shares})) {
+      return false;
+    }
     if (motion) {
-      add_columns(*motion, SweepColumnKind::rate);
+      add_columns(NetworkSide::motion, *motion, SweepColumnKind::rate);
     }
     if (action) {
-      add_columns(*action, SweepColumnKind::action);
+      add_columns(NetworkSide::action, *action, SweepColumnKind::action);
+      if (!has_losses(one)) {
+        add_columns(NetworkSide::action, *action, SweepColumnKind::lossy_action);
+      }
       for (const int one_sided : one_sided_actions()) {
         taped_.one_sided.push_back(notes_.add_output(action->number(one_sided)));
       }
@@ -68,12 +71,12 @@ class CaseRecorder {
                              asks(SweepColumnKind::torque_ratio);
     taped_.has_ratios = asks_ratios && motion && !which.inputs.empty() && which.outputs.size() == 1;
     if (motion && (taped_.has_ratios || task_.gears[place_])) {
-      taped_.input_rates = add_ends(*motion, which.inputs);
-      taped_.output_rates = add_ends(*motion, which.outputs);
+      taped_.input_rates = add_ends(NetworkSide::motion, *motion, which.inputs);
+      taped_.output_rates = add_ends(NetworkSide::motion, *motion, which.outputs);
     }
     if (action && taped_.has_ratios) {
-      taped_.input_actions = add_ends(*action, which.inputs);
-      taped_.output_actions = add_ends(*action, which.outputs);
+      taped_.input_actions = add_ends(NetworkSide::action, *action, which.inputs);
+      taped_.output_actions = add_ends(NetworkSide::action, *action, which.outputs);
     }
     if (taped_.has_ratios) {
       add_ratios(which);
@@ -100,13 +103,23 @@ class CaseRecorder {
   }
 
   std::vector<int> wanted_of(NetworkSide side) const {
-    std::vector<int> wanted =
-        side == NetworkSide::action ? one_sided_actions() : std::vector<int>();
+    const bool is_motion = side == NetworkSide::motion;
+    std::vector<int> wanted = is_motion ? std::vector<int>() : one_sided_actions();
+    for (const OtherFlankOf<double>& flank : task_.mechanism.geometry.other_flanks) {
+      if (!is_motion) {
+        wanted.push_back(flank.action);
+      }
+    }
     for (const SweepColumn& column : task_.columns) {
-      if (column.kind ==
-          (side == NetworkSide::motion ? SweepColumnKind::rate : SweepColumnKind::action)) {
+      const bool is_action =
+          column.kind == SweepColumnKind::action || column.kind == SweepColumnKind::lossy_action;
+      if (is_motion ? column.kind == SweepColumnKind::rate : is_action) {
         wanted.push_back(column.index);
       }
+    }
+    if (asks_power()) {
+      std::ranges::copy(is_motion ? actuator_freedoms() : actions_with_power(task_),
+                        std::back_inserter(wanted));
     }
     const Case& which = task_.cases[place_];
     for (const auto* ends : {&which.inputs, &which.outputs}) {
@@ -117,6 +130,33 @@ class CaseRecorder {
     std::ranges::sort(wanted);
     wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
     return wanted;
+  }
+
+  std::vector<int> actuator_freedoms() const {
+    std::vector<int> freedoms;
+    for (const ActuatorTopology& actuator : topology_.actuators) {
+      freedoms.push_back(actuator.freedom);
+    }
+    return freedoms;
+  }
+
+  // By formulas, where states are not bound as a whole; empty places are inputs.
+  TapedPrimaries record_primaries(const Case& which) {
+    const std::size_t index = task_.chosen[place_];
+    if (numbers_.rebinder != nullptr) {
+      return numbers_.rebinder->record_primaries(index, which, notes_.slots, notes_.recorder);
+    }
+    const auto kept = [&](SweepInput::From from, const std::vector<Primary>& primaries) {
+      std::vector<std::optional<TapeNumber>> values(primaries.size());
+      for (std::size_t p = 0; p < primaries.size(); ++p) {
+        if (!numbers_.bound->moves({.from = from, .index = index, .part = p, .dimension = {}})) {
+          values[p] = notes_.recorder.constant(primaries[p].value);
+        }
+      }
+      return values;
+    };
+    return {.motions = kept(SweepInput::From::primary_motion, which.motions),
+            .actions = kept(SweepInput::From::primary_action, which.actions)};
   }
 
   std::vector<TapeNumber> known_of(NetworkSide side,
@@ -134,31 +174,108 @@ class CaseRecorder {
     return known;
   }
 
-  std::optional<TapedSide> record_side(NetworkSide side,
-                                       const std::vector<Primary>& primaries,
-                                       const std::vector<std::optional<TapeNumber>>& values) {
-    const Mechanism& mechanism = task_.mechanism;
-    const bool is_motion = side == NetworkSide::motion;
-    const std::vector<TapeNumber> known = known_of(side, primaries, values);
-    const CoordinateBasis basis = is_motion
-                                      ? motion_basis(mechanism.geometry, mechanism.kinematic_order)
-                                      : action_basis(mechanism.geometry, mechanism.static_order);
-    const TapedScrews& screws = *geometry_.screws;
-    TapedSide result{.side = side, .wanted = wanted_of(side), .numbers = {}};
-    auto numbers = record_network({.side = side,
-                                   .topology = &topology_,
-                                   .basis = &basis,
-                                   .screws = is_motion ? screws.motions : screws.actions,
-                                   .samples = geometry_.samples,
-                                   .primaries = primaries,
-                                   .known = known,
-                                   .wanted = result.wanted},
-                                  notes_.recorder);
-    if (!numbers) {
-      return std::nullopt;
+  // The equations of one side of the case.
+  class Side {
+   public:
+    Side(CaseRecorder& recorder,
+         NetworkSide side,
+         const std::vector<Primary>& primaries,
+         const std::vector<std::optional<TapeNumber>>& values,
+         const std::vector<int>& coast_flanks = {})
+        : recorder_(recorder), side_(side), primaries_(primaries), values_(values) {
+      const SweptNumbers& numbers = recorder.numbers_;
+      screws_ = side == NetworkSide::motion ? numbers.screws->motions : numbers.screws->actions;
+      geometry_ = recorder.task_.mechanism.geometry;
+      samples_.assign(numbers.samples.begin(), numbers.samples.end());
+      turn(coast_flanks);
     }
-    result.numbers = *std::move(numbers);
-    return result;
+
+    std::optional<TapedSide> record() {
+      const Mechanism& mechanism = recorder_.task_.mechanism;
+      const bool is_motion = side_ == NetworkSide::motion;
+      known_ = recorder_.known_of(side_, primaries_, values_);
+      wanted_ = recorder_.wanted_of(side_);
+      basis_ = is_motion ? motion_basis(geometry_, mechanism.kinematic_order)
+                         : action_basis(geometry_, mechanism.static_order);
+      auto network = record_network(system(), recorder_.notes_.recorder);
+      return network ? std::optional(TapedSide{.wanted = wanted_, .network = *std::move(network)})
+                     : std::nullopt;
+    }
+
+    /// Once it was recorded; the side must outlive it.
+    TapedSystem system() const {
+      const bool is_motion = side_ == NetworkSide::motion;
+      return {.side = side_,
+              .topology = &recorder_.topology_,
+              .basis = &basis_,
+              .screws = screws_,
+              .samples = samples_,
+              .primaries = primaries_,
+              .known = known_,
+              .wanted = wanted_,
+              .wants_bodies = is_motion && recorder_.asks_power()};
+    }
+
+   private:
+    // Teeth press with these other flanks.
+    void turn(const std::vector<int>& coast_flanks) {
+      for (const int i : coast_flanks) {
+        const auto flank = static_cast<std::size_t>(i);
+        screws_[static_cast<std::size_t>(geometry_.other_flanks[flank].action)] =
+            recorder_.numbers_.flanks[flank];
+      }
+      load_coast_flanks(coast_flanks, geometry_);
+      for (Geometry& sample : samples_) {
+        load_coast_flanks(coast_flanks, sample);
+      }
+    }
+
+    CaseRecorder& recorder_;
+    NetworkSide side_;
+    std::vector<TapedScrew> screws_;
+    Geometry geometry_;
+    std::vector<Geometry> samples_;
+    const std::vector<Primary>& primaries_;
+    const std::vector<std::optional<TapeNumber>>& values_;
+    std::vector<TapeNumber> known_;
+    std::vector<int> wanted_;
+    CoordinateBasis basis_;
+  };
+
+  // That the same teeth press with their coast flanks: those whose force is negative.
+  void demand_flanks(const std::vector<int>& coast_flanks, const TapedSide& action) {
+    LaneRecorder& recorder = notes_.recorder;
+    const TapeNumber zero = recorder.constant(0.0);
+    const auto& flanks = task_.mechanism.geometry.other_flanks;
+    for (std::size_t i = 0; i < flanks.size(); ++i) {
+      const TapeNumber force = action.number(flanks[i].action);
+      const bool is_coast =
+          std::ranges::find(coast_flanks, static_cast<int>(i)) != coast_flanks.end();
+      recorder.demand_at_most(
+          is_coast ? recorder.larger(force, zero) : recorder.smaller(force, zero), zero);
+    }
+  }
+
+  bool asks_power() const {
+    return std::ranges::any_of(task_.columns,
+                               [](const SweepColumn& column) { return needs_power(column.kind); });
+  }
+
+  // Otherwise the actions with losses are those without.
+  bool has_losses(const CaseAnalysis& one) const {
+    return one.efficiency && !task_.mechanism.lossy_meshes.empty();
+  }
+
+  bool add_power(const TapedCase& taped) {
+    auto power = numbers_.has_axes ? note_power(task_, taped, notes_) : std::nullopt;
+    if (!power) {
+      return false;
+    }
+    taped_.power = std::move(power->power);
+    if (power->action) {
+      add_columns(NetworkSide::action, *power->action, SweepColumnKind::lossy_action);
+    }
+    return true;
   }
 
   bool turns(NetworkSide side, int index) const {
@@ -179,21 +296,22 @@ class CaseRecorder {
     return scaled(number, scale.denominator, above.factor());
   }
 
-  void add_columns(const TapedSide& side, SweepColumnKind kind) {
+  void add_columns(NetworkSide side, const TapedSide& taped, SweepColumnKind kind) {
     for (std::size_t q = 0; q < task_.columns.size(); ++q) {
       const SweepColumn& column = task_.columns[q];
       if (column.kind == kind) {
-        const TapeNumber number =
-            in_unit(side.number(column.index), kind_of(side.side, column.index));
+        const TapeNumber number = in_unit(taped.number(column.index), kind_of(side, column.index));
         taped_.columns.push_back({.column = q, .cell = notes_.add_output(number)});
       }
     }
   }
 
-  std::vector<std::size_t> add_ends(const TapedSide& side, const std::vector<int>& actuators) {
+  std::vector<std::size_t> add_ends(NetworkSide side,
+                                    const TapedSide& taped,
+                                    const std::vector<int>& actuators) {
     std::vector<std::size_t> outputs;
     for (const int actuator : actuators) {
-      outputs.push_back(notes_.add_output(side.number(index_of(side.side, actuator))));
+      outputs.push_back(notes_.add_output(taped.number(index_of(side, actuator))));
     }
     return outputs;
   }
@@ -248,19 +366,30 @@ class CaseRecorder {
   const SweepTask& task_;
   std::size_t place_;
   const Topology& topology_;
-  const SweptGeometry& geometry_;
+  const SweptNumbers& numbers_;
   SweepNotes& notes_;
   CaseTape taped_;
 };
+
+void find_cells(const LaneTape& tape, PowerTape& power) {
+  for (std::size_t& one : power.actuators) {
+    one = tape.output_cell(one);
+  }
+  power.imbalance = power.actuators.empty() ? 0 : tape.output_cell(power.imbalance);
+  if (power.largest) {
+    power.largest = tape.output_cell(*power.largest);
+    power.input = tape.output_cell(power.input);
+  }
+}
 
 }  // namespace
 
 std::optional<CaseTape> note_case(const SweepTask& task,
                                   std::size_t place,
                                   const CaseAnalysis& solved,
-                                  const SweptGeometry& geometry,
+                                  const SweptNumbers& numbers,
                                   SweepNotes& notes) {
-  CaseRecorder recorder(task, place, geometry, notes);
+  CaseRecorder recorder(task, place, numbers, notes);
   return recorder.record(solved) ? std::optional(recorder.take()) : std::nullopt;
 }
 
@@ -269,6 +398,9 @@ void find_cells(const LaneTape& tape, CaseTape& taped) {
     for (TapedColumn& one : *columns) {
       one.cell = tape.output_cell(one.cell);
     }
+  }
+  if (taped.power) {
+    find_cells(tape, *taped.power);
   }
   for (auto* ends : {&taped.input_rates,
                      &taped.output_rates,

@@ -8,6 +8,8 @@
 
 #include "cases/solve_cases.hpp"
 #include "mechanism/bind/rebind.hpp"
+#include "studies/sweep/task/bound_numbers.hpp"
+#include "studies/sweep/task/power_tape.hpp"
 #include "studies/sweep/task/sweep_notes.hpp"
 
 namespace kinestat {
@@ -29,6 +31,7 @@ struct CaseTape {
   std::vector<std::size_t> output_actions;
   /// Tensions and forces of contacts [SI]: where one is negative, the whole analysis judges.
   std::vector<std::size_t> one_sided;
+  std::optional<PowerTape> power;   ///< where a quantity asks for it
   bool has_ratios = false;          ///< and a quantity asks for them
   std::vector<TapedColumn> ratios;  ///< where one input drives: right if they are finite
   double ratio_unit = 1.0;          ///< of the output's rate [SI], over:
@@ -37,11 +40,15 @@ struct CaseTape {
   double torque_ratio_per = 1.0;
 };
 
-/// The geometry that cases share.
-struct SweptGeometry {
-  const Rebinder* rebinder = nullptr;
+/// What cases share.
+struct SweptNumbers {
+  const Rebinder* rebinder = nullptr;  ///< null: `bound` says what moves
+  const BoundNumbers* bound = nullptr;
   const TapedScrews* screws = nullptr;
-  std::span<const Geometry> samples;  ///< of some states
+  std::span<const TapedScrew> flanks;  ///< the other ones, as the geometry has them
+  std::span<const Geometry> samples;   ///< of some states
+  std::span<const TapeNumber> shares;  ///< of each lossy mesh
+  bool has_axes = false;               ///< those of gears stay the lines that they are
 };
 
 /// Records the case of that place in the task, of which `solved` is the answer with the parameters
@@ -49,7 +56,7 @@ struct SweptGeometry {
 std::optional<CaseTape> note_case(const SweepTask& task,
                                   std::size_t place,
                                   const CaseAnalysis& solved,
-                                  const SweptGeometry& geometry,
+                                  const SweptNumbers& numbers,
                                   SweepNotes& notes);
 
 /// Puts cells in place of the outputs.

@@ -78,7 +78,7 @@ std::string_view row_status(const CaseAnalysis& one,
           .has_value();
   if (asks_efficiency && one.power && !one.which.inputs.empty() && !one.which.outputs.empty() &&
       !has_efficiency && !is_lossless) {
-    return "no_efficiency";
+    return kNoEfficiency;
   }
   return "solved";
 }

@@ -13,6 +13,9 @@ namespace kinestat {
 /// the file if `is_usually_solved`: then a state in which it is not stands in a singular position.
 std::string_view row_status(const CaseAnalysis& one, const SweepTask& task, bool is_usually_solved);
 
+/// Of a solved case whose efficiency is asked for, and has none for a reason.
+inline constexpr std::string_view kNoEfficiency = "no_efficiency";
+
 /// Why a solved case has no ratio: "locked" where the input rests (0/0 too), "no_ratio" where the
 /// output does.
 std::string_view status_without_ratio(bool is_input_at_rest);

@@ -19,14 +19,18 @@ struct SweepInput {
     parameter,       ///< one that follows from these; `index` is its slot
     motion,          ///< coordinate `part` of the unit screw of a freedom
     action,          ///< likewise of an action
+    flank,           ///< likewise of an action on the other flanks of its teeth
     primary_motion,  ///< `part` of the motions of the case of that index in the file
-    primary_action   ///< likewise
+    primary_action,  ///< likewise
+    share            ///< that the lossy mesh of that index loses
   };
 
   From from = From::parameter;
   std::size_t index = 0;
   std::size_t part = 0;
   Dimension dimension = {};  ///< of a parameter
+
+  friend bool operator==(const SweepInput&, const SweepInput&) = default;
 };
 
 /// What the parts of a tape are recorded into, one after the other.

@@ -60,21 +60,23 @@ Slots slots_at(const SweepPlan& plan, std::uint64_t state) {
   return slots;
 }
 
-std::optional<std::vector<SweepSample>> find_samples(const SweepTask& task, Rebinder& rebinder) {
+std::vector<SweepSample> find_samples(const SweepTask& task) {
   std::vector<SweepSample> samples;
   StateBinder binder(task);
   for (const std::uint64_t state : sample_states(task.plan)) {
-    SweepSample sample{.slots = slots_at(task.plan, state), .geometry = task.mechanism.geometry};
-    const std::optional<Mechanism> whole = binder.bind(state);
-    if (!whole || !rebinder.rebind_geometry(sample.slots, sample.geometry)) {
-      continue;
+    if (std::optional<Mechanism> whole = binder.bind(state)) {
+      samples.push_back({.slots = slots_at(task.plan, state), .mechanism = *std::move(whole)});
     }
-    if (!has_same_screws(sample.geometry, whole->geometry)) {
-      return std::nullopt;
-    }
-    samples.push_back(std::move(sample));
   }
   return samples;
+}
+
+bool rebinds(Rebinder& rebinder, const SweepTask& task, std::span<const SweepSample> samples) {
+  Geometry geometry = task.mechanism.geometry;
+  return std::ranges::all_of(samples, [&](const SweepSample& sample) {
+    return !rebinder.rebind_geometry(sample.slots, geometry) ||
+           has_same_screws(geometry, sample.mechanism.geometry);
+  });
 }
 
 }  // namespace kinestat

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "expression/slots.hpp"
@@ -15,7 +15,7 @@ class SweepPlan;
 
 struct SweepSample {
   Slots slots;
-  Geometry geometry;
+  Mechanism mechanism;
 };
 
 /// Of each parameter: whether it varies, or follows from one that does.
@@ -24,7 +24,10 @@ std::vector<bool> varying_parameters(const SweepPlan& plan);
 /// The parameters of a state.
 Slots slots_at(const SweepPlan& plan, std::uint64_t state);
 
-/// Those that have a mechanism. Empty where what is rebound is not what is bound.
-std::optional<std::vector<SweepSample>> find_samples(const SweepTask& task, Rebinder& rebinder);
+/// Those that have a mechanism.
+std::vector<SweepSample> find_samples(const SweepTask& task);
+
+/// Whether what is rebound is what is bound, wherever anything is.
+bool rebinds(Rebinder& rebinder, const SweepTask& task, std::span<const SweepSample> samples);
 
 }  // namespace kinestat

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "studies/sweep/task/bound_numbers.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -41,21 +43,21 @@ bool moves_as_samples(const TapedScrews& taped,
       tape.set_input(workspace, i, 0, sample.slots.values[notes.inputs[i].index].value);
     }
     tape.play(workspace);
-    return tape.is_met(workspace, 0) ? moves_as(sample.geometry, tape, workspace)
+    return tape.is_met(workspace, 0) ? moves_as(sample.mechanism.geometry, tape, workspace)
                                      : near == NearOrigin::by_all_points;
   });
 }
 
 TapedScrew take_screw(SweepInput::From from,
                       std::size_t index,
-                      const Vec6& coordinates,
-                      bool moves,
+                      const Mechanism& mechanism,
+                      const std::function<bool(const SweepInput&)>& moves,
                       SweepNotes& notes) {
   TapedScrew screw;
   for (std::size_t i = 0; i < screw.size(); ++i) {
-    const double value = coordinates[static_cast<Eigen::Index>(i)];
-    screw[i] = moves ? notes.take({.from = from, .index = index, .part = i, .dimension = {}}, value)
-                     : notes.recorder.constant(value);
+    const SweepInput input{.from = from, .index = index, .part = i, .dimension = {}};
+    const double value = number_of(input, mechanism);
+    screw[i] = moves(input) ? notes.take(input, value) : notes.recorder.constant(value);
   }
   return screw;
 }
@@ -71,26 +73,27 @@ std::optional<TapedScrews> note_screws(const Rebinder& rebinder,
   return screws && moves_as_samples(*screws, near, samples, notes) ? screws : std::nullopt;
 }
 
-TapedScrews take_screws(const Rebinder& rebinder, const Mechanism& mechanism, SweepNotes& notes) {
-  const auto moves = [&](CouplingId coupling) {
-    return rebinder.moves()[static_cast<std::size_t>(coupling.value)];
-  };
+TapedScrews take_screws(const Mechanism& mechanism,
+                        const std::function<bool(const SweepInput&)>& moves,
+                        SweepNotes& notes) {
   TapedScrews screws;
   for (std::size_t f = 0; f < mechanism.geometry.motions.size(); ++f) {
-    screws.motions.push_back(take_screw(SweepInput::From::motion,
-                                        f,
-                                        mechanism.geometry.motions[f].coordinates(),
-                                        moves(mechanism.topology.freedoms[f].coupling),
-                                        notes));
+    screws.motions.push_back(take_screw(SweepInput::From::motion, f, mechanism, moves, notes));
   }
   for (std::size_t a = 0; a < mechanism.geometry.actions.size(); ++a) {
-    screws.actions.push_back(take_screw(SweepInput::From::action,
-                                        a,
-                                        mechanism.geometry.actions[a].coordinates(),
-                                        moves(mechanism.topology.actions[a].coupling),
-                                        notes));
+    screws.actions.push_back(take_screw(SweepInput::From::action, a, mechanism, moves, notes));
   }
   return screws;
+}
+
+std::vector<TapedScrew> take_flanks(const Mechanism& mechanism,
+                                    const std::function<bool(const SweepInput&)>& moves,
+                                    SweepNotes& notes) {
+  std::vector<TapedScrew> flanks;
+  for (std::size_t i = 0; i < mechanism.geometry.other_flanks.size(); ++i) {
+    flanks.push_back(take_screw(SweepInput::From::flank, i, mechanism, moves, notes));
+  }
+  return flanks;
 }
 
 }  // namespace kinestat

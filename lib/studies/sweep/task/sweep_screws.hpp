@@ -1,8 +1,10 @@
 // The unit screws of a sweep on its tape.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "mechanism/bind/rebind.hpp"
 #include "studies/sweep/task/sweep_notes.hpp"
@@ -19,7 +21,14 @@ std::optional<TapedScrews> note_screws(const Rebinder& rebinder,
                                        std::span<const SweepSample> samples,
                                        SweepNotes& notes);
 
-/// What moves as inputs, which the geometry of a state gives.
-TapedScrews take_screws(const Rebinder& rebinder, const Mechanism& mechanism, SweepNotes& notes);
+/// What moves as inputs, which the mechanism of a state gives.
+TapedScrews take_screws(const Mechanism& mechanism,
+                        const std::function<bool(const SweepInput&)>& moves,
+                        SweepNotes& notes);
+
+/// Likewise the screws of other flanks, parallel to those of the geometry.
+std::vector<TapedScrew> take_flanks(const Mechanism& mechanism,
+                                    const std::function<bool(const SweepInput&)>& moves,
+                                    SweepNotes& notes);
 
 }  // namespace kinestat

@@ -15,9 +15,9 @@ namespace {
 bool is_plain(const SweepTask& task, const CaseAnalysis& one) {
   const bool has_motion = !one.motion || one.motion->status == SolveStatus::solved;
   const bool has_action = !one.action || one.action->status == SolveStatus::solved;
-  return has_motion && has_action && one.which.loads.empty() &&
-         std::ranges::none_of(task.columns,
-                              [](const SweepColumn& column) { return needs_power(column.kind); });
+  const bool is_linear = !one.action || task.mechanism.frictions.empty();
+  return has_motion && has_action && is_linear && one.which.loads.empty() &&
+         task.mechanism.contacts.empty();
 }
 
 // A tape keeps no torque of a freewheel. The class of a combination hangs on the speeds where there
@@ -52,14 +52,71 @@ std::pair<SweepNotes, TapedScrews> note_geometry(const SweepTask& task,
       return {std::move(notes), *std::move(screws)};
     }
   }
+  const Topology& topology = task.mechanism.topology;
+  const auto moves = [&](const SweepInput& input) {
+    const CouplingId coupling = input.from == SweepInput::From::motion
+                                    ? topology.freedoms[input.index].coupling
+                                    : topology.actions[input.index].coupling;
+    return rebinder.moves()[static_cast<std::size_t>(coupling.value)];
+  };
   SweepNotes notes = note_parameters(task.plan);
-  TapedScrews screws = take_screws(rebinder, task.mechanism, notes);
+  TapedScrews screws = take_screws(task.mechanism, moves, notes);
   return {std::move(notes), std::move(screws)};
+}
+
+std::vector<TapedScrew> note_flanks(const SweepTask& task,
+                                    const std::optional<BoundNumbers>& bound,
+                                    SweepNotes& notes) {
+  return take_flanks(
+      task.mechanism, [&](const SweepInput& input) { return bound && bound->moves(input); }, notes);
+}
+
+std::vector<TapeNumber> note_shares(const SweepTask& task,
+                                    const std::optional<BoundNumbers>& bound,
+                                    SweepNotes& notes) {
+  std::vector<TapeNumber> shares;
+  for (std::size_t m = 0; m < task.mechanism.lossy_meshes.size(); ++m) {
+    const SweepInput input{.from = SweepInput::From::share, .index = m, .part = 0, .dimension = {}};
+    const double share = task.mechanism.lossy_meshes[m].share;
+    shares.push_back(bound && bound->moves(input) ? notes.take(input, share)
+                                                  : notes.recorder.constant(share));
+  }
+  return shares;
+}
+
+std::vector<Geometry> geometries_of(std::span<const SweepSample> samples) {
+  std::vector<Geometry> geometries;
+  for (const SweepSample& sample : samples) {
+    geometries.push_back(sample.mechanism.geometry);
+  }
+  return geometries;
+}
+
+// What follows from the parameters is in the mechanism of each state.
+std::pair<SweepNotes, TapedScrews> note_bound(const SweepTask& task, const BoundNumbers& bound) {
+  SweepNotes notes;
+  notes.slots.resize(task.plan.slots().values.size());
+  TapedScrews screws = take_screws(
+      task.mechanism, [&](const SweepInput& input) { return bound.moves(input); }, notes);
+  return {std::move(notes), std::move(screws)};
+}
+
+bool asks_power(const SweepTask& task) {
+  return std::ranges::any_of(task.columns,
+                             [](const SweepColumn& column) { return needs_power(column.kind); });
+}
+
+BoundNumbers bound_numbers(const SweepTask& task, std::span<const SweepSample> samples) {
+  std::vector<Mechanism> mechanisms;
+  for (const SweepSample& sample : samples) {
+    mechanisms.push_back(sample.mechanism);
+  }
+  return BoundNumbers(task.mechanism, mechanisms);
 }
 
 // Empty where one of the cases has no tape.
 std::optional<std::vector<CaseTape>> note_cases(const SweepTask& task,
-                                                const SweptGeometry& geometry,
+                                                const SweptNumbers& numbers,
                                                 SweepNotes& notes) {
   const std::vector<CaseAnalysis> solved = solve_some_cases(task.mechanism, task.cases);
   std::vector<CaseTape> cases(solved.size());
@@ -68,7 +125,7 @@ std::optional<std::vector<CaseTape>> note_cases(const SweepTask& task,
       continue;
     }
     auto taped =
-        is_plain(task, solved[i]) ? note_case(task, i, solved[i], geometry, notes) : std::nullopt;
+        is_plain(task, solved[i]) ? note_case(task, i, solved[i], numbers, notes) : std::nullopt;
     if (!taped) {
       return std::nullopt;
     }
@@ -88,22 +145,34 @@ std::optional<SweepTapes> record_tapes(const SweepTask& task) {
   }
   std::optional<Rebinder> rebinder =
       Rebinder::make(task.description, task.mechanism, varying_parameters(task.plan));
-  const auto samples = rebinder ? find_samples(task, *rebinder) : std::nullopt;
-  if (!samples) {
-    return std::nullopt;
+  const std::vector<SweepSample> samples = find_samples(task);
+  std::optional<BoundNumbers> bound;
+  if (!rebinder || !rebinds(*rebinder, task, samples)) {
+    rebinder.reset();
+    bound = bound_numbers(task, samples);
   }
-  std::vector<Geometry> geometries;
-  for (const SweepSample& sample : *samples) {
-    geometries.push_back(sample.geometry);
-  }
-  auto [notes, screws] = note_geometry(task, *rebinder, *samples);
+  auto [notes, screws] =
+      rebinder ? note_geometry(task, *rebinder, samples) : note_bound(task, *bound);
+  const std::vector<TapedScrew> flanks = note_flanks(task, bound, notes);
+  const std::vector<TapeNumber> shares = note_shares(task, bound, notes);
+  const std::vector<Geometry> geometries = geometries_of(samples);
   auto cases =
-      note_cases(task, {.rebinder = &*rebinder, .screws = &screws, .samples = geometries}, notes);
+      note_cases(task,
+                 {.rebinder = rebinder ? &*rebinder : nullptr,
+                  .bound = bound ? &*bound : nullptr,
+                  .screws = &screws,
+                  .flanks = flanks,
+                  .samples = geometries,
+                  .shares = shares,
+                  .has_axes = !asks_power(task) ||
+                              demand_same_axes(task.mechanism, screws.motions, notes.recorder)},
+                 notes);
   if (!cases) {
     return std::nullopt;
   }
   using enum SweepInput::From;
-  SweepTapes tapes{.rebinder = *rebinder,
+  SweepTapes tapes{.rebinder = std::move(rebinder),
+                   .bound = std::move(bound),
                    .tape = notes.recorder.make_tape(notes.outputs),
                    .inputs = notes.inputs,
                    .needs_geometry = has_input(notes, motion, action),

@@ -8,6 +8,7 @@
 #include "power/rate_ratio.hpp"
 #include "studies/sweep/task/row_status.hpp"
 #include "studies/sweep/task/sizes.hpp"
+#include "studies/sweep/task/state_solver.hpp"
 #include "studies/sweep/task/sweep_task.hpp"
 
 namespace kinestat {
@@ -39,21 +40,25 @@ TapeSolver::TapeSolver(const SweepTask& task, const SweepTapes& tapes, std::size
       tapes_(tapes),
       workspace_(tapes.tape.make_workspace(lanes)),
       rebinder_(tapes.rebinder),
+      binder_(tapes.rebinder ? nullptr : std::make_unique<StateBinder>(task)),
       mechanism_(task.mechanism),
-      all_cases_(task.mechanism.cases),
       is_loaded_(lanes, 0),
       has_answer_(lanes, 0),
       has_combinations_(std::ranges::any_of(task.gears, is_no_gear)),
       ratio_columns_(find_columns(task.columns, SweepColumnKind::ratio)),
       torque_ratio_columns_(find_columns(task.columns, SweepColumnKind::torque_ratio)),
+      efficiency_columns_(find_columns(task.columns, SweepColumnKind::efficiency)),
+      recirculation_columns_(find_columns(task.columns, SweepColumnKind::recirculation)),
       asks_steps_(!find_columns(task.columns, SweepColumnKind::step).empty()),
       statuses_(has_combinations_ ? lanes * task.cases.size() : 0),
-      ratios_(task.cases.size()) {
+      ratios_(task.cases.size()),
+      slips_(find_slipping(task.mechanism.topology)) {
   std::size_t most = 0;
   for (const Case& which : task.cases) {
     most = std::max({most, which.inputs.size(), which.outputs.size()});
   }
   rates_.reserve(most);
+  powers_.reserve(task.mechanism.topology.actuators.size());
   for (std::size_t i = 0; i < tapes.inputs.size(); ++i) {
     if (!tapes.tape.reads_input(i)) {
       continue;
@@ -66,8 +71,8 @@ TapeSolver::TapeSolver(const SweepTask& task, const SweepTapes& tapes, std::size
       others_.push_back({.input = i, .cell = cell});
     }
   }
-  binds_states_ =
-      tapes.needs_geometry || tapes.needs_primaries || has_combinations_ || !others_.empty();
+  binds_states_ = binder_ || tapes.needs_geometry || tapes.needs_primaries || has_combinations_ ||
+                  !others_.empty();
   asks_nothing_else_ =
       std::ranges::none_of(task.gears, &std::optional<SweptGear>::has_value) &&
       std::ranges::all_of(tapes.cases, [&](const CaseTape& taped) {
@@ -75,10 +80,24 @@ TapeSolver::TapeSolver(const SweepTask& task, const SweepTapes& tapes, std::size
       });
 }
 
+TapeSolver::~TapeSolver() = default;
+
 bool TapeSolver::rebind(const StateWalk& walk) {
+  if (binder_) {
+    return bind_whole(walk.state());
+  }
   const bool needs_geometry = tapes_.needs_geometry || has_combinations_;
-  return (!needs_geometry || rebinder_.rebind_geometry(walk.slots(), mechanism_.geometry)) &&
-         (!tapes_.needs_primaries || rebinder_.rebind_cases(walk.slots(), all_cases_));
+  return (!needs_geometry || rebinder_->rebind_geometry(walk.slots(), mechanism_.geometry)) &&
+         (!tapes_.needs_primaries || rebinder_->rebind_cases(walk.slots(), mechanism_.cases));
+}
+
+bool TapeSolver::bind_whole(std::uint64_t state) {
+  std::optional<Mechanism> mechanism = binder_->bind(state);
+  if (!mechanism || !tapes_.bound->are_kept_by(*mechanism)) {
+    return false;
+  }
+  mechanism_ = *std::move(mechanism);
+  return true;
 }
 
 // Alike states differ on the last axis.
@@ -108,31 +127,16 @@ bool TapeSolver::load_other(const SweepInput& input,
                             std::size_t cell,
                             const StateWalk& walk,
                             std::size_t lane) {
-  const auto part = static_cast<Eigen::Index>(input.part);
-  double value = 0.0;
-  switch (input.from) {
-    case SweepInput::From::axis:
-    case SweepInput::From::parameter: {
-      const Quantity& quantity = walk.slots().values[input.index];
-      if (!walk.slots().has_value[input.index] || quantity.dimension != input.dimension) {
-        return false;
-      }
-      value = quantity.value;
-      break;
+  const bool is_parameter =
+      input.from == SweepInput::From::axis || input.from == SweepInput::From::parameter;
+  if (is_parameter) {
+    const Quantity& quantity = walk.slots().values[input.index];
+    if (!walk.slots().has_value[input.index] || quantity.dimension != input.dimension) {
+      return false;
     }
-    case SweepInput::From::motion:
-      value = mechanism_.geometry.motions[input.index].coordinates()[part];
-      break;
-    case SweepInput::From::action:
-      value = mechanism_.geometry.actions[input.index].coordinates()[part];
-      break;
-    case SweepInput::From::primary_motion:
-      value = all_cases_[input.index].motions[input.part].value;
-      break;
-    case SweepInput::From::primary_action:
-      value = all_cases_[input.index].actions[input.part].value;
-      break;
   }
+  const double value =
+      is_parameter ? walk.slots().values[input.index].value : number_of(input, mechanism_);
   workspace_.set(cell, lane, value);
   return true;
 }
@@ -349,7 +353,75 @@ bool TapeSolver::fill_case(std::size_t i, std::size_t lane, SweepRow& row) {
     row.status = status_of(taped, ratios, lane);
     ratios_[i] = task_.gears[i] ? ratios.ratio : std::nullopt;
   }
-  return fill_columns(taped.columns, lane, row);
+  return fill_columns(taped.columns, lane, row) && fill_powers(i, lane, row);
+}
+
+// False where a value is missing that an analysis may have, or may have a reason not to have.
+bool TapeSolver::fill_powers(std::size_t i, std::size_t lane, SweepRow& row) {
+  const std::optional<PowerTape>& power = tapes_.cases[i].power;
+  if (!power) {
+    return true;
+  }
+  if (!power->actuators.empty() && !fill_efficiency(i, lane, row)) {
+    return false;
+  }
+  if (power->largest) {
+    const double largest = workspace_.number(*power->largest, lane);
+    const double input = workspace_.number(power->input, lane);
+    if (!(input > kSameValue * largest)) {
+      return false;
+    }
+    for (const std::size_t column : recirculation_columns_) {
+      row.values[column] = largest / input;
+    }
+  }
+  return true;
+}
+
+bool TapeSolver::fill_efficiency(std::size_t i, std::size_t lane, SweepRow& row) {
+  const PowerTape& power = *tapes_.cases[i].power;
+  powers_.clear();
+  double largest = 0.0;
+  for (const std::size_t cell : power.actuators) {
+    powers_.push_back(workspace_.number(cell, lane));
+    largest = std::max(largest, std::abs(powers_.back()));
+  }
+  const Efficiency found = efficiency_of(i, largest);
+  const bool is_clear =
+      found.value ? *found.value > kPowerBalance : has_clearly_no_efficiency(i, found, largest);
+  if (!is_clear ||
+      !(std::abs(workspace_.number(power.imbalance, lane)) <= kPowerBalance * largest)) {
+    return false;
+  }
+  for (const std::size_t column : efficiency_columns_) {
+    row.values[column] = found.value.value_or(kNoValue);
+  }
+  if (!found.value && !efficiency_columns_.empty() && row.status == "solved") {
+    row.status = kNoEfficiency;
+  }
+  return true;
+}
+
+Efficiency TapeSolver::efficiency_of(std::size_t i, double largest) const {
+  return find_efficiency(
+      task_.cases[i],
+      {.actuators = powers_, .loads = no_loads_, .largest = largest, .slips = &slips_});
+}
+
+// The largest power of the network is no less than that of the actuators, and it decides what is
+// small: whether it is as large or far larger must not matter. Power that does not clearly leave by
+// the outputs is left to the whole analysis, which looks for other senses of the losses.
+bool TapeSolver::has_clearly_no_efficiency(std::size_t i,
+                                           const Efficiency& found,
+                                           double largest) const {
+  constexpr double kFarLarger = 1e6;
+  double out = 0.0;
+  for (const int output : task_.cases[i].outputs) {
+    out += powers_[static_cast<std::size_t>(output)];
+  }
+  const Efficiency in_larger = efficiency_of(i, kFarLarger * largest);
+  return !found.is_self_locking && !in_larger.value && in_larger.reason == found.reason &&
+         out < -kPowerBalance * kFarLarger * largest;
 }
 
 }  // namespace kinestat

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -11,23 +12,27 @@
 
 #include "math/tapes/lane_tape.hpp"
 #include "mechanism/bind/rebind.hpp"
+#include "power/efficiency.hpp"
 #include "studies/sweep/report/sweep_rows.hpp"
 #include "studies/sweep/state_walk.hpp"
 #include "studies/sweep/task/sweep_tapes.hpp"
 
 namespace kinestat {
 
+class StateBinder;
 struct SweepTask;
 
 /// What stands in a row where a quantity has no value.
 inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
-/// Each worker has its own. After it was made it allocates nothing, but for combinations of
-/// `shift` that are no gears with the parameters of the file.
+/// Each worker has its own. After it was made it allocates nothing, but for states that are bound
+/// as a whole, combinations of `shift` that are no gears with the parameters of the file, and
+/// reasons not to have an efficiency.
 class TapeSolver {
  public:
   /// Both must outlive it. `lanes` is 1 or kLanes.
   TapeSolver(const SweepTask& task, const SweepTapes& tapes, std::size_t lanes);
+  ~TapeSolver();
 
   /// How many states it may take at once: those that are alike, or one where screws or primaries
   /// are bound for each.
@@ -54,6 +59,7 @@ class TapeSolver {
   };
 
   bool rebind(const StateWalk& walk);
+  bool bind_whole(std::uint64_t state);
   void load_axes(const StateWalk& walk, std::size_t lane, std::size_t count);
   bool load_other(const SweepInput& input,
                   std::size_t cell,
@@ -71,6 +77,10 @@ class TapeSolver {
   bool has_faint_ends(const CaseTape& taped, std::size_t lane);
   TapedRatios find_ratios(const CaseTape& taped, std::size_t lane);
   std::string_view status_of(const CaseTape& taped, const TapedRatios& ratios, std::size_t lane);
+  bool fill_powers(std::size_t i, std::size_t lane, SweepRow& row);
+  bool fill_efficiency(std::size_t i, std::size_t lane, SweepRow& row);
+  Efficiency efficiency_of(std::size_t i, double largest) const;
+  bool has_clearly_no_efficiency(std::size_t i, const Efficiency& found, double largest) const;
   void fill_ratios(const CaseTape& taped, const TapedRatios& ratios, SweepRow& row) const;
   std::span<const double> read(std::span<const std::size_t> outputs, std::size_t lane);
 
@@ -80,9 +90,9 @@ class TapeSolver {
   const SweepTask& task_;
   const SweepTapes& tapes_;
   LaneTape::Workspace workspace_;
-  Rebinder rebinder_;
-  Mechanism mechanism_;          ///< with the geometry of a state, where that is rebound
-  std::vector<Case> all_cases_;  ///< likewise
+  std::optional<Rebinder> rebinder_;  ///< empty where states are bound as a whole, by:
+  std::unique_ptr<StateBinder> binder_;
+  Mechanism mechanism_;          ///< with what of a state is bound
   std::vector<char> is_loaded_;  ///< of each lane
   std::vector<char> has_answer_;
 
@@ -105,10 +115,15 @@ class TapeSolver {
   bool has_combinations_ = false;   ///< that are no gears with the parameters of the file
   std::vector<std::size_t> ratio_columns_;
   std::vector<std::size_t> torque_ratio_columns_;
+  std::vector<std::size_t> efficiency_columns_;
+  std::vector<std::size_t> recirculation_columns_;
   bool asks_steps_ = false;
   std::vector<std::string_view> statuses_;     ///< of each lane and case: of such a combination
   std::vector<std::optional<double>> ratios_;  ///< of each case that is a gear [SI]
   std::vector<double> rates_;                  ///< what was read last
+  std::vector<double> powers_;                 ///< of all actuators, likewise
+  std::vector<bool> slips_;                    ///< what they take is lost
+  std::vector<double> no_loads_;
 };
 
 }  // namespace kinestat
