@@ -1,13 +1,14 @@
 // Sweeps made ready, from a file of the library or from text.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "files/load_file.hpp"
 #include "format/mechanism_reader.hpp"
-#include "mechanism/bind/bind.hpp"
 #include "studies/sweep/task/state_solver.hpp"
 #include "studies/sweep/task/sweep_task.hpp"
 
@@ -22,16 +23,13 @@ class SweptFile {
     Diagnostics found;
     const auto tree = read_yaml(source, {}, found);
     auto description = tree ? read_mechanism(*tree, found) : std::nullopt;
-    auto mechanism = description ? bind(*description, found) : std::nullopt;
-    if (mechanism) {
-      task_ = make_sweep_task(
-          source,
-          {.description = *std::move(description), .mechanism = *std::move(mechanism), .shift = {}},
-          SweepOptions{},
-          found);
+    auto loaded = description ? bind_loaded(*std::move(description), found) : std::nullopt;
+    if (loaded) {
+      task_ = make_sweep_task(source, *std::move(loaded), SweepOptions{}, found);
     }
     if (!task_) {
-      throw std::runtime_error(found.items().empty() ? "no task" : found.items().front().message);
+      const auto error = std::ranges::find(found.items(), Severity::error, &Diagnostic::severity);
+      throw std::runtime_error(error == found.items().end() ? "no task" : error->message);
     }
     task_->tapes = record_tapes(*task_);
   }

@@ -372,8 +372,13 @@ class CaseRecorder {
 };
 
 void find_cells(const LaneTape& tape, PowerTape& power) {
-  for (std::size_t& one : power.actuators) {
-    one = tape.output_cell(one);
+  for (auto* powers : {&power.actuators, &power.lossless}) {
+    for (std::size_t& one : *powers) {
+      one = tape.output_cell(one);
+    }
+  }
+  if (power.absolute) {
+    power.absolute = tape.output_cell(*power.absolute);
   }
   power.imbalance = power.actuators.empty() ? 0 : tape.output_cell(power.imbalance);
   if (power.largest) {

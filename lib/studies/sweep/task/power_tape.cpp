@@ -10,14 +10,13 @@
 #include "core/tolerance.hpp"
 #include "power/net_shafts.hpp"
 #include "statics/mesh_loss_law.hpp"
+#include "studies/sweep/task/internal/absolute_tape.hpp"
+#include "studies/sweep/task/internal/tape_arithmetic.hpp"
 #include "studies/sweep/task/sweep_task.hpp"
 
 namespace kinestat {
 
 namespace {
-
-// Two axes closer than this share of the size are left to the whole analysis.
-constexpr double kNearAxes = 1e-6;
 
 bool asks(const SweepTask& task, SweepColumnKind kind) {
   return std::ranges::find(task.columns, kind, &SweepColumn::kind) != task.columns.end();
@@ -26,6 +25,11 @@ bool asks(const SweepTask& task, SweepColumnKind kind) {
 bool needs_losses(const SweepTask& task) {
   return !task.mechanism.lossy_meshes.empty() &&
          (asks(task, SweepColumnKind::efficiency) || asks(task, SweepColumnKind::lossy_action));
+}
+
+bool needs_absolute(const SweepTask& task) {
+  return task.mechanism.loss_model == LossModel::absolute &&
+         asks(task, SweepColumnKind::efficiency);
 }
 
 void sort_out(std::vector<int>& indices) {
@@ -39,15 +43,6 @@ std::vector<int> actions_of(const CouplingTopology& coupling) {
     actions.push_back(coupling.first_action + a);
   }
   return actions;
-}
-
-TapeNumber size_of(TapeNumber number, LaneRecorder& recorder) {
-  return recorder.larger(number, recorder.negate_product(number, recorder.constant(1.0)));
-}
-
-// Zero where that is mere rounding of both.
-TapeNumber settled_difference(TapeNumber a, TapeNumber b, LaneRecorder& recorder) {
-  return recorder.subtract_product(a, b, recorder.constant(1.0));
 }
 
 // A mesh that loses power, in the sense that it has in the recorded state.
@@ -72,9 +67,7 @@ class PowerRecorder {
         recorder_(notes.recorder) {}
 
   std::optional<LossyTape> run() {
-    const Case& which = solved_.which;
-    if (!solved_.power || which.inputs.empty() || which.outputs.empty() ||
-        !solved_.action->friction.empty()) {
+    if (!solved_.power || !solved_.action->friction.empty()) {
       return std::nullopt;
     }
     LossyTape result;
@@ -89,9 +82,11 @@ class PowerRecorder {
 
  private:
   bool add_losses(LossyTape& result) {
-    const bool is_known = mechanism_.loss_model == LossModel::carrier && solved_.efficiency &&
-                          solved_.efficiency->carrier.value && solved_.efficiency->state;
-    if (!is_known || !find_teeth()) {
+    const Case& which = solved_.which;
+    const bool names_both = !which.inputs.empty() && !which.outputs.empty();
+    const bool is_known = solved_.efficiency && solved_.efficiency->state &&
+                          (!names_both || solved_.efficiency->carrier.value);
+    if (!is_known || !find_teeth() || (names_both && !add_absolute(result.power))) {
       return false;
     }
     std::vector<TapedCouple> couples;
@@ -114,6 +109,47 @@ class PowerRecorder {
     add_powers(couples, action, result.power);
     result.action = std::move(action);
     return true;
+  }
+
+  // True where another model counts.
+  bool add_absolute(PowerTape& power) {
+    if (!needs_absolute(task_)) {
+      return true;
+    }
+    if (!solved_.efficiency->absolute.value) {
+      return false;
+    }
+    std::vector<TapedPower> couplings;
+    for (int e = 0; e < topology_.coupling_count(); ++e) {
+      const CouplingTopology& coupling = topology_.coupling(CouplingId{e});
+      couplings.push_back({.into_head = power_on(CouplingId{e}, coupling.head),
+                           .out_of_tail = power_on(CouplingId{e}, coupling.tail)});
+    }
+    const std::vector<TapeNumber> actuators = actuator_powers();
+    const auto efficiency = record_absolute_efficiency({.mechanism = mechanism_,
+                                                        .solved = solved_,
+                                                        .couplings = couplings,
+                                                        .actuators = actuators,
+                                                        .shares = taped_.shares},
+                                                       recorder_);
+    if (!efficiency) {
+      return false;
+    }
+    power.absolute = notes_.add_output(*efficiency);
+    for (const TapeNumber one : actuators) {
+      power.lossless.push_back(notes_.add_output(one));
+    }
+    return true;
+  }
+
+  // Without losses.
+  std::vector<TapeNumber> actuator_powers() {
+    std::vector<TapeNumber> powers;
+    for (const ActuatorTopology& actuator : topology_.actuators) {
+      powers.push_back(recorder_.multiply(taped_.action.number(actuator.action),
+                                          taped_.motion.number(actuator.freedom)));
+    }
+    return powers;
   }
 
   // Of each mesh that loses any. False where the recorded state has no senses that a tape can keep.
@@ -197,8 +233,8 @@ class PowerRecorder {
         return false;
       }
       const auto i = static_cast<std::size_t>(*axis);
-      const TapeNumber speeds = recorder_.add(size_of(body(gear)[i], recorder_),
-                                              size_of(body(teeth.carrier)[i], recorder_));
+      const TapeNumber speeds = recorder_.add(size_on_tape(body(gear)[i], recorder_),
+                                              size_on_tape(body(teeth.carrier)[i], recorder_));
       recorder_.demand_at_least(turning(gear, teeth.carrier, *axis),
                                 recorder_.multiply(speeds, recorder_.constant(kSameValue)));
       return true;
@@ -318,17 +354,26 @@ class PowerRecorder {
                             : recorder_.subtract(sum, parts[j].power);
         }
       }
-      largest = recorder_.larger(largest, size_of(sum, recorder_));
+      largest = recorder_.larger(largest, size_on_tape(sum, recorder_));
     }
     power.largest = notes_.add_output(largest);
-    TapeNumber input = recorder_.constant(0.0);
-    for (const int i : solved_.which.inputs) {
-      const ActuatorTopology& actuator = topology_.actuators[static_cast<std::size_t>(i)];
-      input = recorder_.add(input,
-                            recorder_.multiply(taped_.action.number(actuator.action),
-                                               taped_.motion.number(actuator.freedom)));
+    power.input = notes_.add_output(input_power());
+  }
+
+  // Of the inputs, or all that actuators give where the case names none.
+  TapeNumber input_power() {
+    const std::vector<int>& inputs = solved_.which.inputs;
+    const TapeNumber zero = recorder_.constant(0.0);
+    TapeNumber input = zero;
+    const std::vector<TapeNumber> powers = actuator_powers();
+    for (std::size_t i = 0; i < powers.size(); ++i) {
+      if (inputs.empty()) {
+        input = recorder_.add(input, recorder_.larger(powers[i], zero));
+      } else if (std::ranges::find(inputs, static_cast<int>(i)) != inputs.end()) {
+        input = recorder_.add(input, powers[i]);
+      }
     }
-    power.input = notes_.add_output(input);
+    return input;
   }
 
   // What goes by one coupling from one shaft to another.
@@ -417,78 +462,12 @@ class PowerRecorder {
   std::vector<LossyTeeth> teeth_;
 };
 
-// The first rotation of a coupling about which gears may turn.
-struct GearAxis {
-  std::size_t freedom = 0;
-  Vec3 direction;
-};
-
-std::vector<GearAxis> gear_axes(const Mechanism& mechanism) {
-  std::vector<GearAxis> axes;
-  for (const CouplingTopology& coupling : mechanism.topology.couplings) {
-    const int end = coupling.first_freedom + coupling.freedom_count;
-    for (int f = coupling.first_freedom; is_hinge(coupling.type) && f < end; ++f) {
-      const auto i = static_cast<std::size_t>(f);
-      if (mechanism.topology.freedoms[i].is_rotation) {
-        axes.push_back({.freedom = i, .direction = mechanism.geometry.motions[i].angular});
-        break;
-      }
-    }
-  }
-  return axes;
-}
-
-// Of two axes that are parallel: one line, or two, as in the recorded state.
-void demand_same_line(
-    const TapedScrew& a, const TapedScrew& b, double sense, double length, LaneRecorder& recorder) {
-  std::array<TapeNumber, 3> between;
-  TapeNumber widest = recorder.constant(0.0);
-  for (std::size_t i = 0; i < 3; ++i) {
-    between[i] = recorder.subtract_product(a[i + 3], b[i + 3], recorder.constant(sense));
-    if (std::abs(recorder.value(between[i])) > std::abs(recorder.value(widest))) {
-      widest = between[i];
-    }
-  }
-  if (std::abs(recorder.value(widest)) > kParallelAxes * length) {
-    recorder.demand_at_least(widest, recorder.constant(kNearAxes * length));
-    return;
-  }
-  for (const TapeNumber one : between) {
-    recorder.demand_at_most(one, recorder.constant(kParallelAxes * length / 2.0));
-  }
-}
-
 }  // namespace
 
 TapeNumber TapedSide::number(int index) const {
   const auto at = std::ranges::lower_bound(wanted, index);
   KINESTAT_EXPECTS(at != wanted.end() && *at == index);
   return network.wanted[static_cast<std::size_t>(at - wanted.begin())];
-}
-
-bool demand_same_axes(const Mechanism& mechanism,
-                      std::span<const TapedScrew> motions,
-                      LaneRecorder& recorder) {
-  const std::vector<GearAxis> axes = gear_axes(mechanism);
-  for (const GearAxis& one : axes) {
-    const TapedScrew& screw = motions[one.freedom];
-    if (!std::ranges::all_of(std::span(screw).first(3),
-                             [&](TapeNumber part) { return recorder.is_constant(part); })) {
-      return false;
-    }
-  }
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    for (std::size_t j = i + 1; j < axes.size(); ++j) {
-      if (axes[i].direction.cross(axes[j].direction).norm() <= kParallelAxes) {
-        demand_same_line(motions[axes[i].freedom],
-                         motions[axes[j].freedom],
-                         axes[i].direction.dot(axes[j].direction) < 0.0 ? -1.0 : 1.0,
-                         mechanism.geometry.length,
-                         recorder);
-      }
-    }
-  }
-  return true;
 }
 
 std::vector<int> actions_with_power(const SweepTask& task) {
@@ -502,7 +481,7 @@ std::vector<int> actions_with_power(const SweepTask& task) {
         needs_losses(task) &&
         std::ranges::find(task.mechanism.lossy_meshes, CouplingId{e}, &LossyMesh::coupling) !=
             task.mechanism.lossy_meshes.end();
-    if (is_lossy || asks(task, SweepColumnKind::recirculation)) {
+    if (is_lossy || needs_absolute(task) || asks(task, SweepColumnKind::recirculation)) {
       std::ranges::copy(actions_of(topology.coupling(CouplingId{e})), std::back_inserter(wanted));
     }
   }

@@ -33,8 +33,10 @@ struct TapedCase {
 
 /// The same with losses: outputs of the tape.
 struct PowerTape {
-  std::vector<std::size_t> actuators;  ///< powers [W] of all actuators, where meshes lose any
-  std::size_t imbalance = 0;           ///< of these and the losses, which sum to zero
+  std::vector<std::size_t> actuators;   ///< powers [W] of all actuators, where meshes lose any
+  std::size_t imbalance = 0;            ///< of these and the losses, which sum to zero
+  std::optional<std::size_t> absolute;  ///< efficiency, where that model counts; then also:
+  std::vector<std::size_t> lossless;    ///< the powers of actuators without losses
   std::optional<std::size_t> largest;  ///< of the powers from shaft to shaft, where it is asked for
   std::size_t input = 0;               ///< beside `largest`: of the inputs, without losses
 };
@@ -45,19 +47,12 @@ struct LossyTape {
   std::optional<TapedSide> action;  ///< as the carrier model leaves them, where meshes lose any
 };
 
-/// Demands of the tape that the axes of gears are as many lines as in the recorded state, so that
-/// each mesh has the carrier that it has there. False where their directions move.
-bool demand_same_axes(const Mechanism& mechanism,
-                      std::span<const TapedScrew> motions,
-                      LaneRecorder& recorder);
-
 /// Actions that the recorder of a case with power must know without losses.
 std::vector<int> actions_with_power(const SweepTask& task);
 
 /// Losses are recorded with the senses that they have in the recorded state; a lane in which a mesh
-/// drives the other way round has no answer. Empty where no tape can be made: the case does not
-/// name input and output, or it has friction, or no efficiency by the carrier model that could be
-/// told.
+/// drives the other way round has no answer. Empty where no tape can be made: the case has
+/// friction, or its efficiency has no value.
 std::optional<LossyTape> note_power(const SweepTask& task,
                                     const TapedCase& taped,
                                     SweepNotes& notes);

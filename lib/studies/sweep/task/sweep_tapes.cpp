@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cases/solve_cases.hpp"
+#include "studies/sweep/task/internal/gear_axes_tape.hpp"
 #include "studies/sweep/task/sweep_samples.hpp"
 #include "studies/sweep/task/sweep_screws.hpp"
 #include "studies/sweep/task/sweep_task.hpp"

@@ -26,11 +26,10 @@ struct SweepTapes {
 };
 
 /// Empty where the states of a sweep must be analysed one by one: a case has no answer with the
-/// parameters of the file, or loads, friction or cables on pulleys, or losses by the absolute model
-/// that a quantity needs, or freewheels shift. Where the parameters move more than couplings and
-/// primaries, as the teeth of `gears` do, each state is bound as a whole and the tape solves it.
-/// What was recorded is compared with mechanisms bound as a whole in some states before it is
-/// trusted.
+/// parameters of the file, or loads, friction or cables on pulleys, or freewheels shift. Where the
+/// parameters move more than couplings and primaries, as the teeth of `gears` do, each state is
+/// bound as a whole and the tape solves it. What was recorded is compared with mechanisms bound as
+/// a whole in some states before it is trusted.
 std::optional<SweepTapes> record_tapes(const SweepTask& task);
 
 }  // namespace kinestat

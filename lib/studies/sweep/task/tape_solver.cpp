@@ -368,11 +368,11 @@ bool TapeSolver::fill_powers(std::size_t i, std::size_t lane, SweepRow& row) {
   if (power->largest) {
     const double largest = workspace_.number(*power->largest, lane);
     const double input = workspace_.number(power->input, lane);
-    if (!(input > kSameValue * largest)) {
+    if (!(std::abs(input) > kSameValue * largest)) {
       return false;
     }
     for (const std::size_t column : recirculation_columns_) {
-      row.values[column] = largest / input;
+      row.values[column] = input > 0.0 ? largest / input : kNoValue;
     }
   }
   return true;
@@ -380,26 +380,42 @@ bool TapeSolver::fill_powers(std::size_t i, std::size_t lane, SweepRow& row) {
 
 bool TapeSolver::fill_efficiency(std::size_t i, std::size_t lane, SweepRow& row) {
   const PowerTape& power = *tapes_.cases[i].power;
-  powers_.clear();
-  double largest = 0.0;
-  for (const std::size_t cell : power.actuators) {
-    powers_.push_back(workspace_.number(cell, lane));
-    largest = std::max(largest, std::abs(powers_.back()));
-  }
+  double largest = read_powers(power.actuators, lane);
   const Efficiency found = efficiency_of(i, largest);
-  const bool is_clear =
-      found.value ? *found.value > kPowerBalance : has_clearly_no_efficiency(i, found, largest);
+  const bool names_both = !task_.cases[i].inputs.empty() && !task_.cases[i].outputs.empty();
+  const bool is_clear = !names_both || (found.value ? *found.value > kPowerBalance
+                                                    : has_clearly_no_efficiency(i, found, largest));
   if (!is_clear ||
       !(std::abs(workspace_.number(power.imbalance, lane)) <= kPowerBalance * largest)) {
     return false;
   }
-  for (const std::size_t column : efficiency_columns_) {
-    row.values[column] = found.value.value_or(kNoValue);
+  double value = found.value.value_or(kNoValue);
+  if (power.absolute) {
+    largest = read_powers(power.lossless, lane);
+    const Efficiency lossless = efficiency_of(i, largest);
+    if (!found.value || !lossless.value || !(*lossless.value > kPowerBalance)) {
+      return false;
+    }
+    value = workspace_.number(*power.absolute, lane);
   }
-  if (!found.value && !efficiency_columns_.empty() && row.status == "solved") {
+  for (const std::size_t column : efficiency_columns_) {
+    row.values[column] = value;
+  }
+  if (names_both && !found.value && !efficiency_columns_.empty() && row.status == "solved") {
     row.status = kNoEfficiency;
   }
   return true;
+}
+
+// The size of the largest.
+double TapeSolver::read_powers(std::span<const std::size_t> cells, std::size_t lane) {
+  powers_.clear();
+  double largest = 0.0;
+  for (const std::size_t cell : cells) {
+    powers_.push_back(workspace_.number(cell, lane));
+    largest = std::max(largest, std::abs(powers_.back()));
+  }
+  return largest;
 }
 
 Efficiency TapeSolver::efficiency_of(std::size_t i, double largest) const {

@@ -79,6 +79,7 @@ class TapeSolver {
   std::string_view status_of(const CaseTape& taped, const TapedRatios& ratios, std::size_t lane);
   bool fill_powers(std::size_t i, std::size_t lane, SweepRow& row);
   bool fill_efficiency(std::size_t i, std::size_t lane, SweepRow& row);
+  double read_powers(std::span<const std::size_t> cells, std::size_t lane);
   Efficiency efficiency_of(std::size_t i, double largest) const;
   bool has_clearly_no_efficiency(std::size_t i, const Efficiency& found, double largest) const;
   void fill_ratios(const CaseTape& taped, const TapedRatios& ratios, SweepRow& row) const;

@@ -1,0 +1,199 @@
+// Tapes against whole analyses, over files of the library.
+#include "studies/sweep/task/sweep_tapes.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "unit/run/swept_file.hpp"
+#include "unit/run/swept_rows.hpp"
+
+namespace kinestat {
+namespace {
+
+/// A number of the library's file that is varied.
+struct Varied {
+  std::string parameter;
+  double least = 0.0;
+  double most = 0.0;
+  std::string unit = {};  ///< of lengths and the like; empty: whole numbers
+};
+
+struct SweptLibraryFile {
+  std::string path;
+  std::vector<std::pair<std::string, std::string>> edits = {};  ///< of its text
+  std::vector<Varied> varied = {};
+  std::string report = {};
+  bool has_tape = true;
+  double share = 0.5;  ///< of the solved rows, at least, are of the tape
+
+  friend void PrintTo(const SweptLibraryFile& file, std::ostream* out) { *out << file.path; }
+};
+
+// KINESTAT_DIFFERENTIAL raises the number of states.
+int states_wanted() {
+  const char* const wanted = std::getenv("KINESTAT_DIFFERENTIAL");
+  return wanted == nullptr ? 60 : std::max(60, std::atoi(wanted));
+}
+
+std::string text_of(const SweptLibraryFile& file) {
+  std::ifstream stream(KINESTAT_MECHANISMS "/" + file.path + ".yaml");
+  std::ostringstream all;
+  all << stream.rdbuf();
+  std::string text = all.str();
+  for (const std::string section : {"\npublished:", "\nmotion:", "\nsweep:"}) {
+    if (const std::size_t at = text.find(section); at != std::string::npos) {
+      const std::size_t end = text.find("\n\n", at + 1);
+      text.erase(at, end == std::string::npos ? std::string::npos : end - at);
+    }
+  }
+  for (const auto& [from, to] : file.edits) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+// Values of each parameter at random, so many that there are as many states as wanted.
+std::string sweep_of(const SweptLibraryFile& file) {
+  const auto count = static_cast<int>(
+      std::ceil(std::pow(states_wanted(), 1.0 / static_cast<double>(file.varied.size())) - 1e-9));
+  std::mt19937_64 random(20261126);
+  std::string vary;
+  for (const Varied& one : file.varied) {
+    std::string values;
+    for (int i = 0; i < count; ++i) {
+      const double value = std::uniform_real_distribution<>(one.least, one.most)(random);
+      values += (i == 0 ? "" : ", ") + (one.unit.empty() ? fmt::format("{}", std::floor(value))
+                                                         : fmt::format("{} {}", value, one.unit));
+    }
+    vary += (vary.empty() ? "" : ", ") + fmt::format("{}: [{}]", one.parameter, values);
+  }
+  return fmt::format("{{vary: {{{}}}{}}}",
+                     vary,
+                     file.report.empty() ? "" : fmt::format(", report: [{}]", file.report));
+}
+
+class TapeOfLibraryFile : public testing::TestWithParam<SweptLibraryFile> {};
+
+TEST_P(TapeOfLibraryFile, GivesTheRowsOfWholeAnalyses) {
+  const SweptLibraryFile& file = GetParam();
+  SweptFile swept(text_of(file), sweep_of(file));
+  SweepTask& task = swept.task();
+  ASSERT_EQ(task.tapes.has_value(), file.has_tape);
+
+  const std::vector<Row> analysed = analysed_rows(task);
+  expect_near(rows_of(task, kLanes), analysed);
+  if (file.has_tape) {
+    const auto solved = std::ranges::count(analysed, "solved", &Row::status);
+    EXPECT_GE(static_cast<double>(taped_states(task) * task.cases.size()),
+              file.share * static_cast<double>(solved));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Library,
+    TapeOfLibraryFile,
+    testing::Values(
+        SweptLibraryFile{.path = "transmissions/ravigneaux",
+                         .edits = {{"\nactuators:",
+                                    "\nlosses: {gear_external: 0.02, gear_internal: 0.01}"
+                                    "\nactuators:"}},
+                         .varied = {{"N1", 15, 35}, {"N2", 31, 64}, {"N5", 12, 30}},
+                         .report = "ratio, torque_ratio, efficiency, recirculation, out, "
+                                   "lossy.out, lossy.B2, f.Rx"},
+        SweptLibraryFile{
+            .path = "transmissions/ravigneaux_teeth",
+            .varied = {{"N1", 17, 24}, {"w_in", -2, 2, "rad/s"}, {"T_in", 1, 9, "N*m"}},
+            .report = "ratio, recirculation, out, C2"},
+        SweptLibraryFile{.path = "transmissions/ravigneaux_with_losses",
+                         .varied = {{"N1", 15, 35}, {"N2", 31, 64}, {"T_in", 1, 9, "N*m"}},
+                         .report = "ratio, efficiency, recirculation"},
+        SweptLibraryFile{.path = "transmissions/ravigneaux",
+                         .edits = {{"\nactuators:",
+                                    "\nlosses: {model: absolute, gear_external: 0.02, "
+                                    "gear_internal: 0.01}\nactuators:"}},
+                         .varied = {{"N1", 15, 35}, {"N2", 31, 64}, {"N5", 12, 30}},
+                         .report = "efficiency, lossy.out"},
+        SweptLibraryFile{.path = "transmissions/ravigneaux_input_shaft",
+                         .varied = {{"N1", 15, 35}, {"N2", 31, 64}, {"T_in", 1, 9, "N*m"}},
+                         .report = "ratio, step, efficiency, recirculation, out, lossy.out"},
+        SweptLibraryFile{.path = "transmissions/zf_8hp70",
+                         .edits = {{"  torque: 100 N*m", "  torque: 100 N*m\n  p3: 21\n  s4: 23"},
+                                   {"planet3, teeth: 21", "planet3, teeth: p3"},
+                                   {"teeth: 111", "teeth: 69 + 2*p3"},
+                                   {"sun4, teeth: 23", "sun4, teeth: s4"},
+                                   {"teeth: 85", "teeth: s4 + 62"}},
+                         .varied = {{"p3", 18, 40}, {"s4", 20, 40}},
+                         .report = "ratio, step, efficiency, recirculation, A, B, C, D, E"},
+        SweptLibraryFile{.path = "transmissions/wolfrom",
+                         .varied = {{"Zs", 18, 23}, {"Zp1", 18, 23}},
+                         .report = "ratio, torque_ratio, out",
+                         .share = 0.3},  // flanks change where the ring gears swap
+        SweptLibraryFile{.path = "transmissions/prius_gen3",
+                         .varied = {{"module", 1, 3, "mm"}, {"speed", -90, 90, "rpm"}},
+                         .report = "recirculation, MG1, MG2, engine, out"},
+        SweptLibraryFile{.path = "transmissions/bevel_differential",
+                         .varied = {{"Ns", 12, 30}, {"Np", 8, 20}, {"torque", 100, 900, "N*m"}},
+                         .report = "engine, left, right, recirculation"},
+        SweptLibraryFile{.path = "gears/simple_planetary",
+                         .edits = {{"Nr: 60", "Nr: Ns + 2*Np"},
+                                   {"\nactuators:",
+                                    "\nlosses: {gear_external: 0.02, gear_internal: 0.01}"
+                                    "\nactuators:"}},
+                         .varied = {{"Ns", 15, 50}, {"Np", 15, 50}},
+                         .report = "ratio, efficiency, recirculation, lossy.Tc"},
+        SweptLibraryFile{.path = "spatial/bennett",
+                         .varied = {{"k", 5, 80}},
+                         .report = "ratio",
+                         .has_tape = false},  // no coordinates hold its motions
+
+        SweptLibraryFile{
+            .path = "spatial/rssr", .varied = {{"load", -9, 9, "N*m"}}, .report = "work, motor"},
+        SweptLibraryFile{.path = "planar/toggle_press",
+                         .varied = {{"x", 5, 40}, {"push", 100, 900, "N"}},
+                         .report = "",
+                         .has_tape = false}));  // friction and loads
+
+// Reductions of a set with its ring held, by the carrier model: η = (1 + η0 i0)/(1 + i0), where i0
+// is R/S and η0 what both meshes leave with the carrier at rest (Pennestrì and Freudenstein 1993).
+TEST(SweepTapes, FindTheEfficiencyOfASetInClosedForm) {
+  const std::string text =
+      std::string(kTrain) + "losses: {gear_external: 0.03, gear_internal: 0.01}\n";
+  SweptFile file(text,
+                 "{vary: {S: {from: 15, to: 40, step: 1}, P: {from: 15, to: 30, step: 1}}, "
+                 "cases: [low], report: [efficiency, lossy.wheel]}");
+  SweepTask& task = file.task();
+  ASSERT_TRUE(task.tapes.has_value());
+  EXPECT_EQ(taped_states(task), task.plan.state_count());
+
+  for (const Row& row : rows_of(task, kLanes)) {
+    const double s = 15.0 + static_cast<double>(row.state / 16);
+    const double p = 15.0 + static_cast<double>(row.state % 16);
+    const double basic = (s + 2 * p) / s;
+    const double efficiency = (1 + 0.97 * 0.99 * basic) / (1 + basic);
+    EXPECT_NEAR(row.values[0], efficiency, 1e-13);
+    EXPECT_NEAR(row.values[1], -5.0 * (1 + basic) * efficiency, 1e-10);
+  }
+}
+
+TEST(SweepTapes, AnswerNothingWhereAMeshDrivesTheOtherWayRound) {
+  const std::string text =
+      std::string(kTrain) + "losses: {gear_external: 0.03, gear_internal: 0.01}\n";
+  SweptFile file(text,
+                 "{vary: {torque: [-2 N*m, -1 N*m, 1 N*m, 2 N*m]}, cases: [low], "
+                 "report: [ratio, efficiency, wheel]}");
+  SweepTask& task = file.task();
+  ASSERT_TRUE(task.tapes.has_value());
+
+  // With a negative torque the motor brakes: every mesh drives the other way round.
+  EXPECT_EQ(taped_states(task), 2U);
+  expect_near(rows_of(task, kLanes), analysed_rows(task));
+}
+
+}  // namespace
+}  // namespace kinestat
