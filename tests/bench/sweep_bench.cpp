@@ -30,7 +30,8 @@ namespace {
 constexpr double kAlone = 0.05;
 constexpr double kInLanes = 0.02;
 constexpr double kTimesCheaper = 3.0;  // two outputs than all
-constexpr std::size_t kStates = 400;   // timed together
+constexpr double kWithLosses = 0.05;
+constexpr std::size_t kStates = 400;  // timed together
 
 Value value(const char* text) {
   return {.expression = std::get<Expression>(parse_expression(text)), .where = {}};
@@ -156,6 +157,15 @@ Options read_options(int argc, char** argv) {
   return options;
 }
 
+// Of which the absolute model counts, so that a row needs both: only a train that does not lock has
+// an efficiency.
+Subject subject_with_losses() {
+  Subject subject = read_subject(KINESTAT_LOSSY_MECHANISM, "M1");
+  subject.loaded.description.losses->model = LossModel::absolute;
+  subject.loaded.mechanism.loss_model = LossModel::absolute;
+  return subject;
+}
+
 // What the actions are called that are not known, one for each column of the dense matrix.
 std::vector<std::string> action_names(const Subject& subject) {
   const Topology& topology = subject.loaded.mechanism.topology;
@@ -221,7 +231,10 @@ int run(int argc, char** argv) {
   RowMaker text(subject, {}, Way::tape_in_lanes, Form::text);
   RowMaker ratio(subject, {"ratio"}, Way::tape_in_lanes, Form::text);
   RowMaker whole(subject, {}, Way::whole, Form::text);
-  RowMaker power(subject, {"ratio", "efficiency", "recirculation"}, Way::whole, Form::text);
+  const Subject lossy = subject_with_losses();
+  const std::vector<std::string> powers = {"ratio", "efficiency", "recirculation"};
+  RowMaker power(lossy, powers, Way::tape_in_lanes, Form::numbers);
+  RowMaker whole_power(lossy, powers, Way::whole, Form::text);
   TapePlayer play_all(lanes);
   TapePlayer play_two(two_lanes);
   const auto all = fmt::format("all {} actions", actions.size());
@@ -236,8 +249,9 @@ int run(int argc, char** argv) {
       {everything + ", in lanes", [&] { numbers.make_many(); }, {}, kStates},
       {"  with their text", [&] { text.make_many(); }, {}, kStates},
       {"the ratio alone, with its text", [&] { ratio.make_many(); }, {}, kStates},
+      {"losses by both models, power flow", [&] { power.make_many(); }, kWithLosses, kStates},
       {"without tapes, all with their text", [&] { whole.make_some(); }, {}},
-      {"without tapes, with power flow", [&] { power.make_some(); }, {}},
+      {"without tapes, losses by both models", [&] { whole_power.make_some(); }, {}},
   };
   const Interleaved result = measure([&] { dense.solve(); }, jobs, options.rounds);
   std::string report = write_ratios(result.ratios, "D", options.form);
