@@ -30,9 +30,8 @@ bool is_always_right(const CouplingDescription& coupling) {
 bool has_more_than_couplings(const MechanismDescription& description, const Mechanism& mechanism) {
   const auto has_loads = [](const CaseDescription& one) { return !one.loads.empty(); };
   const auto may_rub = [](const CouplingDescription& one) { return one.friction != nullptr; };
-  return description.gears || !description.cables.empty() || !description.loads.empty() ||
-         description.gravity || !mechanism.contacts.empty() ||
-         std::ranges::any_of(description.cases, has_loads) ||
+  return !description.cables.empty() || !description.loads.empty() || description.gravity ||
+         !mechanism.contacts.empty() || std::ranges::any_of(description.cases, has_loads) ||
          std::ranges::any_of(description.couplings, may_rub);
 }
 
@@ -59,22 +58,6 @@ bool has_lines_through(const Topology& topology,
          });
 }
 
-std::optional<double> number_of(const SlotExpression& value,
-                                QuantityKind kind,
-                                const FileUnits& units,
-                                const Slots& slots,
-                                std::vector<Quantity>& scratch) {
-  const std::optional<Quantity> quantity = value.evaluate(slots, scratch);
-  if (quantity && is_bare(quantity->dimension) && units.scale(kind) == UnitScale{} &&
-      std::abs(quantity->value) <= kLargestNumber) {
-    return quantity->value;  // no unit and no limit for `fit` to look at
-  }
-  const auto fitted = quantity ? fit<double>(*quantity, kind, units)
-                               : std::variant<double, ExpressionError>(ExpressionError{});
-  const double* number = std::get_if<double>(&fitted);
-  return number != nullptr ? std::optional(*number) : std::nullopt;
-}
-
 }  // namespace
 
 std::optional<Rebinder> Rebinder::make(const MechanismDescription& description,
@@ -88,7 +71,11 @@ std::optional<Rebinder> Rebinder::make(const MechanismDescription& description,
   result.action_space_ =
       description.static_order == OrderChoice::spatial ? Space::spatial : description.space;
   result.table_ = evaluate_parameters(parameters_of(description)).table;
-  if (Dependence(result.table_, varies).of(description.losses) ||
+  if (description.gears) {
+    result.gears_ = GearPlaces::make(description, result.table_, varies);
+  }
+  if (description.gears.has_value() != result.gears_.has_value() ||
+      Dependence(result.table_, varies).of(description.losses) ||
       !result.add_couplings(mechanism, varies)) {
     return std::nullopt;
   }
@@ -98,6 +85,7 @@ std::optional<Rebinder> Rebinder::make(const MechanismDescription& description,
 
 bool Rebinder::add_couplings(const Mechanism& mechanism, const std::vector<bool>& varies) {
   moves_.assign(description_->couplings.size(), false);
+  turns_ = moves_;
   for (std::size_t e = 0; e < description_->couplings.size(); ++e) {
     if (!add_coupling(e, mechanism, varies)) {
       return false;
@@ -111,22 +99,31 @@ bool Rebinder::add_coupling(std::size_t e,
                             const std::vector<bool>& varies) {
   const CouplingDescription& coupling = description_->couplings[e];
   const Dependence depends(table_, varies);
-  const bool is_plain = is_always_right(coupling) &&
-                        (!coupling.at || (coupling.at->point && !coupling.at->along_axis &&
-                                          coupling.at->of_bodies.empty()));
+  const std::optional<int> planet = planet_of(coupling);
+  const bool is_in_gears = coupling.is_mesh() || planet;
+  const bool is_plain =
+      is_always_right(coupling) &&
+      (is_in_gears || !coupling.at ||
+       (coupling.at->point && !coupling.at->along_axis && coupling.at->of_bodies.empty()));
   Diagnostics found;
   Evaluator evaluator(*description_, table_, found);
   const auto drawn =
-      bind_geometry<double>(coupling, description_->space, nullptr, evaluator, found);
+      bind_geometry<double>(coupling, description_->space, frame(), evaluator, found);
   KINESTAT_EXPECTS(drawn.has_value());
-  const std::size_t point = points_.size();
+  const int flank = drawn->other_flank ? flanks_++ : -1;
+  const std::optional<std::size_t> point =
+      has_place(coupling) ? std::optional(points_.size()) : std::nullopt;
   add_points(coupling, *drawn, points_);
   if (!is_plain) {
     return !depends.of_all(coupling);
   }
   const bool shape_varies = depends.of_shape(coupling);
-  if (!shape_varies && !(coupling.at && depends.of(coupling.at->point))) {
+  const bool moves_with_gears = is_in_gears && gears_->moves();
+  if (!shape_varies && !moves_with_gears && !(coupling.at && depends.of(*coupling.at))) {
     return true;
+  }
+  if (is_in_gears && (shape_varies || (coupling.at && depends.of(*coupling.at)))) {
+    return false;
   }
   MovingCoupling moving{.coupling = static_cast<int>(e),
                         .drawn = *drawn,
@@ -136,14 +133,36 @@ bool Rebinder::add_coupling(std::size_t e,
                                        action_space_ == Space::spatial &&
                                        !coupling.passive.has_value(),
                         .is_bound_whole = shape_varies,
+                        .is_in_gears = is_in_gears,
+                        .planet = planet,
+                        .flank = flank,
                         .point = point};
-  add_numbers(coupling, varies, moving);
+  if (!is_in_gears) {
+    add_numbers(coupling, varies, moving);
+  }
   add_constraints(coupling, moving);
   moving.is_through_point =
       !shape_varies && has_lines_through(*topology_, e, mechanism.geometry, drawn->at);
   moves_[e] = true;
+  turns_[e] = shape_varies || coupling.is_mesh();
   moving_.push_back(std::move(moving));
-  return has_place(coupling);
+  return point.has_value() || is_in_gears;
+}
+
+const GearFrame* Rebinder::frame() const {
+  return gears_ ? &gears_->frame() : nullptr;
+}
+
+// The planet on whose axis a coupling without a point of its own stands.
+std::optional<int> Rebinder::planet_of(const CouplingDescription& coupling) const {
+  const bool has_point = coupling.at && (coupling.at->point || !coupling.at->of_bodies.empty());
+  if (!gears_ || coupling.is_mesh() || has_point) {
+    return std::nullopt;
+  }
+  const GearTrain& train = gears_->frame().layout.train;
+  const int on_tail = train.planet_on(coupling.tail.text);
+  const int planet = on_tail >= 0 ? on_tail : train.planet_on(coupling.head.text);
+  return planet >= 0 ? std::optional(planet) : std::nullopt;
 }
 
 // The coordinates of its point.
@@ -205,18 +224,54 @@ void Rebinder::add_primaries(const Mechanism& mechanism, const std::vector<bool>
 }
 
 bool Rebinder::rebind_geometry(const Slots& slots, Geometry& geometry) {
+  if (gears_ && gears_->moves() && !gears_->find(slots, scratch_)) {
+    return false;
+  }
   for (MovingCoupling& moving : moving_) {
-    const bool is_bound = moving.is_bound_whole ? bind_whole(slots, moving) : place(slots, moving);
+    const bool is_bound = moving.is_in_gears      ? place_in_gears(moving)
+                          : moving.is_bound_whole ? bind_whole(slots, moving)
+                                                  : place(slots, moving);
     if (!is_bound) {
       return false;
     }
-    points_[moving.point] = moving.drawn.at;
+    if (moving.point) {
+      points_[*moving.point] = moving.drawn.at;
+    }
   }
   if (!find_extent(points_).origin.isZero(0.0)) {
     return false;
   }
   for (const MovingCoupling& moving : moving_) {
-    moving.is_through_point ? move_lines(moving, geometry) : write_screws(moving, geometry);
+    const bool goes_along = moving.is_through_point && !moving.has_turned;
+    goes_along ? move_lines(moving, geometry) : write_screws(moving, geometry);
+  }
+  return true;
+}
+
+// The lines of teeth go on through a pitch point that moves along; where the tangent turns with the
+// centres, they are found anew.
+bool Rebinder::place_in_gears(MovingCoupling& moving) {
+  const GearLayout& layout = gears_->frame().layout;
+  const CouplingDescription& coupling =
+      description_->couplings[static_cast<std::size_t>(moving.coupling)];
+  if (moving.planet) {
+    // A place along the axis stays.
+    moving.drawn.at.head<2>() = layout.centres[static_cast<std::size_t>(*moving.planet)].head<2>();
+    return true;
+  }
+  const MeshLayoutOf<double>& mesh = layout.meshes[static_cast<std::size_t>(coupling.mesh)];
+  moving.drawn.at = mesh.pitch_point;
+  if (!moving.tangent || *moving.tangent != mesh.tangent) {
+    moving.tangent = mesh.tangent;
+    Diagnostics found;
+    Evaluator evaluator(*description_, table_, found);
+    const auto drawn =
+        bind_geometry<double>(coupling, description_->space, frame(), evaluator, found);
+    if (!drawn) {
+      return false;
+    }
+    moving.drawn = *drawn;
+    moving.has_turned = true;
   }
   return true;
 }
@@ -226,7 +281,7 @@ bool Rebinder::place(const Slots& slots, MovingCoupling& moving) {
     if (!moving.at[i].formula) {
       continue;
     }
-    const std::optional<double> coordinate = number_of(
+    const std::optional<double> coordinate = slot_number(
         *moving.at[i].formula, QuantityKind::length, description_->units, slots, scratch_);
     if (!coordinate) {
       return false;
@@ -279,6 +334,9 @@ void Rebinder::write_screws(const MovingCoupling& moving, Geometry& geometry) co
         static_cast<std::size_t>(topology_->actuators[actuator].freedom - topology.first_freedom);
     geometry.actions[action] = internal_action<double>(screws.freedoms[freedom], drawn.at).screw;
   }
+  if (moving.flank >= 0) {
+    write_flank(moving, geometry);
+  }
 }
 
 void Rebinder::move_lines(const MovingCoupling& moving, Geometry& geometry) const {
@@ -297,13 +355,27 @@ void Rebinder::move_lines(const MovingCoupling& moving, Geometry& geometry) cons
       wrench.moment = moment_of_line(point, wrench.force);
     }
   }
+  if (moving.flank >= 0) {
+    Wrench& flank = geometry.other_flanks[static_cast<std::size_t>(moving.flank)].screw;
+    flank.moment = moment_of_line(point, flank.force);
+  }
+}
+
+void Rebinder::write_flank(const MovingCoupling& moving, Geometry& geometry) const {
+  CouplingGeometry drawn = moving.drawn;
+  drawn.line_of_action = *drawn.other_flank;
+  const CouplingTopology& topology =
+      topology_->couplings[static_cast<std::size_t>(moving.coupling)];
+  const Space space = moving.is_in_space ? Space::spatial : description_->space;
+  geometry.other_flanks[static_cast<std::size_t>(moving.flank)].screw =
+      coupling_screws(topology.type, space, drawn).constraints.front().screw;
 }
 
 bool Rebinder::rebind_cases(const Slots& slots, std::span<Case> cases) {
   for (const MovingPrimary& one : primaries_) {
     Case& which = cases[one.which];
     const std::optional<double> value =
-        number_of(one.value, one.kind, description_->units, slots, scratch_);
+        slot_number(one.value, one.kind, description_->units, slots, scratch_);
     if (!value) {
       return false;
     }

@@ -10,6 +10,7 @@
 #include "description/mechanism_description.hpp"
 #include "expression/expression_tape.hpp"
 #include "expression/slots.hpp"
+#include "mechanism/bind/gear_places.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {
@@ -44,7 +45,8 @@ class Rebinder {
  public:
   /// `mechanism` must be what bind made of the description, which must outlive it; `varies` is of
   /// each parameter, those that follow from others among them. Empty where more moves than it
-  /// knows: cables, gears in teeth, losses, friction, loads, and screws that are given directly.
+  /// knows: cables, angles and distances of gears, losses, friction, loads, and screws that are
+  /// given directly.
   static std::optional<Rebinder> make(const MechanismDescription& description,
                                       const Mechanism& mechanism,
                                       const std::vector<bool>& varies);
@@ -52,9 +54,12 @@ class Rebinder {
   /// Of each coupling: whether its numbers may change.
   const std::vector<bool>& moves() const { return moves_; }
 
-  /// Unit motions and unit actions for these parameters. The points, the size and the references
-  /// stay those of the mechanism. False where the mechanism must be bound whole: a number has no
-  /// value, or it stands too far from the origin of the world.
+  /// Of each coupling: whether the directions of its screws may change, too.
+  const std::vector<bool>& turns() const { return turns_; }
+
+  /// Unit motions and unit actions, other flanks too, for these parameters. The points, the size
+  /// and the references stay those of the mechanism. False where the mechanism must be bound whole:
+  /// a number has no value, or it stands too far from the origin of the world.
   bool rebind_geometry(const Slots& slots, Geometry& geometry);
 
   /// The primaries of the cases, which must be in the order of the description.
@@ -84,14 +89,19 @@ class Rebinder {
 
   struct MovingCoupling {
     int coupling = 0;
-    CouplingGeometry drawn;        ///< what does not vary is right in it
-    std::array<Number, 3> at;      ///< [m]
-    std::vector<int> constraints;  ///< of each action: its constraint in the catalogue, or -1
-    bool is_in_space = false;      ///< its actions, though the mechanism is planar
-    bool is_bound_whole = false;   ///< more of it varies than the point
+    CouplingGeometry drawn;            ///< what does not vary is right in it
+    std::array<Number, 3> at;          ///< [m]
+    std::vector<int> constraints;      ///< of each action: its constraint in the catalogue, or -1
+    bool is_in_space = false;          ///< its actions, though the mechanism is planar
+    bool is_bound_whole = false;       ///< more of it varies than the point
+    bool is_in_gears = false;          ///< its place follows from teeth and modules:
+    std::optional<int> planet;         ///< on whose axis it stands; otherwise it is a mesh
+    int flank = -1;                    ///< of geometry.other_flanks
+    std::optional<Vec3> tangent = {};  ///< of a mesh, as bound last
+    bool has_turned = false;           ///< its teeth, from where they were drawn
     bool is_through_point =
-        false;              ///< all its lines pass through the point, and nothing else varies
-    std::size_t point = 0;  ///< of all points
+        false;  ///< all its lines pass through the point, and nothing else varies
+    std::optional<std::size_t> point;  ///< of all points, if the file gives it
   };
 
   struct MovingPrimary {
@@ -114,7 +124,11 @@ class Rebinder {
   void add_primaries(const Mechanism& mechanism, const std::vector<bool>& varies);
   bool bind_whole(const Slots& slots, MovingCoupling& moving);
   bool place(const Slots& slots, MovingCoupling& moving);
+  bool place_in_gears(MovingCoupling& moving);
+  const GearFrame* frame() const;
+  std::optional<int> planet_of(const CouplingDescription& coupling) const;
   void write_screws(const MovingCoupling& moving, Geometry& geometry) const;
+  void write_flank(const MovingCoupling& moving, Geometry& geometry) const;
   void move_lines(const MovingCoupling& moving, Geometry& geometry) const;
   bool record_points(std::span<const std::optional<TapeQuantity>> slots,
                      std::vector<std::array<TapeNumber, 3>>& points,
@@ -124,7 +138,10 @@ class Rebinder {
   const Topology* topology_;
   Space action_space_ = Space::spatial;
   ParameterTable table_;  ///< for couplings that are bound whole
+  std::optional<GearPlaces> gears_;
+  int flanks_ = 0;  ///< so many couplings so far have other flanks
   std::vector<bool> moves_;
+  std::vector<bool> turns_;
   std::vector<MovingCoupling> moving_;
   std::vector<MovingPrimary> primaries_;
   std::vector<Vec3> points_;  ///< all that bound the mechanism [m]

@@ -105,7 +105,7 @@ bool Rebinder::record_points(std::span<const std::optional<TapeQuantity>> slots,
         return false;
       }
       recorder.demand_at_most(*coordinate, recorder.constant(kLargestCoordinate));
-      points[moving.point][i] = *coordinate;
+      points[*moving.point][i] = *coordinate;
     }
   }
   return true;
@@ -116,7 +116,9 @@ std::optional<TapedScrews> Rebinder::record_screws(
     const Geometry& geometry,
     std::span<const std::optional<TapeQuantity>> slots,
     LaneRecorder& recorder) const {
-  const auto is_simple = [](const MovingCoupling& moving) { return moving.is_through_point; };
+  const auto is_simple = [](const MovingCoupling& moving) {
+    return moving.is_through_point && !moving.is_in_gears;
+  };
   std::vector<TapedPoint> points;
   if (!std::ranges::all_of(moving_, is_simple) || !record_points(slots, points, recorder)) {
     return std::nullopt;
@@ -135,7 +137,7 @@ std::optional<TapedScrews> Rebinder::record_screws(
   }
   for (const MovingCoupling& moving : moving_) {
     const CouplingTopology& one = topology_->couplings[static_cast<std::size_t>(moving.coupling)];
-    const TapedPoint& point = points[moving.point];
+    const TapedPoint& point = points[*moving.point];
     for (int f = one.first_freedom; f < one.first_freedom + one.freedom_count; ++f) {
       const Vec3& axis = geometry.motions[static_cast<std::size_t>(f)].angular;
       if (!axis.isZero(0.0)) {

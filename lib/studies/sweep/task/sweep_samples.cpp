@@ -26,7 +26,10 @@ bool has_same_screws(const Geometry& a, const Geometry& b) {
     return x.coordinates() == y.coordinates();
   };
   return std::ranges::equal(a.motions, b.motions, is_same) &&
-         std::ranges::equal(a.actions, b.actions, is_same);
+         std::ranges::equal(a.actions, b.actions, is_same) &&
+         std::ranges::equal(a.other_flanks, b.other_flanks, [&](const auto& x, const auto& y) {
+           return is_same(x.screw, y.screw);
+         });
 }
 
 }  // namespace

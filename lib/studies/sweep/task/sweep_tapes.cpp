@@ -1,6 +1,7 @@
 #include "studies/sweep/task/sweep_tapes.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "cases/solve_cases.hpp"
@@ -36,10 +37,25 @@ bool knows_gears(const SweepTask& task) {
   return !has_freewheels && (task.shift->inputs.size() == 1 || !has_combinations);
 }
 
-bool has_input(const SweepNotes& notes, SweepInput::From one, SweepInput::From other) {
+bool has_input(const SweepNotes& notes, std::initializer_list<SweepInput::From> from) {
   return std::ranges::any_of(notes.inputs, [&](const SweepInput& input) {
-    return input.from == one || input.from == other;
+    return std::ranges::find(from, input.from) != from.end();
   });
+}
+
+// Whether a coordinate of a screw moves where couplings are rebound.
+bool moves_with(const Rebinder& rebinder, const Mechanism& mechanism, const SweepInput& input) {
+  const Topology& topology = mechanism.topology;
+  const auto action_of = [&](std::size_t flank) {
+    return static_cast<std::size_t>(mechanism.geometry.other_flanks[flank].action);
+  };
+  const CouplingId coupling =
+      input.from == SweepInput::From::motion  ? topology.freedoms[input.index].coupling
+      : input.from == SweepInput::From::flank ? topology.actions[action_of(input.index)].coupling
+                                              : topology.actions[input.index].coupling;
+  const auto e = static_cast<std::size_t>(coupling.value);
+  const bool is_direction = (input.from == SweepInput::From::motion) == (input.part < 3);
+  return rebinder.moves()[e] && (rebinder.turns()[e] || !is_direction);
 }
 
 // Parameters and the screws that follow from them: by formulas where that can be, otherwise from
@@ -53,12 +69,8 @@ std::pair<SweepNotes, TapedScrews> note_geometry(const SweepTask& task,
       return {std::move(notes), *std::move(screws)};
     }
   }
-  const Topology& topology = task.mechanism.topology;
   const auto moves = [&](const SweepInput& input) {
-    const CouplingId coupling = input.from == SweepInput::From::motion
-                                    ? topology.freedoms[input.index].coupling
-                                    : topology.actions[input.index].coupling;
-    return rebinder.moves()[static_cast<std::size_t>(coupling.value)];
+    return moves_with(rebinder, task.mechanism, input);
   };
   SweepNotes notes = note_parameters(task.plan);
   TapedScrews screws = take_screws(task.mechanism, moves, notes);
@@ -66,10 +78,13 @@ std::pair<SweepNotes, TapedScrews> note_geometry(const SweepTask& task,
 }
 
 std::vector<TapedScrew> note_flanks(const SweepTask& task,
+                                    const Rebinder* rebinder,
                                     const std::optional<BoundNumbers>& bound,
                                     SweepNotes& notes) {
-  return take_flanks(
-      task.mechanism, [&](const SweepInput& input) { return bound && bound->moves(input); }, notes);
+  const auto moves = [&](const SweepInput& input) {
+    return rebinder != nullptr ? moves_with(*rebinder, task.mechanism, input) : bound->moves(input);
+  };
+  return take_flanks(task.mechanism, moves, notes);
 }
 
 std::vector<TapeNumber> note_shares(const SweepTask& task,
@@ -154,7 +169,8 @@ std::optional<SweepTapes> record_tapes(const SweepTask& task) {
   }
   auto [notes, screws] =
       rebinder ? note_geometry(task, *rebinder, samples) : note_bound(task, *bound);
-  const std::vector<TapedScrew> flanks = note_flanks(task, bound, notes);
+  const std::vector<TapedScrew> flanks =
+      note_flanks(task, rebinder ? &*rebinder : nullptr, bound, notes);
   const std::vector<TapeNumber> shares = note_shares(task, bound, notes);
   const std::vector<Geometry> geometries = geometries_of(samples);
   auto cases =
@@ -176,8 +192,8 @@ std::optional<SweepTapes> record_tapes(const SweepTask& task) {
                    .bound = std::move(bound),
                    .tape = notes.recorder.make_tape(notes.outputs),
                    .inputs = notes.inputs,
-                   .needs_geometry = has_input(notes, motion, action),
-                   .needs_primaries = has_input(notes, primary_motion, primary_action),
+                   .needs_geometry = has_input(notes, {motion, action, flank}),
+                   .needs_primaries = has_input(notes, {primary_motion, primary_action}),
                    .cases = *std::move(cases)};
   for (CaseTape& taped : tapes.cases) {
     find_cells(tapes.tape, taped);

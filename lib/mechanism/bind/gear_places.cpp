@@ -1,0 +1,129 @@
+#include "mechanism/bind/gear_places.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/contract.hpp"
+#include "couplings/kinds.hpp"
+#include "description/gear_expansion.hpp"
+#include "description/number_range.hpp"
+#include "mechanism/bind/dependence.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Whether more than teeth and modules may move, or what follows from these but the layout.
+bool moves_more(const MechanismDescription& description, const Dependence& depends) {
+  const GearsDescription& gears = *description.gears;
+  const auto of_member = [&](const GearMember& one) {
+    return depends.of(one.count) || depends.of(one.centre_distance);
+  };
+  const auto of_mesh = [&](const MeshDescription& one) {
+    return depends.of(one.pressure_angle) || depends.of(one.helix_angle) || depends.of(one.at);
+  };
+  return depends.of(gears.pressure_angle) || depends.of(gears.helix_angle) ||
+         std::ranges::any_of(gears.members, of_member) ||
+         std::ranges::any_of(gears.meshes, of_mesh);
+}
+
+bool has_losses_by_teeth(const MechanismDescription& description) {
+  if (!description.losses) {
+    return false;
+  }
+  const LossDescription& losses = *description.losses;
+  const auto is_by_teeth = [](const LossValue& loss) { return loss.form == LossForm::teeth; };
+  return (losses.gear_external && is_by_teeth(*losses.gear_external)) ||
+         (losses.gear_internal && is_by_teeth(*losses.gear_internal)) ||
+         std::ranges::any_of(losses.meshes, is_by_teeth, &MeshLoss::loss);
+}
+
+bool clutches_planets(const MechanismDescription& description, const GearTrain& train) {
+  return std::ranges::any_of(description.couplings, [&](const CouplingDescription& coupling) {
+    return kind_of(coupling.type).engages &&
+           (train.planet_on(coupling.tail.text) >= 0 || train.planet_on(coupling.head.text) >= 0);
+  });
+}
+
+}  // namespace
+
+std::optional<GearPlaces> GearPlaces::make(const MechanismDescription& description,
+                                           const ParameterTable& table,
+                                           const std::vector<bool>& varies) {
+  if (moves_more(description, Dependence(table, varies)) || !has_all_meshes(description)) {
+    return std::nullopt;
+  }
+  Diagnostics found;
+  Evaluator evaluator(description, table, found);
+  const GearTrain train = find_gear_train(description);
+  auto numbers = bind_gear_numbers<double>(*description.gears, train, evaluator);
+  auto frame = bind_gear_frame<double>(description, evaluator);
+  if (!numbers || !frame || clutches_planets(description, train)) {
+    return std::nullopt;
+  }
+  GearPlaces places(description, *std::move(frame), *std::move(numbers));
+  places.add_moving(table, varies);
+  return places.teeth_.empty() || !has_losses_by_teeth(description)
+             ? std::optional(std::move(places))
+             : std::nullopt;
+}
+
+void GearPlaces::add_moving(const ParameterTable& table, const std::vector<bool>& varies) {
+  const Dependence depends(table, varies);
+  const auto slot_of = [&](const std::string& name) { return table.index_of(name); };
+  const GearsDescription& gears = *description_->gears;
+  for (std::size_t m = 0; m < gears.members.size(); ++m) {
+    const Value& teeth = gears.members[m].teeth;
+    if (depends.of(teeth)) {
+      teeth_.push_back({.index = m, .value = SlotExpression(teeth.expression, slot_of)});
+    }
+  }
+  for (std::size_t m = 0; m < gears.meshes.size(); ++m) {
+    const std::optional<Value>& module =
+        gears.meshes[m].module ? gears.meshes[m].module : gears.module;
+    if (depends.of(module)) {
+      modules_.push_back({.index = m, .value = SlotExpression(module->expression, slot_of)});
+    }
+  }
+}
+
+bool GearPlaces::find(const Slots& slots, std::vector<Quantity>& scratch) {
+  const FileUnits& units = description_->units;
+  for (const Moving& one : teeth_) {
+    const auto teeth = slot_number(one.value, QuantityKind::dimensionless, units, slots, scratch);
+    if (!teeth || !kTeeth.holds(*teeth)) {
+      return false;
+    }
+    numbers_.teeth[one.index] = description_->gears->members[one.index].internal ? -*teeth : *teeth;
+  }
+  for (const Moving& one : modules_) {
+    const auto module = slot_number(one.value, QuantityKind::length, units, slots, scratch);
+    if (!module || !kAboveZero.holds(*module)) {
+      return false;
+    }
+    numbers_.module[one.index] = *module;
+  }
+  if (!fits()) {
+    return false;
+  }
+  auto layout = find_layout<double>(std::move(frame_.layout.train), numbers_);
+  KINESTAT_EXPECTS(layout.has_value());  // distances follow from teeth, or stay
+  frame_.layout = *std::move(layout);
+  return true;
+}
+
+// A ring has more teeth than the gear inside it.
+bool GearPlaces::fits() const {
+  const GearTrain& train = frame_.layout.train;
+  for (std::size_t m = 0; m < train.first.size(); ++m) {
+    const double first = numbers_.teeth[static_cast<std::size_t>(train.first[m])];
+    const double second = numbers_.teeth[static_cast<std::size_t>(train.second[m])];
+    const bool is_internal = first < 0.0 || second < 0.0;
+    if (is_internal && !(first + second < 0.0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace kinestat
