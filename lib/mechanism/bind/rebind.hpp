@@ -139,7 +139,7 @@ class Rebinder {
   Space action_space_ = Space::spatial;
   ParameterTable table_;  ///< for couplings that are bound whole
   std::optional<GearPlaces> gears_;
-  int flanks_ = 0;  ///< so many couplings so far have other flanks
+  int flanks_ = 0;  ///< so many couplings so far have others
   std::vector<bool> moves_;
   std::vector<bool> turns_;
   std::vector<MovingCoupling> moving_;
