@@ -137,7 +137,9 @@ bool Rebinder::add_coupling(std::size_t e,
                         .planet = planet,
                         .flank = flank,
                         .point = point};
-  if (!is_in_gears) {
+  if (coupling.is_mesh()) {
+    moving.tangent = gears_->frame().layout.meshes[static_cast<std::size_t>(coupling.mesh)].tangent;
+  } else if (!planet) {
     add_numbers(coupling, varies, moving);
   }
   add_constraints(coupling, moving);
@@ -261,7 +263,7 @@ bool Rebinder::place_in_gears(MovingCoupling& moving) {
   }
   const MeshLayoutOf<double>& mesh = layout.meshes[static_cast<std::size_t>(coupling.mesh)];
   moving.drawn.at = mesh.pitch_point;
-  if (!moving.tangent || *moving.tangent != mesh.tangent) {
+  if (moving.tangent != mesh.tangent) {
     moving.tangent = mesh.tangent;
     Diagnostics found;
     Evaluator evaluator(*description_, table_, found);

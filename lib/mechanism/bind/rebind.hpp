@@ -97,10 +97,9 @@ class Rebinder {
     bool is_in_gears = false;          ///< its place follows from teeth and modules:
     std::optional<int> planet;         ///< on whose axis it stands; otherwise it is a mesh
     int flank = -1;                    ///< of geometry.other_flanks
-    std::optional<Vec3> tangent = {};  ///< of a mesh, as bound last
+    Vec3 tangent = Vec3::Zero();       ///< of a mesh, as bound last
     bool has_turned = false;           ///< its teeth, from where they were drawn
-    bool is_through_point =
-        false;  ///< all its lines pass through the point, and nothing else varies
+    bool is_through_point = false;     ///< all its lines are; nothing else varies
     std::optional<std::size_t> point;  ///< of all points, if the file gives it
   };
 
