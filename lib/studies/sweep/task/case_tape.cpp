@@ -8,6 +8,7 @@
 #include "network/bases.hpp"
 #include "statics/one_sided_action.hpp"
 #include "studies/sweep/network_tape.hpp"
+#include "studies/sweep/task/state_solver.hpp"
 #include "studies/sweep/task/sweep_task.hpp"
 
 namespace kinestat {
@@ -29,6 +30,7 @@ class CaseRecorder {
   // False where no tape can be made.
   bool record(const CaseAnalysis& one) {
     const Case& which = one.which;
+    taped_.known = largest_known(task_, which);
     const TapedPrimaries primaries = record_primaries(which);
     std::optional<TapedSide> motion;
     std::optional<TapedSide> action;

@@ -24,6 +24,7 @@ struct TapedColumn {
 
 /// By cells of outputs; while the tape is recorded, by their places among the outputs.
 struct CaseTape {
+  double known = 0.0;  ///< largest_known in the recorded state
   std::vector<TapedColumn> columns;
   std::vector<std::size_t> input_rates;  ///< [SI] of each input of the case, where needed
   std::vector<std::size_t> output_rates;

@@ -31,6 +31,13 @@ class SizesOf {
     }
   }
 
+  /// A value of all rows, beside which theirs may be rounding; it is none itself.
+  void compare_with(double value) {
+    for (std::size_t i = 0; i < rows; ++i) {
+      largest_[i] = value > largest_[i] ? value : largest_[i];
+    }
+  }
+
   /// Whether the least may be what rounding left of the largest. Whether it is zero only the bounds
   /// of an analysis tell, so that this decides on nothing but whether to ask for them.
   bool are_apart(std::size_t row) const { return least_[row] < kSameValue * largest_[row]; }
@@ -44,6 +51,8 @@ class SizesOf {
 class Sizes {
  public:
   void add(double value) { sizes_.add(&value); }
+
+  void compare_with(double value) { sizes_.compare_with(value); }
 
   bool are_apart() const { return sizes_.are_apart(0); }
 

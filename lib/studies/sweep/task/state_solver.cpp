@@ -55,6 +55,20 @@ std::optional<Mechanism> StateBinder::bind(std::uint64_t state) {
   return mechanism;
 }
 
+double largest_known(const SweepTask& task, const Case& which) {
+  double largest = 0.0;
+  const auto add = [&](SweepColumnKind kind, const std::vector<Primary>& primaries) {
+    if (std::ranges::find(task.columns, kind, &SweepColumn::kind) != task.columns.end()) {
+      for (const Primary& one : primaries) {
+        largest = std::max(largest, std::abs(one.value));
+      }
+    }
+  };
+  add(SweepColumnKind::rate, which.motions);
+  add(SweepColumnKind::action, which.actions);
+  return largest;
+}
+
 std::optional<double> gear_ratio(const SweepTask& task, std::size_t row, const CaseAnalysis& one) {
   return task.gears[row] && one.ratios ? one.ratios->ratio : std::nullopt;
 }
@@ -70,10 +84,11 @@ void fill_row(const SweepTask& task,
   }
 }
 
-// Whether a value is so far from the others, or a ratio from one, that it may be made of what
-// rounding left.
-bool may_be_rounding(const SweepTask& task, const SweepRow& row) {
+// Whether a value is so far from the others, from what the case knows, or a ratio from one, that it
+// may be made of what rounding left.
+bool may_be_rounding(const SweepTask& task, const Case& which, const SweepRow& row) {
   Sizes sizes;
+  sizes.compare_with(largest_known(task, which));
   for (std::size_t q = 0; q < row.values.size(); ++q) {
     const SweepColumnKind kind = task.columns[q].kind;
     sizes.add(row.values[q]);
@@ -174,7 +189,7 @@ void StateSolver::analyse(std::uint64_t state, bool is_undefined, std::span<Swee
     const std::span<const Case> which(&cases[i], 1);
     CaseAnalysis one = solve_some_cases(*mechanism, which).front();
     fill_row(task_, *mechanism, one, rows[i]);
-    if (may_be_rounding(task_, rows[i])) {
+    if (may_be_rounding(task_, cases[i], rows[i])) {
       one = solve_again(*mechanism, i, cases[i]);
       fill_row(task_, *mechanism, one, rows[i]);
     }

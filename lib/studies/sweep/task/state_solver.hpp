@@ -35,6 +35,10 @@ class StateBinder {
   std::string_view code_;
 };
 
+/// The size of the largest magnitude that a case knows [SI], of rates where the sweep reports any,
+/// and likewise of actions.
+double largest_known(const SweepTask& task, const Case& which);
+
 /// A state of a sweep that was worked out.
 struct SolvedState {
   std::uint64_t number = 0;

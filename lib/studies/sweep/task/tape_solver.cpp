@@ -190,6 +190,7 @@ void TapeSolver::fill_columns_of(std::size_t count, std::span<SweepRow> rows) {
   }
   for (std::size_t i = 0; i < cases; ++i) {
     SizesOf<lanes> sizes;
+    sizes.compare_with(tapes_.cases[i].known);
     for (const TapedColumn& one : tapes_.cases[i].columns) {
       const double* values = workspace_.numbers(one.cell);
       sizes.add(values);
@@ -316,10 +317,12 @@ void TapeSolver::fill_ratios(const CaseTape& taped,
 }
 
 bool TapeSolver::fill_columns(std::span<const TapedColumn> columns,
+                              double known,
                               std::size_t lane,
                               SweepRow& row) const {
   int too_large = 0;
   Sizes sizes;
+  sizes.compare_with(known);
   for (const TapedColumn& one : columns) {
     const double value = workspace_.number(one.cell, lane);
     row.values[one.column] = value;
@@ -347,13 +350,13 @@ bool TapeSolver::fill_case(std::size_t i, std::size_t lane, SweepRow& row) {
   }
   row.status = "solved";
   const bool has_plain_ratios = !taped.ratios.empty() && !task_.gears[i];
-  if (taped.has_ratios && !(has_plain_ratios && fill_columns(taped.ratios, lane, row))) {
+  if (taped.has_ratios && !(has_plain_ratios && fill_columns(taped.ratios, 1.0, lane, row))) {
     const TapedRatios ratios = find_ratios(taped, lane);
     fill_ratios(taped, ratios, row);
     row.status = status_of(taped, ratios, lane);
     ratios_[i] = task_.gears[i] ? ratios.ratio : std::nullopt;
   }
-  return fill_columns(taped.columns, lane, row) && fill_powers(i, lane, row);
+  return fill_columns(taped.columns, taped.known, lane, row) && fill_powers(i, lane, row);
 }
 
 // False where a value is missing that an analysis may have, or may have a reason not to have.

@@ -85,8 +85,12 @@ class TapeSolver {
   void fill_ratios(const CaseTape& taped, const TapedRatios& ratios, SweepRow& row) const;
   std::span<const double> read(std::span<const std::size_t> outputs, std::size_t lane);
 
-  // Whether all are finite.
-  bool fill_columns(std::span<const TapedColumn> columns, std::size_t lane, SweepRow& row) const;
+  // Whether all are finite, and none is so small beside the others and what is known that it may be
+  // rounding.
+  bool fill_columns(std::span<const TapedColumn> columns,
+                    double known,
+                    std::size_t lane,
+                    SweepRow& row) const;
 
   const SweepTask& task_;
   const SweepTapes& tapes_;
