@@ -195,5 +195,165 @@ TEST(SweepTapes, AnswerNothingWhereAMeshDrivesTheOtherWayRound) {
   expect_near(rows_of(task, kLanes), analysed_rows(task));
 }
 
+/// A slider-crank whose bearing has friction with other parameters than its own.
+const char* const kRubbingCrank = R"(
+kinestat: 1
+space: planar
+parameters: {mu: 0, T: 5 N*m}
+ground: housing
+bodies: [crank, rod, slider]
+couplings:
+  a: {type: revolute, bodies: [housing, crank], at: [0, 0], friction: {mu: mu, radius: 0.05}}
+  b: {type: revolute, bodies: [crank, rod], at: [0.3, 0.4]}
+  c: {type: revolute, bodies: [rod, slider], at: [1.5, 0]}
+  d: {type: prismatic, bodies: [housing, slider], axis: x, at: [1.5, 0]}
+actuators: {motor: {coupling: a}, load: {coupling: d}}
+cases:
+  c: {motion: {motor: 1}, action: {motor: T}, input: motor, output: load}
+)";
+
+/// With a large loss it locks where the sun drives.
+const char* const kOverhauling = R"(
+kinestat: 1
+space: planar
+units: {length: mm}
+parameters: {centres: 199, alpha: 20 deg, k: 0.001}
+ground: housing
+bodies: [sun, carrier, planet]
+couplings:
+  a: {type: revolute, bodies: [housing, sun], at: [0, 0]}
+  c: {type: revolute, bodies: [housing, carrier], at: [0, 0]}
+  p: {type: revolute, bodies: [carrier, planet], at: [0, centres]}
+  s: {type: gear, bodies: [sun, planet], at: [0, centres*100/199], tangent: x, pressure_angle: alpha}
+  w: {type: gear, bodies: [housing, planet], at: [0, centres/2], tangent: x, pressure_angle: alpha}
+actuators:
+  sun_shaft: {coupling: a}
+  carrier_shaft: {coupling: c}
+losses: {meshes: {s: k}}
+cases:
+  reducing: {motion: {carrier_shaft: 100}, action: {carrier_shaft: 1 N*m}, input: carrier_shaft, output: sun_shaft}
+  overhauling: {motion: {sun_shaft: 1}, action: {sun_shaft: 1 N*m}, input: sun_shaft, output: carrier_shaft}
+  overhauling2: {motion: {sun_shaft: 1}, action: {carrier_shaft: -1 N*m}, input: sun_shaft, output: carrier_shaft}
+)";
+
+/// Two inputs, of which the speeds agree with 20 teeth of both wheels alone.
+const char* const kTwoInputs = R"(
+kinestat: 1
+space: planar
+units: {length: mm}
+parameters: {NA: 20, NC: 20}
+ground: housing
+bodies: [ga, gb, gc, shaft]
+couplings:
+  a: {type: revolute, bodies: [housing, ga]}
+  b: {type: revolute, bodies: [housing, gb]}
+  c: {type: revolute, bodies: [housing, gc]}
+  o: {type: revolute, bodies: [housing, shaft]}
+  C: {type: clutch, bodies: [ga, shaft]}
+gears:
+  module: 2 mm
+  members:
+    A: {body: ga, teeth: NA}
+    B: {body: gb, teeth: 15, centre_distance: 35 mm}
+    D: {body: gc, teeth: NC}
+  meshes:
+    ab: {members: [A, B]}
+    bd: {members: [B, D]}
+actuators: {in1: {coupling: a}, in2: {coupling: c}, out: {coupling: o}}
+shift:
+  input: [in1, in2]
+  output: out
+  elements: [C]
+  input_motion: 10 rad/s
+  names: {G: [C]}
+)";
+
+/// Two inputs on one shaft.
+const char* const kSharedShaft = R"(
+kinestat: 1
+space: planar
+units: {length: mm}
+parameters: {N1: 20, N2: 40, T: 3 N*m, x: 0.1, y: 0.1}
+ground: housing
+bodies: [inp, outp]
+couplings:
+  I: {type: revolute, bodies: [housing, inp]}
+  J: {type: revolute, bodies: [housing, inp], passive: []}
+  O: {type: revolute, bodies: [housing, outp]}
+gears:
+  module: 2 mm
+  members:
+    g1: {body: inp, teeth: N1}
+    g2: {body: outp, teeth: N2, centre_distance: 60 mm}
+  meshes:
+    m1: {members: [g1, g2]}
+actuators: {in: {coupling: I}, in2: {coupling: J}, out: {coupling: O}}
+cases:
+  c0: {motion: {in: 1}, action: {in: T, in2: -(x+y)*10 N*m}, input: [in, in2], output: out}
+)";
+
+/// The screws of s leave two constraints with e = 0, otherwise one: its actions come and go.
+const char* const kScrews = R"(
+kinestat: 1
+space: planar
+parameters: {e: 0, F: 5 N}
+ground: frame
+bodies: [table]
+couplings:
+  s: {type: screws, bodies: [frame, table], freedoms: [{translation: x}, {translation: [1, e]}]}
+  g: {type: prismatic, bodies: [frame, table], axis: x, at: [0, 1], passive: []}
+  h: {type: prismatic, bodies: [frame, table], axis: x, at: [0, 1], passive: []}
+actuators: {a: {coupling: g}, b: {coupling: h}}
+cases:
+  c: {action: {a: F}}
+)";
+
+void expect_rows_of_analyses(const char* text, const std::string& sweep) {
+  SweptFile file(text, sweep);
+  const std::vector<Row> analysed = analysed_rows(file.task());
+  expect_near(rows_of(file.task(), kLanes), analysed);
+}
+
+TEST(SweepTapes, SeeFrictionThatTheFileItselfHasNot) {
+  expect_rows_of_analyses(kRubbingCrank, "{vary: {mu: {values: [0, 0.1, 0.2]}}, report: [load]}");
+  expect_rows_of_analyses(kRubbingCrank, "{vary: {mu: {values: [0.1, 0.2, 0]}}, report: [load]}");
+}
+
+TEST(SweepTapes, SeeThatLossesLockWhateverIsReported) {
+  for (const std::string report : {"recirculation", "lossy.carrier_shaft", "efficiency"}) {
+    SCOPED_TRACE(report);
+    expect_rows_of_analyses(
+        kOverhauling, "{vary: {k: {values: [0.05, 0.03, 0.001, 0]}}, report: [" + report + "]}");
+  }
+  SweptFile file(kOverhauling, "{vary: {k: {values: [0.05]}}, report: [recirculation]}");
+  EXPECT_EQ(rows_of(file.task(), kLanes).at(1).status, "self_locking");
+}
+
+TEST(SweepTapes, SeeInputsThatContradictEachOther) {
+  const std::string sweep = "{vary: {NC: {values: [20, 21, 30]}}, report: [o.wz, c.wz]}";
+  SweptFile file(kTwoInputs, sweep);
+  const std::vector<Row> rows = rows_of(file.task(), kLanes);
+  EXPECT_EQ(rows[0].status, "solved");
+  EXPECT_EQ(rows[1].status, "locked");
+  EXPECT_EQ(rows[2].status, "locked");
+}
+
+TEST(SweepTapes, SeeInputsThatCancel) {
+  expect_rows_of_analyses(
+      kSharedShaft,
+      "{vary: {y: {values: [0.1, 0.1999999999999999, 0.1999999999999995, 0.19999999999999]}}, "
+      "report: [recirculation]}");
+}
+
+// a holds 5 N, and b, beside it, the opposite.
+TEST(SweepTapes, FindActionsByNameWhereOthersComeAndGo) {
+  for (const std::string values : {"[0, 1, 2]", "[2, 1, 0]"}) {
+    SweptFile file(kScrews, "{vary: {e: {values: " + values + "}}, report: [b, a]}");
+    for (const Row& row : rows_of(file.task(), kLanes)) {
+      EXPECT_EQ(row.values, (std::vector<double>{-5.0, 5.0}));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kinestat

@@ -190,6 +190,23 @@ std::optional<double> action_value(const CaseAnalysis& one, std::size_t action, 
                    : std::nullopt;
 }
 
+bool is_same_freedom(const FreedomLabel& a, const FreedomLabel& b) {
+  return a.coupling == b.coupling && a.name == b.name && a.is_rotation == b.is_rotation;
+}
+
+bool is_same_action(const ActionLabel& a, const ActionLabel& b) {
+  return a.coupling == b.coupling && a.name == b.name && a.is_couple == b.is_couple &&
+         a.actuator == b.actuator;
+}
+
+// -1 if it is not there.
+template <class Label, class IsSame>
+int place_of(const std::vector<Label>& labels, const Label& label, const IsSame& is_same) {
+  const auto at =
+      std::ranges::find_if(labels, [&](const Label& one) { return is_same(one, label); });
+  return at == labels.end() ? -1 : static_cast<int>(at - labels.begin());
+}
+
 }  // namespace
 
 bool needs_statics(SweepColumnKind kind) {
@@ -208,6 +225,26 @@ std::optional<std::vector<SweepColumn>> find_sweep_columns(const MechanismDescri
   const int errors_before = found.error_count();
   std::vector<SweepColumn> result = ColumnSearch(description, mechanism, cases, found).run();
   return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;
+}
+
+bool has_same_magnitudes(const Topology& a, const Topology& b) {
+  return std::ranges::equal(a.freedoms, b.freedoms, is_same_freedom) &&
+         std::ranges::equal(a.actions, b.actions, is_same_action);
+}
+
+std::vector<SweepColumn> columns_in(const std::vector<SweepColumn>& columns,
+                                    const Topology& file,
+                                    const Topology& state) {
+  std::vector<SweepColumn> result = columns;
+  for (SweepColumn& column : result) {
+    const auto index = static_cast<std::size_t>(column.index);
+    if (column.kind == rate) {
+      column.index = place_of(state.freedoms, file.freedoms[index], is_same_freedom);
+    } else if (column.kind == SweepColumnKind::action || column.kind == lossy_action) {
+      column.index = place_of(state.actions, file.actions[index], is_same_action);
+    }
+  }
+  return result;
 }
 
 std::optional<double> value_of(const SweepColumn& column,
@@ -234,6 +271,9 @@ std::optional<double> value_of(const SweepColumn& column,
                  : std::nullopt;
     case SweepColumnKind::action:
     case lossy_action: {
+      if (column.index < 0) {
+        return std::nullopt;
+      }
       const std::optional<double> value =
           action_value(one, i, column.kind == lossy_action && one.efficiency);
       return value ? std::optional(in.action(*value, mechanism.topology.actions[i].is_couple))

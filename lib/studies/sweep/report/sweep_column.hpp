@@ -45,6 +45,16 @@ std::optional<std::vector<SweepColumn>> find_sweep_columns(const MechanismDescri
                                                            std::span<const Case> cases,
                                                            Diagnostics& found);
 
+/// Whether two states have the same freedoms and actions. Screws that are given may bear more in
+/// one state than in another.
+bool has_same_magnitudes(const Topology& a, const Topology& b);
+
+/// The columns, found with the topology of the file, in that of a state: by their names. What the
+/// state does not have has no value there.
+std::vector<SweepColumn> columns_in(const std::vector<SweepColumn>& columns,
+                                    const Topology& file,
+                                    const Topology& state);
+
 /// Its value in its unit; empty where the case has none. A step is not of one case.
 std::optional<double> value_of(const SweepColumn& column,
                                const CaseAnalysis& one,

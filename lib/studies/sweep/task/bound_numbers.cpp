@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/contract.hpp"
+#include "studies/sweep/report/sweep_column.hpp"
 
 namespace kinestat {
 
@@ -75,7 +76,10 @@ double number_of(const SweepInput& input, const Mechanism& mechanism) {
   return 0.0;
 }
 
-BoundNumbers::BoundNumbers(const Mechanism& recorded, std::span<const Mechanism> samples) {
+BoundNumbers::BoundNumbers(const Mechanism& recorded, std::span<const Mechanism> samples)
+    : topology_(&recorded.topology),
+      lossy_meshes_(recorded.lossy_meshes.size()),
+      other_flanks_(recorded.geometry.other_flanks.size()) {
   for (const SweepInput& input : all_inputs(recorded)) {
     const double value = number_of(input, recorded);
     const bool is_kept = std::ranges::all_of(
@@ -93,8 +97,12 @@ bool BoundNumbers::moves(const SweepInput& input) const {
 }
 
 bool BoundNumbers::are_kept_by(const Mechanism& mechanism) const {
-  return std::ranges::all_of(
-      kept_, [&](const Kept& one) { return number_of(one.input, mechanism) == one.value; });
+  const bool has_all = mechanism.lossy_meshes.size() == lossy_meshes_ &&
+                       mechanism.geometry.other_flanks.size() == other_flanks_;
+  const bool has_more = !mechanism.frictions.empty() || !mechanism.contacts.empty();
+  return has_same_magnitudes(mechanism.topology, *topology_) && has_all && !has_more &&
+         std::ranges::all_of(
+             kept_, [&](const Kept& one) { return number_of(one.input, mechanism) == one.value; });
 }
 
 }  // namespace kinestat

@@ -16,12 +16,14 @@ double number_of(const SweepInput& input, const Mechanism& mechanism);
 /// the same in all samples. A state in which one of the latter is another has no tape.
 class BoundNumbers {
  public:
-  /// `recorded` is the mechanism with the parameters of the file.
+  /// `recorded` is the mechanism with the parameters of the file, which must outlive it; samples
+  /// have the same freedoms and actions.
   BoundNumbers(const Mechanism& recorded, std::span<const Mechanism> samples);
 
   bool moves(const SweepInput& input) const;
 
-  /// Whether the mechanism of a state has the numbers of the recorded one that do not move.
+  /// Whether the mechanism of a state has the numbers of the recorded one that do not move, and
+  /// neither friction nor cables on pulleys, which come and go with their numbers.
   bool are_kept_by(const Mechanism& mechanism) const;
 
  private:
@@ -32,6 +34,9 @@ class BoundNumbers {
 
   std::vector<SweepInput> moving_;
   std::vector<Kept> kept_;
+  const Topology* topology_;  // of the recorded mechanism
+  std::size_t lossy_meshes_ = 0;
+  std::size_t other_flanks_ = 0;
 };
 
 }  // namespace kinestat

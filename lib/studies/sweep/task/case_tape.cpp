@@ -269,7 +269,7 @@ class CaseRecorder {
   }
 
   bool add_power(const TapedCase& taped) {
-    auto power = numbers_.has_axes ? note_power(task_, taped, notes_) : std::nullopt;
+    auto power = numbers_.keeps_axes ? note_power(task_, taped, notes_) : std::nullopt;
     if (!power) {
       return false;
     }
@@ -373,16 +373,22 @@ class CaseRecorder {
   CaseTape taped_;
 };
 
-void find_cells(const LaneTape& tape, PowerTape& power) {
-  for (auto* powers : {&power.actuators, &power.lossless}) {
+void find_cells(const LaneTape& tape, LossTape& losses) {
+  for (auto* powers : {&losses.actuators, &losses.lossless}) {
     for (std::size_t& one : *powers) {
       one = tape.output_cell(one);
     }
   }
-  if (power.absolute) {
-    power.absolute = tape.output_cell(*power.absolute);
+  losses.imbalance = tape.output_cell(losses.imbalance);
+  if (losses.absolute) {
+    losses.absolute = tape.output_cell(*losses.absolute);
   }
-  power.imbalance = power.actuators.empty() ? 0 : tape.output_cell(power.imbalance);
+}
+
+void find_cells(const LaneTape& tape, PowerTape& power) {
+  if (power.losses) {
+    find_cells(tape, *power.losses);
+  }
   if (power.largest) {
     power.largest = tape.output_cell(*power.largest);
     power.input = tape.output_cell(power.input);

@@ -49,7 +49,7 @@ struct SweptNumbers {
   std::span<const TapedScrew> flanks;  ///< the other ones, as the geometry has them
   std::span<const Geometry> samples;   ///< of some states
   std::span<const TapeNumber> shares;  ///< of each lossy mesh
-  bool has_axes = false;               ///< those of gears stay the lines that they are
+  bool keeps_axes = false;             ///< of gears: they stay the lines that they are
 };
 
 /// Records the case of that place in the task, of which `solved` is the answer with the parameters

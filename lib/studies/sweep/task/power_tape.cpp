@@ -22,11 +22,6 @@ bool asks(const SweepTask& task, SweepColumnKind kind) {
   return std::ranges::find(task.columns, kind, &SweepColumn::kind) != task.columns.end();
 }
 
-bool needs_losses(const SweepTask& task) {
-  return !task.mechanism.lossy_meshes.empty() &&
-         (asks(task, SweepColumnKind::efficiency) || asks(task, SweepColumnKind::lossy_action));
-}
-
 bool needs_absolute(const SweepTask& task) {
   return task.mechanism.loss_model == LossModel::absolute &&
          asks(task, SweepColumnKind::efficiency);
@@ -71,7 +66,8 @@ class PowerRecorder {
       return std::nullopt;
     }
     LossyTape result;
-    if (needs_losses(task_) && !add_losses(result)) {
+    // Whatever is asked of the power, the status says whether losses lock the case.
+    if (!mechanism_.lossy_meshes.empty() && !add_losses(result)) {
       return std::nullopt;
     }
     if (asks(task_, SweepColumnKind::recirculation)) {
@@ -83,10 +79,11 @@ class PowerRecorder {
  private:
   bool add_losses(LossyTape& result) {
     const Case& which = solved_.which;
+    LossTape losses;
     const bool names_both = !which.inputs.empty() && !which.outputs.empty();
     const bool is_known = solved_.efficiency && solved_.efficiency->state &&
                           (!names_both || solved_.efficiency->carrier.value);
-    if (!is_known || !find_teeth() || (names_both && !add_absolute(result.power))) {
+    if (!is_known || !find_teeth() || (names_both && !add_absolute(losses))) {
       return false;
     }
     std::vector<TapedCouple> couples;
@@ -106,13 +103,14 @@ class PowerRecorder {
     for (const LossyTeeth& teeth : teeth_) {
       demand_sense(teeth, action);
     }
-    add_powers(couples, action, result.power);
+    add_powers(couples, action, losses);
+    result.power.losses = std::move(losses);
     result.action = std::move(action);
     return true;
   }
 
   // True where another model counts.
-  bool add_absolute(PowerTape& power) {
+  bool add_absolute(LossTape& losses) {
     if (!needs_absolute(task_)) {
       return true;
     }
@@ -135,9 +133,9 @@ class PowerRecorder {
     if (!efficiency) {
       return false;
     }
-    power.absolute = notes_.add_output(*efficiency);
+    losses.absolute = notes_.add_output(*efficiency);
     for (const TapeNumber one : actuators) {
-      power.lossless.push_back(notes_.add_output(one));
+      losses.lossless.push_back(notes_.add_output(one));
     }
     return true;
   }
@@ -312,7 +310,7 @@ class PowerRecorder {
 
   void add_powers(const std::vector<TapedCouple>& couples,
                   const TapedSide& action,
-                  PowerTape& power) {
+                  LossTape& losses) {
     TapeNumber sum = recorder_.constant(0.0);
     for (std::size_t i = 0; i < couples.size(); ++i) {
       const TapeNumber loss = recorder_.multiply(action.network.couples[i], couples[i].speed);
@@ -322,9 +320,9 @@ class PowerRecorder {
       const TapeNumber one = recorder_.multiply(action.number(actuator.action),
                                                 taped_.motion.number(actuator.freedom));
       sum = recorder_.add(sum, one);
-      power.actuators.push_back(notes_.add_output(one));
+      losses.actuators.push_back(notes_.add_output(one));
     }
-    power.imbalance = notes_.add_output(sum);
+    losses.imbalance = notes_.add_output(sum);
   }
 
   // As PowerGraph::net sums what goes from shaft to shaft: but for its sign it does not matter
@@ -360,19 +358,23 @@ class PowerRecorder {
     power.input = notes_.add_output(input_power());
   }
 
-  // Of the inputs, or all that actuators give where the case names none.
+  // Of the inputs, or all that actuators give where the case names none. Where those of several
+  // cancel, the whole analysis decides whether they are zero.
   TapeNumber input_power() {
     const std::vector<int>& inputs = solved_.which.inputs;
     const TapeNumber zero = recorder_.constant(0.0);
     TapeNumber input = zero;
+    TapeNumber terms = zero;
     const std::vector<TapeNumber> powers = actuator_powers();
     for (std::size_t i = 0; i < powers.size(); ++i) {
       if (inputs.empty()) {
         input = recorder_.add(input, recorder_.larger(powers[i], zero));
       } else if (std::ranges::find(inputs, static_cast<int>(i)) != inputs.end()) {
         input = recorder_.add(input, powers[i]);
+        terms = recorder_.add(terms, size_on_tape(powers[i], recorder_));
       }
     }
+    recorder_.demand_at_least(input, recorder_.multiply(terms, recorder_.constant(kSameValue)));
     return input;
   }
 
@@ -478,9 +480,8 @@ std::vector<int> actions_with_power(const SweepTask& task) {
   }
   for (int e = 0; e < topology.coupling_count(); ++e) {
     const bool is_lossy =
-        needs_losses(task) &&
         std::ranges::find(task.mechanism.lossy_meshes, CouplingId{e}, &LossyMesh::coupling) !=
-            task.mechanism.lossy_meshes.end();
+        task.mechanism.lossy_meshes.end();
     if (is_lossy || needs_absolute(task) || asks(task, SweepColumnKind::recirculation)) {
       std::ranges::copy(actions_of(topology.coupling(CouplingId{e})), std::back_inserter(wanted));
     }

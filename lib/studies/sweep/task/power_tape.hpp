@@ -31,12 +31,17 @@ struct TapedCase {
   std::span<const TapeNumber> shares;  ///< that lossy meshes lose
 };
 
-/// The same with losses: outputs of the tape.
-struct PowerTape {
-  std::vector<std::size_t> actuators;   ///< powers [W] of all actuators, where meshes lose any
+/// What is left by losses: outputs of the tape.
+struct LossTape {
+  std::vector<std::size_t> actuators;   ///< powers [W] of all actuators
   std::size_t imbalance = 0;            ///< of these and the losses, which sum to zero
   std::optional<std::size_t> absolute;  ///< efficiency, where that model counts; then also:
   std::vector<std::size_t> lossless;    ///< the powers of actuators without losses
+};
+
+/// Where the power goes: outputs of the tape.
+struct PowerTape {
+  std::optional<LossTape> losses;      ///< where meshes lose any
   std::optional<std::size_t> largest;  ///< of the powers from shaft to shaft, where it is asked for
   std::size_t input = 0;               ///< beside `largest`: of the inputs, without losses
 };

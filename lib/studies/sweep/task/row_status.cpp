@@ -44,6 +44,7 @@ std::string_view status_without_ratio(bool is_input_at_rest) {
 
 std::string_view row_status(const CaseAnalysis& one,
                             const SweepTask& task,
+                            const Mechanism& mechanism,
                             bool is_usually_solved) {
   if (one.motion && one.motion->status != SolveStatus::solved) {
     return one.motion->status == SolveStatus::dependent && one.motion->counts.net_freedom <= 0
@@ -56,7 +57,7 @@ std::string_view row_status(const CaseAnalysis& one,
   }
   const bool asks_power = std::ranges::any_of(
       task.columns, [](const SweepColumn& column) { return needs_power(column.kind); });
-  const std::string_view word = case_status(task.mechanism, one, asks_power);
+  const std::string_view word = case_status(mechanism, one, asks_power);
   if (word != word_of(SolveStatus::solved)) {
     return word;
   }
@@ -64,7 +65,7 @@ std::string_view row_status(const CaseAnalysis& one,
     return column.kind == SweepColumnKind::ratio;
   });
   if (asks_ratio && one.ratios && !one.ratios->ratio) {
-    return ratio_status(one, task.mechanism.topology);
+    return ratio_status(one, mechanism.topology);
   }
   const bool asks_efficiency = std::ranges::any_of(task.columns, [](const SweepColumn& column) {
     return column.kind == SweepColumnKind::efficiency;
@@ -73,7 +74,7 @@ std::string_view row_status(const CaseAnalysis& one,
   const bool has_efficiency =
       value_of({.kind = SweepColumnKind::efficiency, .index = -1, .name = {}, .unit = {}},
                one,
-               task.mechanism,
+               mechanism,
                task.description.units)
           .has_value();
   if (asks_efficiency && one.power && !one.which.inputs.empty() && !one.which.outputs.empty() &&

@@ -8,10 +8,14 @@
 
 namespace kinestat {
 
-/// What the status of a row says of a case: that of its motion, of its actions where they are asked
-/// for, or why it has no ratio. What is known suffices and is independent with the parameters of
-/// the file if `is_usually_solved`: then a state in which it is not stands in a singular position.
-std::string_view row_status(const CaseAnalysis& one, const SweepTask& task, bool is_usually_solved);
+/// What the status of a row says of a case of the mechanism of a state: that of its motion, of its
+/// actions where they are asked for, or why it has no ratio. What is known suffices and is
+/// independent with the parameters of the file if `is_usually_solved`: then a state in which it is
+/// not stands in a singular position.
+std::string_view row_status(const CaseAnalysis& one,
+                            const SweepTask& task,
+                            const Mechanism& mechanism,
+                            bool is_usually_solved);
 
 /// Of a solved case whose efficiency is asked for, and has none for a reason.
 inline constexpr std::string_view kNoEfficiency = "no_efficiency";

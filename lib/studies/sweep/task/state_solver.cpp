@@ -37,6 +37,18 @@ Expression expression_of(const SweepAxis& axis, std::uint64_t place) {
              : number_in(value.value, is_bare(value.dimension) ? "" : si_unit_of(value.dimension));
 }
 
+// One that the case does not have is a NaN. `columns` are those of the task in the mechanism.
+void fill_row(const std::vector<SweepColumn>& columns,
+              const Mechanism& mechanism,
+              const CaseAnalysis& one,
+              const FileUnits& units,
+              SweepRow& row) {
+  for (std::size_t q = 0; q < row.values.size(); ++q) {
+    const double value = value_of(columns[q], one, mechanism, units).value_or(kNoValue);
+    row.values[q] = std::isfinite(value) ? value : kNoValue;
+  }
+}
+
 }  // namespace
 
 StateBinder::StateBinder(const SweepTask& task) : task_(task), description_(task.description) {}
@@ -71,17 +83,6 @@ double largest_known(const SweepTask& task, const Case& which) {
 
 std::optional<double> gear_ratio(const SweepTask& task, std::size_t row, const CaseAnalysis& one) {
   return task.gears[row] && one.ratios ? one.ratios->ratio : std::nullopt;
-}
-
-void fill_row(const SweepTask& task,
-              const Mechanism& mechanism,
-              const CaseAnalysis& one,
-              SweepRow& row) {
-  for (std::size_t q = 0; q < row.values.size(); ++q) {
-    const double value =
-        value_of(task.columns[q], one, mechanism, task.description.units).value_or(kNoValue);
-    row.values[q] = std::isfinite(value) ? value : kNoValue;
-  }
 }
 
 // Whether a value is so far from the others, from what the case knows, or a ratio from one, that it
@@ -179,6 +180,11 @@ void StateSolver::analyse(std::uint64_t state, bool is_undefined, std::span<Swee
   if (task_.shift) {
     decide_gears(*mechanism, cases);
   }
+  const Topology& topology = task_.mechanism.topology;
+  const std::vector<SweepColumn> columns =
+      has_same_magnitudes(topology, mechanism->topology)
+          ? task_.columns
+          : columns_in(task_.columns, topology, mechanism->topology);
   std::vector<std::optional<double>> ratios(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     std::ranges::fill(rows[i].values, kNoValue);
@@ -188,12 +194,12 @@ void StateSolver::analyse(std::uint64_t state, bool is_undefined, std::span<Swee
     }
     const std::span<const Case> which(&cases[i], 1);
     CaseAnalysis one = solve_some_cases(*mechanism, which).front();
-    fill_row(task_, *mechanism, one, rows[i]);
+    fill_row(columns, *mechanism, one, task_.description.units, rows[i]);
     if (may_be_rounding(task_, cases[i], rows[i])) {
       one = solve_again(*mechanism, i, cases[i]);
-      fill_row(task_, *mechanism, one, rows[i]);
+      fill_row(columns, *mechanism, one, task_.description.units, rows[i]);
     }
-    rows[i].status = row_status(one, task_, task_.is_usually_solved[i]);
+    rows[i].status = row_status(one, task_, *mechanism, task_.is_usually_solved[i]);
     ratios[i] = gear_ratio(task_, i, one);
   }
   fill_steps(task_.columns, ratios, rows);

@@ -84,10 +84,4 @@ class StateSolver {
 /// Of the ratio of a gear in SI; empty of any other case, and where a state is no gear.
 std::optional<double> gear_ratio(const SweepTask& task, std::size_t row, const CaseAnalysis& one);
 
-/// Writes the quantities of a case into its row; one that it does not have is a NaN.
-void fill_row(const SweepTask& task,
-              const Mechanism& mechanism,
-              const CaseAnalysis& one,
-              SweepRow& row);
-
 }  // namespace kinestat

@@ -22,19 +22,15 @@ bool is_plain(const SweepTask& task, const CaseAnalysis& one) {
          task.mechanism.contacts.empty();
 }
 
-// A tape keeps no torque of a freewheel. The class of a combination hangs on the speeds where there
-// are several inputs, and those of the state are not at hand.
+// A tape keeps no torque of a freewheel, and the class of a combination hangs on the speeds where
+// there are several inputs: those that follow from others may contradict them in another state.
 bool knows_gears(const SweepTask& task) {
-  if (!task.shift) {
+  if (!task.shift || std::ranges::none_of(task.gears, &std::optional<SweptGear>::has_value)) {
     return true;
   }
   const bool has_freewheels = std::ranges::any_of(
       task.shift->elements, [](const ShiftElement& element) { return element.one_way != 0; });
-  const bool has_combinations =
-      std::ranges::any_of(task.gears, [](const std::optional<SweptGear>& gear) {
-        return gear && gear->state.state.kind != ShiftClass::gear;
-      });
-  return !has_freewheels && (task.shift->inputs.size() == 1 || !has_combinations);
+  return !has_freewheels && task.shift->inputs.size() == 1;
 }
 
 bool has_input(const SweepNotes& notes, std::initializer_list<SweepInput::From> from) {
@@ -130,18 +126,31 @@ BoundNumbers bound_numbers(const SweepTask& task, std::span<const SweepSample> s
   return BoundNumbers(task.mechanism, mechanisms);
 }
 
+// Combinations that are no gears with the parameters of the file have none.
+bool has_tape(const SweepTask& task, std::size_t i) {
+  return !task.gears[i] || task.gears[i]->state.state.kind == ShiftClass::gear;
+}
+
+bool are_plain(const SweepTask& task, std::span<const CaseAnalysis> solved) {
+  for (std::size_t i = 0; i < solved.size(); ++i) {
+    if (has_tape(task, i) && !is_plain(task, solved[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
 // Empty where one of the cases has no tape.
 std::optional<std::vector<CaseTape>> note_cases(const SweepTask& task,
+                                                std::span<const CaseAnalysis> solved,
                                                 const SweptNumbers& numbers,
                                                 SweepNotes& notes) {
-  const std::vector<CaseAnalysis> solved = solve_some_cases(task.mechanism, task.cases);
   std::vector<CaseTape> cases(solved.size());
   for (std::size_t i = 0; i < solved.size(); ++i) {
-    if (task.gears[i] && task.gears[i]->state.state.kind != ShiftClass::gear) {
+    if (!has_tape(task, i)) {
       continue;
     }
-    auto taped =
-        is_plain(task, solved[i]) ? note_case(task, i, solved[i], numbers, notes) : std::nullopt;
+    auto taped = note_case(task, i, solved[i], numbers, notes);
     if (!taped) {
       return std::nullopt;
     }
@@ -159,9 +168,18 @@ std::optional<SweepTapes> record_tapes(const SweepTask& task) {
       !knows_gears(task)) {
     return std::nullopt;
   }
+  const std::vector<CaseAnalysis> solved = solve_some_cases(task.mechanism, task.cases);
+  if (!are_plain(task, solved)) {
+    return std::nullopt;
+  }
   std::optional<Rebinder> rebinder =
       Rebinder::make(task.description, task.mechanism, varying_parameters(task.plan));
   const std::vector<SweepSample> samples = find_samples(task);
+  if (std::ranges::any_of(samples, [&](const SweepSample& one) {
+        return !has_same_magnitudes(one.mechanism.topology, task.mechanism.topology);
+      })) {
+    return std::nullopt;
+  }
   std::optional<BoundNumbers> bound;
   if (!rebinder || !rebinds(*rebinder, task, samples)) {
     rebinder.reset();
@@ -175,14 +193,15 @@ std::optional<SweepTapes> record_tapes(const SweepTask& task) {
   const std::vector<Geometry> geometries = geometries_of(samples);
   auto cases =
       note_cases(task,
+                 solved,
                  {.rebinder = rebinder ? &*rebinder : nullptr,
                   .bound = bound ? &*bound : nullptr,
                   .screws = &screws,
                   .flanks = flanks,
                   .samples = geometries,
                   .shares = shares,
-                  .has_axes = !asks_power(task) ||
-                              demand_same_axes(task.mechanism, screws.motions, notes.recorder)},
+                  .keeps_axes = !asks_power(task) ||
+                                demand_same_axes(task.mechanism, screws.motions, notes.recorder)},
                  notes);
   if (!cases) {
     return std::nullopt;

@@ -73,11 +73,11 @@ TapeSolver::TapeSolver(const SweepTask& task, const SweepTapes& tapes, std::size
   }
   binds_states_ = binder_ || tapes.needs_geometry || tapes.needs_primaries || has_combinations_ ||
                   !others_.empty();
-  asks_nothing_else_ =
-      std::ranges::none_of(task.gears, &std::optional<SweptGear>::has_value) &&
-      std::ranges::all_of(tapes.cases, [&](const CaseTape& taped) {
-        return taped.columns.size() == task.columns.size() && taped.one_sided.empty();
-      });
+  asks_nothing_else_ = std::ranges::none_of(task.gears, &std::optional<SweptGear>::has_value) &&
+                       std::ranges::all_of(tapes.cases, [&](const CaseTape& taped) {
+                         return taped.columns.size() == task.columns.size() &&
+                                taped.one_sided.empty() && !taped.power;
+                       });
 }
 
 TapeSolver::~TapeSolver() = default;
@@ -365,7 +365,7 @@ bool TapeSolver::fill_powers(std::size_t i, std::size_t lane, SweepRow& row) {
   if (!power) {
     return true;
   }
-  if (!power->actuators.empty() && !fill_efficiency(i, lane, row)) {
+  if (power->losses && !fill_efficiency(i, lane, row)) {
     return false;
   }
   if (power->largest) {
@@ -382,24 +382,24 @@ bool TapeSolver::fill_powers(std::size_t i, std::size_t lane, SweepRow& row) {
 }
 
 bool TapeSolver::fill_efficiency(std::size_t i, std::size_t lane, SweepRow& row) {
-  const PowerTape& power = *tapes_.cases[i].power;
-  double largest = read_powers(power.actuators, lane);
+  const LossTape& losses = *tapes_.cases[i].power->losses;
+  double largest = read_powers(losses.actuators, lane);
   const Efficiency found = efficiency_of(i, largest);
   const bool names_both = !task_.cases[i].inputs.empty() && !task_.cases[i].outputs.empty();
   const bool is_clear = !names_both || (found.value ? *found.value > kPowerBalance
                                                     : has_clearly_no_efficiency(i, found, largest));
   if (!is_clear ||
-      !(std::abs(workspace_.number(power.imbalance, lane)) <= kPowerBalance * largest)) {
+      !(std::abs(workspace_.number(losses.imbalance, lane)) <= kPowerBalance * largest)) {
     return false;
   }
   double value = found.value.value_or(kNoValue);
-  if (power.absolute) {
-    largest = read_powers(power.lossless, lane);
+  if (losses.absolute) {
+    largest = read_powers(losses.lossless, lane);
     const Efficiency lossless = efficiency_of(i, largest);
     if (!found.value || !lossless.value || !(*lossless.value > kPowerBalance)) {
       return false;
     }
-    value = workspace_.number(*power.absolute, lane);
+    value = workspace_.number(*losses.absolute, lane);
   }
   for (const std::size_t column : efficiency_columns_) {
     row.values[column] = value;
