@@ -264,7 +264,6 @@ bool Rebinder::place_in_gears(MovingCoupling& moving) {
   const MeshLayoutOf<double>& mesh = layout.meshes[static_cast<std::size_t>(coupling.mesh)];
   moving.drawn.at = mesh.pitch_point;
   if (moving.tangent != mesh.tangent) {
-    moving.tangent = mesh.tangent;
     Diagnostics found;
     Evaluator evaluator(*description_, table_, found);
     const auto drawn =
@@ -273,6 +272,7 @@ bool Rebinder::place_in_gears(MovingCoupling& moving) {
       return false;
     }
     moving.drawn = *drawn;
+    moving.tangent = mesh.tangent;
     moving.has_turned = true;
   }
   return true;

@@ -217,6 +217,14 @@ bool needs_power(SweepColumnKind kind) {
   return kind == efficiency || kind == recirculation || kind == lossy_action;
 }
 
+bool asks(std::span<const SweepColumn> columns, SweepColumnKind kind) {
+  return std::ranges::find(columns, kind, &SweepColumn::kind) != columns.end();
+}
+
+bool asks_power(std::span<const SweepColumn> columns) {
+  return std::ranges::any_of(columns, needs_power, &SweepColumn::kind);
+}
+
 std::optional<std::vector<SweepColumn>> find_sweep_columns(const MechanismDescription& description,
                                                            const Mechanism& mechanism,
                                                            std::span<const Case> cases,

@@ -36,6 +36,12 @@ bool needs_statics(SweepColumnKind kind);
 /// Whether it needs the power flow of the case.
 bool needs_power(SweepColumnKind kind);
 
+/// Whether a column of that kind is among them.
+bool asks(std::span<const SweepColumn> columns, SweepColumnKind kind);
+
+/// Whether any of them needs the power flow.
+bool asks_power(std::span<const SweepColumn> columns);
+
 /// The quantities that `report` of the sweep names; if it names none, ratio and torque ratio where
 /// cases have them in one unit, and all rates and actions. A ratio that is named, but whose unit
 /// differs from case to case, is E0305, and so is a step without gears. Empty iff an error was

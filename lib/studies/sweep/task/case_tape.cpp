@@ -49,7 +49,7 @@ class CaseRecorder {
     if (action) {
       demand_flanks(one.coast_flanks, *action);
     }
-    if (asks_power() && one.power &&
+    if (asks_power(task_.columns) && one.power &&
         !add_power({.solved = one,
                     .motion = *motion,
                     .action = *action,
@@ -69,8 +69,9 @@ class CaseRecorder {
         taped_.one_sided.push_back(notes_.add_output(action->number(one_sided)));
       }
     }
-    const bool asks_ratios = asks(SweepColumnKind::ratio) || asks(SweepColumnKind::step) ||
-                             asks(SweepColumnKind::torque_ratio);
+    const bool asks_ratios = asks(task_.columns, SweepColumnKind::ratio) ||
+                             asks(task_.columns, SweepColumnKind::step) ||
+                             asks(task_.columns, SweepColumnKind::torque_ratio);
     taped_.has_ratios = asks_ratios && motion && !which.inputs.empty() && which.outputs.size() == 1;
     if (motion && (taped_.has_ratios || task_.gears[place_])) {
       taped_.input_rates = add_ends(NetworkSide::motion, *motion, which.inputs);
@@ -89,10 +90,6 @@ class CaseRecorder {
   CaseTape take() { return std::move(taped_); }
 
  private:
-  bool asks(SweepColumnKind kind) const {
-    return std::ranges::find(task_.columns, kind, &SweepColumn::kind) != task_.columns.end();
-  }
-
   int index_of(NetworkSide side, int actuator) const {
     const ActuatorTopology& one = topology_.actuators[static_cast<std::size_t>(actuator)];
     return side == NetworkSide::motion ? one.freedom : one.action;
@@ -119,7 +116,7 @@ class CaseRecorder {
         wanted.push_back(column.index);
       }
     }
-    if (asks_power()) {
+    if (asks_power(task_.columns)) {
       std::ranges::copy(is_motion ? actuator_freedoms() : actions_with_power(task_),
                         std::back_inserter(wanted));
     }
@@ -215,7 +212,7 @@ class CaseRecorder {
               .primaries = primaries_,
               .known = known_,
               .wanted = wanted_,
-              .wants_bodies = is_motion && recorder_.asks_power()};
+              .wants_bodies = is_motion && asks_power(recorder_.task_.columns)};
     }
 
    private:
@@ -256,11 +253,6 @@ class CaseRecorder {
       recorder.demand_at_most(
           is_coast ? recorder.larger(force, zero) : recorder.smaller(force, zero), zero);
     }
-  }
-
-  bool asks_power() const {
-    return std::ranges::any_of(task_.columns,
-                               [](const SweepColumn& column) { return needs_power(column.kind); });
   }
 
   // Otherwise the actions with losses are those without.

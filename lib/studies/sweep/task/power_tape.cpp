@@ -18,13 +18,9 @@ namespace kinestat {
 
 namespace {
 
-bool asks(const SweepTask& task, SweepColumnKind kind) {
-  return std::ranges::find(task.columns, kind, &SweepColumn::kind) != task.columns.end();
-}
-
 bool needs_absolute(const SweepTask& task) {
   return task.mechanism.loss_model == LossModel::absolute &&
-         asks(task, SweepColumnKind::efficiency);
+         asks(task.columns, SweepColumnKind::efficiency);
 }
 
 void sort_out(std::vector<int>& indices) {
@@ -70,7 +66,7 @@ class PowerRecorder {
     if (!mechanism_.lossy_meshes.empty() && !add_losses(result)) {
       return std::nullopt;
     }
-    if (asks(task_, SweepColumnKind::recirculation)) {
+    if (asks(task_.columns, SweepColumnKind::recirculation)) {
       add_recirculation(result.power);
     }
     return result;
@@ -482,7 +478,7 @@ std::vector<int> actions_with_power(const SweepTask& task) {
     const bool is_lossy =
         std::ranges::find(task.mechanism.lossy_meshes, CouplingId{e}, &LossyMesh::coupling) !=
         task.mechanism.lossy_meshes.end();
-    if (is_lossy || needs_absolute(task) || asks(task, SweepColumnKind::recirculation)) {
+    if (is_lossy || needs_absolute(task) || asks(task.columns, SweepColumnKind::recirculation)) {
       std::ranges::copy(actions_of(topology.coupling(CouplingId{e})), std::back_inserter(wanted));
     }
   }

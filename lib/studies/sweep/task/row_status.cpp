@@ -55,21 +55,14 @@ std::string_view row_status(const CaseAnalysis& one,
   if (!has_actions && is_usually_solved) {
     return status_word(one.action->status, is_usually_solved);
   }
-  const bool asks_power = std::ranges::any_of(
-      task.columns, [](const SweepColumn& column) { return needs_power(column.kind); });
-  const std::string_view word = case_status(mechanism, one, asks_power);
+  const std::string_view word = case_status(mechanism, one, asks_power(task.columns));
   if (word != word_of(SolveStatus::solved)) {
     return word;
   }
-  const bool asks_ratio = std::ranges::any_of(task.columns, [](const SweepColumn& column) {
-    return column.kind == SweepColumnKind::ratio;
-  });
-  if (asks_ratio && one.ratios && !one.ratios->ratio) {
+  if (asks(task.columns, SweepColumnKind::ratio) && one.ratios && !one.ratios->ratio) {
     return ratio_status(one, mechanism.topology);
   }
-  const bool asks_efficiency = std::ranges::any_of(task.columns, [](const SweepColumn& column) {
-    return column.kind == SweepColumnKind::efficiency;
-  });
+  const bool asks_efficiency = asks(task.columns, SweepColumnKind::efficiency);
   const bool is_lossless = !one.efficiency && one.action && one.action->friction.empty();
   const bool has_efficiency =
       value_of({.kind = SweepColumnKind::efficiency, .index = -1, .name = {}, .unit = {}},

@@ -113,11 +113,6 @@ std::pair<SweepNotes, TapedScrews> note_bound(const SweepTask& task, const Bound
   return {std::move(notes), std::move(screws)};
 }
 
-bool asks_power(const SweepTask& task) {
-  return std::ranges::any_of(task.columns,
-                             [](const SweepColumn& column) { return needs_power(column.kind); });
-}
-
 BoundNumbers bound_numbers(const SweepTask& task, std::span<const SweepSample> samples) {
   std::vector<Mechanism> mechanisms;
   for (const SweepSample& sample : samples) {
@@ -200,7 +195,7 @@ std::optional<SweepTapes> record_tapes(const SweepTask& task) {
                   .flanks = flanks,
                   .samples = geometries,
                   .shares = shares,
-                  .keeps_axes = !asks_power(task) ||
+                  .keeps_axes = !asks_power(task.columns) ||
                                 demand_same_axes(task.mechanism, screws.motions, notes.recorder)},
                  notes);
   if (!cases) {
