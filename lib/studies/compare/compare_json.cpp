@@ -49,13 +49,13 @@ std::vector<std::string_view> names_of_items(const Json& list) {
 
 // A value on the way through a report, with what the record of reports says of it.
 struct Visited {
-  const Json& value;
+  Json& value;
   const Shape* shape = nullptr;     // null of what this program does not know
   const Json* object = nullptr;     // whose key it is
   const Json* reference = nullptr;  // the unit for one of which rates and actions are
   bool is_ordered = false;          // of a list of names
 
-  Visited below(const Json& item, const Shape* of_item) const {
+  Visited below(Json& item, const Shape* of_item) const {
     return {.value = item, .shape = of_item, .object = &value, .reference = reference};
   }
 };
@@ -93,7 +93,8 @@ class Collector {
  public:
   Collector(const ReportUnits& units, ReportValues& values) : units_(units), values_(values) {}
 
-  // Adds a value and all that it contains.
+  // Adds a value and all that it contains. What is read and large, an element of a map or a row of
+  // a motion, is let go: a report would else be held twice.
   void add(const Visited& at) {
     if (at.value.is_number()) {
       values_.append_number(path_.place(), at.value.get<double>(), number_of(unit_of(at)));
@@ -147,11 +148,12 @@ class Collector {
     const bool has_keys = at.shape != nullptr && at.shape->record != nullptr;
     Visited inside = at;
     inside.reference = has_keys ? reference_in(at) : at.reference;
-    for (const auto& entry : at.value.get_ref<const Json::object_t&>()) {
+    for (auto& entry : at.value.get_ref<Json::object_t&>()) {
       const std::string& key = entry.first;
-      const Json& item = entry.second;  // by names, which clang 14 lets a function have
+      Json& item = entry.second;  // by names, which clang 14 lets a function have
       if (!has_keys) {
         path_.element(key, [&] { add(inside.below(item, item_shape(at.shape))); });
+        item = Json();
         continue;
       }
       const Property* property = find_property(*at.shape->record, key);
@@ -162,7 +164,7 @@ class Collector {
   }
 
   // Null of one that this program does not know.
-  void add_property(const Visited& at, const Property* property, const Json& item) {
+  void add_property(const Visited& at, const Property* property, Json& item) {
     Visited next = at.below(item, property == nullptr ? nullptr : &property->shape);
     next.is_ordered = property != nullptr && property->is_ordered;
     if (item.is_array() && !item.empty() && is_of_rows(next.shape)) {
@@ -189,13 +191,14 @@ class Collector {
   void add_rows(const Json& motion, const Visited& rows) {
     const std::vector<Column> columns = columns_of(motion, rows);
     for (std::size_t r = 0; r < rows.value.size(); ++r) {
-      const Json& row = rows.value[r];
+      Json& row = rows.value[r];
       const std::string number = std::to_string(r);
       if (columns.empty() || !row.is_array() || row.size() != columns.size()) {
         path_.element(number, [&] { add(rows.below(row, item_shape(rows.shape))); });
       } else {
         path_.below(number, [&] { add_cells(columns, rows, row); });
       }
+      row = Json();
     }
   }
 
@@ -225,7 +228,7 @@ class Collector {
     return columns;
   }
 
-  void add_cells(const std::vector<Column>& columns, const Visited& rows, const Json& row) {
+  void add_cells(const std::vector<Column>& columns, const Visited& rows, Json& row) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       if (!columns[c].is_compared) {
         continue;
@@ -320,11 +323,12 @@ bool is_known_report(const Json& report, Diagnostics& found) {
 
 }  // namespace
 
-std::optional<ReportValues> read_json_report(const SourceFile& source, Diagnostics& found) {
-  const std::optional<Json> report = read_json(source, found);
+std::optional<ReportValues> read_json_report(SourceFile& source, Diagnostics& found) {
+  std::optional<Json> report = read_json(source, found);
   if (!report || !is_known_report(*report, found)) {
     return {};
   }
+  source.text = std::string();  // what is wrong from here on has no place in it
   std::string problem;
   const std::optional<ReportUnits> units = ReportUnits::read(*report, problem);
   if (!units) {

@@ -15,6 +15,7 @@ namespace kinestat {
 /// between two runs of the same: version, path of the file, evidence and residuals, wording; of the
 /// diagnostics remains how often each code occurs. Errors: E0903 for what is no report, E0904 for
 /// one of another version of the format. Empty iff an error was added.
-std::optional<ReportValues> read_json_report(const SourceFile& source, Diagnostics& found);
+/// The text is let go as soon as it is read as JSON: with the values it would be the largest part.
+std::optional<ReportValues> read_json_report(SourceFile& source, Diagnostics& found);
 
 }  // namespace kinestat

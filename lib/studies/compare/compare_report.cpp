@@ -10,7 +10,7 @@
 
 namespace kinestat {
 
-std::optional<ReportValues> read_report(const SourceFile& source, Diagnostics& found) {
+std::optional<ReportValues> read_report(SourceFile& source, Diagnostics& found) {
   std::string_view text = source.text;
   if (text.starts_with(kByteOrderMark)) {
     text.remove_prefix(kByteOrderMark.size());

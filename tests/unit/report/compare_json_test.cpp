@@ -11,7 +11,8 @@ namespace {
 
 ReportValues json_values(const std::string& text) {
   Diagnostics found;
-  auto values = read_json_report({.path = "r.json", .text = text}, found);
+  SourceFile source{.path = "r.json", .text = text};
+  auto values = read_json_report(source, found);
   EXPECT_TRUE(values.has_value()) << text;
   return values ? *std::move(values) : ReportValues(ReportForm::json);
 }
@@ -19,7 +20,8 @@ ReportValues json_values(const std::string& text) {
 // Code and message of the only complaint, after its place.
 std::string json_complaint(const std::string& text) {
   Diagnostics found;
-  EXPECT_FALSE(read_json_report({.path = "r.json", .text = text}, found));
+  SourceFile source{.path = "r.json", .text = text};
+  EXPECT_FALSE(read_json_report(source, found));
   if (found.items().size() != 1) {
     return "not one message";
   }

@@ -13,7 +13,8 @@ namespace {
 
 ReportValues values_of(const std::string& text) {
   Diagnostics found;
-  auto values = read_report({.path = "r", .text = text}, found);
+  SourceFile source{.path = "r", .text = text};
+  auto values = read_report(source, found);
   EXPECT_TRUE(values.has_value()) << text;
   return values ? *std::move(values) : ReportValues(ReportForm::json);
 }

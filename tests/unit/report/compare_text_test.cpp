@@ -13,9 +13,9 @@ namespace {
 
 ReportComparison compared(const std::string& a, const std::string& b) {
   Diagnostics found;
-  return compare(*read_report({.path = "a", .text = a}, found),
-                 *read_report({.path = "b", .text = b}, found),
-                 {});
+  SourceFile first{.path = "a", .text = a};
+  SourceFile second{.path = "b", .text = b};
+  return compare(*read_report(first, found), *read_report(second, found), {});
 }
 
 std::string report(const std::string& actions) {
