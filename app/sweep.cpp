@@ -11,7 +11,7 @@ namespace {
 struct SweepCommand {
   std::string path;
   SweepOptions options;
-  TopChoice top;
+  BestChoice top{.count = 0, .criteria = {{}}};
   ProgressChoice progress = ProgressChoice::automatic;
 };
 
@@ -52,7 +52,19 @@ void add_sharing(CLI::App& command, SweepOptions& options) {
       "go on with what an interrupted run has\nfinished; needs --out");
 }
 
-void add_top(CLI::App& command, TopChoice& top) {
+// "efficiency, smallest abs(ratio - 4)"
+BestChoice read_pareto(const std::string& text) {
+  std::optional<BestChoice> front = read_front(text);
+  if (!front) {
+    throw WrongValue("--pareto",
+                     text,
+                     "it takes two or three criteria with commas between them, as in "
+                     "'efficiency, smallest abs(ratio - 4)'");
+  }
+  return *std::move(front);
+}
+
+void add_choices(CLI::App& command, BestChoice& top, std::optional<BestChoice>& best) {
   add_count(
       command,
       "--top",
@@ -60,15 +72,24 @@ void add_top(CLI::App& command, TopChoice& top) {
       "keep the best N rows alone; needs --by");
   with_value(command,
              command.add_option("--by",
-                                top.by,
+                                top.criteria.front().by,
                                 "the quantity that decides which rows are best,\n"
                                 "or a formula: 'abs(ratio - 25)'"),
              "QUANTITY");
   add_choice<RankOrder>(command,
                         "--order",
-                        {{"largest", RankOrder::largest}, {"smallest", RankOrder::smallest}},
-                        top.order,
+                        {{std::string(word_of(RankOrder::largest)), RankOrder::largest},
+                         {std::string(word_of(RankOrder::smallest)), RankOrder::smallest}},
+                        top.criteria.front().order,
                         "which values are best; default largest");
+  with_value(command,
+             command.add_option_function<std::string>(
+                 "--pareto",
+                 [&best](const std::string& text) { best = read_pareto(text); },
+                 "keep the rows that no other equals or beats in\n"
+                 "all of two or three criteria:\n"
+                 "'efficiency, smallest abs(ratio - 4)'"),
+             "CRITERIA");
 }
 
 void add_form(CLI::App& command, SweepCommand& sweep) {
@@ -100,11 +121,20 @@ void check_together(CLI::App& command, SweepCommand& sweep) {
                        "write for example --top 20 --by efficiency");
   }
   if (is_given("--order") && !is_given("--top")) {
-    throw LonelyOption(
-        "--order", "--top", "write for example --top 20 --by ratio --order smallest");
+    throw LonelyOption("--order",
+                       "--top",
+                       is_given("--pareto")
+                           ? "write for example --pareto 'efficiency, smallest ratio'"
+                           : "write for example --top 20 --by ratio --order smallest");
+  }
+  if (is_given("--top") && is_given("--pareto")) {
+    throw WrongValue(
+        "--pareto",
+        command["--pareto"]->as<std::string>(),
+        "give --top for the best by one criterion, or --pareto for the front of several");
   }
   if (is_given("--top")) {
-    sweep.options.top = sweep.top;
+    sweep.options.best = sweep.top;
   }
 }
 
@@ -127,6 +157,7 @@ void add_sweep(CLI::App& command, Job& job) {
   command.footer(
       "  kinestat sweep teeth.yaml > rows.csv\n"
       "  kinestat sweep --top 20 --by ratio --order smallest teeth.yaml\n"
+      "  kinestat sweep --pareto 'efficiency, smallest abs(ratio - 4)' teeth.yaml\n"
       "  kinestat sweep --jobs 8 --resume --out results teeth.yaml\n"
       "  kinestat sweep --shard 2/7 --out shards teeth.yaml\n");
   auto sweep = std::make_shared<SweepCommand>();
@@ -142,7 +173,7 @@ void add_sweep(CLI::App& command, Job& job) {
                     "<name>.sweep.json; it must exist. Without it\n"
                     "rows go to standard output");
   add_sharing(command, sweep->options);
-  add_top(command, sweep->top);
+  add_choices(command, sweep->top, sweep->options.best);
   add_messages(command, sweep->options.diagnostics, sweep->options.is_quiet);
   command.callback([&command, sweep, &job] {
     check_together(command, *sweep);

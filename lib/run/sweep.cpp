@@ -11,6 +11,7 @@
 #include "studies/sweep/task/chunk_runner.hpp"
 #include "studies/sweep/task/state_solver.hpp"
 #include "studies/sweep/task/stored_sweep.hpp"
+#include "studies/sweep/task/sweep_result.hpp"
 #include "studies/sweep/task/sweep_task.hpp"
 
 namespace kinestat {
@@ -22,11 +23,11 @@ constexpr std::uint64_t kMostJobs = 256;
 // Rows in their order to standard output, or the best of them at the end.
 class StreamedSweep {
  public:
-  StreamedSweep(const SweepTask& task, const SweepHooks& hooks)
-      : task_(task),
-        hooks_(hooks),
-        best_(task.metadata.top ? task.metadata.top->count : 0,
-              task.metadata.top ? task.metadata.top->order : RankOrder::largest) {}
+  StreamedSweep(const SweepTask& task, const SweepHooks& hooks) : task_(task), hooks_(hooks) {
+    if (task.metadata.best) {
+      best_.emplace(*task.metadata.best);
+    }
+  }
 
   RunEnd run(std::uint64_t jobs) {
     std::vector<std::uint64_t> chunks(task_.plan.chunk_count());
@@ -48,26 +49,18 @@ class StreamedSweep {
  private:
   bool take(ChunkResult result) {
     counts_.add(result.counts);
-    if (!task_.metadata.top) {
+    if (!best_) {
       return hooks_.write(result.body);
     }
-    for (RankedRow& row : read_rows(result.body)) {
-      best_.add(std::move(row));
-    }
+    best_->add(result.body);
     return true;
   }
 
-  bool write_best() {
-    std::string text;
-    for (const RankedRow& row : best_.take()) {
-      text += row.text;
-    }
-    return hooks_.write(text);
-  }
+  bool write_best() { return !best_ || hooks_.write(best_->take()); }
 
   const SweepTask& task_;
   const SweepHooks& hooks_;
-  TopRows best_;
+  std::optional<BestOfPieces> best_;
   SweepCounts counts_;
 };
 

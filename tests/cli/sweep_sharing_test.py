@@ -75,6 +75,32 @@ class Sharing(InFolder):
         self.assertEqual(merged, streamed)
         self.assertEqual(len(streamed.splitlines()), 6)
 
+    def test_fronts_of_shards(self) -> None:
+        """By their definition, of all rows."""
+        front = ("--pareto", "ratio, smallest abs(e.Rc)")
+        streamed = kinestat("sweep", "--jobs", "2", *front, self.file).stdout
+        merged = kinestat("merge", *self.shards(7, "front", *front)).stdout
+        self.assertEqual(merged, streamed)
+        every = list(csv.DictReader(self.files["train.sweep.csv"].decode().splitlines()))
+        def keys(row: dict[str, str]) -> tuple[float, float]:
+            # Numbers that differ by rounding alone are equal.
+            return float(f"{float(row['ratio']):.10g}"), -float(f"{abs(float(row['e.Rc [N]'])):.10g}")
+        def is_beaten(i: int) -> bool:
+            ratio, force = keys(every[i])
+            return any(keys(row)[0] >= ratio and keys(row)[1] >= force and
+                       (keys(row) != (ratio, force) or j < i)
+                       for j, row in enumerate(every) if j != i)
+        expected = [every[i] for i in range(len(every)) if not is_beaten(i)]
+        self.assertTrue(2 < len(expected) < len(every))
+        self.assertEqual(list(csv.DictReader(streamed.splitlines())),
+                         sorted(expected, key=keys, reverse=True))
+        summary = self.new_folder("summary")
+        kinestat("sweep", *front, "--out", summary, self.file)
+        told = json.loads((summary / "train.sweep.json").read_text())
+        self.assertIsNone(told["top"])
+        self.assertEqual(told["pareto"], [{"by": "ratio", "order": "largest"},
+                                          {"by": "abs(e.Rc)", "order": "smallest"}])
+
     def test_kept_rows_are_those_that_fulfil_the_conditions(self) -> None:
         """By the numbers of all rows, in any shards, and the best of them by a formula."""
         self.write(TRAIN + SWEEP + '  keep: [ratio > 4.2, "abs(e.Rc) < 100 N or Np == 18"]\n')

@@ -27,20 +27,32 @@ const FileUnits& no_units() {
   return units;
 }
 
-Json top_json(const std::optional<TopChoice>& top) {
-  return top ? Json::parse(json_text(top_record(), *top, no_units(), JsonLayout::line))
-             : Json(nullptr);
+Json best_json(const std::optional<BestChoice>& best) {
+  if (!best) {
+    return nullptr;
+  }
+  Json json;
+  json["count"] = best->count;
+  for (const Criterion& one : best->criteria) {
+    json["criteria"].push_back(
+        Json::parse(json_text(criterion_record(), one, no_units(), JsonLayout::line)));
+  }
+  return json;
 }
 
-std::optional<TopChoice> top_of(const Json& json) {
+std::optional<BestChoice> best_of(const Json& json) {
   if (json.is_null()) {
     return std::nullopt;
   }
-  return TopChoice{.count = json.at("count").get<std::uint64_t>(),
-                   .by = json.at("by").get<std::string>(),
-                   .order = json.at("order").get<std::string>() == word_of(RankOrder::largest)
-                                ? RankOrder::largest
-                                : RankOrder::smallest};
+  BestChoice best{.count = json.at("count").get<std::uint64_t>(), .criteria = {}};
+  for (const Json& one : json.at("criteria")) {
+    best.criteria.push_back(
+        {.by = one.at("by").get<std::string>(),
+         .order = one.at("order").get<std::string>() == word_of(RankOrder::largest)
+                      ? RankOrder::largest
+                      : RankOrder::smallest});
+  }
+  return best;
 }
 
 SweepMetadata metadata_of(const Json& json) {
@@ -59,7 +71,7 @@ SweepMetadata metadata_of(const Json& json) {
   metadata.keep = json.at("keep").get<std::vector<std::string>>();
   metadata.states = json.at("states").get<std::uint64_t>();
   metadata.chunks = json.at("chunks").get<std::uint64_t>();
-  metadata.top = top_of(json.at("top"));
+  metadata.best = best_of(json.at("best"));
   return metadata;
 }
 
@@ -106,7 +118,7 @@ std::string write_shard_header(const SweepMetadata& metadata, const ShardNumber&
   json["keep"] = metadata.keep;
   json["states"] = metadata.states;
   json["chunks"] = metadata.chunks;
-  json["top"] = top_json(metadata.top);
+  json["best"] = best_json(metadata.best);
   return json.dump() + "\n";
 }
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "studies/sweep/best_choice.hpp"
 #include "studies/sweep/report/sweep_rows.hpp"
 #include "studies/sweep/sweep_counts.hpp"
-#include "studies/sweep/top_rows.hpp"
 
 namespace kinestat {
 
@@ -28,13 +28,6 @@ struct ShardNumber {
   std::uint64_t end_chunk(std::uint64_t chunks) const;
 };
 
-/// The rows that are kept of a sweep, where not all are.
-struct TopChoice {
-  std::uint64_t count = 0;
-  std::string by;  ///< name of a quantity, or a formula of names
-  RankOrder order = RankOrder::largest;
-};
-
 /// All that shards of one sweep have in common, and what a result says of it.
 struct SweepMetadata {
   std::string version;  ///< of the program
@@ -49,7 +42,7 @@ struct SweepMetadata {
   std::vector<std::string> keep;          ///< likewise
   std::uint64_t states = 0;
   std::uint64_t chunks = 0;
-  std::optional<TopChoice> top;
+  std::optional<BestChoice> best;  ///< empty: all rows are kept
 
   /// The name of the result without its folder: "teeth.sweep.csv" or "teeth.sweep.jsonl".
   std::string result_name() const;

@@ -119,24 +119,35 @@ void add_counts_of_sweep(Record<SweepSummaryView>& keys) {
       write_statuses);
 }
 
-}  // namespace
-
-std::string_view word_of(RankOrder order) {
-  return order == RankOrder::largest ? "largest" : "smallest";
+template <class View, class Get>
+void add_criterion(Record<View>& keys, Get get) {
+  keys.text("by", "The quantity, or the formula, that decides.", [get](const View& v) {
+    return get(v).by;
+  });
+  keys.word("order",
+            {std::string(word_of(RankOrder::largest)), std::string(word_of(RankOrder::smallest))},
+            "Which values come first.",
+            [get](const View& v) { return word_of(get(v).order); });
 }
 
-const Record<TopChoice>& top_record() {
-  using View = TopChoice;
+const Record<BestChoice>& top_record() {
+  using View = BestChoice;
   static const Record<View> record(
-      "Which rows were chosen; null where all were written.", [](Record<View>& keys) {
+      "The best rows by one criterion; null where all or a Pareto front were written.",
+      [](Record<View>& keys) {
         keys.count("count", "How many at most.", [](const View& v) { return v.count; }).at_least(1);
-        keys.text("by", "The quantity, or the formula, that decides.", [](const View& v) {
-          return v.by;
-        });
-        keys.word("order", {"largest", "smallest"}, "Which values come first.", [](const View& v) {
-          return word_of(v.order);
-        });
+        add_criterion(keys, [](const View& v) -> const Criterion& { return v.criteria.front(); });
       });
+  return record;
+}
+
+}  // namespace
+
+const Record<Criterion>& criterion_record() {
+  using View = Criterion;
+  static const Record<View> record("What rows were compared by.", [](Record<View>& keys) {
+    add_criterion(keys, [](const View& v) -> const Criterion& { return v; });
+  });
   return record;
 }
 
@@ -148,7 +159,21 @@ const Record<SweepSummaryView>& sweep_summary_record() {
       [](Record<View>& keys) {
         add_plan(keys);
         add_counts_of_sweep(keys);
-        keys.part("top", top_record(), [](const View& v) { return v.metadata.top; });
+        keys.part("top", top_record(), [](const View& v) {
+          const std::optional<BestChoice>& best = v.metadata.best;
+          return best && !best->is_front() ? best : std::nullopt;
+        });
+        keys.list(
+            "pareto",
+            criterion_record(),
+            "The criteria of the Pareto front that was kept; none where it was not asked for.",
+            [](const View& v, const Each<Criterion>& each) {
+              const std::optional<BestChoice>& best = v.metadata.best;
+              for (const Criterion& one :
+                   best && best->is_front() ? best->criteria : std::vector<Criterion>()) {
+                each(one);
+              }
+            });
       });
   return record;
 }

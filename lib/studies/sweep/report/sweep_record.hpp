@@ -6,10 +6,7 @@
 
 namespace kinestat {
 
-/// "largest" or "smallest"
-std::string_view word_of(RankOrder order);
-
-const Record<TopChoice>& top_record();
+const Record<Criterion>& criterion_record();
 
 struct SweepSummaryView {
   const SweepMetadata& metadata;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "math/numbers/number_threads.hpp"
+#include "studies/sweep/best_rows.hpp"
 #include "studies/sweep/task/state_solver.hpp"
 
 namespace kinestat {
@@ -36,8 +37,8 @@ class ChunkSolver {
     const std::uint64_t end = std::min(begin + task_.plan.chunk_size(), task_.plan.state_count());
     ChunkResult result{.chunk = chunk, .body = {}, .counts = {}};
     result.counts.dropped.resize(task_.choice.keep.size(), 0);
-    const std::optional<TopChoice>& top = task_.metadata.top;
-    TopRows best(top ? top->count : 0, top ? top->order : RankOrder::largest);
+    const std::optional<BestChoice>& choice = task_.metadata.best;
+    BestRows best(choice.value_or(BestChoice{}));
     StateWalk walk(task_.plan, begin, end);
     for (auto states = states_.solve_next(walk); !states.empty();
          states = states_.solve_next(walk)) {
@@ -50,14 +51,14 @@ class ChunkSolver {
     }
     result.counts.states = end - begin;
     result.counts.excluded.assign(walk.excluded().begin(), walk.excluded().end());
-    if (top) {
+    if (choice) {
       result.body = write_rows(best.take());
     }
     return result;
   }
 
  private:
-  void add_state(const SolvedState& state, TopRows& best, ChunkResult& result) {
+  void add_state(const SolvedState& state, BestRows& best, ChunkResult& result) {
     text_.enter(state.places);
     judge_.enter(state.places);
     for (const SweepRow& row : state.rows) {
@@ -67,14 +68,14 @@ class ChunkSolver {
         ++result.counts.dropped[*failing];
         continue;
       }
-      if (!task_.choice.rank) {
+      if (task_.choice.ranks.empty()) {
         text_.append(row, result.body);
         continue;
       }
-      const std::optional<double> key = judge_.rank();
+      const std::optional<RankKeys> keys = judge_.rank();
       const std::uint64_t number = state.number * task_.cases.size() + row.which;
-      if (key && best.accepts(*key, number)) {
-        RankedRow ranked{.key = *key, .number = number, .text = {}};
+      if (keys && best.accepts(*keys, number)) {
+        RankedRow ranked{.keys = *keys, .number = number, .text = {}};
         text_.append(row, ranked.text);
         best.add(std::move(ranked));
       }

@@ -51,30 +51,38 @@ class ChoiceSearch {
     choice.keep.emplace_back(one.condition, slot_of());
   }
 
-  void add_rank(const TopChoice& top, RowChoice& choice) {
+  // `option` is what was typed before it.
+  void add_rank(const Criterion& one, std::string_view option, RowChoice& choice) {
+    const auto refuse = [&](const ExpressionError& error) {
+      found_.error("E0101",
+                   {},
+                   fmt::format("{} '{}': {}", option, printable(one.by), error.message),
+                   error.hint);
+    };
     // Whatever else has its name: what ranks rows is a quantity first.
-    if (std::ranges::find(quantities_, top.by) != quantities_.end()) {
-      choice.rank.emplace(expression_named(top.by),
-                          [this](const std::string& name) { return names_.quantity_slot(name); });
+    if (std::ranges::find(quantities_, one.by) != quantities_.end()) {
+      const SlotOf slot = [this](const std::string& name) { return names_.quantity_slot(name); };
+      choice.ranks.push_back(
+          {.value = SlotExpression(expression_named(one.by), slot), .order = one.order});
       return;
     }
-    const auto parsed = parse_expression(top.by);
+    const auto parsed = parse_expression(one.by);
     if (const auto* error = std::get_if<ExpressionError>(&parsed)) {
-      refuse_rank(top, *error);
+      refuse(*error);
       return;
     }
     const auto& formula = std::get<Expression>(parsed);
     if (const auto wrong = find_wrong_name(formula)) {
-      refuse_rank(top, *wrong);
+      refuse(*wrong);
       return;
     }
     const auto value = evaluate(formula, lookup(), names_.names());
     const auto* error = std::get_if<ExpressionError>(&value);
     if (error != nullptr && error->code != kNoFiniteValue) {
-      refuse_rank(top, *error);
+      refuse(*error);
       return;
     }
-    choice.rank.emplace(formula, slot_of());
+    choice.ranks.push_back({.value = SlotExpression(formula, slot_of()), .order = one.order});
   }
 
  private:
@@ -125,11 +133,6 @@ class ChoiceSearch {
         error.hint);
   }
 
-  void refuse_rank(const TopChoice& top, const ExpressionError& error) {
-    found_.error(
-        "E0101", {}, fmt::format("--by '{}': {}", printable(top.by), error.message), error.hint);
-  }
-
   RowNames names_;
   RowScope scope_;
   std::vector<std::string> quantities_;
@@ -141,7 +144,7 @@ class ChoiceSearch {
 std::optional<RowChoice> find_row_choice(const MechanismDescription& description,
                                          const SweepPlan& plan,
                                          std::span<const SweepColumn> columns,
-                                         const std::optional<TopChoice>& top,
+                                         const std::optional<BestChoice>& best,
                                          Diagnostics& found) {
   const int errors_before = found.error_count();
   RowChoice choice;
@@ -149,15 +152,15 @@ std::optional<RowChoice> find_row_choice(const MechanismDescription& description
   for (const Requirement& one : description.sweep->keep) {
     search.add_condition(one, choice);
   }
-  if (top) {
-    search.add_rank(*top, choice);
+  for (const Criterion& one : best ? best->criteria : std::vector<Criterion>()) {
+    search.add_rank(one, best->is_front() ? "--pareto" : "--by", choice);
   }
   const auto asks_parameters = [&](const auto& one) {
     const auto parameters = static_cast<int>(description.parameters.size());
     return std::ranges::any_of(one.slots(), [&](int slot) { return slot < parameters; });
   };
   choice.asks_parameters = std::ranges::any_of(choice.keep, asks_parameters) ||
-                           (choice.rank && asks_parameters(*choice.rank));
+                           std::ranges::any_of(choice.ranks, asks_parameters, &Rank::value);
   return found.error_count() == errors_before ? std::optional(std::move(choice)) : std::nullopt;
 }
 
@@ -168,7 +171,7 @@ void RowJudge::enter(std::span<const std::uint64_t> places) {
 }
 
 std::optional<std::size_t> RowJudge::failing_condition(const SweepRow& row) {
-  if (!choice_.keep.empty() || choice_.rank) {
+  if (!choice_.keep.empty() || !choice_.ranks.empty()) {
     scope_.show(row);
   }
   const auto fails = [&](const SlotCondition& one) {
@@ -180,9 +183,17 @@ std::optional<std::size_t> RowJudge::failing_condition(const SweepRow& row) {
              : std::nullopt;
 }
 
-std::optional<double> RowJudge::rank() {
-  const std::optional<Quantity> value = choice_.rank->evaluate(scope_.slots(), scratch_);
-  return value ? std::optional(value->value) : std::nullopt;
+std::optional<RankKeys> RowJudge::rank() {
+  RankKeys keys = {};
+  for (std::size_t i = 0; i < choice_.ranks.size(); ++i) {
+    const Rank& rank = choice_.ranks[i];
+    const std::optional<Quantity> value = rank.value.evaluate(scope_.slots(), scratch_);
+    if (!value) {
+      return std::nullopt;
+    }
+    keys[i] = rank_key(value->value, rank.order);
+  }
+  return keys;
 }
 
 }  // namespace kinestat

@@ -9,24 +9,30 @@
 #include "core/diagnostic.hpp"
 #include "description/mechanism_description.hpp"
 #include "expression/slots.hpp"
-#include "studies/sweep/report/sweep_metadata.hpp"
+#include "studies/sweep/ranked_row.hpp"
 #include "studies/sweep/task/row_scope.hpp"
 
 namespace kinestat {
 
-struct RowChoice {
-  std::vector<SlotCondition> keep;     ///< what a row must fulfil
-  std::optional<SlotExpression> rank;  ///< by which the best are chosen; empty: all are written
-  bool asks_parameters = false;        ///< whether any of these names parameters
+/// A criterion by which rows are ranked.
+struct Rank {
+  SlotExpression value;
+  RankOrder order = RankOrder::largest;
 };
 
-/// Of the section `sweep` and of --top. A condition or a formula names parameters and quantities of
-/// the rows; errors are those of conditions (E0311 for another name), and E0101 for --by. Empty iff
-/// an error was added.
+struct RowChoice {
+  std::vector<SlotCondition> keep;  ///< what a row must fulfil
+  std::vector<Rank> ranks;          ///< by which the best are chosen; none: all are written
+  bool asks_parameters = false;     ///< whether any of these names parameters
+};
+
+/// Of the section `sweep`, and of --top or --pareto. A condition or a formula names parameters and
+/// quantities of the rows; errors are those of conditions (E0311 for another name), and E0101 for
+/// criteria. Empty iff an error was added.
 std::optional<RowChoice> find_row_choice(const MechanismDescription& description,
                                          const SweepPlan& plan,
                                          std::span<const SweepColumn> columns,
-                                         const std::optional<TopChoice>& top,
+                                         const std::optional<BestChoice>& best,
                                          Diagnostics& found);
 
 /// Judges rows; each worker has its own.
@@ -42,8 +48,8 @@ class RowJudge {
   /// Takes a row of that state; the first condition that does not hold or cannot be told.
   std::optional<std::size_t> failing_condition(const SweepRow& row);
 
-  /// What ranks that row [SI], if it has a value.
-  std::optional<double> rank();
+  /// What ranks that row, if all of it has a value.
+  std::optional<RankKeys> rank();
 
  private:
   const RowChoice& choice_;

@@ -41,7 +41,7 @@ struct SweepOptions {
   std::uint64_t jobs = 0;            ///< threads; 0: as many as the machine has cores
   std::optional<ShardNumber> shard;  ///< only this share; needs a folder
   bool resume = false;               ///< go on with what an interrupted run has finished
-  std::optional<TopChoice> top;      ///< keep these rows alone
+  std::optional<BestChoice> best;    ///< keep these rows alone
   DiagnosticsForm diagnostics = DiagnosticsForm::text;
   bool is_quiet = false;  ///< no counts on standard error
 };

@@ -12,19 +12,13 @@ namespace {
 
 // The text of the best rows of all pieces.
 std::string best_rows(const SweepMetadata& metadata, const std::vector<PieceFile>& files) {
-  TopRows best(static_cast<std::size_t>(metadata.top->count), metadata.top->order);
+  BestOfPieces best(*metadata.best);
   PieceReader reader(files, metadata.plan);
   ChunkRecord record;
   while (reader.next(record)) {
-    for (RankedRow& row : read_rows(record.body)) {
-      best.add(std::move(row));
-    }
+    best.add(record.body);
   }
-  std::string text;
-  for (const RankedRow& row : best.take()) {
-    text += row.text;
-  }
-  return text;
+  return best.take();
 }
 
 }  // namespace
@@ -49,6 +43,20 @@ bool PieceReader::next(ChunkRecord& record) {
   return true;
 }
 
+void BestOfPieces::add(const std::string& body) {
+  for (RankedRow& row : read_rows(body)) {
+    best_.add(std::move(row));
+  }
+}
+
+std::string BestOfPieces::take() {
+  std::string text;
+  for (const RankedRow& row : best_.take()) {
+    text += row.text;
+  }
+  return text;
+}
+
 NextPiece result_pieces(const SweepMetadata& metadata, const std::vector<PieceFile>& files) {
   // Shared, because a function object must be copyable.
   struct State {
@@ -60,16 +68,16 @@ NextPiece result_pieces(const SweepMetadata& metadata, const std::vector<PieceFi
 
   const auto state = std::make_shared<State>(
       State{.reader = PieceReader(files, metadata.plan), .record = {}, .ready = metadata.heading});
-  const bool is_top = metadata.top.has_value();
-  if (is_top) {
+  const bool is_choice = metadata.best.has_value();
+  if (is_choice) {
     state->ready += best_rows(metadata, files);
   }
-  return [state, is_top](std::string& piece) {
+  return [state, is_choice](std::string& piece) {
     if (std::exchange(state->has_ready, false)) {
       piece = std::move(state->ready);
       return true;
     }
-    if (is_top || !state->reader.next(state->record)) {
+    if (is_choice || !state->reader.next(state->record)) {
       return false;
     }
     piece = std::move(state->record.body);

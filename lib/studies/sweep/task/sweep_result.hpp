@@ -6,6 +6,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/chunk_record.hpp"
+#include "studies/sweep/best_rows.hpp"
 #include "studies/sweep/task/sweep_options.hpp"
 
 namespace kinestat {
@@ -33,6 +34,21 @@ class PieceReader {
   std::size_t file_ = 0;
   std::uint64_t piece_ = 0;
   std::optional<RecordFile> open_;
+};
+
+/// The best rows of pieces, in whatever order these come.
+class BestOfPieces {
+ public:
+  explicit BestOfPieces(const BestChoice& choice) : best_(choice) {}
+
+  /// Takes the body of a piece, as write_rows has it.
+  void add(const std::string& body);
+
+  /// The rows as they stand in the result.
+  std::string take();
+
+ private:
+  BestRows best_;
 };
 
 /// The rows as they stand in the result: the heading, then the bodies of all pieces, or the best

@@ -146,11 +146,12 @@ std::string plan_text(const SourceFile& source,
                       options.format == RowFormat::csv ? "csv" : "json",
                       plan.chunk_count(),
                       plan.chunk_size());
-  if (options.top) {
-    text += fmt::format("top {} by {} {}\n",
-                        options.top->count,
-                        options.top->by,
-                        options.top->order == RankOrder::largest ? "largest" : "smallest");
+  if (options.best) {
+    text += fmt::format("best {} by", options.best->count);
+    for (const Criterion& one : options.best->criteria) {
+      text += fmt::format(" {}:{}", one.text().size(), one.text());
+    }
+    text += '\n';
   }
   return text + source.text;
 }
@@ -177,7 +178,7 @@ SweepMetadata metadata_of(const SourceFile& source,
   }
   metadata.states = task.plan.state_count();
   metadata.chunks = task.plan.chunk_count();
-  metadata.top = options.top;
+  metadata.best = options.best;
   return metadata;
 }
 
@@ -214,7 +215,7 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
     return std::nullopt;
   }
   SweepPlan plan(description);
-  std::optional<RowChoice> rows = find_row_choice(description, plan, *columns, options.top, found);
+  std::optional<RowChoice> rows = find_row_choice(description, plan, *columns, options.best, found);
   if (!rows) {
     return std::nullopt;
   }
