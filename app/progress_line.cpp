@@ -6,22 +6,11 @@
 #include <string>
 #include <unistd.h>
 
+#include "core/text.hpp"
+
 namespace kinestat::app {
 
 namespace {
-
-// "1 h 2 min", "3 min 20 s", "7 s"
-std::string duration(double seconds) {
-  const auto whole = static_cast<std::int64_t>(std::min(seconds, 1e15) + 0.5);
-  constexpr std::int64_t kMinute = 60;
-  constexpr std::int64_t kHour = 3600;
-  if (whole >= kHour) {
-    return std::to_string(whole / kHour) + " h " + std::to_string(whole % kHour / kMinute) + " min";
-  }
-  return whole >= kMinute
-             ? std::to_string(whole / kMinute) + " min " + std::to_string(whole % kMinute) + " s"
-             : std::to_string(whole) + " s";
-}
 
 std::string line_of(const SweepProgress& progress, double seconds) {
   const auto done = static_cast<double>(progress.states - progress.resumed);
@@ -35,7 +24,7 @@ std::string line_of(const SweepProgress& progress, double seconds) {
   if (rate > 0.0) {
     const double left = static_cast<double>(progress.total - progress.states) / rate;
     line += ", " + std::to_string(static_cast<std::int64_t>(rate)) + " states/s, " +
-            duration(left) + " left";
+            duration_text(left) + " left";
   }
   return line;
 }

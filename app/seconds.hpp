@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 
 namespace kinestat::app {
 
@@ -9,6 +10,11 @@ namespace kinestat::app {
 inline double seconds() {
   const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
   return now.count();
+}
+
+/// Those that the processor has spent on this process: others at work beside it do not count.
+inline double processor_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 }  // namespace kinestat::app

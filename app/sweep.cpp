@@ -3,6 +3,8 @@
 #include "command.hpp"
 #include "options/sweep_options.hpp"
 #include "progress_line.hpp"
+#include "seconds.hpp"
+#include "words.hpp"
 
 namespace kinestat::app {
 
@@ -62,6 +64,28 @@ BestChoice read_pareto(const std::string& text) {
                      "'efficiency, smallest abs(ratio - 4)'");
   }
   return *std::move(front);
+}
+
+// What was given, but for what each share of the sweep has of its own or nobody reads.
+std::vector<std::string> words_of_shares(const CLI::App& command) {
+  constexpr std::string_view kOwn[] = {
+      "--plan", "--jobs", "--shard", "--resume", "--out", "--quiet", "--progress", "--force"};
+  std::vector<std::string> words;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (std::ranges::find(kOwn, name) != std::end(kOwn)) {
+      continue;
+    }
+    for (const std::string& value : option->results()) {
+      if (!option->get_positional()) {
+        words.push_back(name);
+      }
+      if (option->get_expected_max() > 0) {
+        words.push_back(as_written(value));
+      }
+    }
+  }
+  return words;
 }
 
 void add_choices(CLI::App& command, BestChoice& top, std::optional<BestChoice>& best) {
@@ -136,6 +160,9 @@ void check_together(CLI::App& command, SweepCommand& sweep) {
   if (is_given("--top")) {
     sweep.options.best = sweep.top;
   }
+  if (is_given("--plan")) {
+    sweep.options.forecast = {.words = words_of_shares(command), .clock = processor_seconds};
+  }
 }
 
 Outcome run_sweep(const SweepCommand& sweep) {
@@ -173,6 +200,13 @@ void add_sweep(CLI::App& command, Job& job) {
                     "<name>.sweep.json; it must exist. Without it\n"
                     "rows go to standard output");
   add_sharing(command, sweep->options);
+  add_flag(
+      command,
+      "--plan",
+      [] {},
+      "tell how many states there are, about how long\n"
+      "they take, and the lines for Slurm; runs nothing\n"
+      "but a sample of a second");
   add_choices(command, sweep->top, sweep->options.best);
   add_messages(command, sweep->options.diagnostics, sweep->options.is_quiet);
   command.callback([&command, sweep, &job] {

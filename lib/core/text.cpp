@@ -1,6 +1,8 @@
 #include "core/text.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -94,6 +96,29 @@ std::string guess_before(std::string_view word,
                          std::string rest) {
   const std::string guess = did_you_mean(word, candidates);
   return guess.empty() ? rest : fmt::format("{} {}", guess, rest);
+}
+
+std::string duration_text(double seconds) {
+  struct Unit {
+    std::string_view name;
+    std::int64_t seconds;
+  };
+
+  constexpr Unit kUnits[] = {{"d", 86400}, {"h", 3600}, {"min", 60}, {"s", 1}};
+  const auto whole = static_cast<std::int64_t>(std::clamp(seconds, 0.0, 1e15) + 0.5);
+  for (std::size_t i = 0; i + 1 < std::size(kUnits); ++i) {
+    const Unit& unit = kUnits[i];
+    const Unit& next = kUnits[i + 1];
+    if (whole >= unit.seconds) {
+      return fmt::format("{} {} {} {}",
+                         whole / unit.seconds,
+                         unit.name,
+                         whole % unit.seconds / next.seconds,
+                         next.name);
+    }
+  }
+  constexpr double kFew = 9.95;  // seconds: above it, none is cut
+  return seconds < kFew ? fmt::format("{:.2g} s", seconds) : fmt::format("{} s", whole);
 }
 
 }  // namespace kinestat

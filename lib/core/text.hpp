@@ -26,4 +26,7 @@ std::string guess_before(std::string_view word,
                          std::span<const std::string> candidates,
                          std::string rest);
 
+/// "0.7 s", "3 min 20 s", "1 h 2 min", "12 d 3 h"
+std::string duration_text(double seconds);
+
 }  // namespace kinestat

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "studies/sweep/report/sweep_forecast.hpp"
 #include "studies/sweep/task/chunk_runner.hpp"
 #include "studies/sweep/task/state_solver.hpp"
 #include "studies/sweep/task/stored_sweep.hpp"
@@ -115,6 +116,21 @@ void store(const SweepTask& task,
   }
 }
 
+// On one core, for a second or so.
+void tell_forecast(const SweepTask& task,
+                   const SweepOptions& options,
+                   Diagnostics& found,
+                   Outcome& outcome) {
+  constexpr double kSeconds = 1.0;
+  const StateSample sample = sample_states(task, kSeconds, options.forecast->clock);
+  outcome.out = forecast_text({.metadata = task.metadata,
+                               .sampled = sample.counts,
+                               .seconds = sample.seconds,
+                               .bytes = sample.bytes,
+                               .jobs = thread_count(options, found),
+                               .words = options.forecast->words});
+}
+
 void sweep_into(const std::string& path,
                 const SweepOptions& options,
                 const SweepHooks& hooks,
@@ -127,8 +143,12 @@ void sweep_into(const std::string& path,
     if (task) {
       task->tapes = record_tapes(*task);
       Outcome counted;
-      options.folder.empty() ? stream(*task, options, hooks, found, counted)
-                             : store(*task, options, hooks, found, counted);
+      if (options.forecast) {
+        tell_forecast(*task, options, found, outcome);
+      } else {
+        options.folder.empty() ? stream(*task, options, hooks, found, counted)
+                               : store(*task, options, hooks, found, counted);
+      }
       messages = std::move(counted.err);
     }
   }

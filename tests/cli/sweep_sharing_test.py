@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import csv
 import json
+import os
 import random
 import re
 import signal
@@ -120,6 +121,52 @@ class Sharing(InFolder):
         self.assertEqual(list(csv.DictReader(best.splitlines())),
                          [min(expected, key=lambda row: abs(float(row["ratio"]) - 4.6) +
                               float(row["Ns"]) / 1000)])
+
+    def test_the_lines_of_a_plan_run_it(self) -> None:
+        """As they are printed, through a stand-in for Slurm that runs the tasks one by one."""
+        tools = self.new_folder("tools")
+        (tools / "kinestat").symlink_to(program().resolve())
+        sbatch = tools / "sbatch"
+        sbatch.write_text("""#!/bin/bash
+for word in "$@"; do
+  case $word in --array=1-*) count=${word#--array=1-};; esac
+done
+for id in $(seq "$count"); do
+  SLURM_ARRAY_TASK_ID=$id SLURM_ARRAY_TASK_COUNT=$count bash -c "${@: -1}" || exit 1
+done
+""")
+        sbatch.chmod(0o755)
+        name = "it's a train.yaml"
+        self.file = self.file.rename(self.folder / name)
+        choice = ("--set", "module=3", "--top", "4", "--by", "abs(ratio - 4) + abs(e.Rc/(1 N))/1e6")
+        done = kinestat("sweep", "--plan", *choice, "--out", "nowhere", name, cwd=self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        first = done.stdout.splitlines()[0]
+        self.assertRegex(first, r"^it's a train: 480 states in \d+ chunks$")
+        self.assertRegex(done.stdout, r"\nThe whole: about \S+ s on one core")
+        lines = [line for line in done.stdout.splitlines() if line.startswith("  ")]
+        commands = [line for line in lines if re.match(r"  (mkdir|sbatch|kinestat) ", line)]
+        self.assertEqual(len(commands), 3, done.stdout)
+        ran = subprocess.run(["bash", "-e", "-c", "\n".join(commands)], cwd=self.folder,
+                             env=os.environ | {"PATH": f"{tools}:{os.environ['PATH']}"},
+                             capture_output=True, encoding="utf-8", check=False)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        whole = kinestat("sweep", *choice, name, cwd=self.folder).stdout
+        self.assertEqual((self.folder / "results" / "it's a train.sweep.csv").read_text(), whole)
+        self.assertEqual(len(whole.splitlines()), 5)
+
+    def test_a_plan_takes_about_as_long_as_it_says(self) -> None:
+        """Within a factor of five, on whatever machine, of processor time."""
+        self.write(TRAIN + SWEEP.replace("step: 0.5 N*m", "step: 0.0002 N*m"))
+        told = kinestat("sweep", "--plan", self.file).stdout
+        rate = float(re.search(r"s, (\S+) states/s", told)[1])
+        states = int(re.search(r": (\d+) states", told)[1])
+        before = os.times()
+        kinestat("sweep", "--jobs", "1", "--out", self.new_folder("timed"), self.file)
+        after = os.times()
+        took = after.children_user - before.children_user
+        self.assertGreater(5 * took, states / rate)
+        self.assertLess(took / 5, states / rate)
 
     def test_missing_and_duplicate_shards_are_named(self) -> None:
         shards = self.shards(4)

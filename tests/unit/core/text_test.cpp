@@ -103,5 +103,17 @@ TEST(PlainList, IsEmptyForNoName) {
   EXPECT_EQ(plain_list(Names{}), "");
 }
 
+TEST(DurationText, HasItsTwoLargestUnits) {
+  EXPECT_EQ(duration_text(0.0), "0 s");
+  EXPECT_EQ(duration_text(0.234), "0.23 s");
+  EXPECT_EQ(duration_text(9.94), "9.9 s");
+  EXPECT_EQ(duration_text(9.96), "10 s");
+  EXPECT_EQ(duration_text(59.4), "59 s");
+  EXPECT_EQ(duration_text(59.6), "1 min 0 s");
+  EXPECT_EQ(duration_text(3599.0), "59 min 59 s");
+  EXPECT_EQ(duration_text(2 * 3600.0 + 119.0), "2 h 1 min");
+  EXPECT_EQ(duration_text(3 * 86400.0 + 3601.0), "3 d 1 h");
+}
+
 }  // namespace
 }  // namespace kinestat

@@ -1,7 +1,7 @@
 #include "studies/sweep/task/chunk_runner.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <condition_variable>
 #include <exception>
 #include <map>
@@ -33,8 +33,13 @@ class ChunkSolver {
 
   // Empty if the run is stopped meanwhile.
   std::optional<ChunkResult> solve(std::uint64_t chunk) {
+    return solve_first(task_.plan.chunk_size(), chunk);
+  }
+
+  // So many states of a chunk.
+  std::optional<ChunkResult> solve_first(std::uint64_t count, std::uint64_t chunk) {
     const std::uint64_t begin = chunk * task_.plan.chunk_size();
-    const std::uint64_t end = std::min(begin + task_.plan.chunk_size(), task_.plan.state_count());
+    const std::uint64_t end = std::min(begin + count, task_.plan.state_count());
     ChunkResult result{.chunk = chunk, .body = {}, .counts = {}};
     result.counts.dropped.resize(task_.choice.keep.size(), 0);
     const std::optional<BestChoice>& choice = task_.metadata.best;
@@ -209,7 +214,45 @@ class Workshop {
   std::exception_ptr failure_;
 };
 
+// The bits of a number below 2^count the other way round: 0, 1, 2, … come to lie evenly.
+std::uint64_t reversed_bits(std::uint64_t number, int count) {
+  std::uint64_t reversed = 0;
+  for (int i = 0; i < count; ++i) {
+    reversed = reversed << 1U | (number >> static_cast<unsigned>(i) & 1U);
+  }
+  return reversed;
+}
+
 }  // namespace
+
+StateSample sample_states(const SweepTask& task,
+                          double seconds,
+                          const std::function<double()>& clock) {
+  constexpr std::uint64_t kFewestStates = 16;
+  constexpr double kShort = 0.005;      // seconds: the clock and the beginning of a chunk are noise
+  constexpr double kTicks = 1'000'000;  // a second of a clock has
+  const std::uint64_t chunks = task.plan.chunk_count();
+  const auto bits = static_cast<int>(std::bit_width(chunks));
+  const SweepHooks hooks;
+  ChunkSolver solver(task, hooks);
+  StateSample sample;
+  std::uint64_t count = kFewestStates;
+  for (std::uint64_t i = 0; i >> static_cast<unsigned>(bits) == 0 && sample.seconds < seconds;
+       ++i) {
+    const std::uint64_t chunk = reversed_bits(i, bits);
+    if (chunk >= chunks) {
+      continue;
+    }
+    const double begin = clock();
+    const std::optional<ChunkResult> result = solver.solve_first(count, chunk);
+    const double took = std::max(clock() - begin, 1.0 / kTicks);
+    sample.seconds += took;
+    sample.counts.add(result->counts);
+    sample.bytes += result->body.size();
+    count = took < kShort ? std::min(2 * count, task.plan.chunk_size()) : count;
+  }
+  return sample;
+}
 
 RunEnd run_chunks(const SweepTask& task,
                   const std::vector<std::uint64_t>& chunks,

@@ -1,6 +1,7 @@
 // The chunks of a sweep, worked off by threads.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -17,6 +18,19 @@ struct ChunkResult {
   std::string body;
   SweepCounts counts;
 };
+
+/// What some states of a sweep gave and took on one core.
+struct StateSample {
+  SweepCounts counts;
+  std::uint64_t bytes = 0;  ///< of rows
+  double seconds = 0.0;     ///< of the processor
+};
+
+/// Works off states here and there, evenly spread over the chunks, for about that long or until
+/// every chunk was visited. The clock tells the seconds of the processor since some moment.
+StateSample sample_states(const SweepTask& task,
+                          double seconds,
+                          const std::function<double()>& clock);
 
 /// Where finished chunks go. `take` answers false if it cannot take more: the run ends.
 struct ChunkSink {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "files/load_file.hpp"
 #include "files/outcome.hpp"
@@ -33,6 +34,12 @@ struct SweepHooks {
   const std::atomic<bool>* stop = nullptr;
 };
 
+/// What it takes to tell how long a sweep would run.
+struct ForecastRequest {
+  std::vector<std::string> words;  ///< of its command line that every share of it has
+  std::function<double()> clock;   ///< seconds of the processor since some moment
+};
+
 struct SweepOptions {
   LoadOptions load;
   RowFormat format = RowFormat::csv;
@@ -43,7 +50,8 @@ struct SweepOptions {
   bool resume = false;               ///< go on with what an interrupted run has finished
   std::optional<BestChoice> best;    ///< keep these rows alone
   DiagnosticsForm diagnostics = DiagnosticsForm::text;
-  bool is_quiet = false;  ///< no counts on standard error
+  std::optional<ForecastRequest> forecast;  ///< tell what it would take instead of running it
+  bool is_quiet = false;                    ///< no counts on standard error
 };
 
 }  // namespace kinestat
