@@ -5,18 +5,13 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "core/exact_text.hpp"
 
 namespace kinestat {
 
 std::string format_exact(double value) {
-  KINESTAT_EXPECTS(std::isfinite(value));
-  if (value == 0.0) {
-    return "0.0";
-  }
-  std::string text = fmt::format("{}", value);
-  if (text.find_first_of(".e") == std::string::npos) {
-    text += ".0";
-  }
+  std::string text;
+  append_exact(value, text);
   return text;
 }
 

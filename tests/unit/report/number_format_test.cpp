@@ -27,19 +27,24 @@ TEST_P(FormatExact, IsTheShortestTextThatReadsBack) {
   EXPECT_EQ(std::strtod(GetParam().text, nullptr), GetParam().value);
 }
 
-INSTANTIATE_TEST_SUITE_P(Numbers,
-                         FormatExact,
-                         testing::Values(Written{"Whole", 100.0, "100.0"},
-                                         Written{"Negative", -7.0, "-7.0"},
-                                         Written{"Tenth", 0.1, "0.1"},
-                                         Written{"SumOfTenths", 0.1 + 0.2, "0.30000000000000004"},
-                                         Written{"Fraction", 27.0 / 13.0, "2.076923076923077"},
-                                         Written{"Small", 1e-7, "1e-07"},
-                                         Written{"Large", 1e22, "1e+22"},
-                                         Written{
-                                             "Largest", Limits::max(), "1.7976931348623157e+308"},
-                                         Written{"Smallest", Limits::denorm_min(), "5e-324"}),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Numbers,
+    FormatExact,
+    testing::Values(
+        Written{"Whole", 100.0, "100.0"},
+        Written{"Negative", -7.0, "-7.0"},
+        Written{"Tenth", 0.1, "0.1"},
+        Written{"SumOfTenths", 0.1 + 0.2, "0.30000000000000004"},
+        Written{"Fraction", 27.0 / 13.0, "2.076923076923077"},
+        Written{"Small", 1e-7, "1e-07"},
+        Written{"Large", 1e22, "1e+22"},
+        Written{"Largest", Limits::max(), "1.7976931348623157e+308"},
+        Written{"Longest", -2.2250738585072014e-308, "-2.2250738585072014e-308"},
+        Written{"LongestWithoutExponent", -0.00012345678901234567, "-0.00012345678901234567"},
+        Written{"LargestWithoutExponent", -1234567890123456.0, "-1234567890123456.0"},
+        Written{"BeyondIt", 1e16, "1e+16"},
+        Written{"Smallest", Limits::denorm_min(), "5e-324"}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 TEST(FormatExactOfZero, HasNoSign) {
   EXPECT_EQ(format_exact(0.0), "0.0");
