@@ -23,7 +23,7 @@ void add_merge(CLI::App& command, Job& job) {
   add_result_folder(command,
                     merge->options.folder,
                     merge->options.overwrite,
-                    "folder for <name>.sweep.csv (or .jsonl) and\n"
+                    "folder for <name>.sweep.csv (.jsonl, .npy) and\n"
                     "<name>.sweep.json; it must exist. Without it\n"
                     "rows go to standard output");
   add_messages(command, merge->options.diagnostics, merge->options.is_quiet);

@@ -117,11 +117,13 @@ void add_choices(CLI::App& command, BestChoice& top, std::optional<BestChoice>& 
 }
 
 void add_form(CLI::App& command, SweepCommand& sweep) {
-  add_choice<RowFormat>(command,
-                        "--format",
-                        {{"csv", RowFormat::csv}, {"json", RowFormat::json}},
-                        sweep.options.format,
-                        "form of the rows; json is one object a line");
+  add_choice<RowFormat>(
+      command,
+      "--format",
+      {{"csv", RowFormat::csv}, {"json", RowFormat::json}, {"npy", RowFormat::npy}},
+      sweep.options.format,
+      "form of the rows; json is one object a line,\n"
+      "npy an array of NumPy, which needs --out");
   add_choice<ProgressChoice>(command,
                              "--progress",
                              {{"auto", ProgressChoice::automatic},
@@ -138,6 +140,13 @@ void check_together(CLI::App& command, SweepCommand& sweep) {
     if (is_given(name) && sweep.options.folder.empty()) {
       throw LonelyOption(name, "--out", "name the folder for the result, as in --out results");
     }
+  }
+  if (sweep.options.format == RowFormat::npy && sweep.options.folder.empty() &&
+      !is_given("--plan")) {
+    throw LonelyOption("--format npy",
+                       "--out",
+                       "an array begins with the number of its rows, and the words for its numbers "
+                       "stand beside it: name the folder for both, as in --out results");
   }
   if (is_given("--top") != is_given("--by")) {
     throw LonelyOption(is_given("--top") ? "--top" : "--by",
@@ -196,7 +205,7 @@ void add_sweep(CLI::App& command, Job& job) {
   add_result_folder(command,
                     sweep->options.folder,
                     sweep->options.overwrite,
-                    "folder for <name>.sweep.csv (or .jsonl) and\n"
+                    "folder for <name>.sweep.csv (.jsonl, .npy) and\n"
                     "<name>.sweep.json; it must exist. Without it\n"
                     "rows go to standard output");
   add_sharing(command, sweep->options);

@@ -11,15 +11,15 @@ std::string_view impossible_status(const Mechanism& mechanism, const CaseAnalysi
     return {};
   }
   if (!find_pushed_segments(mechanism, *one.action).empty()) {
-    return "cable_slack";
+    return kCableSlack;
   }
   if (!find_pulling_contacts(mechanism, *one.action).empty()) {
-    return "contact_pulls";
+    return kContactPulls;
   }
   return std::ranges::find(one.contacts, BeltState::beyond_limit, &CableContactState::belt_state) ==
                  one.contacts.end()
-             ? ""
-             : "cable_slips";
+             ? std::string_view()
+             : kCableSlips;
 }
 
 std::string_view case_status(const Mechanism& mechanism, const CaseAnalysis& one, bool asks_power) {
@@ -28,7 +28,7 @@ std::string_view case_status(const Mechanism& mechanism, const CaseAnalysis& one
   }
   const SolveStatus status = one.action ? one.action->status : SolveStatus::solved;
   if (status != SolveStatus::solved && status != SolveStatus::underdetermined) {
-    return one.action && !one.action->other_actions.empty() ? "ambiguous" : word_of(status);
+    return one.action && !one.action->other_actions.empty() ? kAmbiguous : word_of(status);
   }
   if (const std::string_view word = impossible_status(mechanism, one); !word.empty()) {
     return word;
@@ -37,11 +37,11 @@ std::string_view case_status(const Mechanism& mechanism, const CaseAnalysis& one
     return word_of(status);
   }
   if (asks_power && one.power && !one.power->is_balanced) {
-    return "unbalanced";
+    return kUnbalanced;
   }
   const bool is_self_locking = one.efficiency ? one.efficiency->carrier.is_self_locking
                                               : one.power && one.power->is_self_locking;
-  return asks_power && is_self_locking ? "self_locking" : "solved";
+  return asks_power && is_self_locking ? kSelfLocking : word_of(SolveStatus::solved);
 }
 
 }  // namespace kinestat

@@ -1,11 +1,23 @@
 // The status of a row: what became of one case in one state or position.
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "cases/analysis.hpp"
 
 namespace kinestat {
+
+inline constexpr std::string_view kAmbiguous = "ambiguous";
+inline constexpr std::string_view kCableSlack = "cable_slack";
+inline constexpr std::string_view kContactPulls = "contact_pulls";
+inline constexpr std::string_view kCableSlips = "cable_slips";
+inline constexpr std::string_view kUnbalanced = "unbalanced";
+inline constexpr std::string_view kSelfLocking = "self_locking";
+
+/// What case_status may say beside the words of SolveStatus.
+inline constexpr std::array kCaseStatuses = {
+    kAmbiguous, kCableSlack, kContactPulls, kCableSlips, kUnbalanced, kSelfLocking};
 
 /// Whether the answer is one that the mechanism can have: "cable_slack", "contact_pulls" or
 /// "cable_slips" where a cable would have to push, surfaces to pull on each other or a cable to

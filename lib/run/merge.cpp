@@ -159,6 +159,21 @@ bool check_complete(const std::vector<WholeShard>& shards, Diagnostics& found) {
   return is_good;
 }
 
+// Whether they can go where the options have it.
+bool check_target(const std::vector<WholeShard>& shards,
+                  const MergeOptions& options,
+                  Diagnostics& found) {
+  if (options.folder.empty() && shards.front().header.metadata.format == RowFormat::npy) {
+    found.error("E0101",
+                {},
+                "the shards hold an array (--format npy), and that needs --out",
+                "the words for its numbers stand beside it: name the folder for both, as in "
+                "--out results");
+    return false;
+  }
+  return true;
+}
+
 // Empty iff an error was added.
 std::vector<WholeShard> read_shards(const std::vector<std::string>& paths, Diagnostics& found) {
   std::vector<WholeShard> shards;
@@ -204,11 +219,11 @@ void merge_into(const std::vector<std::string>& paths,
                                  header.shard.first_chunk(header.metadata.chunks)});
       counts.add(shard.counts);
     }
-    if (!shards.empty()) {
+    if (!shards.empty() && check_target(shards, options, found)) {
       const SweepMetadata& metadata = shards.front().header.metadata;
       const bool is_written =
           options.folder.empty()
-              ? write_rows(result_pieces(metadata, files), hooks, found)
+              ? write_rows(result_pieces(metadata, files, counts), hooks, found)
               : write_files(result_files(metadata, options.folder, "", files, counts),
                             options.overwrite,
                             found);

@@ -35,7 +35,7 @@ class StreamedSweep {
     for (std::size_t i = 0; i < chunks.size(); ++i) {
       chunks[i] = i;
     }
-    if (!hooks_.write(task_.metadata.heading)) {
+    if (!hooks_.write(task_.metadata.heading(0))) {
       return RunEnd::refused;
     }
     const ChunkSink sink{.order = ChunkSink::Order::ascending,
@@ -57,7 +57,7 @@ class StreamedSweep {
     return true;
   }
 
-  bool write_best() { return !best_ || hooks_.write(best_->take()); }
+  bool write_best() { return !best_ || hooks_.write(best_->take().text); }
 
   const SweepTask& task_;
   const SweepHooks& hooks_;

@@ -1,5 +1,5 @@
-// Times the states of a sweep, from their number to the text of their rows, in units of a dense
-// solve by LAPACK.
+// Times the states of a sweep, from their number to the text or the bytes of their rows, in units
+// of a dense solve by LAPACK.
 
 #include <algorithm>
 #include <cstdio>
@@ -19,6 +19,7 @@
 #include "dense_statics.hpp"
 #include "interleave.hpp"
 #include "ratio_table.hpp"
+#include "studies/sweep/report/sweep_row_writer.hpp"
 #include "studies/sweep/task/state_solver.hpp"
 #include "studies/sweep/task/sweep_task.hpp"
 #include "subject.hpp"
@@ -31,6 +32,8 @@ constexpr double kAlone = 0.05;
 constexpr double kInLanes = 0.02;
 constexpr double kTimesCheaper = 3.0;  // two outputs than all
 constexpr double kWithLosses = 0.05;
+constexpr double kTimesForText = 15.0;  // numbers with their text, as against without
+constexpr double kTimesForArray = 2.0;
 constexpr std::size_t kStates = 400;  // timed together
 
 Value value(const char* text) {
@@ -68,7 +71,7 @@ SweepTask make_task(const Subject& subject, const std::vector<std::string>& repo
 
 enum class Way { whole, tape_alone, tape_in_lanes };
 
-enum class Form { numbers, text };
+enum class Form { numbers, text, array };
 
 // The states of a sweep, group by group, and again from the first.
 class RowMaker {
@@ -84,7 +87,11 @@ class RowMaker {
       }
     }
     solver_ = std::make_unique<StateSolver>(task_, lanes_);
-    text_ = std::make_unique<SweepRowText>(task_.plan, task_.cases, task_.columns, RowFormat::csv);
+    writer_ =
+        std::make_unique<SweepRowWriter>(task_.plan,
+                                         task_.cases,
+                                         task_.columns,
+                                         form == Form::array ? RowFormat::npy : RowFormat::csv);
   }
 
   // States that follow one another, as they do in a sweep.
@@ -97,12 +104,12 @@ class RowMaker {
   // One state, or kLanes of them.
   void make_some() {
     std::span<const SolvedState> states = next();
-    if (form_ == Form::text) {
+    if (form_ != Form::numbers) {
       rows_.clear();
       for (const SolvedState& state : states) {
-        text_->enter(state.places);
+        writer_->enter(state.places);
         for (const SweepRow& row : state.rows) {
-          text_->append(row, rows_);
+          writer_->append(row, rows_);
         }
       }
     }
@@ -132,7 +139,7 @@ class RowMaker {
   std::size_t lanes_;
   SweepTask task_;
   std::unique_ptr<StateSolver> solver_;
-  std::unique_ptr<SweepRowText> text_;
+  std::unique_ptr<SweepRowWriter> writer_;
   std::optional<StateWalk> walk_;
   std::string rows_;
 };
@@ -213,6 +220,18 @@ std::string cheaper_text(const char* how, const Ratio& two, const Ratio& all) {
                      times >= kTimesCheaper ? "held" : "missed");
 }
 
+std::string rows_text(const char* rows_in_form,
+                      const Ratio& rows,
+                      const Ratio& numbers,
+                      double target) {
+  const double times = rows.median / numbers.median;
+  return fmt::format("{}: {:.1f} times the numbers (target {}: {})\n",
+                     rows_in_form,
+                     times,
+                     target,
+                     times <= target ? "held" : "missed");
+}
+
 int run(int argc, char** argv) {
   const Options options = read_options(argc, argv);
   const Subject subject = read_subject(KINESTAT_MECHANISM, "M1");
@@ -229,7 +248,10 @@ int run(int argc, char** argv) {
   RowMaker two_lanes(subject, two, Way::tape_in_lanes, Form::numbers);
   RowMaker numbers(subject, {}, Way::tape_in_lanes, Form::numbers);
   RowMaker text(subject, {}, Way::tape_in_lanes, Form::text);
-  RowMaker ratio(subject, {"ratio"}, Way::tape_in_lanes, Form::text);
+  RowMaker array(subject, {}, Way::tape_in_lanes, Form::array);
+  RowMaker ratio(subject, {"ratio"}, Way::tape_in_lanes, Form::numbers);
+  RowMaker ratio_text(subject, {"ratio"}, Way::tape_in_lanes, Form::text);
+  RowMaker ratio_array(subject, {"ratio"}, Way::tape_in_lanes, Form::array);
   RowMaker whole(subject, {}, Way::whole, Form::text);
   const Subject lossy = subject_with_losses();
   const std::vector<std::string> powers = {"ratio", "efficiency", "recirculation"};
@@ -248,7 +270,10 @@ int run(int argc, char** argv) {
       {"  the arithmetic alone", [&] { play_two.play(); }, {}, kStates},
       {everything + ", in lanes", [&] { numbers.make_many(); }, {}, kStates},
       {"  with their text", [&] { text.make_many(); }, {}, kStates},
-      {"the ratio alone, with its text", [&] { ratio.make_many(); }, {}, kStates},
+      {"  as rows of an array", [&] { array.make_many(); }, {}, kStates},
+      {"the ratio alone, in lanes", [&] { ratio.make_many(); }, {}, kStates},
+      {"  with its text", [&] { ratio_text.make_many(); }, {}, kStates},
+      {"  as rows of an array", [&] { ratio_array.make_many(); }, {}, kStates},
       {"losses by both models, power flow", [&] { power.make_many(); }, kWithLosses, kStates},
       {"without tapes, all with their text", [&] { whole.make_some(); }, {}},
       {"without tapes, losses by both models", [&] { whole_power.make_some(); }, {}},
@@ -259,6 +284,11 @@ int run(int argc, char** argv) {
     report += cheaper_text("one state", result.ratios[3], result.ratios[0]);
     report += cheaper_text("in lanes", result.ratios[4], result.ratios[1]);
     report += cheaper_text("the arithmetic", result.ratios[5], result.ratios[2]);
+    const std::vector<Ratio>& ratios = result.ratios;
+    report += rows_text("all with their text", ratios[7], ratios[6], kTimesForText);
+    report += rows_text("all as an array", ratios[8], ratios[6], kTimesForArray);
+    report += rows_text("the ratio with its text", ratios[10], ratios[9], kTimesForText);
+    report += rows_text("the ratio as an array", ratios[11], ratios[9], kTimesForArray);
     report += fmt::format(
         "D = dgesv of {0} x {0}, here {1:.1f} µs\n", dense.size(), 1e6 * result.unit_seconds);
   }

@@ -16,6 +16,14 @@ std::optional<ReportValues> read_report(SourceFile& source, Diagnostics& found) 
     text.remove_prefix(kByteOrderMark.size());
   }
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (text.starts_with("\x93NUMPY")) {
+    found.error("E0903",
+                {},
+                "this is an array of NumPy, and no report",
+                "sweep with --format csv or json to compare rows, and in NumPy with "
+                "numpy.array_equal(a, b)");
+    return {};
+  }
   if (begins_with_rows(text)) {
     return read_sweep_rows(source, found);
   }

@@ -137,6 +137,19 @@ void SweepAxis::keep_values() {
   values_ = std::move(values);
 }
 
+bool SweepAxis::is_whole(double count) const {
+  constexpr double kMostDigits = 1e15;
+  return unit_.text.empty() && count == std::floor(count) && std::abs(count) < kMostDigits;
+}
+
+// What two counts that follow each other on a range have for a difference, all have.
+bool SweepAxis::has_whole_counts() const {
+  const auto is_whole_one = [this](double count) { return is_whole(count); };
+  return counts_.empty() ? is_whole(count_at(0)) && is_whole(count_at(size_ - 1)) &&
+                               (size_ == 1 || is_whole(step_ / denominator_))
+                         : std::ranges::all_of(counts_, is_whole_one);
+}
+
 std::pair<double, double> SweepAxis::bounds() const {
   if (counts_.empty()) {
     // The values of a range keep their order when they are rounded.

@@ -44,6 +44,12 @@ class SweepAxis {
                            : counts_[static_cast<std::size_t>(index)];
   }
 
+  /// Whether this count is a bare whole number, such as teeth, which is written as one.
+  bool is_whole(double count) const;
+
+  /// Whether all counts are.
+  bool has_whole_counts() const;
+
   /// In SI: what the file would give if the value were typed there.
   Quantity value_at(std::uint64_t index) const { return {number_at(index), dimension_}; }
 

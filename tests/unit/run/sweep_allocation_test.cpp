@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "studies/sweep/report/sweep_row_writer.hpp"
 #include "unit/run/swept_file.hpp"
 
 namespace {
@@ -63,9 +64,9 @@ namespace kinestat {
 namespace {
 
 // Of the states after the first group, which is compared with an analysis.
-long allocations_in(SweepTask& task, std::size_t lanes) {
+long allocations_in(SweepTask& task, std::size_t lanes, RowFormat format = RowFormat::csv) {
   StateSolver solver(task, lanes);
-  SweepRowText text(task.plan, task.cases, task.columns, RowFormat::csv);
+  SweepRowWriter text(task.plan, task.cases, task.columns, format);
   StateWalk walk(task.plan, 0, task.plan.state_count());
   std::string rows;
   rows.reserve(1 << 20U);
@@ -97,6 +98,8 @@ TEST(Sweep, AllocatesNothingForAState) {
 
   EXPECT_EQ(allocations_in(file.task(), kLanes), 0);
   EXPECT_EQ(allocations_in(file.task(), 1), 0);
+  EXPECT_EQ(allocations_in(file.task(), kLanes, RowFormat::json), 0);
+  EXPECT_EQ(allocations_in(file.task(), kLanes, RowFormat::npy), 0);
 }
 
 TEST(Sweep, AllocatesNothingWherePointsAreBoundForEachState) {

@@ -54,6 +54,28 @@ TEST(SweepAxis, CountsInTheUnitOfTheFile) {
   EXPECT_EQ(angle.value_at(1).value, 20.0 * std::numbers::pi / 180.0);
 }
 
+TEST(SweepAxis, KnowsWhetherAllCountsAreBareWholeNumbers) {
+  const auto is_whole = [](const std::string& values, const std::string& units = "") {
+    return plan_of("{vary: {p: " + values + "}}", units).axes()[0].has_whole_counts();
+  };
+
+  EXPECT_TRUE(is_whole("{from: 15, to: 40, step: 5}"));
+  EXPECT_TRUE(is_whole("{from: 3, to: -3, step: -2}"));
+  EXPECT_TRUE(is_whole("{from: 7, to: 7, step: 1/2}"));
+  EXPECT_TRUE(is_whole("[17, 18, 25]"));
+  EXPECT_FALSE(is_whole("{from: 1, to: 3, step: 1/2}"));
+  EXPECT_FALSE(is_whole("{from: 1/2, to: 5/2, step: 1}"));
+  EXPECT_FALSE(is_whole("[17, 18.5, 25]"));
+  EXPECT_FALSE(is_whole("[1e15, 2]"));
+}
+
+TEST(SweepAxis, HasNoWholeCountsInAUnit) {
+  const SweepPlan plan = plan_of("{vary: {length: {from: 1 mm, to: 3 mm, step: 1 mm}}}",
+                                 "units: {length: mm, angle: deg}\n");
+
+  EXPECT_FALSE(plan.axes()[0].has_whole_counts());
+}
+
 TEST(SweepAxis, TakesIrrationalStepsAsTheyRound) {
   const SweepPlan plan = plan_of("{vary: {p: {from: 0, to: 3*sqrt(2), step: sqrt(2)}}}");
 

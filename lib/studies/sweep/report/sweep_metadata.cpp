@@ -6,8 +6,10 @@
 
 #include "core/utf8.hpp"
 #include "core/version.hpp"
+#include "report/csv.hpp"
 #include "report/json_archive.hpp"
 #include "report/json_values.hpp"
+#include "report/npy.hpp"
 #include "studies/sweep/report/sweep_record.hpp"
 
 namespace kinestat {
@@ -17,8 +19,17 @@ namespace {
 constexpr std::string_view kShardSignature = "{\"kinestat\":{\"sweep_shard\":1,";
 constexpr std::string_view kSummarySignature = "{\n  \"kinestat\": {\n    \"sweep\": 1,";
 
-std::string_view word_of(RowFormat format) {
-  return format == RowFormat::csv ? "csv" : "json";
+std::string_view extension_of(RowFormat format) {
+  return format == RowFormat::json ? "jsonl" : word_of(format);
+}
+
+std::optional<RowFormat> format_of(std::string_view word) {
+  for (const RowFormat format : {RowFormat::csv, RowFormat::json, RowFormat::npy}) {
+    if (word == word_of(format)) {
+      return format;
+    }
+  }
+  return std::nullopt;
 }
 
 // There are no quantities.
@@ -61,12 +72,10 @@ SweepMetadata metadata_of(const Json& json) {
   metadata.plan = json.at("plan").get<std::string>();
   metadata.stem = json.at("stem").get<std::string>();
   metadata.name = json.at("name").get<std::string>();
-  metadata.format = json.at("format").get<std::string>() == word_of(RowFormat::csv)
-                        ? RowFormat::csv
-                        : RowFormat::json;
+  metadata.format = format_of(json.at("format").get<std::string>()).value_or(RowFormat::csv);
   metadata.titles = json.at("columns").get<std::vector<std::string>>();
-  metadata.heading = json.at("heading").get<std::string>();
-  metadata.signature = json.at("signature").get<std::string>();
+  metadata.cases = json.at("cases").get<std::vector<std::string>>();
+  metadata.dtype = json.at("dtype").get<std::string>();
   metadata.requirements = json.at("require").get<std::vector<std::string>>();
   metadata.keep = json.at("keep").get<std::vector<std::string>>();
   metadata.states = json.at("states").get<std::uint64_t>();
@@ -91,7 +100,31 @@ std::uint64_t ShardNumber::end_chunk(std::uint64_t chunks) const {
 }
 
 std::string SweepMetadata::result_name() const {
-  return fmt::format("{}.sweep.{}", stem, format == RowFormat::csv ? "csv" : "jsonl");
+  return fmt::format("{}.sweep.{}", stem, extension_of(format));
+}
+
+std::string SweepMetadata::heading(std::uint64_t rows) const {
+  switch (format) {
+    case RowFormat::csv:
+      return csv_line(titles);
+    case RowFormat::json:
+      return {};
+    case RowFormat::npy:
+      return npy_header(dtype, rows);
+  }
+  return {};
+}
+
+std::string SweepMetadata::signature() const {
+  switch (format) {
+    case RowFormat::csv:
+      return csv_line(titles);
+    case RowFormat::json:
+      return json_row_keys(titles).front();
+    case RowFormat::npy:
+      return npy_signature(dtype);
+  }
+  return {};
 }
 
 std::string_view shard_signature() {
@@ -112,8 +145,8 @@ std::string write_shard_header(const SweepMetadata& metadata, const ShardNumber&
   json["name"] = metadata.name;
   json["format"] = word_of(metadata.format);
   json["columns"] = metadata.titles;
-  json["heading"] = metadata.heading;
-  json["signature"] = metadata.signature;
+  json["cases"] = metadata.cases;
+  json["dtype"] = metadata.dtype;
   json["require"] = metadata.requirements;
   json["keep"] = metadata.keep;
   json["states"] = metadata.states;

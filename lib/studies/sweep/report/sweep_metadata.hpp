@@ -36,16 +36,22 @@ struct SweepMetadata {
   std::string name;     ///< of the mechanism
   RowFormat format = RowFormat::csv;
   std::vector<std::string> titles;        ///< of the columns
-  std::string heading;                    ///< the first line of the result; empty for JSON
-  std::string signature;                  ///< how the result begins
+  std::vector<std::string> cases;         ///< the labels of those that are run
+  std::string dtype;                      ///< of the rows of an array; empty for text
   std::vector<std::string> requirements;  ///< as typed
   std::vector<std::string> keep;          ///< likewise
   std::uint64_t states = 0;
   std::uint64_t chunks = 0;
   std::optional<BestChoice> best;  ///< empty: all rows are kept
 
-  /// The name of the result without its folder: "teeth.sweep.csv" or "teeth.sweep.jsonl".
+  /// The name of the result without its folder: "teeth.sweep.csv", ".jsonl" or ".npy".
   std::string result_name() const;
+
+  /// What stands before that many rows: a line with the titles, nothing, or the header of an array.
+  std::string heading(std::uint64_t rows) const;
+
+  /// How the result begins, whatever rows it has.
+  std::string signature() const;
 };
 
 /// The first line of a shard, with its line end.

@@ -1,5 +1,7 @@
 #include "studies/sweep/report/sweep_record.hpp"
 
+#include "studies/sweep/report/sweep_status.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -28,6 +30,31 @@ const Record<RequirementView>& requirement_record() {
                "States of which it is the first requirement violated.",
                [](const View& v) { return v.excluded; });
   });
+  return record;
+}
+
+const Record<SweepMetadata>& words_record() {
+  using View = SweepMetadata;
+  static const Record<View> record(
+      "What the numbers in two fields of an array stand for: 0 is the first word.",
+      [](Record<View>& keys) {
+        keys.names("case",
+                   "The cases of the sweep.",
+                   [](const View& v, const EachName& each) {
+                     for (const std::string& label : v.cases) {
+                       each(label);
+                     }
+                   })
+            .ordered();
+        keys.names("status",
+                   "All that a status may be, also those that no row has.",
+                   [](const View&, const EachName& each) {
+                     for (const std::string_view word : sweep_statuses()) {
+                       each(word);
+                     }
+                   })
+            .ordered();
+      });
   return record;
 }
 
@@ -82,15 +109,19 @@ void add_plan(Record<SweepSummaryView>& keys) {
   keys.text("plan",
             "Hash of everything that decides the bytes of the rows: version, file, options.",
             [](const View& v) { return v.metadata.plan; });
-  keys.names("columns",
-             "Titles of the columns, which are the keys of JSON rows: varied parameters, case, "
-             "quantities, status.",
-             [](const View& v, const EachName& each) {
-               for (const std::string& title : v.metadata.titles) {
-                 each(title);
-               }
-             })
+  keys.names(
+          "columns",
+          "Titles of the columns, which are the keys of JSON rows and the fields of arrays: varied "
+          "parameters, case, quantities, status.",
+          [](const View& v, const EachName& each) {
+            for (const std::string& title : v.metadata.titles) {
+              each(title);
+            }
+          })
       .ordered();
+  keys.part(
+          "words", words_record(), [](const View& v) -> const SweepMetadata& { return v.metadata; })
+      .only_if([](const View& v) { return v.metadata.format == RowFormat::npy; });
 }
 
 void add_counts_of_sweep(Record<SweepSummaryView>& keys) {

@@ -1,10 +1,11 @@
 #include "studies/sweep/report/sweep_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include <fmt/format.h>
 
+#include "core/exact_text.hpp"
 #include "report/csv.hpp"
 #include "report/json_values.hpp"
 
@@ -22,93 +23,104 @@ std::string csv_cell(const std::string& text) {
   return line.substr(0, line.size() - 1);
 }
 
-// The shortest text that reads back as the same number, whole ones with ".0".
-void append_number(double value, std::string& text) {
-  if (value == 0.0) {
-    text += "0.0";
-    return;
-  }
-  const std::size_t before = text.size();
-  fmt::format_to(std::back_inserter(text), "{}", value);
-  if (text.find_first_of(".e", before) == std::string::npos) {
-    text += ".0";
-  }
-}
-
-void append_parameter(double count, bool is_bare_number, std::string& text) {
-  constexpr double kMostDigits = 1e15;
-  if (is_bare_number && count == std::floor(count) && std::abs(count) < kMostDigits) {
-    fmt::format_to(std::back_inserter(text), "{}", static_cast<long long>(count));
-  } else {
-    append_number(count, text);
-  }
-}
-
 }  // namespace
+
+std::vector<std::string> sweep_titles(const SweepPlan& plan, std::span<const SweepColumn> columns) {
+  std::vector<std::string> titles;
+  for (const SweepAxis& axis : plan.axes()) {
+    titles.push_back(title_of(axis.name(), axis.unit()));
+  }
+  titles.emplace_back("case");
+  for (const SweepColumn& column : columns) {
+    titles.push_back(title_of(column.name, column.unit));
+  }
+  titles.emplace_back("status");
+  return titles;
+}
+
+std::vector<std::string> json_row_keys(std::span<const std::string> titles) {
+  std::vector<std::string> keys;
+  for (const std::string& title : titles) {
+    keys.push_back(fmt::format("{}{}:", keys.empty() ? "{" : ",", Json(title).dump()));
+  }
+  return keys;
+}
 
 SweepRowText::SweepRowText(const SweepPlan& plan,
                            std::span<const Case> cases,
                            std::span<const SweepColumn> columns,
                            RowFormat format)
-    : plan_(plan), format_(format) {
-  for (const SweepAxis& axis : plan.axes()) {
-    titles_.push_back(title_of(axis.name(), axis.unit()));
-  }
-  titles_.emplace_back("case");
-  for (const SweepColumn& column : columns) {
-    titles_.push_back(title_of(column.name, column.unit));
-  }
-  titles_.emplace_back("status");
-  for (const std::string& title : titles_) {
-    keys_.push_back(fmt::format("{}{}:", keys_.empty() ? "{" : ",", Json(title).dump()));
-  }
+    : plan_(plan), format_(format), keys_(json_row_keys(sweep_titles(plan, columns))) {
   for (const Case& which : cases) {
     cases_.push_back(format == RowFormat::csv ? csv_cell(which.label) : Json(which.label).dump());
   }
-  header_ = format == RowFormat::csv ? csv_line(titles_) : std::string();
+  Cell zero;
+  append_exact(zero.value, zero.text);
+  cells_.assign(cases.size() * columns.size(), zero);
+  for (Cell& cell : cells_) {
+    cell.text.reserve(kLongestExact);
+  }
 }
 
-std::string SweepRowText::signature() const {
-  return format_ == RowFormat::csv ? header_ : keys_.front();
-}
-
+// From the first axis that has moved: the text of the others stands there already.
 void SweepRowText::enter(std::span<const std::uint64_t> places) {
-  beginning_.clear();
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const SweepAxis& axis = plan_.axes()[i];
-    if (format_ == RowFormat::json) {
-      beginning_ += keys_[i];
-    }
-    append_parameter(axis.count_at(places[i]), axis.unit().empty(), beginning_);
-    if (format_ == RowFormat::csv) {
-      beginning_ += ',';
-    }
+  const auto moved = std::ranges::mismatch(places, places_).in1 - places.begin();
+  const auto kept = static_cast<std::size_t>(moved);
+  ends_.resize(kept);
+  beginning_.resize(kept == 0 ? 0 : ends_.back());
+  for (std::size_t i = kept; i < places.size(); ++i) {
+    append_parameter(i, places[i]);
+    ends_.push_back(beginning_.size());
   }
   if (format_ == RowFormat::json) {
     beginning_ += keys_[places.size()];
   }
+  places_.assign(places.begin(), places.end());
 }
 
-void SweepRowText::append(const SweepRow& row, std::string& text) const {
+void SweepRowText::append_parameter(std::size_t axis, std::uint64_t place) {
+  if (format_ == RowFormat::json) {
+    beginning_ += keys_[axis];
+  }
+  const SweepAxis& one = plan_.axes()[axis];
+  const double count = one.count_at(place);
+  if (one.is_whole(count)) {
+    const fmt::format_int digits(static_cast<long long>(count));
+    beginning_.append(digits.data(), digits.size());
+  } else {
+    append_exact(count, beginning_);
+  }
+  if (format_ == RowFormat::csv) {
+    beginning_ += ',';
+  }
+}
+
+void SweepRowText::append(const SweepRow& row, std::string& text) {
   const bool is_json = format_ == RowFormat::json;
   text += beginning_;
   text += cases_[row.which];
   std::size_t column = plan_.axes().size() + 1;
+  Cell* cell = cells_.data() + row.which * row.values.size();
   for (const double value : row.values) {
     text += is_json ? std::string_view(keys_[column++]) : std::string_view(",");
     if (!std::isnan(value)) {
-      append_number(value, text);
+      if (value != cell->value) {
+        cell->value = value;
+        cell->text.clear();
+        append_exact(value, cell->text);
+      }
+      text += cell->text;
     } else if (is_json) {
       text += "null";
     }
+    ++cell;
   }
+  text += is_json ? std::string_view(keys_[column]) : std::string_view(",");
   if (is_json) {
-    fmt::format_to(std::back_inserter(text), "{}\"{}\"}}\n", keys_[column], row.status);
-  } else {
-    text += ',';
-    text += row.status;
-    text += '\n';
+    text += '"';
   }
+  text += row.status;
+  text += is_json ? "\"}\n" : "\n";
 }
 
 }  // namespace kinestat

@@ -12,7 +12,24 @@
 
 namespace kinestat {
 
-enum class RowFormat { csv, json };
+enum class RowFormat {
+  csv,
+  json,
+  npy  ///< no text: see SweepRowArray
+};
+
+/// As --format takes it.
+constexpr std::string_view word_of(RowFormat format) {
+  switch (format) {
+    case RowFormat::csv:
+      return "csv";
+    case RowFormat::json:
+      return "json";
+    case RowFormat::npy:
+      return "npy";
+  }
+  return "";
+}
 
 /// What one case of one state gave. A NaN is a quantity without a value.
 struct SweepRow {
@@ -21,9 +38,14 @@ struct SweepRow {
   std::vector<double> values;  ///< of each quantity, in its unit
 };
 
-/// Writes rows: the varied parameters, the case, the quantities, the status. The title of a column
-/// has its unit in brackets, "C1 [N*m]", and is the key of the JSON object. Whole bare numbers of
-/// parameters, such as teeth, have no decimal point.
+/// The titles of the columns: the varied parameters, the case, the quantities, the status. A title
+/// has the unit in brackets, "C1 [N*m]".
+std::vector<std::string> sweep_titles(const SweepPlan& plan, std::span<const SweepColumn> columns);
+
+/// What stands before each value of a JSON row: the title is its key.
+std::vector<std::string> json_row_keys(std::span<const std::string> titles);
+
+/// Writes rows as text. Whole bare numbers of parameters, such as teeth, have no decimal point.
 class SweepRowText {
  public:
   SweepRowText(const SweepPlan& plan,
@@ -31,28 +53,29 @@ class SweepRowText {
                std::span<const SweepColumn> columns,
                RowFormat format);
 
-  /// The line with the titles; JSON has none.
-  const std::string& header() const { return header_; }
-
-  const std::vector<std::string>& titles() const { return titles_; }
-
-  /// How every file of these rows begins.
-  std::string signature() const;
-
   /// Takes the places of a state on the axes, which its rows then begin with.
   void enter(std::span<const std::uint64_t> places);
 
   /// Appends the row of a case of that state, with its line end.
-  void append(const SweepRow& row, std::string& text) const;
+  void append(const SweepRow& row, std::string& text);
 
  private:
+  // A value with its text: in the next row of the case it is often the same.
+  struct Cell {
+    double value = 0.0;
+    std::string text;
+  };
+
+  void append_parameter(std::size_t axis, std::uint64_t place);
+
   const SweepPlan& plan_;
   RowFormat format_;
-  std::vector<std::string> titles_;
-  std::vector<std::string> keys_;   ///< of JSON: what stands before each value
-  std::vector<std::string> cases_;  ///< as they stand in a row
-  std::string header_;
-  std::string beginning_;  ///< of the rows of the state
+  std::vector<std::string> keys_;      ///< of JSON
+  std::vector<std::string> cases_;     ///< as they stand in a row
+  std::string beginning_;              ///< of the rows of the state
+  std::vector<std::uint64_t> places_;  ///< of the state
+  std::vector<std::size_t> ends_;      ///< of the text of each axis in the beginning
+  std::vector<Cell> cells_;            ///< of each case the quantities, as its last row has them
 };
 
 }  // namespace kinestat

@@ -11,6 +11,7 @@
 
 #include "math/numbers/number_threads.hpp"
 #include "studies/sweep/best_rows.hpp"
+#include "studies/sweep/report/sweep_row_writer.hpp"
 #include "studies/sweep/task/state_solver.hpp"
 
 namespace kinestat {
@@ -100,7 +101,7 @@ class ChunkSolver {
   const SweepHooks& hooks_;
   StateSolver states_;
   RowJudge judge_;
-  SweepRowText text_;
+  SweepRowWriter text_;
 };
 
 // Hands out chunks, takes results and keeps their order.

@@ -11,8 +11,8 @@
 
 namespace kinestat {
 
-/// The rows of a chunk as text: as they stand in the result, or as write_rows has them where only
-/// the top rows are kept.
+/// The rows of a chunk: as they stand in the result, or as write_rows has them where only the top
+/// rows are kept.
 struct ChunkResult {
   std::uint64_t chunk = 0;
   std::string body;

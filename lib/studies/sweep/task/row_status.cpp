@@ -8,15 +8,12 @@ namespace kinestat {
 
 namespace {
 
-// The input cannot move, or nothing can.
-constexpr std::string_view kInputAtRest = "locked";
-
 // Known magnitudes that no longer fit where they usually do: the position is to blame.
 std::string_view status_word(SolveStatus status, bool is_usually_solved) {
   const bool is_of_choice = status == SolveStatus::dependent ||
                             status == SolveStatus::underdetermined ||
                             status == SolveStatus::inconsistent;
-  return is_usually_solved && is_of_choice ? "singular" : word_of(status);
+  return is_usually_solved && is_of_choice ? kSingular : word_of(status);
 }
 
 bool has_solved_motion(const CaseAnalysis& one) {
@@ -39,7 +36,7 @@ std::string_view ratio_status(const CaseAnalysis& one, const Topology& topology)
 }  // namespace
 
 std::string_view status_without_ratio(bool is_input_at_rest) {
-  return is_input_at_rest ? kInputAtRest : "no_ratio";
+  return is_input_at_rest ? kLocked : kNoRatio;
 }
 
 std::string_view row_status(const CaseAnalysis& one,
@@ -48,7 +45,7 @@ std::string_view row_status(const CaseAnalysis& one,
                             bool is_usually_solved) {
   if (one.motion && one.motion->status != SolveStatus::solved) {
     return one.motion->status == SolveStatus::dependent && one.motion->counts.net_freedom <= 0
-               ? kInputAtRest
+               ? kLocked
                : status_word(one.motion->status, is_usually_solved);
   }
   const bool has_actions = !one.action || one.action->status == SolveStatus::solved;

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "cases/analysis.hpp"
+#include "studies/sweep/report/sweep_status.hpp"
 #include "studies/sweep/task/sweep_task.hpp"
 
 namespace kinestat {
@@ -16,9 +17,6 @@ std::string_view row_status(const CaseAnalysis& one,
                             const SweepTask& task,
                             const Mechanism& mechanism,
                             bool is_usually_solved);
-
-/// Of a solved case whose efficiency is asked for, and has none for a reason.
-inline constexpr std::string_view kNoEfficiency = "no_efficiency";
 
 /// Why a solved case has no ratio: "locked" where the input rests (0/0 too), "no_ratio" where the
 /// output does.

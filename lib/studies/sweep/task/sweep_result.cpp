@@ -10,8 +10,8 @@ namespace kinestat {
 
 namespace {
 
-// The text of the best rows of all pieces.
-std::string best_rows(const SweepMetadata& metadata, const std::vector<PieceFile>& files) {
+// Of all pieces.
+ChosenRows best_rows(const SweepMetadata& metadata, const std::vector<PieceFile>& files) {
   BestOfPieces best(*metadata.best);
   PieceReader reader(files, metadata.plan);
   ChunkRecord record;
@@ -49,15 +49,18 @@ void BestOfPieces::add(const std::string& body) {
   }
 }
 
-std::string BestOfPieces::take() {
-  std::string text;
+ChosenRows BestOfPieces::take() {
+  ChosenRows rows;
   for (const RankedRow& row : best_.take()) {
-    text += row.text;
+    rows.text += row.text;
+    ++rows.count;
   }
-  return text;
+  return rows;
 }
 
-NextPiece result_pieces(const SweepMetadata& metadata, const std::vector<PieceFile>& files) {
+NextPiece result_pieces(const SweepMetadata& metadata,
+                        const std::vector<PieceFile>& files,
+                        const SweepCounts& counts) {
   // Shared, because a function object must be copyable.
   struct State {
     PieceReader reader;
@@ -67,10 +70,13 @@ NextPiece result_pieces(const SweepMetadata& metadata, const std::vector<PieceFi
   };
 
   const auto state = std::make_shared<State>(
-      State{.reader = PieceReader(files, metadata.plan), .record = {}, .ready = metadata.heading});
+      State{.reader = PieceReader(files, metadata.plan), .record = {}, .ready = {}});
   const bool is_choice = metadata.best.has_value();
   if (is_choice) {
-    state->ready += best_rows(metadata, files);
+    const ChosenRows rows = best_rows(metadata, files);
+    state->ready = metadata.heading(rows.count) + rows.text;
+  } else {
+    state->ready = metadata.heading(counts.kept());
   }
   return [state, is_choice](std::string& piece) {
     if (std::exchange(state->has_ready, false)) {
@@ -92,8 +98,8 @@ std::vector<OutputFile> result_files(const SweepMetadata& metadata,
                                      const SweepCounts& counts) {
   return {{.path = path_in(folder, metadata.result_name()),
            .content = {},
-           .signature = metadata.signature,
-           .next_piece = files.empty() ? NextPiece() : result_pieces(metadata, files),
+           .signature = metadata.signature(),
+           .next_piece = files.empty() ? NextPiece() : result_pieces(metadata, files, counts),
            .scratch = scratch},
           {.path = path_in(folder, summary_name(metadata)),
            .content = write_sweep_summary(metadata, counts),

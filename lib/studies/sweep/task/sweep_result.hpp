@@ -36,6 +36,12 @@ class PieceReader {
   std::optional<RecordFile> open_;
 };
 
+/// Rows one behind the other, as they stand in the result.
+struct ChosenRows {
+  std::uint64_t count = 0;
+  std::string text;
+};
+
 /// The best rows of pieces, in whatever order these come.
 class BestOfPieces {
  public:
@@ -44,16 +50,18 @@ class BestOfPieces {
   /// Takes the body of a piece, as write_rows has it.
   void add(const std::string& body);
 
-  /// The rows as they stand in the result.
-  std::string take();
+  /// The best first.
+  ChosenRows take();
 
  private:
   BestRows best_;
 };
 
 /// The rows as they stand in the result: the heading, then the bodies of all pieces, or the best
-/// rows of all of them.
-NextPiece result_pieces(const SweepMetadata& metadata, const std::vector<PieceFile>& files);
+/// rows of all of them. `counts` are those of all pieces.
+NextPiece result_pieces(const SweepMetadata& metadata,
+                        const std::vector<PieceFile>& files,
+                        const SweepCounts& counts);
 
 /// The result and the file beside it, for write_files; `scratch` may be empty.
 std::vector<OutputFile> result_files(const SweepMetadata& metadata,

@@ -13,6 +13,7 @@
 #include "files/output.hpp"
 #include "io/chunk_record.hpp"
 #include "studies/shift/task/gear_cases.hpp"
+#include "studies/sweep/report/sweep_array.hpp"
 
 namespace kinestat {
 
@@ -134,6 +135,22 @@ void refuse_overridden_axes(const SweepDescription& sweep,
   }
 }
 
+// JSON and tables can do with two columns of one title.
+void refuse_twin_titles(const SweepDescription& sweep,
+                        const std::vector<std::string>& titles,
+                        Diagnostics& found) {
+  for (auto one = titles.begin(); one != titles.end(); ++one) {
+    if (std::find(one + 1, titles.end(), *one) != titles.end()) {
+      found.error("E0306",
+                  sweep.where,
+                  fmt::format("two columns of the rows are called '{}', and the fields of an array "
+                              "need different names",
+                              printable(*one)),
+                  "give the parameter or the actuator another name, or the rows --format csv");
+    }
+  }
+}
+
 // Everything that decides the bytes of the rows.
 std::string plan_text(const SourceFile& source,
                       const SweepOptions& options,
@@ -143,7 +160,7 @@ std::string plan_text(const SourceFile& source,
     text += fmt::format("set {}:{}\n", one.size(), one);
   }
   text += fmt::format("format {}\nchunks {} of {}\n",
-                      options.format == RowFormat::csv ? "csv" : "json",
+                      word_of(options.format),
                       plan.chunk_count(),
                       plan.chunk_size());
   if (options.best) {
@@ -160,16 +177,19 @@ SweepMetadata metadata_of(const SourceFile& source,
                           const SweepDescription& sweep,
                           const SweepOptions& options,
                           const SweepTask& task) {
-  const SweepRowText text(task.plan, task.cases, task.columns, options.format);
   SweepMetadata metadata;
   metadata.version = std::string(kVersion);
   metadata.plan = hash_of(plan_text(source, options, task.plan));
   metadata.stem = report_stem(source.path);
   metadata.name = task.description.name;
   metadata.format = options.format;
-  metadata.titles = text.titles();
-  metadata.heading = text.header();
-  metadata.signature = text.signature();
+  metadata.titles = sweep_titles(task.plan, task.columns);
+  if (options.format == RowFormat::npy) {
+    metadata.dtype = sweep_dtype(task.plan, task.columns);
+  }
+  for (const Case& which : task.cases) {
+    metadata.cases.push_back(which.label);
+  }
   for (const PlannedRequirement& one : task.plan.requirements()) {
     metadata.requirements.push_back(one.text);
   }
@@ -243,7 +263,10 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
                                      (!one.action || one.action->status == SolveStatus::solved));
   }
   task.metadata = metadata_of(source, sweep, options, task);
-  return task;
+  if (options.format == RowFormat::npy) {
+    refuse_twin_titles(sweep, task.metadata.titles, found);
+  }
+  return found.error_count() > errors_before ? std::nullopt : std::optional(std::move(task));
 }
 
 }  // namespace kinestat
