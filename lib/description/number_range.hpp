@@ -40,6 +40,8 @@ inline constexpr NumberRange kTeeth = {.least = 1, .most = 10'000, .is_whole = t
 inline constexpr NumberRange kPlanets = {.least = 1, .most = 64, .is_whole = true};
 inline constexpr NumberRange kSteps = {.least = 1, .most = 1'000'000, .is_whole = true};
 inline constexpr NumberRange kPoints = {.least = 2, .most = 1'000'000, .is_whole = true};
+inline constexpr NumberRange kStates = {.least = 1, .most = 1e12, .is_whole = true};
+inline constexpr NumberRange kSeed = {.least = 0, .most = 4'294'967'295, .is_whole = true};
 inline constexpr NumberRange kDigits = {
     .least = kLeastDigits, .most = kMostDigits, .is_whole = true};
 

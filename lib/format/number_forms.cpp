@@ -77,6 +77,14 @@ Form<Value> point_count() {
   return number_form("points", "A whole number from 2 to 1000000.", {"400"}, kPoints);
 }
 
+Form<Value> state_count() {
+  return number_form("states", "A whole number from 1 to 1e12.", {"100000"}, kStates);
+}
+
+Form<Value> seed() {
+  return number_form("seed", "A whole number from 0 to 4294967295.", {"1"}, kSeed);
+}
+
 Form<Value> digit_count() {
   return number_form("digits", "A whole number from 17 to 100.", {"40"}, kDigits);
 }

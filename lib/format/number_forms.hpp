@@ -35,6 +35,8 @@ Form<Value> teeth();
 Form<Value> planet_count();
 Form<Value> step_count();
 Form<Value> point_count();
+Form<Value> state_count();
+Form<Value> seed();
 Form<Value> digit_count();
 Form<Value> at_least_one();
 Form<Value> not_zero();

@@ -182,7 +182,11 @@ std::optional<SweepTable> find_sweep_table(const SourceFile& source,
   if (!task) {
     return std::nullopt;
   }
-  SweepTable table{.states = task->plan.state_count(), .varied = {}, .quantities = {}, .rows = {}};
+  SweepTable table{.states = task->plan.state_count(),
+                   .varied = {},
+                   .quantities = {},
+                   .rows = {},
+                   .is_sample = task->plan.draw().has_value()};
   const std::vector<std::string>& titles = task->metadata.titles;
   const auto varied = static_cast<std::ptrdiff_t>(task->plan.axes().size());
   // Then the case; at the end the status.

@@ -20,9 +20,11 @@ from sweep_case import SWEEP, TRAIN, InFolder, kinestat, main, program
 class Sharing(InFolder):
     """Threads, shards, interruptions and damage."""
 
+    SWEEP = SWEEP
+
     def setUp(self) -> None:
         super().setUp()
-        self.file = self.write(TRAIN + SWEEP)
+        self.file = self.write(TRAIN + self.SWEEP)
         self.whole = self.new_folder("whole")
         done = kinestat("sweep", "--jobs", "1", "--out", self.whole, self.file)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -104,7 +106,7 @@ class Sharing(InFolder):
 
     def test_kept_rows_are_those_that_fulfil_the_conditions(self) -> None:
         """By the numbers of all rows, in any shards, and the best of them by a formula."""
-        self.write(TRAIN + SWEEP + '  keep: [ratio > 4.2, "abs(e.Rc) < 100 N or Np == 18"]\n')
+        self.write(TRAIN + self.SWEEP + '  keep: [ratio > 4.2, "abs(e.Rc) < 100 N or Np == 18"]\n')
         def is_kept(row: dict[str, str]) -> bool:
             return float(row["ratio"]) > 4.2 and (abs(float(row["e.Rc [N]"])) < 100 or
                                                   row["Np"] == "18")
@@ -210,9 +212,17 @@ done
             self.assertIn("E0101", done.stderr)
 
 
+class SampledSharing(Sharing):
+    """The same of a sample."""
+
+    SWEEP = SWEEP.replace("to: 3 N*m, step: 0.5 N*m}", "to: 3 N*m}") + (
+        "  sample: {count: 500, method: latin, seed: 3}\n")
+
+
 class Interruption(InFolder):
     """A sweep of some seconds that is ended on the way."""
 
+    SAMPLE = ""
     OPTIONS = ("--jobs", "2", "--quiet", "--progress", "always")
 
     def setUp(self) -> None:
@@ -223,7 +233,7 @@ class Interruption(InFolder):
 sweep:
   vary: {Ns: {from: 17, to: 66, step: 1}, Np: {from: 17, to: 56, step: 1}}
   report: [ratio, efficiency, e.Rc]
-""")
+""" + self.SAMPLE)
         out = self.new_folder("whole")
         kinestat("sweep", "--quiet", "--out", out, self.file)
         self.files = {path.name: path.read_bytes() for path in out.iterdir()}
@@ -315,6 +325,12 @@ sweep:
         self.assertRegex(done.stderr, r"\d+ %, \d+ of 2000 states, \d+ rows")
         self.assertNotIn("\x1b", done.stderr)
         self.assertEqual(kinestat("sweep", "-q", self.file).stderr, "")
+
+
+class SampledInterruption(Interruption):
+    """The same of a sample."""
+
+    SAMPLE = "  sample: {count: 2000}\n"
 
 
 if __name__ == "__main__":

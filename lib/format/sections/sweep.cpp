@@ -32,8 +32,10 @@ const Mapping<VariedParameter>& variation_mapping() {
         .may(&VariedParameter::values, values(true), "[14.5 deg, 20 deg, 25 deg]");
     m.key("from", "The first value.").needed(&VariedParameter::from, any_number(), "15");
     m.key("to", "The last value, inclusive.").needed(&VariedParameter::to, any_number(), "40");
-    m.key("step", "The step from one value to the next, not zero.")
-        .needed(&VariedParameter::step, increment(), "1");
+    m.key("step",
+          "The step from one value to the next, not zero. Only with 'sample' may it be left out: "
+          "then the parameter is anywhere in the range.")
+        .may(&VariedParameter::step, increment(), "1");
     m.instead("values", {"from", "to", "step"}, kVaryHint);
   });
   return mapping;
@@ -54,9 +56,42 @@ Form<VariedParameter> variation() {
                                         [](const VariedParameter&) { return std::size_t{1}; });
   form.shape.definition = "variation";
   form.shape.meaning =
-      "The values of a parameter: a list, {values: [...]}, or {from, to, step}; 'to' is inclusive.";
+      "The values of a parameter: a list, {values: [...]}, or {from, to, step}; 'to' is inclusive. "
+      "With 'sample' also {from, to}, the whole range.";
   form.shape.examples = {"{from: 15, to: 40, step: 1}", "[14.5 deg, 20 deg, 25 deg]"};
   return form;
+}
+
+std::string_view word_of(SampleMethod method) {
+  return kSampleMethods[static_cast<std::size_t>(method)];
+}
+
+const Mapping<SampleDescription>& sample_mapping() {
+  static const Mapping<SampleDescription> mapping(
+      "sample",
+      "Draws of the varied parameters instead of all their combinations.",
+      "{count: 100000, method: sobol, seed: 1}",
+      [](auto& m) {
+        m.key("count",
+              "How many states are drawn, those among them that a requirement then leaves out.")
+            .needed(&SampleDescription::count, state_count(), "100000");
+        m.key("method", "How they are drawn.")
+            .may(&SampleDescription::method,
+                 choice_of<SampleMethod>(
+                     {{word_of(SampleMethod::sobol),
+                       "points that fill the space evenly, any first part of them too"},
+                      {word_of(SampleMethod::random), "each alone, as dice would have it"},
+                      {word_of(SampleMethod::latin),
+                       "every parameter evenly: of as many equal parts of its range as there are "
+                       "states, each once"}}),
+                 "sobol")
+            .usual(word_of(SampleMethod{}));
+        m.key("seed",
+              "Other numbers make other samples, the same number the same sample on every machine.")
+            .may(&SampleDescription::seed, seed(), "1")
+            .usual(usual_number<kUsualSeed>());
+      });
+  return mapping;
 }
 
 Form<Requirement> requirement(std::string_view key,
@@ -118,6 +153,13 @@ const Mapping<SweepDescription>& sweep_section() {
                            .least = 1},
                           "parameter '{0}' of 'vary'"),
                     "{N1: {from: 15, to: 40, step: 1}}");
+        m.key(
+             "sample",
+             "Draw so many states instead of taking every combination: each has one value of every "
+             "parameter.")
+            .may(&SweepDescription::sample,
+                 sample_mapping().form(),
+                 "{count: 100000, method: sobol, seed: 1}");
         m.key("require",
               "Conditions that a combination must fulfil to be analysed; what fails is counted.")
             .may(&SweepDescription::require,

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "math/draws/sobol_sequence.hpp"
 #include "mechanism/check/report_name_check.hpp"
 #include "mechanism/check/section_checks.hpp"
 
@@ -12,7 +13,12 @@ namespace kinestat {
 
 namespace {
 
-constexpr double kMostStates = 1e12;
+constexpr NumberRule kCount = {.kind = QuantityKind::dimensionless,
+                               .range = kStates,
+                               .allowed = "a whole number from 1 to 1e12"};
+constexpr NumberRule kAnySeed = {.kind = QuantityKind::dimensionless,
+                                 .range = kSeed,
+                                 .allowed = "a whole number from 0 to 4294967295"};
 
 class SweepCheck {
  public:
@@ -23,7 +29,11 @@ class SweepCheck {
     for (const VariedParameter& varied : sweep_.vary) {
       check_varied(varied);
     }
-    check_size();
+    if (sweep_.sample) {
+      check_sample(*sweep_.sample);
+    } else {
+      check_size();
+    }
     for (const Requirement& requirement : sweep_.require) {
       if (check_names(requirement)) {
         check_dimensions(requirement);
@@ -88,6 +98,10 @@ class SweepCheck {
   void check_range(const VariedParameter& varied) {
     const std::optional<double> from = number(*varied.from, varied);
     const std::optional<double> to = number(*varied.to, varied);
+    if (!varied.step) {
+      check_interval(varied);
+      return;
+    }
     const std::optional<double> step = number(*varied.step, varied);
     if (!from || !to || !step) {
       return;
@@ -104,16 +118,53 @@ class SweepCheck {
       return;
     }
     state_count_ *= std::floor(ways) + 1.0;
+    if (sweep_.sample && std::floor(ways) >= *kStates.most) {
+      context_.found.error("E0305",
+                           varied.step->where,
+                           fmt::format("'{}' has {:.3g} values; at most {:.0e} can be numbered",
+                                       varied.name.text,
+                                       std::floor(ways) + 1.0,
+                                       *kStates.most),
+                           "leave 'step' out: then the sample draws from the whole range");
+    }
+  }
+
+  // Neither a list of values nor a sample, which needs none.
+  void check_interval(const VariedParameter& varied) {
+    if (!sweep_.sample) {
+      context_.found.error(
+          "E0303",
+          varied.name.where,
+          fmt::format("parameter '{}' of 'vary' lacks the key 'step'", varied.name.text),
+          "add for example 'step: 1', or to 'sweep' for example 'sample: {count: "
+          "10000}', which draws from the whole range");
+    }
+  }
+
+  void check_sample(const SampleDescription& sample) {
+    context_.number(sample.count, kCount, "'count' of 'sample'");
+    context_.number(sample.seed, kAnySeed, "'seed' of 'sample'");
+    if (sample.method == SampleMethod::sobol &&
+        sweep_.vary.size() > SobolSequence::kMostDimensions) {
+      context_.found.error("E0305",
+                           sample.where,
+                           fmt::format("the sweep varies {} parameters; 'method: sobol' knows "
+                                       "points of {} numbers",
+                                       sweep_.vary.size(),
+                                       SobolSequence::kMostDimensions),
+                           "write 'method: latin', or vary fewer parameters");
+    }
   }
 
   void check_size() {
-    if (state_count_ > kMostStates) {
-      context_.found.error(
-          "E0305",
-          sweep_.where,
-          fmt::format(
-              "the sweep has {:.3g} states; at most {:.0e} can be run", state_count_, kMostStates),
-          "vary fewer parameters, or take larger steps");
+    if (state_count_ > *kStates.most) {
+      context_.found.error("E0305",
+                           sweep_.where,
+                           fmt::format("the sweep has {:.3g} states; at most {:.0e} can be run",
+                                       state_count_,
+                                       *kStates.most),
+                           "vary fewer parameters, take larger steps, or draw some of the states: "
+                           "'sample: {count: 100000}'");
     }
   }
 

@@ -87,10 +87,12 @@ class SweepReader {
     const bool is_new =
         values_.add(place_below(*place, kStatus), ValueType::text, row.cells.back());
     if (!is_new) {
-      refuse_line(row.line,
-                  fmt::format("there are two rows for {}", printable(*place)),
-                  "compare one sweep at a time",
-                  found_);
+      refuse_line(
+          row.line,
+          fmt::format("there are two rows for {}", printable(*place)),
+          "compare one sweep at a time; of a sample that draws a state twice, take repeated "
+          "lines out: awk '!seen[$0]++'",
+          found_);
     }
   }
 

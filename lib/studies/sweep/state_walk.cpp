@@ -13,7 +13,7 @@ StateWalk::StateWalk(const SweepPlan& plan, std::uint64_t begin, std::uint64_t e
       excluded_(plan.requirements().size(), 0) {
   const auto last = static_cast<int>(plan.axes().size()) - 1;
   const auto depends = [&](const auto& one) { return one.depth == last; };
-  is_last_alone_ = !plan.runs_together() && std::ranges::none_of(plan.dependents(), depends) &&
+  is_last_alone_ = plan.is_product() && std::ranges::none_of(plan.dependents(), depends) &&
                    std::ranges::none_of(plan.requirements(), depends);
   for (const SweepAxis& axis : plan.axes()) {
     slots_.has_value[static_cast<std::size_t>(axis.parameter())] = true;
@@ -81,7 +81,7 @@ std::size_t StateWalk::jump_to(std::uint64_t state) {
 
 // Only what depends on an axis that has moved is evaluated again.
 void StateWalk::enter(std::uint64_t state) {
-  const bool is_next = !is_first_ && state == state_ + 1 && !plan_.runs_together();
+  const bool is_next = !is_first_ && state == state_ + 1 && plan_.is_product();
   const auto moved = static_cast<int>(is_next ? step_on() : jump_to(state));
   state_ = state;
   is_first_ = false;

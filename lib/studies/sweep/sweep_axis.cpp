@@ -80,10 +80,12 @@ SweepAxis::SweepAxis(const MechanismDescription& description,
   unit_ = description.units.unit_of(dimension_);
   above_ = UnitScale{unit_.scale.numerator, 1.0, unit_.scale.pi_power}.factor();
   below_ = unit_.scale.denominator;
-  if (varied.values.empty()) {
+  if (!varied.values.empty()) {
+    read_list(varied.values, exact);
+  } else if (varied.step) {
     read_range(varied, exact);
   } else {
-    read_list(varied.values, exact);
+    read_interval(varied, exact);
   }
 }
 
@@ -98,6 +100,7 @@ void SweepAxis::read_list(const std::vector<Value>& values,
 }
 
 void SweepAxis::run_through(std::vector<double> counts) {
+  is_interval_ = false;
   size_ = counts.size();
   counts_ = std::move(counts);
   values_.clear();
@@ -127,6 +130,21 @@ void SweepAxis::read_range(const VariedParameter& varied, const BasicParameterTa
   keep_values();
 }
 
+void SweepAxis::read_interval(const VariedParameter& varied,
+                              const BasicParameterTable<Exact>& exact) {
+  from_ = count_of(evaluated(*varied.from, exact).value, unit_.scale);
+  to_ = count_of(evaluated(*varied.to, exact).value, unit_.scale);
+  is_interval_ = true;
+  size_ = static_cast<std::uint64_t>(kLargestWhole);
+}
+
+// Both shares are exact; rounding may lead out of the range.
+double SweepAxis::count_within(std::uint64_t index) const {
+  const double share = static_cast<double>(index) / kLargestWhole;
+  const auto [least, most] = std::minmax(from_, to_);
+  return std::clamp(from_ * (1.0 - share) + to_ * share, least, most);
+}
+
 // So that a state need not divide.
 void SweepAxis::keep_values() {
   constexpr std::uint64_t kMostKept = 4096;
@@ -151,6 +169,9 @@ bool SweepAxis::has_whole_counts() const {
 }
 
 std::pair<double, double> SweepAxis::bounds() const {
+  if (is_interval_) {
+    return std::minmax({from_ * above_ / below_, to_ * above_ / below_});
+  }
   if (counts_.empty()) {
     // The values of a range keep their order when they are rounded.
     return std::minmax({value_at(0).value, value_at(size_ - 1).value});

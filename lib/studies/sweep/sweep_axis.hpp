@@ -14,7 +14,8 @@ namespace kinestat {
 
 /// The values of a long range are made when they are asked for, so that an axis of a million takes
 /// no memory. A range counts exactly where its ends and its step are fractions in the unit of the
-/// file: 0.1 to 0.3 by 0.1 has three values, and the third is the double that is typed 0.3.
+/// file: 0.1 to 0.3 by 0.1 has three values, and the third is the double that is typed 0.3. A range
+/// without a step has as many values as there are shares of 2^-53, the first of them `from`.
 class SweepAxis {
  public:
   /// `description` must have passed bind, `varied` belong to its sweep and `exact` hold its
@@ -38,10 +39,14 @@ class SweepAxis {
 
   std::uint64_t size() const { return size_; }
 
+  /// Whether it is a range without a step.
+  bool is_interval() const { return is_interval_; }
+
   /// The value of that index, counted in the unit.
   double count_at(std::uint64_t index) const {
-    return counts_.empty() ? (from_ + static_cast<double>(index) * step_) / denominator_
-                           : counts_[static_cast<std::size_t>(index)];
+    return is_interval_      ? count_within(index)
+           : counts_.empty() ? (from_ + static_cast<double>(index) * step_) / denominator_
+                             : counts_[static_cast<std::size_t>(index)];
   }
 
   /// Whether this count is a bare whole number, such as teeth, which is written as one.
@@ -65,8 +70,10 @@ class SweepAxis {
  private:
   void read_list(const std::vector<Value>& values, const BasicParameterTable<Exact>& exact);
   void read_range(const VariedParameter& varied, const BasicParameterTable<Exact>& exact);
+  void read_interval(const VariedParameter& varied, const BasicParameterTable<Exact>& exact);
 
   void keep_values();
+  double count_within(std::uint64_t index) const;
 
   std::string name_;
   int parameter_ = -1;
@@ -80,6 +87,8 @@ class SweepAxis {
   double from_ = 0.0;           ///< of a range: value i is (from + i · step) / denominator
   double step_ = 0.0;
   double denominator_ = 1.0;
+  double to_ = 0.0;  ///< of a range without a step
+  bool is_interval_ = false;
 };
 
 }  // namespace kinestat

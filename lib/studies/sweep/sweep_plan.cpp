@@ -11,6 +11,7 @@ namespace kinestat {
 SweepPlan::SweepPlan(const MechanismDescription& description) {
   KINESTAT_EXPECTS(description.sweep.has_value());
   add_axes(description);
+  count_states(description);
   add_dependents(description);
   add_requirements(description);
 }
@@ -19,7 +20,8 @@ SweepPlan::SweepPlan(const MechanismDescription& description) {
 void SweepPlan::run_through(std::span<const double> rows) {
   KINESTAT_EXPECTS(!axes_.empty() && rows.size() % axes_.size() == 0);
   state_count_ = rows.size() / axes_.size();
-  runs_together_ = true;
+  is_product_ = false;
+  draw_.reset();
   std::ranges::fill(strides_, 1);
   for (std::size_t a = 0; a < axes_.size(); ++a) {
     std::vector<double> counts;
@@ -40,7 +42,17 @@ void SweepPlan::add_axes(const MechanismDescription& description) {
     axes_.emplace_back(description, varied, exact);
     depths_[static_cast<std::size_t>(axes_.back().parameter())] = depth;
   }
-  strides_.resize(axes_.size());
+}
+
+void SweepPlan::count_states(const MechanismDescription& description) {
+  strides_.assign(axes_.size(), 1);
+  if (description.sweep->sample) {
+    const SampleChoice choice = sample_choice(description);
+    draw_.emplace(choice, axes_.size());
+    state_count_ = choice.count;
+    is_product_ = false;
+    return;
+  }
   for (std::size_t i = axes_.size(); i > 0; --i) {
     strides_[i - 1] = state_count_;
     state_count_ *= axes_[i - 1].size();

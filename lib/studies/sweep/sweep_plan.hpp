@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "expression/slots.hpp"
+#include "studies/sweep/state_draw.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 
 namespace kinestat {
@@ -27,7 +29,7 @@ struct PlannedRequirement {
 
 /// States are numbered in the order of the file: the last axis turns fastest. They are worked off
 /// in chunks, whose size depends on the plan alone, so that shards and resumed runs agree on them.
-/// Where the axes run together, state i has value i of each.
+/// Where the axes run together, state i has value i of each; of a sample, what is drawn for it.
 class SweepPlan {
  public:
   /// The description must have passed bind and hold a sweep.
@@ -37,14 +39,17 @@ class SweepPlan {
   /// counted in its unit.
   void run_through(std::span<const double> rows);
 
-  /// Whether the states are rows and no product.
-  bool runs_together() const { return runs_together_; }
+  /// Whether the states are all combinations, and neither rows nor a sample.
+  bool is_product() const { return is_product_; }
+
+  const std::optional<StateDraw>& draw() const { return draw_; }
 
   std::span<const SweepAxis> axes() const { return axes_; }
 
   /// Which value of an axis a state has.
   std::uint64_t place_of(std::uint64_t state, std::size_t axis) const {
-    return state / strides_[axis] % axes_[axis].size();
+    return draw_ ? draw_->place_of(state, axis, axes_[axis])
+                 : state / strides_[axis] % axes_[axis].size();
   }
 
   /// In the order in which they need each other.
@@ -61,7 +66,7 @@ class SweepPlan {
 
   std::uint64_t state_count() const { return state_count_; }
 
-  /// How many states share their values on the axes up to this one.
+  /// How many states in turn share their values on the axes up to this one.
   std::uint64_t stride(int axis) const { return strides_[static_cast<std::size_t>(axis)]; }
 
   std::uint64_t chunk_size() const;
@@ -69,6 +74,7 @@ class SweepPlan {
 
  private:
   void add_axes(const MechanismDescription& description);
+  void count_states(const MechanismDescription& description);
   void add_dependents(const MechanismDescription& description);
   void add_requirements(const MechanismDescription& description);
   int depth_of(std::span<const int> slots) const;
@@ -80,7 +86,8 @@ class SweepPlan {
   std::vector<int> depths_;  ///< of each parameter: the last axis on which it depends, or -1
   std::vector<std::uint64_t> strides_;
   std::uint64_t state_count_ = 1;
-  bool runs_together_ = false;
+  bool is_product_ = true;
+  std::optional<StateDraw> draw_;
 };
 
 }  // namespace kinestat

@@ -39,6 +39,20 @@ TEST(SweepFigure, HasASeriesForEveryOtherChoice) {
   EXPECT_EQ(series[0].y, (std::vector<double>{1.5, 1.75, 2.0}));
 }
 
+TEST(SweepFigure, ShowsTheDrawsOfACaseAsPoints) {
+  SweepTable sweep = small_sweep();
+  sweep.is_sample = true;
+  sweep.rows[0].places = {4.5, 1.5};
+  sweep.rows[1].label = "other";
+  const std::vector<Series> series = sweep_figure(sweep, "Sweep").charts[0].series;
+
+  ASSERT_EQ(series.size(), 2U);
+  EXPECT_EQ(series[0].name, "a, b");
+  EXPECT_EQ(series[0].style, SeriesStyle::points);
+  EXPECT_EQ(series[0].x, (std::vector<double>{4.0, 4.0, 4.5, 5.0, 5.0}));
+  EXPECT_EQ(series[1].name, "other");
+}
+
 TEST(SweepFigure, LeavesAGapWhereACaseHasNoValue) {
   const std::vector<Series> series = sweep_figure(small_sweep(), "Sweep").charts[0].series;
 

@@ -41,7 +41,8 @@ std::size_t longest_axis(const SweepTable& sweep) {
   return most > 1 ? best : sweep.varied.size();
 }
 
-// A line of a chart: the rows of one case with the same values of all other parameters.
+// A series of a chart: the rows of one case with the same values of all other parameters, or of a
+// sample all rows of one case.
 struct Line {
   std::string name;
   std::vector<const SweepTableRow*> rows;
@@ -49,7 +50,7 @@ struct Line {
 
 std::string name_of(const SweepTable& sweep, const SweepTableRow& row, std::size_t along) {
   std::string name = row.label;
-  for (std::size_t i = 0; i < sweep.varied.size(); ++i) {
+  for (std::size_t i = 0; i < sweep.varied.size() && !sweep.is_sample; ++i) {
     if (i != along) {
       const ChartAxis axis = axis_of(sweep.varied[i]);
       name += fmt::format("{}{} {}{}{}",
@@ -68,8 +69,11 @@ std::vector<Line> lines_of(const SweepTable& sweep, std::size_t along) {
   std::vector<Line> lines;
   std::map<std::pair<std::string, std::vector<double>>, std::size_t> known;
   for (const SweepTableRow& row : sweep.rows) {
-    std::vector<double> others = row.places;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(along));
+    std::vector<double> others;
+    if (!sweep.is_sample) {
+      others = row.places;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(along));
+    }
     const auto [at, is_new] = known.try_emplace({row.label, std::move(others)}, lines.size());
     if (is_new) {
       lines.push_back({.name = name_of(sweep, row, along), .rows = {}});
@@ -84,8 +88,8 @@ std::vector<Line> lines_of(const SweepTable& sweep, std::size_t along) {
   return lines;
 }
 
-Series series_of(const Line& line, std::size_t along, std::size_t quantity) {
-  Series series{.name = line.name};
+Series series_of(const Line& line, SeriesStyle style, std::size_t along, std::size_t quantity) {
+  Series series{.name = line.name, .style = style};
   for (const SweepTableRow* row : line.rows) {
     series.x.push_back(row->places[along]);
     series.y.push_back(row->values[quantity]);
@@ -115,10 +119,11 @@ std::vector<const Line*> shown_lines(const std::vector<Line>& lines) {
 std::string why_no_curves_of_sweep(const SweepTable& sweep) {
   if (sweep.states > kMostSweptStates) {
     return fmt::format(
-        "its sweep has {} states, and curves are drawn of up to {}; vary less or in larger steps, "
-        "or take the rows that 'kinestat sweep' writes",
+        "its sweep has {} states, and curves are drawn of up to {}; {}, or take the rows that "
+        "'kinestat sweep' writes",
         sweep.states,
-        kMostSweptStates);
+        kMostSweptStates,
+        sweep.is_sample ? "draw fewer" : "vary less or in larger steps");
   }
   if (sweep.rows.empty()) {
     return fmt::format("the conditions of its sweep leave no row of its {} states; ask for less",
@@ -143,12 +148,13 @@ Figure sweep_figure(const SweepTable& sweep, const std::string& title) {
     return figure;
   }
   const std::vector<Line> lines = lines_of(sweep, along);
+  const SeriesStyle style = sweep.is_sample ? SeriesStyle::points : SeriesStyle::line;
   figure.description = describe(sweep, along, lines.size());
   for (std::size_t q = 0; q < sweep.quantities.size(); ++q) {
     Chart chart = {
         .x = axis_of(sweep.varied[along]), .y = axis_of(sweep.quantities[q]), .series = {}};
     for (const Line* line : shown_lines(lines)) {
-      chart.series.push_back(series_of(*line, along, q));
+      chart.series.push_back(series_of(*line, style, along, q));
     }
     figure.charts.push_back(std::move(chart));
   }

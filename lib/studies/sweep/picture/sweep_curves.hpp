@@ -1,4 +1,4 @@
-// Curves of a sweep: its quantities over one of the varied parameters.
+// Curves of a sweep, or its points: its quantities over one of the varied parameters.
 #pragma once
 
 #include <string>
@@ -12,9 +12,9 @@ namespace kinestat {
 /// there are some.
 std::string why_no_curves_of_sweep(const SweepTable& sweep);
 
-/// One chart a quantity, over the parameter with the most values; a series for every case and every
-/// choice of the other parameters, as far as lines can be told apart. No charts if no parameter has
-/// two values.
+/// One chart a quantity, over the parameter with the most values; a line for every case and every
+/// choice of the other parameters, as far as lines can be told apart, or the points of a sample for
+/// every case. No charts if no parameter has two values.
 Figure sweep_figure(const SweepTable& sweep, const std::string& title);
 
 }  // namespace kinestat

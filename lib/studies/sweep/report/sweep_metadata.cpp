@@ -1,5 +1,6 @@
 #include "studies/sweep/report/sweep_metadata.hpp"
 
+#include <algorithm>
 #include <exception>
 
 #include <fmt/format.h>
@@ -51,6 +52,21 @@ Json best_json(const std::optional<BestChoice>& best) {
   return json;
 }
 
+Json sample_json(const std::optional<SampleChoice>& sample) {
+  return sample ? Json::parse(json_text(sample_record(), *sample, no_units(), JsonLayout::line))
+                : Json(nullptr);
+}
+
+std::optional<SampleChoice> sample_of(const Json& json) {
+  if (json.is_null()) {
+    return std::nullopt;
+  }
+  const auto method = std::ranges::find(kSampleMethods, json.at("method").get<std::string>());
+  return SampleChoice{.count = json.at("count").get<std::uint64_t>(),
+                      .method = static_cast<SampleMethod>(method - kSampleMethods.begin()),
+                      .seed = json.at("seed").get<std::uint64_t>()};
+}
+
 std::optional<BestChoice> best_of(const Json& json) {
   if (json.is_null()) {
     return std::nullopt;
@@ -81,6 +97,7 @@ SweepMetadata metadata_of(const Json& json) {
   metadata.states = json.at("states").get<std::uint64_t>();
   metadata.chunks = json.at("chunks").get<std::uint64_t>();
   metadata.best = best_of(json.at("best"));
+  metadata.sample = sample_of(json.at("sample"));
   return metadata;
 }
 
@@ -152,6 +169,7 @@ std::string write_shard_header(const SweepMetadata& metadata, const ShardNumber&
   json["states"] = metadata.states;
   json["chunks"] = metadata.chunks;
   json["best"] = best_json(metadata.best);
+  json["sample"] = sample_json(metadata.sample);
   return json.dump() + "\n";
 }
 

@@ -9,6 +9,7 @@
 
 #include "studies/sweep/best_choice.hpp"
 #include "studies/sweep/report/sweep_rows.hpp"
+#include "studies/sweep/state_draw.hpp"
 #include "studies/sweep/sweep_counts.hpp"
 
 namespace kinestat {
@@ -42,7 +43,8 @@ struct SweepMetadata {
   std::vector<std::string> keep;          ///< likewise
   std::uint64_t states = 0;
   std::uint64_t chunks = 0;
-  std::optional<BestChoice> best;  ///< empty: all rows are kept
+  std::optional<BestChoice> best;      ///< empty: all rows are kept
+  std::optional<SampleChoice> sample;  ///< empty: all combinations
 
   /// The name of the result without its folder: "teeth.sweep.csv", ".jsonl" or ".npy".
   std::string result_name() const;

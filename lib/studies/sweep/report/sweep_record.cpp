@@ -126,9 +126,11 @@ void add_plan(Record<SweepSummaryView>& keys) {
 
 void add_counts_of_sweep(Record<SweepSummaryView>& keys) {
   using View = SweepSummaryView;
-  keys.count("states",
-             "Combinations of the varied values, those that a requirement leaves out among them.",
-             [](const View& v) { return v.counts.states; });
+  keys.count(
+      "states",
+      "Combinations of the varied values, or draws, those that a requirement leaves out among "
+      "them.",
+      [](const View& v) { return v.counts.states; });
   keys.list("require",
             requirement_record(),
             "The requirements in the order of the file.",
@@ -182,6 +184,22 @@ const Record<Criterion>& criterion_record() {
   return record;
 }
 
+const Record<SampleChoice>& sample_record() {
+  using View = SampleChoice;
+  static const Record<View> record(
+      "How the states were drawn; null where they are all combinations.", [](Record<View>& keys) {
+        keys.count("count", "How many.", [](const View& v) { return v.count; }).at_least(1);
+        keys.word("method",
+                  {kSampleMethods.begin(), kSampleMethods.end()},
+                  "By which method.",
+                  [](const View& v) { return kSampleMethods[static_cast<std::size_t>(v.method)]; });
+        keys.count("seed", "The number that the sample follows from.", [](const View& v) {
+          return v.seed;
+        });
+      });
+  return record;
+}
+
 const Record<SweepSummaryView>& sweep_summary_record() {
   using View = SweepSummaryView;
   static const Record<View> record(
@@ -205,6 +223,7 @@ const Record<SweepSummaryView>& sweep_summary_record() {
                 each(one);
               }
             });
+        keys.part("sample", sample_record(), [](const View& v) { return v.metadata.sample; });
       });
   return record;
 }

@@ -7,6 +7,7 @@
 namespace kinestat {
 
 const Record<Criterion>& criterion_record();
+const Record<SampleChoice>& sample_record();
 
 struct SweepSummaryView {
   const SweepMetadata& metadata;

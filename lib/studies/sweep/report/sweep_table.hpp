@@ -23,6 +23,7 @@ struct SweepTable {
   std::vector<std::string> varied;  ///< parameters
   std::vector<std::string> quantities;
   std::vector<SweepTableRow> rows;  ///< none where there are more states than kMostSweptStates
+  bool is_sample = false;           ///< the states are drawn, and no combinations
 };
 
 }  // namespace kinestat

@@ -199,6 +199,9 @@ SweepMetadata metadata_of(const SourceFile& source,
   metadata.states = task.plan.state_count();
   metadata.chunks = task.plan.chunk_count();
   metadata.best = options.best;
+  if (task.plan.draw()) {
+    metadata.sample = task.plan.draw()->choice();
+  }
   return metadata;
 }
 
