@@ -13,6 +13,7 @@
 #include "format/mechanism_reader.hpp"
 #include "io/yaml_tree.hpp"
 #include "mechanism/bind/bind.hpp"
+#include "mechanism/motion_figure.hpp"
 #include "studies/shift/task/gear_cases.hpp"
 
 namespace kinestat {
@@ -74,6 +75,23 @@ void check_dimensions(const std::vector<Parameter>& given,
   }
 }
 
+std::optional<Loaded> with_gears(MechanismDescription description,
+                                 std::optional<Mechanism> mechanism,
+                                 Diagnostics& found,
+                                 const ShiftOptions& sizes) {
+  if (!mechanism) {
+    if (!found.has_errors()) {
+      refuse_without_mechanism(description, found);
+    }
+    return std::nullopt;
+  }
+  Loaded loaded{.description = std::move(description),
+                .mechanism = *std::move(mechanism),
+                .shift = std::nullopt};
+  loaded.shift = add_gears(loaded.description, loaded.mechanism, sizes, found);
+  return found.has_errors() ? std::nullopt : std::optional(std::move(loaded));
+}
+
 }  // namespace
 
 void apply_overrides(const std::vector<Override>& overrides,
@@ -127,21 +145,20 @@ void refuse_without_mechanism(const MechanismDescription& description, Diagnosti
           : "add ground, bodies and couplings");
 }
 
+std::optional<Loaded> bind_swept(MechanismDescription description,
+                                 Diagnostics& found,
+                                 const ShiftOptions& sizes) {
+  const bool is_of_motion = sweeps_motion_alone(description);
+  std::optional<Mechanism> mechanism =
+      is_of_motion ? bind_unassembled(description, found) : bind(description, found);
+  return with_gears(std::move(description), std::move(mechanism), found, sizes);
+}
+
 std::optional<Loaded> bind_loaded(MechanismDescription description,
                                   Diagnostics& found,
                                   const ShiftOptions& sizes) {
   std::optional<Mechanism> mechanism = bind(description, found);
-  if (!mechanism) {
-    if (!found.has_errors()) {
-      refuse_without_mechanism(description, found);
-    }
-    return std::nullopt;
-  }
-  Loaded loaded{.description = std::move(description),
-                .mechanism = *std::move(mechanism),
-                .shift = std::nullopt};
-  loaded.shift = add_gears(loaded.description, loaded.mechanism, sizes, found);
-  return found.has_errors() ? std::nullopt : std::optional(std::move(loaded));
+  return with_gears(std::move(description), std::move(mechanism), found, sizes);
 }
 
 std::optional<Loaded> load(const std::string& path,

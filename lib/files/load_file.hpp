@@ -41,6 +41,12 @@ void apply_overrides(const std::vector<Override>& overrides,
 /// Says that a file holds no mechanism, and what does: E0303.
 void refuse_without_mechanism(const MechanismDescription& description, Diagnostics& found);
 
+/// Binds a description that was read, gears included; one whose sweep asks for nothing but its
+/// motion, which closes the drawn position, may be drawn apart. Empty iff an error was added.
+std::optional<Loaded> bind_swept(MechanismDescription description,
+                                 Diagnostics& found,
+                                 const ShiftOptions& sizes = {});
+
 /// Binds a description that was read, gears included. Empty iff an error was added.
 std::optional<Loaded> bind_loaded(MechanismDescription description,
                                   Diagnostics& found,

@@ -12,21 +12,6 @@ namespace kinestat {
 
 namespace {
 
-// Where a word of the report stands for many quantities.
-bool* find_word(const std::string& word, MotionReport& report) {
-  const std::pair<const char*, bool*> words[] = {
-      {"position", &report.position},
-      {"velocity", &report.velocity},
-      {"acceleration", &report.acceleration},
-      {"action", &report.action},
-      {"power", &report.power},
-      {"ratio", &report.ratio},
-      {"transmission_angle", &report.transmission_angle},
-      {"mechanical_advantage", &report.mechanical_advantage}};
-  const auto* const at = std::ranges::find(words, word, &std::pair<const char*, bool*>::first);
-  return at == std::end(words) ? nullptr : at->second;
-}
-
 class MotionBinder {
  public:
   MotionBinder(const MechanismDescription& description, const Mechanism& mechanism)
@@ -86,7 +71,7 @@ class MotionBinder {
 
   // A word, an actuator, or a freedom or an action of a coupling.
   void add_report(const std::string& name) {
-    if (bool* const word = find_word(name, plan_.report)) {
+    if (bool* const word = find_report_word(name, plan_.report)) {
       *word = true;
       return;
     }
@@ -119,6 +104,20 @@ class MotionBinder {
 };
 
 }  // namespace
+
+bool* find_report_word(std::string_view word, MotionReport& report) {
+  const std::pair<std::string_view, bool*> words[] = {
+      {"position", &report.position},
+      {"velocity", &report.velocity},
+      {"acceleration", &report.acceleration},
+      {"action", &report.action},
+      {"power", &report.power},
+      {"ratio", &report.ratio},
+      {"transmission_angle", &report.transmission_angle},
+      {"mechanical_advantage", &report.mechanical_advantage}};
+  const auto* const at = std::ranges::find(words, word, &std::pair<std::string_view, bool*>::first);
+  return at == std::end(words) ? nullptr : at->second;
+}
 
 std::optional<MotionPlan> bind_motion(const MechanismDescription& description,
                                       const Mechanism& mechanism) {

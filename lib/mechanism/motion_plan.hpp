@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/diagnostic.hpp"
@@ -34,6 +35,7 @@ struct MotionReport {
   bool ratio = false;
   bool transmission_angle = false;
   bool mechanical_advantage = false;
+  std::vector<int> positions;  ///< of these freedoms the position alone
   std::vector<int> freedoms;   ///< named one by one: their position, velocity and acceleration
   std::vector<int> actions;    ///< likewise
   std::vector<int> actuators;  ///< with all that is known of them
@@ -48,6 +50,9 @@ struct MotionPlan {
   MotionReport report;
   SourceRange where;
 };
+
+/// What a word stands for that reports many quantities at once; null for any other.
+bool* find_report_word(std::string_view word, MotionReport& report);
 
 /// Of a description that has been bound to this mechanism without an error; empty if it has no
 /// section `motion`.

@@ -138,7 +138,11 @@ void sweep_into(const std::string& path,
   SourceFile source;
   Diagnostics found;
   std::string messages;
-  if (std::optional<Loaded> loaded = load(path, options.load, source, found)) {
+  std::optional<MechanismDescription> description =
+      load_description(path, options.load, source, found);
+  std::optional<Loaded> loaded =
+      description ? bind_swept(*std::move(description), found) : std::nullopt;
+  if (loaded) {
     std::optional<SweepTask> task = make_sweep_task(source, *std::move(loaded), options, found);
     if (task) {
       task->tapes = record_tapes(*task);
@@ -176,7 +180,7 @@ void add_rows(const SolvedState& state, const SweepTask& task, RowJudge& judge, 
 std::optional<SweepTable> find_sweep_table(const SourceFile& source,
                                            const MechanismDescription& description,
                                            Diagnostics& found) {
-  std::optional<Loaded> loaded = bind_loaded(description, found);
+  std::optional<Loaded> loaded = bind_swept(description, found);
   std::optional<SweepTask> task =
       loaded ? make_sweep_task(source, *std::move(loaded), {}, found) : std::nullopt;
   if (!task) {

@@ -37,6 +37,10 @@ inline bool has_digit(std::string_view text, std::size_t at) {
   return at < text.size() && is_digit(text[at]);
 }
 
+inline bool has_name_start(std::string_view text, std::size_t at) {
+  return at < text.size() && is_name_start(text[at]);
+}
+
 /// The first place from `at` on that is no digit.
 inline std::size_t skip_digits(std::string_view text, std::size_t at) {
   while (has_digit(text, at)) {

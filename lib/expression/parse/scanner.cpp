@@ -39,6 +39,12 @@ std::optional<ExpressionError> find_special_value(std::string_view text, std::si
   return not_finite(text, begin, begin + word.size());
 }
 
+// Whether a name goes on there behind a dot: traced points have a number in theirs, coupler.1.at.x.
+bool goes_on(std::string_view text, std::size_t at) {
+  const std::size_t end = skip_digits(text, at);
+  return has_name_start(text, end == at ? at : end + 1) && (end == at || text[end] == '.');
+}
+
 // Names of quantities of reports have a dot, a.wz; between two units it stands for a product.
 Token scan_name(std::string_view text, std::size_t begin) {
   const auto end_of_part = [&](std::size_t at) {
@@ -49,7 +55,7 @@ Token scan_name(std::string_view text, std::size_t begin) {
   };
   std::size_t end = end_of_part(begin);
   std::size_t part = begin;
-  while (end + 1 < text.size() && text[end] == '.' && is_name_start(text[end + 1])) {
+  while (end < text.size() && text[end] == '.' && goes_on(text, end + 1)) {
     const std::size_t next = end_of_part(end + 1);
     if (find_unit(text.substr(part, end - part)) != nullptr &&
         find_unit(text.substr(end + 1, next - end - 1)) != nullptr) {

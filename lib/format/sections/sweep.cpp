@@ -129,7 +129,8 @@ void declare_report(Mapping<SweepDescription>& m) {
   m.key("report",
         "The quantities that a row holds: ratio, torque_ratio, step, efficiency, recirculation, an "
         "actuator, lossy.ACTUATOR (its action with losses of meshes), or COUPLING.FREEDOM and "
-        "COUPLING.ACTION.")
+        "COUPLING.ACTION; of a whole motion COLUMN.least, .greatest, .range, .mean or .peak, and "
+        "dead_points.")
       .may(&SweepDescription::report, one_or_more(target()), "[ratio, efficiency, h.Rc]")
       .offer("ratio", "input speed by output speed")
       .offer("torque_ratio", "input torque by output torque")

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "mechanism/motion_figure.hpp"
 
 namespace kinestat {
 
@@ -34,6 +35,38 @@ bool names_lossy_actuator(const Name& name,
          context.names.actuators.contains(name.text.substr(kPrefix.size()));
 }
 
+// "d.wz.position.range", of which a sweep has columns where there is a motion; which columns that
+// has shows once it is made. Answers whether the name is of that kind, right or wrong.
+bool names_motion_figure(const Name& name,
+                         std::string_view section,
+                         const SectionContext& context) {
+  if (section != "sweep") {
+    return false;
+  }
+  const auto words = motion_figure_words();
+  if (motion_figure_of(name.text)) {
+    if (!context.description.motion) {
+      context.found.error(
+          "E0303",
+          name.where,
+          fmt::format("'{}' is of a whole motion, and the file has no section 'motion'", name.text),
+          "add for example motion: {drive: NAME, to: 360 deg}");
+    }
+    return true;
+  }
+  const std::size_t last = name.text.rfind('.');
+  if (std::ranges::count(name.text, '.') < 2) {
+    return false;
+  }
+  context.found.error("E0313",
+                      name.where,
+                      fmt::format("'{}' does not end in a figure of a motion", name.text),
+                      guess_before(name.text.substr(last + 1),
+                                   words,
+                                   fmt::format("end it in one of {}", plain_list(words))));
+  return true;
+}
+
 }  // namespace
 
 std::span<const std::string> motion_report_words() {
@@ -60,7 +93,8 @@ void check_report_names(const std::vector<Name>& names,
                         const SectionContext& context) {
   const std::string role = fmt::format("'report' of '{}'", section);
   for (const Name& name : names) {
-    if (names_lossy_actuator(name, section, context)) {
+    if (names_lossy_actuator(name, section, context) ||
+        names_motion_figure(name, section, context)) {
       continue;
     }
     if (name.text.find('.') != std::string::npos) {
@@ -104,8 +138,8 @@ void check_report_quantities(const std::vector<Name>& names,
   }
   for (const Name& name : names) {
     const auto at = by_coupling.find(coupling_of(name));
-    if (name.text.find('.') == std::string::npos || at == by_coupling.end() ||
-        std::ranges::find(at->second, name.text) != at->second.end()) {
+    if (name.text.find('.') == std::string::npos || motion_figure_of(name.text) ||
+        at == by_coupling.end() || std::ranges::find(at->second, name.text) != at->second.end()) {
       continue;
     }
     found.error(

@@ -15,8 +15,9 @@ namespace kinestat {
 std::span<const std::string> motion_report_words();
 std::span<const std::string> sweep_report_words();
 
-/// Each is a word, an actuator, or a quantity of a coupling: coupling.freedom, coupling.action.
-/// Whether the coupling has that freedom or action shows only in the topology.
+/// Each is a word, an actuator, or a quantity of a coupling: coupling.freedom, coupling.action; of
+/// a sweep also a figure of a motion. Whether the coupling has that freedom or action shows only in
+/// the topology.
 void check_report_names(const std::vector<Name>& names,
                         std::span<const std::string> words,
                         std::string_view section,

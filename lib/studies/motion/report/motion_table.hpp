@@ -46,6 +46,9 @@ struct MotionRow {
   bool drops_accelerations = false;  ///< likewise
 };
 
+/// The kind of an event at which a freedom comes to rest and turns back.
+inline constexpr std::string_view kDeadPointEvent = "dead_point";
+
 /// What happens at a position of the drives that is none of the steps.
 struct MotionEvent {
   std::string kind;           ///< "dead_point", "singular", "limit"

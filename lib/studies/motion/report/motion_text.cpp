@@ -10,6 +10,7 @@
 #include "core/utf8.hpp"
 #include "report/column_table.hpp"
 #include "report/number_format.hpp"
+#include "studies/motion/report/motion_extremes.hpp"
 
 namespace kinestat {
 
@@ -53,13 +54,12 @@ class MotionWriter {
     return text += positions();
   }
 
-  // Of every quantity but the positions of the drives, which the file gives. What lies between the
-  // steps is known of positions where a freedom turns back, and of nothing else.
+  // Of every quantity but the positions of the drives, which the file gives.
   TextBlocks extremes() const {
     if (motion_.rows.empty()) {
       return {};
     }
-    const std::vector<const Values*> all = all_values();
+    const std::vector<const MotionValues*> all = all_values(motion_);
     const bool has_dead_points = all.size() > motion_.rows.size();
     std::vector<TextColumn> table = {
         {has_dead_points ? "Extremes at steps and dead points" : "Extremes at steps", {}},
@@ -68,13 +68,7 @@ class MotionWriter {
         {"greatest", {}},
         {"at " + motion_.drives.front().name, {}}};
     for (std::size_t c = motion_.drives.size(); c < column_count(); ++c) {
-      const Values* least = nullptr;
-      const Values* greatest = nullptr;
-      for (const Values* one : all) {
-        const std::optional<double>& value = (*one)[c];
-        least = value && (least == nullptr || *value < *(*least)[c]) ? one : least;
-        greatest = value && (greatest == nullptr || *value > *(*greatest)[c]) ? one : greatest;
-      }
+      const auto [least, greatest] = find_extremes(all, c);
       if (least == nullptr || is_same(*(*least)[c], *(*greatest)[c])) {
         continue;
       }
@@ -88,22 +82,6 @@ class MotionWriter {
   }
 
  private:
-  using Values = std::vector<std::optional<double>>;
-
-  // Those of the rows, and the positions at the dead points between them.
-  std::vector<const Values*> all_values() const {
-    std::vector<const Values*> all;
-    for (const MotionRow& row : motion_.rows) {
-      all.push_back(&row.values);
-    }
-    for (const MotionEvent& event : motion_.events) {
-      if (!event.places.empty()) {
-        all.push_back(&event.places);
-      }
-    }
-    return all;
-  }
-
   std::string case_text() const {
     return motion_.label.empty()
                ? ""
@@ -182,10 +160,10 @@ class MotionWriter {
   }
 
   static std::string_view title_of(const MotionEvent& event) {
-    return event.kind == "dead_point" ? "dead point of"
-           : event.kind == "limit"    ? "limit of"
-           : event.kind == "lift_off" ? "lift-off at"
-                                      : "singular position";
+    return event.kind == kDeadPointEvent ? "dead point of"
+           : event.kind == "limit"       ? "limit of"
+           : event.kind == "lift_off"    ? "lift-off at"
+                                         : "singular position";
   }
 
   // " +- 7e-11 deg": how uncertain the first drive is.

@@ -1,21 +1,36 @@
 #include "studies/motion/task/find_motion.hpp"
 
+#include <utility>
+
 #include "studies/motion/motion.hpp"
-#include "studies/motion/task/motion_choice.hpp"
 #include "studies/motion/task/motion_findings.hpp"
 #include "studies/motion/task/motion_table_maker.hpp"
-#include "studies/motion/task/position_findings.hpp"
 
 namespace kinestat {
 
 std::optional<FoundMotion> find_motion(const MechanismDescription& description,
                                        const Mechanism& mechanism,
                                        Diagnostics& found) {
-  FoundMotion motion;
-  motion.plan = *bind_motion(description, mechanism);
-  if (!check_report(motion.plan, mechanism, found)) {
+  MotionPlan plan = *bind_motion(description, mechanism);
+  if (!check_report(plan, mechanism, found)) {
     return std::nullopt;
   }
+  std::optional<FoundMotion> motion = follow_motion(description, mechanism, std::move(plan), found);
+  if (!motion) {
+    return std::nullopt;
+  }
+  PositionFindings of_positions;
+  motion->table = make_motion_table(description, mechanism, *motion, {}, of_positions);
+  add_findings(*motion, description, mechanism, of_positions, found);
+  return motion;
+}
+
+std::optional<FoundMotion> follow_motion(const MechanismDescription& description,
+                                         const Mechanism& mechanism,
+                                         MotionPlan plan,
+                                         Diagnostics& found) {
+  FoundMotion motion;
+  motion.plan = std::move(plan);
   MotionTask task{.drives = {}, .steps = motion.plan.steps};
   std::vector<int> driven;
   for (const PlannedDrive& drive : motion.plan.drives) {
@@ -28,15 +43,20 @@ std::optional<FoundMotion> find_motion(const MechanismDescription& description,
     return std::nullopt;
   }
   motion.solution = solve_motion(motion.network, task);
-  PositionFindings of_positions;
-  motion.table = make_motion_table(description, mechanism, motion, of_positions);
+  return motion;
+}
+
+void add_findings(const FoundMotion& motion,
+                  const MechanismDescription& description,
+                  const Mechanism& mechanism,
+                  const PositionFindings& of_positions,
+                  Diagnostics& found) {
   add_motion_findings(motion, description, mechanism, found);
   add_motion_passive_findings(motion, mechanism, found);
   of_positions.tell(motion.table, found);
   add_motion_transmission_findings(motion, mechanism, found);
   add_motion_speed_findings(motion, mechanism, found);
   add_friction_turn_findings(motion, mechanism, found);
-  return motion;
 }
 
 }  // namespace kinestat

@@ -137,7 +137,8 @@ class ReadingList {
   void add_positions() {
     for (int f = 0; f < topology_.freedom_count(); ++f) {
       const auto i = static_cast<std::size_t>(f);
-      const bool is_asked = report().position || report().is_default || is_named(f);
+      const bool is_asked = report().position || report().is_default || is_named(f) ||
+                            std::ranges::find(report().positions, f) != report().positions.end();
       if (is_asked && first_.freedoms[i]) {
         add(topology_.freedom_name(f),
             "position",

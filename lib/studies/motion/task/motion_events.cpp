@@ -85,7 +85,7 @@ class DeadPointFinder {
   DeadPointFinder(const Mechanism& mechanism, const FoundMotion& motion)
       : mechanism_(mechanism),
         motion_(motion),
-        watched_(watched_freedoms()),
+        watched_(watched_freedoms(mechanism, motion.network)),
         states_(motion.network, mechanism),
         way_(motion.network, motion.solution.drives) {
     for (const MotionDrive& drive : motion.solution.drives) {
@@ -126,29 +126,6 @@ class DeadPointFinder {
   }
 
  private:
-  bool is_driven(int freedom) const {
-    const auto drives = [&](const MotionDrive& drive) { return drive.freedom == freedom; };
-    return std::ranges::any_of(motion_.solution.drives, drives);
-  }
-
-  std::vector<int> watched_freedoms() const {
-    const Topology& topology = mechanism_.topology;
-    const std::vector<int> actuated = topology.driven_freedoms();
-    const auto drawn =
-        freedom_positions(motion_.network, mechanism_, drawn_configuration(motion_.network));
-    std::vector<int> watched;
-    for (int f = 0; f < topology.freedom_count(); ++f) {
-      const CouplingTopology& coupling =
-          topology.coupling(topology.freedoms[static_cast<std::size_t>(f)].coupling);
-      const bool is_absolute = coupling.tail.value == 0 || coupling.head.value == 0;
-      const bool is_actuated = std::ranges::find(actuated, f) != actuated.end();
-      if ((is_absolute || is_actuated) && !is_driven(f) && drawn[static_cast<std::size_t>(f)]) {
-        watched.push_back(f);
-      }
-    }
-    return watched;
-  }
-
   // A place on the way, and how fast the freedoms run there, per share of the ranges.
   struct Place {
     double share = 0.0;
@@ -430,6 +407,25 @@ class DeadPointFinder {
 };
 
 }  // namespace
+
+std::vector<int> watched_freedoms(const Mechanism& mechanism, const MotionNetwork& network) {
+  const Topology& topology = mechanism.topology;
+  const std::vector<int> actuated = topology.driven_freedoms();
+  const auto drawn = freedom_positions(network, mechanism, drawn_configuration(network));
+  std::vector<int> watched;
+  for (int f = 0; f < topology.freedom_count(); ++f) {
+    const CouplingTopology& coupling =
+        topology.coupling(topology.freedoms[static_cast<std::size_t>(f)].coupling);
+    const bool is_absolute = coupling.tail.value == 0 || coupling.head.value == 0;
+    const bool is_actuated = std::ranges::find(actuated, f) != actuated.end();
+    const bool is_driven =
+        std::ranges::find(network.driven_freedoms, f) != network.driven_freedoms.end();
+    if ((is_absolute || is_actuated) && !is_driven && drawn[static_cast<std::size_t>(f)]) {
+      watched.push_back(f);
+    }
+  }
+  return watched;
+}
 
 DeadPoints find_dead_points(const Mechanism& mechanism, const FoundMotion& motion) {
   return DeadPointFinder(mechanism, motion).run();

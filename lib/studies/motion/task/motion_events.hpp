@@ -22,6 +22,9 @@ struct DeadPoints {
   bool may_lack_some = false;     ///< there was more to look at than the limit of work allows
 };
 
+/// Those whose dead points are looked for.
+std::vector<int> watched_freedoms(const Mechanism& mechanism, const MotionNetwork& network);
+
 /// Of the freedoms between a body and the ground, and of those of actuators; drives have none.
 /// Bracketed to kDeadPointBracket.
 DeadPoints find_dead_points(const Mechanism& mechanism, const FoundMotion& motion);

@@ -55,8 +55,10 @@ class PassiveFindings {
   // A freedom of it, by name or as all are; of some there are only rates.
   bool shows(const PassiveFreedom& one, bool has_position) const {
     for (std::size_t f = 0; f < has_position_.size(); ++f) {
-      const bool is_named =
-          std::ranges::find(report_.freedoms, static_cast<int>(f)) != report_.freedoms.end();
+      const auto names = [&](const std::vector<int>& some) {
+        return std::ranges::find(some, static_cast<int>(f)) != some.end();
+      };
+      const bool is_named = names(report_.freedoms) || (has_position && names(report_.positions));
       if ((report_.is_default || is_named) && turns(one, f) &&
           (!has_position || has_position_[f].has_value())) {
         return true;

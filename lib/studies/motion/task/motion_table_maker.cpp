@@ -51,6 +51,7 @@ class TableMaker {
   TableMaker(const MechanismDescription& description,
              const Mechanism& mechanism,
              const FoundMotion& motion,
+             const MotionScope& scope,
              PositionFindings& found)
       : description_(description),
         units_(description.units),
@@ -59,6 +60,7 @@ class TableMaker {
         motion_(motion),
         solution_(motion.solution),
         plan_(motion.plan),
+        scope_(scope),
         found_(found) {}
 
   MotionTable run() {
@@ -117,6 +119,9 @@ class TableMaker {
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
     readings_ = motion_readings(
         description_, mechanism_, plan_, positions.at(solution_.configuration_at(0)));
+    if (scope_.columns) {
+      std::erase_if(readings_, [&](const MotionReading& one) { return !is_asked(one.column); });
+    }
     for (const MotionReading& reading : readings_) {
       table_.columns.push_back(reading.column);
     }
@@ -141,6 +146,16 @@ class TableMaker {
         table_.worst_step = table_.rows[r].step;
       }
     }
+  }
+
+  // The component of a vector that is asked for stands on the first.
+  bool is_asked(const MotionColumn& column) const {
+    const std::string name = column.name();
+    const bool is_first = name.ends_with("/x");
+    return std::ranges::any_of(*scope_.columns, [&](const std::string& asked) {
+      return asked == name || (is_first && asked.size() == name.size() &&
+                               asked.starts_with(name.substr(0, name.size() - 1)));
+    });
   }
 
   void judge(const MotionPosition& position, const Mechanism& moved) {
@@ -367,12 +382,13 @@ class TableMaker {
     };
 
     std::vector<Placed> placed;
-    const DeadPoints dead_points = find_dead_points(mechanism_, motion_);
+    const DeadPoints dead_points =
+        scope_.dead_points ? find_dead_points(mechanism_, motion_) : DeadPoints{};
     table_.may_lack_dead_points = dead_points.may_lack_some;
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, {});
     for (const DeadPoint& point : dead_points.points) {
       placed.push_back({.share = point.share,
-                        .event = {.kind = "dead_point",
+                        .event = {.kind = std::string(kDeadPointEvent),
                                   .element = topology_.freedom_name(point.freedom),
                                   .step = point.step,
                                   .drive = drives_at(point.share),
@@ -432,6 +448,7 @@ class TableMaker {
   const FoundMotion& motion_;
   const MotionSolution& solution_;
   const MotionPlan& plan_;
+  const MotionScope& scope_;
   PositionFindings& found_;
   MotionDetail detail_;
   std::vector<MotionReading> readings_;
@@ -445,8 +462,9 @@ class TableMaker {
 MotionTable make_motion_table(const MechanismDescription& description,
                               const Mechanism& mechanism,
                               const FoundMotion& motion,
+                              const MotionScope& scope,
                               PositionFindings& found) {
-  return TableMaker(description, mechanism, motion, found).run();
+  return TableMaker(description, mechanism, motion, scope, found).run();
 }
 
 }  // namespace kinestat

@@ -9,6 +9,7 @@
 #include "core/contract.hpp"
 #include "kinematics/bounded_motion.hpp"
 #include "mechanism/label_kind.hpp"
+#include "mechanism/motion_figure.hpp"
 #include "report/in_units.hpp"
 #include "statics/coupling_wrenches.hpp"
 
@@ -32,11 +33,13 @@ class ColumnSearch {
   ColumnSearch(const MechanismDescription& description,
                const Mechanism& mechanism,
                std::span<const Case> cases,
+               const FindOfMotion& of_motion,
                Diagnostics& found)
       : description_(description),
         mechanism_(mechanism),
         topology_(mechanism.topology),
         cases_(cases),
+        of_motion_(of_motion),
         found_(found),
         units_(description.units) {}
 
@@ -99,8 +102,8 @@ class ColumnSearch {
         return result;
       }
     }
-    KINESTAT_EXPECTS(false);  // the check of the section lets no other name pass
-    return std::nullopt;
+    KINESTAT_EXPECTS(motion_figure_of(name.text));  // the check of the section lets no other pass
+    return of_motion_(name);
   }
 
   // Between the gears of a shift table.
@@ -166,6 +169,7 @@ class ColumnSearch {
   const Mechanism& mechanism_;
   const Topology& topology_;
   std::span<const Case> cases_;
+  const FindOfMotion& of_motion_;
   Diagnostics& found_;
   const FileUnits& units_;
 };
@@ -210,7 +214,7 @@ int place_of(const std::vector<Label>& labels, const Label& label, const IsSame&
 }  // namespace
 
 bool needs_statics(SweepColumnKind kind) {
-  return kind != ratio && kind != rate && kind != step;
+  return kind != ratio && kind != rate && kind != step && kind != motion;
 }
 
 bool needs_power(SweepColumnKind kind) {
@@ -228,10 +232,12 @@ bool asks_power(std::span<const SweepColumn> columns) {
 std::optional<std::vector<SweepColumn>> find_sweep_columns(const MechanismDescription& description,
                                                            const Mechanism& mechanism,
                                                            std::span<const Case> cases,
+                                                           const FindOfMotion& of_motion,
                                                            Diagnostics& found) {
   KINESTAT_EXPECTS(description.sweep.has_value());
   const int errors_before = found.error_count();
-  std::vector<SweepColumn> result = ColumnSearch(description, mechanism, cases, found).run();
+  std::vector<SweepColumn> result =
+      ColumnSearch(description, mechanism, cases, of_motion, found).run();
   return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;
 }
 
@@ -267,6 +273,7 @@ std::optional<double> value_of(const SweepColumn& column,
       return one.ratios ? ratio_in(ratios_in_units(one, mechanism, units), column.kind).value
                         : std::nullopt;
     case step:
+    case motion:
       return std::nullopt;
     case efficiency:
       return efficiency_value(one, mechanism);

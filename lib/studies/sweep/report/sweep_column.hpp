@@ -1,6 +1,7 @@
 // The columns of a sweep, each with its unit: from the name in the file to a number of a case.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,13 +20,14 @@ enum class SweepColumnKind {
   recirculation,
   rate,
   action,
-  lossy_action  ///< as meshes with their losses by the carrier model leave it
+  lossy_action,  ///< as meshes with their losses by the carrier model leave it
+  motion         ///< a figure of the whole motion
 };
 
 /// A column of a sweep, resolved once for all states.
 struct SweepColumn {
   SweepColumnKind kind = SweepColumnKind::ratio;
-  int index = -1;    ///< into Topology::freedoms or Topology::actions
+  int index = -1;    ///< into Topology::freedoms or Topology::actions, or of the figure
   std::string name;  ///< as the file has it
   std::string unit;  ///< of its values, as its title has it; empty for a bare number
 };
@@ -42,6 +44,9 @@ bool asks(std::span<const SweepColumn> columns, SweepColumnKind kind);
 /// Whether any of them needs the power flow.
 bool asks_power(std::span<const SweepColumn> columns);
 
+/// Answers a name that is a figure of the motion with its column; empty iff it added an error.
+using FindOfMotion = std::function<std::optional<SweepColumn>(const Name&)>;
+
 /// The quantities that `report` of the sweep names; if it names none, ratio and torque ratio where
 /// cases have them in one unit, and all rates and actions. A ratio that is named, but whose unit
 /// differs from case to case, is E0305, and so is a step without gears. Empty iff an error was
@@ -49,6 +54,7 @@ bool asks_power(std::span<const SweepColumn> columns);
 std::optional<std::vector<SweepColumn>> find_sweep_columns(const MechanismDescription& description,
                                                            const Mechanism& mechanism,
                                                            std::span<const Case> cases,
+                                                           const FindOfMotion& of_motion,
                                                            Diagnostics& found);
 
 /// Whether two states have the same freedoms and actions. Screws that are given may bear more in
@@ -61,7 +67,8 @@ std::vector<SweepColumn> columns_in(const std::vector<SweepColumn>& columns,
                                     const Topology& file,
                                     const Topology& state);
 
-/// Its value in its unit; empty where the case has none. A step is not of one case.
+/// Its value in its unit; empty where the case has none. A step and a figure of the motion are not
+/// of one case in one position.
 std::optional<double> value_of(const SweepColumn& column,
                                const CaseAnalysis& one,
                                const Mechanism& mechanism,

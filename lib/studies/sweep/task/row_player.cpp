@@ -83,7 +83,7 @@ std::optional<RowPlayer> RowPlayer::make(MechanismDescription description,
   }
   description.sweep = *std::move(sweep);
   Diagnostics asked;
-  std::optional<Loaded> loaded = bind_loaded(std::move(description), asked);
+  std::optional<Loaded> loaded = bind_swept(std::move(description), asked);
   std::optional<SweepTask> task =
       loaded ? make_sweep_task({}, *std::move(loaded), {}, asked) : std::nullopt;
   if (!task) {

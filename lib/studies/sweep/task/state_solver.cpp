@@ -61,7 +61,9 @@ std::optional<Mechanism> StateBinder::bind(std::uint64_t state) {
     value.text_column = 0;
   }
   Diagnostics found;
-  std::optional<Mechanism> mechanism = kinestat::bind(description_, found);
+  std::optional<Mechanism> mechanism = task_.has_motion_alone
+                                           ? bind_unassembled(description_, found)
+                                           : kinestat::bind(description_, found);
   const auto error = std::ranges::find(found.items(), Severity::error, &Diagnostic::severity);
   code_ = error == found.items().end() ? "E0316" : error->code;
   return mechanism;
@@ -103,6 +105,9 @@ StateSolver::StateSolver(const SweepTask& task, std::size_t lanes)
   const std::size_t together = task.tapes ? lanes : 1;
   if (task.tapes) {
     taped_.emplace(task, *task.tapes, together);
+  }
+  if (task.motion) {
+    moved_.emplace(*task.motion, task.columns);
   }
   is_undefined_.resize(together);
   places_.resize(together * task.plan.axes().size());
@@ -173,18 +178,30 @@ void StateSolver::analyse(std::uint64_t state, bool is_undefined, std::span<Swee
   const std::optional<Mechanism> mechanism = binder_.bind(state);
   // A requirement alone may have no answer; then none of the numbers counts.
   if (!mechanism || is_undefined) {
-    fail(binder_.code(), rows);
+    clear(binder_.code(), rows);
     return;
   }
-  std::vector<Case> cases = chosen_cases(task_, *mechanism);
+  if (task_.has_motion_alone) {
+    clear("solved", rows);
+  } else {
+    solve_position(*mechanism, rows);
+  }
+  if (moved_) {
+    moved_->fill(binder_.description(), *mechanism, rows);
+  }
+}
+
+// The mechanism as it is drawn.
+void StateSolver::solve_position(const Mechanism& mechanism, std::span<SweepRow> rows) {
+  std::vector<Case> cases = chosen_cases(task_, mechanism);
   if (task_.shift) {
-    decide_gears(*mechanism, cases);
+    decide_gears(mechanism, cases);
   }
   const Topology& topology = task_.mechanism.topology;
   const std::vector<SweepColumn> columns =
-      has_same_magnitudes(topology, mechanism->topology)
+      has_same_magnitudes(topology, mechanism.topology)
           ? task_.columns
-          : columns_in(task_.columns, topology, mechanism->topology);
+          : columns_in(task_.columns, topology, mechanism.topology);
   std::vector<std::optional<double>> ratios(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     std::ranges::fill(rows[i].values, kNoValue);
@@ -193,13 +210,13 @@ void StateSolver::analyse(std::uint64_t state, bool is_undefined, std::span<Swee
       continue;
     }
     const std::span<const Case> which(&cases[i], 1);
-    CaseAnalysis one = solve_some_cases(*mechanism, which).front();
-    fill_row(columns, *mechanism, one, task_.description.units, rows[i]);
+    CaseAnalysis one = solve_some_cases(mechanism, which).front();
+    fill_row(columns, mechanism, one, task_.description.units, rows[i]);
     if (may_be_rounding(task_, cases[i], rows[i])) {
-      one = solve_again(*mechanism, i, cases[i]);
-      fill_row(columns, *mechanism, one, task_.description.units, rows[i]);
+      one = solve_again(mechanism, i, cases[i]);
+      fill_row(columns, mechanism, one, task_.description.units, rows[i]);
     }
-    rows[i].status = row_status(one, task_, *mechanism, task_.is_usually_solved[i]);
+    rows[i].status = row_status(one, task_, mechanism, task_.is_usually_solved[i]);
     ratios[i] = gear_ratio(task_, i, one);
   }
   fill_steps(task_.columns, ratios, rows);
@@ -263,7 +280,7 @@ void StateSolver::check_tape(std::uint64_t state, std::span<const SweepRow> tape
   }
 }
 
-void StateSolver::fail(std::string_view status, std::span<SweepRow> rows) {
+void StateSolver::clear(std::string_view status, std::span<SweepRow> rows) {
   for (SweepRow& row : rows) {
     row.status = status;
     std::ranges::fill(row.values, kNoValue);

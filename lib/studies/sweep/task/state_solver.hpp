@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "studies/sweep/motion/state_motion.hpp"
 #include "studies/sweep/report/sweep_rows.hpp"
 #include "studies/sweep/state_walk.hpp"
 #include "studies/sweep/task/sweep_task.hpp"
@@ -64,15 +65,17 @@ class StateSolver {
   void take(const StateWalk& walk, std::size_t lane, std::size_t count);
   void analyse(std::size_t lane);
   void analyse(std::uint64_t state, bool is_undefined, std::span<SweepRow> rows);
+  void solve_position(const Mechanism& mechanism, std::span<SweepRow> rows);
   CaseAnalysis solve_again(const Mechanism& mechanism, std::size_t row, const Case& which);
   void decide_gears(const Mechanism& mechanism, std::vector<Case>& cases);
   void check_some(std::size_t count);
   void check_tape(std::uint64_t state, std::span<const SweepRow> taped);
-  void fail(std::string_view status, std::span<SweepRow> rows);
+  void clear(std::string_view status, std::span<SweepRow> rows);
 
   const SweepTask& task_;
   StateBinder binder_;
   std::optional<TapeSolver> taped_;
+  std::optional<StateMotion> moved_;
   std::vector<char> is_undefined_;                 ///< of each lane
   std::vector<std::uint64_t> places_;              ///< of each lane, axis by axis
   std::vector<SweepRow> rows_;                     ///< of each lane, case by case

@@ -158,6 +158,9 @@ std::optional<std::vector<CaseTape>> note_cases(const SweepTask& task,
 
 std::optional<SweepTapes> record_tapes(const SweepTask& task) {
   // What a case that the file does not write itself knows is not looked into.
+  if (task.motion) {
+    return std::nullopt;
+  }
   const std::size_t written = task.description.cases.size();
   if (std::ranges::any_of(task.chosen, [&](std::size_t i) { return i >= written; }) ||
       !knows_gears(task)) {

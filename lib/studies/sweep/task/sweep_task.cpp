@@ -32,6 +32,10 @@ class CaseChoice {
         found_(found) {}
 
   void run() {
+    if (sweep_.cases.empty() && sweeps_motion_alone(description_)) {
+      choose_case_of_motion();
+      return;
+    }
     if (sweep_.cases.empty()) {
       choose_all();
     }
@@ -50,6 +54,15 @@ class CaseChoice {
   std::vector<std::optional<SweptGear>> gears;
 
  private:
+  // That of the motion itself, if it has any.
+  void choose_case_of_motion() {
+    if (const std::optional<Name>& label = description_.motion->label) {
+      choose(*label);
+    } else {
+      gears.emplace_back();
+    }
+  }
+
   void choose_all() {
     const std::size_t count = mechanism_.cases.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -111,9 +124,11 @@ bool has_sweep(const MechanismDescription& description, Diagnostics& found) {
 }
 
 // Sections that say nothing about a single state.
-MechanismDescription without_tasks(MechanismDescription description) {
+MechanismDescription without_tasks(MechanismDescription description, bool needs_motion) {
   description.sweep.reset();
-  description.motion.reset();
+  if (!needs_motion) {
+    description.motion.reset();
+  }
   description.synthesis.reset();
   description.published.clear();
   return description;
@@ -173,6 +188,18 @@ std::string plan_text(const SourceFile& source,
   return text + source.text;
 }
 
+// Of each row of a state the case that moves it: the same in which it stands.
+std::vector<int> moving_cases(const CaseChoice& choice) {
+  std::vector<int> cases;
+  for (const std::size_t which : choice.chosen) {
+    cases.push_back(static_cast<int>(which));
+  }
+  if (cases.empty()) {
+    cases.push_back(-1);
+  }
+  return cases;
+}
+
 SweepMetadata metadata_of(const SourceFile& source,
                           const SweepDescription& sweep,
                           const SweepOptions& options,
@@ -205,10 +232,37 @@ SweepMetadata metadata_of(const SourceFile& source,
   return metadata;
 }
 
+// A gear is decided anew by each state, and a motion takes its speeds and loads from a case of the
+// file.
+void refuse_moving_gears(const std::optional<SweptMotion>& motion,
+                         const CaseChoice& choice,
+                         const std::vector<Case>& cases,
+                         const SweepDescription& sweep,
+                         Diagnostics& found) {
+  for (std::size_t i = 0; motion && motion->is_of_case && i < cases.size(); ++i) {
+    if (choice.gears[i]) {
+      found.error("E0305",
+                  sweep.where,
+                  fmt::format("the sweep asks for speeds or loads of a motion, and '{}' is a gear "
+                              "and no case of the file",
+                              printable(cases[i].label)),
+                  "name cases under 'cases:' of 'sweep'");
+      return;
+    }
+  }
+}
+
+void find_usually_solved(SweepTask& task) {
+  for (const CaseAnalysis& one : solve_some_cases(task.mechanism, task.cases)) {
+    task.is_usually_solved.push_back((!one.motion || one.motion->status == SolveStatus::solved) &&
+                                     (!one.action || one.action->status == SolveStatus::solved));
+  }
+}
+
 }  // namespace
 
 std::vector<Case> chosen_cases(const SweepTask& task, const Mechanism& mechanism) {
-  std::vector<Case> cases;
+  std::vector<Case> cases(task.chosen.empty() ? 1 : 0);
   for (const std::size_t i : task.chosen) {
     cases.push_back(mechanism.cases[i]);
     cases.back().asks_actions = cases.back().asks_actions && task.has_statics;
@@ -233,7 +287,23 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
   for (const std::size_t i : choice.chosen) {
     cases.push_back(loaded.mechanism.cases[i]);
   }
-  auto columns = find_sweep_columns(description, loaded.mechanism, cases, found);
+  std::optional<MotionColumnSearch> of_motion;
+  auto columns = find_sweep_columns(
+      description,
+      loaded.mechanism,
+      cases,
+      [&](const Name& name) {
+        if (!of_motion) {
+          of_motion.emplace(description, loaded.mechanism, moving_cases(choice), found);
+        }
+        return of_motion->find(name);
+      },
+      found);
+  std::optional<SweptMotion> motion;
+  if (of_motion && found.error_count() == errors_before) {
+    motion = of_motion->take();
+    refuse_moving_gears(motion, choice, cases, sweep, found);
+  }
   if (found.error_count() > errors_before) {
     return std::nullopt;
   }
@@ -242,7 +312,8 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
   if (!rows) {
     return std::nullopt;
   }
-  SweepTask task{.description = without_tasks(description),
+  const bool has_motion_alone = sweeps_motion_alone(description);
+  SweepTask task{.description = without_tasks(description, motion.has_value()),
                  .mechanism = std::move(loaded.mechanism),
                  .plan = std::move(plan),
                  .chosen = std::move(choice.chosen),
@@ -251,6 +322,8 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
                  .gears = std::move(choice.gears),
                  .is_usually_solved = {},
                  .columns = *std::move(columns),
+                 .motion = std::move(motion),
+                 .has_motion_alone = has_motion_alone,
                  .has_statics = false,
                  .choice = *std::move(rows),
                  .tapes = {},
@@ -261,9 +334,10 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
     task.shift = std::move(loaded.shift->plan);
   }
   task.cases = chosen_cases(task, task.mechanism);
-  for (const CaseAnalysis& one : solve_some_cases(task.mechanism, task.cases)) {
-    task.is_usually_solved.push_back((!one.motion || one.motion->status == SolveStatus::solved) &&
-                                     (!one.action || one.action->status == SolveStatus::solved));
+  if (has_motion_alone) {
+    task.is_usually_solved.assign(task.cases.size(), true);
+  } else {
+    find_usually_solved(task);
   }
   task.metadata = metadata_of(source, sweep, options, task);
   if (options.format == RowFormat::npy) {

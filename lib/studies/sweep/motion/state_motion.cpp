@@ -1,0 +1,176 @@
+#include "studies/sweep/motion/state_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "studies/motion/report/motion_extremes.hpp"
+#include "studies/motion/task/find_motion.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr std::string_view kSolved = "solved";
+
+// Of a column without a value in a position for which nothing else is to blame.
+constexpr std::string_view kGap = "no_value";
+
+// Said of the drawn position, which the motion closes, and of friction, whose rows say it too where
+// they have no actions.
+bool decides_nothing(std::string_view code) {
+  return code == "W0504" || code == "W0508";
+}
+
+// The value of a figure over all positions.
+class FigureReader {
+ public:
+  explicit FigureReader(const MotionTable& motion) : motion_(motion), all_(all_values(motion)) {}
+
+  // Empty where the table has no such column.
+  std::optional<std::size_t> column_of(const SweptFigure& asked) const {
+    const auto at = std::ranges::find_if(
+        motion_.columns, [&](const MotionColumn& one) { return one.name() == asked.column; });
+    return at == motion_.columns.end()
+               ? std::nullopt
+               : std::optional(static_cast<std::size_t>(at - motion_.columns.begin()));
+  }
+
+  double dead_points(const std::string& freedom) const {
+    return static_cast<double>(std::ranges::count_if(motion_.events, [&](const MotionEvent& one) {
+      return one.kind == kDeadPointEvent && (freedom.empty() || one.element == freedom);
+    }));
+  }
+
+  double value(MotionFigure figure, std::size_t column) const {
+    const MotionExtremes extremes = find_extremes(all_, column);
+    const double least = *(*extremes.least)[column];
+    const double greatest = *(*extremes.greatest)[column];
+    switch (figure) {
+      case MotionFigure::least:
+        return least;
+      case MotionFigure::greatest:
+        return greatest;
+      case MotionFigure::range:
+        return greatest - least;
+      case MotionFigure::mean:
+        return mean(column);
+      case MotionFigure::peak:
+        return std::max(std::abs(least), std::abs(greatest));
+      case MotionFigure::dead_points:
+        break;
+    }
+    return kNone;
+  }
+
+ private:
+  // Over the way of the drives: the trapezoids between the steps.
+  double mean(std::size_t column) const {
+    const auto at = [&](std::size_t row) { return *motion_.rows[row].values[column]; };
+    const std::size_t last = motion_.rows.size() - 1;
+    double sum = (at(0) + at(last)) / 2.0;
+    for (std::size_t row = 1; row < last; ++row) {
+      sum += at(row);
+    }
+    return sum / static_cast<double>(last);
+  }
+
+  const MotionTable& motion_;
+  std::vector<const MotionValues*> all_;
+};
+
+// The first position that has no value in that column.
+const MotionRow* find_gap(const MotionTable& motion, std::size_t column) {
+  const auto at = std::ranges::find_if(
+      motion.rows, [&](const MotionRow& row) { return !row.values[column].has_value(); });
+  return at == motion.rows.end() ? nullptr : &*at;
+}
+
+std::string_view code_of(const Diagnostics& found, Severity severity) {
+  const auto at = std::ranges::find_if(found.items(), [&](const Diagnostic& one) {
+    return one.severity == severity && !decides_nothing(one.code);
+  });
+  return at == found.items().end() ? std::string_view() : at->code;
+}
+
+}  // namespace
+
+StateMotion::StateMotion(const SweptMotion& asked, std::span<const SweepColumn> columns)
+    : asked_(asked), columns_(columns), values_(asked.figures.size(), kNone) {}
+
+void StateMotion::fill(const MechanismDescription& description,
+                       const Mechanism& mechanism,
+                       std::span<SweepRow> rows) {
+  MotionPlan plan = *bind_motion(description, mechanism);
+  plan.which = -1;
+  plan.report = asked_.report;
+  Diagnostics found;
+  std::optional<FoundMotion> motion = follow_motion(description, mechanism, std::move(plan), found);
+  std::string status(code_of(found, Severity::error));
+  std::ranges::fill(values_, kNone);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (motion && (i == 0 || asked_.is_of_case)) {
+      motion->plan.which = asked_.is_of_case ? asked_.cases[i] : -1;
+      status = find_figures(description, mechanism, *motion);
+    }
+    show(status, rows[i]);
+  }
+}
+
+// Answers whether all that is asked for is right, and if not, why. What is found of the case in a
+// position is the status of that position.
+std::string StateMotion::find_figures(const MechanismDescription& description,
+                                      const Mechanism& mechanism,
+                                      FoundMotion& motion) {
+  std::ranges::fill(values_, kNone);
+  PositionFindings of_positions;
+  motion.table = make_motion_table(description, mechanism, motion, asked_.scope, of_positions);
+  Diagnostics found;
+  add_findings(motion, description, mechanism, {}, found);
+  const MotionTable& table = motion.table;
+  if (found.has_errors()) {
+    return std::string(word_of(table.end));
+  }
+  const FigureReader reader(table);
+  const MotionRow* gap = nullptr;
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    const SweptFigure& asked = asked_.figures[i];
+    if (asked.figure == MotionFigure::dead_points) {
+      values_[i] = table.may_lack_dead_points ? kNone : reader.dead_points(asked.column);
+      continue;
+    }
+    const std::optional<std::size_t> column = reader.column_of(asked);
+    const MotionRow* missing = column ? find_gap(table, *column) : nullptr;
+    gap = gap != nullptr ? gap : missing;
+    if (column && missing == nullptr && !table.may_lack_dead_points) {
+      values_[i] = reader.value(asked.figure, *column);
+    }
+  }
+  if (gap != nullptr && gap->status != kSolved) {
+    return gap->status;
+  }
+  const auto unsolved =
+      std::ranges::find_if(table.rows, [](const MotionRow& one) { return one.status != kSolved; });
+  if (unsolved != table.rows.end()) {
+    return unsolved->status;
+  }
+  const std::string_view warning = code_of(found, Severity::warning);
+  return std::string(!warning.empty() ? warning : gap != nullptr ? kGap : kSolved);
+}
+
+void StateMotion::show(std::string_view status, SweepRow& row) {
+  for (std::size_t q = 0; q < columns_.size(); ++q) {
+    if (columns_[q].kind == SweepColumnKind::motion) {
+      row.values[q] = values_[static_cast<std::size_t>(columns_[q].index)];
+    }
+  }
+  if (row.status == kSolved && status != kSolved) {
+    const auto at = statuses_.find(status);
+    row.status = at != statuses_.end() ? *at : *statuses_.emplace(status).first;
+  }
+}
+
+}  // namespace kinestat

@@ -1,0 +1,253 @@
+#include "studies/sweep/motion/swept_motion.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "core/utf8.hpp"
+#include "mechanism/check/report_name_check.hpp"
+#include "studies/motion/configuration.hpp"
+#include "studies/motion/task/motion_columns.hpp"
+#include "studies/motion/task/motion_events.hpp"
+#include "studies/motion/task/motion_findings.hpp"
+
+namespace kinestat {
+
+namespace {
+
+void unite(std::vector<int>& all, const std::vector<int>& some) {
+  for (const int one : some) {
+    if (std::ranges::find(all, one) == all.end()) {
+      all.push_back(one);
+    }
+  }
+}
+
+void unite(MotionReport& all, MotionReport some) {
+  for (const std::string& word : motion_report_words()) {
+    bool& is_asked = *find_report_word(word, all);
+    is_asked = is_asked || *find_report_word(word, some);
+  }
+  unite(all.positions, some.positions);
+  unite(all.actions, some.actions);
+}
+
+MotionReport report_of(const std::string& word) {
+  MotionReport report;
+  *find_report_word(word, report) = true;
+  return report;
+}
+
+// Places follow from the drives alone.
+bool needs_case(MotionReport report) {
+  report.position = false;
+  return !report.actions.empty() ||
+         std::ranges::any_of(motion_report_words(), [&](const std::string& word) {
+           return *find_report_word(word, report);
+         });
+}
+
+// No more than the one column needs of them.
+MotionReport needs_of(const MotionColumn& column, MotionReport needs, const Topology& topology) {
+  if (!needs.positions.empty()) {
+    std::erase_if(needs.positions,
+                  [&](int f) { return topology.freedom_name(f) != column.element; });
+  }
+  for (int a = 0; needs.action && a < topology.action_count(); ++a) {
+    if (topology.action_name(a) == column.element) {
+      needs.action = false;
+      needs.actions = {a};
+    }
+  }
+  return needs;
+}
+
+std::string with_dots(std::string name) {
+  std::ranges::replace(name, '/', '.');
+  return name;
+}
+
+// Actions are called as in a single position, and what is of the whole needs no element.
+std::string brief_name(const MotionColumn& column) {
+  const std::string& quantity = column.quantity;
+  const bool is_of_whole =
+      quantity == "ratio" || quantity == "transmission_angle" || quantity == "mechanical_advantage";
+  return quantity == "action" ? column.element : is_of_whole ? quantity : std::string();
+}
+
+}  // namespace
+
+MotionColumnSearch::MotionColumnSearch(const MechanismDescription& description,
+                                       const Mechanism& mechanism,
+                                       std::vector<int> cases,
+                                       Diagnostics& found)
+    : description_(description),
+      mechanism_(mechanism),
+      found_(found),
+      plan_(*bind_motion(description, mechanism)) {
+  std::vector<int> driven;
+  for (const PlannedDrive& drive : plan_.drives) {
+    driven.push_back(drive.freedom);
+  }
+  const MotionNetwork network =
+      make_motion_network(mechanism, bind_drawn_couplings(description, mechanism), driven);
+  positions_ = freedom_positions(network, mechanism, drawn_configuration(network));
+  watched_ = watched_freedoms(mechanism, network);
+  asked_.scope = {.columns = std::vector<std::string>(), .dead_points = false};
+  asked_.cases = std::move(cases);
+  for (const int which : asked_.cases) {
+    add_candidates(which);
+  }
+}
+
+void MotionColumnSearch::add_candidates(int which) {
+  candidates_.emplace_back();
+  MotionReport positions;
+  for (int f = 0; f < mechanism_.topology.freedom_count(); ++f) {
+    positions.positions.push_back(f);
+  }
+  add_candidates(which, positions);
+  for (const std::string& word : motion_report_words()) {
+    add_candidates(which, report_of(word));
+  }
+  candidates_.back().push_back({.name = std::string(kClosureErrorColumn),
+                                .dotted = std::string(kClosureErrorColumn),
+                                .brief = {},
+                                .unit = {},
+                                .needs = {}});
+}
+
+void MotionColumnSearch::add_candidates(int which, const MotionReport& needs) {
+  MotionPlan plan = plan_;
+  plan.which = which;
+  plan.report = needs;
+  Diagnostics ignored;
+  if (!check_report(plan, mechanism_, ignored)) {
+    return;
+  }
+  MotionPosition first;
+  first.freedoms = positions_;
+  std::vector<Candidate>& all = candidates_.back();
+  for (const MotionReading& one : motion_readings(description_, mechanism_, plan, first)) {
+    std::string name = one.column.name();
+    if (std::ranges::find(all, name, &Candidate::name) == all.end()) {
+      all.push_back({.name = name,
+                     .dotted = with_dots(name),
+                     .brief = brief_name(one.column),
+                     .unit = one.column.unit,
+                     .needs = needs_of(one.column, needs, mechanism_.topology)});
+    }
+  }
+}
+
+std::optional<SweepColumn> MotionColumnSearch::find(const Name& name) {
+  const MotionFigureName asked = *motion_figure_of(name.text);
+  if (asked.figure == MotionFigure::dead_points) {
+    return find_dead_points(name, asked);
+  }
+  const Candidate* column = nullptr;
+  for (const std::vector<Candidate>& of_case : candidates_) {
+    const auto at = std::ranges::find_if(of_case, [&](const Candidate& one) {
+      return one.dotted == asked.column || one.brief == asked.column;
+    });
+    if (at == of_case.end()) {
+      continue;
+    }
+    if (column != nullptr && (column->unit != at->unit || column->name != at->name)) {
+      found_.error("E0305",
+                   name.where,
+                   fmt::format("'{}' is {} in '{}' in one case and {} in '{}' in another",
+                               name.text,
+                               column->name,
+                               column->unit,
+                               at->name,
+                               at->unit),
+                   "name cases under 'cases:' of 'sweep' whose inputs and outputs are alike");
+      return std::nullopt;
+    }
+    column = &*at;
+  }
+  if (column == nullptr) {
+    if (!lacks_case(asked.column)) {
+      refuse_column(name, asked.column);
+    }
+    return std::nullopt;
+  }
+  unite(asked_.report, column->needs);
+  asked_.is_of_case = asked_.is_of_case || needs_case(column->needs);
+  // Positions are extreme where a freedom turns back.
+  const bool is_extreme = asked.figure != MotionFigure::mean;
+  asked_.scope.dead_points = asked_.scope.dead_points || (is_extreme && !needs_case(column->needs));
+  asked_.scope.columns->push_back(column->name);
+  return add(name, {.column = column->name, .figure = asked.figure}, column->unit);
+}
+
+std::optional<SweepColumn> MotionColumnSearch::find_dead_points(const Name& name,
+                                                                const MotionFigureName& asked) {
+  std::vector<std::string> names;
+  for (const int freedom : watched_) {
+    names.push_back(mechanism_.topology.freedom_name(freedom));
+  }
+  if (!asked.column.empty() && std::ranges::find(names, asked.column) == names.end()) {
+    found_.error(
+        "E0313",
+        name.where,
+        fmt::format("dead points of '{}' are not looked for", asked.column),
+        guess_before(asked.column,
+                     names,
+                     "those of freedoms at the ground and of actuators are: " + plain_list(names)));
+    return std::nullopt;
+  }
+  asked_.scope.dead_points = true;
+  return add(name, {.column = asked.column, .figure = asked.figure}, "");
+}
+
+// Of a freedom alone, whose name would be a rate, those that it has.
+void MotionColumnSearch::refuse_column(const Name& name, const std::string& column) {
+  std::vector<std::string> all;
+  std::vector<std::string> longer;
+  for (const Candidate& one : candidates_.front()) {
+    all.push_back(one.dotted);
+    if (one.dotted.starts_with(column + ".")) {
+      longer.push_back(one.dotted);
+    }
+  }
+  found_.error("E0313",
+               name.where,
+               fmt::format("the motion has no column '{}'", column),
+               longer.empty() ? guess_before(column, all, "it has " + plain_list(all))
+                              : "it has " + plain_list(longer));
+}
+
+// Where a case does not say what a word of the report needs, that is the matter.
+bool MotionColumnSearch::lacks_case(const std::string& column) {
+  return std::ranges::any_of(motion_report_words(), [&](const std::string& word) {
+    const bool is_of_word = column == word || column.ends_with("." + word);
+    return is_of_word && !can_report(report_of(word), found_);
+  });
+}
+
+bool MotionColumnSearch::can_report(const MotionReport& report, Diagnostics& found) const {
+  return std::ranges::all_of(asked_.cases, [&](int which) {
+    MotionPlan plan = plan_;
+    plan.which = which;
+    plan.report = report;
+    return check_report(plan, mechanism_, found);
+  });
+}
+
+std::optional<SweptMotion> MotionColumnSearch::take() {
+  return can_report(asked_.report, found_) ? std::optional(std::move(asked_)) : std::nullopt;
+}
+
+SweepColumn MotionColumnSearch::add(const Name& name, SweptFigure figure, std::string unit) {
+  asked_.figures.push_back(std::move(figure));
+  return {.kind = SweepColumnKind::motion,
+          .index = static_cast<int>(asked_.figures.size()) - 1,
+          .name = name.text,
+          .unit = std::move(unit)};
+}
+
+}  // namespace kinestat
