@@ -1,7 +1,11 @@
-// Times one step of a finite motion, position and velocity, in units of a sine with its cosine.
+// Times one step of a finite motion, position and velocity, and one state of a sweep of motions, in
+// units of a sine with its cosine.
 
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -13,6 +17,8 @@
 #include "interleave.hpp"
 #include "ratio_table.hpp"
 #include "studies/motion/motion.hpp"
+#include "studies/sweep/task/state_solver.hpp"
+#include "studies/sweep/task/sweep_task.hpp"
 
 namespace kinestat::bench {
 
@@ -22,6 +28,9 @@ namespace {
 // ns or more.
 constexpr double kFourBarTarget = 50.0;
 constexpr double kSixBarTarget = 250.0;
+
+// 20 µs a state there, of 72 positions: a stroke and the least transmission angle.
+constexpr double kStateTarget = 1000.0;
 
 constexpr int kSteps = 360;   // a turn
 constexpr int kUnits = 1000;  // sines and cosines in one run
@@ -55,6 +64,44 @@ void follow(const Subject& subject) {
   keep(solution);
 }
 
+// The states of a sweep of crank-rockers, one row after the other and again from the first.
+class StateMaker {
+ public:
+  explicit StateMaker(std::size_t lanes) {
+    SourceFile source;
+    Diagnostics found;
+    std::optional<Loaded> loaded =
+        load(KINESTAT_MECHANISMS "/sweeps/crank_rocker_search.yaml", LoadOptions{}, source, found);
+    if (loaded) {
+      task_ = make_sweep_task(source, *std::move(loaded), SweepOptions{}, found);
+    }
+    if (!task_) {
+      throw std::runtime_error("the sweep cannot be made");
+    }
+    solver_ = std::make_unique<StateSolver>(*task_, lanes);
+  }
+
+  void make(std::size_t count) {
+    for (std::size_t made = 0; made < count;) {
+      std::span<const SolvedState> states;
+      if (walk_) {
+        states = solver_->solve_next(*walk_);
+      }
+      if (states.empty()) {
+        walk_.emplace(task_->plan, 1, task_->plan.state_count());  // the first is worked out twice
+        states = solver_->solve_next(*walk_);
+      }
+      made += states.size();
+      keep(states);
+    }
+  }
+
+ private:
+  std::optional<SweepTask> task_;
+  std::unique_ptr<StateSolver> solver_;
+  std::optional<StateWalk> walk_;
+};
+
 void sines() {
   double sum = 0.0;
   for (int i = 0; i < kUnits; ++i) {
@@ -71,7 +118,19 @@ Job job_for(std::string name, const std::string& path, std::optional<double> tar
           static_cast<double>(kSteps) / kUnits};
 }
 
+Job state_job(std::string name,
+              const std::shared_ptr<StateMaker>& states,
+              std::size_t count,
+              std::optional<double> target) {
+  return {std::move(name),
+          [states, count] { states->make(count); },
+          target,
+          static_cast<double>(count) / kUnits};
+}
+
 std::string run(const Options& options) {
+  const auto lanes = std::make_shared<StateMaker>(kLanes);
+  const auto whole = std::make_shared<StateMaker>(1);
   const std::vector<Job> jobs = {
       job_for("four-bar, position and velocity", "planar/four_bar.yaml", kFourBarTarget),
       job_for("Watt six-bar", "planar/watt_six_bar.yaml", kSixBarTarget),
@@ -80,16 +139,17 @@ std::string run(const Options& options) {
       job_for("Bennett linkage", "spatial/bennett.yaml", {}),
       job_for("Schatz linkage", "spatial/schatz_linkage.yaml", {}),
       job_for("two Hooke joints", "spatial/cardan_shaft.yaml", {}),
-      job_for("open belt", "cables/open_belt.yaml", {})};
+      job_for("open belt", "cables/open_belt.yaml", {}),
+      state_job("a crank-rocker of a sweep, 72 positions", lanes, 200, kStateTarget),
+      state_job("  as a whole motion", whole, 4, {})};
   const Interleaved result = measure(sines, jobs, options.rounds);
   std::string text = write_ratios(result.ratios, "sines", options.form);
   if (options.form == TableForm::text) {
     const double unit = result.unit_seconds / kUnits;
     text += fmt::format("a sine with its cosine takes {:.1f} ns here\n", 1e9 * unit);
     for (std::size_t i = 0; i < jobs.size(); ++i) {
-      text += fmt::format("{}: {:.2f} million steps a second\n",
-                          jobs[i].name,
-                          1e-6 / (unit * result.ratios[i].median));
+      text += fmt::format(
+          "{}: {:.4g} million a second\n", jobs[i].name, 1e-6 / (unit * result.ratios[i].median));
     }
   }
   return text;

@@ -138,8 +138,8 @@ void check_report_quantities(const std::vector<Name>& names,
   }
   for (const Name& name : names) {
     const auto at = by_coupling.find(coupling_of(name));
-    if (name.text.find('.') == std::string::npos || motion_figure_of(name.text) ||
-        at == by_coupling.end() || std::ranges::find(at->second, name.text) != at->second.end()) {
+    if (name.text.find('.') == std::string::npos || at == by_coupling.end() ||
+        std::ranges::find(at->second, name.text) != at->second.end()) {
       continue;
     }
     found.error(

@@ -1,7 +1,10 @@
 #include "mechanism/check/section_checks.hpp"
 
+#include <algorithm>
+
 #include "mechanism/check/report_name_check.hpp"
 #include "mechanism/gears/internal/losses.hpp"
+#include "mechanism/motion_figure.hpp"
 
 namespace kinestat {
 
@@ -68,7 +71,12 @@ void check_reported_quantities(const MechanismDescription& description,
     check_report_quantities(description.motion->report, topology, found);
   }
   if (description.sweep) {
-    check_report_quantities(description.sweep->report, topology, found);
+    // Names of more parts are figures of a motion, or have had their complaint.
+    std::vector<Name> names = description.sweep->report;
+    std::erase_if(names, [](const Name& one) {
+      return motion_figure_of(one.text).has_value() || std::ranges::count(one.text, '.') > 1;
+    });
+    check_report_quantities(names, topology, found);
   }
 }
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/tolerance.hpp"
+#include "math/numbers/settled.hpp"
 #include "studies/motion/report/motion_extremes.hpp"
 #include "studies/motion/task/find_motion.hpp"
 
@@ -71,11 +73,14 @@ class FigureReader {
   double mean(std::size_t column) const {
     const auto at = [&](std::size_t row) { return *motion_.rows[row].values[column]; };
     const std::size_t last = motion_.rows.size() - 1;
-    double sum = (at(0) + at(last)) / 2.0;
-    for (std::size_t row = 1; row < last; ++row) {
-      sum += at(row);
+    double sum = 0.0;
+    double size = 0.0;
+    for (std::size_t row = 0; row <= last; ++row) {
+      const double term = row == 0 || row == last ? at(row) / 2.0 : at(row);
+      sum += term;
+      size += std::abs(term);
     }
-    return sum / static_cast<double>(last);
+    return settled(sum, kCancellation * size) / static_cast<double>(last);
   }
 
   const MotionTable& motion_;

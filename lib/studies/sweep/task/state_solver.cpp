@@ -13,6 +13,7 @@
 #include "mechanism/bind/bind.hpp"
 #include "studies/sweep/task/row_status.hpp"
 #include "studies/sweep/task/sizes.hpp"
+#include "studies/sweep/task/sweep_samples.hpp"
 
 namespace kinestat {
 
@@ -102,14 +103,19 @@ bool may_be_rounding(const SweepTask& task, const Case& which, const SweepRow& r
 
 StateSolver::StateSolver(const SweepTask& task, std::size_t lanes)
     : task_(task), binder_(task), states_(task.cases.size()) {
-  const std::size_t together = task.tapes ? lanes : 1;
-  if (task.tapes) {
-    taped_.emplace(task, *task.tapes, together);
-  }
   if (task.motion) {
     moved_.emplace(*task.motion, task.columns);
   }
+  if (task.has_motion_alone && lanes > 1) {
+    lanes_ = LaneMotions::make(
+        task.description, task.mechanism, *task.motion, varying_parameters(task.plan));
+  }
+  const std::size_t together = task.tapes ? lanes : lanes_ ? kMotionLanes : 1;
+  if (task.tapes) {
+    taped_.emplace(task, *task.tapes, together);
+  }
   is_undefined_.resize(together);
+  is_answered_.resize(together);
   places_.resize(together * task.plan.axes().size());
   rows_.resize(together * task.cases.size());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -139,25 +145,44 @@ std::span<const SolvedState> StateSolver::solve_next(StateWalk& walk) {
     walk.pass(some - 1);
     count += some;
   }
-  if (taped_ && count > 0) {
-    taped_->play();
-    taped_->fill(count, rows_);
+  if (count > 0) {
+    answer_together(count);
   }
   for (std::size_t lane = 0; lane < count; ++lane) {
-    if (is_undefined_[lane] != 0 || !taped_ || !taped_->has_answer(lane)) {
+    if (is_answered_[lane] == 0) {
       analyse(lane);
     }
   }
-  if (taped_ && count > 0) {
+  if ((taped_ || lanes_) && count > 0) {
     check_some(count);
   }
   return std::span(solved_).first(count);
+}
+
+void StateSolver::answer_together(std::size_t count) {
+  if (taped_) {
+    taped_->play();
+    taped_->fill(count, rows_);
+  }
+  if (lanes_) {
+    lanes_->follow();
+  }
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const bool has_answer = is_undefined_[lane] == 0 &&
+                            (taped_ ? taped_->has_answer(lane)
+                                    : lanes_ && is_answered_[lane] != 0 &&
+                                          lanes_->fill(lane, task_.columns, rows_of(lane).front()));
+    is_answered_[lane] = has_answer ? 1 : 0;
+  }
 }
 
 // The state of the walk, and as many that are alike as make up the count.
 void StateSolver::take(const StateWalk& walk, std::size_t lane, std::size_t count) {
   if (taped_ && !walk.is_undefined()) {
     taped_->load(walk, lane, count);
+  }
+  if (lanes_) {
+    is_answered_[lane] = !walk.is_undefined() && lanes_->load(lane, walk.slots()) ? 1 : 0;
   }
   const std::span<const std::uint64_t> from = walk.places();
   std::uint64_t* place = places_of(lane).data();
@@ -248,7 +273,8 @@ void StateSolver::decide_gears(const Mechanism& mechanism, std::vector<Case>& ca
   }
 }
 
-// Now and then a state is analysed both ways, so that no mistake of a tape stays unseen.
+// Now and then a state is analysed both ways, so that no mistake of a tape or of what is followed
+// in lanes stays unseen.
 void StateSolver::check_some(std::size_t count) {
   constexpr std::uint64_t kCheckEvery = 100003;  // takes a tenth of the time that tapes take
   if (unchecked_ >= count) {
@@ -256,14 +282,14 @@ void StateSolver::check_some(std::size_t count) {
     return;
   }
   const auto lane = static_cast<std::size_t>(unchecked_);
-  if (is_undefined_[lane] == 0 && taped_->has_answer(lane)) {
-    check_tape(solved_[lane].number, rows_of(lane));
+  if (is_answered_[lane] != 0) {
+    check_answer(solved_[lane].number, rows_of(lane));
   }
   unchecked_ = kCheckEvery - (count - lane);
 }
 
-void StateSolver::check_tape(std::uint64_t state, std::span<const SweepRow> taped) {
-  std::vector<SweepRow> rows(taped.begin(), taped.end());
+void StateSolver::check_answer(std::uint64_t state, std::span<const SweepRow> answered) {
+  std::vector<SweepRow> rows(answered.begin(), answered.end());
   analyse(state, false, rows);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     double largest = 0.0;
@@ -272,11 +298,11 @@ void StateSolver::check_tape(std::uint64_t state, std::span<const SweepRow> tape
     }
     for (std::size_t q = 0; q < rows[i].values.size(); ++q) {
       const double a = rows[i].values[q];
-      const double b = taped[i].values[q];
+      const double b = answered[i].values[q];
       KINESTAT_EXPECTS(std::isnan(a) == std::isnan(b) &&
                        (std::isnan(a) || std::abs(a - b) <= kReportsAgree * largest));
     }
-    KINESTAT_EXPECTS(rows[i].status == taped[i].status);
+    KINESTAT_EXPECTS(rows[i].status == answered[i].status);
   }
 }
 

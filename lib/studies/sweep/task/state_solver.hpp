@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "studies/sweep/motion/lane_motions.hpp"
 #include "studies/sweep/motion/state_motion.hpp"
 #include "studies/sweep/report/sweep_rows.hpp"
 #include "studies/sweep/state_walk.hpp"
@@ -53,6 +54,7 @@ struct SolvedState {
 class StateSolver {
  public:
   /// The task must outlive it. `lanes` is how many states a tape works out together: 1 or kLanes.
+  /// Motions are followed one by one, as a whole, if it is 1.
   explicit StateSolver(const SweepTask& task, std::size_t lanes = kLanes);
 
   /// The next states of the walk, as many as are worked out together; empty at its end. They stay
@@ -63,19 +65,22 @@ class StateSolver {
   std::span<std::uint64_t> places_of(std::size_t lane);
   std::span<SweepRow> rows_of(std::size_t lane);
   void take(const StateWalk& walk, std::size_t lane, std::size_t count);
+  void answer_together(std::size_t count);
   void analyse(std::size_t lane);
   void analyse(std::uint64_t state, bool is_undefined, std::span<SweepRow> rows);
   void solve_position(const Mechanism& mechanism, std::span<SweepRow> rows);
   CaseAnalysis solve_again(const Mechanism& mechanism, std::size_t row, const Case& which);
   void decide_gears(const Mechanism& mechanism, std::vector<Case>& cases);
   void check_some(std::size_t count);
-  void check_tape(std::uint64_t state, std::span<const SweepRow> taped);
+  void check_answer(std::uint64_t state, std::span<const SweepRow> answered);
   void clear(std::string_view status, std::span<SweepRow> rows);
 
   const SweepTask& task_;
   StateBinder binder_;
   std::optional<TapeSolver> taped_;
   std::optional<StateMotion> moved_;
+  std::optional<LaneMotions> lanes_;
+  std::vector<char> is_answered_;                  ///< of each lane: by a tape or in lanes
   std::vector<char> is_undefined_;                 ///< of each lane
   std::vector<std::uint64_t> places_;              ///< of each lane, axis by axis
   std::vector<SweepRow> rows_;                     ///< of each lane, case by case

@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "studies/sweep/motion/lane_motions.hpp"
+#include "studies/sweep/task/sweep_samples.hpp"
+#include "unit/run/swept_file.hpp"
+#include "unit/run/swept_rows.hpp"
+
+namespace kinestat {
+namespace {
+
+// Links r, k, o and the frame g_1, the crank drawn at the angle phi from it.
+constexpr const char* kCrankRocker = R"(
+kinestat: 1
+space: planar
+parameters:
+  g_1: 6
+  r: 2
+  k: 5
+  o: 5
+  phi: 10 deg
+  bx: r*cos(phi)
+  by: r*sin(phi)
+  q: (g_1 - bx)^2 + by^2
+  t_1: (k^2 - o^2 + q)/(2*q)
+  u: sqrt(k^2/q - t_1^2)
+ground: frame
+bodies: [crank, coupler, rocker]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, coupler], at: [bx, by]}
+  c: {type: revolute, bodies: [coupler, rocker],
+      at: [bx + t_1*(g_1 - bx) + u*by, by - t_1*by + u*(g_1 - bx)]}
+  d: {type: revolute, bodies: [frame, rocker], at: [g_1, 0]}
+actuators: {motor: {coupling: a}, load: {coupling: d}}
+cases:
+  turn: {motion: {motor: 1 rad/s}, input: motor, output: load}
+motion: {drive: motor, from: -20 deg, to: 340 deg, steps: 72, case: turn}
+)";
+
+constexpr const char* kSliderCrank = R"(
+kinestat: 1
+space: planar
+parameters: {r: 2, l: 5, e: 0.5, phi: 30 deg}
+ground: frame
+bodies: [crank, rod, slider]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0], axis: -z}
+  b: {type: revolute, bodies: [rod, crank], at: [r*cos(phi), r*sin(phi)]}
+  c: {type: revolute, bodies: [rod, slider],
+      at: [r*cos(phi) + sqrt(l^2 - (e - r*sin(phi))^2), e]}
+  s: {type: prismatic, bodies: [frame, slider],
+      at: [r*cos(phi) + sqrt(l^2 - (e - r*sin(phi))^2), e], axis: x}
+actuators: {motor: {coupling: a}, ram: {coupling: s}}
+cases:
+  turn: {motion: {motor: 1 rad/s}, input: motor, output: ram}
+motion: {drive: motor, to: 360 deg, steps: 60, case: turn}
+)";
+
+// Whose rocker drives a second one.
+constexpr const char* kSixBar = R"(
+kinestat: 1
+space: planar
+parameters: {x: 0, y: 0}
+ground: frame
+bodies: [crank, coupler, rocker, link, last]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [x, y]}
+  b: {type: revolute, bodies: [crank, coupler], at: [20, 20]}
+  c: {type: revolute, bodies: [coupler, rocker], at: [90, 60]}
+  d: {type: revolute, bodies: [frame, rocker], at: [100, 0]}
+  e: {type: revolute, bodies: [rocker, link], at: [120, 40]}
+  f: {type: revolute, bodies: [link, last], at: [180, 70]}
+  g: {type: revolute, bodies: [frame, last], at: [200, 0]}
+actuators: {motor: {coupling: a}, load: {coupling: g}}
+cases:
+  turn: {motion: {motor: 1 rad/s}, input: motor, output: load}
+motion: {drive: motor, to: 360 deg, steps: 90, case: turn}
+)";
+
+/// How many states the lanes answer themselves.
+std::size_t followed_states(SweepTask& task) {
+  auto lanes = LaneMotions::make(
+      task.description, task.mechanism, *task.motion, varying_parameters(task.plan));
+  if (!lanes) {
+    return 0;
+  }
+  SweepRow row{.values = std::vector<double>(task.columns.size())};
+  StateWalk walk(task.plan, 0, task.plan.state_count());
+  std::size_t count = 0;
+  while (walk.next()) {
+    if (!walk.is_undefined() && lanes->load(0, walk.slots())) {
+      lanes->follow();
+      count += lanes->fill(0, task.columns, row) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+// In every state the lanes say what the whole motion says; `least` is the share of the states that
+// they answer at least.
+void expect_whole_motions(const char* text, const char* sweep, double least) {
+  SweptFile file(text, sweep);
+  SweepTask& task = file.task();
+  const std::vector<Row> lanes = rows_of(task, kLanes);
+  const std::vector<Row> whole = rows_of(task, 1);
+  expect_near(lanes, whole);
+  const auto solved =
+      static_cast<double>(std::ranges::count(whole, std::string("solved"), &Row::status));
+  EXPECT_GE(static_cast<double>(followed_states(task)), least * solved);
+  EXPECT_GT(solved, 0.0);
+}
+
+TEST(SweptMotions, OfFourBarsAreThoseOfWholeMotions) {
+  expect_whole_motions(kCrankRocker,
+                       "{vary: {r: {from: 0.6, to: 3, step: 0.3}, k: {from: 3, to: 7, step: 0.8}, "
+                       "o: {from: 2.5, to: 6.5, step: 0.8}, phi: [10 deg, 200 deg]}, "
+                       "report: [d.wz.position.range, transmission_angle.least, "
+                       "transmission_angle.greatest, c.wz.position.least, dead_points]}",
+                       0.75);
+}
+
+TEST(SweptMotions, OfSliderCranksAreThoseOfWholeMotions) {
+  expect_whole_motions(kSliderCrank,
+                       "{vary: {r: {from: 0.5, to: 3, step: 0.25}, l: {from: 2, to: 6, step: 0.5}, "
+                       "e: [-1.5, -0.5, 0, 1], phi: [30 deg, -100 deg]}, "
+                       "report: [s.vx.position.range, s.vx.position.mean, b.wz.position.peak, "
+                       "c.wz.position.greatest, transmission_angle.least, s.vx.dead_points]}",
+                       0.75);
+}
+
+TEST(SweptMotions, OfSixBarsAreThoseOfWholeMotions) {
+  expect_whole_motions(kSixBar,
+                       "{vary: {x: {from: -8, to: 8, step: 1}, y: {from: -8, to: 8, step: 2}}, "
+                       "report: [g.wz.position.range, f.wz.position.least, "
+                       "transmission_angle.least, dead_points]}",
+                       0.75);
+}
+
+// A lane must not see the others.
+TEST(SweptMotions, HaveTheSameBitsWithAnyNeighbours) {
+  SweptFile file(kCrankRocker,
+                 "{vary: {r: {from: 0.6, to: 3, step: 0.3}, k: {from: 3, to: 7, step: 0.8}}, "
+                 "report: [d.wz.position.range, transmission_angle.least, dead_points]}");
+  const std::vector<Row> all = rows_of(file.task(), kLanes);
+  for (std::ptrdiff_t begin = 1; begin < 4; ++begin) {
+    const std::vector<Row> later = rows_of(file.task(), kLanes, static_cast<std::uint64_t>(begin));
+    expect_same_bits({all.begin() + begin, all.end()}, later);
+  }
+}
+
+TEST(SweptMotions, FollowInLanesNothingButLinkages) {
+  const auto is_followed = [](const std::string& text, const char* sweep) {
+    SweptFile file(text, sweep);
+    return followed_states(file.task()) > 0;
+  };
+  const std::string text = kSliderCrank;
+  EXPECT_TRUE(is_followed(text, "{vary: {r: [1]}, report: [s.vx.position.range]}"));
+  EXPECT_FALSE(is_followed(text, "{vary: {r: [1]}, report: [s.vx.velocity.peak]}"));
+  EXPECT_FALSE(is_followed(text, "{vary: {r: [1]}, report: [rod.at.x.mean]}"));
+  const std::string ranged = std::string(text).replace(text.find("360 deg"), 7, "12*phi");
+  EXPECT_TRUE(is_followed(ranged, "{vary: {r: [1]}, report: [s.vx.position.range]}"));
+  EXPECT_FALSE(is_followed(ranged, "{vary: {phi: [20 deg]}, report: [s.vx.position.range]}"));
+}
+
+}  // namespace
+}  // namespace kinestat
