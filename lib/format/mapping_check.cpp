@@ -76,9 +76,9 @@ void complain_of_missing(const FormShape& shape,
 std::string title_of_key(std::string_view key, std::string_view mapping) {
   std::string title;
   title.reserve(key.size() + mapping.size() + 6);
-  title.append("'").append(key).append("'");
+  title.append(1, '\'').append(key).append(1, '\'');
   if (!mapping.empty()) {
-    title.append(" of ").append(mapping);
+    title.append(std::string_view(" of ")).append(mapping);
   }
   return title;
 }
@@ -143,8 +143,8 @@ std::string_view code_for_key(const FormRule& rule, const FileValue& mapping) {
 
 }  // namespace
 
-std::string title_of(const FileValue& mapping) {
-  return mapping.what.empty() ? "the mechanism" : mapping.what;
+std::string_view title_of(const FileValue& mapping) {
+  return mapping.what.empty() ? std::string_view("the mechanism") : mapping.what;
 }
 
 std::optional<FileValue> find_key(const FormShape& shape,

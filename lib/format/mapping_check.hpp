@@ -11,7 +11,7 @@
 namespace kinestat {
 
 /// The mapping in messages: the file itself is "the mechanism".
-std::string title_of(const FileValue& mapping);
+std::string_view title_of(const FileValue& mapping);
 
 /// The value behind the key of that index; a needed one that is missing becomes an error of
 /// `fields`, unless another key stands instead of it.

@@ -244,11 +244,16 @@ FileText text_of(const std::vector<Value>& values) {
 }
 
 std::optional<std::size_t> read_word_of(const FileValue& value, const SharedList<Word>& words) {
+  const Word* const at = std::ranges::find(words, value.node.text, &Word::text);
+  if (value.node.kind == YamlKind::scalar && at != words.end()) {
+    return static_cast<std::size_t>(at - words.begin());
+  }
   std::vector<std::string> texts;
   for (const Word& word : words) {
     texts.emplace_back(word.text);
   }
-  return read_word(value.node, value.what, texts, value.found);
+  complain_of_word(value.node, value.what, texts, value.found);
+  return std::nullopt;
 }
 
 }  // namespace kinestat

@@ -18,10 +18,11 @@ constexpr std::size_t kMostKeys = 40;  // that a mapping of the format has
 
 }  // namespace
 
-Fields::Fields(const YamlNode& node, SourceRange where, std::string what, Diagnostics& found)
-    : where_(where), what_(std::move(what)), found_(found) {
+Fields::Fields(const YamlNode& node, SourceRange where, std::string_view what, Diagnostics& found)
+    : where_(where), what_(what), found_(found) {
   if (node.kind == YamlKind::mapping) {
     node_ = &node;
+    known_.reserve(kMostKeys);
   } else {
     found_.error("E0304",
                  node.where,
@@ -31,9 +32,7 @@ Fields::Fields(const YamlNode& node, SourceRange where, std::string what, Diagno
 }
 
 const YamlNode* Fields::find(std::string_view key) {
-  if (std::ranges::find(known_, key) == known_.end()) {
-    known_.emplace_back(key);
-  }
+  known_.push_back(key);
   return node_ == nullptr ? nullptr : node_->find(key);
 }
 
@@ -76,12 +75,18 @@ void Fields::refuse(std::size_t index) {
   for (const Missing& one : missing_) {
     missing.push_back(one.key);
   }
+  std::vector<std::string> known;
+  for (const std::string_view key : known_) {
+    if (std::ranges::find(known, key) == known.end()) {
+      known.emplace_back(key);
+    }
+  }
   std::string guess = meant_name(entry.key, missing);
   std::erase_if(missing_, [&](const Missing& one) { return one.key == guess; });
   if (guess.empty()) {
-    guess = meant_name(entry.key, known_);
+    guess = meant_name(entry.key, known);
   }
-  const std::string others = fmt::format("known keys are {}", plain_list(known_, kMostKeys));
+  const std::string others = fmt::format("known keys are {}", plain_list(known, kMostKeys));
   const std::string foreign = foreign_character(entry.key);
   found_.error("E0302",
                entry.key_where,

@@ -12,12 +12,13 @@
 namespace kinestat {
 
 /// Every key that is asked for counts as known; finish() complains about all others, and about
-/// required ones that are missing, unless an unknown key is a misspelling of one.
+/// required ones that are missing, unless an unknown key is a misspelling of one. Keys and
+/// texts stay where they are, since without errors nothing needs them: they must outlive it.
 class Fields {
  public:
   /// `what` names the mapping in messages: "coupling 'a'". `where` is where a missing key is
   /// reported. A node that is no mapping is an error; the fields are then empty.
-  Fields(const YamlNode& node, SourceRange where, std::string what, Diagnostics& found);
+  Fields(const YamlNode& node, SourceRange where, std::string_view what, Diagnostics& found);
 
   /// The value of the key, or null if it is absent.
   const YamlNode* find(std::string_view key);
@@ -41,10 +42,10 @@ class Fields {
 
   const YamlNode* node_ = nullptr;
   SourceRange where_;
-  std::string what_;
+  std::string_view what_;
   Diagnostics& found_;
-  std::vector<std::string> known_;
-  std::string ignored_prefix_;  ///< empty: none
+  std::vector<std::string_view> known_;
+  std::string_view ignored_prefix_;  ///< empty: none
   std::vector<Missing> missing_;
 };
 

@@ -230,8 +230,8 @@ std::optional<double> read_number(const YamlNode& node, std::string_view what, D
   if (!value) {
     return std::nullopt;
   }
-  const auto number =
-      evaluate_as(QuantityKind::dimensionless, value->expression, FileUnits(), no_names);
+  static const FileUnits units;  // a plain number has none
+  const auto number = evaluate_as(QuantityKind::dimensionless, value->expression, units, no_names);
   if (const auto* error = std::get_if<ExpressionError>(&number)) {
     found.error(error->code,
                 place_in(*value, *error),
@@ -255,10 +255,10 @@ std::optional<bool> read_bool(const YamlNode& node, std::string_view what, Diagn
   return std::nullopt;
 }
 
-std::optional<std::size_t> read_word(const YamlNode& node,
-                                     std::string_view what,
-                                     std::span<const std::string> words,
-                                     Diagnostics& found) {
+void complain_of_word(const YamlNode& node,
+                      std::string_view what,
+                      std::span<const std::string> words,
+                      Diagnostics& found) {
   const bool is_collection = node.kind == YamlKind::sequence || node.kind == YamlKind::mapping;
   if (is_collection && words.size() <= 3) {
     found.error("E0304",
@@ -267,14 +267,10 @@ std::optional<std::size_t> read_word(const YamlNode& node,
                             what,
                             node.kind == YamlKind::sequence ? "list" : "mapping"),
                 fmt::format("write {}, without brackets", fmt::join(words, " or ")));
-    return std::nullopt;
+    return;
   }
   if (!check_scalar(node, what, found)) {
-    return std::nullopt;
-  }
-  const auto at = std::ranges::find(words, node.text);
-  if (at != words.end()) {
-    return static_cast<std::size_t>(at - words.begin());
+    return;
   }
   const std::string guess = did_you_mean_word(node.text, words);
   found.error(
@@ -282,7 +278,6 @@ std::optional<std::size_t> read_word(const YamlNode& node,
       node.where,
       fmt::format("{} cannot be '{}'", what, node.text),
       fmt::format("{}{}it is one of {}", guess, guess.empty() ? "" : " ", plain_list(words, 40)));
-  return std::nullopt;
 }
 
 std::optional<PointDescription> read_point(const YamlNode& node,

@@ -39,11 +39,11 @@ std::optional<double> read_number(const YamlNode& node, std::string_view what, D
 /// true or false.
 std::optional<bool> read_bool(const YamlNode& node, std::string_view what, Diagnostics& found);
 
-/// One of the given words: its index.
-std::optional<std::size_t> read_word(const YamlNode& node,
-                                     std::string_view what,
-                                     std::span<const std::string> words,
-                                     Diagnostics& found);
+/// Of a value that is none of the words that may stand there.
+void complain_of_word(const YamlNode& node,
+                      std::string_view what,
+                      std::span<const std::string> words,
+                      Diagnostics& found);
 
 /// [x, y] in the plane, [x, y, z] in space.
 std::optional<PointDescription> read_point(const YamlNode& node,
