@@ -33,12 +33,8 @@ void add_screw(const Vec6& screw,
   }
 }
 
-SparseMatrix empty_system(const SystemSize& size, std::size_t entries) {
-  SparseMatrix system;
-  system.rows = size.rows;
-  system.columns = size.columns;
-  system.entries.reserve(entries);
-  return system;
+SparseMatrix empty_system(const SystemSize& size) {
+  return {.rows = size.rows, .columns = size.columns, .entries = {}};
 }
 
 }  // namespace
@@ -46,10 +42,7 @@ SparseMatrix empty_system(const SystemSize& size, std::size_t entries) {
 SparseMatrix velocity_system(const Topology& topology,
                              const Geometry& geometry,
                              const CoordinateBasis& basis) {
-  const auto order = static_cast<std::size_t>(basis.order());
-  SparseMatrix system =
-      empty_system(velocity_system_size(topology, basis),
-                   order * (2 * topology.couplings.size() + topology.freedoms.size()));
+  SparseMatrix system = empty_system(velocity_system_size(topology, basis));
   lay_velocity_system(
       topology,
       basis,
@@ -86,9 +79,7 @@ Twist body_twist(const VecX& solution, const CoordinateBasis& basis, BodyId body
 SparseMatrix action_system(const Topology& topology,
                            const Geometry& geometry,
                            const CoordinateBasis& basis) {
-  const auto order = static_cast<std::size_t>(basis.order());
-  SparseMatrix system =
-      empty_system(action_system_size(topology, basis), 2 * order * topology.actions.size());
+  SparseMatrix system = empty_system(action_system_size(topology, basis));
   lay_action_system(topology, basis, [&](int a, int first, int column, double factor) {
     const Vec6 screw = geometry.actions[static_cast<std::size_t>(a)].coordinates();
     add_screw(screw, basis, factor, first, column, system);
