@@ -40,9 +40,12 @@ Dual combine(double value, const Dual& a, const Dual& b, const Slope& slope) {
   const std::size_t count = std::max(a.derivatives.size(), b.derivatives.size());
   KINESTAT_EXPECTS(a.derivatives.empty() || b.derivatives.empty() ||
                    a.derivatives.size() == b.derivatives.size());
+  const auto of = [](const Dual& number, std::size_t i) {
+    return number.derivatives.empty() ? 0.0 : number.derivatives[i];
+  };
   Dual result{value, std::vector<double>(count)};
   for (std::size_t i = 0; i < count; ++i) {
-    result.derivatives[i] = finite_or_none(slope(derivative(a, i), derivative(b, i)));
+    result.derivatives[i] = finite_or_none(slope(of(a, i), of(b, i)));
   }
   return result;
 }
