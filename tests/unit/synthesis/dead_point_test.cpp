@@ -73,8 +73,8 @@ TEST_P(DeadPoint, IsOnNoSide) {
       const auto [linkage, pose] = GetParam()(at, angle);
       const DriveCurve curve(linkage, Drive::other);
 
-      EXPECT_EQ(curve.side_of(pose), 0);
-      EXPECT_EQ(curve.transmission_of(pose), kPi);
+      EXPECT_EQ(curve.transmission_of(pose).side, 0);
+      EXPECT_EQ(curve.transmission_of(pose).angle, kPi);
     }
   }
 }
@@ -91,7 +91,7 @@ TEST(BranchOfADeadPoint, IsThatOfItsNeighbours) {
       const auto [linkage, pose] = stretched(at, angle);
       const DriveCurve crank(linkage, Drive::one);
       const double x = crank.coordinate_of(pose);
-      const int side = crank.side_of(pose);
+      const int side = crank.transmission_of(pose).side;
       const PositionJets dead = position_of(pose);
       const PositionJets before = position_of(*crank.pose_at(x - 0.3, side));
       const PositionJets after = position_of(*crank.pose_at(x + 0.3, side));

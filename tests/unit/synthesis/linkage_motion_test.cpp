@@ -51,7 +51,7 @@ TEST(LinkageMotion, StartsInADeadPoint) {
       .one = {.circle_point = {0.0, 0.0}, .centre_point = {0.0, 0.0}, .length = 1.0},
       .other = {.circle_point = {3.0, 0.0}, .centre_point = {2.5, 2.0}, .length = 2.5}};
   const Pose start{.origin = {1.0, 0.0}, .angle = 0.0};
-  ASSERT_EQ(DriveCurve(linkage, Drive::other).side_of(start), 0);
+  ASSERT_EQ(DriveCurve(linkage, Drive::other).transmission_of(start).side, 0);
 
   const LinkageMotion motion = trace_circuit(linkage, Drive::other, start, 40, 20.0);
 

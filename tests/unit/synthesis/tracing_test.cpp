@@ -282,7 +282,8 @@ TEST_P(Tracing, MeetsThePosesOfTheDriveCurve) {
       for (const PositionJets& position : positions) {
         const Pose given = pose_of(position);
 
-        const auto found = curve.pose_at(curve.coordinate_of(given), curve.side_of(given));
+        const auto found =
+            curve.pose_at(curve.coordinate_of(given), curve.transmission_of(given).side);
 
         ASSERT_TRUE(found);
         EXPECT_LT(distance(state_of(*found), state_of(given)), 1e-6);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/rounding.hpp"
-#include "math/numbers/bounded_number.hpp"
+#include "math/numbers/bounded_arithmetic.hpp"
 #include "studies/synthesis/positions/plane.hpp"
 
 namespace kinestat {
@@ -36,27 +36,28 @@ struct BoundedPoint {
 };
 
 inline BoundedPoint operator+(const BoundedPoint& a, const BoundedPoint& b) {
-  return {.x = a.x + b.x, .y = a.y + b.y};
+  return {.x = bounded_sum(a.x, b.x), .y = bounded_sum(a.y, b.y)};
 }
 
 inline BoundedPoint operator-(const BoundedPoint& a, const BoundedPoint& b) {
-  return {.x = a.x - b.x, .y = a.y - b.y};
+  return {.x = bounded_difference(a.x, b.x), .y = bounded_difference(a.y, b.y)};
 }
 
 inline BoundedPoint operator*(const BoundedNumber& factor, const BoundedPoint& a) {
-  return {.x = factor * a.x, .y = factor * a.y};
+  return {.x = bounded_product(factor, a.x), .y = bounded_product(factor, a.y)};
 }
 
 inline BoundedPoint operator*(const BoundedPoint& a, const BoundedPoint& b) {
-  return {.x = a.x * b.x - a.y * b.y, .y = a.x * b.y + a.y * b.x};
+  return {.x = bounded_difference(bounded_product(a.x, b.x), bounded_product(a.y, b.y)),
+          .y = bounded_sum(bounded_product(a.x, b.y), bounded_product(a.y, b.x))};
 }
 
 inline BoundedNumber dot(const BoundedPoint& a, const BoundedPoint& b) {
-  return a.x * b.x + a.y * b.y;
+  return bounded_sum(bounded_product(a.x, b.x), bounded_product(a.y, b.y));
 }
 
 inline BoundedNumber cross(const BoundedPoint& a, const BoundedPoint& b) {
-  return a.x * b.y - a.y * b.x;
+  return bounded_difference(bounded_product(a.x, b.y), bounded_product(a.y, b.x));
 }
 
 inline BoundedPoint conj(const BoundedPoint& a) {

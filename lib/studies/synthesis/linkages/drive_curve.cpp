@@ -85,14 +85,14 @@ Lever lever_of(const Dyad& input, const Dyad& output, const Pose& pose) {
               .force = normal_of(output)};
   switch (output.kind) {
     case DyadKind::crank:
-      lever.force = centre_point_of(output) - pose.bounded_place(from);
+      lever.force = centre_point_of(output) - pose.bounded_place(turn, from);
       break;
     case DyadKind::slider:
       break;
     case DyadKind::inverted_slider:
       lever.force = turn * lever.force;
       if (!slides) {
-        lever.arm = pose.bounded_place(circle_point_of(input)) - centre_point_of(output);
+        lever.arm = pose.bounded_place(turn, circle_point_of(input)) - centre_point_of(output);
       }
       break;
   }
@@ -253,14 +253,6 @@ int DriveCurve::sense_of(const PositionJets& position) const {
   return sign_of(settled(rate, bound + kCancellation * std::abs(place[1])));
 }
 
-int DriveCurve::side_of(const Pose& pose) const {
-  if (argument_ == Argument::none) {
-    return 0;
-  }
-  const Lever lever = lever_of(input_, output_, pose);
-  return -sign_of(cross(lever.arm, lever.force).zeroed());
-}
-
 DriveCurve::Offset DriveCurve::offset_of(double x) const {
   switch (argument_) {
     case Argument::cosine: {
@@ -296,10 +288,11 @@ double DriveCurve::transmission(double x) const {
   return transmission_at(offset_of(x));
 }
 
-double DriveCurve::transmission_of(const Pose& pose) const {
+DriveCurve::Transmission DriveCurve::transmission_of(const Pose& pose) const {
   const Lever lever = lever_of(input_, output_, pose);
   const double across = cross(lever.arm, lever.force).zeroed();
-  return std::atan2(std::abs(across), dot(lever.arm.value(), lever.force.value()));
+  return {.angle = std::atan2(std::abs(across), dot(lever.arm.value(), lever.force.value())),
+          .side = argument_ == Argument::none ? 0 : -sign_of(across)};
 }
 
 double DriveCurve::reserve(double x) const {

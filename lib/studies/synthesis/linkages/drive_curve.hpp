@@ -29,15 +29,19 @@ class DriveCurve {
   /// grows with the parameter, -1 where it falls, 0 in a dead point. The order is 2 at least.
   int sense_of(const PositionJets& position) const;
 
-  /// 1 or -1: on which side of the dead points the pose is; 0 in one, as far as the rounding of
-  /// pose and dyads tells, and where there are none. Of a four-bar the sign of (B - A) x (B0 - B).
-  int side_of(const Pose& pose) const;
-
   /// μ at x [rad]; that of the dead point where the input cannot go.
   double transmission(double x) const;
 
-  /// μ of a pose that the linkage meets [rad].
-  double transmission_of(const Pose& pose) const;
+  struct Transmission {
+    double angle = 0.0;  ///< μ [rad]
+
+    /// 1 or -1: on which side of the dead points; 0 in one, as far as the rounding of pose and
+    /// dyads tells, and where there are none. Of a four-bar the sign of (B - A) x (B0 - B).
+    int side = 0;
+  };
+
+  /// That of a pose that the linkage meets.
+  Transmission transmission_of(const Pose& pose) const;
 
   /// 1 - |cos μ| at x; negative where the input cannot go.
   double reserve(double x) const;

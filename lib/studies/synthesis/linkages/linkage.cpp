@@ -67,8 +67,8 @@ Point Pose::place(const Point& moving) const {
   return origin + unit_vector(angle) * moving;
 }
 
-BoundedPoint Pose::bounded_place(const BoundedPoint& moving) const {
-  return BoundedPoint::written(origin) + bounded_unit_vector(angle) * moving;
+BoundedPoint Pose::bounded_place(const BoundedPoint& turn, const BoundedPoint& moving) const {
+  return BoundedPoint::written(origin) + turn * moving;
 }
 
 Pose pose_of(const PositionJets& position) {

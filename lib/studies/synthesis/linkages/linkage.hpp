@@ -45,8 +45,8 @@ struct Pose {
 
   Point place(const Point& moving) const;
 
-  /// With what rounding does to the pose.
-  BoundedPoint bounded_place(const BoundedPoint& moving) const;
+  /// With what rounding does to the pose; `turn` is the unit vector at its angle.
+  BoundedPoint bounded_place(const BoundedPoint& turn, const BoundedPoint& moving) const;
 };
 
 Pose pose_of(const PositionJets& position);

@@ -123,7 +123,7 @@ class Tracer {
         start_(start),
         reach_(reach),
         lever_(std::abs(linkage.one.circle_point) + std::abs(linkage.other.circle_point)),
-        side_(curve_.side_of(start) < 0 ? -1 : 1),
+        side_(curve_.transmission_of(start).side < 0 ? -1 : 1),
         interval_(interval_of(curve_, curve_.coordinate_of(start), reach)),
         course_(course_of(interval_)) {}
 

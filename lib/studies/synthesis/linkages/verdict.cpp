@@ -71,11 +71,13 @@ class Judge {
   }
 
   DriveVerdict run() {
+    make_room();
     for (const PositionJets& position : positions_) {
       const Pose pose = pose_of(position);
       verdict_.coordinates.push_back(curve_.coordinate_of(pose));
-      verdict_.transmission.push_back(curve_.transmission_of(pose));
-      sides_.push_back(curve_.side_of(pose));
+      const DriveCurve::Transmission transmission = curve_.transmission_of(pose);
+      verdict_.transmission.push_back(transmission.angle);
+      sides_.push_back(transmission.side);
     }
     place_dead_points();
     for (std::size_t i = 0; i < sides_.size(); ++i) {
@@ -97,6 +99,14 @@ class Judge {
 
  private:
   static bool bounds(End end) { return end != End::free; }
+
+  void make_room() {
+    verdict_.coordinates.reserve(positions_.size());
+    verdict_.transmission.reserve(positions_.size());
+    verdict_.circuits.reserve(positions_.size());
+    verdict_.branches.reserve(positions_.size());
+    sides_.reserve(positions_.size());
+  }
 
   // The ends of the argument: of a cosine at x = 0 and x = π; of a square at x = 0 and far away; of
   // x itself both far away. Circuits go round dead points, branches end there.

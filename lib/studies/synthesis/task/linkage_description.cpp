@@ -69,7 +69,7 @@ class LinkDrawing {
     place(coupling, is_guide ? dyad_.centre_point : moving_place());
     if (is_guide) {
       const BoundedPoint along = BoundedPoint::within(dyad_.direction, dyad_.direction_bound);
-      make_prismatic(coupling, (bounded_unit_vector(pose_.angle) * along).zeroed());
+      make_prismatic(coupling, (turn() * along).zeroed());
     }
     return coupling;
   }
@@ -83,7 +83,11 @@ class LinkDrawing {
   }
 
  private:
-  Point moving_place() const { return pose_.bounded_place(dyad_.bounded_circle_point()).zeroed(); }
+  BoundedPoint turn() const { return bounded_unit_vector(pose_.angle); }
+
+  Point moving_place() const {
+    return pose_.bounded_place(turn(), dyad_.bounded_circle_point()).zeroed();
+  }
 
   void place(CouplingDescription& coupling, const Point& at) const {
     coupling.at = CouplingPoint{.point = point(at), .of_bodies = {}, .along_axis = {}, .where = {}};
