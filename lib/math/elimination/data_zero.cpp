@@ -10,7 +10,7 @@ namespace kinestat {
 
 namespace {
 
-// Columns with a value that is not surely beyond `most`, the change that the largest errors of all
+// Columns with a value that is not surely beyond `most`, the change that the largest values of all
 // solutions may cause, or is a NaN. They are few, and their own row of the inverse has to say.
 std::vector<int> doubtful_columns(const Elimination& factors,
                                   std::span<const VecX> solutions,
@@ -55,17 +55,20 @@ void settle_all(const Elimination& factors,
     return;
   }
   // One bound for all of them, with which those of each are not worked out where none is in doubt.
-  VecX largest = VecX::Zero(factors.matrix().rows);
+  VecX largest = solutions.front().cwiseAbs();
+  for (const VecX& x : solutions.subspan(1)) {
+    largest = largest.cwiseMax(x.cwiseAbs());
+  }
+  std::vector<VecX> most = {
+      factors.most_change(row_errors(factors.matrix(), rhs, blocks, largest))};
+  const std::vector<int> columns = doubtful_columns(factors, solutions, most.front());
+  if (columns.empty()) {
+    return;
+  }
   std::vector<VecX> errors;
   errors.reserve(solutions.size());
   for (const VecX& x : solutions) {
     errors.push_back(row_errors(factors.matrix(), rhs, blocks, x));
-    largest = largest.cwiseMax(errors.back());
-  }
-  std::vector<VecX> most = {factors.most_change(largest)};
-  const std::vector<int> columns = doubtful_columns(factors, solutions, most.front());
-  if (columns.empty()) {
-    return;
   }
   if (solutions.size() > 1) {
     most.clear();
@@ -84,19 +87,18 @@ VecX row_errors(const SparseMatrix& matrix,
                 std::span<const double> rhs,
                 const InexactBlocks& blocks,
                 const VecX& x) {
-  VecX of_blocks = VecX::Zero(matrix.rows / blocks.rows + 1);
+  VecX errors = VecX::Zero(matrix.rows);
   for (const SparseEntry& entry : matrix.entries) {
     if (entry.column >= blocks.first_column) {
-      of_blocks[entry.row / blocks.rows] += std::abs(entry.value * x[entry.column]);
+      errors[entry.row] += std::abs(entry.value * x[entry.column]);
     }
   }
   for (std::size_t r = 0; r < rhs.size(); ++r) {
-    of_blocks[static_cast<int>(r) / blocks.rows] += std::abs(rhs[r]);
+    errors[static_cast<int>(r)] += std::abs(rhs[r]);
   }
-  of_blocks *= blocks.share;
-  VecX errors(matrix.rows);
-  for (int first = 0, block = 0; first < matrix.rows; first += blocks.rows, ++block) {
-    errors.segment(first, std::min(blocks.rows, matrix.rows - first)).setConstant(of_blocks[block]);
+  for (int first = 0; first < matrix.rows; first += blocks.rows) {
+    auto block = errors.segment(first, std::min(blocks.rows, matrix.rows - first));
+    block.setConstant(blocks.share * block.sum());
   }
   return errors;
 }

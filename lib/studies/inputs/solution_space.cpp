@@ -33,6 +33,7 @@ SolutionSpace read_space(SparseMatrix system,
 SolutionSpace motion_space(const Mechanism& mechanism, const CoordinateBasis& coordinates) {
   const Topology& topology = mechanism.topology;
   std::vector<double> units;
+  units.reserve(topology.freedoms.size());
   for (int f = 0; f < topology.freedom_count(); ++f) {
     units.push_back(rate_unit(topology, coordinates, f));
   }
@@ -45,6 +46,7 @@ SolutionSpace motion_space(const Mechanism& mechanism, const CoordinateBasis& co
 SolutionSpace action_space(const Mechanism& mechanism, const CoordinateBasis& coordinates) {
   const Topology& topology = mechanism.topology;
   std::vector<double> units;
+  units.reserve(topology.actions.size());
   for (int a = 0; a < topology.action_count(); ++a) {
     units.push_back(action_unit(topology, coordinates, a));
   }
