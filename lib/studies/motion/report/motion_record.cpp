@@ -84,7 +84,10 @@ const Record<MotionEvent>& event_record() {
   using View = MotionEvent;
   static const Record<View> record("One event.", [](Record<View>& keys) {
     keys.word("kind",
-              {"dead_point", "singular", "limit", "lift_off"},
+              {std::string(kDeadPointEvent),
+               std::string(kSingularEvent),
+               std::string(kLimitEvent),
+               std::string(kLiftOffEvent)},
               "dead_point: a freedom comes to rest and turns back; singular: the drives do not "
               "determine the motion there; limit: a drive can go no further; lift_off: a cable "
               "leaves its pulley, and the motion ends.",

@@ -1,6 +1,7 @@
 // A finite motion as a table: what is reported of every position, and what happens between them.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,8 +47,15 @@ struct MotionRow {
   bool drops_accelerations = false;  ///< likewise
 };
 
-/// The kind of an event at which a freedom comes to rest and turns back.
+/// The kinds of events: a freedom comes to rest and turns back, the drive does not determine the
+/// motion, it can go no further, a cable leaves its pulley.
 inline constexpr std::string_view kDeadPointEvent = "dead_point";
+inline constexpr std::string_view kSingularEvent = "singular";
+inline constexpr std::string_view kLimitEvent = "limit";
+inline constexpr std::string_view kLiftOffEvent = "lift_off";
+
+/// Those that a row which falls there has as its status.
+inline constexpr std::array kMotionRowStatuses = {kDeadPointEvent, kSingularEvent, kLimitEvent};
 
 /// What happens at a position of the drives that is none of the steps.
 struct MotionEvent {

@@ -161,8 +161,8 @@ class MotionWriter {
 
   static std::string_view title_of(const MotionEvent& event) {
     return event.kind == kDeadPointEvent ? "dead point of"
-           : event.kind == "limit"       ? "limit of"
-           : event.kind == "lift_off"    ? "lift-off at"
+           : event.kind == kLimitEvent   ? "limit of"
+           : event.kind == kLiftOffEvent ? "lift-off at"
                                          : "singular position";
   }
 

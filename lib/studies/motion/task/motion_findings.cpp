@@ -184,7 +184,7 @@ class Findings {
   void add_singularities() const {
     std::vector<const MotionEvent*> passed;
     for (const MotionEvent& event : table_.events) {
-      if (event.kind == "singular") {
+      if (event.kind == kSingularEvent) {
         passed.push_back(&event);
       }
     }

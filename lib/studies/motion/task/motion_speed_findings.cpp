@@ -75,7 +75,7 @@ class SpeedFindings {
   // Where the motion goes on, its events name singular positions; otherwise its end does.
   void add_singular_rows() {
     const Condition holds = [](const MotionRow& row) {
-      return row.lacks_velocities && row.status == "singular";
+      return row.lacks_velocities && row.status == kSingularEvent;
     };
     const MotionRow* first = first_of(holds);
     const bool is_named = is_reported("W0503") || is_reported("E0505") || is_reported("E0506");

@@ -23,9 +23,6 @@ bool is_rate_of_rate(MotionKind kind) {
   return kind == MotionKind::angular_acceleration || kind == MotionKind::acceleration;
 }
 
-// The status of a row whose actions nothing but the turn of a friction leaves open.
-constexpr std::string_view kAtDeadPoint = "dead_point";
-
 MotionEnd end_of(MotionStatus status) {
   switch (status) {
     case MotionStatus::completed:
@@ -179,7 +176,7 @@ class TableMaker {
     for (std::size_t r = 0; r < said_.size(); ++r) {
       CaseFindings kept;
       for (const CaseFinding& one : said_[r].items()) {
-        if (table_.rows[r].status != kAtDeadPoint || one.code != "E0604") {
+        if (table_.rows[r].status != kDeadPointEvent || one.code != "E0604") {
           kept.add(one);
         }
       }
@@ -295,7 +292,7 @@ class TableMaker {
   void mark_dead_points(std::size_t first, std::size_t last) {
     for (std::size_t r = first; r < last; ++r) {
       if (table_.rows[r].status == word_of(SolveStatus::at_rest)) {
-        table_.rows[r].status = kAtDeadPoint;
+        table_.rows[r].status = kDeadPointEvent;
       }
     }
   }
@@ -303,10 +300,10 @@ class TableMaker {
   std::string status_of(int p, const MotionPosition& position, const Mechanism& moved) const {
     const bool is_last = p + 1 == solution_.position_count();
     if (is_last && solution_.status == MotionStatus::limit) {
-      return "limit";
+      return std::string(kLimitEvent);
     }
     if (position.state.is_singular) {
-      return "singular";
+      return std::string(kSingularEvent);
     }
     return position.solved ? std::string(case_status(moved, *position.solved, plan_.report.power))
                            : "solved";
@@ -331,11 +328,11 @@ class TableMaker {
   static std::string kind_of(const SpecialPosition& special) {
     switch (special.kind) {
       case SpecialKind::limit:
-        return "limit";
+        return std::string(kLimitEvent);
       case SpecialKind::lift_off:
-        return "lift_off";
+        return std::string(kLiftOffEvent);
       case SpecialKind::change_point:
-        return "singular";
+        return std::string(kSingularEvent);
     }
     return "";
   }

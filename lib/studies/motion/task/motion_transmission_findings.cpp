@@ -52,7 +52,7 @@ void add_motion_transmission_findings(const FoundMotion& motion,
     if (row.values[c]) {
       return;
     }
-    first = first == nullptr && row.status != "singular" ? &row : first;
+    first = first == nullptr && row.status != kSingularEvent ? &row : first;
   }
   if (first == nullptr) {
     return;

@@ -10,6 +10,7 @@
 #include "math/numbers/settled.hpp"
 #include "studies/motion/report/motion_extremes.hpp"
 #include "studies/motion/task/find_motion.hpp"
+#include "studies/sweep/report/sweep_status.hpp"
 
 namespace kinestat {
 
@@ -17,9 +18,6 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kSolved = "solved";
-
-// Of a column without a value in a position for which nothing else is to blame.
-constexpr std::string_view kGap = "no_value";
 
 // Said of the drawn position, which the motion closes, and of friction, whose rows say it too where
 // they have no actions.
@@ -163,7 +161,7 @@ std::string StateMotion::find_figures(const MechanismDescription& description,
     return unsolved->status;
   }
   const std::string_view warning = code_of(found, Severity::warning);
-  return std::string(!warning.empty() ? warning : gap != nullptr ? kGap : kSolved);
+  return std::string(!warning.empty() ? warning : gap != nullptr ? kGapInMotion : kSolved);
 }
 
 void StateMotion::show(std::string_view status, SweepRow& row) {

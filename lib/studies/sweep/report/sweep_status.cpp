@@ -7,6 +7,7 @@
 #include "core/codes.hpp"
 #include "core/contract.hpp"
 #include "core/solve_status.hpp"
+#include "studies/motion/report/motion_table.hpp"
 #include "studies/shift/shift_state.hpp"
 
 namespace kinestat {
@@ -21,13 +22,16 @@ class StatusList {
     for (const std::string_view word : kCaseStatuses) {
       add(word);
     }
-    for (const std::string_view word : {kLocked, kSingular, kNoRatio, kNoEfficiency}) {
+    for (const std::string_view word :
+         {kLocked, kSingular, kNoRatio, kNoEfficiency, kGapInMotion}) {
+      add(word);
+    }
+    add_from(MotionEnd::limited);  // what is complete is solved
+    for (const std::string_view word : kMotionRowStatuses) {
       add(word);
     }
     for (const Code& one : all_codes()) {
-      if (one.code.starts_with('E')) {
-        add(one.code);
-      }
+      add(one.code);
     }
   }
 

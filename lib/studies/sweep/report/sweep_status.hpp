@@ -19,7 +19,10 @@ inline constexpr std::string_view kNoRatio = "no_ratio";
 /// Of a solved case whose efficiency is asked for, and has none for a reason.
 inline constexpr std::string_view kNoEfficiency = "no_efficiency";
 
-/// All words, "solved" first, the codes of errors last. They do not depend on the sweep, so that
+/// A position of a motion has no value of a quantity, and nothing else is to blame.
+inline constexpr std::string_view kGapInMotion = "no_value";
+
+/// All words, "solved" first, the codes of messages last. They do not depend on the sweep, so that
 /// pieces of it agree on their numbers without having seen each other.
 std::span<const std::string_view> sweep_statuses();
 
