@@ -134,6 +134,16 @@ sweep: {vary: {y: {from: -0.5, to: 8, step: 0.25}, F: [5 N*m]},
 """)
         self.assertTrue({"limited", "no_value", "E0316"} <= set(summary["statuses"]), summary)
 
+    def test_what_is_drawn_between_whole_numbers_is_not_whole(self) -> None:
+        array, _ = self.assert_same(TRAIN.replace("module: 2", "module: 2, x: 1, k: 3") + """
+sweep:
+  vary: {Ns: {from: 17, to: 40, step: 1}, x: {from: 0, to: 8}, k: {from: 1, to: 3}}
+  sample: {count: 50}
+  report: [ratio]
+""")
+        self.assertEqual([array.types[name] for name in ("Ns", "x", "k")], ["<i8", "<f8", "<f8"])
+        self.assertTrue(any(row[1] % 1 for row in array.rows))
+
     def test_kept_rows_and_the_best_of_them(self) -> None:
         kept = TRAIN + SWEEP + "  keep: [ratio > 4.2]\n"
         array, _ = self.assert_same(kept)

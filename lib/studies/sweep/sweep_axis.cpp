@@ -162,6 +162,9 @@ bool SweepAxis::is_whole(double count) const {
 
 // What two counts that follow each other on a range have for a difference, all have.
 bool SweepAxis::has_whole_counts() const {
+  if (is_interval_) {
+    return false;
+  }
   const auto is_whole_one = [this](double count) { return is_whole(count); };
   return counts_.empty() ? is_whole(count_at(0)) && is_whole(count_at(size_ - 1)) &&
                                (size_ == 1 || is_whole(step_ / denominator_))

@@ -20,9 +20,9 @@ SweepPlan sample_of(const std::string& sample, const std::string& more = "") {
   return plan_of("{" + std::string(kVary) + ", sample: " + sample + more + "}");
 }
 
-std::vector<std::vector<double>> states_of(const SweepPlan& plan,
-                                           std::uint64_t begin,
-                                           std::uint64_t end) {
+std::vector<std::vector<double>> drawn_states(const SweepPlan& plan,
+                                              std::uint64_t begin,
+                                              std::uint64_t end) {
   std::vector<std::vector<double>> states;
   StateWalk walk(plan, begin, end);
   while (walk.next()) {
@@ -107,11 +107,11 @@ TEST(StateDraw, IsTheSameWhereverTheWalkBegins) {
   for (const std::string method : {"sobol", "random", "latin"}) {
     const SweepPlan plan =
         sample_of("{count: 90, method: " + method + "}", ", require: [p != 12, q > 2*r]");
-    const auto whole = states_of(plan, 0, 90);
+    const auto whole = drawn_states(plan, 0, 90);
     EXPECT_LT(whole.size(), 80U);
     for (std::uint64_t cut = 0; cut <= 90; ++cut) {
-      auto joined = states_of(plan, 0, cut);
-      const auto rest = states_of(plan, cut, 90);
+      auto joined = drawn_states(plan, 0, cut);
+      const auto rest = drawn_states(plan, cut, 90);
       joined.insert(joined.end(), rest.begin(), rest.end());
       EXPECT_EQ(joined, whole);
     }
@@ -142,7 +142,7 @@ TEST(StateDraw, ExcludesEachDrawByItself) {
 TEST(StateDraw, FollowsItsSeed) {
   for (const std::string method : {"sobol", "random", "latin"}) {
     const auto states = [&](const std::string& seed) {
-      return states_of(sample_of("{count: 20, method: " + method + seed + "}"), 0, 20);
+      return drawn_states(sample_of("{count: 20, method: " + method + seed + "}"), 0, 20);
     };
     EXPECT_EQ(states(""), states(", seed: 1"));
     EXPECT_NE(states(""), states(", seed: 2"));
