@@ -144,7 +144,7 @@ done
         done = kinestat("sweep", "--plan", *choice, "--out", "nowhere", name, cwd=self.folder)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         first = done.stdout.splitlines()[0]
-        self.assertRegex(first, r"^it's a train: 480 states in \d+ chunks$")
+        self.assertRegex(first, r"^it's a train: \d+ states in \d+ chunks$")
         self.assertRegex(done.stdout, r"\nThe whole: about \S+ s on one core")
         lines = [line for line in done.stdout.splitlines() if line.startswith("  ")]
         commands = [line for line in lines if re.match(r"  (mkdir|sbatch|kinestat) ", line)]
