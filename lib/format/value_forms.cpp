@@ -65,6 +65,13 @@ const std::vector<FormShape>& text_shapes() {
        .pattern_text = "Write the name of an actuator, or of a coupling with its freedom or "
                        "action, such as d.wz or c.Rx."},
       {.kind = FormKind::name,
+       .definition = "quantity",
+       .meaning = "A quantity of a row of a sweep; of a whole motion, a column with dots and a "
+                  "figure.",
+       .pattern = "^[A-Za-z_][A-Za-z0-9_-]*(\\.[A-Za-z0-9_-]+)*$",
+       .pattern_text = "Write ratio, an actuator, a freedom or an action such as d.wz or c.Rx, or "
+                       "a figure of a motion such as d.vx.position.range."},
+      {.kind = FormKind::name,
        .definition = "parameter_name",
        .meaning = "A name of your choice: letters, digits and '_', beginning with a letter or '_'; "
                   "not that of a unit or a function, pi, and, or, not.",
@@ -149,6 +156,10 @@ Form<Name> free_name() {
 
 Form<Name> target() {
   return reference(text_shape("target"));
+}
+
+Form<Name> quantity() {
+  return reference(text_shape("quantity"));
 }
 
 Form<Name> label() {

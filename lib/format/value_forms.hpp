@@ -30,6 +30,9 @@ Form<Name> free_name();
 /// An actuator, or coupling.freedom, or coupling.action.
 Form<Name> target();
 
+/// Likewise, or a word, or a figure of a motion: column.with.dots.figure.
+Form<Name> quantity();
+
 /// The label of a case or gear, which is free text.
 Form<Name> label();
 

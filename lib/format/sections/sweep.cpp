@@ -131,7 +131,7 @@ void declare_report(Mapping<SweepDescription>& m) {
         "actuator, lossy.ACTUATOR (its action with losses of meshes), or COUPLING.FREEDOM and "
         "COUPLING.ACTION; of a whole motion COLUMN.least, .greatest, .range, .mean or .peak, and "
         "dead_points.")
-      .may(&SweepDescription::report, one_or_more(target()), "[ratio, efficiency, h.Rc]")
+      .may(&SweepDescription::report, one_or_more(quantity()), "[ratio, efficiency, h.Rc]")
       .offer("ratio", "input speed by output speed")
       .offer("torque_ratio", "input torque by output torque")
       .offer("efficiency", "output power by input power")
