@@ -169,6 +169,11 @@ void check_together(CLI::App& command, SweepCommand& sweep) {
   if (is_given("--top")) {
     sweep.options.best = sweep.top;
   }
+  if (is_given("--plan") && sweep.path == "-") {
+    throw LonelyOption("--plan",
+                       "a file with a name",
+                       "its lines read the file on other machines: write standard input to a file");
+  }
   if (is_given("--plan")) {
     sweep.options.forecast = {.words = words_of_shares(command), .clock = processor_seconds};
   }

@@ -104,6 +104,18 @@ class Sharing(InFolder):
         self.assertEqual(told["pareto"], [{"by": "ratio", "order": "largest"},
                                           {"by": "abs(e.Rc)", "order": "smallest"}])
 
+    def test_rows_that_nothing_ranks_are_counted(self) -> None:
+        """A file without losses has no efficiency: not one row is left, and that is said."""
+        self.write(TRAIN + SWEEP.replace("report: [", "report: [efficiency, "))
+        by = ("--pareto", "efficiency, smallest ratio")
+        streamed = kinestat("sweep", *by, self.file)
+        merged = kinestat("merge", *self.shards(3, "unranked", *by))
+        for done in (streamed, merged):
+            self.assertEqual(len(done.stdout.splitlines()), 1)
+            self.assertIn("without a value of efficiency, ratio: 320 rows", done.stderr)
+        ranked = kinestat("sweep", "--top", "3", "--by", "ratio", self.file)
+        self.assertNotIn("without a value", ranked.stderr)
+
     def test_kept_rows_are_those_that_fulfil_the_conditions(self) -> None:
         """By the numbers of all rows, in any shards, and the best of them by a formula."""
         self.write(TRAIN + self.SWEEP + '  keep: [ratio > 4.2, "abs(e.Rc) < 100 N or Np == 18"]\n')

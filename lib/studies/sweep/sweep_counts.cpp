@@ -67,6 +67,7 @@ std::uint64_t SweepCounts::kept() const {
 void SweepCounts::add(const SweepCounts& other) {
   states += other.states;
   rows += other.rows;
+  unranked += other.unranked;
   add_each(other.excluded, excluded);
   add_each(other.dropped, dropped);
   for (const auto& [status, count] : other.statuses) {
@@ -79,35 +80,40 @@ std::string write_counts(const SweepCounts& counts) {
   for (const auto& [status, count] : counts.statuses) {
     statuses += fmt::format("{}{}:{}", statuses.empty() ? "" : ",", status, count);
   }
-  return fmt::format("states={} excluded={} rows={} dropped={} statuses={}",
+  return fmt::format("states={} excluded={} rows={} dropped={} unranked={} statuses={}",
                      counts.states,
                      fmt::join(counts.excluded, ","),
                      counts.rows,
                      fmt::join(counts.dropped, ","),
+                     counts.unranked,
                      statuses);
 }
 
 std::optional<SweepCounts> read_counts(const std::string& text) {
   const std::vector<std::string_view> words = split(text, ' ');
-  if (words.size() != 5) {
+  if (words.size() != 6) {
     return std::nullopt;
   }
   const auto states = value_of(words[0], "states=");
   const auto excluded = value_of(words[1], "excluded=");
   const auto rows = value_of(words[2], "rows=");
   const auto dropped = value_of(words[3], "dropped=");
-  const auto statuses = value_of(words[4], "statuses=");
+  const auto unranked = value_of(words[4], "unranked=");
+  const auto statuses = value_of(words[5], "statuses=");
   const auto state_count = whole_number(states.value_or(""));
   const auto row_count = whole_number(rows.value_or(""));
+  const auto unranked_count = whole_number(unranked.value_or(""));
   const auto excluded_counts = whole_numbers(excluded);
   const auto dropped_counts = whole_numbers(dropped);
-  if (!state_count || !excluded_counts || !row_count || !dropped_counts || !statuses) {
+  if (!state_count || !excluded_counts || !row_count || !dropped_counts || !unranked_count ||
+      !statuses) {
     return std::nullopt;
   }
   SweepCounts counts{.states = *state_count,
                      .excluded = *excluded_counts,
                      .rows = *row_count,
                      .dropped = *dropped_counts,
+                     .unranked = *unranked_count,
                      .statuses = {}};
   for (const std::string_view one : split(*statuses, ',')) {
     const std::size_t colon = one.find(':');

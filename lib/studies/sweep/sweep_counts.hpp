@@ -15,6 +15,7 @@ struct SweepCounts {
   std::vector<std::uint64_t> excluded;  ///< by each requirement, the first that they violate
   std::uint64_t rows = 0;               ///< one a state and case
   std::vector<std::uint64_t> dropped;   ///< rows, by each condition of 'keep', the first that fails
+  std::uint64_t unranked = 0;           ///< of those kept, rows without a value of what ranks them
   std::map<std::string, std::uint64_t, std::less<>> statuses;  ///< rows by status
 
   /// States that no requirement has excluded.

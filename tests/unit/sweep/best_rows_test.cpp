@@ -204,6 +204,7 @@ TEST(SweepCounts, AreReadBack) {
                            .excluded = {7, 0},
                            .rows = 186,
                            .dropped = {3, 0, 11},
+                           .unranked = 5,
                            .statuses = {{"solved", 180}, {"E0314", 6}}};
 
   const std::optional<SweepCounts> read = read_counts(write_counts(counts));
@@ -213,9 +214,10 @@ TEST(SweepCounts, AreReadBack) {
   EXPECT_EQ(read->excluded, counts.excluded);
   EXPECT_EQ(read->rows, counts.rows);
   EXPECT_EQ(read->dropped, counts.dropped);
+  EXPECT_EQ(read->unranked, counts.unranked);
   EXPECT_EQ(read->statuses, counts.statuses);
   EXPECT_EQ(read->analysed(), 93U);
-  EXPECT_FALSE(read_counts("states=1 excluded=x rows=1 dropped= statuses=").has_value());
+  EXPECT_FALSE(read_counts("states=1 excluded=x rows=1 dropped= unranked=0 statuses=").has_value());
 }
 
 }  // namespace

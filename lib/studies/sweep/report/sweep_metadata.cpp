@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "core/version.hpp"
 #include "report/csv.hpp"
@@ -219,6 +220,14 @@ std::string sweep_text(const SweepMetadata& metadata, const SweepCounts& counts)
   for (std::size_t i = 0; i < counts.dropped.size() && i < metadata.keep.size(); ++i) {
     text += fmt::format(
         "  not kept by '{}': {} rows\n", printable(metadata.keep[i]), counts.dropped[i]);
+  }
+  if (counts.unranked > 0) {
+    std::vector<std::string> criteria;
+    for (const Criterion& one : metadata.best->criteria) {
+      criteria.push_back(one.by);
+    }
+    text += fmt::format(
+        "  without a value of {}: {} rows\n", printable(plain_list(criteria)), counts.unranked);
   }
   for (const auto& [status, count] : counts.statuses) {
     text += fmt::format("  {}: {}\n", status, count);

@@ -143,6 +143,10 @@ void add_counts_of_sweep(Record<SweepSummaryView>& keys) {
       "Rows of all analysed states, one a case; with 'keep' and --top more than are written.",
       [](const View& v) { return v.counts.rows; });
   keys.list("keep", kept_record(), "The conditions of rows in the order of the file.", emit_kept);
+  keys.count("unranked",
+             "Of the rows that fulfil all conditions, those that --top or --pareto leaves out "
+             "because what ranks them has no value.",
+             [](const View& v) { return v.counts.unranked; });
   keys.custom(
       "statuses",
       map_shape(whole_shape(false)),

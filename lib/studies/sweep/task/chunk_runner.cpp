@@ -79,8 +79,12 @@ class ChunkSolver {
         continue;
       }
       const std::optional<RankKeys> keys = judge_.rank();
+      if (!keys) {
+        ++result.counts.unranked;
+        continue;
+      }
       const std::uint64_t number = state.number * task_.cases.size() + row.which;
-      if (keys && best.accepts(*keys, number)) {
+      if (best.accepts(*keys, number)) {
         RankedRow ranked{.keys = *keys, .number = number, .text = {}};
         text_.append(row, ranked.text);
         best.add(std::move(ranked));
