@@ -235,18 +235,19 @@ constexpr auto kErrorCodes = std::to_array<Code>({
     {"E0318",
      wrong_input,
      "clutch joins bodies on two axes",
-     "A clutch joins bodies that turn about one axis. In 'gears' a body stands on the main axis or "
-     "at the distance of its gears from it, and the two of this clutch stand apart: engaged, it "
-     "would hold both still, and every gear that uses it would be locked. The message has both "
-     "distances; give the gears on a lay shaft one 'centre_distance', or teeth of the same sum."},
+     "A clutch joins bodies that turn about one axis. Here one stands at another distance than the "
+     "other, by its 'centre_distance' or by its teeth: engaged, the clutch would hold both still, "
+     "and every gear that uses it would be locked. The message has both distances; give the gears "
+     "of both the same 'centre_distance', or one to their axis in 'axes' of 'gears', or correct "
+     "the "
+     "teeth."},
     {"E0319",
      wrong_input,
      "idler is no planet",
      "A gear that turns on a shaft, meshes once and is clutched to that shaft is an idler, as on "
      "the lay shaft of a manual gearbox. With the shaft as the carrier of its mesh it would be a "
-     "planet that the shaft carries round, and every ratio would be that of another machine. Bear "
-     "it on the ground instead: idler and shaft turn about one axis, which 'centre_distance' gives "
-     "to the gears of both, and the clutch joins them there."},
+     "planet that the shaft carries round, and every ratio would be that of another machine. Its "
+     "mesh has no carrier: the centres of both gears stand still on the ground."},
     {"E0320",
      wrong_input,
      "number beyond what can be computed with",

@@ -12,7 +12,7 @@ namespace kinestat {
 /// Which flank carries: that on which the load presses, or always the same as in the source.
 enum class Flank { loaded, fixed };
 
-/// Which of two triangles a further planet stands on, seen from its neighbour.
+/// Which of two triangles a further axis stands on, seen from its neighbour.
 enum class PlanetSide { left, right };
 
 /// A gear wheel; two members may share a body (stepped planets).
@@ -22,7 +22,16 @@ struct GearMember {
   Value teeth;
   bool internal = false;                 ///< a ring
   std::optional<Value> count;            ///< how many equal planets there are
-  std::optional<Value> centre_distance;  ///< of a planet from the main axis
+  std::optional<Value> centre_distance;  ///< from the axis of its carrier, or the main axis
+  PlanetSide side = PlanetSide::left;
+};
+
+/// An axis about which several bodies turn, or one on which nothing else puts them. The first of
+/// the section is the main axis.
+struct GearAxisDescription {
+  Name name;
+  std::vector<Name> bodies;              ///< one or more
+  std::optional<Value> centre_distance;  ///< from the main axis, or the axis of its carrier
   PlanetSide side = PlanetSide::left;
 };
 
@@ -46,6 +55,7 @@ struct GearsDescription {
   std::optional<Value> pressure_angle;
   std::optional<Value> helix_angle;
   Flank flank = Flank::loaded;
+  std::vector<GearAxisDescription> axes;
   std::vector<GearMember> members;
   std::vector<MeshDescription> meshes;
   SourceRange where;

@@ -58,8 +58,8 @@ class TrainFinder {
     const GearsDescription& gears = *description.gears;
     const FileNumbers numbers(description);
     const GearTrain train = find_gear_train(description);
-    for (const PlanetAxis& planet : train.planets) {
-      const int body = body_named(planet.body);
+    for (const GearAxis& axis : train.axes) {
+      const int body = body_named(axis.bodies.front());
       result_.planets.push_back({.body = body, .carrier = carrier_of(body)});
     }
     for (std::size_t i = 0; i < gears.members.size(); ++i) {
@@ -69,7 +69,7 @@ class TrainFinder {
                                 .body = body_named(member.body.text),
                                 .radius = teeth / 2,
                                 .is_ring = member.internal,
-                                .planet = train.planet_of[i]});
+                                .planet = train.axis_of[i]});
     }
     const auto module_of = [&](const MeshDescription& mesh) {
       const std::optional<Value>& value = mesh.module ? mesh.module : gears.module;

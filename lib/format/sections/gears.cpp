@@ -7,6 +7,37 @@ namespace kinestat {
 
 namespace {
 
+Form<PlanetSide> side_of_axis() {
+  return choice_of<PlanetSide>(
+      {{"left", "to the left, seen from that axis"}, {"right", "to the right"}});
+}
+
+const Mapping<GearAxisDescription>& gear_axis() {
+  static const Mapping<GearAxisDescription> mapping(
+      "gear_axis",
+      "An axis about which bodies turn. The first of the section is the main axis.",
+      "{bodies: [lay, idler1, idler2]}",
+      [](auto& m) {
+        m.key("bodies",
+              "Bodies that turn about it; those that clutches join to them follow, and so do "
+              "carriers and the gears that mesh with their planets.")
+            .needed(&GearAxisDescription::bodies,
+                    list_of(body_name(), "a body", "", {.least = 1}),
+                    "[lay, idler1, idler2]");
+        m.key("centre_distance",
+              "Its distance from the main axis, for all its gears; default the mean of what their "
+              "meshes with gears on the main axis ask for. Where there are none, it stands beyond "
+              "the axis with which it meshes, in line with the main axis.")
+            .may(&GearAxisDescription::centre_distance, size(), "80 mm");
+        m.key("side",
+              "On which side of the line from the main axis to its neighbour it stands, if it "
+              "meshes with another axis beside the main axis.")
+            .may(&GearAxisDescription::side, side_of_axis(), "right")
+            .usual("left");
+      });
+  return mapping;
+}
+
 const Mapping<GearMember>& gear_member() {
   static const Mapping<GearMember> mapping(
       "gear_member",
@@ -25,17 +56,16 @@ const Mapping<GearMember>& gear_member() {
               "together.")
             .may(&GearMember::count, planet_count(), "3")
             .usual("1");
-        m.key("centre_distance",
-              "Distance of a planet's centre from the main axis; default the mean of what its "
-              "meshes with gears on the main axis ask for. A gear that has one is a planet.")
+        m.key(
+             "centre_distance",
+             "Distance of a planet from the axis of its carrier, or of a shaft from the main axis; "
+             "default the mean of what its meshes with gears on that axis ask for. A gear that "
+             "has one does not turn on the main axis.")
             .may(&GearMember::centre_distance, size(), "50 mm");
         m.key("side",
               "On which side of the line from the main axis to its neighbour a further planet "
               "stands, if it meshes with another planet.")
-            .may(&GearMember::side,
-                 choice_of<PlanetSide>(
-                     {{"left", "to the left, seen from the main axis"}, {"right", "to the right"}}),
-                 "right")
+            .may(&GearMember::side, side_of_axis(), "right")
             .usual("left");
         m.rule({.kind = FormRule::Kind::unless_true,
                 .key = "internal",
@@ -106,6 +136,16 @@ const Mapping<GearsDescription>& gears_section() {
       "meshes: {sp: {members: [sun, planet], carrier: carrier}}}",
       [](auto& m) {
         declare_teeth(m);
+        m.key("axes",
+              "Axes about which several bodies turn, each with a name, the main axis first: lay "
+              "shafts with idlers that nothing joins to them, hollow shafts, a final drive. "
+              "Needed only for what meshes, clutches and carriers do not tell.")
+            .may(&GearsDescription::axes,
+                 named(&GearAxisDescription::name,
+                       gear_axis().form(),
+                       {.item = "an axis", .name_definition = "new_name"},
+                       "axis '{0}'"),
+                 "{main: {bodies: [input]}, final: {bodies: [differential]}}");
         m.key("members", "The gear wheels, each with a name.")
             .needed(&GearsDescription::members,
                     named(&GearMember::name,

@@ -22,7 +22,11 @@ bool moves_more(const MechanismDescription& description, const Dependence& depen
   const auto of_mesh = [&](const MeshDescription& one) {
     return depends.of(one.pressure_angle) || depends.of(one.helix_angle) || depends.of(one.at);
   };
+  const auto of_axis = [&](const GearAxisDescription& one) {
+    return depends.of(one.centre_distance);
+  };
   return depends.of(gears.pressure_angle) || depends.of(gears.helix_angle) ||
+         std::ranges::any_of(gears.axes, of_axis) ||
          std::ranges::any_of(gears.members, of_member) ||
          std::ranges::any_of(gears.meshes, of_mesh);
 }
@@ -38,10 +42,13 @@ bool has_losses_by_teeth(const MechanismDescription& description) {
          std::ranges::any_of(losses.meshes, is_by_teeth, &MeshLoss::loss);
 }
 
-bool clutches_planets(const MechanismDescription& description, const GearTrain& train) {
+// Whether a clutch joins bodies of two axes, which coincide by their numbers alone.
+bool clutches_two_axes(const MechanismDescription& description, const GearTrain& train) {
+  const std::string& ground = description.ground.text;
   return std::ranges::any_of(description.couplings, [&](const CouplingDescription& coupling) {
-    return kind_of(coupling.type).engages &&
-           (train.planet_on(coupling.tail.text) >= 0 || train.planet_on(coupling.head.text) >= 0);
+    return kind_of(coupling.type).engages && coupling.tail.text != ground &&
+           coupling.head.text != ground &&
+           train.axis_on(coupling.tail.text) != train.axis_on(coupling.head.text);
   });
 }
 
@@ -58,7 +65,7 @@ std::optional<GearPlaces> GearPlaces::make(const MechanismDescription& descripti
   const GearTrain train = find_gear_train(description);
   auto numbers = bind_gear_numbers<double>(*description.gears, train, evaluator);
   auto frame = bind_gear_frame<double>(description, evaluator);
-  if (!numbers || !frame || clutches_planets(description, train)) {
+  if (!numbers || !frame || clutches_two_axes(description, train)) {
     return std::nullopt;
   }
   GearPlaces places(description, *std::move(frame), *std::move(numbers));

@@ -16,7 +16,7 @@ namespace kinestat {
 class GearPlaces {
  public:
   /// `varies` is of each parameter of the table; the description must outlive it. Empty where more
-  /// moves than teeth and modules, or a clutch joins planets, whose axes might part.
+  /// moves than teeth and modules, or a clutch joins two axes, which might part.
   static std::optional<GearPlaces> make(const MechanismDescription& description,
                                         const ParameterTable& table,
                                         const std::vector<bool>& varies);

@@ -99,8 +99,8 @@ bool Rebinder::add_coupling(std::size_t e,
                             const std::vector<bool>& varies) {
   const CouplingDescription& coupling = description_->couplings[e];
   const Dependence depends(table_, varies);
-  const std::optional<int> planet = planet_of(coupling);
-  const bool is_in_gears = coupling.is_mesh() || planet;
+  const std::optional<int> gear_axis = gear_axis_of(coupling);
+  const bool is_in_gears = coupling.is_mesh() || gear_axis;
   const bool is_plain =
       is_always_right(coupling) &&
       (is_in_gears || !coupling.at ||
@@ -134,12 +134,12 @@ bool Rebinder::add_coupling(std::size_t e,
                                        !coupling.passive.has_value(),
                         .is_bound_whole = shape_varies,
                         .is_in_gears = is_in_gears,
-                        .planet = planet,
+                        .gear_axis = gear_axis,
                         .flank = flank,
                         .point = point};
   if (coupling.is_mesh()) {
     moving.tangent = gears_->frame().layout.meshes[static_cast<std::size_t>(coupling.mesh)].tangent;
-  } else if (!planet) {
+  } else if (!gear_axis) {
     add_numbers(coupling, varies, moving);
   }
   add_constraints(coupling, moving);
@@ -155,16 +155,15 @@ const GearFrame* Rebinder::frame() const {
   return gears_ ? &gears_->frame() : nullptr;
 }
 
-// The planet on whose axis a coupling without a point of its own stands.
-std::optional<int> Rebinder::planet_of(const CouplingDescription& coupling) const {
+// The axis of `gears` on which a coupling without a point of its own stands.
+std::optional<int> Rebinder::gear_axis_of(const CouplingDescription& coupling) const {
   const bool has_point = coupling.at && (coupling.at->point || !coupling.at->of_bodies.empty());
   if (!gears_ || coupling.is_mesh() || has_point) {
     return std::nullopt;
   }
   const GearTrain& train = gears_->frame().layout.train;
-  const int on_tail = train.planet_on(coupling.tail.text);
-  const int planet = on_tail >= 0 ? on_tail : train.planet_on(coupling.head.text);
-  return planet >= 0 ? std::optional(planet) : std::nullopt;
+  const int axis = train.axis_between(coupling.tail.text, coupling.head.text);
+  return axis >= 0 ? std::optional(axis) : std::nullopt;
 }
 
 // The coordinates of its point.
@@ -256,9 +255,10 @@ bool Rebinder::place_in_gears(MovingCoupling& moving) {
   const GearLayout& layout = gears_->frame().layout;
   const CouplingDescription& coupling =
       description_->couplings[static_cast<std::size_t>(moving.coupling)];
-  if (moving.planet) {
+  if (moving.gear_axis) {
     // A place along the axis stays.
-    moving.drawn.at.head<2>() = layout.centres[static_cast<std::size_t>(*moving.planet)].head<2>();
+    moving.drawn.at.head<2>() =
+        layout.centres[static_cast<std::size_t>(*moving.gear_axis)].head<2>();
     return true;
   }
   const MeshLayoutOf<double>& mesh = layout.meshes[static_cast<std::size_t>(coupling.mesh)];

@@ -95,7 +95,7 @@ class Rebinder {
     bool is_in_space = false;          ///< its actions, though the mechanism is planar
     bool is_bound_whole = false;       ///< more of it varies than the point
     bool is_in_gears = false;          ///< its place follows from teeth and modules:
-    std::optional<int> planet;         ///< on whose axis it stands; otherwise it is a mesh
+    std::optional<int> gear_axis;      ///< on which it stands; otherwise it is a mesh
     int flank = -1;                    ///< of geometry.other_flanks
     Vec3 tangent = Vec3::Zero();       ///< of a mesh, as bound last
     bool has_turned = false;           ///< its teeth, from where they were drawn
@@ -125,7 +125,7 @@ class Rebinder {
   bool place(const Slots& slots, MovingCoupling& moving);
   bool place_in_gears(MovingCoupling& moving);
   const GearFrame* frame() const;
-  std::optional<int> planet_of(const CouplingDescription& coupling) const;
+  std::optional<int> gear_axis_of(const CouplingDescription& coupling) const;
   void write_screws(const MovingCoupling& moving, Geometry& geometry) const;
   void write_flank(const MovingCoupling& moving, Geometry& geometry) const;
   void move_lines(const MovingCoupling& moving, Geometry& geometry) const;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/index.hpp"
 #include "core/tolerance.hpp"
 #include "couplings/kinds.hpp"
 
@@ -167,9 +168,16 @@ bool check_geometry(const CouplingDescription& coupling,
 
 namespace {
 
-bool joins_two_planets(const CouplingDescription& coupling, const GearFrame* gears) {
-  return gears != nullptr && gears->layout.train.planet_on(coupling.tail.text) >= 0 &&
-         gears->layout.train.planet_on(coupling.head.text) >= 0;
+// Neither of which bears the other.
+bool joins_two_axes(const CouplingDescription& coupling, const GearFrame* gears) {
+  if (gears == nullptr) {
+    return false;
+  }
+  const GearTrain& train = gears->layout.train;
+  const int tail = train.axis_on(coupling.tail.text);
+  const int head = train.axis_on(coupling.head.text);
+  return tail >= 0 && head >= 0 && tail != head && train.axes[at(tail)].about != head &&
+         train.axes[at(head)].about != tail;
 }
 
 }  // namespace
@@ -201,8 +209,8 @@ bool check_axis_place(const CouplingDescription& coupling,
         "remove 'at': in the plane the coupling stands on the axis of its gear; or write "
         "[x, y]");
   }
-  return !joins_two_planets(coupling, gears) ||
-         refuse("write at: [x, y, z], as it joins two planets, which turn on two axes");
+  return !joins_two_axes(coupling, gears) ||
+         refuse("write at: [x, y, z], as it joins bodies that turn about two axes");
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/index.hpp"
 #include "core/tolerance.hpp"
 #include "screw/exact_input_vector.hpp"
 
@@ -11,14 +12,14 @@ namespace kinestat {
 
 namespace {
 
-// The turn from one planet to its neighbour, seen from the main axis.
+// The turn from one axis to its neighbour, seen from where both stand off.
 template <class Scalar>
 struct Turn {
   Scalar cosine = 1.0;
   Scalar sine = 0.0;
 };
 
-// In the triangle of the distances a and b from the main axis and c between the planets; by the law
+// In the triangle of the distances a and b from their centre and c between the axes; by the law
 // of cosines, and Heron's formula for the sine, which loses no digits in a flat triangle.
 template <class Scalar>
 Turn<Scalar> turn_between(const Scalar& a, const Scalar& b, const Scalar& c) {
@@ -47,7 +48,7 @@ class LayoutFinder {
 
   std::optional<GearLayoutOf<Scalar>> find() {
     ask_distances();
-    for (std::size_t p = 0; p < layout_.train.planets.size(); ++p) {
+    for (std::size_t p = 0; p < layout_.train.axes.size(); ++p) {
       if (!place(p)) {
         return std::nullopt;
       }
@@ -59,7 +60,7 @@ class LayoutFinder {
   }
 
  private:
-  const Scalar& teeth(int member) const { return numbers_.teeth[static_cast<std::size_t>(member)]; }
+  const Scalar& teeth(int member) const { return numbers_.teeth[at(member)]; }
 
   Scalar sum_of_teeth(std::size_t mesh) const {
     return teeth(layout_.train.first[mesh]) + teeth(layout_.train.second[mesh]);
@@ -75,14 +76,20 @@ class LayoutFinder {
     }
   }
 
-  std::optional<Scalar> distance_of(std::size_t planet) const {
-    if (numbers_.distance[planet]) {
-      return numbers_.distance[planet];
+  // From the axis from which an axis stands off.
+  std::optional<Scalar> distance_of(std::size_t index) const {
+    if (numbers_.distance[index]) {
+      return numbers_.distance[index];
+    }
+    const GearAxis& axis = layout_.train.axes[index];
+    if (axis.is_in_line) {
+      const std::optional<Scalar>& asked = layout_.meshes[at(axis.neighbour_mesh)].asked;
+      return asked ? std::optional<Scalar>(distances_[at(axis.neighbour)] + *asked) : std::nullopt;
     }
     Scalar sum = 0.0;
     double count = 0.0;
-    for (const int mesh : layout_.train.planets[planet].on_main) {
-      if (const auto& asked = layout_.meshes[static_cast<std::size_t>(mesh)].asked) {
+    for (const int mesh : axis.on_centre) {
+      if (const auto& asked = layout_.meshes[at(mesh)].asked) {
         sum = sum + *asked;
         count += 1.0;
       }
@@ -90,36 +97,39 @@ class LayoutFinder {
     return count > 0.0 ? std::optional<Scalar>(sum / Scalar(count)) : std::nullopt;
   }
 
-  bool place(std::size_t p) {
-    const PlanetAxis& planet = layout_.train.planets[p];
-    const std::optional<Scalar> distance = distance_of(p);
+  bool place(std::size_t index) {
+    const GearAxis& axis = layout_.train.axes[index];
+    const std::optional<Scalar> distance = distance_of(index);
     distances_.push_back(distance.value_or(Scalar(0.0)));
     if (!distance) {
       return false;
     }
-    if (planet.neighbour < 0) {
-      layout_.centres.push_back(*distance * Vec3Of<Scalar>::UnitY());
+    const Vec3Of<Scalar> origin = centre(axis.about);
+    if (axis.neighbour < 0) {
+      layout_.centres.push_back(origin + *distance * Vec3Of<Scalar>::UnitY());
       return true;
     }
-    const auto neighbour = static_cast<std::size_t>(planet.neighbour);
-    const auto& asked = layout_.meshes[static_cast<std::size_t>(planet.neighbour_mesh)].asked;
+    const auto& asked = layout_.meshes[at(axis.neighbour_mesh)].asked;
     if (!asked) {
       return false;
     }
-    const Turn<Scalar> turn = turn_between<Scalar>(distances_[neighbour], *distance, *asked);
-    const Scalar side = planet.side == PlanetSide::left ? 1.0 : -1.0;
-    const Vec3Of<Scalar> towards = layout_.centres[neighbour] / distances_[neighbour];
+    const Scalar& beside = distances_[at(axis.neighbour)];
+    const Turn<Scalar> turn =
+        axis.is_in_line ? Turn<Scalar>{} : turn_between<Scalar>(beside, *distance, *asked);
+    const Scalar side = axis.side == PlanetSide::left ? 1.0 : -1.0;
+    const Vec3Of<Scalar> towards = (centre(axis.neighbour) - origin) / beside;
     const Vec3Of<Scalar> left = Vec3Of<Scalar>::UnitZ().cross(towards);
-    layout_.centres.push_back(*distance *
-                              Vec3Of<Scalar>(turn.cosine * towards + side * turn.sine * left));
+    layout_.centres.push_back(
+        origin + *distance * Vec3Of<Scalar>(turn.cosine * towards + side * turn.sine * left));
     return true;
   }
 
-  Vec3Of<Scalar> centre_of(int member) const {
-    const int planet = layout_.train.planet_of[static_cast<std::size_t>(member)];
-    return planet < 0 ? Vec3Of<Scalar>(Vec3Of<Scalar>::Zero())
-                      : layout_.centres[static_cast<std::size_t>(planet)];
+  // Of an axis of the train, -1: the main axis.
+  Vec3Of<Scalar> centre(int axis) const {
+    return axis < 0 ? Vec3Of<Scalar>(Vec3Of<Scalar>::Zero()) : layout_.centres[at(axis)];
   }
+
+  Vec3Of<Scalar> centre_of(int member) const { return centre(layout_.train.axis_of[at(member)]); }
 
   // Two gears on the main axis have no pitch point; gear_train_check has complained.
   void finish_mesh(std::size_t m) {
@@ -137,17 +147,16 @@ class LayoutFinder {
 
   const GearNumbersOf<Scalar>& numbers_;
   GearLayoutOf<Scalar> layout_;
-  std::vector<Scalar> distances_;  ///< of the planets from the main axis
+  std::vector<Scalar> distances_;  ///< of the axes from those from which they stand off
 };
 
 }  // namespace
 
 template <class Scalar>
 Vec3Of<Scalar> GearLayoutOf<Scalar>::axis_of(std::string_view tail, std::string_view head) const {
-  const int on_tail = train.planet_on(tail);
-  const int planet = on_tail >= 0 ? on_tail : train.planet_on(head);
-  return planet < 0 ? Vec3Of<Scalar>(Vec3Of<Scalar>::Zero())
-                    : centres[static_cast<std::size_t>(planet)];
+  const int axis = train.axis_between(tail, head);
+  return axis < 0 ? Vec3Of<Scalar>(Vec3Of<Scalar>::Zero())
+                  : centres[static_cast<std::size_t>(axis)];
 }
 
 template <class Scalar>

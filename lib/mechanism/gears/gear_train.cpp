@@ -1,169 +1,157 @@
 #include "mechanism/gears/gear_train.hpp"
 
 #include <algorithm>
-#include <map>
-#include <optional>
+#include <utility>
 
-#include "description/gear_expansion.hpp"
+#include "core/index.hpp"
+#include "mechanism/gears/internal/shaft_groups.hpp"
 
 namespace kinestat {
 
 namespace {
 
-enum class Place { unknown, main_axis, planet };
+enum class Place { unknown, main_axis, beside };
 
-// A body that carries gears.
-struct GearBody {
-  std::string name;
+// What turns about one axis.
+struct AxisGroup {
+  std::vector<int> shafts;
   std::vector<int> members;
   std::vector<int> meshes;
+  int carrier = -1;  ///< the group that bears it, if it is a planet
   Place place = Place::unknown;
+  const GearAxisDescription* declared = nullptr;
+  int axis = -1;  ///< of the train
 };
 
 class TrainFinder {
  public:
   explicit TrainFinder(const MechanismDescription& description)
-      : description_(description), gears_(*description.gears) {}
+      : description_(description),
+        gears_(*description.gears),
+        found_(find_shaft_groups(description)) {}
 
   GearTrain find() {
+    train_.first = found_.first;
+    train_.second = found_.second;
     collect();
     place_by_words();
-    place_beside_rings();
-    place_by_bearings();
+    place_carriers();
     place_the_rest();
-    add_planets();
-    for (PlanetAxis& planet : train_.planets) {
-      add_shafts(planet);
+    add_axes();
+    for (std::size_t i = 0; i < gears_.members.size(); ++i) {
+      train_.axis_of.push_back(groups_[at(group_of(static_cast<int>(i)))].axis);
     }
     find_hands();
     return std::move(train_);
   }
 
  private:
-  std::size_t body_of(int member) const { return body_of_[static_cast<std::size_t>(member)]; }
+  const Shaft& shaft(int s) const { return found_.shafts[at(s)]; }
 
-  const GearMember& member(int index) const {
-    return gears_.members[static_cast<std::size_t>(index)];
+  const GearMember& member(int i) const { return gears_.members[at(i)]; }
+
+  int group_of(int member) const { return shaft(found_.shaft_of[at(member)]).group; }
+
+  // The group with which one meshes there.
+  int mate(int mesh, int group) const {
+    const int first = group_of(train_.first[at(mesh)]);
+    return first == group ? group_of(train_.second[at(mesh)]) : first;
   }
+
+  int count() const { return static_cast<int>(groups_.size()); }
 
   void collect() {
-    std::map<std::string, std::size_t> known;
-    std::map<std::string, int> members;
-    for (std::size_t i = 0; i < gears_.members.size(); ++i) {
-      const GearMember& one = gears_.members[i];
-      members.emplace(one.name.text, static_cast<int>(i));
-      const auto [at, is_new] = known.emplace(one.body.text, bodies_.size());
-      if (is_new) {
-        bodies_.push_back({.name = one.body.text, .members = {}, .meshes = {}});
+    groups_.resize(at(found_.count));
+    for (int s = 0; s < static_cast<int>(found_.shafts.size()); ++s) {
+      AxisGroup& group = groups_[at(shaft(s).group)];
+      group.shafts.push_back(s);
+      group.members.insert(group.members.end(), shaft(s).members.begin(), shaft(s).members.end());
+      group.meshes.insert(group.meshes.end(), shaft(s).meshes.begin(), shaft(s).meshes.end());
+      if (shaft(s).carrier >= 0) {
+        group.carrier = shaft(shaft(s).carrier).group;
+        group.place = Place::beside;
       }
-      bodies_[at->second].members.push_back(static_cast<int>(i));
-      body_of_.push_back(at->second);
     }
-    for (std::size_t i = 0; i < gears_.meshes.size(); ++i) {
-      const MeshDescription& mesh = gears_.meshes[i];
-      train_.first.push_back(members.at(mesh.first.text));
-      train_.second.push_back(members.at(mesh.second.text));
-      bodies_[body_of(train_.first.back())].meshes.push_back(static_cast<int>(i));
-      bodies_[body_of(train_.second.back())].meshes.push_back(static_cast<int>(i));
+    for (int g = 0; g < count(); ++g) {
+      AxisGroup& group = groups_[at(g)];
+      std::ranges::sort(group.members);
+      if (group.members.empty() && !is_carrier(g)) {
+        group.place = Place::main_axis;  // what else the mechanism has
+      }
     }
-  }
-
-  // The member of a mesh that is not on the body.
-  int mate(int mesh, std::size_t body) const {
-    const auto m = static_cast<std::size_t>(mesh);
-    return body_of(train_.first[m]) == body ? train_.second[m] : train_.first[m];
+    for (const GearAxisDescription& axis : gears_.axes) {
+      for (const Name& body : axis.bodies) {
+        if (const int s = found_.shaft_named(body.text); s >= 0) {
+          AxisGroup& group = groups_[at(shaft(s).group)];
+          group.declared = group.declared == nullptr ? &axis : group.declared;
+        }
+      }
+    }
   }
 
   void place_by_words() {
-    for (GearBody& body : bodies_) {
-      const bool is_ring =
-          std::ranges::any_of(body.members, [&](int i) { return member(i).internal; });
-      const bool is_planet = std::ranges::any_of(body.members, [&](int i) {
-        return member(i).count || member(i).centre_distance || member(i).side == PlanetSide::right;
-      });
-      const bool is_carrier = std::ranges::any_of(gears_.meshes, [&](const MeshDescription& mesh) {
-        return carrier_of(mesh, description_) == body.name;
-      });
-      body.place = is_ring || is_carrier ? Place::main_axis
-                   : is_planet           ? Place::planet
-                                         : Place::unknown;
-    }
-  }
-
-  void place_beside_rings() {
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      const bool meets_ring = std::ranges::any_of(
-          bodies_[b].meshes, [&](int mesh) { return member(mate(mesh, b)).internal; });
-      if (bodies_[b].place == Place::unknown && meets_ring) {
-        bodies_[b].place = Place::planet;
-      }
-    }
-  }
-
-  // The one carrier of all meshes of a body, unless that is the ground or there are several.
-  std::optional<std::string> moving_carrier(const GearBody& body) const {
-    std::optional<std::string> result;
-    for (const int mesh : body.meshes) {
-      const std::string& carrier =
-          carrier_of(gears_.meshes[static_cast<std::size_t>(mesh)], description_);
-      if (carrier == description_.ground.text || (result && *result != carrier)) {
-        return std::nullopt;
-      }
-      result = carrier;
-    }
-    return result;
-  }
-
-  // Where a carrier turns, planets are held by it alone, while something else holds, drives or
-  // brakes suns. What has meshes on several carriers is no planet.
-  void place_by_bearings() {
-    std::map<std::string, std::vector<std::string>> held_by;
-    for (const CouplingDescription& coupling : description_.couplings) {
-      if (!coupling.is_mesh()) {
-        held_by[coupling.tail.text].push_back(coupling.head.text);
-        held_by[coupling.head.text].push_back(coupling.tail.text);
-      }
-    }
-    for (GearBody& body : bodies_) {
-      const std::optional<std::string> carrier = moving_carrier(body);
-      const std::vector<std::string>& holders = held_by[body.name];
-      if (body.place != Place::unknown || !carrier || holders.empty()) {
+    for (AxisGroup& group : groups_) {
+      if (group.place != Place::unknown) {
         continue;
       }
-      const bool is_held_by_it = std::ranges::all_of(
-          holders, [&](const std::string& holder) { return holder == *carrier; });
-      body.place = is_held_by_it ? Place::planet : Place::main_axis;
+      const bool is_beside = std::ranges::any_of(group.members, [&](int i) {
+        return member(i).count || member(i).centre_distance || member(i).side == PlanetSide::right;
+      });
+      if (group.declared != nullptr) {
+        group.place = group.declared == &gears_.axes.front() ? Place::main_axis : Place::beside;
+      } else if (is_beside) {
+        group.place = Place::beside;
+      }
     }
   }
 
-  bool meshes_with(std::size_t body, Place place) const {
-    return std::ranges::any_of(bodies_[body].meshes, [&](int mesh) {
-      return bodies_[body_of(mate(mesh, body))].place == place;
+  bool is_carrier(int g) const {
+    return std::ranges::any_of(groups_, [&](const AxisGroup& one) { return one.carrier == g; });
+  }
+
+  bool meshes_with(int g, Place place) const {
+    return std::ranges::any_of(groups_[at(g)].meshes, [&](int mesh) {
+      const AxisGroup& other = groups_[at(mate(mesh, g))];
+      return other.carrier < 0 && other.place == place;
     });
   }
 
-  // The first body without a place that meshes with one of that place gets the other.
+  bool has_ring(const AxisGroup& group) const {
+    return std::ranges::any_of(group.members, [&](int i) { return member(i).internal; });
+  }
+
+  void place_carriers() {
+    for (int g = 0; g < count(); ++g) {
+      AxisGroup& group = groups_[at(g)];
+      if (group.place == Place::unknown && (is_carrier(g) || has_ring(group)) &&
+          !meshes_with(g, Place::main_axis)) {
+        group.place = Place::main_axis;
+      }
+    }
+  }
+
+  // The first group without a place that meshes with one of that place gets the other.
   bool place_one(Place beside, Place place) {
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      if (bodies_[b].place == Place::unknown && meshes_with(b, beside)) {
-        bodies_[b].place = place;
+    for (int g = 0; g < count(); ++g) {
+      if (groups_[at(g)].place == Place::unknown && meshes_with(g, beside)) {
+        groups_[at(g)].place = place;
         return true;
       }
     }
     return false;
   }
 
-  // Whether bodies that mesh with each other, from this one on, have one on the main axis.
-  bool reaches_main_axis(std::size_t begin) const {
-    std::vector<std::size_t> reached = {begin};
+  // Whether groups that mesh with each other, from this one on, have one on the main axis.
+  bool reaches_main_axis(int begin) const {
+    std::vector<int> reached = {begin};
     for (std::size_t i = 0; i < reached.size(); ++i) {
-      const std::size_t body = reached[i];
-      if (bodies_[body].place == Place::main_axis) {
+      const AxisGroup& group = groups_[at(reached[i])];
+      if (group.place == Place::main_axis) {
         return true;
       }
-      for (const int mesh : bodies_[body].meshes) {
-        const std::size_t other = body_of(mate(mesh, body));
-        if (std::ranges::find(reached, other) == reached.end()) {
+      for (const int mesh : group.meshes) {
+        const int other = mate(mesh, reached[i]);
+        if (groups_[at(other)].carrier < 0 && std::ranges::find(reached, other) == reached.end()) {
           reached.push_back(other);
         }
       }
@@ -171,11 +159,11 @@ class TrainFinder {
     return false;
   }
 
-  // The first body without a place that meshes its way to none on the main axis begins there.
+  // The first group without a place that meshes its way to none on the main axis begins there.
   bool place_first() {
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      if (bodies_[b].place == Place::unknown && !reaches_main_axis(b)) {
-        bodies_[b].place = Place::main_axis;
+    for (int g = 0; g < count(); ++g) {
+      if (groups_[at(g)].place == Place::unknown && !reaches_main_axis(g)) {
+        groups_[at(g)].place = Place::main_axis;
         return true;
       }
     }
@@ -183,94 +171,116 @@ class TrainFinder {
   }
 
   void place_the_rest() {
-    while (place_one(Place::main_axis, Place::planet) || place_first() ||
-           place_one(Place::planet, Place::main_axis)) {
+    while (place_one(Place::main_axis, Place::beside) || place_first() ||
+           place_one(Place::beside, Place::main_axis)) {
     }
   }
 
-  // Chains of planets from their first on, so that each stands after its neighbour.
-  void add_planets() {
-    train_.planet_of.assign(gears_.members.size(), -1);
-    std::vector<int> planet_of_body(bodies_.size(), -1);
-    const auto add = [&](std::size_t body, int neighbour, int mesh) {
-      planet_of_body[body] = static_cast<int>(train_.planets.size());
-      train_.planets.push_back(planet(body, neighbour, mesh));
-      for (const int member : bodies_[body].members) {
-        train_.planet_of[static_cast<std::size_t>(member)] = planet_of_body[body];
-      }
-      waiting_.push_back(body);
-    };
-    for (std::size_t root = 0; root < bodies_.size(); ++root) {
-      if (bodies_[root].place != Place::planet || planet_of_body[root] >= 0) {
-        continue;
-      }
-      add(root, -1, -1);
-      for (std::size_t next = waiting_.size() - 1; next < waiting_.size(); ++next) {
-        const std::size_t body = waiting_[next];
-        for (const int mesh : bodies_[body].meshes) {
-          const std::size_t other = body_of(mate(mesh, body));
-          if (bodies_[other].place == Place::planet && planet_of_body[other] < 0) {
-            add(other, planet_of_body[body], mesh);
+  // The axis from which a group beside it stands off: that of its carrier, or the main axis.
+  int centre_of(const AxisGroup& group) const {
+    return group.carrier < 0 ? -1 : groups_[at(group.carrier)].axis;
+  }
+
+  bool stands_on(int g, const AxisGroup& beside) const {
+    const AxisGroup& group = groups_[at(g)];
+    return group.place == Place::main_axis ? centre_of(beside) < 0
+                                           : group.axis >= 0 && group.axis == centre_of(beside);
+  }
+
+  bool has_distance(int g) const {
+    const AxisGroup& group = groups_[at(g)];
+    const bool is_declared = group.declared != nullptr && group.declared->centre_distance;
+    return is_declared ||
+           std::ranges::any_of(group.members,
+                               [&](int i) { return member(i).centre_distance.has_value(); }) ||
+           std::ranges::any_of(group.meshes,
+                               [&](int mesh) { return stands_on(mate(mesh, g), group); });
+  }
+
+  // Those that stand off from the main axis first. Chains begin where something tells the distance.
+  void add_axes() {
+    for (const bool are_of_main : {true, false}) {
+      for (const bool need_distance : {true, false}) {
+        for (int g = 0; g < count(); ++g) {
+          const AxisGroup& group = groups_[at(g)];
+          const bool is_of_main =
+              group.carrier < 0 || groups_[at(group.carrier)].place == Place::main_axis;
+          if (group.place == Place::beside && group.axis < 0 && !group.members.empty() &&
+              is_of_main == are_of_main && (has_distance(g) || !need_distance)) {
+            add_chain(g);
           }
         }
       }
     }
   }
 
-  PlanetAxis planet(std::size_t index, int neighbour, int mesh) const {
-    const GearBody& body = bodies_[index];
-    PlanetAxis result{.body = body.name,
-                      .members = body.members,
-                      .on_main = {},
-                      .neighbour = neighbour,
-                      .neighbour_mesh = mesh};
-    for (const int one : body.meshes) {
-      if (bodies_[body_of(mate(one, index))].place == Place::main_axis) {
-        result.on_main.push_back(one);
-      }
-    }
-    for (const int i : body.members) {
-      if (member(i).side == PlanetSide::right) {
-        result.side = PlanetSide::right;
-      }
-      if (member(i).centre_distance && result.distance == nullptr) {
-        result.distance = &*member(i).centre_distance;
-      }
-    }
-    return result;
-  }
-
-  // Whether a body has no gears and carries none, so that only its clutches say where it turns.
-  bool is_plain_shaft(const std::string& body) const {
-    return body != description_.ground.text &&
-           std::ranges::find(bodies_, body, &GearBody::name) == bodies_.end() &&
-           std::ranges::none_of(gears_.meshes, [&](const MeshDescription& mesh) {
-             return carrier_of(mesh, description_) == body;
-           });
-  }
-
-  void add_shafts(PlanetAxis& planet) const {
-    std::vector<std::string> joined = {planet.body};
-    for (std::size_t i = 0; i < joined.size(); ++i) {
-      for (const CouplingDescription& coupling : description_.couplings) {
-        const bool is_at = coupling.tail.text == joined[i] || coupling.head.text == joined[i];
-        const std::string& other =
-            coupling.tail.text == joined[i] ? coupling.head.text : coupling.tail.text;
-        if (is_at && coupling.type == CouplingType::clutch && is_plain_shaft(other) &&
-            std::ranges::find(joined, other) == joined.end()) {
-          joined.push_back(other);
+  void add_chain(int root) {
+    std::vector<int> waiting = {root};
+    add_axis(root, -1, -1);
+    for (std::size_t next = 0; next < waiting.size(); ++next) {
+      const int g = waiting[next];
+      for (const int mesh : groups_[at(g)].meshes) {
+        const int other = mate(mesh, g);
+        const AxisGroup& group = groups_[at(other)];
+        if (group.place == Place::beside && group.axis < 0 &&
+            group.carrier == groups_[at(g)].carrier) {
+          add_axis(other, groups_[at(g)].axis, mesh);
+          waiting.push_back(other);
         }
       }
     }
-    planet.shafts.assign(joined.begin() + 1, joined.end());
+  }
+
+  void add_axis(int g, int neighbour, int mesh) {
+    AxisGroup& group = groups_[at(g)];
+    GearAxis axis{.bodies = bodies_of(group),
+                  .members = group.members,
+                  .carrier = group.carrier < 0 ? description_.ground.text : carrier_of(group),
+                  .about = centre_of(group),
+                  .on_centre = {},
+                  .neighbour = neighbour,
+                  .neighbour_mesh = mesh};
+    for (const int one : group.meshes) {
+      if (stands_on(mate(one, g), group)) {
+        axis.on_centre.push_back(one);
+      }
+    }
+    if (group.declared != nullptr) {
+      axis.side = group.declared->side;
+      axis.distance = group.declared->centre_distance ? &*group.declared->centre_distance : nullptr;
+    }
+    for (const int i : group.members) {
+      axis.side = member(i).side == PlanetSide::right ? PlanetSide::right : axis.side;
+      if (member(i).centre_distance && axis.distance == nullptr) {
+        axis.distance = &*member(i).centre_distance;
+        axis.has_said = member(i).body.text;
+      }
+    }
+    axis.is_in_line = group.declared != nullptr && neighbour >= 0 && !has_distance(g);
+    group.axis = static_cast<int>(train_.axes.size());
+    train_.axes.push_back(std::move(axis));
+  }
+
+  const std::string& carrier_of(const AxisGroup& group) const {
+    return shaft(shaft(group.shafts.front()).carrier).body;
+  }
+
+  std::vector<std::string> bodies_of(const AxisGroup& group) const {
+    std::vector<std::string> bodies;
+    for (const int s : group.shafts) {
+      if (!shaft(s).is_on_ground) {
+        bodies.push_back(shaft(s).body);
+      }
+    }
+    return bodies;
   }
 
   void find_hands() {
     train_.hand.assign(gears_.meshes.size(), 1);
     std::vector<int> hand(gears_.members.size(), 0);
     for (std::size_t begin = 0; begin < gears_.meshes.size(); ++begin) {
-      int& root = hand[static_cast<std::size_t>(train_.first[begin])];
-      root = root == 0 && hand[static_cast<std::size_t>(train_.second[begin])] == 0 ? 1 : root;
+      int& root = hand[at(train_.first[begin])];
+      root = root == 0 && hand[at(train_.second[begin])] == 0 ? 1 : root;
       for (bool goes_on = true; goes_on;) {
         goes_on = false;
         for (std::size_t m = 0; m < gears_.meshes.size(); ++m) {
@@ -279,14 +289,14 @@ class TrainFinder {
       }
     }
     for (std::size_t m = 0; m < gears_.meshes.size(); ++m) {
-      train_.hand[m] = hand[static_cast<std::size_t>(train_.first[m])];
+      train_.hand[m] = hand[at(train_.first[m])];
     }
   }
 
   // Gears that mesh outside each other have opposite hands, a ring that of its gear.
   bool hand_over(std::size_t mesh, std::vector<int>& hand) const {
-    int& a = hand[static_cast<std::size_t>(train_.first[mesh])];
-    int& b = hand[static_cast<std::size_t>(train_.second[mesh])];
+    int& a = hand[at(train_.first[mesh])];
+    int& b = hand[at(train_.second[mesh])];
     const bool is_internal =
         member(train_.first[mesh]).internal || member(train_.second[mesh]).internal;
     if ((a == 0) == (b == 0)) {
@@ -298,19 +308,25 @@ class TrainFinder {
 
   const MechanismDescription& description_;
   const GearsDescription& gears_;
-  std::vector<GearBody> bodies_;
-  std::vector<std::size_t> body_of_;  ///< of each member
-  std::vector<std::size_t> waiting_;  ///< bodies of planets, in the order of `planets`
+  const ShaftGroups found_;
+  std::vector<AxisGroup> groups_;
   GearTrain train_;
 };
 
 }  // namespace
 
-int GearTrain::planet_on(std::string_view body) const {
-  const auto at = std::ranges::find_if(planets, [&](const PlanetAxis& planet) {
-    return planet.body == body || std::ranges::find(planet.shafts, body) != planet.shafts.end();
+int GearTrain::axis_on(std::string_view body) const {
+  const auto place = std::ranges::find_if(axes, [&](const GearAxis& axis) {
+    return std::ranges::find(axis.bodies, body) != axis.bodies.end();
   });
-  return at == planets.end() ? -1 : static_cast<int>(at - planets.begin());
+  return place == axes.end() ? -1 : static_cast<int>(place - axes.begin());
+}
+
+int GearTrain::axis_between(std::string_view tail, std::string_view head) const {
+  const int of_tail = axis_on(tail);
+  const int of_head = axis_on(head);
+  const bool is_head = of_head >= 0 && (of_tail < 0 || axes[at(of_head)].about == of_tail);
+  return is_head ? of_head : of_tail;
 }
 
 GearTrain find_gear_train(const MechanismDescription& description) {

@@ -12,8 +12,8 @@ constexpr double kSameRadius = 1e-12;
 // A sun, a ring, and a planet on both, of module 2.
 GearTrain plain_train() {
   GearTrain train;
-  train.planets = {{.body = "planet", .members = {1}, .on_main = {0, 1}}};
-  train.planet_of = {-1, 0, -1};
+  train.axes = {{.bodies = {"planet"}, .members = {1}, .on_centre = {0, 1}}};
+  train.axis_of = {-1, 0, -1};
   train.first = {0, 2};
   train.second = {1, 1};
   train.hand = {1, 1};
@@ -72,14 +72,14 @@ TEST(GearLayout, HasNoneWithoutModuleAndDistance) {
 // Two planets, at 30 and at 40 from the main axis, of module 2 in a mesh of `teeth` in all.
 std::optional<GearLayout> paired(PlanetSide side, double teeth) {
   GearTrain train;
-  train.planets = {{.body = "a", .members = {0}, .on_main = {}},
-                   {.body = "b",
-                    .members = {1},
-                    .on_main = {},
-                    .neighbour = 0,
-                    .neighbour_mesh = 0,
-                    .side = side}};
-  train.planet_of = {0, 1};
+  train.axes = {{.bodies = {"a"}, .members = {0}, .on_centre = {}},
+                {.bodies = {"b"},
+                 .members = {1},
+                 .on_centre = {},
+                 .neighbour = 0,
+                 .neighbour_mesh = 0,
+                 .side = side}};
+  train.axis_of = {0, 1};
   train.first = {0};
   train.second = {1};
   train.hand = {1};
@@ -92,6 +92,39 @@ std::optional<GearLayout> paired(PlanetSide side, double teeth) {
 TEST(GearLayout, PutsTheNeighbourByTheTriangleToTheLeft) {
   expect_point(paired(PlanetSide::left, 50)->centres[1], -40.0, 0.0, 0.0);
   expect_point(paired(PlanetSide::right, 50)->centres[1], 40.0, 0.0, 0.0);
+}
+
+// Beyond its neighbour at 30, half of 50 teeth of module 2 farther.
+TEST(GearLayout, PutsInLineWhatNothingGivesADistance) {
+  GearTrain train;
+  train.axes = {
+      {.bodies = {"a"}, .members = {0}},
+      {.bodies = {"b"}, .members = {1}, .neighbour = 0, .neighbour_mesh = 0, .is_in_line = true}};
+  train.axis_of = {0, 1};
+  train.first = {0};
+  train.second = {1};
+  const auto layout = find_layout<double>(
+      std::move(train),
+      {.teeth = {20.0, 30.0}, .module = {2.0}, .distance = {30.0, std::nullopt}, .at = {0.0}});
+
+  expect_point(layout->centres[1], 0.0, 80.0, 0.0);
+  expect_point(layout->meshes[0].pitch_point, 0.0, 50.0, 0.0);
+}
+
+// A planet 12 from a shaft that stands 30 from the main axis.
+TEST(GearLayout, PutsAPlanetBesideTheAxisOfItsCarrier) {
+  GearTrain train;
+  train.axes = {{.bodies = {"shaft"}, .members = {0}},
+                {.bodies = {"planet"}, .members = {1}, .about = 0, .on_centre = {0}}};
+  train.axis_of = {0, 1};
+  train.first = {0};
+  train.second = {1};
+  const auto layout = find_layout<double>(
+      std::move(train),
+      {.teeth = {8.0, 4.0}, .module = {2.0}, .distance = {30.0, std::nullopt}, .at = {0.0}});
+
+  expect_point(layout->centres[1], 0.0, 42.0, 0.0);
+  expect_point(layout->meshes[0].pitch_point, 0.0, 38.0, 0.0);
 }
 
 // On the way from (0, 30) to (-40, 0), after 20 of 50 teeth.

@@ -13,10 +13,10 @@ struct Found {
   MechanismDescription description;
   GearTrain train;
 
-  int planet_of(const std::string& member) const {
+  int axis_of(const std::string& member) const {
     for (std::size_t i = 0; i < description.gears->members.size(); ++i) {
       if (description.gears->members[i].name.text == member) {
-        return train.planet_of[i];
+        return train.axis_of[i];
       }
     }
     return -2;
@@ -60,21 +60,21 @@ Found ravigneaux(const std::string& side = "") {
 TEST(GearTrain, TakesForPlanetsWhatTurnsOnTheCarrierAlone) {
   const Found found = ravigneaux();
 
-  EXPECT_EQ(found.planet_of("s1"), -1);
-  EXPECT_EQ(found.planet_of("s2"), -1);
-  EXPECT_EQ(found.planet_of("r"), -1);
-  EXPECT_EQ(found.planet_of("p5"), 0);
-  EXPECT_EQ(found.planet_of("p6"), 1);
+  EXPECT_EQ(found.axis_of("s1"), -1);
+  EXPECT_EQ(found.axis_of("s2"), -1);
+  EXPECT_EQ(found.axis_of("r"), -1);
+  EXPECT_EQ(found.axis_of("p5"), 0);
+  EXPECT_EQ(found.axis_of("p6"), 1);
 }
 
 TEST(GearTrain, PutsAPlanetBesideTheOneBeforeIt) {
   const Found found = ravigneaux(", side: right");
 
-  EXPECT_EQ(found.train.planets[0].neighbour, -1);
-  EXPECT_EQ(found.train.planets[1].neighbour, 0);
-  EXPECT_EQ(found.train.planets[1].neighbour_mesh, 1);
-  EXPECT_EQ(found.train.planets[1].side, PlanetSide::right);
-  EXPECT_EQ(found.train.planets[1].on_main, (std::vector<int>{2, 3}));
+  EXPECT_EQ(found.train.axes[0].neighbour, -1);
+  EXPECT_EQ(found.train.axes[1].neighbour, 0);
+  EXPECT_EQ(found.train.axes[1].neighbour_mesh, 1);
+  EXPECT_EQ(found.train.axes[1].side, PlanetSide::right);
+  EXPECT_EQ(found.train.axes[1].on_centre, (std::vector<int>{2, 3}));
 }
 
 // Sun 1 right, planet 5 left, planet 6 right, sun 2 left, ring right.
@@ -103,19 +103,95 @@ const std::string kShafts =
 TEST(GearTrain, TakesAShaftBesideTheMainAxisForAPlanet) {
   const Found found = train_of("[in, counter, out]", kShafts, countershaft(""));
 
-  EXPECT_EQ(found.planet_of("a"), -1);
-  EXPECT_EQ(found.planet_of("b"), 0);
-  EXPECT_EQ(found.planet_of("c"), 0);
-  EXPECT_EQ(found.planet_of("d"), -1);
+  EXPECT_EQ(found.axis_of("a"), -1);
+  EXPECT_EQ(found.axis_of("b"), 0);
+  EXPECT_EQ(found.axis_of("c"), 0);
+  EXPECT_EQ(found.axis_of("d"), -1);
 }
 
 TEST(GearTrain, TakesForAPlanetWhatHasACentreDistance) {
   const Found found =
       train_of("[in, counter, out]", kShafts, countershaft(", centre_distance: 50"));
 
-  EXPECT_EQ(found.planet_of("d"), 1);
-  EXPECT_EQ(found.train.planets[1].neighbour, 0);
-  ASSERT_NE(found.train.planets[1].distance, nullptr);
+  EXPECT_EQ(found.axis_of("d"), 1);
+  EXPECT_EQ(found.train.axes[1].neighbour, 0);
+  ASSERT_NE(found.train.axes[1].distance, nullptr);
+}
+
+// What a clutch joins to a lay shaft turns about its axis, wherever it is borne, and so do a shaft
+// without gears between two clutches and what turns on that.
+TEST(GearTrain, PutsIdlersOnTheAxisOfTheirShaft) {
+  const Found found = train_of("[in, out, g1, hub, g2, lay]",
+                               "  i: {type: revolute, bodies: [housing, in]}\n"
+                               "  l: {type: revolute, bodies: [housing, lay]}\n"
+                               "  b: {type: revolute, bodies: [lay, g1]}\n"
+                               "  c: {type: revolute, bodies: [lay, g2]}\n"
+                               "  S: {type: clutch, bodies: [g1, hub]}\n"
+                               "  T: {type: clutch, bodies: [hub, lay]}\n"
+                               "  U: {type: clutch, bodies: [lay, g2]}\n",
+                               "  members:\n"
+                               "    a: {body: in, teeth: 20}\n"
+                               "    b: {body: g1, teeth: 40}\n"
+                               "    c: {body: in, teeth: 30}\n"
+                               "    d: {body: g2, teeth: 30}\n"
+                               "    e: {body: lay, teeth: 20}\n"
+                               "    f: {body: out, teeth: 40}\n"
+                               "  meshes:\n"
+                               "    ab: {members: [a, b]}\n"
+                               "    cd: {members: [c, d]}\n"
+                               "    ef: {members: [e, f]}\n");
+
+  ASSERT_EQ(found.train.axes.size(), 1U);
+  EXPECT_EQ(found.train.axes[0].bodies, (std::vector<std::string>{"g1", "g2", "lay", "hub"}));
+  EXPECT_EQ(found.train.axes[0].carrier, "housing");
+  EXPECT_EQ(found.train.axes[0].on_centre, (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(found.train.axis_on("hub"), 0);
+  EXPECT_EQ(found.axis_of("f"), -1);
+}
+
+TEST(GearTrain, PutsAnAxisThatIsDeclaredBesideTheMainAxis) {
+  const Found found =
+      train_of("[in, counter, out]",
+               kShafts,
+               "  axes: {main: {bodies: [in]}, final: {bodies: [out]}}\n" + countershaft(""));
+
+  EXPECT_EQ(found.axis_of("a"), -1);
+  EXPECT_EQ(found.axis_of("b"), 0);
+  EXPECT_EQ(found.axis_of("d"), 1);
+  EXPECT_EQ(found.train.axes[1].neighbour, 0);
+  EXPECT_TRUE(found.train.axes[1].is_in_line);
+}
+
+// A sun on a shaft beside the main axis, whose carrier and whose ring on the ground follow it.
+TEST(GearTrain, FindsPlanetsAboutASecondAxis) {
+  const Found found = train_of("[in, sun, carrier, planet]",
+                               "  i: {type: revolute, bodies: [housing, in]}\n"
+                               "  s: {type: revolute, bodies: [housing, sun]}\n"
+                               "  c: {type: revolute, bodies: [housing, carrier]}\n"
+                               "  p: {type: revolute, bodies: [carrier, planet]}\n",
+                               "  axes: {main: {bodies: [in]}}\n"
+                               "  members:\n"
+                               "    a: {body: in, teeth: 20}\n"
+                               "    b: {body: sun, teeth: 40}\n"
+                               "    s: {body: sun, teeth: 20}\n"
+                               "    p: {body: planet, teeth: 20}\n"
+                               "    r: {body: housing, teeth: 60, internal: true}\n"
+                               "  meshes:\n"
+                               "    ab: {members: [a, b]}\n"
+                               "    sp: {members: [s, p], carrier: carrier}\n"
+                               "    rp: {members: [r, p], carrier: carrier}\n");
+
+  EXPECT_EQ(found.axis_of("a"), -1);
+  EXPECT_EQ(found.axis_of("b"), 0);
+  EXPECT_EQ(found.axis_of("s"), 0);
+  EXPECT_EQ(found.axis_of("r"), 0);
+  EXPECT_EQ(found.axis_of("p"), 1);
+  EXPECT_EQ(found.train.axes[1].about, 0);
+  EXPECT_EQ(found.train.axes[1].carrier, "carrier");
+  EXPECT_EQ(found.train.axes[1].on_centre, (std::vector<int>{1, 2}));
+  EXPECT_EQ(found.train.axis_on("carrier"), 0);
+  EXPECT_EQ(found.train.axis_between("carrier", "planet"), 1);
+  EXPECT_EQ(found.train.axis_between("planet", "carrier"), 1);
 }
 
 }  // namespace

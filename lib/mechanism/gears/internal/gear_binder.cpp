@@ -24,11 +24,10 @@ class NumberBinder {
       result_.module.push_back(length(mesh.module ? mesh.module : gears_.module));
       result_.at.push_back(length(mesh.at).value_or(Scalar(0.0)));
     }
-    for (const PlanetAxis& planet : train.planets) {
-      result_.distance.push_back(
-          planet.distance == nullptr
-              ? std::nullopt
-              : std::optional(number(*planet.distance, QuantityKind::length)));
+    for (const GearAxis& axis : train.axes) {
+      result_.distance.push_back(axis.distance == nullptr
+                                     ? std::nullopt
+                                     : std::optional(number(*axis.distance, QuantityKind::length)));
     }
     return is_good_ ? std::optional(std::move(result_)) : std::nullopt;
   }

@@ -1,6 +1,7 @@
 #include "mechanism/gears/internal/gear_check.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -36,6 +37,9 @@ class GearCheck {
 
   void run() {
     check_tooth_form(gears_.module, gears_.pressure_angle, gears_.helix_angle, "'gears'");
+    for (const GearAxisDescription& axis : gears_.axes) {
+      check_axis(axis);
+    }
     for (const GearMember& member : gears_.members) {
       check_member(member);
     }
@@ -54,6 +58,32 @@ class GearCheck {
     context_.number(module, kAboveZeroLength, fmt::format("'module' of {}", what));
     context_.number(pressure_angle, kPressureAngle, fmt::format("'pressure_angle' of {}", what));
     context_.number(helix_angle, kHelixAngle, fmt::format("'helix_angle' of {}", what));
+  }
+
+  void check_axis(const GearAxisDescription& axis) {
+    const std::string what = fmt::format("axis '{}'", axis.name.text);
+    for (const Name& body : axis.bodies) {
+      if (!context_.names.bodies.check(body, what + " is of", context_.found)) {
+        continue;
+      }
+      if (body.text == context_.description.ground.text) {
+        context_.found.error(
+            "E0314",
+            body.where,
+            fmt::format("{} has the ground '{}' among its bodies", what, body.text),
+            "name what turns about it");
+      }
+      const auto [known, is_new] = axis_of_body_.emplace(body.text, &axis);
+      if (!is_new) {
+        auto& problem =
+            context_.found.error("E0314",
+                                 body.where,
+                                 fmt::format("body '{}' stands in 'axes' twice", body.text),
+                                 "a body turns about one axis: write it once");
+        problem.notes.push_back({known->second->name.where, "first here"});
+      }
+    }
+    context_.number(axis.centre_distance, kAboveZeroLength, "'centre_distance' of " + what);
   }
 
   void check_member(const GearMember& member) {
@@ -167,8 +197,9 @@ class GearCheck {
 
   // Sizes follow from the module, or from distances that are given.
   void check_module() {
-    const bool has_distance = std::ranges::any_of(
-        gears_.members, [](const GearMember& one) { return one.centre_distance.has_value(); });
+    const auto is_given = [](const auto& one) { return one.centre_distance.has_value(); };
+    const bool has_distance =
+        std::ranges::any_of(gears_.members, is_given) || std::ranges::any_of(gears_.axes, is_given);
     const bool has_own = std::ranges::all_of(
         gears_.meshes, [](const MeshDescription& one) { return one.module.has_value(); });
     if (!gears_.module && !has_distance && !has_own) {
@@ -194,6 +225,7 @@ class GearCheck {
 
   const SectionContext& context_;
   const GearsDescription& gears_;
+  std::map<std::string, const GearAxisDescription*> axis_of_body_;
   std::vector<std::optional<double>> teeth_;
   std::vector<bool> is_used_;
 };

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/index.hpp"
 #include "core/tolerance.hpp"
 #include "mechanism/gears/internal/gear_binder.hpp"
 
@@ -21,6 +22,7 @@ class GearTrainCheck {
   // Whether a layout can be found.
   bool check_places() {
     const int errors_before = context_.found.error_count();
+    check_declared_axes(context_, train_);
     for (std::size_t m = 0; m < gears_.meshes.size(); ++m) {
       check_axes(m);
     }
@@ -32,7 +34,7 @@ class GearTrainCheck {
   }
 
   void check_layout(const GearLayout& layout) {
-    for (std::size_t p = 0; p < train_.planets.size(); ++p) {
+    for (std::size_t p = 0; p < train_.axes.size(); ++p) {
       compare_meshes(layout, p);
     }
     for (std::size_t m = 0; m < gears_.meshes.size(); ++m) {
@@ -49,22 +51,26 @@ class GearTrainCheck {
     return gears_.members[static_cast<std::size_t>(index)];
   }
 
-  int planet_of(int member) const { return train_.planet_of[static_cast<std::size_t>(member)]; }
+  int axis_of(int member) const { return train_.axis_of[static_cast<std::size_t>(member)]; }
 
   void check_axes(std::size_t m) {
-    if (planet_of(train_.first[m]) >= 0 || planet_of(train_.second[m]) >= 0) {
+    const int axis = axis_of(train_.first[m]);
+    if (axis != axis_of(train_.second[m])) {
       return;
     }
     const MeshDescription& mesh = gears_.meshes[m];
     context_.found.error(
         "E0314",
         mesh.first.where,
-        fmt::format("mesh '{}' joins two gears on the main axis, '{}' and '{}'",
+        fmt::format("mesh '{}' joins two gears on {}, '{}' and '{}'",
                     mesh.name.text,
+                    axis < 0 ? "the main axis" : "one axis",
                     mesh.first.text,
                     mesh.second.text),
-        "a planet turns on its carrier alone; 'count' or 'centre_distance' say of a gear that it "
-        "is one");
+        axis < 0 ? "a planet turns on its carrier alone; 'count', 'centre_distance' or 'axes' "
+                   "say of a gear that it does not turn on the main axis"
+                 : "what clutches, carriers or 'axes' join turns about one axis: correct these, "
+                   "or the mesh");
   }
 
   std::string length(double metres) const {
@@ -87,14 +93,14 @@ class GearTrainCheck {
 
   // What the meshes of a planet with gears on the main axis ask for.
   void compare_meshes(const GearLayout& layout, std::size_t p) {
-    const PlanetAxis& planet = train_.planets[p];
+    const GearAxis& planet = train_.axes[p];
     if (numbers_.distance[p]) {
       return;
     }
     int nearest = -1;
     int farthest = -1;
     const auto asked = [&](int m) { return *layout.meshes[static_cast<std::size_t>(m)].asked; };
-    for (const int m : planet.on_main) {
+    for (const int m : planet.on_centre) {
       if (!layout.meshes[static_cast<std::size_t>(m)].asked) {
         continue;
       }
@@ -105,32 +111,49 @@ class GearTrainCheck {
       return;
     }
     const GearMember& first = member(planet.members.front());
-    context_.found.warning(
-        "W0305",
-        first.name.where,
-        fmt::format("planet '{}' stands {} from the main axis by mesh {}, but {} by mesh {}; it is "
-                    "placed at {}",
-                    first.name.text,
-                    length(asked(nearest)),
-                    mesh_in_teeth(nearest),
-                    length(asked(farthest)),
-                    mesh_in_teeth(farthest),
-                    length(layout.centres[p].norm())),
-        hint_on_distances(farthest, asked(farthest) - asked(nearest)));
+    context_.found.warning("W0305",
+                           first.name.where,
+                           fmt::format("{} '{}' stands {} from {} by mesh {}, but {} by mesh {}; "
+                                       "it is placed at {}",
+                                       word_of(planet, context_),
+                                       first.name.text,
+                                       length(asked(nearest)),
+                                       name_of_axis(train_, planet.about),
+                                       mesh_in_teeth(nearest),
+                                       length(asked(farthest)),
+                                       mesh_in_teeth(farthest),
+                                       length(distance_of(layout, p))),
+                           hint_on_distances(farthest, asked(farthest) - asked(nearest), planet));
+  }
+
+  double distance_of(const GearLayout& layout, std::size_t p) const {
+    const int about = train_.axes[p].about;
+    return (layout.centres[p] - (about < 0 ? Vec3(Vec3::Zero()) : layout.centres[at(about)]))
+        .norm();
   }
 
   // A ring that is not called one asks for much more than any profile shift can give.
-  std::string hint_on_distances(int farthest, double difference) const {
+  std::string hint_on_distances(int farthest, double difference, const GearAxis& axis) const {
     const auto m = static_cast<std::size_t>(farthest);
     const int a = train_.first[m];
-    const int on_main = planet_of(a) < 0 ? a : train_.second[m];
-    if (difference > *numbers_.module[m] && !member(on_main).internal) {
+    const int on_centre = axis_of(a) == axis.about ? a : train_.second[m];
+    const bool is_on_ground = axis.carrier == context_.description.ground.text;
+    if (difference > *numbers_.module[m] && is_on_ground) {
+      return fmt::format(
+          "if '{}' does not turn on the main axis, write its 'centre_distance', or "
+          "its body on an axis of its own in 'axes'; else correct the teeth",
+          member(on_centre).name.text);
+    }
+    if (difference > *numbers_.module[m] && !member(on_centre).internal) {
       return fmt::format("if '{}' is a ring, add 'internal: true'; else correct the teeth",
-                         member(on_main).name.text);
+                         member(on_centre).name.text);
+    }
+    if (is_on_ground) {
+      return "with profile shift write its 'centre_distance', from the drawing; else correct the "
+             "teeth, or the modules";
     }
     return "with profile shift write 'centre_distance' of the planet, from the drawing; else "
-           "correct "
-           "the teeth, of a plain set ring = sun + 2*planet";
+           "correct the teeth, of a plain set ring = sun + 2*planet";
   }
 
   bool has_member(const Name& body) const {
@@ -204,24 +227,79 @@ class GearTrainCheck {
         coupling.head.text == ground || bears(coupling.tail, coupling.head)) {
       return;
     }
-    const Vec3 tail = layout.axis_of(coupling.tail.text, coupling.tail.text);
-    const Vec3 head = layout.axis_of(coupling.head.text, coupling.head.text);
-    if ((tail - head).norm() <= kReportsAgree * std::max(tail.norm(), head.norm())) {
+    const int on_tail = train_.axis_on(coupling.tail.text);
+    const int on_head = train_.axis_on(coupling.head.text);
+    if (on_tail != on_head) {
+      const Vec3 tail = layout.axis_of(coupling.tail.text, coupling.tail.text);
+      const Vec3 head = layout.axis_of(coupling.head.text, coupling.head.text);
+      if ((tail - head).norm() > kReportsAgree * std::max(tail.norm(), head.norm())) {
+        refuse_clutch(coupling, -1, tail.norm(), head.norm(), (tail - head).norm());
+      }
       return;
     }
+    const auto tail = on_tail < 0 ? std::nullopt : own_distance(layout, on_tail, coupling.tail);
+    const auto head = on_head < 0 ? std::nullopt : own_distance(layout, on_head, coupling.head);
+    if (tail && head && (tail->is_given || head->is_given) &&
+        std::abs(tail->length - head->length) >
+            kReportsAgree * std::max(tail->length, head->length)) {
+      refuse_clutch(coupling,
+                    train_.axes[at(on_tail)].about,
+                    tail->length,
+                    head->length,
+                    std::abs(tail->length - head->length));
+    }
+  }
+
+  struct OwnDistance {
+    double length = 0.0;
+    bool is_given = false;
+  };
+
+  // What a body says of the distance of its axis: by a member, or by its meshes. Empty if the axis
+  // itself is given one, which counts for all its bodies.
+  std::optional<OwnDistance> own_distance(const GearLayout& layout,
+                                          int axis,
+                                          const Name& body) const {
+    const GearAxis& one = train_.axes[at(axis)];
+    if (one.distance != nullptr && one.has_said.empty()) {
+      return std::nullopt;
+    }
+    for (const int i : one.members) {
+      if (member(i).body.text == body.text && member(i).centre_distance) {
+        const auto given =
+            context_.evaluator.number(*member(i).centre_distance, QuantityKind::length);
+        return OwnDistance{.length = given.value_or(0.0), .is_given = true};
+      }
+    }
+    double sum = 0.0;
+    int count = 0;
+    for (const int m : one.on_centre) {
+      const bool is_of_body = member(train_.first[at(m)]).body.text == body.text ||
+                              member(train_.second[at(m)]).body.text == body.text;
+      if (is_of_body && layout.meshes[at(m)].asked) {
+        sum += *layout.meshes[at(m)].asked;
+        ++count;
+      }
+    }
+    return count == 0 ? std::nullopt : std::optional(OwnDistance{.length = sum / count});
+  }
+
+  void refuse_clutch(
+      const CouplingDescription& coupling, int about, double tail, double head, double between) {
     context_.found.error(
         "E0318",
         coupling.name.where,
-        fmt::format("clutch '{}' joins bodies that turn about two axes: '{}' stands {} from the "
-                    "main axis, '{}' {}, with {} between them",
+        fmt::format("clutch '{}' joins bodies that turn about two axes: '{}' stands {} from {}, "
+                    "'{}' {}, with {} between them",
                     coupling.name.text,
                     coupling.tail.text,
-                    length(tail.norm()),
+                    length(tail),
+                    name_of_axis(train_, about),
                     coupling.head.text,
-                    length(head.norm()),
-                    length((tail - head).norm())),
-        "write the same 'centre_distance' for the gears of both, or correct the teeth; engaged "
-        "between two axes it would hold both still");
+                    length(head),
+                    length(between)),
+        "write the same 'centre_distance' for the gears of both, or one for their axis in 'axes', "
+        "or correct the teeth; engaged between two axes it would hold both still");
   }
 
   // What the mesh asks for against what others or the file have fixed.
@@ -230,13 +308,14 @@ class GearTrainCheck {
     if (!mesh.asked) {
       return;
     }
-    const int a = planet_of(train_.first[m]);
-    const int b = planet_of(train_.second[m]);
-    const bool is_on_main = a < 0 || b < 0;
-    const bool is_given = numbers_.distance[static_cast<std::size_t>(std::max(a, b))].has_value();
+    const int a = axis_of(train_.first[m]);
+    const int b = axis_of(train_.second[m]);
+    const bool is_first_off = a >= 0 && train_.axes[at(a)].about == b;
+    const bool is_on_centre = is_first_off || (b >= 0 && train_.axes[at(b)].about == a);
+    const bool is_given = numbers_.distance[at(is_first_off ? a : b)].has_value();
     // Profile shift moves centres by less than a module.
-    const double most = is_on_main ? *numbers_.module[m] : kReportsAgree * *mesh.asked;
-    if ((is_on_main && !is_given) || std::abs(mesh.distance - *mesh.asked) <= most) {
+    const double most = is_on_centre ? *numbers_.module[m] : kReportsAgree * *mesh.asked;
+    if ((is_on_centre && !is_given) || std::abs(mesh.distance - *mesh.asked) <= most) {
       return;
     }
     const Name& name = gears_.meshes[m].name;
@@ -247,9 +326,9 @@ class GearTrainCheck {
                     mesh_in_teeth(static_cast<int>(m)),
                     length(*mesh.asked),
                     length(mesh.distance)),
-        is_on_main ? "correct 'centre_distance', the module or the teeth; profile shift moves "
-                     "centres by less than a module"
-                   : "correct the teeth or the distances of the two planets from the main axis");
+        is_on_centre ? "correct 'centre_distance', the module or the teeth; profile shift moves "
+                       "centres by less than a module"
+                     : "correct the teeth or the distances of the two axes from the main axis");
   }
 
   const SectionContext& context_;

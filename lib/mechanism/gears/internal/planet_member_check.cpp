@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/index.hpp"
 #include "core/tolerance.hpp"
 #include "description/gear_expansion.hpp"
 #include "mechanism/gears/internal/gear_train_check.hpp"
@@ -20,7 +21,7 @@ class PlanetMemberCheck {
       : context_(context), gears_(*context.description.gears), train_(train), numbers_(numbers) {}
 
   void run() {
-    for (std::size_t p = 0; p < train_.planets.size(); ++p) {
+    for (std::size_t p = 0; p < train_.axes.size(); ++p) {
       check_distance(p);
     }
     for (std::size_t m = 0; m < gears_.meshes.size(); ++m) {
@@ -38,7 +39,7 @@ class PlanetMemberCheck {
     return gears_.members[static_cast<std::size_t>(index)];
   }
 
-  int planet_of(int member) const { return train_.planet_of[static_cast<std::size_t>(member)]; }
+  int axis_of(int member) const { return train_.axis_of[static_cast<std::size_t>(member)]; }
 
   // What bears a body, and what is fixed to that.
   std::vector<std::string> holders_of(const std::string& body) const {
@@ -67,22 +68,28 @@ class PlanetMemberCheck {
 
   // Losses and positions follow from the body on which the planet really turns.
   void check_carrier(const MeshDescription& mesh, int index) {
+    const int axis = axis_of(index);
     const std::string& body = member(index).body.text;
+    const std::string& ground = context_.description.ground.text;
     const std::string& carrier = carrier_of(mesh, context_.description);
     const std::vector<std::string> holders = holders_of(body);
-    if (planet_of(index) < 0 || holders.empty()) {
+    if (axis < 0 || holders.empty()) {
       return;
     }
-    if (is_idler_on_shaft(index, holders.front())) {
+    const bool is_planet = train_.axes[at(axis)].carrier != ground;
+    if (is_planet && is_idler_on_shaft(index, holders.front())) {
       refuse_idler(mesh, index, holders.front());
       return;
     }
-    if (std::ranges::find(holders, carrier) != holders.end()) {
+    // A shaft beside the main axis may be the centre of a planetary set.
+    const bool is_centre = !is_planet && carrier != ground && train_.axis_on(carrier) == axis;
+    const bool is_borne = std::ranges::any_of(holders, [&](const std::string& holder) {
+      return holder == carrier || (train_.axis_on(holder) == axis && holder != ground);
+    });
+    if (is_centre || is_borne) {
       return;
     }
-    if (mesh.carrier && holders == std::vector<std::string>{context_.description.ground.text}) {
-      refuse_second_axis(mesh, index);
-    } else if (mesh.carrier) {
+    if (mesh.carrier) {
       context_.found.error("E0314",
                            mesh.carrier->where,
                            fmt::format("the carrier of mesh '{}' is '{}', but its planet '{}' "
@@ -100,7 +107,10 @@ class PlanetMemberCheck {
                       mesh.name.text,
                       member(index).name.text,
                       holders.front()),
-          fmt::format("add 'carrier: {}'", holders.front()));
+          fmt::format("add 'carrier: {0}'; or, if both turn about one axis, as an idler on its "
+                      "shaft does, say so in 'axes' of 'gears': {{bodies: [{0}, {1}]}}",
+                      holders.front(),
+                      body));
     }
   }
 
@@ -129,42 +139,21 @@ class PlanetMemberCheck {
   }
 
   void refuse_idler(const MeshDescription& mesh, int index, const std::string& shaft) {
-    const std::string& body = member(index).body.text;
-    const std::string& ground = context_.description.ground.text;
     context_.found.error(
         "E0319",
-        mesh.name.where,
+        mesh.carrier ? mesh.carrier->where : mesh.name.where,
         fmt::format("gear '{}' turns on shaft '{}', meshes once and is clutched to the shaft: an "
-                    "idler, which 'gears' does not place by its shaft",
+                    "idler, whose shaft is not the carrier of its mesh",
                     member(index).name.text,
                     shaft),
-        fmt::format("bear it on the ground, beside the shaft, bodies: [{}, {}], write its mesh{} "
-                    "and the same 'centre_distance' for the gears of '{}'",
-                    ground,
-                    body,
-                    mesh.carrier ? " without 'carrier'" : "",
+        fmt::format("remove 'carrier: {}': the centres of both gears stand still on the ground",
                     shaft));
-  }
-
-  // A sun on the housing that has to be a planet of the main axis, and meshes in a moving carrier.
-  void refuse_second_axis(const MeshDescription& mesh, int index) {
-    context_.found.error(
-        "E0314",
-        mesh.carrier->where,
-        fmt::format("mesh '{}' has the moving carrier '{}', but its gear '{}' turns on the ground "
-                    "beside the main axis: 'gears' has one main axis for all planetary sets",
-                    mesh.name.text,
-                    mesh.carrier->text,
-                    member(index).name.text),
-        "write the set beside it as couplings of type gear, with 'at' and 'line_of_action' for its "
-        "meshes and 'at' for its bearings: 'kinestat help couplings'; or name the body that bears "
-        "the planet");
   }
 
   // What only planets have, and only some of them.
   void check_words_of_planets(int index) {
     const GearMember& one = member(index);
-    const int planet = planet_of(index);
+    const int planet = axis_of(index);
     if (planet < 0 && (one.count || one.centre_distance)) {
       context_.found.error(
           "E0314",
@@ -176,64 +165,75 @@ class PlanetMemberCheck {
                       one.count ? "count" : "centre_distance"),
           "write it for a planet, or remove it");
     } else if (one.side == PlanetSide::right &&
-               (planet < 0 || train_.planets[static_cast<std::size_t>(planet)].neighbour < 0)) {
+               (planet < 0 || train_.axes[static_cast<std::size_t>(planet)].neighbour < 0)) {
       context_.found.warning(
           "W0301",
           one.name.where,
           fmt::format("'side' of gear member '{}' is never used: it stands on {}",
                       one.name.text,
-                      planet < 0 ? "the main axis" : "+y, as the first of its planets"),
+                      planet < 0 ? "the main axis" : "+y, as the first of its chain"),
           "write it for another planet, which meshes with the first, or remove it");
     }
   }
 
-  // All gears of a planet stand on one axis.
+  // All gears of a body stand on one axis.
   void check_one_distance(int index) {
     const GearMember& one = member(index);
-    const int p = planet_of(index);
+    const int p = axis_of(index);
     if (p < 0 || !one.centre_distance) {
       return;
     }
-    const double first = *numbers_.distance[static_cast<std::size_t>(p)];
+    const GearAxis& axis = train_.axes[at(p)];
+    const double first = *numbers_.distance[at(p)];
     const auto own = context_.evaluator.number(*one.centre_distance, QuantityKind::length);
-    if (own && std::abs(*own - first) > kReportsAgree * first) {
-      context_.found.error(
-          "E0314",
-          one.centre_distance->where,
-          fmt::format("body '{}' stands {} from the main axis by one of its members and {} by "
-                      "'{}'",
-                      one.body.text,
-                      length(first),
-                      length(*own),
-                      one.name.text),
-          "write one 'centre_distance' for the members of a body");
+    const bool is_of_axis = axis.has_said.empty();
+    if ((is_of_axis || axis.has_said == one.body.text) && own &&
+        std::abs(*own - first) > kReportsAgree * first) {
+      context_.found.error("E0314",
+                           one.centre_distance->where,
+                           fmt::format("body '{}' stands {} from {} by {} and {} by '{}'",
+                                       one.body.text,
+                                       length(first),
+                                       name_of_axis(train_, axis.about),
+                                       is_of_axis ? "its axis in 'axes'" : "one of its members",
+                                       length(*own),
+                                       one.name.text),
+                           is_of_axis ? "write 'centre_distance' once, for the axis"
+                                      : "write one 'centre_distance' for the members of a body");
     }
   }
 
   void check_distance(std::size_t p) {
-    const PlanetAxis& planet = train_.planets[p];
+    const GearAxis& planet = train_.axes[p];
     const GearMember& first = member(planet.members.front());
-    const bool has_distance =
-        numbers_.distance[p] || std::ranges::any_of(planet.on_main, [&](int m) {
-          return numbers_.module[static_cast<std::size_t>(m)].has_value();
-        });
+    const bool has_distance = numbers_.distance[p] || planet.is_in_line ||
+                              std::ranges::any_of(planet.on_centre, [&](int m) {
+                                return numbers_.module[at(m)].has_value();
+                              });
     if (!has_distance) {
       context_.found.error(
           "E0303",
           first.name.where,
-          fmt::format("planet '{}' has no distance from the main axis", first.name.text),
-          planet.on_main.empty()
-              ? "add 'centre_distance', as it meshes with no gear on the main axis"
-              : "add 'module' to 'gears' or to its mesh, or 'centre_distance' to the planet");
+          fmt::format("{} '{}' has no distance from {}",
+                      word_of(planet, context_),
+                      first.name.text,
+                      name_of_axis(train_, planet.about)),
+          planet.on_centre.empty()
+              ? fmt::format("add 'centre_distance', as it meshes with no gear on {}",
+                            name_of_axis(train_, planet.about))
+              : fmt::format(
+                    "add 'module' to 'gears' or to its mesh, or 'centre_distance' to the {}",
+                    word_of(planet, context_)));
     }
     if (planet.neighbour_mesh >= 0 &&
         !numbers_.module[static_cast<std::size_t>(planet.neighbour_mesh)]) {
       const Name& mesh = gears_.meshes[static_cast<std::size_t>(planet.neighbour_mesh)].name;
-      context_.found.error(
-          "E0303",
-          mesh.where,
-          fmt::format("mesh '{}' between two planets lacks the key 'module'", mesh.text),
-          "add it here or to 'gears': the distance of the planets follows from it");
+      context_.found.error("E0303",
+                           mesh.where,
+                           fmt::format("mesh '{}' between two {}s lacks the key 'module'",
+                                       mesh.text,
+                                       word_of(planet, context_)),
+                           "add it here or to 'gears': the distance of the two follows from it");
     }
   }
 
@@ -249,7 +249,77 @@ class PlanetMemberCheck {
   const GearNumbers& numbers_;
 };
 
+// What an axis says of its bodies.
+class DeclaredAxisCheck {
+ public:
+  DeclaredAxisCheck(const SectionContext& context, const GearTrain& train)
+      : context_(context), axes_(context.description.gears->axes), train_(train) {}
+
+  void run() {
+    for (const GearAxisDescription& axis : axes_) {
+      for (const Name& body : axis.bodies) {
+        check_body(axis, body);
+      }
+      check_words(axis);
+    }
+  }
+
+ private:
+  void check_body(const GearAxisDescription& axis, const Name& body) {
+    const Name& first = axis.bodies.front();
+    if (train_.axis_on(body.text) == train_.axis_on(first.text)) {
+      return;
+    }
+    context_.found.error(
+        "E0314",
+        body.where,
+        fmt::format("axis '{}' is of '{}' and '{}', of which one is a planet of a carrier and the "
+                    "other is not",
+                    axis.name.text,
+                    first.text,
+                    body.text),
+        "planets of one carrier turn about one axis, or what turns on the ground: write two axes");
+  }
+
+  void check_words(const GearAxisDescription& axis) {
+    const int index = train_.axis_on(axis.bodies.front().text);
+    if (index < 0 && axis.centre_distance) {
+      context_.found.error(
+          "E0314",
+          axis.centre_distance->where,
+          fmt::format("axis '{}' is the main axis and has no 'centre_distance'", axis.name.text),
+          "the first of 'axes' is the main axis: write that first, or remove the distance");
+    } else if (axis.side == PlanetSide::right &&
+               (index < 0 || train_.axes[at(index)].neighbour < 0)) {
+      context_.found.warning(
+          "W0301",
+          axis.name.where,
+          fmt::format("'side' of axis '{}' is never used: it {}",
+                      axis.name.text,
+                      index < 0 ? "is the main axis" : "stands on +y, as the first of its chain"),
+          "write it for another axis, which meshes with the first, or remove it");
+    }
+  }
+
+  const SectionContext& context_;
+  const std::vector<GearAxisDescription>& axes_;
+  const GearTrain& train_;
+};
+
 }  // namespace
+
+std::string_view word_of(const GearAxis& axis, const SectionContext& context) {
+  return axis.carrier == context.description.ground.text ? "gear" : "planet";
+}
+
+std::string name_of_axis(const GearTrain& train, int axis) {
+  return axis < 0 ? "the main axis"
+                  : fmt::format("the axis of '{}'", train.axes[at(axis)].bodies.front());
+}
+
+void check_declared_axes(const SectionContext& context, const GearTrain& train) {
+  DeclaredAxisCheck(context, train).run();
+}
 
 void check_planet_members(const SectionContext& context,
                           const GearTrain& train,

@@ -9,7 +9,7 @@ namespace kinestat {
 
 namespace {
 
-const GearMember* find_counted(const GearsDescription& gears, const PlanetAxis& planet) {
+const GearMember* find_counted(const GearsDescription& gears, const GearAxis& planet) {
   for (const int m : planet.members) {
     const GearMember& member = gears.members[static_cast<std::size_t>(m)];
     if (member.count) {
@@ -27,9 +27,10 @@ std::vector<int> counts_of_bodies(const MechanismDescription& description,
   const GearTrain train = find_gear_train(description);
   for (const PlanetSet& set : bind_planet_sets(*description.gears, train, evaluator)) {
     for (const int p : set.planets) {
-      const std::string& body = train.planets[static_cast<std::size_t>(p)].body;
-      for (std::size_t b = 0; b < counts.size(); ++b) {
-        counts[b] = topology.bodies[b].name == body ? set.count : counts[b];
+      for (const std::string& body : train.axes[static_cast<std::size_t>(p)].bodies) {
+        for (std::size_t b = 0; b < counts.size(); ++b) {
+          counts[b] = topology.bodies[b].name == body ? set.count : counts[b];
+        }
       }
     }
   }
@@ -42,14 +43,14 @@ std::vector<PlanetSet> bind_planet_sets(const GearsDescription& gears,
                                         const GearTrain& train,
                                         Evaluator& evaluator) {
   std::vector<PlanetSet> sets;
-  for (std::size_t p = 0; p < train.planets.size(); ++p) {
-    if (train.planets[p].neighbour < 0) {
+  for (std::size_t p = 0; p < train.axes.size(); ++p) {
+    if (train.axes[p].neighbour < 0) {
       sets.emplace_back();
     }
     PlanetSet& set = sets.back();
     set.planets.push_back(static_cast<int>(p));
     if (set.counted == nullptr) {
-      set.counted = find_counted(gears, train.planets[p]);
+      set.counted = find_counted(gears, train.axes[p]);
     }
   }
   for (PlanetSet& set : sets) {

@@ -41,7 +41,7 @@ class PlanetSpacingCheck {
     return gears_.members[static_cast<std::size_t>(index)];
   }
 
-  int planet_of(int member) const { return train_.planet_of[static_cast<std::size_t>(member)]; }
+  int axis_of(int member) const { return train_.axis_of[static_cast<std::size_t>(member)]; }
 
   long long teeth(int member) const {
     return std::llround(numbers_.teeth[static_cast<std::size_t>(member)]);
@@ -50,7 +50,7 @@ class PlanetSpacingCheck {
   // One set stands for all, so that its planets have one count.
   bool check_counts(const PlanetSet& set) {
     for (const int p : set.planets) {
-      for (const int m : train_.planets[static_cast<std::size_t>(p)].members) {
+      for (const int m : train_.axes[static_cast<std::size_t>(p)].members) {
         if (member(m).count && number_of(*member(m).count) != set.count) {
           context_.found.error(
               "E0314",
@@ -77,7 +77,7 @@ class PlanetSpacingCheck {
   std::vector<AssemblyMesh> meshes_of(const PlanetSet& set) const {
     std::vector<AssemblyMesh> result;
     const auto place = [&](int member) {
-      const auto at = std::ranges::find(set.planets, planet_of(member));
+      const auto at = std::ranges::find(set.planets, axis_of(member));
       return at == set.planets.end() ? -1 : static_cast<int>(at - set.planets.begin());
     };
     for (std::size_t m = 0; m < gears_.meshes.size(); ++m) {
@@ -158,15 +158,15 @@ class PlanetSpacingCheck {
 
   void check_neighbours(const PlanetSet& set) {
     for (const int p : set.planets) {
-      for (const int m : train_.planets[static_cast<std::size_t>(p)].members) {
+      for (const int m : train_.axes[static_cast<std::size_t>(p)].members) {
         check_pair(m, m, set);
       }
     }
     for (std::size_t m = 0; m < gears_.meshes.size(); ++m) {
       const int a = train_.first[m];
       const int b = train_.second[m];
-      const bool is_in_set = std::ranges::find(set.planets, planet_of(a)) != set.planets.end();
-      if (is_in_set && planet_of(b) >= 0) {
+      const bool is_in_set = std::ranges::find(set.planets, axis_of(a)) != set.planets.end();
+      if (is_in_set && axis_of(b) >= 0) {
         check_pair(a, b, set);
       }
     }
@@ -174,8 +174,8 @@ class PlanetSpacingCheck {
 
   // A planet against another of the next sets on either side, or against its own like.
   void check_pair(int a, int b, const PlanetSet& set) {
-    const Vec3& centre_a = layout_.centres[static_cast<std::size_t>(planet_of(a))];
-    const Vec3& centre_b = layout_.centres[static_cast<std::size_t>(planet_of(b))];
+    const Vec3& centre_a = layout_.centres[static_cast<std::size_t>(axis_of(a))];
+    const Vec3& centre_b = layout_.centres[static_cast<std::size_t>(axis_of(b))];
     const double angle = 2.0 * std::numbers::pi / set.count;
     double distance = std::numeric_limits<double>::infinity();
     for (const double turn : {angle, -angle}) {

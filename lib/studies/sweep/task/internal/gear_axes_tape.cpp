@@ -15,13 +15,13 @@ namespace {
 constexpr double kNearAxes = 1e3 * kParallelAxes;
 
 // The first rotation of a coupling about which gears may turn.
-struct GearAxis {
+struct HingeAxis {
   std::size_t freedom = 0;
   Vec3 direction;
 };
 
-std::vector<GearAxis> gear_axes(const Mechanism& mechanism) {
-  std::vector<GearAxis> axes;
+std::vector<HingeAxis> hinge_axes(const Mechanism& mechanism) {
+  std::vector<HingeAxis> axes;
   for (const CouplingTopology& coupling : mechanism.topology.couplings) {
     const int end = coupling.first_freedom + coupling.freedom_count;
     for (int f = coupling.first_freedom; is_hinge(coupling.type) && f < end; ++f) {
@@ -60,8 +60,8 @@ void demand_same_line(
 bool demand_same_axes(const Mechanism& mechanism,
                       std::span<const TapedScrew> motions,
                       LaneRecorder& recorder) {
-  const std::vector<GearAxis> axes = gear_axes(mechanism);
-  for (const GearAxis& one : axes) {
+  const std::vector<HingeAxis> axes = hinge_axes(mechanism);
+  for (const HingeAxis& one : axes) {
     const TapedScrew& screw = motions[one.freedom];
     if (!std::ranges::all_of(std::span(screw).first(3),
                              [&](TapeNumber part) { return recorder.is_constant(part); })) {
