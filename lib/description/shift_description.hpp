@@ -20,6 +20,10 @@ struct GearLabel {
   std::vector<Name> elements;
 };
 
+/// Which combinations of elements are tried: all of the size that a gear needs and whatever has a
+/// label, or the latter alone.
+enum class ShiftCombinations { all, named };
+
 struct ShiftDescription {
   std::vector<Name> inputs;    ///< actuators
   std::vector<Name> outputs;   ///< actuators
@@ -27,6 +31,7 @@ struct ShiftDescription {
   std::vector<InputValue> input_motion;
   std::vector<InputValue> input_action;
   std::vector<GearLabel> names;
+  ShiftCombinations combinations = ShiftCombinations::all;
   SourceRange where;
 };
 

@@ -55,6 +55,7 @@ class ShiftBinder {
         evaluator_(make_evaluator(description, ignored_)) {}
 
   ShiftPlan run() {
+    plan_.combinations = shift_.combinations;
     for (std::size_t i = 0; i < shift_.inputs.size(); ++i) {
       add_input(i);
     }

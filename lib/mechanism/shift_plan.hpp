@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/source.hpp"
+#include "description/shift_description.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {
@@ -36,6 +37,7 @@ struct ShiftPlan {
   std::vector<ShiftElement> elements;
   std::vector<int> others;  ///< actuators without a part in it: they bear nothing
   std::vector<ShiftLabel> labels;
+  ShiftCombinations combinations = ShiftCombinations::all;
   bool asks_actions = false;  ///< an action of an input is given
   SourceRange where;
 };

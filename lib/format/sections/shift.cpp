@@ -63,6 +63,13 @@ const Mapping<ShiftDescription>& shift_section() {
               "Labels of gears: which elements are engaged. Combinations without a label are named "
               "by their elements, C1+B2.")
             .may(&ShiftDescription::names, gear_labels(), "{M1: [C1, B2]}");
+        m.key("combinations", "Which combinations of elements are tried.")
+            .may(&ShiftDescription::combinations,
+                 choice_of<ShiftCombinations>(
+                     {{"all", "all of the size that a gear needs, and those with a label"},
+                      {"named", "those of 'names' alone, as of a gearbox whose gears are known"}}),
+                 "named")
+            .usual("all");
       });
   return mapping;
 }

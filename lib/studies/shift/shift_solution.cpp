@@ -56,6 +56,9 @@ class ShiftSolver {
     for (const int size : sizes()) {
       solution_.asked += combination_count(count(), size);
     }
+    if (plan_.combinations == ShiftCombinations::named) {
+      solution_.asked += static_cast<double>(plan_.labels.size());
+    }
     solution_.is_too_long = solution_.asked > kMostCombinations;
     if (!solution_.is_too_long) {
       enumerate();
@@ -68,7 +71,10 @@ class ShiftSolver {
   int count() const { return static_cast<int>(plan_.elements.size()); }
 
   std::vector<int> sizes() const {
-    std::vector<int> sizes = {network_.needed()};
+    std::vector<int> sizes;
+    if (plan_.combinations == ShiftCombinations::all) {
+      sizes.push_back(network_.needed());
+    }
     if (options_.one_fewer && network_.needed() > 0) {
       sizes.push_back(network_.needed() - 1);
     }

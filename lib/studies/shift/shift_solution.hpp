@@ -12,7 +12,7 @@ namespace kinestat {
 /// Beyond this many combinations nobody reads a table; a sweep asks for single states.
 inline constexpr double kMostCombinations = 5000;
 
-/// Which combinations are asked for beside those of the size that a gear needs.
+/// Which combinations are asked for beside those of the plan.
 struct ShiftOptions {
   bool one_more = false;
   bool one_fewer = false;
@@ -39,9 +39,9 @@ struct ShiftSolution {
 /// Combinations of k out of n; infinite if there are too many for a number.
 double combination_count(int n, int k);
 
-/// Every combination of the size that the mobility asks for, those of one more and one fewer if
-/// asked for, and whatever has a label; gears by falling ratio, then those in reverse, then what
-/// is no gear, in the order of the elements.
+/// Every combination of the size that the mobility asks for, unless the plan asks for those with a
+/// label alone, those of one more and one fewer if asked for, and whatever has a label; gears by
+/// falling ratio, then those in reverse, then what is no gear, in the order of the elements.
 [[nodiscard]] ShiftSolution find_shift_solution(const Mechanism& mechanism,
                                                 const CoordinateBasis& basis,
                                                 const ShiftPlan& plan,

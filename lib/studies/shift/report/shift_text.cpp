@@ -79,7 +79,7 @@ class ShiftTables {
     const std::size_t inputs = plan_.inputs.size();
     std::string text = fmt::format(
         "Shift table: a gear engages {} of {} elements (net degree of freedom {}, {} input{}), "
-        "{:.0f} possibilit{}, {} gear{}\n\n",
+        "{:.0f} possibilit{}{}, {} gear{}\n\n",
         solution_.needed,
         plan_.elements.size(),
         solution_.net_freedom,
@@ -87,6 +87,9 @@ class ShiftTables {
         inputs == 1 ? "" : "s",
         solution_.possibilities,
         solution_.possibilities == 1.0 ? "y" : "ies",
+        plan_.combinations == ShiftCombinations::named
+            ? fmt::format(", of which {} with a name", plan_.labels.size())
+            : "",
         gears_.size(),
         gears_.size() == 1 ? "" : "s");
     return text;
