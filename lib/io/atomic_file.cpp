@@ -76,7 +76,7 @@ std::vector<TemporaryFile> plan_files(std::span<const OutputFile> files,
   plan.reserve(files.size());
   for (const OutputFile& file : files) {
     if (const auto present = find_present(file, overwrite, found)) {
-      plan.push_back(TemporaryFile(file.path, *present, file.scratch));
+      plan.push_back(TemporaryFile(file.path, *present, file.scratch, file.survives_crash));
     }
   }
   return plan;
@@ -91,7 +91,8 @@ bool take_places(std::vector<TemporaryFile>& plan, Diagnostics& found) {
     }
   }
   for (const TemporaryFile& file : plan) {
-    if (const int error = sync_folder(folder_of(file.target())); error != 0) {
+    const int error = file.survives_crash() ? sync_folder(folder_of(file.target())) : 0;
+    if (error != 0) {
       refuse_writing(file.target(), error, found);
       return false;
     }

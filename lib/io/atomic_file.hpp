@@ -19,6 +19,8 @@ struct OutputFile {
   std::string signature;  ///< how a file of this kind begins, by which our own one is recognised
   NextPiece next_piece = {};  ///< what follows the content, if anything
   std::string scratch = {};   ///< folder for the temporary, on the same disk; empty: that of `path`
+  bool survives_crash = true;  ///< of the system; if not, it may then hold anything, but is sooner
+                               ///< written: for what tells by itself whether it is whole
 };
 
 enum class Overwrite {
@@ -26,11 +28,12 @@ enum class Overwrite {
   force      ///< any present file is replaced, but no folder, device or pipe
 };
 
-/// Writes all files or none. Each is written and synced as a temporary in the folder of its target,
-/// with the mode that the umask leaves; then all take their places. When anything fails, the
-/// temporaries are removed and what was there before is there again. A symbolic link at the target
-/// is replaced, not followed. E0152 when the system refuses, E0153 for a foreign file; false iff an
-/// error was added. A process that writes near its file size limit must ignore SIGXFSZ.
+/// Writes all files or none. Each is written, and synced if it is to survive a crash, as a
+/// temporary in the folder of its target, with the mode that the umask leaves; then all take their
+/// places. When anything fails, the temporaries are removed and what was there before is there
+/// again. A symbolic link at the target is replaced, not followed. E0152 when the system refuses,
+/// E0153 for a foreign file; false iff an error was added. A process that writes near its file size
+/// limit must ignore SIGXFSZ.
 bool write_files(std::span<const OutputFile> files, Overwrite overwrite, Diagnostics& found);
 
 /// Asks, before anything is computed, whether the files may take their places (E0152, E0153).

@@ -64,7 +64,8 @@ void follow(const Subject& subject) {
   keep(solution);
 }
 
-// The states of a sweep of crank-rockers, one row after the other and again from the first.
+// The states of a sweep of crank-rockers, some here and some there, so that all kinds are among
+// them.
 class StateMaker {
  public:
   explicit StateMaker(std::size_t lanes) {
@@ -88,8 +89,12 @@ class StateMaker {
         states = solver_->solve_next(*walk_);
       }
       if (states.empty()) {
-        walk_.emplace(task_->plan, 1, task_->plan.state_count());  // the first is worked out twice
-        states = solver_->solve_next(*walk_);
+        constexpr std::uint64_t kTogether = 40;
+        constexpr std::uint64_t kStride = 611953;  // a prime
+        const std::uint64_t all = task_->plan.state_count();
+        begin_ = (begin_ + kStride) % (all - kTogether);
+        walk_.emplace(task_->plan, begin_, begin_ + kTogether);
+        continue;
       }
       made += states.size();
       keep(states);
@@ -100,6 +105,7 @@ class StateMaker {
   std::optional<SweepTask> task_;
   std::unique_ptr<StateSolver> solver_;
   std::optional<StateWalk> walk_;
+  std::uint64_t begin_ = 0;
 };
 
 void sines() {

@@ -17,7 +17,9 @@
 #include <fmt/format.h>
 
 #include "dense_statics.hpp"
+#include "format/mechanism_reader.hpp"
 #include "interleave.hpp"
+#include "io/read_file.hpp"
 #include "ratio_table.hpp"
 #include "studies/sweep/report/sweep_row_writer.hpp"
 #include "studies/sweep/task/state_solver.hpp"
@@ -32,6 +34,7 @@ constexpr double kAlone = 0.05;
 constexpr double kInLanes = 0.02;
 constexpr double kTimesCheaper = 3.0;  // two outputs than all
 constexpr double kWithLosses = 0.05;
+constexpr double kAllGears = 1.0;
 constexpr double kTimesForText = 15.0;  // numbers with their text, as against without
 constexpr double kTimesForArray = 2.0;
 constexpr std::size_t kStates = 400;  // timed together
@@ -69,6 +72,45 @@ SweepTask make_task(const Subject& subject, const std::vector<std::string>& repo
   return *std::move(task);
 }
 
+// All gears of the 8HP70, of which the planets of one set and the sun of another vary and the rings
+// with them: their efficiencies and the torques of the shift elements.
+SweepTask make_gear_task() {
+  Diagnostics found;
+  const std::optional<SourceFile> original = read_file(KINESTAT_GEARBOX, {}, found);
+  if (!original) {
+    throw std::runtime_error("the gearbox cannot be read");
+  }
+  std::string text = original->text.substr(0, original->text.find("\npublished:"));
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos) {
+      throw std::runtime_error("the gearbox has no '" + from + "'");
+    }
+    text.replace(at, from.size(), to);
+  };
+  replace("  torque: 100 N*m", "  torque: 100 N*m\n  p3: 21\n  s4: 23");
+  replace("planet3, teeth: 21", "planet3, teeth: p3");
+  replace("teeth: 111", "teeth: 69 + 2*p3");
+  replace("sun4, teeth: 23", "sun4, teeth: s4");
+  replace("teeth: 85", "teeth: s4 + 62");
+  text += R"(
+sweep:
+  vary: {p3: {from: 20, to: 59, step: 1}, s4: {from: 20, to: 59, step: 1}}
+  report: [efficiency, A, B, C, D, E]
+)";
+  const SourceFile source{.path = original->path, .text = text};
+  const auto tree = read_yaml(source, {}, found);
+  auto description = tree ? read_mechanism(*tree, found) : std::nullopt;
+  std::optional<Loaded> loaded =
+      description ? bind_loaded(*std::move(description), found) : std::nullopt;
+  std::optional<SweepTask> task =
+      loaded ? make_sweep_task(source, *std::move(loaded), SweepOptions{}, found) : std::nullopt;
+  if (!task) {
+    throw std::runtime_error("the sweep of all gears cannot be made");
+  }
+  return *std::move(task);
+}
+
 enum class Way { whole, tape_alone, tape_in_lanes };
 
 enum class Form { numbers, text, array };
@@ -77,9 +119,10 @@ enum class Form { numbers, text, array };
 class RowMaker {
  public:
   RowMaker(const Subject& subject, const std::vector<std::string>& report, Way way, Form form)
-      : form_(form),
-        lanes_(way == Way::tape_in_lanes ? kLanes : 1),
-        task_(make_task(subject, report)) {
+      : RowMaker(make_task(subject, report), way, form) {}
+
+  RowMaker(SweepTask task, Way way, Form form)
+      : form_(form), lanes_(way == Way::tape_in_lanes ? kLanes : 1), task_(std::move(task)) {
     if (way != Way::whole) {
       task_.tapes = record_tapes(task_);
       if (!task_.tapes) {
@@ -256,6 +299,7 @@ int run(int argc, char** argv) {
   const Subject lossy = subject_with_losses();
   const std::vector<std::string> powers = {"ratio", "efficiency", "recirculation"};
   RowMaker power(lossy, powers, Way::tape_in_lanes, Form::numbers);
+  RowMaker gears(make_gear_task(), Way::tape_in_lanes, Form::numbers);
   RowMaker whole_power(lossy, powers, Way::whole, Form::text);
   TapePlayer play_all(lanes);
   TapePlayer play_two(two_lanes);
@@ -275,6 +319,7 @@ int run(int argc, char** argv) {
       {"  with its text", [&] { ratio_text.make_many(); }, {}, kStates},
       {"  as rows of an array", [&] { ratio_array.make_many(); }, {}, kStates},
       {"losses by both models, power flow", [&] { power.make_many(); }, kWithLosses, kStates},
+      {"all gears of the 8HP70 with losses", [&] { gears.make_many(); }, kAllGears, kStates},
       {"without tapes, all with their text", [&] { whole.make_some(); }, {}},
       {"without tapes, losses by both models", [&] { whole_power.make_some(); }, {}},
   };

@@ -295,6 +295,14 @@ sweep:
         text = chunks[1].read_bytes()
         chunks[1].write_bytes(text[:-9] + bytes([text[-9] ^ 1]) + text[-8:])
         chunks[2].rename(chunks[2].with_name("chunk-99999999"))
+        # What a power failure leaves: nothing, zeros of the right length, pages that are missing.
+        chunks[3].write_bytes(b"")
+        chunks[4].write_bytes(bytes(len(chunks[4].read_bytes())))
+        text = chunks[5].read_bytes()
+        half = len(text) // 2
+        chunks[5].write_bytes(text[:half] + bytes(len(text) - half))
+        text = chunks[6].read_bytes()
+        chunks[6].write_bytes(bytes(half) + text[half:])
         done = kinestat("sweep", "--resume", "--out", out, self.file)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual({p.name: p.read_bytes() for p in out.iterdir()}, self.files)

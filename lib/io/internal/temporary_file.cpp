@@ -63,6 +63,7 @@ TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept
     : target_(std::move(other.target_)),
       present_(other.present_),
       scratch_(std::move(other.scratch_)),
+      survives_crash_(other.survives_crash_),
       path_(std::move(other.path_)),
       place_(std::exchange(other.place_, Place::nowhere)) {}
 
@@ -101,7 +102,7 @@ int TemporaryFile::write(std::string_view content,
       return error;
     }
   }
-  return ::fsync(file.value()) == 0 && file.close() ? 0 : errno;
+  return (!survives_crash_ || ::fsync(file.value()) == 0) && file.close() ? 0 : errno;
 }
 
 int TemporaryFile::take_place() {

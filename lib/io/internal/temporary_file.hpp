@@ -21,8 +21,14 @@ enum class Present { nothing, file };
 class TemporaryFile {
  public:
   /// It is made in the folder `scratch`, or beside the target if that is empty.
-  TemporaryFile(std::string target, Present present, std::string scratch = {})
-      : target_(std::move(target)), present_(present), scratch_(std::move(scratch)) {}
+  TemporaryFile(std::string target,
+                Present present,
+                std::string scratch = {},
+                bool survives_crash = true)
+      : target_(std::move(target)),
+        present_(present),
+        scratch_(std::move(scratch)),
+        survives_crash_(survives_crash) {}
 
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -32,8 +38,11 @@ class TemporaryFile {
 
   const std::string& target() const { return target_; }
 
+  bool survives_crash() const { return survives_crash_; }
+
   /// Creates it under a name that nobody can foresee, writes the content and then piece after piece
-  /// until `next_piece`, which may be empty, answers false, and syncs.
+  /// until `next_piece`, which may be empty, answers false, and syncs if it is to survive
+  /// a crash.
   int write(std::string_view content, const std::function<bool(std::string&)>& next_piece = {});
 
   /// Takes the target's place. A file that was there is kept under the temporary's name until the
@@ -51,6 +60,7 @@ class TemporaryFile {
   std::string target_;
   Present present_ = Present::nothing;
   std::string scratch_;
+  bool survives_crash_ = true;
   std::string path_;
   Place place_ = Place::nowhere;
 };

@@ -19,6 +19,17 @@ constexpr double kLeastDeterminant = 0.02;
 constexpr double kMostChange = 0.5;
 
 constexpr int kMostCorrections = 6;
+
+// Where a step misses, it is taken again in so many parts, and in as many of each of these.
+constexpr int kParts = 4;
+constexpr int kMostParts = 64;
+
+constexpr LaneFollower::Group kAllLanes = [] {
+  LaneFollower::Group all;
+  std::ranges::fill(all.numbers, 1.0);
+  return all;
+}();
+
 constexpr int kTrials = 8;  // of each dead point
 
 }  // namespace
@@ -45,9 +56,12 @@ LaneFollower::LaneFollower(LaneLinkage linkage, LaneQuestion question, const Geo
   for (Groups* one : {&screws_x_, &screws_y_}) {
     one->resize(joints);
   }
-  for (Groups* one :
-       {&steps_, &rates_, &now_.unknowns, &now_.rates, &before_.unknowns, &before_.rates}) {
+  for (Groups* one : {&steps_, &rates_}) {
     one->resize(unknowns);
+  }
+  for (Point* one : {&now_, &before_, &earlier_, &part_before_}) {
+    one->unknowns.resize(unknowns);
+    one->rates.resize(unknowns);
   }
   matrix_.resize(unknowns * (unknowns + 2));
   kept_.assign(at(question_.steps + 1), now_);
@@ -91,8 +105,9 @@ void LaneFollower::set(std::size_t lane, const Geometry& geometry) {
 
 // Newton's corrections; a lane has no more of them than it needs, so that the others do not matter.
 
-void LaneFollower::correct() {
-  in(active_) = LaneNumbers{} + 1.0;
+void LaneFollower::correct(const Group& which) {
+  active_ = which;
+  in(missed_) = LaneNumbers{};
   for (int i = 0; i < kMostCorrections; ++i) {
     find_frames();
     find_columns();
@@ -101,23 +116,91 @@ void LaneFollower::correct() {
       return;
     }
   }
-  for (std::size_t lane = 0; lane < kMotionLanes; ++lane) {
-    doubts_.numbers[lane] += active_.numbers[lane];
-  }
+  in(missed_) += in(active_);
 }
 
 void LaneFollower::advance(double to, bool has_history) {
+  const Step step = {.from = drive_at_, .to = to, .has_history = has_history};
   const Group determinant = now_determinant_;
-  predict(to - drive_at_, has_history);
+  predict(step);
   drive_at_ = to;
   std::ranges::fill(drive_.numbers, to);
-  correct();
+  correct(kAllLanes);
+  judge_change(determinant);
+  for (int parts = kParts; parts <= kMostParts && find_again(); parts *= kParts) {
+    advance_in_parts(step, parts, determinant);
+  }
+  in(doubts_) += in(missed_);
+}
+
+void LaneFollower::judge_change(const Group& before) {
   for (std::size_t lane = 0; lane < kMotionLanes; ++lane) {
-    const double was = determinant.numbers[lane];
+    const double was = before.numbers[lane];
     const double is = now_determinant_.numbers[lane];
     const bool is_clear =
         std::abs(is) >= kLeastDeterminant && std::abs(is - was) <= kMostChange * std::abs(is);
-    doubts_.numbers[lane] += is_clear ? 0.0 : 1.0;
+    missed_.numbers[lane] += is_clear ? 0.0 : 1.0;
+  }
+}
+
+// Which lanes missed and are not given up.
+
+bool LaneFollower::find_again() {
+  bool is_any = false;
+  for (std::size_t lane = 0; lane < kMotionLanes; ++lane) {
+    const bool is_again = missed_.numbers[lane] > 0.0 && doubts_.numbers[lane] == 0.0;
+    again_.numbers[lane] = is_again ? 1.0 : 0.0;
+    is_any = is_any || is_again;
+  }
+  return is_any;
+}
+
+// Takes the last step again in the lanes that missed, in smaller parts: the others must not differ.
+
+void LaneFollower::advance_in_parts(const Step& step, int parts, const Group& determinant) {
+  const double part = (step.to - step.from) / parts;
+  Group missed = missed_;
+  for (std::size_t lane = 0; lane < kMotionLanes; ++lane) {
+    if (again_.numbers[lane] > 0.0) {
+      missed.numbers[lane] = 0.0;
+      now_determinant_.numbers[lane] = determinant.numbers[lane];
+      for (std::size_t k = 0; k < steps_.size(); ++k) {
+        now_.unknowns[k].numbers[lane] = before_.unknowns[k].numbers[lane];
+        now_.rates[k].numbers[lane] = before_.rates[k].numbers[lane];
+        part_before_.unknowns[k].numbers[lane] = earlier_.unknowns[k].numbers[lane];
+        part_before_.rates[k].numbers[lane] = earlier_.rates[k].numbers[lane];
+      }
+    }
+  }
+  double last = step.has_history ? step.to - step.from : 0.0;
+  for (int i = 1; i <= parts; ++i) {
+    predict_part(last, part);
+    last = part;
+    std::ranges::fill(drive_.numbers, i == parts ? step.to : step.from + part * i);
+    const Group was = now_determinant_;
+    correct(again_);
+    judge_change(was);
+    in(missed) += in(missed_);
+  }
+  missed_ = missed;
+}
+
+void LaneFollower::predict_part(double last, double part) {
+  for (std::size_t lane = 0; lane < kMotionLanes; ++lane) {
+    if (again_.numbers[lane] == 0.0) {
+      continue;
+    }
+    for (std::size_t k = 0; k < steps_.size(); ++k) {
+      double& x = now_.unknowns[k].numbers[lane];
+      double& was = part_before_.unknowns[k].numbers[lane];
+      double& rate = part_before_.rates[k].numbers[lane];
+      const double now = x;
+      const double now_rate = now_.rates[k].numbers[lane];
+      x = last == 0.0 ? now + part * now_rate
+                      : lane_cubic(was, now, last * rate, last * now_rate, 1.0 + part / last);
+      was = now;
+      rate = now_rate;
+    }
   }
 }
 
@@ -128,7 +211,8 @@ void LaneFollower::follow() {
   }
   std::ranges::fill(drive_.numbers, 0.0);
   drive_at_ = 0.0;
-  correct();
+  correct(kAllLanes);
+  in(doubts_) += in(missed_);
   const double unit = linkage_.joints[at(linkage_.driven_joint)].turns ? 1.0 : linkage_.length;
   const double from = question_.drive.from / unit;
   const double way = question_.drive.to / unit - from;
@@ -178,19 +262,37 @@ void LaneFollower::find_turns() {
         const LaneRates rates = rates_within(w, lane, step);
         const TurnWithin turns = rates.turns();
         if (turns == TurnWithin::one) {
-          turns_of_lane_[lane].push_back(
-              {.step = step,
-               .watched = w,
-               .is_there = true,
-               .low_rate = rates.low,
-               .high_rate = rates.high,
-               .size = std::max(std::abs(rates.low), std::abs(rates.high))});
-          counts_[w].numbers[lane] += 1.0;
+          add_turn(w, lane, step, rates);
+        } else if (turns == TurnWithin::at_high && step + 2 < kept_rates_.size()) {
+          // On a step, where rounding decides before or behind it.
+          const LaneRates next = rates_within(w, lane, step + 1);
+          const bool is_one = next.turns() == TurnWithin::at_low &&
+                              std::signbit(next.high) != std::signbit(rates.low);
+          const bool is_behind = std::signbit(rates.high) == std::signbit(rates.low);
+          if (is_one) {
+            add_turn(w, lane, is_behind ? step + 1 : step, is_behind ? next : rates);
+            ++step;
+            continue;
+          }
         }
-        doubts_.numbers[lane] += turns == TurnWithin::unknown ? 1.0 : 0.0;
+        const bool is_known = turns == TurnWithin::none || turns == TurnWithin::one;
+        doubts_.numbers[lane] += is_known ? 0.0 : 1.0;
       }
     }
   }
+}
+
+void LaneFollower::add_turn(std::size_t watched,
+                            std::size_t lane,
+                            std::size_t step,
+                            const LaneRates& rates) {
+  turns_of_lane_[lane].push_back({.step = step,
+                                  .watched = watched,
+                                  .is_there = true,
+                                  .low_rate = rates.low,
+                                  .high_rate = rates.high,
+                                  .size = std::max(std::abs(rates.low), std::abs(rates.high))});
+  counts_[watched].numbers[lane] += 1.0;
 }
 
 // Slopes are those of parabolas through three rates.
@@ -272,7 +374,8 @@ void LaneFollower::go_between(const std::array<LaneTurn, kMotionLanes>& turns,
                                                   t);
     }
   }
-  correct();
+  correct(kAllLanes);
+  in(doubts_) += in(missed_);
   find_frames();
 }
 

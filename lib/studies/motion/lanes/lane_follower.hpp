@@ -14,10 +14,10 @@ namespace kinestat {
 /// that do not have them.
 inline constexpr std::size_t kMotionLanes = 4;
 
-/// Follows the drives in steps, by a cubic and Newton's corrections. A lane is doubted where a
-/// correction is large, the determinant of the closure small or quick to change, or a rate may turn
-/// back between two steps: then another way must decide. What a lane gives does not depend on the
-/// others.
+/// Follows the drives in steps, by a cubic and Newton's corrections. Where a correction is large or
+/// the determinant of the closure small or quick to change, a lane takes the step again in parts;
+/// where that does not help, or a rate may turn back between two steps, it is doubted: then another
+/// way must decide. What a lane gives does not depend on the others.
 class LaneFollower {
  public:
   /// All lanes begin with the geometry of the mechanism from which the linkage was made.
@@ -53,6 +53,13 @@ class LaneFollower {
     Groups rates;  // by the drive
   };
 
+  // Of the drive.
+  struct Step {
+    double from = 0.0;
+    double to = 0.0;
+    bool has_history = false;  // one of the same size lies before
+  };
+
   struct Place {
     int joint = -1;  // of the tree
     int closing = -1;
@@ -69,15 +76,20 @@ class LaneFollower {
   void find_columns();
   void solve();
   bool take_correction(bool is_first);
-  void correct();
-  void predict(double step, bool has_history);
+  void correct(const Group& which);
+  void predict(const Step& step);
   void advance(double to, bool has_history);
+  void advance_in_parts(const Step& step, int parts, const Group& determinant);
+  void predict_part(double last, double part);
+  bool find_again();
+  void judge_change(const Group& before);
   void keep(std::size_t step);
   void add_value(std::size_t place, bool is_first);
   void find_value(const Place& place);
   void find_rate(const Place& place, Group& rate);
   void add_transmission(bool is_first);
   void find_turns();
+  void add_turn(std::size_t watched, std::size_t lane, std::size_t step, const LaneRates& rates);
   LaneRates rates_within(std::size_t watched, std::size_t lane, std::size_t step) const;
   void go_to_turns(double from, double step);
   void go_between(const std::array<LaneTurn, kMotionLanes>& turns, double from, double step);
@@ -94,7 +106,9 @@ class LaneFollower {
   double drive_at_ = 0.0;
   Point now_;
   Point before_;
-  Groups cosines_;  ///< of each frame
+  Point earlier_;      ///< than that
+  Point part_before_;  ///< likewise, of parts of a step
+  Groups cosines_;     ///< of each frame
   Groups sines_;
   Groups shifts_x_;
   Groups shifts_y_;
@@ -107,6 +121,8 @@ class LaneFollower {
   Group determinant_;  ///< as share of the columns
   Group now_determinant_;
   Group active_;  ///< above zero: the lane takes what is found
+  Group missed_;  ///< above zero: the last correction may have led elsewhere
+  Group again_;   ///< above zero: the lane takes the last step again, in parts
   Group doubts_;  ///< above zero: the lane is doubted
   Group value_;
   std::vector<Point> kept_;         ///< at each step

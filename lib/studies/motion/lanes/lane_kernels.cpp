@@ -229,7 +229,8 @@ KINESTAT_FOR_EACH_MACHINE bool LaneFollower::take_correction(bool is_first) {
   }
   choose(is_active, in(determinant_), in(now_determinant_), in(now_determinant_));
   if (is_first) {
-    choose(largest <= kMostFirstCorrection, in(doubts_), Numbers{} + 1.0, in(doubts_));
+    choose(
+        is_active & ~(largest <= kMostFirstCorrection), Numbers{} + 1.0, in(missed_), in(missed_));
   }
   const Flags goes_on = is_active & (largest > kSilentCorrection);
   choose(goes_on, Numbers{} + 1.0, Numbers{}, in(active_));
@@ -240,15 +241,18 @@ KINESTAT_FOR_EACH_MACHINE bool LaneFollower::take_correction(bool is_first) {
   return is_any;
 }
 
-KINESTAT_FOR_EACH_MACHINE void LaneFollower::predict(double step, bool has_history) {
+KINESTAT_FOR_EACH_MACHINE void LaneFollower::predict(const Step& of_drive) {
+  const double step = of_drive.to - of_drive.from;
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     const Numbers x = in(now_.unknowns[k]);
     const Numbers rate = in(now_.rates[k]);
     Numbers next = x + step * rate;
-    if (has_history) {
+    if (of_drive.has_history) {
       next = 5.0 * in(before_.unknowns[k]) - 4.0 * x +
              step * (4.0 * rate + 2.0 * in(before_.rates[k]));
     }
+    in(earlier_.unknowns[k]) = in(before_.unknowns[k]);
+    in(earlier_.rates[k]) = in(before_.rates[k]);
     in(before_.unknowns[k]) = x;
     in(before_.rates[k]) = rate;
     in(now_.unknowns[k]) = next;

@@ -31,12 +31,16 @@ TurnWithin LaneRates::turns() const {
   const double arriving = sense * high_slope;
   const double slopes = std::abs(low_slope) + std::abs(high_slope);
   const double size = std::max(std::abs(low), std::abs(high));
+  const double least = kClearShare * (after - before);
+  const bool is_steady = least < 0.0 ? setting_out <= least && arriving <= least
+                                     : least > 0.0 && setting_out >= least && arriving >= least;
   if (!(std::min(std::abs(low), std::abs(high)) > kDoubtfulRate * size)) {
-    return TurnWithin::unknown;
+    const TurnWithin end =
+        std::abs(low) < std::abs(high) ? TurnWithin::at_low : TurnWithin::at_high;
+    return is_steady ? end : TurnWithin::unknown;
   }
   if (after < 0.0) {
-    const double fall = kClearShare * (after - before);
-    return setting_out <= fall && arriving <= fall ? TurnWithin::one : TurnWithin::unknown;
+    return is_steady ? TurnWithin::one : TurnWithin::unknown;
   }
   if (std::min(before, after) > kMostBySlope * slopes + kClearShare * size) {
     return TurnWithin::none;

@@ -8,7 +8,7 @@ namespace kinestat {
 /// A cubic from its ends and slopes, by the part of the way between.
 double lane_cubic(double low, double high, double low_slope, double high_slope, double part);
 
-enum class TurnWithin { none, one, unknown };
+enum class TurnWithin { none, one, at_low, at_high, unknown };
 
 /// The rates at the ends of a step, and their slopes by the step.
 struct LaneRates {
@@ -18,7 +18,7 @@ struct LaneRates {
   double high_slope = 0.0;
 
   /// How often they turn back between; unknown unless that is clear although the slopes are taken
-  /// from differences.
+  /// from differences. At an end: nowhere but there, or so near that rounding hides on which side.
   TurnWithin turns() const;
 };
 

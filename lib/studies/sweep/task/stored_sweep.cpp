@@ -186,12 +186,15 @@ bool StoredSweep::take_stock_of(const std::string& name) {
   return true;
 }
 
+// Syncing every chunk would take longer than writing the rows. What a crash of the system leaves of
+// one is found by its hash, and made anew.
 bool StoredSweep::store(ChunkResult result) {
   const ChunkRecord record{
       .index = result.chunk, .note = write_counts(result.counts), .body = std::move(result.body)};
   const OutputFile file{.path = path_in(work_->path(), chunk_name(record.index)),
                         .content = write_record(record, task_.metadata.plan),
-                        .signature = {}};
+                        .signature = {},
+                        .survives_crash = false};
   Diagnostics found;
   if (write_files(std::span(&file, 1), Overwrite::force, found)) {
     return true;
