@@ -36,7 +36,7 @@ std::size_t case_of(const PictureSource& source, bool (*counts)(const CaseAnalys
 }
 
 std::string why_no_gears(const PictureSource& source) {
-  return has_gear_scheme(*source.analysis) ? "" : "no gears with parallel axes mesh";
+  return why_no_gear_scheme(*source.analysis);
 }
 
 std::string why_no_nothing(const PictureSource&) {

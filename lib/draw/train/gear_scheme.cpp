@@ -336,8 +336,12 @@ std::optional<Picture> draw_gear_scheme(const Analysis& analysis,
                       svg);
 }
 
-bool has_gear_scheme(const Analysis& analysis) {
-  return find_scheme_train(analysis, {}).has_value();
+std::string why_no_gear_scheme(const Analysis& analysis) {
+  if (!is_half_section(analysis.description)) {
+    return "idlers or planets turn about an axis beside the main axis, which a half section cannot "
+           "show; 'linkage' shows the gears from the front";
+  }
+  return find_scheme_train(analysis, {}) ? "" : "no gears with parallel axes mesh";
 }
 
 }  // namespace kinestat

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "cases/analysis.hpp"
 #include "draw/picture.hpp"
@@ -18,11 +19,12 @@ struct GearSchemeOptions {
 /// and shafts are lines, clutches are two plates, brakes a plate against the hatched housing,
 /// inputs and outputs arrows. Radii are to scale where all axes of a train lie in one plane; where
 /// planets mesh with each other beside it, the half section is unrolled, and radii differ as little
-/// as possible. Empty if the mechanism has no gears with parallel axes.
+/// as possible. Empty where why_no_gear_scheme has a reason.
 std::optional<Picture> draw_gear_scheme(const Analysis& analysis,
                                         const GearSchemeOptions& options = {});
 
-/// Whether there is one.
-bool has_gear_scheme(const Analysis& analysis);
+/// Why there is none, or empty: no gears with parallel axes, or axes beside the main axis about
+/// which several bodies turn, or planets, which a half section cannot show.
+std::string why_no_gear_scheme(const Analysis& analysis);
 
 }  // namespace kinestat

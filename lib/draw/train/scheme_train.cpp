@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
+#include "description/gear_expansion.hpp"
 #include "draw/linkage/file_numbers.hpp"
 #include "draw/linkage/linkage_parts.hpp"
 #include "draw/symbols.hpp"
@@ -22,6 +23,9 @@ class TrainFinder {
       : analysis_(analysis), topology_(analysis.mechanism.topology), options_(options) {}
 
   std::optional<SchemeTrain> find() {
+    if (!is_half_section(analysis_.description)) {
+      return std::nullopt;
+    }
     if (analysis_.description.gears) {
       add_written_gears();
     } else {
@@ -273,6 +277,15 @@ class TrainFinder {
 };
 
 }  // namespace
+
+bool is_half_section(const MechanismDescription& description) {
+  if (!description.gears || !has_all_meshes(description)) {
+    return true;
+  }
+  const GearTrain train = find_gear_train(description);
+  return std::ranges::all_of(
+      train.axes, [](const GearAxis& axis) { return axis.bodies.size() == 1 && axis.about < 0; });
+}
 
 std::optional<SchemeTrain> find_scheme_train(const Analysis& analysis,
                                              const GearSchemeOptions& options) {

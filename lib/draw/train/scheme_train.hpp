@@ -47,7 +47,11 @@ struct SchemeTrain {
   bool has_places = false;  ///< the file places its meshes along the axis
 };
 
-/// Empty if no gears with parallel axes mesh.
+/// Whether a half section can show the gears of the section `gears`, if there is one: about axes
+/// beside the main axis turns one body each, and no planet.
+bool is_half_section(const MechanismDescription& description);
+
+/// Empty if no gears with parallel axes mesh, or if they are no half section.
 std::optional<SchemeTrain> find_scheme_train(const Analysis& analysis,
                                              const GearSchemeOptions& options);
 

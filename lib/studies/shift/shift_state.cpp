@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/index.hpp"
 #include "core/tolerance.hpp"
 #include "studies/shift/internal/remaining_motion.hpp"
 
@@ -19,6 +20,7 @@ class StateSolver {
     engage();
     if (move_inputs() && outputs_follow() && outputs_move() && is_no_tie_up()) {
       fill_rates();
+      fill_shares();
       find_unloaded();
       find_torques();
       check_freewheels();
@@ -52,6 +54,7 @@ class StateSolver {
       }
     }
     state_.freedom = left_.count();
+    engaged_motion_ = left_;
   }
 
   bool move_inputs() {
@@ -111,6 +114,22 @@ class StateSolver {
       state_.slips.push_back(is_open && left_.changes(row)
                                  ? std::nullopt
                                  : std::optional(is_open ? left_.rate(row).value : 0.0));
+    }
+  }
+
+  void fill_shares() {
+    if (state_.moving.size() < 2) {
+      return;
+    }
+    state_.shares.assign(network_.outputs.size(), std::vector<double>(network_.inputs.size(), 0.0));
+    for (const int one : state_.moving) {
+      RemainingMotion motion = engaged_motion_;
+      for (const int other : state_.moving) {
+        motion.prescribe(network_.inputs[at(other)], other == one ? 1.0 : 0.0);
+      }
+      for (std::size_t o = 0; o < network_.outputs.size(); ++o) {
+        state_.shares[o][at(one)] = motion.rate(network_.outputs[o]).zeroed();
+      }
     }
   }
 
@@ -242,6 +261,7 @@ class StateSolver {
   const ShiftPlan& plan_;
   std::span<const int> engaged_;
   RemainingMotion left_;
+  RemainingMotion engaged_motion_ = left_;  ///< with the elements engaged and no input prescribed
   ShiftState state_;
 };
 

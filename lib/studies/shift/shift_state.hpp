@@ -59,10 +59,14 @@ struct ShiftState {
   std::vector<int> moving;           ///< inputs whose speed does not follow from those before them
   std::vector<double> inputs;        ///< rate of each input
   std::vector<std::optional<double>> outputs;  ///< rate of each output
-  std::vector<std::optional<double>> slips;    ///< rate of each element, head minus tail
-  std::vector<double> input_torques;           ///< of each input, tail on head
-  std::vector<double> output_torques;          ///< of each output
-  std::vector<double> torques;                 ///< of each element; 0 of an open one
+  /// Of each output the rate that it has for each input, per unit of that one, while the others
+  /// that can have a speed of their own rest; zero for an input that follows from them. Empty
+  /// unless there are several of the former.
+  std::vector<std::vector<double>> shares;
+  std::vector<std::optional<double>> slips;  ///< rate of each element, head minus tail
+  std::vector<double> input_torques;         ///< of each input, tail on head
+  std::vector<double> output_torques;        ///< of each output
+  std::vector<double> torques;               ///< of each element; 0 of an open one
 };
 
 /// The state in which exactly `engaged` (indices of elements, ascending) are engaged. The classes

@@ -62,6 +62,24 @@ std::vector<RatiosInUnits> gear_ratios(const Analysis& analysis,
   return in_file_units(analysis, one.which.inputs.front(), gear.ratios);
 }
 
+std::vector<RatioInUnits> speed_shares(const Analysis& analysis,
+                                       const ShiftState& state,
+                                       std::size_t output) {
+  std::vector<RatioInUnits> shares;
+  const ShiftPlan& plan = analysis.shift->plan;
+  for (std::size_t i = 0; i < plan.inputs.size() && !state.shares.empty(); ++i) {
+    Ratios share;
+    share.ratio = state.shares[output][i];
+    shares.push_back(
+        ratios_in_units(share,
+                        {.input = plan.outputs[output], .output = plan.inputs[i].actuator},
+                        analysis.mechanism,
+                        analysis.description.units)
+            .ratio);
+  }
+  return shares;
+}
+
 std::vector<RatiosInUnits> gear_ratio_units(const Analysis& analysis) {
   const ShiftPlan& plan = analysis.shift->plan;
   return in_file_units(

@@ -20,6 +20,12 @@ std::vector<RatiosInUnits> gear_ratios(const Analysis& analysis,
                                        std::size_t state,
                                        const GearValues& gear);
 
+/// What the speed of an output has of that of each input, where several may have a speed of their
+/// own; empty elsewhere. In the rate unit of the output per that of the input.
+std::vector<RatioInUnits> speed_shares(const Analysis& analysis,
+                                       const ShiftState& state,
+                                       std::size_t output);
+
 /// The units of these ratios, which are those of every gear, without values.
 std::vector<RatiosInUnits> gear_ratio_units(const Analysis& analysis);
 

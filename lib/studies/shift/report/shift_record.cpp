@@ -178,7 +178,36 @@ void emit_elements(const StateView& v, const Each<ElementView>& each) {
   }
 }
 
+void write_speed_shares(const StateView& v, Archive& to) {
+  const ShiftPlan& plan = v.analysis.shift->plan;
+  to.begin_map();
+  for (std::size_t o = 0; o < plan.outputs.size(); ++o) {
+    const std::vector<RatioInUnits> shares = speed_shares(v.analysis, v.state.state, o);
+    Property output;
+    output.key = name_of_actuator(v.analysis, plan.outputs[o]);
+    if (!to.begin(output)) {
+      continue;
+    }
+    to.begin_map();
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      to.element(name_of_actuator(v.analysis, plan.inputs[i].actuator), {});
+      to.number(shares[i].value, shares[i].unit);
+    }
+    to.end_map();
+    to.end(output);
+  }
+  to.end_map();
+}
+
 void add_gear(Record<StateView>& keys) {
+  keys.custom("speed_shares",
+              map_shape(map_shape(number_shape(ByContext::rate_ratio, true))),
+              "Where several inputs may have a speed of their own: that of each output is the sum "
+              "of the speeds of these inputs times these shares. Without losses the torque of an "
+              "input is minus its share times that of the output, if nothing else reacts.",
+              write_speed_shares)
+      .not_in_tables()
+      .only_if([](const StateView& v) { return is_gear(v) && !v.state.state.shares.empty(); });
   keys.number("step",
               Bare::number,
               "Ratio of the next lower forward gear over its own; null for the first gear and for "

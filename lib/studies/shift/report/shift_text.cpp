@@ -189,13 +189,38 @@ class ShiftTables {
     return TextBlocks(std::move(columns));
   }
 
+  // "out = 0.333333 engine + 0.666667 motor", in speeds.
+  std::string speed_sum(std::size_t state, std::size_t output) const {
+    const std::vector<RatioInUnits> shares =
+        speed_shares(analysis_, solution_.states[state].state, output);
+    std::string sum;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      const double share = shares[i].value.value_or(0.0);
+      if (share == 0.0) {
+        continue;
+      }
+      const std::string size = format_short(std::abs(share));
+      const char* sign = share < 0.0 ? (sum.empty() ? "-" : " - ") : (sum.empty() ? "" : " + ");
+      sum += fmt::format("{}{}{}{}",
+                         sign,
+                         size == "1" ? "" : size + " ",
+                         actuator_name(plan_.inputs[i].actuator),
+                         shares[i].unit.empty() ? "" : fmt::format(" ({})", shares[i].unit));
+    }
+    return fmt::format("{} = {}", actuator_name(plan_.outputs[output]), sum);
+  }
+
   std::string remarks_text() const {
     std::string text;
     for (std::size_t s = 0; s < gears_.size(); ++s) {
       const std::string& reason = solution_.states[s].reason;
       text += reason.empty() ? "" : fmt::format("  {}: {}\n", name_of(static_cast<int>(s)), reason);
+      const bool has_shares = !solution_.states[s].state.shares.empty();
+      for (std::size_t o = 0; has_shares && o < plan_.outputs.size(); ++o) {
+        text += fmt::format("  {}: {}\n", name_of(static_cast<int>(s)), speed_sum(s, o));
+      }
       for (const Ratios& to_output : gears_[s].values.ratios) {
-        const std::string& no_ratio = to_output.reason;
+        const std::string& no_ratio = has_shares ? std::string() : to_output.reason;
         text += no_ratio.empty()
                     ? ""
                     : fmt::format("  {}: {}\n", name_of(static_cast<int>(s)), no_ratio);
