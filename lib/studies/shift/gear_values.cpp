@@ -65,6 +65,8 @@ class GearReader {
     const auto action = static_cast<std::size_t>(element.action);
     const auto freedom = static_cast<std::size_t>(element.freedom);
     values_.torques.push_back(has_actions() ? gear_.action->magnitudes[action] : std::nullopt);
+    values_.lossy_torques.push_back(gear_.lossy_actions != nullptr ? (*gear_.lossy_actions)[action]
+                                                                   : std::nullopt);
     values_.slips.push_back(is_solved() ? std::optional(gear_.motion->rates[freedom])
                                         : gear_.state.state.slips[e]);
   }

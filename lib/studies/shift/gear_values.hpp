@@ -17,7 +17,8 @@ struct SolvedGear {
   const NamedShiftState& state;
   const Case& which;
   const KinematicSolution* motion = nullptr;  ///< null where the case has none
-  const StaticSolution* action = nullptr;     ///< likewise
+  const StaticSolution* action = nullptr;     ///< likewise, without losses of meshes
+  const std::vector<std::optional<double>>* lossy_actions = nullptr;  ///< with them; null: none
 };
 
 /// A coupling and the force that it bears [N].
@@ -28,11 +29,12 @@ struct LoadedCoupling {
 
 /// In SI, in the order of the plan. Empty what the case does not determine.
 struct GearValues {
-  std::vector<Ratios> ratios;                  ///< to each output
-  std::vector<std::optional<double>> torques;  ///< of each element, tail on head [N m]
-  std::vector<std::optional<double>> slips;    ///< of each element, head minus tail [rad/s]
-  std::optional<LoadedCoupling> bearing;       ///< the one with the largest force
-  std::optional<LoadedCoupling> mesh;          ///< likewise
+  std::vector<Ratios> ratios;                        ///< to each output
+  std::vector<std::optional<double>> torques;        ///< of each element, tail on head [N m]
+  std::vector<std::optional<double>> lossy_torques;  ///< likewise with losses of meshes
+  std::vector<std::optional<double>> slips;          ///< of each element, head minus tail [rad/s]
+  std::optional<LoadedCoupling> bearing;             ///< the one with the largest force
+  std::optional<LoadedCoupling> mesh;                ///< likewise
 };
 
 GearValues find_gear_values(const SolvedGear& gear);

@@ -47,12 +47,15 @@ std::vector<RatiosInUnits> in_file_units(const Analysis& analysis,
 GearValues gear_values(const Analysis& analysis, std::size_t state) {
   const NamedShiftState& gear = analysis.shift->solution.states[state];
   const CaseAnalysis& one = *find_gear_case(analysis, gear);
-  return find_gear_values({.mechanism = analysis.mechanism,
-                           .plan = analysis.shift->plan,
-                           .state = gear,
-                           .which = one.which,
-                           .motion = pointer_to(one.motion),
-                           .action = pointer_to(one.action)});
+  const bool has_losses = one.efficiency && one.efficiency->state;
+  return find_gear_values(
+      {.mechanism = analysis.mechanism,
+       .plan = analysis.shift->plan,
+       .state = gear,
+       .which = one.which,
+       .motion = pointer_to(one.motion),
+       .action = pointer_to(one.action),
+       .lossy_actions = has_losses ? &one.efficiency->state->actions : nullptr});
 }
 
 std::vector<RatiosInUnits> gear_ratios(const Analysis& analysis,

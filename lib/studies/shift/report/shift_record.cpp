@@ -122,6 +122,8 @@ const Record<CaseAnalysis>& gear_efficiency_record() {
 
 struct ElementView {
   std::optional<double> torque;
+  std::optional<double> lossy_torque;
+  bool has_lossy_meshes = false;
   std::optional<double> slip;
 };
 
@@ -130,8 +132,14 @@ const Record<ElementView>& element_record() {
   static const Record<View> record("One element.", [](Record<View>& keys) {
     keys.quantity("torque",
                   QuantityKind::moment,
-                  "Torque of tail on head; zero of an open element.",
+                  "Torque of tail on head without losses of meshes; zero of an open element.",
                   [](const View& v) { return v.torque; });
+    keys.quantity("lossy_torque",
+                  QuantityKind::moment,
+                  "The same with losses of meshes as seen from their carriers, of a file that "
+                  "gives some; null where they lock the gear.",
+                  [](const View& v) { return v.lossy_torque; })
+        .only_if([](const View& v) { return v.has_lossy_meshes; });
     keys.quantity("slip",
                   QuantityKind::angular_velocity,
                   "Speed of head relative to tail; zero of an engaged element.",
@@ -174,6 +182,8 @@ void emit_elements(const StateView& v, const Each<ElementView>& each) {
   for (int e = 0; e < count; ++e) {
     each(name_of_element(v.analysis, e),
          {.torque = v.gear->torques[static_cast<std::size_t>(e)],
+          .lossy_torque = v.gear->lossy_torques[static_cast<std::size_t>(e)],
+          .has_lossy_meshes = !v.analysis.mechanism.lossy_meshes.empty(),
           .slip = v.gear->slips[static_cast<std::size_t>(e)]});
   }
 }

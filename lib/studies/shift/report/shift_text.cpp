@@ -272,6 +272,14 @@ class ShiftTables {
     TextBlocks blocks;
     if (plan_.asks_actions) {
       blocks += values_blocks("Torque", QuantityKind::moment, &GearValues::torques, true);
+      const auto has_losses = [](const ShownGear& gear) {
+        return std::ranges::any_of(gear.values.lossy_torques,
+                                   [](const auto& torque) { return torque.has_value(); });
+      };
+      if (std::ranges::any_of(gears_, has_losses)) {
+        blocks +=
+            values_blocks("With losses", QuantityKind::moment, &GearValues::lossy_torques, true);
+      }
     }
     blocks += loads_blocks();
     return blocks +=
