@@ -1,7 +1,9 @@
 """Transmissions drawn at random: as exact equations of Willis, and as a file in teeth.
 
 A box joins random shafts by planetary sets of several kinds and by lay shafts; a truck has a
-splitter, a lay shaft with four forward pairs and a reverse idler, and a planetary range group.
+splitter, a lay shaft with four forward pairs and a reverse idler, and a planetary range group. A
+layshaft gearbox has idlers on several lay shafts or on the main shafts, and at its end a shaft, a
+final drive with an axis of its own, or a planetary set on the main axis or on another one.
 """
 
 from __future__ import annotations
@@ -178,3 +180,74 @@ def draw_truck(rng: random.Random, torque: Fraction) -> tuple[Train, str]:
                   "GR": ("main", "rev"), "RL": (HOUSING, "ring"), "RH": ("ring", "out")},
         input="in", output="out")
     return train, written(train, text, torque)
+
+
+def draw_layshafts(rng: random.Random, torque: Fraction) -> tuple[Train, str]:
+    """Shafts on the ground, but for idlers, which their shafts bear; no place is said."""
+    text = Text()
+    sets: list[Row] = []
+    shafts = ["in", "out"]
+    bearings: dict[str, str] = {}
+    elements: dict[str, tuple[str, str]] = {}
+    axes: list[str] = []
+
+    def pair(first: tuple[str, int], second: tuple[str, int]) -> None:
+        i = len(text.meshes)
+        text.member(f"a{i}", *first)
+        text.member(f"b{i}", *second)
+        text.mesh(f"m{i}", f"a{i}", f"b{i}")
+        sets.append({first[0]: Fraction(first[1]), second[0]: Fraction(second[1])})
+
+    def planetary(sun: str, ring: str) -> None:
+        n, p = rng.randint(18, 40), rng.randint(15, 30)
+        text.planet("planet", "out")
+        text.member("sun", sun, n)
+        text.member("planet", "planet", p)
+        text.member("ring", ring, n + 2 * p, ", internal: true")
+        text.mesh("sp", "sun", "planet", "out")
+        text.mesh("rp", "ring", "planet", "out")
+        sets.append(simple_set(sun, ring, "out", (n, n + 2 * p)))
+        elements["B"] = (HOUSING, ring)
+
+    mains = ["in"]
+    if rng.random() < 0.5:
+        shafts.append("hollow")
+        mains.append("hollow")
+        bearings["hollow"] = rng.choice([HOUSING, "in"])
+        elements["K"] = ("in", "hollow")
+    lays = [f"lay{i}" for i in range(rng.randint(1, 3))]
+    shafts += lays
+    for lay in lays:
+        teeth = rng.randint(60, 90)
+        for _ in range(rng.randint(1, 3)):
+            main, wheel = rng.choice(mains), rng.randint(15, teeth - 15)
+            if rng.random() < 0.25:
+                pair((main, wheel), (lay, teeth - wheel))
+                continue
+            shaft = rng.choice([main, lay])
+            idler = f"idler{len(text.meshes)}"
+            shafts.append(idler)
+            bearings[idler] = rng.choice([shaft, HOUSING])
+            elements[f"S{len(elements)}"] = (shaft, idler)
+            ends = (idler, lay) if shaft == main else (main, idler)
+            pair((ends[0], wheel), (ends[1], teeth - wheel))
+    end = rng.choice(["shaft", "final drive", "set", "set on its axis"])
+    driven = "out" if end in ("shaft", "final drive") else "drum"
+    if driven == "drum":
+        shafts += ["drum", "ring"]
+        planetary("drum", "ring")
+    if end in ("final drive", "set on its axis"):
+        axes = ["  axes:", "    main: {bodies: [in]}", f"    last: {{bodies: [{driven}]}}"]
+    elif end == "set":
+        elements["D"] = ("ring", "out")
+    for lay in lays:
+        pair((lay, rng.randint(14, 40)), (driven, rng.randint(40, 75)))
+    train = Train(shafts=shafts, sets=sets, elements=elements, input="in", output="out")
+    if train.net_freedom() <= 0 or not elements:
+        return draw_layshafts(rng, torque)
+    lines = written(train, text, torque).replace(", at: [0, 0]", "").splitlines()
+    for shaft, bearer in bearings.items():
+        at = next(i for i, line in enumerate(lines) if line.startswith(f"  J_{shaft}:"))
+        lines[at] = lines[at].replace("[housing,", f"[{bearer},")
+    at = lines.index("  members:")
+    return train, "\n".join([*lines[:at], *axes, *lines[at:], ""])

@@ -3,7 +3,8 @@
 
 Usage: shift_differential.py PROGRAM [COUNT [FIRST]]
 
-COUNT trains are drawn, 200 if it is not given; every tenth is a truck gearbox with 84 states.
+COUNT trains are drawn, 200 if it is not given; every tenth is a truck gearbox with 84 states, every
+third of the others a layshaft gearbox.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ import unittest
 from fractions import Fraction
 
 import program
-from random_train import draw_box, draw_truck
+from random_train import draw_box, draw_layshafts, draw_truck
 from shift_test import ShiftTest
 
 COUNT = 200
@@ -40,7 +41,8 @@ class RandomTeeth(ShiftTest):
     def check_seed(self, seed: int) -> list[str]:
         rng = random.Random(seed)
         is_truck = seed % 10 == 0
-        train, text = (draw_truck if is_truck else draw_box)(rng, TORQUE)
+        draw = draw_truck if is_truck else draw_layshafts if seed % 3 == 0 else draw_box
+        train, text = draw(rng, TORQUE)
         sizes = [] if is_truck else ["--one-more", "--one-fewer"]
         done = program.call("shift", *sizes, "-", text=text)
         self.assertEqual(done.returncode, 0, done.stderr + text)
