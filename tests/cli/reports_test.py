@@ -169,8 +169,8 @@ def json_value(report: Any, row: dict[str, str]) -> Any:
         return arc["power"] if path == f"{arc['from']}/{arc['to']}" else "another way"
     if section == "loop":
         loop = value["recirculation"]["loops"][int(path)]
-        is_in_it = row["element"] in loop["couplings"]
-        return value["arcs"][row["element"]]["power"] if is_in_it else "not in it"
+        powers = dict(zip(loop["couplings"], loop["powers"]))
+        return powers.get(row["element"], "not in it")
     if section in sections:
         return at(value[sections[section]][row["element"]], path)
     return at(value[sections[None]][row["element"]], row["quantity"])
@@ -194,10 +194,9 @@ def repeated_values(report: Any) -> list[Any]:
             found += numbers(case["power"].get("losses", {}))
             found += [case["power"]["input"], case["power"]["balance_residual"]]
             found += [case["power"]["recirculation"]["factor"]]
-            arcs = case["power"]["arcs"]
-            found += numbers(arcs)
+            found += numbers(case["power"]["arcs"])
             for loop in case["power"]["recirculation"]["loops"]:
-                found += [arcs[coupling]["power"] for coupling in loop["couplings"]]
+                found += loop["powers"]
     if "shift" in report:
         found += shift_values(report["shift"])
     return found
