@@ -42,6 +42,7 @@ DECISIONS = {
     "lib/power/power_flow.cpp": "consistency: the powers of a case balance within kPowerBalance",
     "lib/power/transmission_efficiency.cpp": "search: which assumed senses are accepted",
     "lib/studies/compare/compare_tolerance.cpp": "comparison of two reports, not a zero of a value",
+    "lib/studies/motion/lanes/lane_looks.cpp": "search: rates so slow that the whole motion decides",
     "lib/studies/motion/report/motion_text.cpp": "words: a range whose ends are the same number is constant",
     "lib/studies/motion/task/motion_events.cpp": "search: rates so slow that their bounds are asked for",
     "lib/studies/motion/task/motion_passive_findings.cpp": "rank: what a passive freedom moves",

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -80,6 +81,27 @@ actuators: {motor: {coupling: a}, load: {coupling: g}}
 cases:
   turn: {motion: {motor: 1 rad/s}, input: motor, output: load}
 motion: {drive: motor, to: 360 deg, steps: 90, case: turn}
+)";
+
+// As the last, and near u = 1 the last link turns back three times within two degrees of the crank.
+constexpr const char* kHesitatingSixBar = R"(
+kinestat: 1
+space: planar
+parameters: {u: 0}
+ground: frame
+bodies: [crank, coupler, rocker, link, last]
+couplings:
+  a: {type: revolute, bodies: [crank, frame], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, coupler], at: [18.006 - 1.088*u, 18.877 + 0.340*u]}
+  c: {type: revolute, bodies: [coupler, rocker], at: [86.689 - 0.521*u, 85.624 - 1.271*u]}
+  d: {type: revolute, bodies: [frame, rocker], at: [88.215 - 0.108*u, 25.528 + 1.372*u]}
+  e: {type: revolute, bodies: [link, rocker], at: [122.006 + 0.347*u, 55.360 - 0.102*u]}
+  f: {type: revolute, bodies: [link, last], at: [182.307 - 0.349*u, 102.598 + 1.693*u]}
+  g: {type: revolute, bodies: [frame, last], at: [219.620 - 0.197*u, -0.294 + 0.486*u]}
+actuators: {motor: {coupling: a}, load: {coupling: g}}
+cases:
+  turn: {motion: {motor: 1 rad/s}, input: motor, output: load}
+motion: {drive: motor, to: 467 deg, steps: 90, case: turn}
 )";
 
 /// How many states the lanes answer themselves.
@@ -165,6 +187,43 @@ TEST(SweptMotions, FindDeadPointsOnSteps) {
                                      links)
                              .c_str(),
                          1.0);
+  }
+}
+
+// A crank-rocker has two dead points a turn, at which crank and coupler are stretched or folded:
+// the rocker swings between the angles that the law of cosines gives there. One step takes all
+// turns.
+TEST(SweptMotions, LoseNoDeadPointsInLongSteps) {
+  constexpr double kFrame = 6.0;
+  constexpr double kCoupler = 5.0;
+  constexpr double kRocker = 5.0;
+  std::string text = kCrankRocker;
+  text.replace(text.find("to: 340 deg, steps: 72"), 22, "to: 1060 deg, steps: 1");
+  SweptFile file(text.c_str(),
+                 "{vary: {r: {from: 0.5, to: 3, step: 0.1}, phi: [10 deg, 200 deg]}, "
+                 "report: [dead_points, d.wz.position.range]}");
+  const std::vector<Row> rows = rows_of(file.task(), kLanes);
+  EXPECT_EQ(rows.size(), 52U);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double crank = 0.5 + 0.1 * static_cast<double>(i / 2);
+    const auto angle = [&](double reach) {
+      return std::acos((kFrame * kFrame + kRocker * kRocker - reach * reach) /
+                       (2.0 * kFrame * kRocker));
+    };
+    EXPECT_EQ(rows[i].values[0], 6.0) << i;
+    EXPECT_NEAR(rows[i].values[1], angle(kCoupler + crank) - angle(kCoupler - crank), 1e-12) << i;
+  }
+  EXPECT_EQ(followed_states(file.task()), rows.size());
+}
+
+TEST(SweptMotions, LoseNoDeadPointsThatLieNearEachOther) {
+  for (const int steps : {1, 5, 12, 180}) {
+    std::string text = kHesitatingSixBar;
+    text.replace(text.find("steps: 90"), 9, fmt::format("steps: {}", steps));
+    expect_whole_motions(text.c_str(),
+                         "{vary: {u: {from: 0, to: 1.5, step: 0.05}}, "
+                         "report: [g.wz.position.range, d.wz.position.least, dead_points]}",
+                         0.9);
   }
 }
 

@@ -24,13 +24,11 @@ constexpr int kMostCorrections = 6;
 constexpr int kParts = 4;
 constexpr int kMostParts = 64;
 
-constexpr LaneFollower::Group kAllLanes = [] {
-  LaneFollower::Group all;
+constexpr LaneGroup kAllLanes = [] {
+  LaneGroup all;
   std::ranges::fill(all.numbers, 1.0);
   return all;
 }();
-
-constexpr int kTrials = 8;  // of each dead point
 
 }  // namespace
 
@@ -50,13 +48,22 @@ LaneFollower::LaneFollower(LaneLinkage linkage, LaneQuestion question, const Geo
   for (Groups* one : {&xs_, &ys_, &senses_}) {
     one->resize(geometry.motions.size());
   }
-  for (Groups* one : {&cosines_, &sines_, &shifts_x_, &shifts_y_, &turns_}) {
+  for (Groups* one : {&cosines_,
+                      &sines_,
+                      &shifts_x_,
+                      &shifts_y_,
+                      &turns_,
+                      &swings_,
+                      &moves_x_,
+                      &moves_y_,
+                      &curves_x_,
+                      &curves_y_}) {
     one->resize(joints + 1);
   }
   for (Groups* one : {&screws_x_, &screws_y_}) {
     one->resize(joints);
   }
-  for (Groups* one : {&steps_, &rates_}) {
+  for (Groups* one : {&steps_, &rates_, &bends_}) {
     one->resize(unknowns);
   }
   for (Point* one : {&now_, &before_, &earlier_, &part_before_}) {
@@ -64,13 +71,13 @@ LaneFollower::LaneFollower(LaneLinkage linkage, LaneQuestion question, const Geo
     one->rates.resize(unknowns);
   }
   matrix_.resize(unknowns * (unknowns + 2));
-  kept_.assign(at(question_.steps + 1), now_);
-  kept_rates_.assign(at(question_.steps + 1), Groups(watched_.size()));
+  for (Groups* one : {&turn_.values, &turn_.rates, &turn_.bends}) {
+    one->resize(watched_.size());
+  }
   for (Groups* one : {&least_, &greatest_, &sums_}) {
     one->resize(places_.size());
   }
   counts_.resize(watched_.size());
-  turn_rates_.resize(watched_.size());
   in(cosines_[0]) = LaneNumbers{} + 1.0;
   for (std::size_t lane = 0; lane < kMotionLanes; ++lane) {
     set(lane, geometry);
@@ -197,7 +204,7 @@ void LaneFollower::predict_part(double last, double part) {
       const double now = x;
       const double now_rate = now_.rates[k].numbers[lane];
       x = last == 0.0 ? now + part * now_rate
-                      : lane_cubic(was, now, last * rate, last * now_rate, 1.0 + part / last);
+                      : StretchCubic{was, now, last * rate, last * now_rate}.at(1.0 + part / last);
       was = now;
       rate = now_rate;
     }
@@ -220,26 +227,33 @@ void LaneFollower::follow() {
   for (int i = 1; i <= lead; ++i) {
     advance(from * i / lead, i > 1);
   }
+  look_count_ = 0;
   keep(0);
   const int parts = parts_ * question_.steps;
   for (int i = 1; i <= parts; ++i) {
     advance(i == parts ? from + way : from + way * i / parts, i > 1);
-    if (i % parts_ == 0) {
-      keep(at(i / parts_));
-    }
+    keep(i);
   }
-  find_turns();
-  go_to_turns(from, way / question_.steps);
+  if (!watched_.empty()) {
+    find_turns();
+    go_to_turns();
+  }
 }
 
-void LaneFollower::keep(std::size_t step) {
-  find_frames();
-  kept_[step] = now_;
-  for (std::size_t w = 0; w < watched_.size(); ++w) {
-    find_rate(watched_[w], kept_rates_[step][w]);
+void LaneFollower::keep(int part) {
+  const bool is_step = part % parts_ == 0;
+  if (!is_step && watched_.empty()) {
+    return;
   }
-  const bool is_first = step == 0;
-  const double weight = is_first || step + 1 == kept_.size() ? 0.5 : 1.0;
+  find_frames();
+  if (!watched_.empty()) {
+    look(add_look());
+  }
+  if (!is_step) {
+    return;
+  }
+  const bool is_first = part == 0;
+  const double weight = is_first || part == parts_ * question_.steps ? 0.5 : 1.0;
   in(active_) = LaneNumbers{} + 1.0;
   for (std::size_t p = 0; p < places_.size(); ++p) {
     add_value(p, is_first);
@@ -254,128 +268,14 @@ void LaneFollower::keep(std::size_t step) {
 
 // Of the squared sine, which grows with the angle.
 
-void LaneFollower::find_turns() {
+// Between positions that are known, in lanes that are not lost there.
+void LaneFollower::settle(const Group& which) {
+  correct(which);
   for (std::size_t lane = 0; lane < kMotionLanes; ++lane) {
-    turns_of_lane_[lane].clear();
-    for (std::size_t w = 0; w < watched_.size(); ++w) {
-      for (std::size_t step = 0; step + 1 < kept_rates_.size(); ++step) {
-        const LaneRates rates = rates_within(w, lane, step);
-        const TurnWithin turns = rates.turns();
-        if (turns == TurnWithin::one) {
-          add_turn(w, lane, step, rates);
-        } else if (turns == TurnWithin::at_high && step + 2 < kept_rates_.size()) {
-          // On a step, where rounding decides before or behind it.
-          const LaneRates next = rates_within(w, lane, step + 1);
-          const bool is_one = next.turns() == TurnWithin::at_low &&
-                              std::signbit(next.high) != std::signbit(rates.low);
-          const bool is_behind = std::signbit(rates.high) == std::signbit(rates.low);
-          if (is_one) {
-            add_turn(w, lane, is_behind ? step + 1 : step, is_behind ? next : rates);
-            ++step;
-            continue;
-          }
-        }
-        const bool is_known = turns == TurnWithin::none || turns == TurnWithin::one;
-        doubts_.numbers[lane] += is_known ? 0.0 : 1.0;
-      }
-    }
+    const bool is_clear = missed_.numbers[lane] == 0.0 &&
+                          std::abs(now_determinant_.numbers[lane]) >= kLeastDeterminant;
+    doubts_.numbers[lane] += which.numbers[lane] == 0.0 || is_clear ? 0.0 : 1.0;
   }
-}
-
-void LaneFollower::add_turn(std::size_t watched,
-                            std::size_t lane,
-                            std::size_t step,
-                            const LaneRates& rates) {
-  turns_of_lane_[lane].push_back({.step = step,
-                                  .watched = watched,
-                                  .is_there = true,
-                                  .low_rate = rates.low,
-                                  .high_rate = rates.high,
-                                  .size = std::max(std::abs(rates.low), std::abs(rates.high))});
-  counts_[watched].numbers[lane] += 1.0;
-}
-
-// Slopes are those of parabolas through three rates.
-
-LaneRates LaneFollower::rates_within(std::size_t watched,
-                                     std::size_t lane,
-                                     std::size_t step) const {
-  const std::size_t last = kept_rates_.size() - 1;
-  const auto rate = [&](std::size_t i) { return kept_rates_[i][watched].numbers[lane]; };
-  const auto slope = [&](std::size_t i) {
-    if (last < 2) {
-      return rate(1) - rate(0);
-    }
-    return i == 0      ? 2.0 * rate(1) - 1.5 * rate(0) - 0.5 * rate(2)
-           : i == last ? 1.5 * rate(last) - 2.0 * rate(last - 1) + 0.5 * rate(last - 2)
-                       : (rate(i + 1) - rate(i - 1)) / 2.0;
-  };
-  return {.low = rate(step),
-          .high = rate(step + 1),
-          .low_slope = slope(step),
-          .high_slope = slope(step + 1)};
-}
-
-// To the dead points of all lanes, one of each after the other: where the rate is zero, between
-
-// the two steps.
-
-void LaneFollower::go_to_turns(double from, double step) {
-  std::size_t most = 0;
-  for (const std::vector<LaneTurn>& one : turns_of_lane_) {
-    most = std::max(most, one.size());
-  }
-  for (std::size_t e = 0; e < most; ++e) {
-    std::array<LaneTurn, kMotionLanes> turns;
-    for (std::size_t lane = 0; lane < kMotionLanes; ++lane) {
-      if (e < turns_of_lane_[lane].size()) {
-        turns[lane] = turns_of_lane_[lane][e];
-      }
-    }
-    for (int trial = 0; trial < kTrials; ++trial) {
-      go_between(turns, from, step);
-      for (std::size_t w = 0; w < watched_.size(); ++w) {
-        find_rate(watched_[w], turn_rates_[w]);
-      }
-      for (std::size_t lane = 0; lane < kMotionLanes; ++lane) {
-        if (turns[lane].is_there) {
-          turns[lane].shrink(turn_rates_[turns[lane].watched].numbers[lane]);
-        }
-      }
-    }
-    for (std::size_t lane = 0; lane < kMotionLanes; ++lane) {
-      const LaneTurn& one = turns[lane];
-      active_.numbers[lane] = one.is_there ? 1.0 : 0.0;
-      const bool is_found = !one.is_there || std::abs(one.rate) <= kDoubtfulRate * one.size;
-      doubts_.numbers[lane] += is_found ? 0.0 : 1.0;
-    }
-    for (std::size_t p = 0; p < places_.size(); ++p) {
-      add_value(p, false);
-    }
-  }
-}
-
-// Between two steps by a cubic, corrected.
-
-void LaneFollower::go_between(const std::array<LaneTurn, kMotionLanes>& turns,
-                              double from,
-                              double step) {
-  for (std::size_t lane = 0; lane < kMotionLanes; ++lane) {
-    const LaneTurn& one = turns[lane];
-    const double t = one.is_there ? one.next() : 0.0;
-    const Point& low = kept_[one.step];
-    const Point& high = kept_[one.step + 1];
-    drive_.numbers[lane] = from + (static_cast<double>(one.step) + t) * step;
-    for (std::size_t k = 0; k < steps_.size(); ++k) {
-      now_.unknowns[k].numbers[lane] = lane_cubic(low.unknowns[k].numbers[lane],
-                                                  high.unknowns[k].numbers[lane],
-                                                  step * low.rates[k].numbers[lane],
-                                                  step * high.rates[k].numbers[lane],
-                                                  t);
-    }
-  }
-  correct(kAllLanes);
-  in(doubts_) += in(missed_);
   find_frames();
 }
 

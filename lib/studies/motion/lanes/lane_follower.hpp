@@ -5,19 +5,17 @@
 #include <cstddef>
 #include <vector>
 
+#include "studies/motion/lanes/lane_group.hpp"
 #include "studies/motion/lanes/lane_question.hpp"
 #include "studies/motion/lanes/lane_turn.hpp"
 
 namespace kinestat {
 
-/// So many linkages at once: wider vectors are compared one number after the other on machines
-/// that do not have them.
-inline constexpr std::size_t kMotionLanes = 4;
-
 /// Follows the drives in steps, by a cubic and Newton's corrections. Where a correction is large or
 /// the determinant of the closure small or quick to change, a lane takes the step again in parts;
-/// where that does not help, or a rate may turn back between two steps, it is doubted: then another
-/// way must decide. What a lane gives does not depend on the others.
+/// where that does not help, or a rate may turn back unseen even between positions that are nearer
+/// to each other, it is doubted: then another way must decide. What a lane gives does not depend on
+/// the others.
 class LaneFollower {
  public:
   /// All lanes begin with the geometry of the mechanism from which the linkage was made.
@@ -39,19 +37,10 @@ class LaneFollower {
   /// Least and greatest at the steps [rad].
   std::array<double, 2> transmission_angles(std::size_t lane) const;
 
-  /// One number a lane.
-  struct alignas(kMotionLanes * sizeof(double)) Group {
-    double numbers[kMotionLanes] = {};
-  };
-
  private:
-  using Groups = std::vector<Group>;
-
-  // What is known of a position of the drive.
-  struct Point {
-    Groups unknowns;
-    Groups rates;  // by the drive
-  };
+  using Group = LaneGroup;
+  using Groups = LaneGroups;
+  using Point = LanePoint;
 
   // Of the drive.
   struct Step {
@@ -83,16 +72,26 @@ class LaneFollower {
   void predict_part(double last, double part);
   bool find_again();
   void judge_change(const Group& before);
-  void keep(std::size_t step);
+  void keep(int part);
   void add_value(std::size_t place, bool is_first);
   void find_value(const Place& place);
-  void find_rate(const Place& place, Group& rate);
+  void find_swings();
+  void find_swing(const LaneClosing& closing, Group& first, Group& second);
+  void find_bends();
+  void find_rate(const Place& place, Group& rate, Group& bend);
   void add_transmission(bool is_first);
+  LaneLook& add_look();
+  void look(LaneLook& at);
+  void find_fastest(LaneLook& at) const;
   void find_turns();
-  void add_turn(std::size_t watched, std::size_t lane, std::size_t step, const LaneRates& rates);
-  LaneRates rates_within(std::size_t watched, std::size_t lane, std::size_t step) const;
-  void go_to_turns(double from, double step);
-  void go_between(const std::array<LaneTurn, kMotionLanes>& turns, double from, double step);
+  void judge(std::size_t lane, const LaneStretch& stretch);
+  bool is_doubtful(std::size_t lane, const LaneStretch& stretch) const;
+  StretchCubic rate_in(std::size_t lane, const LaneStretch& stretch, std::size_t watched) const;
+  void look_closer();
+  void go_to_turns();
+  void go_to_turn(std::size_t index, bool is_last, Group& which);
+  void go_between(std::size_t lane, const LaneStretch& stretch, double part);
+  void settle(const Group& which);
 
   LaneLinkage linkage_;
   LaneQuestion question_;
@@ -125,15 +124,22 @@ class LaneFollower {
   Group again_;   ///< above zero: the lane takes the last step again, in parts
   Group doubts_;  ///< above zero: the lane is doubted
   Group value_;
-  std::vector<Point> kept_;         ///< at each step
-  std::vector<Groups> kept_rates_;  ///< likewise, of the watched freedoms
-  Groups turn_rates_;
-  Groups least_;  ///< of each place
+  Groups bends_;    ///< derivatives of the rates of the unknowns
+  Groups swings_;   ///< of each frame: its rate of turning,
+  Groups moves_x_;  ///< that of its shift,
+  Groups moves_y_;
+  Groups curves_x_;  ///< and the derivative of this with all rates constant
+  Groups curves_y_;
+  std::vector<LaneLook> looks_;  ///< at each part, then nearer to each other
+  std::size_t look_count_ = 0;
+  LaneLook turn_;  ///< on the way to a dead point
+  Groups least_;   ///< of each place
   Groups greatest_;
   Groups sums_;
   Groups counts_;  ///< dead points of each watched freedom
   Angle least_angle_;
   Angle greatest_angle_;
+  std::array<std::vector<LaneStretch>, kMotionLanes> doubtful_;
   std::array<std::vector<LaneTurn>, kMotionLanes> turns_of_lane_;
 };
 

@@ -8,31 +8,18 @@
 #include "core/motion_tolerance.hpp"
 #include "math/tapes/for_each_machine.hpp"
 #include "studies/motion/lanes/internal/lane_vectors.hpp"
+#include "studies/motion/lanes/lane_follower.hpp"
 
 namespace kinestat {
 
 namespace {
 
-using Group = LaneFollower::Group;
+using Group = LaneGroup;
 using Numbers = LaneNumbers;
 using Flags = LaneFlags;
 
 // A first correction above this may lead to another branch [rad or sizes].
 constexpr double kMostFirstCorrection = 0.03;
-
-[[gnu::always_inline]] inline void set_size(const Numbers& from, Numbers& to) {
-  const Flags bits = reinterpret_cast<const Flags&>(from) & INT64_MAX;
-  to = reinterpret_cast<const Numbers&>(bits);
-}
-
-[[gnu::always_inline]] inline void choose(const Flags& which,
-                                          const Numbers& yes,
-                                          const Numbers& no,
-                                          Numbers& to) {
-  const Flags bits =
-      (which & reinterpret_cast<const Flags&>(yes)) | (~which & reinterpret_cast<const Flags&>(no));
-  to = reinterpret_cast<const Numbers&>(bits);
-}
 
 // Of sine and cosine: the powers' coefficients, alternating in sign.
 constexpr std::array<double, 19> kSeries = [] {
@@ -295,46 +282,6 @@ KINESTAT_FOR_EACH_MACHINE void LaneFollower::find_value(const Place& place) {
   const Numbers y = in(shifts_y_[head]) - in(shifts_y_[tail]) + (in(sines_[head]) - s) * px +
                     (in(cosines_[head]) - c) * py;
   in(value_) = (c * in(xs_[f]) - s * in(ys_[f])) * x + (s * in(xs_[f]) + c * in(ys_[f])) * y;
-}
-
-KINESTAT_FOR_EACH_MACHINE void LaneFollower::find_rate(const Place& place, Group& rate) {
-  const auto rate_of = [&](int joint) {
-    const int unknown = linkage_.joints[at(joint)].unknown;
-    return unknown < 0 ? nullptr : &now_.rates[at(unknown)];
-  };
-  if (place.joint >= 0) {
-    const Group* known = rate_of(place.joint);
-    in(rate) = known == nullptr ? Numbers{} + 1.0 : in(*known);
-    return;
-  }
-  const LaneClosing& closing = linkage_.closings[at(place.closing)];
-  const auto tail = at(closing.tail_frame);
-  const auto head = at(closing.head_frame);
-  const auto f = at(closing.freedom);
-  const double px = closing.point.x() / linkage_.length;
-  const double py = closing.point.y() / linkage_.length;
-  const Numbers hx = in(cosines_[head]) * px - in(sines_[head]) * py + in(shifts_x_[head]);
-  const Numbers hy = in(sines_[head]) * px + in(cosines_[head]) * py + in(shifts_y_[head]);
-  const Numbers ux = in(cosines_[tail]) * in(xs_[f]) - in(sines_[tail]) * in(ys_[f]);
-  const Numbers uy = in(sines_[tail]) * in(xs_[f]) + in(cosines_[tail]) * in(ys_[f]);
-  Numbers sum = {};
-  for (const LaneClosing::Term& term : closing.terms) {
-    const LaneJoint& joint = linkage_.joints[at(term.joint)];
-    const Group* known = rate_of(term.joint);
-    const Numbers speed =
-        term.sign * joint.sense * (known == nullptr ? Numbers{} + 1.0 : in(*known));
-    const Numbers turn = joint.turns ? speed * in(senses_[at(joint.freedom)]) : Numbers{};
-    const Numbers& sx = in(screws_x_[at(term.joint)]);
-    const Numbers& sy = in(screws_y_[at(term.joint)]);
-    if (closing.turns) {
-      sum += in(senses_[f]) * turn;
-    } else {
-      const Numbers vx = joint.turns ? turn * (sy - hy) : speed * sx;
-      const Numbers vy = joint.turns ? turn * (hx - sx) : speed * sy;
-      sum += ux * vx + uy * vy;
-    }
-  }
-  in(rate) = sum;
 }
 
 KINESTAT_FOR_EACH_MACHINE void LaneFollower::add_transmission(bool is_first) {

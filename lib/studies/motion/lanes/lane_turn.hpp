@@ -1,45 +1,59 @@
-// Where a rate turns back between two steps of a motion.
+// Where rates turn back on the way of a motion.
 #pragma once
 
 #include <cstddef>
 
+#include "studies/motion/lanes/lane_group.hpp"
+#include "studies/motion/stretch_cubic.hpp"
+
 namespace kinestat {
 
-/// A cubic from its ends and slopes, by the part of the way between.
-double lane_cubic(double low, double high, double low_slope, double high_slope, double part);
-
-enum class TurnWithin { none, one, at_low, at_high, unknown };
-
-/// The rates at the ends of a step, and their slopes by the step.
-struct LaneRates {
-  double low = 0.0;
-  double high = 0.0;
-  double low_slope = 0.0;
-  double high_slope = 0.0;
-
-  /// How often they turn back between; unknown unless that is clear although the slopes are taken
-  /// from differences. At an end: nowhere but there, or so near that rounding hides on which side.
-  TurnWithin turns() const;
+/// What is known of a position of the drive.
+struct LanePoint {
+  LaneGroups unknowns;
+  LaneGroups rates;  ///< by the drive
 };
 
-/// A dead point on the way to it, in parts of its step.
-struct LaneTurn {
-  std::size_t step = 0;     ///< the last before it
-  std::size_t watched = 0;  ///< of which watched freedom
-  bool is_there = false;
-  double low = 0.0;  ///< the bracket and the rates at its ends
-  double high = 1.0;
-  double low_rate = 0.0;
-  double high_rate = 0.0;
-  double size = 0.0;  ///< of the rates at first
-  double rate = 0.0;  ///< at the last trial
-  int last = 0;       ///< which end that replaced
+/// One at which it is looked how the watched freedoms move.
+struct LaneLook {
+  LaneGroup drive;
+  LanePoint point;
+  LaneGroups values;  ///< of the watched freedoms
+  LaneGroups rates;   ///< by the drive
+  LaneGroups bends;   ///< and their derivatives
+  LaneGroup fastest;  ///< of all rates
+};
 
-  /// Where to try next.
-  double next() const;
+/// Between two looks, by their indices; those of the whole way have depth 0.
+struct LaneStretch {
+  std::size_t low = 0;
+  std::size_t high = 0;
+  int depth = 0;
+};
 
-  /// Takes the rate that was found there.
-  void shrink(double found);
+/// A dead point on the way to it, in parts of its stretch.
+class LaneTurn {
+ public:
+  LaneTurn(const LaneStretch& stretch, std::size_t watched, const StretchCubic& rate);
+
+  const LaneStretch& stretch() const { return stretch_; }
+
+  std::size_t watched() const { return watched_; }
+
+  /// Where to look next.
+  double part() const { return part_; }
+
+  /// Takes the rate there and its slope by the stretch; true if it is zero no farther off than
+  /// that.
+  bool take(double rate, double slope, double most);
+
+ private:
+  LaneStretch stretch_;
+  std::size_t watched_ = 0;
+  double part_ = 0.0;
+  double low_ = 0.0;  // the bracket
+  double high_ = 1.0;
+  StretchCubic rate_;  // between its ends; slopes by the whole stretch
 };
 
 }  // namespace kinestat

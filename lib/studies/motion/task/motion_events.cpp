@@ -10,6 +10,7 @@
 #include "core/tolerance.hpp"
 #include "studies/motion/motion.hpp"
 #include "studies/motion/motion_state.hpp"
+#include "studies/motion/stretch_cubic.hpp"
 
 namespace kinestat {
 
@@ -22,63 +23,8 @@ constexpr double kUsualStretch = 0.8 * kLongestStretch;  // where rates grow mea
 constexpr int kStretchesToSingular = 13;
 constexpr double kTowardsSingular = 0.25;
 
-// Between two looks a rate is a cubic, to this share of its size by the fourth power of the
-// stretch: of harmonics up to the third.
-constexpr double kCubicError = 0.3;
-constexpr int kCubicParts = 16;
-
-// A cubic that falls by less than so many of its errors along a stretch may as well rise.
-constexpr double kFlatSlope = 8.0;
-
-// The largest of t (1 - t)², by which a slope at one end moves a cubic.
-constexpr double kMostBySlope = 4.0 / 27.0;
-
 // Looks between the positions: more would take longer than anybody waits.
 constexpr int kMostLooks = 500'000;
-
-// How a rate changes along a stretch, its ends at 0 and 1.
-struct RateCubic {
-  double low = 0.0;
-  double high = 0.0;
-  double low_slope = 0.0;
-  double high_slope = 0.0;
-
-  double at(double t) const {
-    const double s = 1.0 - t;
-    return s * s * ((1.0 + 2.0 * t) * low + t * low_slope) +
-           t * t * ((1.0 + 2.0 * s) * high - s * high_slope);
-  }
-
-  double slope_at(double t) const {
-    const double s = 1.0 - t;
-    return 6.0 * s * t * (high - low) + s * (s - 2.0 * t) * low_slope +
-           t * (t - 2.0 * s) * high_slope;
-  }
-
-  // Whether it falls from a positive to a negative end with one zero, known to `error`: wherever it
-  // may stay or rise, it is farther from zero than that, and always on the same side.
-  bool falls_once(double error) const {
-    const double curve = 2.0 * (low_slope + high_slope) - 4.0 * slope_at(0.5);  // of the slope
-    const double start = high_slope - low_slope - curve;
-    std::vector<double> doubtful;
-    const auto add = [&](double t) {
-      if (t > 0.0 && t < 1.0 && slope_at(t) > -kFlatSlope * error) {
-        doubtful.push_back(at(t));
-      }
-    };
-    if (curve != 0.0) {
-      const double middle = -start / (2.0 * curve);
-      const double half_width_squared = middle * middle - low_slope / curve;
-      add(middle);
-      if (half_width_squared > 0.0) {
-        add(middle - std::sqrt(half_width_squared));
-        add(middle + std::sqrt(half_width_squared));
-      }
-    }
-    return std::ranges::all_of(doubtful, [&](double value) { return value > error; }) ||
-           std::ranges::all_of(doubtful, [&](double value) { return value < -error; });
-  }
-};
 
 class DeadPointFinder {
  public:
@@ -310,33 +256,12 @@ class DeadPointFinder {
     if (before == 0 || after == 0) {
       return std::nullopt;
     }
-    const double way = before * (to.share - from.share);
-    const RateCubic rate{.low = before * from.rates[freedom],
-                         .high = before * to.rates[freedom],
-                         .low_slope = way * from.bends[freedom],
-                         .high_slope = way * to.bends[freedom]};
-    const double slopes = std::abs(rate.low_slope) + std::abs(rate.high_slope);
-    const double size = std::max(std::abs(rate.low), std::abs(rate.high)) + slopes / stretch;
-    const double error = kCubicError * size * std::pow(stretch, 4);
-    if (before != after) {
-      return rate.falls_once(error) ? std::nullopt : std::optional(0.5);
-    }
-    if (std::min(rate.low, rate.high) > kMostBySlope * slopes + error) {
-      return std::nullopt;
-    }
-    const auto part_of = [](int k) { return static_cast<double>(k) / kCubicParts; };
-    int lowest = 0;
-    for (int k = 1; k <= kCubicParts; ++k) {
-      lowest = rate.at(part_of(k)) < rate.at(part_of(lowest)) ? k : lowest;
-    }
-    // Where an end is lowest the rate may be zero right beside it, and turns back there once; but
-    // it is lower within the next part where it falls from the one end, or rises to the other.
-    const bool falls = lowest == 0 && rate.low_slope < 0.0;
-    const bool rises = lowest == kCubicParts && rate.high_slope > 0.0;
-    const bool is_inside = falls || rises || (lowest > 0 && lowest < kCubicParts);
-    const double aside = falls ? 0.5 : rises ? -0.5 : 0.0;
-    const double part = (lowest + aside) / kCubicParts;
-    return is_inside && rate.at(part) <= error ? std::optional(part) : std::nullopt;
+    const double way = to.share - from.share;
+    const StretchCubic rate{.low = from.rates[freedom],
+                            .high = to.rates[freedom],
+                            .low_slope = way * from.bends[freedom],
+                            .high_slope = way * to.bends[freedom]};
+    return rate.doubtful_part(rate.error(stretch));
   }
 
   // Where to look next: at the zero of the line through the ends, a little beyond it, so that the

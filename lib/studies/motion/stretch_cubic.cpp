@@ -1,0 +1,134 @@
+#include "studies/motion/stretch_cubic.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "core/tolerance.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// A cubic to this share of its size by the fourth power of the stretch: of harmonics up to the
+// third.
+constexpr double kCubicError = 0.3;
+constexpr int kCubicParts = 16;
+
+// A cubic that falls by less than so many of its errors along a stretch may as well rise.
+constexpr double kFlatSlope = 8.0;
+
+// The largest of t (1 - t)², by which a slope at one end moves a cubic.
+constexpr double kMostBySlope = 4.0 / 27.0;
+
+constexpr int kMostZeroTrials = 40;
+
+}  // namespace
+
+double StretchCubic::at(double t) const {
+  const double s = 1.0 - t;
+  return s * s * ((1.0 + 2.0 * t) * low + t * low_slope) +
+         t * t * ((1.0 + 2.0 * s) * high - s * high_slope);
+}
+
+double StretchCubic::slope_at(double t) const {
+  const double s = 1.0 - t;
+  return 6.0 * s * t * (high - low) + s * (s - 2.0 * t) * low_slope +
+         t * (t - 2.0 * s) * high_slope;
+}
+
+// A fourth derivative adds a multiple of t² (1 - t)²: a sixteenth of it at most, a thirtieth in the
+// mean.
+double StretchCubic::error_by_mean(double mean) const {
+  const double own = 0.5 * (low + high) + (low_slope - high_slope) / 12.0;
+  return 30.0 / 16.0 * std::abs(mean - own);
+}
+
+double StretchCubic::error(double stretch) const {
+  const double square = stretch * stretch;
+  return kCubicError * square * stretch *
+         (stretch * std::max(std::abs(low), std::abs(high)) + std::abs(low_slope) +
+          std::abs(high_slope));
+}
+
+std::optional<double> StretchCubic::doubtful_part(double error) const {
+  if (low < 0.0) {
+    return StretchCubic{-low, -high, -low_slope, -high_slope}.doubtful_part(error);
+  }
+  if (high < 0.0) {
+    return falls_once(error) ? std::nullopt : std::optional(0.5);
+  }
+  if (std::min(low, high) > kMostBySlope * (std::abs(low_slope) + std::abs(high_slope)) + error) {
+    return std::nullopt;
+  }
+  const auto part_of = [](int k) { return static_cast<double>(k) / kCubicParts; };
+  int lowest = 0;
+  for (int k = 1; k <= kCubicParts; ++k) {
+    lowest = at(part_of(k)) < at(part_of(lowest)) ? k : lowest;
+  }
+  // Where an end is lowest the rate may be zero right beside it, and turns back there once; but it
+  // is lower within the next part where it falls from the one end, or rises to the other.
+  const bool falls = lowest == 0 && low_slope < 0.0;
+  const bool rises = lowest == kCubicParts && high_slope > 0.0;
+  const bool is_inside = falls || rises || (lowest > 0 && lowest < kCubicParts);
+  const double aside = falls ? 0.5 : rises ? -0.5 : 0.0;
+  const double part = (lowest + aside) / kCubicParts;
+  return is_inside && at(part) <= error ? std::optional(part) : std::nullopt;
+}
+
+bool StretchCubic::is_clear_at_low(double error) const {
+  return std::abs(low_slope) > kFlatSlope * error;
+}
+
+bool StretchCubic::is_clear_at_high(double error) const {
+  return std::abs(high_slope) > kFlatSlope * error;
+}
+
+// By Newton's steps, halving where they leave the bracket.
+double StretchCubic::zero() const {
+  double before = 0.0;
+  double behind = 1.0;
+  double t = low / (low - high);
+  for (int i = 0; i < kMostZeroTrials; ++i) {
+    const double value = at(t);
+    (std::signbit(value) == std::signbit(low) ? before : behind) = t;
+    const double next = t - value / slope_at(t);
+    const bool is_within = next >= before && next <= behind;
+    const double last = t;
+    t = is_within ? next : 0.5 * (before + behind);
+    if (std::abs(t - last) <= kEpsilon * t) {
+      break;
+    }
+  }
+  return t;
+}
+
+// Whether it falls from a positive to a negative end with one zero, known to `error`: wherever it
+// may stay or rise, it is farther from zero than that, and always on the same side.
+bool StretchCubic::falls_once(double error) const {
+  const double curve = 2.0 * (low_slope + high_slope) - 4.0 * slope_at(0.5);  // of the slope
+  const double start = high_slope - low_slope - curve;
+  std::array<double, 3> doubtful = {};
+  std::size_t count = 0;
+  const auto add = [&](double t) {
+    if (t > 0.0 && t < 1.0 && slope_at(t) > -kFlatSlope * error) {
+      doubtful[count++] = at(t);
+    }
+  };
+  if (curve != 0.0) {
+    const double middle = -start / (2.0 * curve);
+    const double half_width_squared = middle * middle - low_slope / curve;
+    add(middle);
+    if (half_width_squared > 0.0) {
+      add(middle - std::sqrt(half_width_squared));
+      add(middle + std::sqrt(half_width_squared));
+    }
+  }
+  const std::span<const double> all(doubtful.data(), count);
+  return std::ranges::all_of(all, [&](double value) { return value > error; }) ||
+         std::ranges::all_of(all, [&](double value) { return value < -error; });
+}
+
+}  // namespace kinestat
