@@ -261,7 +261,11 @@ class ShiftCheck {
       context_.found.error("E0307",
                            label.where,
                            fmt::format("{} engages other elements than its label says", what),
-                           "combinations without a label are named so; choose another label");
+                           named.size() == 1
+                               ? fmt::format("'{}' is an element, and a combination without a "
+                                             "label is named by its elements; choose another label",
+                                             label.text)
+                               : "combinations without a label are named so; choose another label");
     }
   }
 

@@ -32,6 +32,26 @@ TEST(GearSection, ReadsTheSmallestSection) {
   EXPECT_FALSE(gears.meshes[0].carrier);
 }
 
+TEST(GearSection, ReadsAxes) {
+  const auto reading = gears_of(
+      "axes:\n"
+      "  main: {bodies: [s]}\n"
+      "  lay: {bodies: [l, i], centre_distance: 80 mm, side: right}\n"
+      "members: {sun: {body: s, teeth: 19}, planet: {body: l, teeth: 15}}\n"
+      "meshes: {h: {members: [sun, planet]}}\n");
+
+  ASSERT_EQ(reading.complaints(), Complaints{});
+  const std::vector<GearAxisDescription>& axes = reading.value->axes;
+  ASSERT_EQ(axes.size(), 2U);
+  EXPECT_EQ(axes[0].name.text, "main");
+  EXPECT_FALSE(axes[0].centre_distance);
+  EXPECT_EQ(axes[0].side, PlanetSide::left);
+  ASSERT_EQ(axes[1].bodies.size(), 2U);
+  EXPECT_EQ(axes[1].bodies[1].text, "i");
+  EXPECT_EQ(axes[1].centre_distance->expression.text(), "80 mm");
+  EXPECT_EQ(axes[1].side, PlanetSide::right);
+}
+
 TEST(GearSection, ReadsEveryKey) {
   const auto reading = gears_of(
       "module: 2 mm\n"
@@ -88,7 +108,7 @@ TEST(GearSection, ReportsEveryUnknownKeyAtItsPlace) {
                         "1:1 E0302 'gears' has no key 'modul'"}));
   EXPECT_EQ(reading.found.items()[2].hint,
             "did you mean 'module'? known keys are module, pressure_angle, helix_angle, flank, "
-            "members, meshes");
+            "axes, members, meshes");
 }
 
 TEST(GearSection, RefusesWordsThatItDoesNotKnow) {

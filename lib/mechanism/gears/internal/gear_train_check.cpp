@@ -111,19 +111,21 @@ class GearTrainCheck {
       return;
     }
     const GearMember& first = member(planet.members.front());
-    context_.found.warning("W0305",
-                           first.name.where,
-                           fmt::format("{} '{}' stands {} from {} by mesh {}, but {} by mesh {}; "
-                                       "it is placed at {}",
-                                       word_of(planet, context_),
-                                       first.name.text,
-                                       length(asked(nearest)),
-                                       name_of_axis(train_, planet.about),
-                                       mesh_in_teeth(nearest),
-                                       length(asked(farthest)),
-                                       mesh_in_teeth(farthest),
-                                       length(distance_of(layout, p))),
-                           hint_on_distances(farthest, asked(farthest) - asked(nearest), planet));
+    context_.found.warning(
+        "W0305",
+        first.name.where,
+        fmt::format("{} stands {} from {} by mesh {}, but {} by mesh {}; it is "
+                    "placed at {}",
+                    planet.bodies.size() == 1
+                        ? fmt::format("{} '{}'", word_of(planet, context_), first.name.text)
+                        : name_of_axis(train_, static_cast<int>(p)),
+                    length(asked(nearest)),
+                    name_of_axis(train_, planet.about),
+                    mesh_in_teeth(nearest),
+                    length(asked(farthest)),
+                    mesh_in_teeth(farthest),
+                    length(distance_of(layout, p))),
+        hint_on_distances(farthest, asked(farthest) - asked(nearest), planet));
   }
 
   double distance_of(const GearLayout& layout, std::size_t p) const {
