@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
-#include "description/gear_expansion.hpp"
 #include "draw/linkage/file_numbers.hpp"
 #include "draw/linkage/linkage_parts.hpp"
 #include "draw/symbols.hpp"
@@ -279,7 +278,7 @@ class TrainFinder {
 }  // namespace
 
 bool is_half_section(const MechanismDescription& description) {
-  if (!description.gears || !has_all_meshes(description)) {
+  if (!description.gears) {
     return true;
   }
   const GearTrain train = find_gear_train(description);
