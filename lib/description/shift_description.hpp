@@ -24,6 +24,9 @@ struct GearLabel {
 /// label, or the latter alone.
 enum class ShiftCombinations { all, named };
 
+/// The sign of the ratios of forward gears.
+enum class ForwardRatios { positive, negative };
+
 struct ShiftDescription {
   std::vector<Name> inputs;    ///< actuators
   std::vector<Name> outputs;   ///< actuators
@@ -32,6 +35,7 @@ struct ShiftDescription {
   std::vector<InputValue> input_action;
   std::vector<GearLabel> names;
   ShiftCombinations combinations = ShiftCombinations::all;
+  std::optional<ForwardRatios> forward;  ///< default: the sign that most gears have
   SourceRange where;
 };
 

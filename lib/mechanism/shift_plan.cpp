@@ -56,6 +56,9 @@ class ShiftBinder {
 
   ShiftPlan run() {
     plan_.combinations = shift_.combinations;
+    if (shift_.forward) {
+      plan_.forward = *shift_.forward == ForwardRatios::positive ? 1.0 : -1.0;
+    }
     for (std::size_t i = 0; i < shift_.inputs.size(); ++i) {
       add_input(i);
     }

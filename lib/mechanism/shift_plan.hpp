@@ -38,7 +38,8 @@ struct ShiftPlan {
   std::vector<int> others;  ///< actuators without a part in it: they bear nothing
   std::vector<ShiftLabel> labels;
   ShiftCombinations combinations = ShiftCombinations::all;
-  bool asks_actions = false;  ///< an action of an input is given
+  std::optional<double> forward;  ///< the sign of the ratios of forward gears, where it is given
+  bool asks_actions = false;      ///< an action of an input is given
   SourceRange where;
 };
 

@@ -63,6 +63,14 @@ const Mapping<ShiftDescription>& shift_section() {
               "Labels of gears: which elements are engaged. Combinations without a label are named "
               "by their elements, C1+B2.")
             .may(&ShiftDescription::names, gear_labels(), "{M1: [C1, B2]}");
+        m.key("forward",
+              "The sign of the ratios of forward gears; default that which most gears have. It "
+              "tells which gears follow each other by steps.")
+            .may(&ShiftDescription::forward,
+                 choice_of<ForwardRatios>(
+                     {{"positive", "the output turns as the input"},
+                      {"negative", "it turns against the input, as behind one pair of gears"}}),
+                 "negative");
         m.key("combinations", "Which combinations of elements are tried.")
             .may(&ShiftDescription::combinations,
                  choice_of<ShiftCombinations>(

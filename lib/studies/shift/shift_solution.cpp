@@ -131,7 +131,8 @@ class ShiftSolver {
                        .ratio = ratio == 0.0 ? std::nullopt : ratio,
                        .engaged = one.engaged});
     }
-    sort_gears(gears);
+    const double forward = plan_.forward.value_or(find_forward_sign(gears));
+    sort_gears(gears, forward);
     std::vector<NamedShiftState> states;
     for (TableGear& gear : gears) {
       states.push_back(solution_.states[static_cast<std::size_t>(gear.state)]);
@@ -139,7 +140,7 @@ class ShiftSolver {
     }
     states.insert(states.end(), others.begin(), others.end());
     solution_.states = std::move(states);
-    solution_.table = make_shift_table(gears);
+    solution_.table = make_shift_table(gears, forward);
   }
 
   const Topology& topology_;

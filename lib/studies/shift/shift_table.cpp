@@ -11,11 +11,11 @@ namespace kinestat {
 namespace {
 
 // Forward gears, reverse gears, gears without a ratio.
-int group_of(const TableGear& gear) {
+int group_of(const TableGear& gear, double forward) {
   if (!gear.ratio) {
     return 2;
   }
-  return *gear.ratio > 0.0 ? 0 : 1;
+  return *gear.ratio * forward > 0.0 ? 0 : 1;
 }
 
 bool is_same(const TableGear& a, const TableGear& b) {
@@ -25,8 +25,8 @@ bool is_same(const TableGear& a, const TableGear& b) {
 }
 
 // The forward gear before it that has another ratio.
-std::optional<double> step_of(std::span<const TableGear> gears, std::size_t i) {
-  if (group_of(gears[i]) != 0) {
+std::optional<double> step_of(std::span<const TableGear> gears, double forward, std::size_t i) {
+  if (group_of(gears[i], forward) != 0) {
     return std::nullopt;
   }
   for (std::size_t j = i; j-- > 0;) {
@@ -67,27 +67,38 @@ std::optional<GearChange> change_between(const TableGear& from, const TableGear&
 
 }  // namespace
 
-void sort_gears(std::vector<TableGear>& gears) {
-  std::ranges::stable_sort(gears, [](const TableGear& a, const TableGear& b) {
-    if (group_of(a) != group_of(b)) {
-      return group_of(a) < group_of(b);
+double find_forward_sign(std::span<const TableGear> gears) {
+  const auto negative = std::ranges::count_if(
+      gears, [](const TableGear& gear) { return gear.ratio.value_or(0.0) < 0.0; });
+  const auto positive = std::ranges::count_if(
+      gears, [](const TableGear& gear) { return gear.ratio.value_or(0.0) > 0.0; });
+  return negative > positive ? -1.0 : 1.0;
+}
+
+void sort_gears(std::vector<TableGear>& gears, double forward) {
+  std::ranges::stable_sort(gears, [forward](const TableGear& a, const TableGear& b) {
+    const int first = group_of(a, forward);
+    const int second = group_of(b, forward);
+    if (first != second) {
+      return first < second;
     }
     return a.ratio && !is_same(a, b) && std::abs(*a.ratio) > std::abs(*b.ratio);
   });
 }
 
-ShiftTable make_shift_table(std::span<const TableGear> gears) {
+ShiftTable make_shift_table(std::span<const TableGear> gears, double forward) {
   ShiftTable table;
+  table.forward = forward;
   for (std::size_t i = 0; i < gears.size(); ++i) {
-    table.steps.push_back(step_of(gears, i));
+    table.steps.push_back(step_of(gears, forward, i));
     for (std::size_t j = i + 1; j < gears.size(); ++j) {
       if (const auto change = change_between(gears[i], gears[j])) {
         table.changes.push_back(*change);
       }
     }
   }
-  const auto reverse =
-      std::ranges::find_if(gears, [](const TableGear& gear) { return group_of(gear) != 0; });
+  const auto reverse = std::ranges::find_if(
+      gears, [forward](const TableGear& gear) { return group_of(gear, forward) != 0; });
   if (reverse - gears.begin() > 1) {
     table.span = *gears.front().ratio / *std::prev(reverse)->ratio;
   }

@@ -32,13 +32,18 @@ struct ShiftTable {
                                                ///< gear; empty with fewer than two
   std::vector<std::vector<int>> equal_ratios;  ///< gears of one ratio by different elements
   std::vector<GearChange> changes;
+  double forward = 1.0;  ///< the sign of the ratios of forward gears
 };
 
-/// The order of the table: falling forward ratios, then reverse gears by falling size, then those
-/// without a ratio; equal ones stay in their order.
-void sort_gears(std::vector<TableGear>& gears);
+/// The sign of the ratios of forward gears: what most gears have, plus if there are as many.
+double find_forward_sign(std::span<const TableGear> gears);
 
-/// Of sorted gears. Ratios that differ by rounding are equal.
-ShiftTable make_shift_table(std::span<const TableGear> gears);
+/// The order of the table: forward gears by falling size of their ratio, then reverse gears
+/// likewise, then those without a ratio; equal ones stay in their order. `forward` is the sign of
+/// the first.
+void sort_gears(std::vector<TableGear>& gears, double forward);
+
+/// Of gears that were sorted with this sign. Ratios that differ by rounding are equal.
+ShiftTable make_shift_table(std::span<const TableGear> gears, double forward);
 
 }  // namespace kinestat

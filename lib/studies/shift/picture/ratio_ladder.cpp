@@ -41,7 +41,7 @@ Ladder find_ladder(const Analysis& analysis) {
     const std::optional<double> ratio =
         gear_ratios(analysis, s, gear_values(analysis, s)).front().ratio.value;
     if (ratio && *ratio != 0.0) {
-      (*ratio > 0.0 ? ladder.forward : ladder.reverse)
+      (*ratio * solution.table.forward > 0.0 ? ladder.forward : ladder.reverse)
           .push_back({.name = solution.states[s].name, .ratio = *ratio});
     }
   }

@@ -232,11 +232,15 @@ void add_gear(Record<StateView>& keys) {
       .only_if(is_gear);
   keys.word("direction",
             {"forward", "reverse"},
-            "Sign of the ratio of the first output.",
+            "By the sign of the ratio of the first output: forward is what 'forward' of 'shift' "
+            "says, else what most gears have.",
             [](const StateView& v) {
               const std::optional<double>& first = v.gear->ratios.front().ratio;
               using Word = std::optional<std::string_view>;
-              return first ? Word(*first > 0.0 ? "forward" : "reverse") : Word();
+              return first
+                         ? Word(*first * v.analysis.shift->solution.table.forward > 0.0 ? "forward"
+                                                                                        : "reverse")
+                         : Word();
             })
       .not_in_tables()
       .only_if(is_gear);

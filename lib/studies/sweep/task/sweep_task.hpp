@@ -39,6 +39,11 @@ struct SweepTask {
 /// motion has none.
 std::vector<Case> chosen_cases(const SweepTask& task, const Mechanism& mechanism);
 
+/// The sign of the ratios of forward gears, where the file gives one.
+inline std::optional<double> forward_sign_of(const SweepTask& task) {
+  return task.shift ? task.shift->forward : std::nullopt;
+}
+
 /// Without tapes. Empty iff an error was added.
 std::optional<SweepTask> make_sweep_task(const SourceFile& source,
                                          Loaded loaded,
