@@ -60,7 +60,7 @@ std::optional<double> StretchCubic::doubtful_part(double error) const {
   if (high < 0.0) {
     return falls_once(error) ? std::nullopt : std::optional(0.5);
   }
-  if (std::min(low, high) > kMostBySlope * (std::abs(low_slope) + std::abs(high_slope)) + error) {
+  if (is_clear_of_zero(error)) {
     return std::nullopt;
   }
   const auto part_of = [](int k) { return static_cast<double>(k) / kCubicParts; };
@@ -76,6 +76,46 @@ std::optional<double> StretchCubic::doubtful_part(double error) const {
   const double aside = falls ? 0.5 : rises ? -0.5 : 0.0;
   const double part = (lowest + aside) / kCubicParts;
   return is_inside && at(part) <= error ? std::optional(part) : std::nullopt;
+}
+
+// Cut where its slope is zero or begins to be clear: between cuts it rises or falls clearly, and is
+// zero once if its sign changes, or may turn back, and then must be farther from zero than `error`.
+bool StretchCubic::is_told_by_ends(double error) const {
+  if (is_clear_of_zero(error)) {
+    return true;
+  }
+  const double flat = kFlatSlope * error;
+  const double curve = 2.0 * (low_slope + high_slope) - 4.0 * slope_at(0.5);  // of the slope
+  const double start = high_slope - low_slope - curve;
+  std::array<double, 8> cuts = {0.0, 1.0};
+  std::size_t count = 2;
+  const auto add = [&](double t) {
+    if (t > 0.0 && t < 1.0) {
+      cuts[count++] = t;
+    }
+  };
+  for (const double slope : {-flat, 0.0, flat}) {
+    const double rest = low_slope - slope;
+    const double square = start * start - 4.0 * curve * rest;
+    if (square >= 0.0) {
+      const double sum = -0.5 * (start + std::copysign(std::sqrt(square), start));
+      add(sum / curve);
+      add(rest / sum);
+    }
+  }
+  std::sort(cuts.begin(), cuts.begin() + static_cast<std::ptrdiff_t>(count));
+  int changes = 0;
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    const double before = at(cuts[i]);
+    const double after = at(cuts[i + 1]);
+    const bool is_change = (before < 0.0) != (after < 0.0);
+    const bool is_flat = !(std::abs(slope_at(0.5 * (cuts[i] + cuts[i + 1]))) > flat);
+    if (is_flat && (is_change || !(std::min(std::abs(before), std::abs(after)) > error))) {
+      return false;
+    }
+    changes += is_change ? 1 : 0;
+  }
+  return changes == ((low < 0.0) != (high < 0.0) ? 1 : 0);
 }
 
 bool StretchCubic::is_clear_at_low(double error) const {
@@ -103,6 +143,13 @@ double StretchCubic::zero() const {
     }
   }
   return t;
+}
+
+// Both ends too far off for their slopes to bring it there.
+bool StretchCubic::is_clear_of_zero(double error) const {
+  return (low < 0.0) == (high < 0.0) &&
+         std::min(std::abs(low), std::abs(high)) >
+             kMostBySlope * (std::abs(low_slope) + std::abs(high_slope)) + error;
 }
 
 // Whether it falls from a positive to a negative end with one zero, known to `error`: wherever it

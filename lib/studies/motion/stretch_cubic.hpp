@@ -26,6 +26,10 @@ struct StretchCubic {
   /// signs tell all.
   std::optional<double> doubtful_part(double error) const;
 
+  /// Whether the signs of its ends tell how often it is zero: once or never, wherever it is within
+  /// `error` of the cubic.
+  bool is_told_by_ends(double error) const;
+
   /// Whether it falls or rises clearly at its ends.
   bool is_clear_at_low(double error) const;
   bool is_clear_at_high(double error) const;
@@ -35,6 +39,7 @@ struct StretchCubic {
 
  private:
   bool falls_once(double error) const;
+  bool is_clear_of_zero(double error) const;
 };
 
 }  // namespace kinestat

@@ -104,6 +104,27 @@ cases:
 motion: {drive: motor, to: 467 deg, steps: 90, case: turn}
 )";
 
+// Likewise, near 84.3, 85.1 and 86 degrees: between two of these its rate is hardly above zero.
+constexpr const char* kRestingSixBar = R"(
+kinestat: 1
+space: planar
+parameters: {x: 40.672}
+ground: frame
+bodies: [crank, coupler, rocker, link, last]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, coupler], at: [x, -47.735]}
+  c: {type: revolute, bodies: [coupler, rocker], at: [42.598, 59.089]}
+  d: {type: revolute, bodies: [frame, rocker], at: [114.199, 21.156]}
+  e: {type: revolute, bodies: [rocker, link], at: [107.677, 102.3]}
+  f: {type: revolute, bodies: [link, last], at: [203.568, 121.957]}
+  g: {type: revolute, bodies: [frame, last], at: [194.693, 15.746]}
+actuators: {motor: {coupling: a}, load: {coupling: g}}
+cases:
+  turn: {motion: {motor: 1 rad/s}, input: motor, output: load}
+motion: {drive: motor, from: 0 deg, to: 720 deg, steps: 16, case: turn}
+)";
+
 /// How many states the lanes answer themselves.
 std::size_t followed_states(SweepTask& task) {
   auto lanes = LaneMotions::make(
@@ -224,6 +245,19 @@ TEST(SweptMotions, LoseNoDeadPointsThatLieNearEachOther) {
                          "{vary: {u: {from: 0, to: 1.5, step: 0.05}}, "
                          "report: [g.wz.position.range, d.wz.position.least, dead_points]}",
                          0.9);
+  }
+}
+
+// At 84.375 degrees and near it, between two dead points, where the rate neither is clear nor rises
+// clearly, it must be looked closer: it turns back four times a turn.
+TEST(SweptMotions, LoseNoDeadPointsBesideAStep) {
+  for (const double from : {-0.06, -0.03, 0.0, 0.05, 0.2}) {
+    std::string text = kRestingSixBar;
+    text.replace(text.find("from: 0 deg, to: 720 deg"),
+                 24,
+                 fmt::format("from: {} deg, to: {} deg", from, 720.0 + from));
+    SweptFile file(text, "{vary: {x: [40.672]}, report: [g.wz.dead_points]}");
+    EXPECT_EQ(rows_of(file.task(), kLanes).at(0).values.at(0), 8.0) << from;
   }
 }
 

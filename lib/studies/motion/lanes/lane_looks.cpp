@@ -112,7 +112,7 @@ bool LaneFollower::is_doubtful(std::size_t lane, const LaneStretch& stretch) con
     const double mean = (high.values[w].numbers[lane] - low.values[w].numbers[lane]) / way;
     const double error =
         rate.error(fastest * std::abs(way)) + kMeanShare * rate.error_by_mean(mean);
-    if (rate.doubtful_part(error) ||
+    if (!rate.is_told_by_ends(error) ||
         (std::abs(rate.low) <= least && !rate.is_clear_at_low(error)) ||
         (std::abs(rate.high) <= least && !rate.is_clear_at_high(error))) {
       return true;
