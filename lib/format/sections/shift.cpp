@@ -78,6 +78,11 @@ const Mapping<ShiftDescription>& shift_section() {
                       {"named", "those of 'names' alone, as of a gearbox whose gears are known"}}),
                  "named")
             .usual("all");
+        m.rule({.kind = FormRule::Kind::together,
+                .key = "combinations",
+                .others = {"names"},
+                .message = "'combinations' of {0} needs the key 'names'",
+                .hint = "add the gears, 'names: {M1: [C1, B2]}', or remove 'combinations'"});
       });
   return mapping;
 }

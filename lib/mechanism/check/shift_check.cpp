@@ -51,12 +51,6 @@ class ShiftCheck {
     for (const GearLabel& gear : shift_.names) {
       check_label(gear);
     }
-    if (shift_.combinations == ShiftCombinations::named && shift_.names.empty()) {
-      context_.found.error("E0303",
-                           shift_.where,
-                           "'shift' has 'combinations: named' and lacks the key 'names'",
-                           "add the gears, 'names: {M1: [C1, B2]}', or remove 'combinations'");
-    }
     for (const CaseDescription& one : context_.description.cases) {
       const bool is_gear = one.label.where == shift_.where || is_label(one.label);
       if (!is_gear && !combination_of(one.label.text).empty()) {

@@ -93,7 +93,7 @@ TEST(ShiftTable, HasNoSpanWithASingleForwardGear) {
 }
 
 TEST(ShiftTable, IsEmptyWithoutGears) {
-  const ShiftTable table = make_shift_table({});
+  const ShiftTable table = make_shift_table({}, 1.0);
 
   EXPECT_TRUE(table.steps.empty());
   EXPECT_TRUE(table.changes.empty());
