@@ -246,19 +246,6 @@ KINESTAT_FOR_EACH_MACHINE void LaneFollower::predict(const Step& of_drive) {
   }
 }
 
-KINESTAT_FOR_EACH_MACHINE void LaneFollower::add_value(std::size_t place, bool is_first) {
-  find_value(places_[place]);
-  const Numbers& value = in(value_);
-  Numbers& least = in(least_[place]);
-  Numbers& greatest = in(greatest_[place]);
-  const Flags is_active = in(active_) > 0.0;
-  choose(is_active & ((value < least) | (is_first ? ~Flags{} : Flags{})), value, least, least);
-  choose(is_active & ((value > greatest) | (is_first ? ~Flags{} : Flags{})),
-         value,
-         greatest,
-         greatest);
-}
-
 KINESTAT_FOR_EACH_MACHINE void LaneFollower::find_value(const Place& place) {
   if (place.joint >= 0) {
     const int unknown = linkage_.joints[at(place.joint)].unknown;
@@ -282,6 +269,19 @@ KINESTAT_FOR_EACH_MACHINE void LaneFollower::find_value(const Place& place) {
   const Numbers y = in(shifts_y_[head]) - in(shifts_y_[tail]) + (in(sines_[head]) - s) * px +
                     (in(cosines_[head]) - c) * py;
   in(value_) = (c * in(xs_[f]) - s * in(ys_[f])) * x + (s * in(xs_[f]) + c * in(ys_[f])) * y;
+}
+
+KINESTAT_FOR_EACH_MACHINE void LaneFollower::add_value(std::size_t place, bool is_first) {
+  find_value(places_[place]);
+  const Numbers& value = in(value_);
+  Numbers& least = in(least_[place]);
+  Numbers& greatest = in(greatest_[place]);
+  const Flags is_active = in(active_) > 0.0;
+  choose(is_active & ((value < least) | (is_first ? ~Flags{} : Flags{})), value, least, least);
+  choose(is_active & ((value > greatest) | (is_first ? ~Flags{} : Flags{})),
+         value,
+         greatest,
+         greatest);
 }
 
 KINESTAT_FOR_EACH_MACHINE void LaneFollower::add_transmission(bool is_first) {
