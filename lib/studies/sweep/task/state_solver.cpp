@@ -244,7 +244,7 @@ void StateSolver::solve_position(const Mechanism& mechanism, std::span<SweepRow>
     rows[i].status = row_status(one, task_, mechanism, task_.is_usually_solved[i]);
     ratios[i] = gear_ratio(task_, i, one);
   }
-  fill_steps(task_.columns, forward_sign_of(task_), ratios, rows);
+  fill_steps(task_.columns, task_.forward, ratios, rows);
 }
 
 // With bounds. A gear is decided anew by the state, and is no case of the description.

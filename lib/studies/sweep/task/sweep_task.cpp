@@ -331,6 +331,7 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
   task.has_statics = std::ranges::any_of(
       task.columns, [](const SweepColumn& one) { return needs_statics(one.kind); });
   if (loaded.shift) {
+    task.forward = loaded.shift->solution.table.forward;
     task.shift = std::move(loaded.shift->plan);
   }
   task.cases = chosen_cases(task, task.mechanism);

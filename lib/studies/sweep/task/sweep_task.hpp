@@ -20,9 +20,10 @@ struct SweepTask {
   MechanismDescription description;  ///< without the sections that a state does not need
   Mechanism mechanism;               ///< with the parameters of the file
   SweepPlan plan;
-  std::vector<std::size_t> chosen;              ///< which of all cases are run
-  std::vector<Case> cases;                      ///< these, with the parameters of the file
-  std::optional<ShiftPlan> shift;               ///< of the file's section, with its parameters
+  std::vector<std::size_t> chosen;  ///< which of all cases are run
+  std::vector<Case> cases;          ///< these, with the parameters of the file
+  std::optional<ShiftPlan> shift;   ///< of the file's section, with its parameters
+  double forward = 1.0;  ///< the sign of the ratios of forward gears, as in its shift table
   std::vector<std::optional<SweptGear>> gears;  ///< of each of `cases`: its combination, if any
   std::vector<bool> is_usually_solved;  ///< of each: whether it has an answer as the file has it
   std::vector<SweepColumn> columns;
@@ -38,11 +39,6 @@ struct SweepTask {
 /// The cases of a sweep with no more passes than its quantities need; one without a name where a
 /// motion has none.
 std::vector<Case> chosen_cases(const SweepTask& task, const Mechanism& mechanism);
-
-/// The sign of the ratios of forward gears, where the file gives one.
-inline std::optional<double> forward_sign_of(const SweepTask& task) {
-  return task.shift ? task.shift->forward : std::nullopt;
-}
 
 /// Without tapes. Empty iff an error was added.
 std::optional<SweepTask> make_sweep_task(const SourceFile& source,

@@ -99,7 +99,7 @@ std::optional<Case> described_anew(const SweptGear& gear,
 }
 
 void fill_steps(std::span<const SweepColumn> columns,
-                std::optional<double> forward,
+                double forward,
                 std::span<const std::optional<double>> ratios,
                 std::span<SweepRow> rows) {
   if (std::ranges::find(columns, SweepColumnKind::step, &SweepColumn::kind) == columns.end()) {
@@ -111,9 +111,8 @@ void fill_steps(std::span<const SweepColumn> columns,
       gears.push_back({.state = static_cast<int>(i), .ratio = ratios[i], .engaged = {}});
     }
   }
-  const double sign = forward.value_or(find_forward_sign(gears));
-  sort_gears(gears, sign);
-  const ShiftTable table = make_shift_table(gears, sign);
+  sort_gears(gears, forward);
+  const ShiftTable table = make_shift_table(gears, forward);
   for (std::size_t g = 0; g < gears.size(); ++g) {
     for (std::size_t q = 0; q < columns.size(); ++q) {
       if (columns[q].kind == SweepColumnKind::step && table.steps[g]) {

@@ -45,9 +45,9 @@ std::optional<Case> described_anew(const SweptGear& gear,
 
 /// Fills the columns `step`, the ratio of the next lower gear over a gear's own: of the gears of
 /// one state, whose ratios are given for each row, empty for what is no gear. `forward` is the sign
-/// of forward gears where the file gives one.
+/// of the ratios of forward gears.
 void fill_steps(std::span<const SweepColumn> columns,
-                std::optional<double> forward,
+                double forward,
                 std::span<const std::optional<double>> ratios,
                 std::span<SweepRow> rows);
 

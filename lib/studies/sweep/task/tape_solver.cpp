@@ -221,7 +221,7 @@ bool TapeSolver::fill_cases(std::size_t lane, std::span<SweepRow> rows) {
     }
   }
   if (asks_steps_) {
-    fill_steps(task_.columns, forward_sign_of(task_), ratios_, rows);
+    fill_steps(task_.columns, task_.forward, ratios_, rows);
   }
   return true;
 }
