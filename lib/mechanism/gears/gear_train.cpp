@@ -253,7 +253,7 @@ class TrainFinder {
       axis.side = member(i).side == PlanetSide::right ? PlanetSide::right : axis.side;
       if (member(i).centre_distance && axis.distance == nullptr) {
         axis.distance = &*member(i).centre_distance;
-        axis.has_said = member(i).body.text;
+        axis.distance_giver = member(i).body.text;
       }
     }
     axis.is_in_line = group.declared != nullptr && neighbour >= 0 && !has_distance(g);

@@ -21,7 +21,7 @@ struct GearAxis {
   int neighbour_mesh = -1;          ///< the mesh of the two
   PlanetSide side = PlanetSide::left;
   const Value* distance = nullptr;  ///< from `about`, where the file gives it
-  std::string has_said = {};        ///< the body whose member gave the distance; empty: an axis did
+  std::string distance_giver = {};  ///< the body whose member gave the distance; empty: an axis did
   bool is_in_line = false;          ///< beyond its neighbour, as nothing tells its distance
 };
 

@@ -263,7 +263,7 @@ class GearTrainCheck {
                                           int axis,
                                           const Name& body) const {
     const GearAxis& one = train_.axes[at(axis)];
-    if (one.distance != nullptr && one.has_said.empty()) {
+    if (one.distance != nullptr && one.distance_giver.empty()) {
       return std::nullopt;
     }
     for (const int i : one.members) {
