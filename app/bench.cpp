@@ -4,7 +4,7 @@
 #include "command.hpp"
 #include "options/sweep_options.hpp"
 #include "run/benchmark.hpp"
-#include "seconds.hpp"
+#include "terminal/seconds.hpp"
 
 namespace kinestat::app {
 

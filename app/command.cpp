@@ -7,7 +7,7 @@ namespace kinestat::app {
 
 namespace {
 
-constexpr std::array<Command, 20> kCommands = {{
+constexpr std::array<Command, 21> kCommands = {{
     {"new", "Write a commented mechanism file to begin with.", add_new},
     {"check", "Read and validate the files; say 'ok' for each that is well-formed.", add_check},
     {"analyze", "Run every pass that the cases of the files ask for.", add_analyze},
@@ -17,6 +17,7 @@ constexpr std::array<Command, 20> kCommands = {{
      add_mobility},
     {"inputs", "List which motions and actions determine all others, the best first.", add_inputs},
     {"shift", "List which combination of clutches and brakes makes which gear.", add_shift},
+    {"duty", "Sum what a duty cycle costs, and what it does to gears and bearings.", add_duty},
     {"motion", "Move the mechanism through the ranges of its drives.", add_motion},
     {"sensitivity", "Show how answers move with each parameter (derivatives).", add_sensitivity},
     {"sweep", "Analyse every combination of the parameters that a file varies.", add_sweep},

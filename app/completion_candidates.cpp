@@ -9,10 +9,10 @@
 #include "files/file_names.hpp"
 #include "help_format.hpp"
 #include "run/embedded.hpp"
-#include "run/help_topic.hpp"
 #include "run/plot.hpp"
-#include "run/schema_text.hpp"
-#include "run/starter.hpp"
+#include "run/texts/help_topic.hpp"
+#include "run/texts/schema_text.hpp"
+#include "run/texts/starter.hpp"
 #include "run/written_reports.hpp"
 
 namespace kinestat::app {

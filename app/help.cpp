@@ -5,7 +5,7 @@
 #include "command.hpp"
 #include "core/utf8.hpp"
 #include "man_page.hpp"
-#include "run/help_topic.hpp"
+#include "run/texts/help_topic.hpp"
 
 namespace kinestat::app {
 

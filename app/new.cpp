@@ -1,6 +1,6 @@
 #include "command.hpp"
 #include "core/text.hpp"
-#include "run/starter.hpp"
+#include "run/texts/starter.hpp"
 
 namespace kinestat::app {
 

@@ -1,7 +1,7 @@
 #include "run/plot.hpp"
 
 #include "command.hpp"
-#include "seconds.hpp"
+#include "terminal/seconds.hpp"
 
 namespace kinestat::app {
 

@@ -1,7 +1,7 @@
 #include "command.hpp"
 #include "core/page_text.hpp"
 #include "core/text.hpp"
-#include "run/schema_text.hpp"
+#include "run/texts/schema_text.hpp"
 
 namespace kinestat::app {
 

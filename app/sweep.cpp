@@ -2,8 +2,8 @@
 
 #include "command.hpp"
 #include "options/sweep_options.hpp"
-#include "progress_line.hpp"
-#include "seconds.hpp"
+#include "terminal/progress_line.hpp"
+#include "terminal/seconds.hpp"
 #include "words.hpp"
 
 namespace kinestat::app {

@@ -18,7 +18,7 @@ from typing import Callable, Iterator
 
 TABLE = "lib/CMakeLists.txt"
 
-FOLDERS_OF_APP = ("options/",)
+FOLDERS_OF_APP = ("options/", "terminal/")
 # What a module may include of lib/, beside itself: `app` knows no more than these.
 OF_APP = {"core", "files", "run"}
 

@@ -41,6 +41,7 @@ DECISIONS = {
     "lib/power/efficiency.cpp": "consistency: the powers of a case balance within kPowerBalance",
     "lib/power/power_flow.cpp": "consistency: the powers of a case balance within kPowerBalance",
     "lib/power/transmission_efficiency.cpp": "search: which assumed senses are accepted",
+    "lib/studies/duty/duty_case.cpp": "search: whether teeth press as where they were analysed",
     "lib/studies/compare/compare_tolerance.cpp": "comparison of two reports, not a zero of a value",
     "lib/studies/motion/lanes/lane_looks.cpp": "search: rates so slow that the whole motion decides",
     "lib/studies/motion/report/motion_text.cpp": "words: a range whose ends are the same number is constant",
@@ -55,7 +56,7 @@ DECISIONS = {
     "lib/statics/completed_actions.cpp": "rank: what a self-stress loads",
     "lib/statics/one_sided_action.cpp": "search: whether another equilibrium, told of, pushes and pulls",
     "lib/statics/internal/friction_system.cpp": "rank: which actions a friction reaches",
-    "lib/statics/lossy_actions.cpp": "search: which gear of a mesh drives",
+    "lib/statics/lossy_system.cpp": "search: which gear of a mesh drives",
 }
 
 

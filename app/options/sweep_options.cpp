@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cstdio>
 
-#include "stop_signals.hpp"
+#include "terminal/stop_signals.hpp"
 
 namespace kinestat::app {
 

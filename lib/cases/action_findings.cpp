@@ -1,12 +1,14 @@
 #include "cases/action_findings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
 
 #include "cases/known_side.hpp"
 #include "core/text.hpp"
+#include "kinematics/bounded_motion.hpp"
 #include "screw/bounded_screw.hpp"
 #include "statics/one_sided_action.hpp"
 
@@ -173,10 +175,35 @@ bool is_of_cable(const StaticSolution& action, const Mechanism& mechanism) {
   });
 }
 
+// A drag for whose speed the expression of the file has no value.
+const CouplingFriction* find_drag_without_value(const JudgedFile& file, const CaseAnalysis& one) {
+  const Topology& topology = file.mechanism.topology;
+  const auto found =
+      std::ranges::find_if(file.mechanism.frictions, [&](const CouplingFriction& friction) {
+        const int freedom = topology.coupling(friction.coupling).first_freedom;
+        return friction.tau_of_speed &&
+               !tau_at(friction, std::abs(bounded_rate(*one.motion, freedom).zeroed()));
+      });
+  return found == file.mechanism.frictions.end() ? nullptr : &*found;
+}
+
 void add_friction_at_rest(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const bool has_motion = one.motion.has_value();
   if (has_motion && one.motion->status != SolveStatus::solved) {
     return;  // why it has no answer is said of the motion
+  }
+  if (const CouplingFriction* drag = has_motion ? find_drag_without_value(file, one) : nullptr) {
+    const CouplingTopology& coupling = file.mechanism.topology.coupling(drag->coupling);
+    found.error(
+        "E0604",
+        drag->where,
+        fmt::format("case '{}': 'tau' of the friction of '{}' has no value, or a negative one, at "
+                    "{:.6g} rad/s",
+                    one.which.label,
+                    coupling.name,
+                    std::abs(one.motion->rates[static_cast<std::size_t>(coupling.first_freedom)])),
+        "write an expression that is not negative at any speed, for example with max(0 N*m, …)");
+    return;
   }
   found.error("E0604",
               one.which.where,

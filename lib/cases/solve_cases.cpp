@@ -77,10 +77,12 @@ struct Frictions {
   std::vector<CouplingId> at_rest;
 };
 
-Frictions find_frictions(const Mechanism& mechanism, const KinematicSolution* motion) {
+Frictions find_frictions(const Mechanism& mechanism,
+                         const Case& which,
+                         const KinematicSolution* motion) {
   Frictions result;
   const auto found = motion != nullptr
-                         ? find_friction_laws(mechanism, *motion)
+                         ? find_friction_laws(mechanism, which, *motion)
                          : std::vector<std::optional<FrictionLaw>>(mechanism.frictions.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (found[i]) {
@@ -131,7 +133,7 @@ StaticSolution solve_statics(const Mechanism& mechanism,
                              const KinematicSolution* motion) {
   const Case& which = request.which;
   const std::vector<BodyWrench> loads = wrenches_of(which.loads);
-  Frictions frictions = find_frictions(mechanism, motion);
+  Frictions frictions = find_frictions(mechanism, which, motion);
   const CoordinateBasis basis = basis_for(mechanism, common, loads, frictions.laws);
   if (!frictions.at_rest.empty()) {
     return without_direction(solve_action(mechanism, basis, which.actions, loads),
@@ -227,7 +229,7 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   LoadedFlanks flanks;
   if (which.asks_actions) {
     flanks = solve_on_loaded_flanks(drawn, bases, request, motion);
-    if (request.exact_input != nullptr && find_frictions(drawn, motion).laws.empty()) {
+    if (request.exact_input != nullptr && find_frictions(drawn, which, motion).laws.empty()) {
       request.certainty->has_exact_input_action =
           request.exact_input->improve(request.index, flanks.turned, flanks.action);
     }

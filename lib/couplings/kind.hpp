@@ -47,6 +47,7 @@ enum class FrictionKind {
   thread,   ///< mu with radius, tau, c
   guide,    ///< mu, length, radius, c
   sliding,  ///< mu; of contacts and teeth
+  drag,     ///< tau, c; of what engages, while it is open
   no_law    ///< all, as it is not analysed yet
 };
 

@@ -9,6 +9,7 @@
 #include "description/cable_description.hpp"
 #include "description/case_description.hpp"
 #include "description/coupling_description.hpp"
+#include "description/duty_description.hpp"
 #include "description/gear_description.hpp"
 #include "description/load_description.hpp"
 #include "description/loss_description.hpp"
@@ -80,6 +81,7 @@ struct MechanismDescription {
   SourceRange statics_where;
   std::vector<CaseDescription> cases;
   std::optional<ShiftDescription> shift;
+  std::optional<DutyDescription> duty;
   std::optional<MotionDescription> motion;
   std::optional<SweepDescription> sweep;
   std::optional<SynthesisDescription> synthesis;

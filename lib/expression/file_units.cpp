@@ -19,6 +19,7 @@ constexpr auto kDefaults = std::to_array<std::pair<QuantityKind, std::string_vie
     {QuantityKind::moment, "N*m"},
     {QuantityKind::angular_velocity, "rad/s"},
     {QuantityKind::power, "W"},
+    {QuantityKind::energy, "J"},
     {QuantityKind::stiffness, "N/m"},
 });
 

@@ -42,6 +42,7 @@ constexpr std::array<KindRow, kQuantityKindCount> list_rows() {
        "1 rad/s or 1500 rpm"},
       {acceleration, {1, 0, -2, 0}, "acceleration", "an acceleration", "", "9.81 m/s^2"},
       {power, {2, 1, -3, 0}, "power", "a power", "power", "500 W or 0.5 kW"},
+      {energy, {2, 1, -2, 0}, "energy", "an energy", "energy", "5 J or 0.2 kWh"},
       {stiffness, {0, 1, -2, 0}, "stiffness", "a stiffness", "stiffness", "2e6 N/m"},
       {angular_stiffness,
        {2, 1, -2, -1},

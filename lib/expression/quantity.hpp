@@ -56,13 +56,14 @@ enum class QuantityKind {
   angular_velocity,
   acceleration,
   power,
+  energy,
   stiffness,
   angular_stiffness,
   pitch,
   lead
 };
 
-inline constexpr std::size_t kQuantityKindCount = 15;
+inline constexpr std::size_t kQuantityKindCount = 16;
 
 /// Every kind, in the order of the enumeration.
 std::span<const QuantityKind> all_quantity_kinds();

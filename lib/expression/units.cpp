@@ -55,6 +55,10 @@ constexpr auto kUnits = std::to_array<Unit>({
     {"lbf", {44'482'216'152'605, 10'000'000'000'000}, kForce},
     {"Nm", {}, kMoment},
     {"J", {}, kMoment},
+    {"kJ", {1000}, kMoment},
+    {"MJ", {1'000'000}, kMoment},
+    {"Wh", {3600}, kMoment},
+    {"kWh", {3'600'000}, kMoment},
     {"rpm", {1, 30, 1}, kAngularVelocity},  // 2π/60 rad/s
     {"Hz", {2, 1, 1}, kAngularVelocity},    // one turn a second
     {"W", {}, kPower},

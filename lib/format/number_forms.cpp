@@ -103,6 +103,18 @@ Form<Value> not_negative() {
       "not_negative", "A number of at least 0, without a unit.", {"0.1"}, kNotNegative);
 }
 
+Form<Value> above_zero() {
+  return number_form("above_zero", "A number above 0, without a unit.", {"6.6"}, kAboveZero);
+}
+
+Form<Value> duration() {
+  return number_form("duration",
+                     "A time above 0: a bare number counts in the file's unit of time (default s), "
+                     "or write the unit.",
+                     {"20", "5 min"},
+                     kAboveZero);
+}
+
 Form<Value> not_negative_whole() {
   return number_form("not_negative_whole",
                      "A whole number of at least 0, without a unit.",

@@ -41,6 +41,8 @@ Form<Value> digit_count();
 Form<Value> at_least_one();
 Form<Value> not_zero();
 Form<Value> not_negative();
+Form<Value> above_zero();
+Form<Value> duration();
 Form<Value> not_negative_whole();
 Form<Value> fraction();
 Form<Value> efficiency();

@@ -73,6 +73,7 @@ constexpr auto kSynonyms = std::to_array<Synonym>({
     {"z", "teeth"},
     {"number_of_teeth", "teeth"},
     {"mu", "friction"},
+    {"drag", "friction"},
     {"center_of_mass", "centre_of_mass"},
     {"cog", "centre_of_mass"},
     {"center", "centre"},

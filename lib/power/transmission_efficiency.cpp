@@ -38,10 +38,10 @@ Case reversed(Case which) {
 
 // Where a cable does not slip there is none: its friction is an action, as the case without losses
 // found.
-std::vector<FrictionLaw> friction_laws(const Mechanism& mechanism,
-                                       const KinematicSolution& motion) {
+std::vector<FrictionLaw> friction_laws(const Mechanism& mechanism, const SolvedCase& solved) {
   std::vector<FrictionLaw> laws;
-  for (const std::optional<FrictionLaw>& law : find_friction_laws(mechanism, motion)) {
+  for (const std::optional<FrictionLaw>& law :
+       find_friction_laws(mechanism, solved.which, solved.motion)) {
     if (law) {
       laws.push_back(*law);
     }
@@ -66,7 +66,7 @@ class LossyCase {
       : mechanism_(mechanism),
         motion_(solved.motion),
         meshes_(meshes),
-        frictions_(friction_laws(mechanism, solved.motion)),
+        frictions_(friction_laws(mechanism, solved)),
         basis_(basis_for(common, solved.which)) {}
 
   Direction solve(const Case& which) const {
@@ -135,19 +135,14 @@ class LossyCase {
 
   // Loads and frictions may leave the coordinates that the actions need.
   CoordinateBasis basis_for(const CoordinateBasis& common, const Case& which) const {
-    std::vector<BodyWrench> outside = wrenches_of(which.loads);
-    const auto add = [&](const FrictionLaw& law) {
-      const BodyId head =
-          law.between ? law.between->head : mechanism_.topology.coupling(law.coupling).head;
-      outside.push_back({.body = head, .wrench = law.unit});
-    };
-    std::ranges::for_each(frictions_, add);
-    for (const MeshLossLaw& mesh : meshes_) {
-      add(mesh.head_driven);
-      add(mesh.tail_driven);
-    }
-    return outside.empty() ? common
-                           : action_basis(mechanism_.geometry, mechanism_.static_order, outside);
+    const std::vector<BodyWrench> loads = wrenches_of(which.loads);
+    const bool is_common = loads.empty() && frictions_.empty() && meshes_.empty();
+    return is_common ? common
+                     : lossy_action_basis(mechanism_,
+                                          {.primaries = which.actions,
+                                           .loads = loads,
+                                           .frictions = frictions_,
+                                           .meshes = meshes_});
   }
 
   // Whether power leaves by the outputs, of those that the case names.

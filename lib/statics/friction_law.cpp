@@ -69,7 +69,9 @@ FrictionLawOf<Scalar> turning(const SlidingOf<Scalar>& s) {
   const Scalar sense = against(rate);
   FrictionLawOf<Scalar> law =
       law_of(s, unit_couple<Scalar>(sense * axis), Scalar(-sense * rate), true);
-  law.constant = s.friction.tau + s.friction.viscous * law.speed;
+  const std::optional<Scalar> tau = tau_at(s.friction, law.speed);
+  law.constant = tau.value_or(Scalar(0.0)) + s.friction.viscous * law.speed;
+  law.has_value = tau.has_value();
   return law;
 }
 
@@ -268,15 +270,28 @@ FrictionLawOf<Scalar> contact(const SlidingOf<Scalar>& s) {
   return law;
 }
 
-// Drag that grows with the speed has no friction at rest, and so needs no direction there.
-bool is_nothing_at_rest(const CouplingFriction& friction) {
+// Drag that grows with the speed has no friction at rest, and so needs no direction there; what is
+// engaged has no drag, or is at rest without being held.
+bool is_nothing_at_rest(const CouplingFriction& friction, FrictionKind kind) {
+  if (kind == FrictionKind::drag) {
+    return true;
+  }
   return friction.mu == 0.0 && friction.tau == 0.0 && friction.cables.empty();
 }
 
 FrictionLaw law_at_rest(FrictionLaw law) {
   law.speed = 0.0;
   law.constant = 0.0;
+  law.parts.clear();
   return law;
+}
+
+// Whether a clutch or brake is known to hold.
+bool engages_any(const Topology& topology, const Case& which) {
+  return std::ranges::any_of(which.motions, [&](const Primary& known) {
+    const CouplingId owner = topology.freedoms[static_cast<std::size_t>(known.index)].coupling;
+    return known.value == 0.0 && kind_of(topology.coupling(owner).type).engages;
+  });
 }
 
 }  // namespace
@@ -290,6 +305,8 @@ FrictionLawOf<Scalar> make_friction_law(const SlidingOf<Scalar>& sliding) {
       return thread(sliding);
     case FrictionKind::guide:
       return guide(sliding);
+    case FrictionKind::drag:
+      return turning(sliding);
     default:
       return contact(sliding);
   }
@@ -299,7 +316,9 @@ template FrictionLaw make_friction_law(const SlidingOf<double>&);
 template FrictionLawOf<Dual> make_friction_law(const SlidingOf<Dual>&);
 
 std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mechanism,
+                                                           const Case& which,
                                                            const KinematicSolution& motion) {
+  const bool is_held = engages_any(mechanism.topology, which);
   std::vector<std::optional<FrictionLaw>> laws;
   const Geometry& geometry = mechanism.geometry;
   for (const CouplingFriction& friction : mechanism.frictions) {
@@ -318,9 +337,11 @@ std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mech
     };
     const bool moves = law.speed > 0.0 && (law.is_couple || slides());
     if (moves) {
-      laws.push_back(law);
+      laws.push_back(law.has_value ? std::optional(law) : std::nullopt);
     } else {
-      laws.push_back(is_nothing_at_rest(friction) ? std::optional(law_at_rest(law)) : std::nullopt);
+      const FrictionKind kind = kind_of(mechanism.topology.couplings[e].type).friction;
+      const bool is_nothing = is_held || is_nothing_at_rest(friction, kind);
+      laws.push_back(is_nothing ? std::optional(law_at_rest(law)) : std::nullopt);
     }
   }
   return laws;

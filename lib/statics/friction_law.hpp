@@ -55,6 +55,7 @@ struct FrictionLawOf {
   Scalar speed = 0.0;               ///< [rad/s or m/s]
   bool is_couple = true;
   Scalar constant = 0.0;  ///< what does not depend on the load [N·m or N]
+  bool has_value = true;  ///< at this speed, for which the file may give no drag
   std::vector<PressingPartOf<Scalar>> parts;
   std::vector<IgnoredPartOf<Scalar>> ignored;
   std::optional<int> pushed_by;  ///< of surfaces that part rather than pull: the action, never
@@ -82,9 +83,11 @@ template <class Scalar>
 FrictionLawOf<Scalar> make_friction_law(const SlidingOf<Scalar>& sliding);
 
 /// The laws in a case with that motion, in the order of mechanism.frictions. Empty for a coupling
-/// that does not move relative to its tail, as its friction has no direction; that of viscous
-/// friction alone is zero there.
+/// that does not move relative to its tail, as its friction has no direction, and where the file
+/// has no drag at that speed. There is none at rest where it is viscous alone, in what engages, and
+/// in a case that engages clutches or brakes: these bear all that holds bodies together.
 std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mechanism,
+                                                           const Case& which,
                                                            const KinematicSolution& motion);
 
 }  // namespace kinestat

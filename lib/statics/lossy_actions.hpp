@@ -41,6 +41,9 @@ struct LossyStatics {
   std::span<const MeshLossLaw> meshes;
 };
 
+/// The coordinates that hold the actions of a mechanism, the loads and all laws.
+CoordinateBasis lossy_action_basis(const Mechanism& mechanism, const LossyStatics& given);
+
 /// The senses begin as without losses and are turned where a power contradicts them, until none
 /// does; where that goes in circles, or what it finds is not accepted, all are tried, those that
 /// turn the fewest meshes first (at most kMostSearchedMeshes meshes). With the senses the losses

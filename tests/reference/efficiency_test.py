@@ -242,6 +242,35 @@ def ideal_torques(power: dict, drive: str, driven: str) -> dict[str, float]:
     return {f"T{drive}": 100.0, f"T{driven}": ideal}
 
 
+DRAGS = """kinestat: 1
+space: planar
+units: {length: mm}
+parameters: {w: 100 rad/s}
+ground: housing
+bodies: [sun, ring, carrier, planet]
+couplings:
+  s: {type: revolute, bodies: [housing, sun]}
+  r: {type: revolute, bodies: [housing, ring], friction: {tau: 0.1 N*m, c: 0.001}}
+  c: {type: revolute, bodies: [housing, carrier]}
+  p: {type: revolute, bodies: [carrier, planet]PLANET}
+  C: {type: clutch, bodies: [sun, ring], friction: DRAG}
+  B: {type: brake, bodies: [housing, ring], friction: DRAG}
+gears:
+  module: 2 mm
+  members:
+    sun: {body: sun, teeth: 30}
+    planet: {body: planet, teeth: 20}
+    ring: {body: ring, teeth: 70, internal: true}
+  meshes:
+    sp: {members: [sun, planet], carrier: carrier}
+    rp: {members: [ring, planet], carrier: carrier}
+actuators: {in: {coupling: s}, out: {coupling: c}}
+losses: {gear_external: 0.01}
+shift: {input: in, output: out, elements: [C, B], input_motion: 1500 rpm, input_action: 50 N*m,
+        names: {M1: [B], M2: [C]}}
+"""
+
+
 class ClosedForms(unittest.TestCase):
     # i0 = -4, η0 = 0.97
     def test_simple_set(self) -> None:
@@ -264,6 +293,34 @@ class ClosedForms(unittest.TestCase):
         self.assertAlmostEqual(power["efficiency"]["carrier"], 0.98, delta=1e-12)
         self.assertAlmostEqual(power["efficiency"]["absolute"], 0.98, delta=1e-12)
         self.assertAlmostEqual(power["efficiency"]["carrier_backward"], 0.98, delta=1e-12)
+
+    # A ring held by brake B: the open clutch C between sun and ring takes D(ω) from the sun's torque
+    # and gives it to the brake, so that (T - D)/T of the power passes the teeth, which take 0.7 % of
+    # it. In direct drive B drags the ring, and its bearing too; the planets are at rest.
+    def test_drags_of_open_elements_and_of_bearings(self) -> None:
+        torque, speed = 50.0, 1500 * math.pi / 30
+        cases = {"{tau: 2 N*m}": lambda w: 2.0,
+                 "{c: 0.01 N*m*s/rad}": lambda w: 0.01 * w,
+                 "{tau: 0.5, c: 0.01}": lambda w: 0.5 + 0.01 * w,
+                 "{tau: 3 N*m*exp(-speed/w), c: 0.01}": lambda w: 3 * math.exp(-w / 100) + 0.01 * w,
+                 "{tau: 0.1 N*m + 1e-5 N*m*s^2/rad^2 * speed^2}": lambda w: 0.1 + 1e-5 * w * w}
+        bearing = 0.1 + 0.001 * speed
+        for text, drag in cases.items():
+            with self.subTest(text):
+                file = DRAGS.replace("DRAG", text)
+                report = program.run("analyze", "-", text=file.replace("PLANET", ""))["cases"]
+                passed = (torque - drag(speed)) / torque
+                direct = (torque - drag(speed) - bearing) / torque
+                powers = {label: report[label]["power"] for label in ("M1", "M2")}
+                self.assertAlmostEqual(powers["M1"]["efficiency"]["carrier"], 0.993 * passed,
+                                       delta=1e-12)
+                self.assertAlmostEqual(powers["M2"]["efficiency"]["carrier"], direct, delta=1e-12)
+                lossy = powers["M1"]["losses"]["actuators"]
+                ring = torque - drag(speed) - 0.993 * (torque - drag(speed)) * 10 / 3
+                self.assertAlmostEqual(abs(lossy["B"]), abs(ring + drag(speed)), delta=1e-10)
+                rubbing = file.replace("PLANET", ", friction: {mu: 0.01, radius: 5}")
+                direct_there = program.run("analyze", "-", text=rubbing)["cases"]["M2"]["power"]
+                self.assertAlmostEqual(direct_there["efficiency"]["carrier"], direct, delta=1e-12)
 
     # Each journal is pressed by the force F of the teeth: T_in = F (cos α r_a + μ r), and
     # T_out = F (η cos α r_b - μ r).

@@ -27,7 +27,7 @@ constexpr std::string_view kGuideLength =
     "Length of the guide of a prismatic coupling, over which its edges bear a couple.";
 
 const FrictionTexts& texts_of(FrictionKind kind) {
-  static constexpr std::array<FrictionTexts, 5> kTexts = {{
+  static constexpr std::array<FrictionTexts, 6> kTexts = {{
       {.definition = "journal_friction",
        .meaning = "Friction of a revolute coupling: a couple against its motion in the case. The "
                   "coefficient needs the radius of the journal.",
@@ -62,6 +62,14 @@ const FrictionTexts& texts_of(FrictionKind kind) {
        .thrust_radius = {},
        .length = {},
        .has_constant = false},
+      {.definition = "drag",
+       .meaning = "Drag of a clutch or brake that is open: a couple against its slip. It has none "
+                  "where it does not slip.",
+       .example = "{tau: 0.5 N*m, c: 0.01 N*m*s/rad}",
+       .radius = {},
+       .thrust_radius = {},
+       .length = {},
+       .has_constant = true},
       {.definition = "friction",
        .meaning = "Friction of the coupling: a coefficient alone, 0.1, or a mapping. It acts "
                   "against the motion of the case; of this type of coupling it is not analysed "
@@ -78,6 +86,10 @@ const FrictionTexts& texts_of(FrictionKind kind) {
 
 bool turns(FrictionKind kind) {
   return kind == FrictionKind::journal || kind == FrictionKind::thread;
+}
+
+bool has_coefficient(FrictionKind kind) {
+  return kind != FrictionKind::drag;
 }
 
 // A radius above zero is what a thread must have.
@@ -106,16 +118,22 @@ void declare_drag(Mapping<FrictionDescription>& m, FrictionKind kind) {
 
 void declare_friction(Mapping<FrictionDescription>& m, FrictionKind kind) {
   const FrictionTexts& texts = texts_of(kind);
-  SharedList<std::string_view> coefficients = {"mu"};
-  m.key("mu", "Coefficient of friction.")
-      .may(&FrictionDescription::mu, called(not_negative(), "{1}"), "0.1");
+  SharedList<std::string_view> coefficients;
+  if (has_coefficient(kind)) {
+    coefficients.push_back("mu");
+    m.key("mu", "Coefficient of friction.")
+        .may(&FrictionDescription::mu, called(not_negative(), "{1}"), "0.1");
+  }
   if (!texts.radius.empty()) {
     declare_radius(m, kind);
   }
   if (texts.has_constant) {
     coefficients.push_back("tau");
-    m.key("tau", "Couple of friction that does not depend on the load.")
+    m.key("tau",
+          "Couple of friction that does not depend on the load. It may depend on 'speed', the size "
+          "of the relative angular velocity.")
         .may(&FrictionDescription::tau, called(friction_moment(), "{1}"), "0.2 N*m")
+        .example("0.2 N*m + 3e-6 N*m*s^2/rad^2 * speed^2")
         .usual("0");
   }
   if (!texts.thrust_radius.empty()) {
@@ -143,10 +161,11 @@ const Mapping<FrictionDescription>& friction_mapping(FrictionKind kind) {
           "", "", texts_of(one).example, [one](auto& m) { declare_friction(m, one); });
     });
   };
-  static const std::array<Friction, 5> mappings = {made(FrictionKind::journal),
+  static const std::array<Friction, 6> mappings = {made(FrictionKind::journal),
                                                    made(FrictionKind::thread),
                                                    made(FrictionKind::guide),
                                                    made(FrictionKind::sliding),
+                                                   made(FrictionKind::drag),
                                                    made(FrictionKind::no_law)};
   return mappings.at(static_cast<std::size_t>(kind));
 }
@@ -172,7 +191,8 @@ Form<FrictionDescription> mu_alone() {
 Form<FrictionDescription> friction_of(FrictionKind kind) {
   const FrictionTexts& texts = texts_of(kind);
   auto form =
-      turns(kind)
+      !has_coefficient(kind) ? friction_mapping(kind).form()
+      : turns(kind)
           ? only_if(
                 friction_mapping(kind).form(),
                 [](const YamlNode& node) { return node.kind != YamlKind::scalar; },
@@ -186,7 +206,7 @@ Form<FrictionDescription> friction_of(FrictionKind kind) {
   form.shape.definition = texts.definition;
   form.shape.meaning = texts.meaning;
   form.shape.examples = {texts.example};
-  if (!turns(kind)) {
+  if (has_coefficient(kind) && !turns(kind)) {
     form.shape.examples.push_back("0.1");
   }
   return form;

@@ -207,6 +207,10 @@ void declare_tasks(Mapping<File>& m) {
         "A gearbox: which elements engage for which gear. Every combination is enumerated and "
         "classed; every gear is also a case of its name.")
       .may(&File::shift, shift_section);
+  m.key("duty",
+        "What a transmission does for how long: energies, losses, and what gears and bearings "
+        "bear.")
+      .may(&File::duty, duty_section);
   m.key("motion",
         "A finite motion from the drawn position: the drives run through their ranges, everything "
         "else follows.")

@@ -19,6 +19,7 @@ Form<std::vector<LoadDescription>> loads();
 Form<std::vector<CaseDescription>> cases();
 const Mapping<LossDescription>& losses_section();
 const Mapping<ShiftDescription>& shift_section();
+const Mapping<DutyDescription>& duty_section();
 const Mapping<MotionDescription>& motion_section();
 const Mapping<SweepDescription>& sweep_section();
 Form<std::vector<PublishedValue>> published();

@@ -77,6 +77,7 @@ const Mapping<FileUnits>& units_section() {
         {velocity, "Unit of bare velocities; default length per time.", {"m/s", "mm/s"}},
         {angular_velocity, "Unit of bare angular velocities.", {"rad/s", "rpm"}},
         {power, "Unit of bare powers.", {"W", "kW"}},
+        {energy, "Unit of energies in reports.", {"J", "kJ", "kWh"}},
         {stiffness,
          "Unit of bare stiffnesses of forces. Those of couples count in the unit of moment per "
          "rad.",

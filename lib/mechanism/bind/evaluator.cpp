@@ -135,6 +135,39 @@ void EvaluatorOf<Scalar>::warn_of_degrees(const Value& value, double angle) {
 }
 
 template <class Scalar>
+std::optional<NumberLaw<Scalar>> EvaluatorOf<Scalar>::law(
+    const Value& value, QuantityKind kind, std::span<const LawVariable<Scalar>> variables) {
+  table_.mark_used(value.expression);
+  if (table_.is_failed(value.expression)) {
+    return std::nullopt;
+  }
+  std::map<std::string, BasicQuantity<Scalar>, std::less<>> parameters;
+  for (const std::string& name : value.expression.names()) {
+    const bool is_variable =
+        std::ranges::find(variables, name, &LawVariable<Scalar>::name) != variables.end();
+    const BasicQuantity<Scalar>* parameter = table_.find(name);
+    if (is_variable && parameter != nullptr) {
+      found_.error("E0305",
+                   value.where,
+                   fmt::format("'{}' is what this number depends on, and a parameter too", name),
+                   "give the parameter another name");
+      return std::nullopt;
+    }
+    if (parameter != nullptr) {
+      parameters.emplace(name, *parameter);
+    }
+  }
+  NumberLaw<Scalar> result(value.expression, kind, description_.units, std::move(parameters));
+  const auto sample = result.at(variables);
+  // Where it has a value is not known yet.
+  if (const auto* error = std::get_if<ExpressionError>(&sample); error && error->code != "E0316") {
+    found_.error(error->code, place_in(value, *error), error->message, error->hint);
+    return std::nullopt;
+  }
+  return result;
+}
+
+template <class Scalar>
 std::optional<BasicQuantity<Scalar>> EvaluatorOf<Scalar>::quantity(const Value& value) {
   table_.mark_used(value.expression);
   if (table_.is_failed(value.expression)) {

@@ -11,6 +11,7 @@
 #include "core/diagnostic.hpp"
 #include "couplings/coupling_geometry.hpp"
 #include "description/mechanism_description.hpp"
+#include "expression/number_law.hpp"
 #include "expression/parameters.hpp"
 #include "screw/local_origin.hpp"
 
@@ -36,6 +37,12 @@ class EvaluatorOf {
   void measure_from(const LocalOrigin& origin);
 
   std::optional<Scalar> number(const Value& value, QuantityKind kind);
+
+  /// A number that may name these quantities beside the parameters: their values here are samples,
+  /// at which its dimension is checked.
+  std::optional<NumberLaw<Scalar>> law(const Value& value,
+                                       QuantityKind kind,
+                                       std::span<const LawVariable<Scalar>> variables);
 
   /// In SI, whatever it measures.
   std::optional<BasicQuantity<Scalar>> quantity(const Value& value);

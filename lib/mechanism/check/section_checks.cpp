@@ -41,6 +41,7 @@ void check_sections(const SectionContext& context) {
   check_outlines(context);
   check_losses(context);
   check_shift(context);
+  check_duty(context);
   check_motion(context);
   check_sweep(context);
   check_synthesis(context);

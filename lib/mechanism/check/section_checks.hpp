@@ -6,9 +6,9 @@
 
 namespace kinestat {
 
-/// Evaluates every number of the outlines of bodies, of `losses`, `shift`, `motion`, `sweep` and
-/// `synthesis`, resolves every reference, and complains of what is wrong without any analysis.
-/// check_gears and check_cables do the same for `gears` and `cables`.
+/// Evaluates every number of the outlines of bodies, of `losses`, `shift`, `duty`, `motion`,
+/// `sweep` and `synthesis`, resolves every reference, and complains of what is wrong without any
+/// analysis. check_gears and check_cables do the same for `gears` and `cables`.
 void check_sections(const SectionContext& context);
 
 /// Complains of inputs and outputs of cases that are no actuators, of knowns whose coupling or
@@ -27,6 +27,10 @@ void check_motion(const SectionContext& context);
 
 /// Those of `shift`. Complains of elements and labels that contradict each other, too.
 void check_shift(const SectionContext& context);
+
+/// The numbers of `duty` and the actuators that it names; which cases know what is told where they
+/// are bound (duty_plan).
+void check_duty(const SectionContext& context);
 
 /// Those of `sweep`. Complains of ranges that never end and of sweeps that are too large, too.
 void check_sweep(const SectionContext& context);

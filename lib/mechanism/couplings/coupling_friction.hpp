@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/source.hpp"
 #include "core/types.hpp"
+#include "expression/number_law.hpp"
 
 namespace kinestat {
 
@@ -18,6 +20,9 @@ struct CableFriction {
   double ratio = 1.0;   ///< exp(μ θ) of a cable that slips, divided by the efficiency η
 };
 
+/// What `tau` of a friction calls the size of its relative angular velocity.
+inline constexpr std::string_view kSpeedOfFriction = "speed";
+
 /// SI units. What each type uses:
 /// - revolute: couple μ r R, R the force across the axis, or μ r times the forces at the two ends
 ///   of a journal of that length, which bear a couple across the axis too; μ r_t times the axial
@@ -28,7 +33,8 @@ struct CableFriction {
 /// - a revolute under a pulley: couple |r| (1 - 1/k) T, T being the tension ahead and k the ratio
 /// of
 ///   the cable (Eytelwein); of a drum that winds up, |r| (k - 1) T;
-/// - contacts of surfaces or teeth: force μ N against the sliding.
+/// - contacts of surfaces or teeth: force μ N against the sliding;
+/// - clutches and brakes that are open: couple tau + c |ω|.
 /// `Scalar` is double or Dual.
 template <class Scalar>
 struct CouplingFrictionOf {
@@ -37,13 +43,19 @@ struct CouplingFrictionOf {
   Scalar radius = 0.0;         ///< of the journal, mean one of the thread, or at which the guide
                                ///< is kept from turning; 0: no friction from its couple [m]
   Scalar thrust_radius = 0.0;  ///< mean one of the collar; 0: no friction from the axial force [m]
-  std::optional<Scalar> length;       ///< of the guide or journal [m]
-  Scalar tau = 0.0;                   ///< [N·m]
-  Scalar viscous = 0.0;               ///< c [N·m·s/rad or N·s/m]
-  std::vector<CableFriction> cables;  ///< over the pulley that turns on the coupling
+  std::optional<Scalar> length;                   ///< of the guide or journal [m]
+  Scalar tau = 0.0;                               ///< [N·m] at rest, where it depends on the speed
+  std::optional<NumberLaw<Scalar>> tau_of_speed;  ///< [N·m], where the file names kSpeedOfFriction
+  Scalar viscous = 0.0;                           ///< c [N·m·s/rad or N·s/m]
+  std::vector<CableFriction> cables;              ///< over the pulley that turns on the coupling
   SourceRange where;
 };
 
 using CouplingFriction = CouplingFrictionOf<double>;
+
+/// The couple that does not depend on the load, at a size of the relative angular velocity [rad/s].
+/// Empty where the file's expression has no value there, or a negative one.
+template <class Scalar>
+std::optional<Scalar> tau_at(const CouplingFrictionOf<Scalar>& friction, const Scalar& speed);
 
 }  // namespace kinestat

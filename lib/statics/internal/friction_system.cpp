@@ -45,7 +45,37 @@ FrictionSystem::FrictionSystem(const Mechanism& mechanism,
       equilibrium_(mechanism, basis, indices_of(primaries), ties_),
       frictionless_(equilibrium_.solve(values_of(primaries), loads).magnitudes),
       responses_(laws.size()),
-      is_open_(laws.size(), false) {}
+      is_open_(laws.size(), false) {
+  for (const FrictionLaw& law : laws) {
+    slopes_.emplace_back(law.parts.size(), std::vector<std::optional<Vec3>>(laws.size()));
+  }
+}
+
+void FrictionSystem::set_primaries(std::span<const double> values) {
+  std::vector<double> units(primaries_.size(), 0.0);
+  if (of_loads_.size() == 0) {
+    of_loads_ = equilibrium_.solve(units, loads_).magnitudes;
+    for (double& unit : units) {
+      unit = 1.0;
+      of_primaries_.emplace_back(equilibrium_.solve(units, {}).magnitudes);
+      unit = 0.0;
+    }
+  }
+  frictionless_ = of_loads_;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    frictionless_ += values[i] * of_primaries_[i];
+  }
+}
+
+Vec3 FrictionSystem::slope(std::size_t law, std::size_t part, std::size_t friction) const {
+  std::optional<Vec3>& known = slopes_[law][part][friction];
+  if (!known) {
+    const PressingPart& pressing = laws_[law].parts[part];
+    known = pressing.part *
+            coupling_wrench(pressing.of.value_or(laws_[law].coupling), response(friction));
+  }
+  return *known;
+}
 
 const VecX& FrictionSystem::response(std::size_t i) const {
   if (!responses_[i]) {
@@ -110,15 +140,15 @@ void FrictionSystem::find_open(std::vector<int> undetermined) {
 FrictionFunction FrictionSystem::function_of(std::size_t i,
                                              const std::vector<std::size_t>& chosen) const {
   FrictionFunction function{.constant = laws_[i].constant, .forces = {}};
-  for (const PressingPart& part : laws_[i].parts) {
+  for (std::size_t p = 0; p < laws_[i].parts.size(); ++p) {
+    const PressingPart& part = laws_[i].parts[p];
     PressingForce force;
     force.part = &part;
-    const CouplingId pressed = part.of.value_or(laws_[i].coupling);
-    force.constant = part.part * coupling_wrench(pressed, frictionless_);
+    force.constant =
+        part.part * coupling_wrench(part.of.value_or(laws_[i].coupling), frictionless_);
     force.slopes.resize(3, static_cast<Eigen::Index>(chosen.size()));
     for (std::size_t j = 0; j < chosen.size(); ++j) {
-      force.slopes.col(static_cast<Eigen::Index>(j)) =
-          part.part * coupling_wrench(pressed, response(chosen[j]));
+      force.slopes.col(static_cast<Eigen::Index>(j)) = slope(i, p, chosen[j]);
     }
     function.forces.push_back(std::move(force));
   }

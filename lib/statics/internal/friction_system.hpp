@@ -31,6 +31,9 @@ class FrictionSystem {
 
   const FrictionLaw& law(std::size_t i) const { return laws_[i]; }
 
+  /// Gives the known actions other magnitudes, in the order of the primaries.
+  void set_primaries(std::span<const double> values);
+
   /// ψ_0.
   const VecX& frictionless() const { return frictionless_; }
 
@@ -53,6 +56,7 @@ class FrictionSystem {
   StaticSolution solution_with(const ChosenFrictions& frictions) const;
 
  private:
+  Vec3 slope(std::size_t law, std::size_t part, std::size_t friction) const;
   std::vector<BodyWrench> pair_of(const FrictionLaw& law, double magnitude) const;
   Vec6 coupling_wrench(CouplingId id, const VecX& magnitudes) const;
   bool needs_open_action(const FrictionLaw& law) const;
@@ -67,7 +71,11 @@ class FrictionSystem {
   std::vector<TiedAction> ties_;
   Equilibrium equilibrium_;
   VecX frictionless_;
+  std::vector<VecX> of_primaries_;  ///< for a magnitude of 1 each; once others are set
+  VecX of_loads_;                   ///< likewise
   mutable std::vector<std::optional<VecX>> responses_;  ///< solved when first asked for
+  /// Of each law, part and friction: what presses for a magnitude of 1; found when first asked for.
+  mutable std::vector<std::vector<std::vector<std::optional<Vec3>>>> slopes_;
   std::vector<bool> is_open_;
   std::vector<int> open_actions_;  ///< ascending
 };

@@ -15,7 +15,7 @@
 #include "core/utf8.hpp"
 #include "report/table_archive.hpp"
 #include "studies/compare/compare_place.hpp"
-#include "studies/compare/csv_reader.hpp"
+#include "studies/compare/csv_cell.hpp"
 #include "studies/compare/report_kinds.hpp"
 #include "studies/motion/report/motion_csv.hpp"
 #include "studies/motion/report/motion_table.hpp"

@@ -11,7 +11,7 @@
 #include "core/utf8.hpp"
 #include "studies/compare/compare_json_text.hpp"
 #include "studies/compare/compare_place.hpp"
-#include "studies/compare/csv_reader.hpp"
+#include "studies/compare/csv_cell.hpp"
 
 namespace kinestat {
 

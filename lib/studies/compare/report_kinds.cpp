@@ -5,6 +5,7 @@
 
 #include "report/file/report_record.hpp"
 #include "studies/benchmark/report/benchmark_record.hpp"
+#include "studies/duty/report/duty_record.hpp"
 #include "studies/inputs/report/inputs_record.hpp"
 #include "studies/mobility/report/mobility_record.hpp"
 #include "studies/sensitivity/report/sensitivity_record.hpp"
@@ -30,7 +31,8 @@ bool has_keys_of(const RecordShape& record, const Json& report) {
 }  // namespace
 
 std::span<const ReportKind> report_kinds() {
-  static const std::array<ReportKind, 6> kinds = {{{"bench", &benchmark_report_record()},
+  static const std::array<ReportKind, 7> kinds = {{{"bench", &benchmark_report_record()},
+                                                   {"duty", &duty_report_record()},
                                                    {"inputs", &inputs_report_record()},
                                                    {"mobility", &mobility_report_record()},
                                                    {"sensitivity", &sensitivity_report_record()},

@@ -118,6 +118,11 @@ FrictionLawOf<Dual> DualCase::law_of(CouplingId id) const {
   if (friction.length) {
     friction.length = placed(*friction.length);
   }
+  if (friction.tau_of_speed) {
+    for (auto& parameter : friction.tau_of_speed->parameters()) {
+      parameter.second.value = placed(parameter.second.value);
+    }
+  }
   const int freedom = topology().couplings[e].first_freedom;
   return make_friction_law(SlidingOf<Dual>{
       .topology = topology(),

@@ -18,7 +18,7 @@ namespace {
 // With friction, if there is any, and completed if the file asks for it.
 StaticSolution solve_statics(const Mechanism& mechanism, const KinematicSolution& motion) {
   std::vector<FrictionLaw> laws;
-  for (const auto& law : find_friction_laws(mechanism, motion)) {
+  for (const auto& law : find_friction_laws(mechanism, mechanism.cases.front(), motion)) {
     laws.push_back(law.value());
   }
   const Case& which = mechanism.cases.front();

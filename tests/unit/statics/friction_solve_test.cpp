@@ -25,7 +25,7 @@ struct SolvedWithFriction {
         mechanism, motion_basis(mechanism.geometry, OrderChoice::minimal), which.motions);
     EXPECT_EQ(motion.status, SolveStatus::solved);
     std::vector<FrictionLaw> laws;
-    for (const auto& law : find_friction_laws(mechanism, motion)) {
+    for (const auto& law : find_friction_laws(mechanism, which, motion)) {
       EXPECT_TRUE(law.has_value());
       laws.push_back(law.value_or(FrictionLaw{}));
     }
@@ -296,7 +296,7 @@ TEST(FrictionLaws, AreMissingWhereNothingMoves) {
   rest.bodies.resize(2);
   rest.couplings.resize(1);
 
-  EXPECT_EQ(find_friction_laws(mechanism, rest).front().has_value(), false);
+  EXPECT_EQ(find_friction_laws(mechanism, Case{}, rest).front().has_value(), false);
 }
 
 // A parallelogram, whose coupler does not turn, and an arm on it that slides in two guides and so
@@ -332,7 +332,7 @@ std::optional<FrictionLaw> law_in_parallelogram(double degrees, double off) {
       solve_velocity(mechanism,
                      motion_basis(mechanism.geometry, OrderChoice::minimal),
                      mechanism.cases.front().motions);
-  return find_friction_laws(mechanism, motion).front();
+  return find_friction_laws(mechanism, mechanism.cases.front(), motion).front();
 }
 
 // What is left of a rate that is zero has the sense of the roundings of its equations.

@@ -1,7 +1,9 @@
 #include "mechanism/couplings/internal/friction_binder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <fmt/format.h>
@@ -40,12 +42,28 @@ class FrictionReader {
     result.radius = number(friction.radius, QuantityKind::length).value_or(0.0);
     result.thrust_radius = number(friction.thrust_radius, QuantityKind::length).value_or(0.0);
     result.length = number(friction.length, QuantityKind::length);
-    result.tau = number(friction.tau, QuantityKind::moment).value_or(0.0);
+    read_tau(result);
     result.viscous = viscous(friction.c);
     return result;
   }
 
  private:
+  void read_tau(CouplingFrictionOf<Scalar>& result) {
+    const std::optional<Value>& tau = coupling_.friction->tau;
+    const bool is_law = tau && std::ranges::count(tau->expression.names(), kSpeedOfFriction) > 0;
+    if (!is_law) {
+      result.tau = number(tau, QuantityKind::moment).value_or(0.0);
+      return;
+    }
+    const Dimension dimension = dimension_of(QuantityKind::angular_velocity);
+    const std::array sample = {LawVariable<Scalar>{
+        .name = kSpeedOfFriction, .value = {.value = 1.0, .dimension = dimension}}};
+    result.tau_of_speed = evaluator_.law(*tau, QuantityKind::moment, sample);
+    if (result.tau_of_speed) {
+      result.tau = tau_at(result, Scalar(0.0)).value_or(std::numeric_limits<double>::infinity());
+    }
+  }
+
   void check_not_negative(const Value& value, double number) {
     if (number < 0.0) {
       refuse(found_,
@@ -217,6 +235,7 @@ class FrictionCheck {
              fmt::format("the friction of {} has no coefficient", title_of(coupling_)),
              kind_ == FrictionKind::journal || kind_ == FrictionKind::thread
                  ? "add 'mu', 'tau' or 'c'"
+             : kind_ == FrictionKind::drag  ? "add 'tau' or 'c'"
              : kind_ == FrictionKind::guide ? "add 'mu' or 'c'"
                                             : "add 'mu'");
     }

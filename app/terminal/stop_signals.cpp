@@ -1,4 +1,4 @@
-#include "stop_signals.hpp"
+#include "terminal/stop_signals.hpp"
 
 #include <array>
 #include <csignal>

@@ -6,8 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/diagnostic.hpp"
-
 namespace kinestat {
 
 struct CsvRow {
@@ -37,15 +35,5 @@ class CsvReader {
   int line_ = 1;
   bool is_broken_ = false;
 };
-
-/// A file that is no table at all would have an error in every line.
-inline constexpr int kMostTableErrors = 20;
-
-/// Adds E0903 at the line; 0 is the whole file.
-void refuse_line(int line, std::string message, std::string hint, Diagnostics& found);
-
-/// The number of a cell, in any locale; empty, with E0903, if it is no finite number and nothing
-/// else.
-std::optional<double> read_cell(std::string_view text, int line, Diagnostics& found);
 
 }  // namespace kinestat

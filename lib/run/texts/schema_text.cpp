@@ -1,4 +1,4 @@
-#include "run/schema_text.hpp"
+#include "run/texts/schema_text.hpp"
 
 #include <algorithm>
 

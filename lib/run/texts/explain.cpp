@@ -1,4 +1,4 @@
-#include "run/explain.hpp"
+#include "run/texts/explain.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "run/help_topic.hpp"
+#include "run/texts/help_topic.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "run/starter.hpp"
+#include "run/texts/starter.hpp"
 
 #include <array>
 

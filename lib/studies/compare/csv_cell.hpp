@@ -1,0 +1,23 @@
+// Cells of tables that are compared, with complaints at their lines.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/csv_reader.hpp"
+#include "core/diagnostic.hpp"
+
+namespace kinestat {
+
+/// A file that is no table at all would have an error in every line.
+inline constexpr int kMostTableErrors = 20;
+
+/// Adds E0903 at the line; 0 is the whole file.
+void refuse_line(int line, std::string message, std::string hint, Diagnostics& found);
+
+/// The number of a cell, in any locale; empty, with E0903, if it is no finite number and nothing
+/// else.
+std::optional<double> read_cell(std::string_view text, int line, Diagnostics& found);
+
+}  // namespace kinestat

@@ -1,0 +1,387 @@
+#include "studies/duty/duty_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cases/solve_cases.hpp"
+#include "core/contract.hpp"
+#include "core/tolerance.hpp"
+#include "couplings/kinds.hpp"
+#include "power/transmission_efficiency.hpp"
+#include "statics/friction_law.hpp"
+
+namespace kinestat {
+
+namespace {
+
+bool has_one_freedom(FrictionKind kind) {
+  return kind == FrictionKind::journal || kind == FrictionKind::thread ||
+         kind == FrictionKind::guide || kind == FrictionKind::drag;
+}
+
+double power_of(const std::vector<int>& actuators, const std::vector<double>& powers) {
+  double sum = 0.0;
+  for (const int i : actuators) {
+    sum += powers[static_cast<std::size_t>(i)];
+  }
+  return sum;
+}
+
+bool drives_from_both_ends(const Case& which, const std::vector<double>& powers) {
+  return !which.inputs.empty() && !which.outputs.empty() && power_of(which.inputs, powers) > 0.0 &&
+         power_of(which.outputs, powers) > 0.0;
+}
+
+std::vector<double> actuator_powers(const Topology& topology,
+                                    const std::vector<double>& rates,
+                                    std::span<const double> actions) {
+  std::vector<double> powers;
+  for (const ActuatorTopology& one : topology.actuators) {
+    powers.push_back(rates[static_cast<std::size_t>(one.freedom)] *
+                     actions[static_cast<std::size_t>(one.action)]);
+  }
+  return powers;
+}
+
+// How the gears of a mesh turn in its carrier, for an angular velocity of 1; zero where they do
+// not.
+struct MeshTwists {
+  Twist head;
+  Twist tail;
+};
+
+Twist unit_of(const Twist& twist) {
+  const double size = twist.angular.norm();
+  return size > 0.0 ? (1.0 / size) * twist : Twist{};
+}
+
+std::vector<MeshTwists> find_mesh_twists(const Topology& topology,
+                                         const KinematicSolution& motion,
+                                         std::span<const Mesh> meshes) {
+  std::vector<MeshTwists> result;
+  for (const Mesh& mesh : meshes) {
+    const CouplingTopology& coupling = topology.coupling(mesh.coupling);
+    const BodyId carrier = mesh.carrier.value_or(coupling.head);
+    const auto of = [&](BodyId gear) {
+      return unit_of(motion.bodies[static_cast<std::size_t>(gear.value)] -
+                     motion.bodies[static_cast<std::size_t>(carrier.value)]);
+    };
+    result.push_back(mesh.carrier ? MeshTwists{of(coupling.head), of(coupling.tail)}
+                                  : MeshTwists{});
+  }
+  return result;
+}
+
+// Adds torques of teeth and forces of couplings to a state that has actions and speeds.
+void add_forces(const Topology& topology,
+                const Geometry& geometry,
+                std::span<const Mesh> meshes,
+                std::span<const MeshTwists> twists,
+                DutyState& state) {
+  std::vector<Wrench> wrenches(topology.couplings.size());
+  for (std::size_t a = 0; a < state.actions.size(); ++a) {
+    Wrench& wrench = wrenches[static_cast<std::size_t>(topology.actions[a].coupling.value)];
+    wrench = wrench + state.actions[a] * geometry.actions[a];
+  }
+  for (const Wrench& wrench : wrenches) {
+    state.forces.push_back(wrench.force.norm());
+  }
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    const Wrench& teeth = wrenches[static_cast<std::size_t>(meshes[m].coupling.value)];
+    state.teeth[m].head.torque = std::abs(power(teeth, twists[m].head));
+    state.teeth[m].tail.torque = std::abs(power(teeth, twists[m].tail));
+  }
+}
+
+std::size_t index_of(std::span<const LossyMesh> meshes, CouplingId coupling) {
+  return static_cast<std::size_t>(std::ranges::find(meshes, coupling, &LossyMesh::coupling) -
+                                  meshes.begin());
+}
+
+}  // namespace
+
+bool has_plain_statics(const Mechanism& mechanism) {
+  const Topology& topology = mechanism.topology;
+  return mechanism.contacts.empty() &&
+         std::ranges::none_of(topology.couplings,
+                              [](const CouplingTopology& one) {
+                                return kind_of(one.type).only_pushes || one.bears_tension();
+                              }) &&
+         std::ranges::all_of(mechanism.frictions, [&](const CouplingFriction& one) {
+           return one.cables.empty() &&
+                  has_one_freedom(kind_of(topology.coupling(one.coupling).type).friction);
+         });
+}
+
+std::optional<DutyState> state_of(const Mechanism& mechanism,
+                                  const CaseAnalysis& one,
+                                  std::span<const Mesh> meshes) {
+  const bool has_losses = !mechanism.lossy_meshes.empty();
+  if (!one.power || (has_losses && !(one.efficiency && one.efficiency->state))) {
+    return std::nullopt;
+  }
+  const auto& actions = has_losses ? one.efficiency->state->actions : one.action->magnitudes;
+  DutyState result{.rates = one.motion->rates};
+  for (const std::optional<double>& action : actions) {
+    result.actions.push_back(action.value_or(0.0));
+  }
+  result.actuators = actuator_powers(mechanism.topology, result.rates, result.actions);
+  result.loads = one.power->loads;
+  result.friction.assign(mechanism.frictions.size(), 0.0);
+  const std::vector<double>& lost =
+      has_losses ? one.efficiency->state->friction : one.power->friction;
+  for (std::size_t i = 0; i < lost.size(); ++i) {
+    const auto at = std::ranges::find(
+        mechanism.frictions, one.action->friction[i].coupling, &CouplingFriction::coupling);
+    result.friction[static_cast<std::size_t>(at - mechanism.frictions.begin())] = lost[i];
+  }
+  if (has_losses) {
+    for (const MeshLossPower& mesh : one.efficiency->state->meshes) {
+      result.meshes.push_back(mesh.power);
+    }
+  }
+  for (const Mesh& mesh : meshes) {
+    const CouplingTopology& coupling = mechanism.topology.coupling(mesh.coupling);
+    const BodyId carrier = mesh.carrier.value_or(coupling.head);
+    const auto speed = [&](BodyId gear) {
+      return (one.motion->bodies[static_cast<std::size_t>(gear.value)] -
+              one.motion->bodies[static_cast<std::size_t>(carrier.value)])
+          .angular.norm();
+    };
+    result.teeth.push_back(mesh.carrier ? MeshState{.head = {.speed = speed(coupling.head)},
+                                                    .tail = {.speed = speed(coupling.tail)}}
+                                        : MeshState{});
+  }
+  Geometry geometry = mechanism.geometry;
+  load_coast_flanks(one.coast_flanks, geometry);
+  add_forces(mechanism.topology,
+             geometry,
+             meshes,
+             find_mesh_twists(mechanism.topology, *one.motion, meshes),
+             result);
+  result.drives_from_both_ends = drives_from_both_ends(one.which, result.actuators);
+  return result;
+}
+
+// A gear of a mesh in its carrier, about an axis in the sense in which it turned.
+struct GearSense {
+  BodyId gear;
+  BodyId carrier;
+  Vec3 axis = Vec3::Zero();  ///< zero where it did not turn
+};
+
+// A friction in the sense in which its coupling moved.
+struct FrictionSense {
+  std::size_t friction = 0;  ///< index into mechanism.frictions
+  int freedom = 0;
+  double sense = 0.0;  ///< 0 where it did not move
+};
+
+struct DutyCase::Prepared {
+  // Gives a system what acts and moves there; false where a drag has no value.
+  bool set(LossySystem& to,
+           const std::vector<CouplingFriction>& all,
+           std::span<const double> speeds,
+           std::span<const double> actions) const {
+    to.set_primaries(actions);
+    for (std::size_t i = 0; i < frictions.size(); ++i) {
+      const CouplingFriction& one = all[frictions[i].friction];
+      const double speed = speeds[i];
+      const std::optional<double> tau = speed > 0.0 ? tau_at(one, speed) : 0.0;
+      if (!tau) {
+        return false;
+      }
+      to.set_friction(i, speed, *tau + one.viscous * speed);
+    }
+    return true;
+  }
+
+  std::vector<FrictionSense> frictions;                ///< in the order of mechanism.frictions
+  std::vector<std::pair<GearSense, GearSense>> laws;   ///< head and tail of each mesh that loses
+  std::vector<std::pair<GearSense, GearSense>> turns;  ///< of all meshes, in their order
+  std::vector<MeshTwists> twists;                      ///< likewise
+  std::vector<std::size_t> lossy;  ///< index into mechanism.lossy_meshes of each of `laws`
+  std::vector<Primary> primaries;
+  std::vector<BodyWrench> loads;
+  std::optional<LossySystem> without_mesh_losses;
+  std::optional<LossySystem> system;
+};
+
+DutyCase::~DutyCase() = default;
+
+DutyCase::DutyCase(const Mechanism& drawn,
+                   Case which,
+                   const CaseMotions& motions,
+                   std::span<const Mesh> meshes)
+    : mechanism_(drawn), which_(std::move(which)), motions_(motions), meshes_(meshes) {
+  analysis_ = std::move(solve_some_cases(drawn, std::span(&which_, 1)).front());
+  const bool is_determined = analysis_.action && analysis_.action->check.undetermined.empty();
+  if (!is_determined || !state_of(drawn, analysis_, meshes)) {
+    return;
+  }
+  load_coast_flanks(analysis_.coast_flanks, mechanism_.geometry);
+  const KinematicSolution& motion = *analysis_.motion;
+  auto prepared = std::make_unique<Prepared>();
+  std::vector<FrictionLaw> frictions;
+  const auto laws = find_friction_laws(mechanism_, which_, motion);
+  for (std::size_t i = 0; i < laws.size(); ++i) {
+    const CouplingId coupling = mechanism_.frictions[i].coupling;
+    const int freedom = mechanism_.topology.coupling(coupling).first_freedom;
+    const double rate = motion.rates[static_cast<std::size_t>(freedom)];
+    const bool moves = laws[i]->speed > 0.0;
+    prepared->frictions.push_back({.friction = i,
+                                   .freedom = freedom,
+                                   .sense = !moves       ? 0.0
+                                            : rate > 0.0 ? 1.0
+                                                         : -1.0});
+    frictions.push_back(*laws[i]);
+  }
+  const auto sense_of = [&](BodyId gear, BodyId carrier) {
+    const Vec3 turning = (motion.bodies[static_cast<std::size_t>(gear.value)] -
+                          motion.bodies[static_cast<std::size_t>(carrier.value)])
+                             .angular;
+    const double size = turning.norm();
+    return GearSense{
+        .gear = gear, .carrier = carrier, .axis = size > 0.0 ? Vec3(turning / size) : turning};
+  };
+  const MeshLossLaws losses = find_mesh_loss_laws(mechanism_, motion);
+  for (const MeshLossLaw& law : losses.laws) {
+    const BodyPair head = *law.head_driven.between;
+    const BodyPair tail = *law.tail_driven.between;
+    prepared->laws.emplace_back(sense_of(head.head, head.tail), sense_of(tail.head, tail.tail));
+    prepared->lossy.push_back(index_of(mechanism_.lossy_meshes, law.head_driven.coupling));
+  }
+  for (const Mesh& mesh : meshes_) {
+    const CouplingTopology& coupling = mechanism_.topology.coupling(mesh.coupling);
+    const BodyId carrier = mesh.carrier.value_or(coupling.head);
+    prepared->turns.emplace_back(sense_of(coupling.head, carrier),
+                                 sense_of(coupling.tail, carrier));
+  }
+  prepared->twists = find_mesh_twists(mechanism_.topology, motion, meshes_);
+  prepared->primaries = which_.actions;
+  prepared->loads = wrenches_of(which_.loads);
+  const LossyStatics given{.primaries = prepared->primaries,
+                           .loads = prepared->loads,
+                           .frictions = frictions,
+                           .meshes = losses.laws};
+  const CoordinateBasis basis = lossy_action_basis(mechanism_, given);
+  LossyStatics without = given;
+  without.meshes = {};
+  prepared->without_mesh_losses.emplace(mechanism_, basis, without, *analysis_.action);
+  prepared->system.emplace(mechanism_, basis, given, *analysis_.action);
+  prepared_ = std::move(prepared);
+}
+
+bool DutyCase::moves_alike(std::span<const double> known) const {
+  KINESTAT_EXPECTS(is_prepared());
+  const bool frictions = std::ranges::all_of(prepared_->frictions, [&](const FrictionSense& one) {
+    const double rate = motions_.rate(one.freedom, known);
+    return one.sense == 0.0 ? rate == 0.0 : rate * one.sense > 0.0;
+  });
+  const auto turns_alike = [&](const GearSense& one) {
+    const Vec3 turning = motions_.turning(one.gear, one.carrier, known);
+    return one.axis.isZero(0.0) ? turning.isZero(0.0) : turning.dot(one.axis) > 0.0;
+  };
+  return frictions && std::ranges::all_of(prepared_->turns, [&](const auto& pair) {
+           return turns_alike(pair.first) && turns_alike(pair.second);
+         });
+}
+
+std::vector<double> DutyCase::friction_speeds(std::span<const double> known) const {
+  std::vector<double> speeds;
+  for (const FrictionSense& one : prepared_->frictions) {
+    speeds.push_back(one.sense == 0.0 ? 0.0 : one.sense * motions_.rate(one.freedom, known));
+  }
+  return speeds;
+}
+
+bool DutyCase::presses_alike(std::span<const double> motions, std::span<const double> actions) {
+  const auto& flanks = mechanism_.geometry.other_flanks;
+  if (flanks.empty()) {
+    return true;
+  }
+  LossySystem& system = *prepared_->without_mesh_losses;
+  if (!prepared_->set(system, mechanism_.frictions, friction_speeds(motions), actions)) {
+    return true;
+  }
+  const auto found = system.solve([](const VecX&) { return true; });
+  if (!found) {
+    return false;
+  }
+  const double zero = kCancellation * found->actions.cwiseAbs().maxCoeff();
+  for (std::size_t i = 0; i < flanks.size(); ++i) {
+    const bool is_coast = std::ranges::find(analysis_.coast_flanks, static_cast<int>(i)) !=
+                          analysis_.coast_flanks.end();
+    const double force = found->actions[flanks[i].action];
+    if (is_coast ? force > zero : force < -zero) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::optional<DutyState> DutyCase::state_at(std::span<const double> motions,
+                                            std::span<const double> actions) {
+  KINESTAT_EXPECTS(is_prepared());
+  LossySystem& system = *prepared_->system;
+  const std::vector<double> speeds = friction_speeds(motions);
+  if (!prepared_->set(system, mechanism_.frictions, speeds, actions)) {
+    return std::nullopt;
+  }
+  const auto turning = [&](const GearSense& one) {
+    return one.axis.isZero(0.0) ? 0.0
+                                : motions_.turning(one.gear, one.carrier, motions).dot(one.axis);
+  };
+
+  struct Rolling {
+    double head = 0.0;
+    double tail = 0.0;
+  };
+
+  std::vector<Rolling> rolling;
+  for (std::size_t m = 0; m < prepared_->laws.size(); ++m) {
+    const auto& [head, tail] = prepared_->laws[m];
+    rolling.push_back({.head = turning(head), .tail = turning(tail)});
+    system.set_mesh_speeds(m, rolling.back().head, rolling.back().tail);
+  }
+  DutyState result;
+  const Topology& topology = mechanism_.topology;
+  for (int f = 0; f < topology.freedom_count(); ++f) {
+    result.rates.push_back(motions_.rate(f, motions));
+  }
+  const auto powers = [&](const VecX& magnitudes) {
+    return actuator_powers(
+        topology,
+        result.rates,
+        std::span(magnitudes.data(), static_cast<std::size_t>(magnitudes.size())));
+  };
+  // The outputs take power, if the inputs give any.
+  const std::optional<LossyMagnitudes> found = system.solve(
+      [&](const VecX& magnitudes) { return !drives_from_both_ends(which_, powers(magnitudes)); });
+  if (!found || found->search == LossSearch::undecided) {
+    return std::nullopt;
+  }
+  result.actions.assign(found->actions.begin(), found->actions.end());
+  result.actuators = powers(found->actions);
+  for (const Load& load : which_.loads) {
+    result.loads.push_back(power(load.acts.wrench, motions_.body(load.acts.body, motions)));
+  }
+  result.friction.assign(mechanism_.frictions.size(), 0.0);
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    result.friction[prepared_->frictions[i].friction] = -found->frictions[i] * speeds[i];
+  }
+  result.meshes.assign(mechanism_.lossy_meshes.size(), 0.0);
+  for (std::size_t m = 0; m < rolling.size(); ++m) {
+    const double speed = found->head_is_driven[m] ? rolling[m].head : rolling[m].tail;
+    result.meshes[prepared_->lossy[m]] = -found->losses[m] * speed;
+  }
+  for (const auto& [head, tail] : prepared_->turns) {
+    result.teeth.push_back({.head = {.speed = turning(head)}, .tail = {.speed = turning(tail)}});
+  }
+  add_forces(topology, mechanism_.geometry, meshes_, prepared_->twists, result);
+  result.drives_from_both_ends = drives_from_both_ends(which_, result.actuators);
+  return result;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,371 @@
+#include "studies/duty/duty_solution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "cases/solve_cases.hpp"
+#include "couplings/kinds.hpp"
+#include "power/efficiency.hpp"
+#include "studies/duty/duty_case.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+// A case with the magnitudes of a point.
+Case case_at(const Case& which, const DutyPoint& point) {
+  Case result = which;
+  for (std::size_t i = 0; i < point.motions.size(); ++i) {
+    result.motions[i].value = point.motions[i];
+  }
+  for (std::size_t i = 0; i < point.actions.size(); ++i) {
+    result.actions[i].value = point.actions[i];
+  }
+  return result;
+}
+
+// One case, whatever the senses in which it moves.
+class StateFinder {
+ public:
+  StateFinder(const Mechanism& mechanism, std::size_t which, std::span<const Mesh> meshes)
+      : mechanism_(mechanism),
+        which_(mechanism.cases[which]),
+        meshes_(meshes),
+        motions_(mechanism, which_),
+        is_plain_(motions_.is_solved() && has_plain_statics(mechanism)) {}
+
+  // Empty where there is no answer: `last_analysis` shows why.
+  std::optional<DutyState> find(const DutyPoint& point) {
+    if (is_plain_) {
+      for (std::size_t i = 0; i < known_.size(); ++i) {
+        DutyCase& one = *known_[i];
+        if (one.moves_alike(point.motions) && one.presses_alike(point.motions, point.actions)) {
+          std::rotate(known_.begin(),
+                      known_.begin() + static_cast<std::ptrdiff_t>(i),
+                      known_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+          std::optional<DutyState> state = known_.front()->state_at(point.motions, point.actions);
+          if (state) {
+            return state;
+          }
+          break;
+        }
+      }
+    }
+    return find_anew(point);
+  }
+
+  CaseAnalysis take_last_analysis() { return std::move(last_); }
+
+ private:
+  std::optional<DutyState> find_anew(const DutyPoint& point) {
+    if (is_plain_ && known_.size() < kMostKnown) {
+      auto made = std::make_unique<DutyCase>(mechanism_, case_at(which_, point), motions_, meshes_);
+      std::optional<DutyState> state = made->is_prepared()
+                                           ? made->state_at(point.motions, point.actions)
+                                           : state_of(mechanism_, made->analysis(), meshes_);
+      last_ = made->analysis();
+      if (made->is_prepared()) {
+        known_.insert(known_.begin(), std::move(made));
+      }
+      return state;
+    }
+    const Case there = case_at(which_, point);
+    last_ = std::move(solve_some_cases(mechanism_, std::span(&there, 1)).front());
+    return state_of(mechanism_, last_, meshes_);
+  }
+
+  // So many sets of senses at most are kept of a case.
+  static constexpr std::size_t kMostKnown = 64;
+
+  const Mechanism& mechanism_;
+  const Case& which_;
+  std::span<const Mesh> meshes_;
+  CaseMotions motions_;
+  bool is_plain_ = false;
+  std::vector<std::unique_ptr<DutyCase>> known_;  // the last used first
+  CaseAnalysis last_;
+};
+
+// Σ n F^p and Σ n. The loads are divided by the largest so far, that no power overflows.
+class WearSum {
+ public:
+  explicit WearSum(const std::optional<double>& exponent) : exponent_(exponent) {}
+
+  void add(double turns, double load) {
+    turns_ += turns;
+    if (load > largest_) {
+      sum_ *= exponent_ && largest_ > 0.0 ? std::pow(largest_ / load, *exponent_) : 0.0;
+      largest_ = load;
+    }
+    sum_ += exponent_ && largest_ > 0.0 ? turns * std::pow(load / largest_, *exponent_) : 0.0;
+  }
+
+  DutyWear wear(double repetitions) const {
+    DutyWear result{.revolutions = repetitions * turns_, .largest = largest_, .equivalent = {}};
+    if (exponent_ && turns_ > 0.0) {
+      result.equivalent = largest_ * std::pow(sum_ / turns_, 1.0 / *exponent_);
+    }
+    return result;
+  }
+
+ private:
+  std::optional<double> exponent_;
+  double turns_ = 0.0;
+  double largest_ = 0.0;
+  double sum_ = 0.0;
+};
+
+struct GearSum {
+  GearDuty duty;
+  bool is_head = true;
+  std::size_t mesh = 0;
+  WearSum wear;
+};
+
+struct BearingSum {
+  BearingDuty duty;
+  int freedom = 0;
+  WearSum wear;
+};
+
+class DutySum {
+ public:
+  DutySum(const Mechanism& mechanism, const DutyPlan& plan, std::span<const Mesh> meshes)
+      : mechanism_(mechanism),
+        plan_(plan),
+        slips_(find_slipping(mechanism.topology)),
+        energy_of_case_(mechanism.cases.size()) {
+    for (const LossyMesh& mesh : mechanism.lossy_meshes) {
+      result_.meshes.push_back({.coupling = mesh.coupling});
+    }
+    for (const CouplingFriction& friction : mechanism.frictions) {
+      result_.frictions.push_back({.coupling = friction.coupling});
+    }
+    list_gears(meshes);
+    list_bearings();
+    for (std::size_t a = 0; a < slips_.size(); ++a) {
+      if (slips_[a]) {
+        result_.elements.push_back({.actuator = static_cast<int>(a)});
+      }
+    }
+  }
+
+  void add_rest(double duration) {
+    result_.points.push_back({.status = DutyStatus::at_rest, .energy = {.duration = duration}});
+    result_.at_rest += duration;
+    result_.whole.duration += duration;
+  }
+
+  void add_unanswered(double duration) {
+    result_.points.push_back({.status = DutyStatus::unanswered, .energy = {.duration = duration}});
+  }
+
+  void add(const DutyPoint& point, const DutyState& state) {
+    DutyPointState one{
+        .status = state.drives_from_both_ends ? DutyStatus::both_ends : DutyStatus::solved,
+        .energy = {.duration = point.duration}};
+    const double t = point.duration;
+    double sum = 0.0;
+    double largest = 0.0;
+    const auto balance = [&](double power) {
+      sum += power;
+      largest = std::max(largest, std::abs(power));
+    };
+    const auto exchange = [&](double power) {
+      balance(power);
+      (power > 0.0 ? one.energy.given : one.energy.taken) += t * std::abs(power);
+    };
+    const auto lose = [&](double power) {
+      balance(power);
+      one.energy.lost -= t * power;
+    };
+    std::size_t element = 0;
+    for (std::size_t a = 0; a < state.actuators.size(); ++a) {
+      if (!slips_[a]) {
+        exchange(state.actuators[a]);
+        continue;
+      }
+      lose(state.actuators[a]);
+      add_element(state, t, result_.elements[element++]);
+    }
+    std::ranges::for_each(state.loads, exchange);
+    for (std::size_t m = 0; m < state.meshes.size(); ++m) {
+      lose(state.meshes[m]);
+      result_.meshes[m].energy -= t * state.meshes[m];
+    }
+    for (std::size_t f = 0; f < state.friction.size(); ++f) {
+      lose(state.friction[f]);
+      result_.frictions[f].energy -= t * state.friction[f];
+    }
+    one.balance_residual = largest == 0.0 ? 0.0 : std::abs(sum) / largest;
+    add_wear(state, t);
+    add_energy(one.energy, result_.whole);
+    add_energy(one.energy, energy_of_case_[point.which]);
+    result_.both_ends += state.drives_from_both_ends ? t : 0.0;
+    result_.balance_residual = std::max(result_.balance_residual, one.balance_residual);
+    result_.points.push_back(one);
+  }
+
+  DutySolution take() {
+    const double times = plan_.repetitions;
+    scale(times, result_.whole);
+    for (std::size_t c = 0; c < energy_of_case_.size(); ++c) {
+      if (energy_of_case_[c].duration > 0.0) {
+        scale(times, energy_of_case_[c]);
+        result_.cases.push_back({.which = c, .energy = energy_of_case_[c]});
+      }
+    }
+    for (auto* losses : {&result_.meshes, &result_.frictions}) {
+      for (CouplingLoss& loss : *losses) {
+        loss.energy *= times;
+      }
+    }
+    for (const GearSum& gear : gears_) {
+      result_.gears.push_back(gear.duty);
+      result_.gears.back().wear = gear.wear.wear(times);
+    }
+    for (const BearingSum& bearing : bearings_) {
+      result_.bearings.push_back(bearing.duty);
+      result_.bearings.back().wear = bearing.wear.wear(times);
+    }
+    for (ElementDuty& element : result_.elements) {
+      element.engaged *= times;
+      element.lost *= times;
+    }
+    result_.at_rest *= times;
+    result_.both_ends *= times;
+    return std::move(result_);
+  }
+
+ private:
+  int planets_of(const CouplingTopology& coupling) const {
+    int count = 1;
+    for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
+      count = std::max(count, mechanism_.planet_counts[static_cast<std::size_t>(a)]);
+    }
+    return count;
+  }
+
+  void list_gears(std::span<const Mesh> meshes) {
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+      const CouplingTopology& coupling = mechanism_.topology.coupling(meshes[m].coupling);
+      for (const bool is_head : {false, true}) {
+        const BodyId gear = is_head ? coupling.head : coupling.tail;
+        if (meshes[m].carrier && gear != meshes[m].carrier) {
+          gears_.push_back({.duty = {.mesh = meshes[m].coupling,
+                                     .gear = gear,
+                                     .planets = planets_of(coupling),
+                                     .wear = {}},
+                            .is_head = is_head,
+                            .mesh = m,
+                            .wear = WearSum(plan_.gear_exponent)});
+        }
+      }
+    }
+  }
+
+  void list_bearings() {
+    const Topology& topology = mechanism_.topology;
+    for (int e = 0; e < topology.coupling_count(); ++e) {
+      const CouplingTopology& coupling = topology.couplings[static_cast<std::size_t>(e)];
+      const CouplingKind& kind = kind_of(coupling.type);
+      if (!kind.is_hinge || kind.engages || coupling.action_count == 0) {
+        continue;
+      }
+      bearings_.push_back(
+          {.duty = {.bearing = CouplingId{e}, .planets = planets_of(coupling), .wear = {}},
+           .freedom = coupling.first_freedom,
+           .wear = WearSum(plan_.bearing_exponent)});
+    }
+  }
+
+  void add_element(const DutyState& state, double t, ElementDuty& element) const {
+    const ActuatorTopology& one =
+        mechanism_.topology.actuators[static_cast<std::size_t>(element.actuator)];
+    const double rate = state.rates[static_cast<std::size_t>(one.freedom)];
+    const double torque = std::abs(state.actions[static_cast<std::size_t>(one.action)]);
+    element.engaged += rate == 0.0 && torque > 0.0 ? t : 0.0;
+    element.largest = std::max(element.largest, torque);
+    element.lost -= t * state.actuators[static_cast<std::size_t>(element.actuator)];
+  }
+
+  void add_wear(const DutyState& state, double t) {
+    for (GearSum& gear : gears_) {
+      const MeshState& mesh = state.teeth[gear.mesh];
+      const GearState& one = gear.is_head ? mesh.head : mesh.tail;
+      gear.wear.add(one.speed * t / kTurn, one.torque / gear.duty.planets);
+    }
+    for (BearingSum& bearing : bearings_) {
+      const double rate = state.rates[static_cast<std::size_t>(bearing.freedom)];
+      const double force = state.forces[static_cast<std::size_t>(bearing.duty.bearing.value)];
+      bearing.wear.add(std::abs(rate) * t / kTurn, force / bearing.duty.planets);
+    }
+  }
+
+  static void add_energy(const DutyEnergy& one, DutyEnergy& to) {
+    to.duration += one.duration;
+    to.given += one.given;
+    to.taken += one.taken;
+    to.lost += one.lost;
+  }
+
+  static void scale(double factor, DutyEnergy& energy) {
+    energy.duration *= factor;
+    energy.given *= factor;
+    energy.taken *= factor;
+    energy.lost *= factor;
+  }
+
+  const Mechanism& mechanism_;
+  const DutyPlan& plan_;
+  std::vector<bool> slips_;
+  std::vector<DutyEnergy> energy_of_case_;
+  std::vector<GearSum> gears_;
+  std::vector<BearingSum> bearings_;
+  DutySolution result_;
+};
+
+}  // namespace
+
+std::optional<double> DutyEnergy::efficiency() const {
+  return given > 0.0 ? std::optional(taken / given) : std::nullopt;
+}
+
+DutySolution solve_duty(const Mechanism& mechanism, const DutyPlan& plan) {
+  const std::vector<Mesh> meshes = find_meshes(mechanism.topology, mechanism.geometry);
+  DutySum sum(mechanism, plan, meshes);
+  std::map<std::size_t, StateFinder> finders;
+  std::vector<UnansweredCase> unanswered;
+  for (std::size_t i = 0; i < plan.points.size(); ++i) {
+    const DutyPoint& point = plan.points[i];
+    if (std::ranges::all_of(point.motions, [](double motion) { return motion == 0.0; })) {
+      sum.add_rest(point.duration);
+      continue;
+    }
+    StateFinder& finder =
+        finders.try_emplace(point.which, mechanism, point.which, meshes).first->second;
+    if (const std::optional<DutyState> state = finder.find(point)) {
+      sum.add(point, *state);
+      continue;
+    }
+    sum.add_unanswered(point.duration);
+    const auto at = std::ranges::find(unanswered, point.which, &UnansweredCase::which);
+    if (at == unanswered.end()) {
+      unanswered.push_back(
+          {.which = point.which, .first = i, .count = 1, .analysis = finder.take_last_analysis()});
+    } else {
+      ++at->count;
+    }
+  }
+  DutySolution result = sum.take();
+  result.unanswered = std::move(unanswered);
+  return result;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,104 @@
+// What a duty asks of a mechanism: energies, and the wear of gears and bearings.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cases/analysis.hpp"
+#include "mechanism/duty/duty_plan.hpp"
+
+namespace kinestat {
+
+/// Energies of a while [J]. What actuators and loads give is what they take and what is lost.
+struct DutyEnergy {
+  double duration = 0.0;  ///< [s]
+  double given = 0.0;     ///< by whatever drives
+  double taken = 0.0;     ///< by whatever is driven
+  double lost = 0.0;      ///< in teeth, bearings, and elements that slip or drag
+
+  /// Taken by given; empty where nothing is given.
+  std::optional<double> efficiency() const;
+};
+
+enum class DutyStatus {
+  solved,
+  at_rest,     ///< nothing moves, so that no energy flows; what acts is not looked at
+  both_ends,   ///< solved: losses take more than the inputs give, and the outputs drive too
+  unanswered,  ///< as the case of the point is where it is analysed
+};
+
+struct DutyPointState {
+  DutyStatus status = DutyStatus::solved;
+  DutyEnergy energy;
+  double balance_residual = 0.0;  ///< |given - taken - lost| relative to the largest power
+};
+
+/// How a gear or bearing is used. `equivalent` is the constant load that, in as many revolutions,
+/// wears as much by Miner's rule, (Σ n F^p / Σ n)^(1/p); empty without an exponent p, or where
+/// nothing turns.
+struct DutyWear {
+  double revolutions = 0.0;
+  double largest = 0.0;
+  std::optional<double> equivalent;
+};
+
+/// Teeth of one gear in one mesh. Of several equal planets, of one of them.
+struct GearDuty {
+  CouplingId mesh;
+  BodyId gear;
+  int planets = 1;
+  DutyWear wear;  ///< torque [N·m] and revolutions in the carrier
+};
+
+/// A bearing about which bodies turn; of several equal planets, that of one.
+struct BearingDuty {
+  CouplingId bearing;
+  int planets = 1;
+  DutyWear wear;  ///< force across the axis and along it together [N]
+};
+
+/// A clutch or brake.
+struct ElementDuty {
+  int actuator = 0;
+  double engaged = 0.0;  ///< [s]
+  double largest = 0.0;  ///< torque [N·m]
+  double lost = 0.0;     ///< where it slips under a torque that is known [J]; its drag is friction
+};
+
+struct CouplingLoss {
+  CouplingId coupling;
+  double energy = 0.0;  ///< [J]
+};
+
+struct DutyCaseEnergy {
+  std::size_t which = 0;  ///< index into Mechanism::cases
+  DutyEnergy energy;
+};
+
+/// A case of which points have no answer, with an analysis that shows why.
+struct UnansweredCase {
+  std::size_t which = 0;
+  std::size_t first = 0;  ///< index of the first point
+  int count = 0;
+  CaseAnalysis analysis;
+};
+
+/// Of all repetitions, but for `points`, which are of one.
+struct DutySolution {
+  std::vector<DutyPointState> points;
+  DutyEnergy whole;
+  std::vector<DutyCaseEnergy> cases;    ///< those of the points, in the order of the mechanism
+  std::vector<CouplingLoss> meshes;     ///< as mechanism.lossy_meshes
+  std::vector<CouplingLoss> frictions;  ///< as mechanism.frictions
+  std::vector<GearDuty> gears;
+  std::vector<BearingDuty> bearings;
+  std::vector<ElementDuty> elements;
+  std::vector<UnansweredCase> unanswered;
+  double at_rest = 0.0;           ///< [s]
+  double both_ends = 0.0;         ///< [s]
+  double balance_residual = 0.0;  ///< the largest of all points
+};
+
+DutySolution solve_duty(const Mechanism& mechanism, const DutyPlan& plan);
+
+}  // namespace kinestat

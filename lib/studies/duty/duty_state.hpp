@@ -1,0 +1,35 @@
+// What a mechanism does at one point of a duty.
+#pragma once
+
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace kinestat {
+
+/// A gear of a mesh, seen from its carrier; neither number is negative.
+struct GearState {
+  double speed = 0.0;   ///< [rad/s]
+  double torque = 0.0;  ///< of the teeth about its axis [N·m]; 0 where it does not turn
+};
+
+struct MeshState {
+  GearState head;
+  GearState tail;
+};
+
+/// Magnitudes with all losses, SI. Powers are those that the mechanism is given: what is lost is
+/// negative.
+struct DutyState {
+  std::vector<double> rates = {};      ///< of each freedom
+  std::vector<double> actions = {};    ///< of each action
+  std::vector<double> actuators = {};  ///< power of each [W]
+  std::vector<double> loads = {};      ///< of each load of the case [W]
+  std::vector<double> friction = {};   ///< of each of mechanism.frictions [W]
+  std::vector<double> meshes = {};     ///< of each of mechanism.lossy_meshes [W]
+  std::vector<MeshState> teeth = {};   ///< of each mesh; zero where it has no carrier
+  std::vector<double> forces = {};     ///< size of the force that each coupling bears [N]
+  bool drives_from_both_ends = false;  ///< losses take more than the inputs give
+};
+
+}  // namespace kinestat

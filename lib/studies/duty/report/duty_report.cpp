@@ -1,0 +1,202 @@
+#include "studies/duty/report/duty_report.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "report/in_units.hpp"
+#include "report/number_format.hpp"
+#include "report/report_parts.hpp"
+#include "report/table.hpp"
+
+namespace kinestat {
+
+namespace {
+
+class DutyText {
+ public:
+  explicit DutyText(const DutyReportView& view) : v_(view), units_(view.description.units) {}
+
+  TextBlocks run() const {
+    TextBlocks blocks;
+    blocks += head();
+    blocks += TextBlocks(energies());
+    blocks += TextBlocks(losses());
+    add(gears(), blocks);
+    add(bearings(), blocks);
+    add(elements(), blocks);
+    return blocks;
+  }
+
+ private:
+  static void add(Table table, TextBlocks& blocks) {
+    if (!table.is_empty()) {
+      blocks += TextBlocks(std::move(table));
+    }
+  }
+
+  std::string in(QuantityKind kind) const { return fmt::format("[{}]", units_.text(kind)); }
+
+  std::string number(QuantityKind kind, double si) const {
+    return format_short(units_.from_si(kind, si));
+  }
+
+  std::string with_unit(QuantityKind kind, double si) const {
+    return number(kind, si) + " " + units_.text(kind);
+  }
+
+  std::string optional_number(QuantityKind kind, const std::optional<double>& si) const {
+    return si ? number(kind, *si) : "-";
+  }
+
+  std::string head() const {
+    std::string text = fmt::format(
+        "Duty: {} point{}", v_.plan.points.size(), v_.plan.points.size() == 1 ? "" : "s");
+    if (v_.plan.repetitions != 1.0) {
+      text += fmt::format(", {} times", format_short(v_.plan.repetitions));
+    }
+    text += fmt::format("; {}\n", with_unit(QuantityKind::time, v_.duty.whole.duration));
+    if (v_.duty.at_rest > 0.0) {
+      text += fmt::format("  at rest {}\n", with_unit(QuantityKind::time, v_.duty.at_rest));
+    }
+    if (v_.duty.both_ends > 0.0) {
+      text += fmt::format("  for {} losses take more than the inputs give: the outputs drive too\n",
+                          with_unit(QuantityKind::time, v_.duty.both_ends));
+    }
+    for (const UnansweredCase& one : v_.duty.unanswered) {
+      text += fmt::format("  {} point{} of {} ha{} no answer, the first of them {}\n",
+                          one.count,
+                          one.count == 1 ? "" : "s",
+                          v_.mechanism.cases[one.which].label,
+                          one.count == 1 ? "s" : "ve",
+                          place_of(one.first));
+    }
+    return text + "\n";
+  }
+
+  std::string place_of(std::size_t index) const {
+    const int line = v_.plan.points[index].line;
+    return line > 0 ? fmt::format("in line {}", line) : fmt::format("point {}", index + 1);
+  }
+
+  Table energies() const {
+    Table table({"Case",
+                 "duration " + in(QuantityKind::time),
+                 "given " + in(QuantityKind::energy),
+                 "taken " + in(QuantityKind::energy),
+                 "lost " + in(QuantityKind::energy),
+                 "efficiency"});
+    const auto row = [&](const std::string& name, const DutyEnergy& one) {
+      const std::optional<double> efficiency = one.efficiency();
+      table.add({name,
+                 number(QuantityKind::time, one.duration),
+                 number(QuantityKind::energy, one.given),
+                 number(QuantityKind::energy, one.taken),
+                 number(QuantityKind::energy, one.lost),
+                 efficiency ? format_short(*efficiency) : "-"});
+    };
+    for (const DutyCaseEnergy& one : v_.duty.cases) {
+      row(v_.mechanism.cases[one.which].label, one.energy);
+    }
+    row("all", v_.duty.whole);
+    return table;
+  }
+
+  // Where energy is lost, the most first.
+  Table losses() const {
+    std::vector<std::pair<std::string, double>> rows;
+    for (const CouplingLoss& one : v_.duty.meshes) {
+      rows.emplace_back("teeth " + name_of(one.coupling), one.energy);
+    }
+    for (const CouplingLoss& one : v_.duty.frictions) {
+      rows.emplace_back("friction " + name_of(one.coupling), one.energy);
+    }
+    for (const ElementDuty& one : v_.duty.elements) {
+      rows.emplace_back("slip " + name_of(one), one.lost);
+    }
+    std::erase_if(rows, [](const auto& row) { return row.second == 0.0; });
+    std::ranges::stable_sort(rows, std::greater(), [](const auto& row) { return row.second; });
+    Table table({"Lost in", "energy " + in(QuantityKind::energy), "share"});
+    for (const auto& [name, energy] : rows) {
+      table.add(
+          {name, number(QuantityKind::energy, energy), format_short(energy / v_.duty.whole.lost)});
+    }
+    if (rows.empty()) {
+      table.add({"nothing", "0", "-"});
+    }
+    return table;
+  }
+
+  Table gears() const {
+    Table table({"Gear",
+                 "in mesh",
+                 "planets",
+                 "revolutions",
+                 "largest " + in(QuantityKind::moment),
+                 "equivalent " + in(QuantityKind::moment)});
+    for (const GearDuty& one : v_.duty.gears) {
+      table.add({v_.mechanism.topology.body(one.gear).name,
+                 name_of(one.mesh),
+                 std::to_string(one.planets),
+                 format_short(one.wear.revolutions),
+                 number(QuantityKind::moment, one.wear.largest),
+                 optional_number(QuantityKind::moment, one.wear.equivalent)});
+    }
+    return table;
+  }
+
+  Table bearings() const {
+    Table table({"Bearing",
+                 "planets",
+                 "revolutions",
+                 "largest " + in(QuantityKind::force),
+                 "equivalent " + in(QuantityKind::force)});
+    for (const BearingDuty& one : v_.duty.bearings) {
+      table.add({name_of(one.bearing),
+                 std::to_string(one.planets),
+                 format_short(one.wear.revolutions),
+                 number(QuantityKind::force, one.wear.largest),
+                 optional_number(QuantityKind::force, one.wear.equivalent)});
+    }
+    return table;
+  }
+
+  Table elements() const {
+    Table table(
+        {"Element", "engaged " + in(QuantityKind::time), "largest " + in(QuantityKind::moment)});
+    for (const ElementDuty& one : v_.duty.elements) {
+      table.add({name_of(one),
+                 number(QuantityKind::time, one.engaged),
+                 number(QuantityKind::moment, one.largest)});
+    }
+    return table;
+  }
+
+  const std::string& name_of(CouplingId coupling) const {
+    return v_.mechanism.topology.coupling(coupling).name;
+  }
+
+  const std::string& name_of(const ElementDuty& one) const {
+    return v_.mechanism.topology.actuators[static_cast<std::size_t>(one.actuator)].name;
+  }
+
+  const DutyReportView& v_;
+  const FileUnits& units_;
+};
+
+}  // namespace
+
+TextBlocks duty_blocks(const DutyReportView& view) {
+  return DutyText(view).run();
+}
+
+FileReport make_duty_report(const DutyReportView& view, const ReportForms& forms) {
+  FileReport report;
+  add_forms(duty_report_record, view, forms, report);
+  if (forms.text) {
+    report.text = title_text(view.file, view.description) + "\n" + duty_blocks(view).text();
+  }
+  return report;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+"""Duties against closed forms, and each of their points against the case that it is.
+
+Usage: duty_test.py PROGRAM MECHANISMS [unittest arguments]
+"""
+
+from __future__ import annotations
+
+import math
+import random
+import re
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import program
+
+MECHANISMS = Path()
+
+# Two gears on fixed axes: the pinion has 20 teeth, the wheel 50. Teeth lose 2 %, the bearing of the
+# wheel rubs with c·ω, the open brake drags with tau.
+PAIR = """kinestat: 1
+space: planar
+units: {length: mm, energy: kJ}
+ground: frame
+bodies: [pinion, wheel]
+couplings:
+  a: {type: revolute, bodies: [frame, pinion]}
+  b: {type: revolute, bodies: [frame, wheel], friction: {c: 0.02 N*m*s/rad}}
+  B: {type: brake, bodies: [frame, wheel], friction: {tau: 3 N*m}}
+gears:
+  module: 2 mm
+  members: {p: {body: pinion, teeth: 20}, w: {body: wheel, teeth: 50}}
+  meshes: {m: {members: [p, w]}}
+actuators: {in: {coupling: a}, out: {coupling: b}}
+losses: {gear_external: 0.02}
+cases:
+  run: {motion: {in: 100 rad/s}, action: {in: 10 N*m, B: 0}, input: in, output: out}
+duty:
+  repetitions: 50
+  gear_exponent: 3
+  bearing_exponent: 10/3
+  points:
+    - {input_motion: 100 rad/s, input_action: 40 N*m, duration: 2 min}
+    - {input_motion: 200 rad/s, input_action: 20 N*m, duration: 30 s}
+    - {input_motion: -150 rad/s, input_action: -25 N*m, duration: 60 s}
+    - {input_motion: 100 rad/s, input_action: -30 N*m, duration: 10 s}
+    - {input_motion: 100 rad/s, input_action: 0, duration: 5 s}
+    - {input_motion: 0, duration: 100 s}
+"""
+POINTS = [(100, 40, 120), (200, 20, 30), (-150, -25, 60), (100, -30, 10), (100, 0, 5)]
+
+
+class Pair(unittest.TestCase):
+    def setUp(self) -> None:
+        self.duty = program.run("duty", "-", text=PAIR)["duty"]
+
+    # The wheel passes on what the teeth leave, less drag D = 3 + 0.02 ω/2.5; driven by the wheel, it
+    # takes what the teeth need, and the drag.
+    def flow(self, speed: float, torque: float) -> tuple[float, float, float, float]:
+        wheel = abs(speed) / 2.5
+        drag = (3 + 0.02 * wheel) * wheel
+        power = speed * torque
+        if power > 0:
+            return power, 0.98 * power - drag, 0.02 * power, drag
+        return -power / 0.98 + drag, -power, -power / 0.98 + power, drag
+
+    def test_energies(self) -> None:
+        given = taken = teeth = 0.0
+        for speed, torque, time in POINTS:
+            flow = self.flow(speed, torque)
+            given += 50 * time * flow[0]
+            taken += 50 * time * flow[1]
+            teeth += 50 * time * flow[2]
+
+        self.assertAlmostEqual(self.duty["given"], given / 1000, delta=1e-10 * given)
+        self.assertAlmostEqual(self.duty["taken"], taken / 1000, delta=1e-10 * given)
+        self.assertAlmostEqual(self.duty["lost"], (given - taken) / 1000, delta=1e-10 * given)
+        self.assertAlmostEqual(self.duty["efficiency"], taken / given, delta=1e-12)
+        self.assertAlmostEqual(self.duty["meshes"]["m"]["lost"], teeth / 1000, delta=1e-10 * teeth)
+        self.assertEqual(self.duty["at_rest"], 5000)
+
+    def test_losses_of_bearing_and_drag(self) -> None:
+        bearing = sum(50 * t * 0.02 * (w / 2.5) ** 2 for w, _, t in POINTS)
+        drag = sum(50 * t * 3 * abs(w) / 2.5 for w, _, t in POINTS)
+
+        self.assertAlmostEqual(self.duty["friction"]["b"]["lost"], bearing / 1000, delta=1e-9)
+        self.assertAlmostEqual(self.duty["friction"]["B"]["lost"], drag / 1000, delta=1e-9)
+
+    # Torque of the teeth: that of the pinion, and 2.5 times it on the wheel. Where the wheel drives,
+    # the losses hold back the pinion, whose shaft then gets less than the teeth bring.
+    def test_wear(self) -> None:
+        turns = [abs(w) * t / (2 * math.pi) for w, _, t in POINTS]
+        torques = [abs(m) if w * m > 0 else abs(m) / 0.98 for w, m, _ in POINTS]
+        mean = sum(n * m ** 3 for n, m in zip(turns, torques)) / sum(turns)
+        for body, factor in (("pinion", 1.0), ("wheel", 2.5)):
+            wear = self.duty["gears"][f"m.{body}"]
+            self.assertAlmostEqual(wear["revolutions"], 50 * sum(turns) / factor,
+                                   delta=1e-9 * sum(turns))
+            self.assertAlmostEqual(wear["largest"], factor * 40, delta=1e-10)
+            self.assertAlmostEqual(wear["equivalent"], factor * mean ** (1 / 3), delta=1e-10)
+        force = [m / 0.02 / math.cos(math.radians(20)) for m in torques]
+        p = 10 / 3
+        mean = sum(n * f ** p for n, f in zip(turns, force)) / sum(turns)
+        self.assertAlmostEqual(self.duty["bearings"]["a"]["equivalent"], mean ** (1 / p), delta=1e-7)
+
+    def test_points(self) -> None:
+        for point, (speed, torque, time) in zip(self.duty["points"], POINTS):
+            given, taken, _, _ = self.flow(speed, torque)
+            self.assertAlmostEqual(point["given"], time * given / 1000, delta=1e-10 * given)
+            self.assertAlmostEqual(point["taken"], time * taken / 1000, delta=1e-10 * given)
+            self.assertLess(point["balance_residual"], 1e-12)
+        self.assertEqual(self.duty["points"][5]["status"], "at_rest")
+
+    def test_a_table_is_the_same(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            rows = ["duration [min],in [rpm],in [N*m]"]
+            rows += [f"{time / 60},{speed * 30 / math.pi},{torque}" for speed, torque, time in POINTS]
+            rows.append(f"{100 / 60},0,")
+            begin, lines = 0.0, ["time [s],case,in [N*m],in [rad/s]"]
+            for speed, torque, time in [*POINTS, (0, 0, 100), (0, 0, 0)]:
+                lines.append(f"{begin},run,{torque},{speed}")
+                begin += time
+            for name, text in (("durations", rows), ("times", lines)):
+                path = Path(folder) / f"{name}.csv"
+                path.write_text("\n".join(text) + "\n", encoding="utf-8")
+                table = program.run("duty", "-", "--cycle", str(path), text=PAIR)["duty"]
+                for key in ("duration", "given", "taken", "lost", "efficiency"):
+                    self.assertAlmostEqual(table[key], self.duty[key],
+                                           delta=1e-12 * abs(self.duty[key]))
+
+
+class Cases(unittest.TestCase):
+    FILES = ["transmissions/ravigneaux_input_shaft", "transmissions/dual_clutch_six_speed",
+             "transmissions/zf_8hp70", "transmissions/lepelletier_6hp26"]
+    LOSSES = "losses: {gear_external: 0.015, gear_internal: 0.007}\n"
+
+    def check(self, name: str, draw: random.Random) -> None:
+        text = (MECHANISMS / f"{name}.yaml").read_text(encoding="utf-8")
+        text = re.sub(r"^losses:.*\n(^ .*\n)*", "", text, flags=re.M)
+        text = re.sub(r"^published:.*\n((^[ -].*)?\n)*", "", text, flags=re.M) + self.LOSSES
+        text = re.sub(r"(type: (clutch|brake), [^}]*)\}", r"\1, friction: {tau: 0.2, c: 0.001}}", text)
+        speed, torque = draw.uniform(20, 600), draw.uniform(5, 400)
+
+        def with_input(torque: float) -> str:
+            moved = re.sub(r"input_motion: [^,}\n]*", f"input_motion: {speed!r} rad/s", text)
+            return re.sub(r"input_action: [^,}\n]*", f"input_action: {torque!r} N*m", moved)
+
+        cases = program.report(program.call("shift", "-", text=with_input(torque)))
+        gears = [name for name, state in cases["shift"]["states"].items()
+                 if state["class"] == "gear"]
+        self.assertTrue(gears)
+        # Other magnitudes come first, so that what is compared follows from them.
+        points = "".join(f"    - {{case: {gear}, duration: 1, input_motion: {share * speed!r} rad/s, "
+                         f"input_action: {load * torque!r} N*m}}\n"
+                         for gear in gears for share, load in
+                         ((0.4, 0.3), (1.3, -1.7), (1, 1), (1, -1)))
+        duty = program.run("duty", "-", text=text + "duty:\n  points:\n" + points)["duty"]
+        analysed = program.report(program.call("analyze", "-", text=with_input(torque)))["cases"]
+        for i, gear in enumerate(gears):
+            with self.subTest(f"{name} {gear}"):
+                power = analysed[gear]["power"]
+                driven, coasting = duty["points"][4 * i + 2:4 * i + 4]
+                self.assertAlmostEqual(driven["efficiency"], power["efficiency"]["carrier"],
+                                       delta=1e-11)
+                backward = power["efficiency"]["carrier_backward"]
+                if backward is not None:
+                    self.assertAlmostEqual(coasting["efficiency"], backward, delta=1e-11)
+                for point in (driven, coasting):
+                    self.assertLess(point["balance_residual"], 1e-11)
+
+    def test_points_are_what_analysis_says(self) -> None:
+        draw = random.Random(5)
+        for name in self.FILES:
+            for _ in range(2):
+                self.check(name, draw)
+
+
+if __name__ == "__main__":
+    program.use(sys.argv[1])
+    MECHANISMS = Path(sys.argv[2])
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
