@@ -22,6 +22,7 @@ constexpr double kMeshGap = 2.2;  // half the gap between wheels in mesh [px]
 constexpr double kThick = 3.0;    // strokes of wheels
 constexpr double kShaft = 2.2;
 constexpr double kPlate = 9.0;  // half the length of the plate of an element
+constexpr double kHub = 7.0;    // half the length of the bearing of an idler
 
 class SchemeWriter {
  public:
@@ -32,7 +33,12 @@ class SchemeWriter {
       : analysis_(analysis), options_(options), train_(train), layout_(layout) {}
 
   Svg write() {
-    draw_axis();
+    if (layout_.axes.empty()) {
+      draw_axis({.left = layout_.box.left - 30, .right = layout_.box.right + 30, .height = 0});
+    }
+    for (const DrawnAxis& axis : layout_.axes) {
+      draw_axis(axis);
+    }
     for (const DrawnShaft& shaft : layout_.shafts) {
       const double width = shaft.body == 0 ? 1.6 : kShaft;
       svg_.line(shaft.from, shaft.to, {.stroke = Ink::ink, .width = width, .round_ends = true});
@@ -40,6 +46,9 @@ class SchemeWriter {
     }
     for (const DrawnPin& pin : layout_.pins) {
       draw_pin_line(pin);
+    }
+    for (const DrawnLink& link : layout_.links) {
+      draw_link(link);
     }
     for (const DrawnWheel& wheel : layout_.wheels) {
       draw_wheel(wheel);
@@ -74,11 +83,19 @@ class SchemeWriter {
     placer_.keep_off(from, to);
   }
 
-  void draw_axis() {
-    const PixelPoint from = at(layout_.box.left - 30, 0);
-    const PixelPoint to = at(layout_.box.right + 30, 0);
+  void draw_axis(const DrawnAxis& axis) {
+    const PixelPoint from = at(axis.left, axis.height);
+    const PixelPoint to = at(axis.right, axis.height);
     svg_.line(from, to, {.stroke = Ink::soft, .width = 0.9, .dash = "14 3 3 3"});
     placer_.keep_off(from, to);
+  }
+
+  // Gears in mesh that stand apart.
+  void draw_link(const DrawnLink& link) {
+    svg_.polyline(link.points, {.stroke = Ink::soft, .width = 1.3, .dash = "4 3"});
+    for (std::size_t i = 0; i + 1 < link.points.size(); ++i) {
+      placer_.keep_off(link.points[i], link.points[i + 1]);
+    }
   }
 
   // The pin, on which the planet turns.
@@ -91,6 +108,8 @@ class SchemeWriter {
     svg_.open_group(of.name);
     if (of.planet >= 0) {
       draw_planet(drawn);
+    } else if (drawn.is_whole) {
+      draw_whole(drawn);
     } else {
       const double height = drawn.high + (of.is_ring ? kMeshGap : -kMeshGap);
       stroke(at(drawn.left, height), at(drawn.right, height), Ink::ink, kThick);
@@ -100,6 +119,28 @@ class SchemeWriter {
       }
     }
     svg_.close_group();
+  }
+
+  // A stroke above and below and a disc between; what is fixed has a cross on its shaft, an idler a
+  // bearing.
+  void draw_whole(const DrawnWheel& drawn) {
+    const double x = drawn.discs.front();
+    for (const double side : {-1.0, 1.0}) {
+      const double rim = drawn.axis + side * (drawn.high - drawn.axis - kMeshGap);
+      const double hub = drawn.axis + side * drawn.hub;
+      stroke(at(drawn.left, rim), at(drawn.right, rim), Ink::ink, kThick);
+      stroke(at(x, hub), at(x, rim), Ink::ink, kShaft);
+      if (drawn.is_fixed && (side > 0 || drawn.hub > 0.0)) {
+        constexpr double kCross = 3.5;
+        for (const double slope : {-kCross, kCross}) {
+          svg_.line(at(x - kCross, hub - slope),
+                    at(x + kCross, hub + slope),
+                    {.stroke = Ink::ink, .width = 1.4});
+        }
+      } else if (!drawn.is_fixed) {
+        stroke(at(x - kHub, hub), at(x + kHub, hub), Ink::ink, 1.6);
+      }
+    }
   }
 
   // A stroke where it meshes above and below, and a disc with a bearing on the pin.
@@ -170,19 +211,30 @@ class SchemeWriter {
 
   // Two plates across the axis; filled, and without a gap, where they hold each other.
   void draw_clutch(const DrawnElement& drawn) {
-    const PixelPoint along = unit_of(drawn.beyond - drawn.at);
-    const double length = length_of(drawn.beyond - drawn.at);
+    draw_clutch(drawn, drawn.at, drawn.beyond, drawn.outwards, drawn.inwards);
+    if (drawn.is_mirrored) {
+      const auto mirror = [&](PixelPoint point) {
+        return PixelPoint{.x = point.x, .y = 2.0 * drawn.axis - point.y};
+      };
+      draw_clutch(drawn, mirror(drawn.at), mirror(drawn.beyond), drawn.inwards, drawn.outwards);
+    }
+  }
+
+  void draw_clutch(
+      const DrawnElement& drawn, PixelPoint from, PixelPoint to, double above, double below) {
+    const PixelPoint along = unit_of(to - from);
+    const double length = length_of(to - from);
     const double gap = is_engaged(drawn) ? 0.0 : 2.6;
-    const PixelPoint middle = drawn.at + 0.5 * length * along;
+    const PixelPoint middle = from + 0.5 * length * along;
     for (const double side : {-1.0, 1.0}) {
       const PixelPoint inner = middle + (side * gap) * along;
       const PixelPoint outer = middle + (side * (gap + 4.0)) * along;
       PixelBox box;
       box.add(inner);
       box.add(outer);
-      box.top -= kPlate;
-      box.bottom += kPlate;
-      svg_.line(side < 0 ? drawn.at : drawn.beyond, outer, {.stroke = Ink::ink, .width = kShaft});
+      box.top -= above;
+      box.bottom += below;
+      svg_.line(side < 0 ? from : to, outer, {.stroke = Ink::ink, .width = kShaft});
       svg_.rectangle(box, plate(is_engaged(drawn)));
       placer_.keep_off(box);
     }
@@ -238,7 +290,7 @@ class SchemeWriter {
           anchor,
           is_port                                    ? 3.0
           : element.kind == SchemeElementKind::brake ? 2.0
-                                                     : kPlate + 2.0,
+                                                     : drawn.outwards + 2.0,
           {.ink = element.is_engaged ? Ink::vermilion : Ink::ink,
            .size = 13.0,
            .weight = Weight::bold,
@@ -262,9 +314,12 @@ class SchemeWriter {
   void name_bodies() {
     for (int body = 1; body < analysis_.mechanism.topology.body_count(); ++body) {
       const std::string& name = analysis_.mechanism.topology.body(BodyId{body}).name;
-      const bool is_named = std::ranges::any_of(train_.wheels, [&](const SchemeWheel& wheel) {
-        return wheel.name == name || wheel.name.starts_with(name + " ");
-      });
+      const bool is_named =
+          std::ranges::any_of(train_.wheels,
+                              [&](const SchemeWheel& wheel) {
+                                return wheel.name == name || wheel.name.starts_with(name + " ");
+                              }) ||
+          is_idler(body);
       const DrawnShaft* longest = nullptr;
       for (const DrawnShaft& shaft : layout_.shafts) {
         const bool is_longer = longest == nullptr || length_of(shaft.to - shaft.from) >
@@ -274,12 +329,39 @@ class SchemeWriter {
         }
       }
       if (longest != nullptr && !is_named) {
-        write(name,
-              0.5 * (longest->from + longest->to),
-              4.0,
-              {.ink = Ink::soft, .size = 11.5, .has_halo = true, .is_italic = true});
+        name_shaft(name, *longest);
       }
     }
+  }
+
+  // In a developed section at the best of some places along it, as symbols stand close there.
+  void name_shaft(const std::string& name, const DrawnShaft& shaft) {
+    const TextStyle style = {.ink = Ink::soft, .size = 11.5, .has_halo = true, .is_italic = true};
+    const PixelPoint middle = 0.5 * (shaft.from + shaft.to);
+    if (layout_.axes.empty() || shaft.from.y != shaft.to.y) {
+      write(name, middle, 4.0, style);
+      return;
+    }
+    constexpr int kPlaces = 32;  // from the middle outwards
+    constexpr double kBeside = 10.0;
+    std::vector<PixelPoint> places;
+    for (int i = 0; i < kPlaces; ++i) {
+      const double share = 0.5 + (i % 2 == 0 ? 0.5 : -0.5) * (i + 0.5) / kPlaces;
+      for (const double side : {-kBeside, kBeside}) {
+        PixelPoint place = shaft.from + share * (shaft.to - shaft.from);
+        place.y += side;
+        places.push_back(place);
+      }
+    }
+    const PlacedName label = placer_.place_at(places, name, style);
+    write_label(svg_, label, middle, name, style);
+  }
+
+  // Its wheel says what it is.
+  bool is_idler(int body) const {
+    return std::ranges::any_of(layout_.wheels, [&](const DrawnWheel& drawn) {
+      return drawn.is_whole && !drawn.is_fixed && wheel(drawn).body == body;
+    });
   }
 
   void draw_legend() {
@@ -318,30 +400,66 @@ class SchemeWriter {
   NamePlacer placer_;
 };
 
+struct Section {
+  SchemeTrain train;
+  SchemeLayout layout;
+};
+
+// The developed section, unless something finds no way in it or shafts cross that do not in a half
+// section.
+std::optional<Section> find_section(const Analysis& analysis, const GearSchemeOptions& options) {
+  std::optional<SchemeTrain> train = find_scheme_train(analysis, options);
+  if (!train) {
+    return std::nullopt;
+  }
+  SchemeLayout layout = lay_out_scheme(*train);
+  const bool is_developed = train->axis_count > 1;
+  if (is_developed && (!layout.is_complete || layout.crossings > 0)) {
+    if (std::optional<SchemeTrain> half = find_half_section(analysis, options)) {
+      SchemeLayout other = lay_out_scheme(*half);
+      if (!layout.is_complete || other.crossings < layout.crossings) {
+        return Section{.train = std::move(*half), .layout = std::move(other)};
+      }
+    }
+  }
+  if (is_developed && !layout.is_complete) {
+    return std::nullopt;
+  }
+  return Section{.train = std::move(*train), .layout = std::move(layout)};
+}
+
 }  // namespace
 
 std::optional<Picture> draw_gear_scheme(const Analysis& analysis,
                                         const GearSchemeOptions& options) {
-  const std::optional<SchemeTrain> train = find_scheme_train(analysis, options);
-  if (!train) {
+  const std::optional<Section> section = find_section(analysis, options);
+  if (!section) {
     return std::nullopt;
   }
-  const SchemeLayout layout = lay_out_scheme(*train);
-  const Svg svg = SchemeWriter(analysis, options, *train, layout).write();
-  return make_picture("gear-scheme",
-                      picture_title("Gear scheme", analysis),
-                      fmt::format("Half section along the main axis: {} wheels, {} elements.",
-                                  train->wheels.size(),
-                                  train->elements.size()),
-                      svg);
+  const SchemeLayout& layout = section->layout;
+  const Svg svg = SchemeWriter(analysis, options, section->train, layout).write();
+  return make_picture(
+      "gear-scheme",
+      picture_title("Gear scheme", analysis),
+      fmt::format("{}: {} wheels, {} elements.",
+                  layout.axes.empty() ? "Half section along the main axis"
+                                      : "Developed section, each axis at a height of its own",
+                  section->train.wheels.size(),
+                  section->train.elements.size()),
+      svg);
 }
 
 std::string why_no_gear_scheme(const Analysis& analysis) {
-  if (!is_half_section(analysis.description)) {
-    return "idlers or planets turn about an axis beside the main axis, which a half section cannot "
-           "show; 'linkage' shows the gears from the front";
+  if (std::string reason = why_no_scheme_train(analysis.description); !reason.empty()) {
+    return reason + "; 'linkage' shows the gears from the front";
   }
-  return find_scheme_train(analysis, {}) ? "" : "no gears with parallel axes mesh";
+  if (find_section(analysis, {})) {
+    return "";
+  }
+  return find_scheme_train(analysis, {})
+             ? "in a section its shafts find no way past each other and past the gears; 'linkage' "
+               "shows the gears from the front"
+             : "no gears with parallel axes mesh";
 }
 
 }  // namespace kinestat

@@ -1,6 +1,7 @@
 #include "draw/train/scheme_grid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -24,12 +25,37 @@ constexpr double kUsualHeight = 200.0;
 constexpr double kLeastSun = 42.0;
 constexpr double kMostHeight = 300.0;
 
+// Likewise of a developed section.
+constexpr int kPlaneTracks = 13;
+constexpr double kNarrowTrack = 8.0;
+constexpr double kNarrowFace = 9.0;
+constexpr double kLinkTrack = 7.0;
+constexpr std::array kNearRows = {6.0, 15.0, 24.0, 33.0, 42.0, 51.0};
+constexpr double kSameRow = 4.0;
+constexpr int kFewOuterRows = 6;
+
 }  // namespace
 
 SchemeGrid::SchemeGrid(const SchemeTrain& train,
                        const SchemeRadii& radii,
                        const SchemeColumns& columns)
     : train_(train), radii_(radii), columns_(columns) {
+  make_tracks();
+  find_scale();
+  make_rows();
+}
+
+SchemeGrid::SchemeGrid(const SchemeTrain& train,
+                       const SchemeRadii& radii,
+                       const SchemeColumns& columns,
+                       const SchemeAxisView& view)
+    : train_(train),
+      radii_(radii),
+      columns_(columns),
+      is_developed_(true),
+      axis_(view.axis),
+      base_(view.scale * radii.axes[at(view.axis)]),
+      scale_(view.scale) {
   make_tracks();
   make_rows();
 }
@@ -39,10 +65,10 @@ void SchemeGrid::make_tracks() {
   for (int c = 0; c < columns_.count; ++c) {
     if (c > 0) {
       const bool is_same = columns_.set_of[at(c)] == columns_.set_of[at(c - 1)];
-      track += is_same ? kColumnTracks : kSetTracks;
+      track += is_developed_ ? kPlaneTracks : is_same ? kColumnTracks : kSetTracks;
     }
     centres_.push_back(track + 1);
-    track += 3;
+    track += 3 + columns_.links[at(c)];
   }
   track_count_ = track + kEndTracks;
 }
@@ -76,9 +102,11 @@ void SchemeGrid::find_scale() {
 
 // Rows at all wheels and pins, and as many between them as lines may lie beside each other.
 void SchemeGrid::make_rows() {
-  find_scale();
   std::vector<double> fixed;
   for (int w = 0; w < static_cast<int>(train_.wheels.size()); ++w) {
+    if (is_developed_ && (!is_placed(w) || is_whole(train_, w))) {
+      continue;
+    }
     fixed.push_back(high(w));
     if (train_.wheels[at(w)].planet >= 0) {
       fixed.push_back(low(w));
@@ -87,13 +115,29 @@ void SchemeGrid::make_rows() {
   }
   std::ranges::sort(fixed);
   heights_.push_back(0.0);
+  if (is_developed_) {
+    add_near_rows(fixed);
+  }
   for (const double height : fixed) {
     add_rows_up_to(height);
   }
   inner_rows_ = row_count();
-  for (int i = 0; i < kOuterRows; ++i) {
+  const int outer_rows = is_developed_ ? kFewOuterRows : kOuterRows;
+  for (int i = 0; i < outer_rows; ++i) {
     heights_.push_back(heights_.back() + kTrack);
   }
+}
+
+// Those of shafts round each other, but for what the wheels have there.
+void SchemeGrid::add_near_rows(std::vector<double>& fixed) const {
+  for (const double near : kNearRows) {
+    const bool is_there = std::ranges::any_of(
+        fixed, [near](double height) { return std::abs(height - near) < kSameRow; });
+    if (!is_there) {
+      fixed.push_back(near);
+    }
+  }
+  std::ranges::sort(fixed);
 }
 
 void SchemeGrid::add_rows_up_to(double height) {
@@ -118,7 +162,7 @@ int SchemeGrid::row_at(double height) const {
 }
 
 bool SchemeGrid::is_placed(int wheel) const {
-  return columns_.last[at(wheel)] >= 0;
+  return columns_.last[at(wheel)] >= 0 && train_.wheels[at(wheel)].axis == axis_;
 }
 
 int SchemeGrid::left_face(int wheel) const {
@@ -129,18 +173,34 @@ int SchemeGrid::right_face(int wheel) const {
   return centre(columns_.last[at(wheel)]) + 1;
 }
 
+// From the track before.
+double SchemeGrid::track_width(int track, bool is_used) const {
+  const auto is_at = [&](int centre) {
+    return std::ranges::find(centres_, centre) != centres_.end();
+  };
+  if (is_at(track) || is_at(track - 1)) {
+    return is_developed_ ? kNarrowFace : kFace;
+  }
+  if (is_at(track + 1)) {
+    return 5.0;
+  }
+  for (std::size_t c = 0; c < centres_.size(); ++c) {
+    if (track > centres_[c] + 1 && track <= centres_[c] + 1 + columns_.links[c]) {
+      return kLinkTrack;
+    }
+  }
+  return !is_used ? kUnusedTrack : is_developed_ ? kNarrowTrack : kTrack;
+}
+
 void SchemeGrid::close_up(const std::vector<bool>& is_used_track,
                           const std::vector<bool>& is_used_row) {
   double x = 0.0;
   for (int track = 0; track < track_count_; ++track) {
-    const bool is_centre = std::ranges::find(centres_, track) != centres_.end();
-    const bool is_after = std::ranges::find(centres_, track - 1) != centres_.end();
-    const bool is_before = std::ranges::find(centres_, track + 1) != centres_.end();
-    x += is_centre || is_after      ? kFace
-         : is_before                ? 5.0
-         : is_used_track[at(track)] ? kTrack
-                                    : kUnusedTrack;
+    x += track_width(track, is_used_track[at(track)]);
     x_.push_back(x);
+  }
+  if (is_developed_) {
+    return;
   }
   for (int row = inner_rows_; row < row_count(); ++row) {
     heights_[at(row)] = heights_[at(row - 1)] + (is_used_row[at(row)] ? kTrack : 1.0);
@@ -151,7 +211,7 @@ void SchemeGrid::close_up(const std::vector<bool>& is_used_track,
 PixelPoint SchemeGrid::place(GridCell cell) const {
   const int column = std::clamp(cell.column, 0, track_count_ - 1);
   const int row = std::min(cell.row, row_count() - 1);
-  PixelPoint p = {.x = x_[at(column)], .y = -heights_[at(row)]};
+  PixelPoint p = {.x = x_[at(column)], .y = -base_ - heights_[at(row)]};
   p.x += kTrack * (cell.column - column);
   p.y -= kTrack * (cell.row - row);
   return p;

@@ -1,4 +1,4 @@
-// The half section of a gear train as plain geometry: strokes of wheels, pins, shafts, elements.
+// The section of a gear train as plain geometry: strokes of wheels, pins, shafts, elements.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,14 @@ struct DrawnWheel {
   double left = 0.0;  ///< its width
   double right = 0.0;
   std::vector<double> discs;  ///< x of its discs, one a column
-  double low = 0.0;           ///< of a planet: where it begins, as a height above the axis
+  double low = 0.0;           ///< of a planet: where it begins, as a height above the main axis
   double high = 0.0;          ///< where it ends; of a wheel on the main axis its radius
+
+  // Of a developed section:
+  double axis = 0.0;      ///< height of its axis above the main axis
+  bool is_whole = false;  ///< on both sides of its axis
+  double hub = 0.0;       ///< how far from its axis its disc begins: within, another shaft runs
+  bool is_fixed = false;  ///< one with a shaft, not an idler
 };
 
 struct DrawnPin {
@@ -38,6 +44,25 @@ struct DrawnElement {
   int body = 0;
   PixelPoint at;      ///< where the line of its body ends
   PixelPoint beyond;  ///< where that of the other body ends, or the housing is
+
+  // Of a developed section:
+  double axis = 0.0;         ///< y of its axis
+  double inwards = 9.0;      ///< how far the plates of a clutch reach from its line
+  double outwards = 9.0;     ///< likewise away from the axis
+  bool is_mirrored = false;  ///< also on the other side of its axis
+};
+
+/// A broken line between gears in mesh that are not drawn next to each other.
+struct DrawnLink {
+  int mesh = 0;
+  std::vector<PixelPoint> points;
+};
+
+/// The line of an axis.
+struct DrawnAxis {
+  double left = 0.0;
+  double right = 0.0;
+  double height = 0.0;  ///< above the main axis
 };
 
 struct SchemeLayout {
@@ -45,11 +70,15 @@ struct SchemeLayout {
   std::vector<DrawnPin> pins;
   std::vector<DrawnShaft> shafts;
   std::vector<DrawnElement> elements;
+  std::vector<DrawnLink> links;  ///< of a developed section
+  std::vector<DrawnAxis> axes;   ///< likewise
   PixelBox box;
-  int crossings = 0;  ///< of shafts
+  int crossings = 0;        ///< of shafts
+  bool is_complete = true;  ///< false: something found no way past the rest
 };
 
-/// Of some orders in which shafts are led the one with the fewest crossings; the same in every run.
+/// The half section, or the developed section where shafts stand beside the main axis. Of some
+/// orders in which shafts are led that with the fewest crossings; the same in every run.
 SchemeLayout lay_out_scheme(const SchemeTrain& train);
 
 }  // namespace kinestat

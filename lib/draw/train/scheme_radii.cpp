@@ -19,12 +19,14 @@ struct Touch {
 
 class RadiusFinder {
  public:
-  explicit RadiusFinder(const SchemeTrain& train) : train_(train) {
+  RadiusFinder(const SchemeTrain& train, std::span<const int> order)
+      : train_(train), order_(order.begin(), order.end()) {
     for (const SchemeWheel& wheel : train.wheels) {
       values_.push_back(wheel.radius);
       ease_.push_back(wheel.radius * wheel.radius);
     }
     add_planets();
+    add_gaps();
     for (const SchemeMesh& mesh : train.meshes) {
       add_touch(mesh);
     }
@@ -43,8 +45,11 @@ class RadiusFinder {
       }
     }
     const auto wheels = static_cast<std::ptrdiff_t>(train_.wheels.size());
-    return {.wheels = {values_.begin(), values_.begin() + wheels},
-            .planets = {values_.begin() + wheels, values_.end()}};
+    const auto planets = static_cast<std::ptrdiff_t>(train_.planets.size());
+    SchemeRadii result{.wheels = {values_.begin(), values_.begin() + wheels},
+                       .planets = {values_.begin() + wheels, values_.begin() + wheels + planets}};
+    stack_axes(result);
+    return result;
   }
 
  private:
@@ -75,6 +80,63 @@ class RadiusFinder {
     }
   }
 
+  std::size_t gap(std::size_t i) const { return train_.wheels.size() + train_.planets.size() + i; }
+
+  // Between an axis of the order and the next; 0 until a mesh says more.
+  void add_gaps() {
+    double largest = 0.0;
+    for (const SchemeWheel& one : train_.wheels) {
+      largest = std::max(largest, one.radius);
+    }
+    for (std::size_t i = 0; i + 1 < order_.size(); ++i) {
+      values_.push_back(0.0);
+      ease_.push_back(largest * largest);
+      for (const SchemeMesh& mesh : train_.meshes) {
+        if (is_between(mesh, i)) {
+          values_.back() = wheel(mesh.first).radius + wheel(mesh.second).radius;
+          break;
+        }
+      }
+    }
+  }
+
+  bool is_between(const SchemeMesh& mesh, std::size_t i) const {
+    const int a = wheel(mesh.first).axis;
+    const int b = wheel(mesh.second).axis;
+    return (a == order_[i] && b == order_[i + 1]) || (b == order_[i] && a == order_[i + 1]);
+  }
+
+  void stack_axes(SchemeRadii& result) const {
+    result.axes.resize(std::max<std::size_t>(order_.size(), 1), 0.0);
+    double height = 0.0;
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      result.axes[at(order_[i])] = height;
+      if (i + 1 < order_.size()) {
+        const double asked = values_[gap(i)];
+        height += asked > 0.0
+                      ? asked
+                      : 1.1 * (reach(result, order_[i], 1) + reach(result, order_[i + 1], -1));
+      }
+    }
+    const double main = result.axes.front();
+    for (double& axis : result.axes) {
+      axis -= main;
+    }
+  }
+
+  // How far the wheels of an axis reach upwards or, halves do not, downwards.
+  double reach(const SchemeRadii& result, int axis, int side) const {
+    double reach = 0.0;
+    for (int w = 0; w < static_cast<int>(train_.wheels.size()); ++w) {
+      const int planet = wheel(w).planet;
+      if (wheel(w).axis == axis && (side > 0 || is_whole(train_, w))) {
+        reach =
+            std::max(reach, result.wheels[at(w)] + (planet < 0 ? 0.0 : result.planets[at(planet)]));
+      }
+    }
+    return reach;
+  }
+
   // Which of two planets in mesh is farther out: the one that reaches a ring.
   bool is_outer(int planet) const {
     return std::ranges::any_of(train_.meshes, [&](const SchemeMesh& mesh) {
@@ -85,6 +147,15 @@ class RadiusFinder {
   }
 
   void add_touch(const SchemeMesh& mesh) {
+    if (wheel(mesh.first).axis != wheel(mesh.second).axis) {
+      for (std::size_t i = 0; i + 1 < order_.size(); ++i) {
+        if (is_between(mesh, i)) {
+          touches_.push_back(
+              {.terms = {{gap(i), 1.0}, {at(mesh.first), -1.0}, {at(mesh.second), -1.0}}});
+        }
+      }
+      return;
+    }
     int inner = mesh.first;
     int outer = mesh.second;
     if (wheel(inner).planet >= 0 && (wheel(outer).planet < 0 || (is_outer(wheel(inner).planet) &&
@@ -124,15 +195,10 @@ class RadiusFinder {
   }
 
   const SchemeTrain& train_;
-  std::vector<double> values_;  // radii of wheels, then distances of pins
+  std::vector<int> order_;      // of axes; empty of a half section
+  std::vector<double> values_;  // radii of wheels, then distances of pins, then gaps
   std::vector<double> ease_;
   std::vector<Touch> touches_;
-};
-
-// What of a half section a wheel fills.
-struct Span {
-  double low = 0.0;
-  double high = 0.0;
 };
 
 class ColumnFinder {
@@ -144,14 +210,22 @@ class ColumnFinder {
     result_.last.resize(train_.wheels.size(), -1);
     result_.mesh.resize(train_.meshes.size(), -1);
     for (const std::size_t m : order_of_meshes()) {
+      if (train_.meshes[m].is_apart) {
+        continue;
+      }
       const int column = column_for(m);
       result_.mesh[m] = column;
       for (const int w : {train_.meshes[m].first, train_.meshes[m].second}) {
-        wheels_in_[at(column)].insert(w);
-        result_.first[at(w)] = std::min(result_.first[at(w)], column);
-        result_.last[at(w)] = std::max(result_.last[at(w)], column);
+        put(w, column);
       }
     }
+    for (const std::size_t m : order_of_meshes()) {
+      if (train_.meshes[m].is_apart) {
+        place_apart(train_.meshes[m].first, train_.meshes[m].second);
+        place_apart(train_.meshes[m].second, train_.meshes[m].first);
+      }
+    }
+    result_.links.resize(wheels_in_.size(), 0);
     result_.count = static_cast<int>(wheels_in_.size());
     return std::move(result_);
   }
@@ -170,6 +244,29 @@ class ColumnFinder {
       return sets[a] < sets[b];
     });
     return order;
+  }
+
+  void put(int wheel, int column) {
+    wheels_in_[at(column)].insert(wheel);
+    result_.first[at(wheel)] = std::min(result_.first[at(wheel)], column);
+    result_.last[at(wheel)] = std::max(result_.last[at(wheel)], column);
+  }
+
+  // A wheel that has no neighbour to mesh with stands where its mate does, if it may; else it is a
+  // set of its own.
+  void place_apart(int wheel, int mate) {
+    if (result_.last[at(wheel)] >= 0) {
+      return;
+    }
+    for (int column = result_.first[at(mate)]; column <= result_.last[at(mate)]; ++column) {
+      if (has_room(column, wheel)) {
+        put(wheel, column);
+        return;
+      }
+    }
+    wheels_in_.emplace_back();
+    put(wheel, static_cast<int>(wheels_in_.size()) - 1);
+    result_.set_of.push_back(static_cast<int>(train_.meshes.size() + wheels_in_.size()));
   }
 
   // Meshes that share a wheel, or a planet, are of one set; numbered by their first mesh.
@@ -222,25 +319,14 @@ class ColumnFinder {
 
   bool has_room(int column, int wheel) const {
     return std::ranges::all_of(wheels_in_[at(column)], [&](int other) {
-      return other == wheel || !overlap(span_of(wheel), span_of(other));
+      return other == wheel ||
+             !overlap(span_of(train_, radii_, wheel), span_of(train_, radii_, other));
     });
   }
 
-  // A sun keeps what is within it, a ring what is just beyond it.
-  Span span_of(int i) const {
-    const SchemeWheel& wheel = train_.wheels[at(i)];
-    const double radius = radii_.wheels[at(i)];
-    if (wheel.planet >= 0) {
-      const double y = radii_.planets[at(wheel.planet)];
-      return {.low = y - radius, .high = y + radius};
-    }
-    return wheel.is_ring ? Span{.low = radius, .high = 1.1 * radius}
-                         : Span{.low = 0.0, .high = radius};
-  }
-
-  static bool overlap(const Span& a, const Span& b) {
+  static bool overlap(const WheelSpan& a, const WheelSpan& b) {
     const double common = std::min(a.high, b.high) - std::max(a.low, b.low);
-    return common > kDrawnTogether * std::max(a.high, b.high);
+    return common > kDrawnTogether * std::max(std::abs(a.high), std::abs(b.high));
   }
 
   const SchemeTrain& train_;
@@ -252,7 +338,40 @@ class ColumnFinder {
 }  // namespace
 
 SchemeRadii find_radii(const SchemeTrain& train) {
-  return RadiusFinder(train).find();
+  return RadiusFinder(train, {}).find();
+}
+
+SchemeRadii find_radii(const SchemeTrain& train, std::span<const int> order) {
+  return RadiusFinder(train, order).find();
+}
+
+bool is_whole(const SchemeTrain& train, int wheel) {
+  const SchemeWheel& of = train.wheels[at(wheel)];
+  bool has_planet = false;
+  bool has_shaft = false;
+  for (const SchemeMesh& mesh : train.meshes) {
+    if (mesh.first == wheel || mesh.second == wheel) {
+      const bool is_of_planet =
+          train.wheels[at(mesh.first)].axis == train.wheels[at(mesh.second)].axis;
+      (is_of_planet ? has_planet : has_shaft) = true;
+    }
+  }
+  return train.axis_count > 1 && of.planet < 0 && !of.is_ring && (has_shaft || !has_planet);
+}
+
+// A sun keeps what is within it, a ring what is just beyond it.
+WheelSpan span_of(const SchemeTrain& train, const SchemeRadii& radii, int wheel) {
+  const SchemeWheel& of = train.wheels[at(wheel)];
+  const double radius = radii.wheels[at(wheel)];
+  const double axis = radii.axes[at(of.axis)];
+  if (of.planet >= 0) {
+    const double y = axis + radii.planets[at(of.planet)];
+    return {.low = y - radius, .high = y + radius};
+  }
+  if (of.is_ring) {
+    return {.low = axis + radius, .high = axis + 1.1 * radius};
+  }
+  return {.low = is_whole(train, wheel) ? axis - radius : axis, .high = axis + radius};
 }
 
 SchemeColumns find_columns(const SchemeTrain& train, const SchemeRadii& radii) {

@@ -22,14 +22,15 @@ bool is_along(std::size_t move) {
   return move < 2;
 }
 
-bool has_room(const SchemeRouter& router, GridCell left) {
+bool has_room(const SchemeRouter& router, GridCell left, bool is_over_shaft) {
   for (int i = 0; i < 4; ++i) {
     if (!router.is_free_within({left.column + i, left.row})) {
       return false;
     }
   }
   for (const int column : {left.column + 1, left.column + 2}) {
-    const bool is_free_below = left.row == 0 || router.is_free_within({column, left.row - 1});
+    const bool is_free_below =
+        left.row == 0 || is_over_shaft || router.is_free_within({column, left.row - 1});
     if (!router.is_free_within({column, left.row + 1}) || !is_free_below) {
       return false;
     }
@@ -64,6 +65,10 @@ void SchemeRouter::keep(GridCell cell, int net) {
 
 void SchemeRouter::keep_along(GridCell cell, int net) {
   along_[index(cell)] = net;
+}
+
+void SchemeRouter::keep_aside(GridCell cell) {
+  across_[index(cell)] = kAside;
 }
 
 bool SchemeRouter::is_free(GridCell cell) const {
@@ -113,7 +118,7 @@ SchemeRouter::Search SchemeRouter::search(int net) const {
       if ((same[next] != kFree && same[next] != net) || other[next] == kBlocked) {
         continue;
       }
-      const bool crosses = other[next] != kFree && other[next] != net;
+      const bool crosses = other[next] != kFree && other[next] != kAside && other[next] != net;
       const double total =
           price + kStep + (turns && price > 0 ? kBend : 0.0) + (crosses ? kCrossing : 0.0);
       const std::size_t next_state = next * kMoveCount + d;
@@ -178,7 +183,10 @@ std::optional<GridCell> SchemeRouter::connect(int net, const std::vector<End>& e
   return cell_of(static_cast<std::size_t>(best) / kMoves.size());
 }
 
-std::optional<RouterGap> find_gap(const SchemeRouter& router, int net, int other) {
+std::optional<RouterGap> find_gap(const SchemeRouter& router,
+                                  int net,
+                                  int other,
+                                  bool is_over_shaft) {
   const std::vector<double> to_net = router.prices(net);
   const std::vector<double> to_other = router.prices(other);
   double least = std::numeric_limits<double>::infinity();
@@ -188,7 +196,7 @@ std::optional<RouterGap> find_gap(const SchemeRouter& router, int net, int other
       const std::size_t left = router.index({column, row});
       const std::size_t right = router.index({column + 3, row});
       const double price = std::min(to_net[left] + to_other[right], to_net[right] + to_other[left]);
-      if (price < least && has_room(router, {column, row})) {
+      if (price < least && has_room(router, {column, row}, is_over_shaft)) {
         least = price;
         best = {.left = {column, row},
                 .is_turned = to_net[right] + to_other[left] < to_net[left] + to_other[right]};

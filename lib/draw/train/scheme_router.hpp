@@ -33,6 +33,9 @@ class SchemeRouter {
   void keep(GridCell cell, int net);
   void keep_along(GridCell cell, int net);
 
+  /// A broken line outwards passes there, which is no shaft: lines along the axis cross it freely.
+  void keep_aside(GridCell cell);
+
   /// The net grows from this cell, which has been kept for it.
   void start(GridCell cell) { is_tree_[index(cell)] = true; }
 
@@ -80,6 +83,7 @@ class SchemeRouter {
  private:
   static constexpr int kFree = -1;
   static constexpr int kBlocked = -2;
+  static constexpr int kAside = -3;
 
   struct Search;
 
@@ -95,13 +99,17 @@ class SchemeRouter {
   double price_ = 0.0;
 };
 
-/// Room for a clutch: four cells along the axis, with nothing beside the two in the middle.
+/// Room for a clutch: four cells along the axis, with nothing beside the two in the middle. Where
+/// it stands over a shaft, nothing on the far side.
 struct RouterGap {
   GridCell left;           ///< the first of the four
   bool is_turned = false;  ///< the first net is to come to the last one
 };
 
 /// Where the ways to both nets are shortest together; empty if there is no room.
-std::optional<RouterGap> find_gap(const SchemeRouter& router, int net, int other);
+std::optional<RouterGap> find_gap(const SchemeRouter& router,
+                                  int net,
+                                  int other,
+                                  bool is_over_shaft);
 
 }  // namespace kinestat

@@ -6,23 +6,63 @@
 
 #include <fmt/format.h>
 
+#include "core/index.hpp"
 #include "core/tolerance.hpp"
 #include "draw/linkage/file_numbers.hpp"
 #include "draw/linkage/linkage_parts.hpp"
 #include "draw/symbols.hpp"
-#include "mechanism/gears/gear_train.hpp"
+#include "mechanism/gears/gear_layout.hpp"
 
 namespace kinestat {
 
 namespace {
 
+// Which axes of the section `gears` are those of planets: a carrier that moves bears them, or one
+// body on the ground runs in a ring about the axis from which it stands off, or meshes with such.
+std::vector<bool> find_planets(const MechanismDescription& description, const GearTrain& train) {
+  const GearsDescription& gears = *description.gears;
+  std::vector<bool> is_planet(train.axes.size(), false);
+  const auto can_be = [&](std::size_t a) { return train.axes[a].bodies.size() == 1; };
+  const auto runs_in_ring = [&](const GearAxis& axis) {
+    return std::ranges::any_of(axis.on_centre, [&](int mesh) {
+      return gears.members[at(train.first[at(mesh)])].internal ||
+             gears.members[at(train.second[at(mesh)])].internal;
+    });
+  };
+  for (std::size_t a = 0; a < train.axes.size(); ++a) {
+    const GearAxis& axis = train.axes[a];
+    const bool has_own_ring = std::ranges::any_of(
+        axis.members, [&](int member) { return gears.members[at(member)].internal; });
+    is_planet[a] = axis.carrier != description.ground.text ||
+                   (can_be(a) && !has_own_ring && runs_in_ring(axis));
+  }
+  for (bool goes_on = true; goes_on;) {
+    goes_on = false;
+    for (std::size_t m = 0; m < train.first.size(); ++m) {
+      const int a = train.axis_of[at(train.first[m])];
+      const int b = train.axis_of[at(train.second[m])];
+      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
+        if (from >= 0 && to >= 0 && is_planet[at(from)] && !is_planet[at(to)] && can_be(at(to)) &&
+            train.axes[at(from)].about == train.axes[at(to)].about) {
+          is_planet[at(to)] = true;
+          goes_on = true;
+        }
+      }
+    }
+  }
+  return is_planet;
+}
+
 class TrainFinder {
  public:
-  TrainFinder(const Analysis& analysis, const GearSchemeOptions& options)
-      : analysis_(analysis), topology_(analysis.mechanism.topology), options_(options) {}
+  TrainFinder(const Analysis& analysis, const GearSchemeOptions& options, bool is_half)
+      : analysis_(analysis),
+        topology_(analysis.mechanism.topology),
+        options_(options),
+        is_half_(is_half) {}
 
   std::optional<SchemeTrain> find() {
-    if (!is_half_section(analysis_.description)) {
+    if (!why_no_scheme_train(analysis_.description).empty()) {
       return std::nullopt;
     }
     if (analysis_.description.gears) {
@@ -61,10 +101,7 @@ class TrainFinder {
     const GearsDescription& gears = *description.gears;
     const FileNumbers numbers(description);
     const GearTrain train = find_gear_train(description);
-    for (const GearAxis& axis : train.axes) {
-      const int body = body_named(axis.bodies.front());
-      result_.planets.push_back({.body = body, .carrier = carrier_of(body)});
-    }
+    axis_of_ = add_axes(train);
     for (std::size_t i = 0; i < gears.members.size(); ++i) {
       const GearMember& member = gears.members[i];
       const double teeth = numbers.number(member.teeth, QuantityKind::dimensionless).value_or(1.0);
@@ -72,7 +109,8 @@ class TrainFinder {
                                 .body = body_named(member.body.text),
                                 .radius = teeth / 2,
                                 .is_ring = member.internal,
-                                .planet = train.axis_of[i]});
+                                .planet = planet_of_[at(train.axis_of[i] + 1)],
+                                .axis = axis_of_[at(train.axis_of[i] + 1)]});
     }
     const auto module_of = [&](const MeshDescription& mesh) {
       const std::optional<Value>& value = mesh.module ? mesh.module : gears.module;
@@ -88,6 +126,82 @@ class TrainFinder {
         const double teeth =
             numbers.number(member.teeth, QuantityKind::dimensionless).value_or(1.0);
         result_.wheels[static_cast<std::size_t>(wheel)].radius = module_of(mesh) * teeth / 2;
+      }
+    }
+    if (result_.axis_count > 1) {
+      use_working_radii(numbers, train);
+      add_bearings();
+    }
+  }
+
+  // Planets of the train, and the axes about which anything else turns.
+  std::vector<int> add_axes(const GearTrain& train) {
+    const std::vector<bool> is_planet = is_half_ ? std::vector<bool>(train.axes.size(), true)
+                                                 : find_planets(analysis_.description, train);
+    std::vector<int> axis_of = {0};
+    planet_of_ = {-1};
+    for (std::size_t a = 0; a < train.axes.size(); ++a) {
+      axis_of.push_back(is_planet[a] ? -1 : result_.axis_count++);
+      planet_of_.push_back(-1);
+    }
+    for (std::size_t a = 0; a < train.axes.size(); ++a) {
+      if (is_planet[a]) {
+        const int body = body_named(train.axes[a].bodies.front());
+        const int axis = axis_of[at(train.axes[a].about + 1)];
+        planet_of_[a + 1] = static_cast<int>(result_.planets.size());
+        axis_of[a + 1] = axis;
+        result_.planets.push_back({.body = body, .carrier = carrier_of(body), .axis = axis});
+      }
+    }
+    for (std::size_t b = 1; b < topology_.bodies.size(); ++b) {
+      const int axis = train.axis_on(topology_.bodies[b].name);
+      axis_of_body_[static_cast<int>(b)] = axis_of[at(axis + 1)];
+    }
+    return axis_of;
+  }
+
+  // Those at which the gears of each mesh work, whose sum is the distance of their axes.
+  void use_working_radii(const FileNumbers& file, const GearTrain& train) {
+    const GearsDescription& gears = *analysis_.description.gears;
+    GearNumbers numbers;
+    const auto length = [&](const std::optional<Value>& value) {
+      return value ? file.number(*value, QuantityKind::length) : std::nullopt;
+    };
+    for (const GearMember& member : gears.members) {
+      const double teeth = file.number(member.teeth, QuantityKind::dimensionless).value_or(1.0);
+      numbers.teeth.push_back(member.internal ? -teeth : teeth);
+    }
+    for (const MeshDescription& mesh : gears.meshes) {
+      numbers.module.push_back(length(mesh.module ? mesh.module : gears.module));
+      numbers.at.push_back(length(mesh.at).value_or(0.0));
+    }
+    for (const GearAxis& axis : train.axes) {
+      numbers.distance.push_back(axis.distance == nullptr
+                                     ? std::nullopt
+                                     : file.number(*axis.distance, QuantityKind::length));
+    }
+    const std::optional<GearLayout> layout = find_layout(train, numbers);
+    if (!layout) {
+      return;
+    }
+    for (std::size_t m = 0; m < gears.meshes.size(); ++m) {
+      const double sum = numbers.teeth[at(train.first[m])] + numbers.teeth[at(train.second[m])];
+      for (const int wheel : {train.first[m], train.second[m]}) {
+        result_.wheels[at(wheel)].radius =
+            std::abs(layout->meshes[m].distance * numbers.teeth[at(wheel)] / sum);
+      }
+    }
+  }
+
+  void add_bearings() {
+    for (const CouplingTopology& coupling : topology_.couplings) {
+      const int first = coupling.tail.value;
+      const int second = coupling.head.value;
+      const bool is_of_planet = std::ranges::any_of(result_.planets, [&](const SchemePlanet& one) {
+        return one.body == first || one.body == second;
+      });
+      if (coupling.type == CouplingType::revolute && first > 0 && second > 0 && !is_of_planet) {
+        result_.bearings.push_back({.first = first, .second = second});
       }
     }
   }
@@ -191,6 +305,9 @@ class TrainFinder {
           .body = coupling.tail.value == 0 ? coupling.head.value : coupling.tail.value,
           .other = has_ground ? 0 : coupling.head.value,
           .is_engaged = is_engaged(static_cast<int>(i), actuator)};
+      if (const auto axis = axis_of_body_.find(element.body); axis != axis_of_body_.end()) {
+        element.axis = axis->second;
+      }
       result_.elements.push_back(std::move(element));
     }
   }
@@ -272,23 +389,74 @@ class TrainFinder {
   const Analysis& analysis_;
   const Topology& topology_;
   const GearSchemeOptions& options_;
+  bool is_half_;
   SchemeTrain result_;
+  std::vector<int> axis_of_;         // of each axis of the section `gears`, the main axis first
+  std::vector<int> planet_of_;       // likewise, -1 for that of a shaft
+  std::map<int, int> axis_of_body_;  // empty without that section
 };
 
 }  // namespace
 
-bool is_half_section(const MechanismDescription& description) {
+std::string why_no_scheme_train(const MechanismDescription& description) {
   if (!description.gears) {
-    return true;
+    return "";
   }
   const GearTrain train = find_gear_train(description);
-  return std::ranges::all_of(
-      train.axes, [](const GearAxis& axis) { return axis.bodies.size() == 1 && axis.about < 0; });
+  const std::vector<bool> is_planet = find_planets(description, train);
+  for (std::size_t a = 0; a < train.axes.size(); ++a) {
+    const GearAxis& axis = train.axes[a];
+    if (is_planet[a] && axis.bodies.size() > 1) {
+      return fmt::format("the planets '{}' turn about one axis, of which a section shows one",
+                         fmt::join(axis.bodies, "', '"));
+    }
+    if (is_planet[a] && axis.about >= 0 && is_planet[at(axis.about)]) {
+      return fmt::format(
+          "planet '{}' goes round the axis of another planet, which no section shows",
+          axis.bodies.front());
+    }
+  }
+  for (std::size_t m = 0; m < train.first.size(); ++m) {
+    const int a = train.axis_of[at(train.first[m])];
+    const int b = train.axis_of[at(train.second[m])];
+    const auto place = [&](int axis) {
+      return axis >= 0 && is_planet[at(axis)] ? train.axes[at(axis)].about : axis;
+    };
+    const bool has_ring = description.gears->members[at(train.first[m])].internal ||
+                          description.gears->members[at(train.second[m])].internal;
+    const bool has_planet = (a >= 0 && is_planet[at(a)]) || (b >= 0 && is_planet[at(b)]);
+    if (place(a) != place(b) && (has_ring || has_planet)) {
+      return fmt::format(
+          "mesh '{}' joins a {} to a gear about another axis, which no section shows",
+          description.gears->meshes[m].name.text,
+          has_planet ? "planet" : "ring");
+    }
+  }
+  return "";
 }
 
 std::optional<SchemeTrain> find_scheme_train(const Analysis& analysis,
                                              const GearSchemeOptions& options) {
-  return TrainFinder(analysis, options).find();
+  return TrainFinder(analysis, options, false).find();
+}
+
+std::optional<SchemeTrain> find_half_section(const Analysis& analysis,
+                                             const GearSchemeOptions& options) {
+  const auto is_alone = [](const GearAxis& axis) {
+    return axis.bodies.size() == 1 && axis.about < 0;
+  };
+  if (analysis.description.gears &&
+      !std::ranges::all_of(find_gear_train(analysis.description).axes, is_alone)) {
+    return std::nullopt;
+  }
+  std::optional<SchemeTrain> train = TrainFinder(analysis, options, true).find();
+  const auto is_beside = [&](const SchemeElement& element) {
+    return std::ranges::any_of(train->planets, [&](const SchemePlanet& planet) {
+      return planet.body == element.body || planet.body == element.other;
+    });
+  };
+  const bool is_right = train && std::ranges::none_of(train->elements, is_beside);
+  return is_right ? train : std::nullopt;
 }
 
 }  // namespace kinestat

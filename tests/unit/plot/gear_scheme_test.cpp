@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include <gtest/gtest.h>
 
+#include "draw/train/scheme_axes.hpp"
 #include "draw/train/scheme_layout.hpp"
 #include "draw/train/scheme_radii.hpp"
 #include "library_analysis.hpp"
@@ -136,6 +139,197 @@ TEST(SchemeTrain, IsTheSameFromPitchPointsAsFromTeeth) {
     EXPECT_NEAR(radius(points, &SchemeMesh::first), radius(teeth, &SchemeMesh::first), 1e-9);
     EXPECT_NEAR(radius(points, &SchemeMesh::second), radius(teeth, &SchemeMesh::second), 1e-9);
   }
+}
+
+// Developed sections: shafts stand beside the main axis.
+class Developed : public testing::TestWithParam<std::string> {
+ protected:
+  const SchemeWheel& wheel(int w) const { return train_.wheels[static_cast<std::size_t>(w)]; }
+
+  const DrawnWheel& drawn(int w) const {
+    return *std::ranges::find(layout_.wheels, w, &DrawnWheel::wheel);
+  }
+
+  bool is_linked(std::size_t mesh) const {
+    return std::ranges::any_of(layout_.links, [mesh](const DrawnLink& link) {
+      return link.mesh == static_cast<int>(mesh);
+    });
+  }
+
+  // Heights of a wheel on both sides of its axis.
+  static std::pair<double, double> span(const DrawnWheel& one) {
+    return {one.is_whole ? 2 * one.axis - one.high : one.low, one.high};
+  }
+
+  static double right_of(const DrawnShaft& shaft) { return std::max(shaft.from.x, shaft.to.x); }
+
+  static double left_of(const DrawnShaft& shaft) { return std::min(shaft.from.x, shaft.to.x); }
+
+  static double top_of(const DrawnShaft& shaft) { return -std::min(shaft.from.y, shaft.to.y); }
+
+  static double bottom_of(const DrawnShaft& shaft) { return -std::max(shaft.from.y, shaft.to.y); }
+
+  // Whether a line of the body, or the disc or the hub of one of its wheels, has the point.
+  bool touches(int body, PixelPoint point) const {
+    constexpr double kNear = 0.01;
+    const bool has_line = std::ranges::any_of(layout_.shafts, [&](const DrawnShaft& shaft) {
+      return shaft.body == body && left_of(shaft) <= point.x + kNear &&
+             point.x <= right_of(shaft) + kNear && bottom_of(shaft) <= -point.y + kNear &&
+             -point.y <= top_of(shaft) + kNear;
+    });
+    return has_line || std::ranges::any_of(layout_.wheels, [&](const DrawnWheel& one) {
+             return wheel(one.wheel).body == body && one.left <= point.x && point.x <= one.right;
+           });
+  }
+
+  const SchemeTrain train_ = train_of(GetParam());
+  const SchemeLayout layout_ = lay_out_scheme(train_);
+};
+
+TEST_P(Developed, HasAWayForEverything) {
+  EXPECT_GT(train_.axis_count, 1);
+  EXPECT_TRUE(layout_.is_complete);
+  EXPECT_EQ(layout_.crossings, 0);
+}
+
+// The pitch circles of two axes next to each other touch between them, in one plane; others are
+// joined by a broken line from rim to rim.
+TEST_P(Developed, WheelsInMeshTouchOrAreLinked) {
+  for (std::size_t m = 0; m < train_.meshes.size(); ++m) {
+    const DrawnWheel& one = drawn(train_.meshes[m].first);
+    const DrawnWheel& other = drawn(train_.meshes[m].second);
+    const bool is_parallel = wheel(one.wheel).axis != wheel(other.wheel).axis;
+    if (!is_parallel) {
+      continue;
+    }
+    const DrawnWheel& lower = one.axis < other.axis ? one : other;
+    const DrawnWheel& upper = one.axis < other.axis ? other : one;
+    const double gap = span(upper).first - span(lower).second;
+    if (is_linked(m)) {
+      const auto link = std::ranges::find(layout_.links, static_cast<int>(m), &DrawnLink::mesh);
+      EXPECT_NEAR(-link->points.front().y, span(lower).second, 0.01);
+      EXPECT_NEAR(-link->points.back().y, span(upper).first, 0.01);
+      EXPECT_GT(gap, 1.0);
+    } else {
+      EXPECT_NEAR(gap, 0.0, 0.01) << wheel(one.wheel).name << " " << wheel(other.wheel).name;
+      EXPECT_LT(lower.left, upper.right);
+      EXPECT_LT(upper.left, lower.right);
+    }
+  }
+}
+
+TEST_P(Developed, NoWheelsOverlap) {
+  for (const DrawnWheel& one : layout_.wheels) {
+    for (const DrawnWheel& other : layout_.wheels) {
+      const bool is_of_one_axis = wheel(one.wheel).axis == wheel(other.wheel).axis;
+      const bool is_pair = one.wheel < other.wheel && one.left < other.right &&
+                           other.left < one.right && !is_of_one_axis;
+      if (is_pair) {
+        EXPECT_LE(std::min(span(one).second, span(other).second) -
+                      std::max(span(one).first, span(other).first),
+                  0.01)
+            << wheel(one.wheel).name << " " << wheel(other.wheel).name;
+      }
+    }
+  }
+}
+
+// Neither a disc nor a rim has the line of a shaft of another body on it: what runs through a wheel
+// stays within its hub.
+TEST_P(Developed, NoShaftRunsThroughAnotherBodysWheel) {
+  for (const DrawnWheel& one : layout_.wheels) {
+    if (!one.is_whole) {
+      continue;
+    }
+    const double disc = one.discs.front();
+    for (const DrawnShaft& shaft : layout_.shafts) {
+      if (shaft.body == wheel(one.wheel).body || right_of(shaft) < disc || disc < left_of(shaft)) {
+        continue;
+      }
+      const double highest = top_of(shaft) - one.axis;
+      const double lowest = bottom_of(shaft) - one.axis;
+      const bool is_outside = lowest > one.high - one.axis || highest < one.axis - one.high;
+      const bool is_within = highest < one.hub - 1.0 && lowest > 1.0 - one.hub;
+      EXPECT_TRUE(is_outside || is_within) << wheel(one.wheel).name;
+    }
+  }
+}
+
+TEST_P(Developed, EveryClutchTouchesBothBodies) {
+  for (std::size_t i = 0; i < train_.elements.size(); ++i) {
+    const SchemeElement& element = train_.elements[i];
+    const auto place =
+        std::ranges::find(layout_.elements, static_cast<int>(i), &DrawnElement::element);
+    ASSERT_NE(place, layout_.elements.end()) << element.name;
+    if (element.kind == SchemeElementKind::clutch) {
+      EXPECT_TRUE(touches(element.body, place->at)) << element.name;
+      EXPECT_TRUE(touches(element.other, place->beyond)) << element.name;
+      EXPECT_FALSE(touches(element.other, place->at)) << element.name;
+    }
+  }
+}
+
+// Two bodies on one line would look like one.
+TEST_P(Developed, NoTwoShaftsShareALine) {
+  for (const DrawnShaft& one : layout_.shafts) {
+    for (const DrawnShaft& other : layout_.shafts) {
+      if (one.body < other.body) {
+        const bool is_apart = right_of(one) < left_of(other) || right_of(other) < left_of(one) ||
+                              top_of(one) < bottom_of(other) || top_of(other) < bottom_of(one);
+        EXPECT_TRUE(is_apart) << one.body << " " << other.body;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTheLibrary,
+                         Developed,
+                         testing::Values("transmissions/dual_clutch_six_speed.yaml",
+                                         "transmissions/vw_02e_dsg.yaml",
+                                         "transmissions/truck_twelve_speed.yaml",
+                                         "transmissions/muncie_m20.yaml",
+                                         "transmissions/saturn_mp3.yaml",
+                                         "transmissions/vw_02j.yaml",
+                                         "transmissions/kawasaki_zg1400.yaml",
+                                         "transmissions/suzuki_b_king.yaml",
+                                         "transmissions/suzuki_lt_f500f.yaml",
+                                         "transmissions/toyota_p311.yaml",
+                                         "sweeps/year_train.yaml"),
+                         [](const auto& test) {
+                           std::string name = test.param.substr(test.param.find('/') + 1);
+                           return name.substr(0, name.find('.'));
+                         });
+
+// Radii from the teeth: (15 + 57)/2 times 2.5 mm is the distance of a1 and w1.
+TEST(SchemeRadii, AreWorkingRadiiOfShaftsBesideEachOther) {
+  const SchemeTrain train = train_of("transmissions/dual_clutch_six_speed.yaml");
+  const auto radius = [&](std::string_view name) {
+    return std::ranges::find(train.wheels, name, &SchemeWheel::name)->radius;
+  };
+
+  EXPECT_NEAR(radius("a1 15"), 0.01875, 1e-12);
+  EXPECT_NEAR(radius("w1 57"), 0.07125, 1e-12);
+  EXPECT_NEAR(radius("f 70"), 0.105, 1e-12);
+}
+
+// The inner shaft runs within the hollow one, and the lay shafts within their idlers.
+TEST(SchemeAxes, KnowWhatRunsWithinWhat) {
+  const Analysis analysis = library_analysis("transmissions/dual_clutch_six_speed.yaml");
+  const SchemeTrain train = find_scheme_train(analysis, {}).value();
+  const std::vector<int> order = find_axis_order(train);
+  const SchemeRadii radii = find_radii(train, order);
+  const std::map<int, SchemeExtent> extents =
+      find_extents(train, order_columns(train, radii, find_columns(train, radii)));
+  const auto level = [&](std::string_view name) {
+    const auto& bodies = analysis.mechanism.topology.bodies;
+    const auto at = std::ranges::find(bodies, name, &BodyTopology::name);
+    return extents.at(static_cast<int>(at - bodies.begin())).level;
+  };
+
+  EXPECT_EQ(level("inner"), 0);
+  EXPECT_EQ(level("hollow"), 1);
+  EXPECT_EQ(level("lay1"), 0);
+  EXPECT_EQ(level("idler3"), 1);
 }
 
 SchemeElementKind kind_of(const Analysis& analysis, std::size_t which, std::string_view name) {
