@@ -78,6 +78,14 @@ std::string sweep_of(const SweptLibraryFile& file) {
                      file.report.empty() ? "" : fmt::format(", report: [{}]", file.report));
 }
 
+// The planets of one set and the sun of another vary, and the rings with them.
+const std::vector<std::pair<std::string, std::string>> kTeethOfGearbox = {
+    {"  torque: 100 N*m", "  torque: 100 N*m\n  p3: 21\n  s4: 23"},
+    {"planet3, teeth: 21", "planet3, teeth: p3"},
+    {"teeth: 111", "teeth: 69 + 2*p3"},
+    {"sun4, teeth: 23", "sun4, teeth: s4"},
+    {"teeth: 85", "teeth: s4 + 62"}};
+
 class TapeOfLibraryFile : public testing::TestWithParam<SweptLibraryFile> {};
 
 TEST_P(TapeOfLibraryFile, GivesTheRowsOfWholeAnalyses) {
@@ -123,12 +131,8 @@ INSTANTIATE_TEST_SUITE_P(
                          .varied = {{"N1", 15, 35}, {"N2", 31, 64}, {"T_in", 1, 9, "N*m"}},
                          .report = "ratio, step, efficiency, recirculation, out, lossy.out"},
         SweptLibraryFile{.path = "transmissions/zf_8hp70",
-                         .edits = {{"  torque: 100 N*m", "  torque: 100 N*m\n  p3: 21\n  s4: 23"},
-                                   {"planet3, teeth: 21", "planet3, teeth: p3"},
-                                   {"teeth: 111", "teeth: 69 + 2*p3"},
-                                   {"sun4, teeth: 23", "sun4, teeth: s4"},
-                                   {"teeth: 85", "teeth: s4 + 62"}},
-                         .varied = {{"p3", 18, 40}, {"s4", 20, 40}},
+                         .edits = kTeethOfGearbox,
+                         .varied = {{"p3", 18, 40}, {"s4", 20, 70}},
                          .report = "ratio, step, efficiency, recirculation, A, B, C, D, E"},
         SweptLibraryFile{.path = "transmissions/wolfrom",
                          .varied = {{"Zs", 18, 23}, {"Zp1", 18, 23}},
@@ -158,6 +162,32 @@ INSTANTIATE_TEST_SUITE_P(
                          .varied = {{"x", 5, 40}, {"push", 100, 900, "N"}},
                          .report = "",
                          .has_tape = false}));  // friction and loads
+
+// 24 and 48 teeth, p3 and 69, 31 and s4 give the distances of the planets from the main axis, on
+// which all sets are: three of them are the same with 3 and 41, two with p3 = s4 - 38 or s4 = 41.
+TEST(SweepTapes, AnswerWherePlanetsOfTwoSetsComeToStandOnOneLine) {
+  SweptFile file(text_of({.path = "transmissions/zf_8hp70", .edits = kTeethOfGearbox}),
+                 "{vary: {p3: [3, 20, 21, 22], s4: [23, 41, 58, 59, 60]}, "
+                 "report: [ratio, efficiency, recirculation, A, B, C, D, E]}");
+  ASSERT_TRUE(file.task().tapes.has_value());
+  EXPECT_EQ(taped_states(file.task()), file.task().plan.state_count());
+  expect_near(rows_of(file.task(), kLanes), analysed_rows(file.task()));
+}
+
+// With its ring off the main axis nothing holds the centres of ring and planet apart.
+TEST(SweepTapes, SeeThatAMeshLosesItsCarrier) {
+  std::string text = kTrain;
+  text.replace(text.find("[housing, ring], at: [0, 0]"), 27, "[housing, ring], at: [0, e]");
+  text.replace(text.find("{S: 24"), 6, "{e: 0, S: 24");
+  text += "losses: {gear_external: 0.03, gear_internal: 0.01}\n";
+  SweptFile file(text, "{vary: {e: [0, 0.000001, 1]}, cases: [back], report: [ratio, efficiency]}");
+  ASSERT_TRUE(file.task().tapes.has_value());
+  EXPECT_EQ(taped_states(file.task()), 1U);
+  const std::vector<Row> rows = rows_of(file.task(), kLanes);
+  EXPECT_FALSE(std::isnan(rows[0].values[1]));
+  EXPECT_TRUE(std::isnan(rows[2].values[1]));
+  expect_near(rows, analysed_rows(file.task()));
+}
 
 // Reductions of a set with its ring held, by the carrier model: η = (1 + η0 i0)/(1 + i0), where i0
 // is R/S and η0 what both meshes leave with the carrier at rest (Pennestrì and Freudenstein 1993).

@@ -18,6 +18,12 @@ constexpr double kNearAxes = 1e3 * kParallelAxes;
 struct HingeAxis {
   std::size_t freedom = 0;
   Vec3 direction;
+  BodyId tail;
+  BodyId head;
+
+  bool shares_body(const HingeAxis& other) const {
+    return tail == other.tail || tail == other.head || head == other.tail || head == other.head;
+  }
 };
 
 std::vector<HingeAxis> hinge_axes(const Mechanism& mechanism) {
@@ -27,7 +33,10 @@ std::vector<HingeAxis> hinge_axes(const Mechanism& mechanism) {
     for (int f = coupling.first_freedom; is_hinge(coupling.type) && f < end; ++f) {
       const auto i = static_cast<std::size_t>(f);
       if (mechanism.topology.freedoms[i].is_rotation) {
-        axes.push_back({.freedom = i, .direction = mechanism.geometry.motions[i].angular});
+        axes.push_back({.freedom = i,
+                        .direction = mechanism.geometry.motions[i].angular,
+                        .tail = coupling.tail,
+                        .head = coupling.head});
         break;
       }
     }
@@ -68,9 +77,12 @@ bool demand_same_axes(const Mechanism& mechanism,
       return false;
     }
   }
+  // Carriers follow from which hinges of one body lie on one line; that planets of two sets come to
+  // stand on one line decides nothing.
   for (std::size_t i = 0; i < axes.size(); ++i) {
     for (std::size_t j = i + 1; j < axes.size(); ++j) {
-      if (axes[i].direction.cross(axes[j].direction).norm() <= kParallelAxes) {
+      if (axes[i].shares_body(axes[j]) &&
+          axes[i].direction.cross(axes[j].direction).norm() <= kParallelAxes) {
         demand_same_line(motions[axes[i].freedom],
                          motions[axes[j].freedom],
                          axes[i].direction.dot(axes[j].direction) < 0.0 ? -1.0 : 1.0,

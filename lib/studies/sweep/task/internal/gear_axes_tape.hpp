@@ -7,8 +7,8 @@
 
 namespace kinestat {
 
-/// Demands of the tape that the axes of gears are as many lines as in the recorded state, so that
-/// each mesh has the carrier that it has there. False where their directions move.
+/// Demands of the tape that the hinges of each body are on as many lines as in the recorded state,
+/// so that each mesh has the carrier that it has there. False where their directions move.
 bool demand_same_axes(const Mechanism& mechanism,
                       std::span<const TapedScrew> motions,
                       LaneRecorder& recorder);
