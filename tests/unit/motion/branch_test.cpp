@@ -95,6 +95,75 @@ TEST(Branch, OfTheAntiparallelogramIsKeptToo) {
   EXPECT_NEAR(subject.position(solution.configuration_at(90), "d.wz"), -2.0 * kPi, 1e-9);
 }
 
+struct Loops {
+  double excess = 0.0;  ///< of the couplings over the ground
+  double turn = 0.0;    ///< from the one loop to the other
+  double to = 0.0;
+  int steps = 0;
+
+  friend void PrintTo(const Loops& loops, std::ostream* out) {
+    *out << loops.excess << " by " << loops.turn << " in " << loops.steps;
+  }
+};
+
+class TwoLoops : public testing::TestWithParam<Loops> {};
+
+// Two near parallelograms on one crank, with couplings that are too long to pass the dead centre:
+// before it both turn back at once, whatever lies behind. There the end of the crank stands as far
+// from the pivot of the rocker as the coupler is longer than the rocker.
+TEST_P(TwoLoops, EndWhereBothTurnBack) {
+  const double start = -78.0 * kDegree;
+  const double crank = 0.9538;
+  const double coupler = 1.0 + GetParam().excess;
+  const auto loop = [&](double turn, std::string_view name) {
+    const Vec3 b(crank * std::cos(start), crank * std::sin(start), 0.0);
+    const Vec3 diagonal = Vec3(1.0, 0.0, 0.0) - b;
+    const double length = diagonal.norm();
+    const double along = (length * length + coupler * coupler - crank * crank) / (2.0 * length);
+    const double height = std::sqrt(coupler * coupler - along * along);
+    const Vec3 u = diagonal / length;
+    const Vec3 c = b + along * u + height * Vec3(-u.y(), u.x(), 0.0);
+    const auto turned = [&](const Vec3& p) {
+      return fmt::format("[{}, {}]",
+                         p.x() * std::cos(turn) - p.y() * std::sin(turn),
+                         p.x() * std::sin(turn) + p.y() * std::cos(turn));
+    };
+    return fmt::format(
+        "  b{0}: {{type: revolute, bodies: [crank, coupler{0}], at: {1}}}\n"
+        "  c{0}: {{type: revolute, bodies: [coupler{0}, rocker{0}], at: {2}}}\n"
+        "  d{0}: {{type: revolute, bodies: [frame, rocker{0}], at: {3}}}\n",
+        name,
+        turned(b),
+        turned(c),
+        turned(Vec3(1.0, 0.0, 0.0)));
+  };
+  const Moving subject = moving(
+      "space: planar\nground: frame\n"
+      "bodies: [crank, coupler1, rocker1, coupler2, rocker2]\ncouplings:\n"
+      "  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}\n" +
+          loop(0.0, "1") + loop(GetParam().turn, "2"),
+      {"a.wz"});
+  const double distance = coupler - crank;
+  const double limit =
+      -start - std::acos((1.0 + crank * crank - distance * distance) / (2.0 * crank));
+
+  const MotionSolution solution = move(subject, 0.0, GetParam().to, GetParam().steps);
+
+  ASSERT_EQ(solution.status, MotionStatus::limit);
+  ASSERT_EQ(solution.special.size(), 1U);
+  EXPECT_EQ(solution.special.back().kind, SpecialKind::limit);
+  EXPECT_NEAR(solution.special.back().drive_values.at(0), limit, 1e-10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Steps,
+                         TwoLoops,
+                         testing::Values(Loops{3e-7, kPi, 170.0 * kDegree, 72},
+                                         Loops{1e-3, kPi, 170.0 * kDegree, 72},
+                                         Loops{1e-7, 13.0 * kDegree, 4.0 * kPi, 10},
+                                         Loops{1e-5, 13.0 * kDegree, 4.0 * kPi, 10},
+                                         Loops{1e-3, 13.0 * kDegree, 4.0 * kPi, 10},
+                                         Loops{1e-2, 13.0 * kDegree, 4.0 * kPi, 10}));
+
 class Neck : public testing::TestWithParam<double> {};
 
 // Longer or shorter than the parallelogram by little, the two branches come near each other without

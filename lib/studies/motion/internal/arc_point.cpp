@@ -22,6 +22,11 @@ double cubic_weight(std::span<const double> places, std::size_t i, double place)
 
 }  // namespace
 
+bool Surroundings::runs_on() const {
+  return std::ranges::all_of(points,
+                             [](const ArcPoint& point) { return point.tangent.back() > 0.0; });
+}
+
 double Surroundings::share_at(double place) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {

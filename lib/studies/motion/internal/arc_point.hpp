@@ -44,6 +44,9 @@ struct Surroundings {
   std::vector<ArcPoint> points;
   std::vector<Part> parts;
 
+  /// Whether the drives go on at all of the points.
+  bool runs_on() const;
+
   double share_at(double place) const;
   double determinant_at(std::size_t part, double place) const;
 

@@ -179,7 +179,14 @@ Arrival PathTracker<Frames>::walk_arc(PathPoint& now, double share) {
   int steps = 0;
   while (length > kFinestArc && steps++ < kMostArcs) {
     std::optional<Crossing> crossing;
-    if (!try_arc(here, length, there) || !crosses_at_most(here, length, there, crossing)) {
+    const bool is_there = try_arc(here, length, there);
+    if (!is_there || !crosses_at_most(here, length, there, crossing)) {
+      if (is_there && there.tangent.back() <= 0.0) {
+        if (const auto limit = find_limit_at_crossing(here, length, there)) {
+          stop_at_limit(*limit, kChangePointBracket, now);
+          return Arrival::limit;
+        }
+      }
       length *= 0.5;
       continue;
     }
@@ -191,7 +198,7 @@ Arrival PathTracker<Frames>::walk_arc(PathPoint& now, double share) {
     if (turns_back) {
       end = find_limit(here, length, there);
       if (there.share < share - kEpsilon) {
-        stop_at_limit(there, now);
+        stop_at_limit(there, 0.0, now);
         return Arrival::limit;
       }
     }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/index.hpp"
 #include "studies/motion/internal/motion_limits.hpp"
 #include "studies/motion/internal/path_tracker.hpp"
 
@@ -226,22 +227,83 @@ double PathTracker<Frames>::find_limit(const ArcPoint& from, double length, ArcP
   return reached;
 }
 
+// Where another branch crosses at the very limit, as circuits do that turn back together: the point
+// follows from regular ones on both sides. Empty where the crossing is beside the limit, for a
+// shorter step to find, or where that branch leads on.
 template <class Frames>
-void PathTracker<Frames>::stop_at_limit(const ArcPoint& limit, PathPoint& now) {
+std::optional<ArcPoint> PathTracker<Frames>::find_limit_at_crossing(const ArcPoint& from,
+                                                                    double length,
+                                                                    ArcPoint to) {
+  const double reached = find_limit(from, length, to);
+  for (const double share : {0.01, 0.1, 1.0}) {
+    const double spacing = share * kSurroundings;
+    const auto around = surround(from, {.place = reached, .spacing = spacing}, {-1});
+    if (!around || around->points.front().tangent.back() <= 0.0 ||
+        around->points.back().tangent.back() >= 0.0) {
+      continue;
+    }
+    const auto zero = [&](const std::function<double(double)>& value_at) {
+      double low = around->places.front();
+      double high = around->places.back();
+      const bool is_low_negative = value_at(low) < 0.0;
+      for (int round = 0; round < kMostBisections; ++round) {
+        const double middle = 0.5 * (low + high);
+        ((value_at(middle) < 0.0) == is_low_negative ? low : high) = middle;
+      }
+      return low;
+    };
+    const double place = zero([&](double at) { return around->point_at(at).tangent.back(); });
+    const double crossing = zero([&](double at) { return around->determinant_at(0, at); });
+    ArcPoint limit = around->point_at(place);
+    set_drives(limit.share, limit.coordinates);
+    system_.evaluate(limit.coordinates, limit.angles);
+    const double rounding = std::max(kGapAtCrossing, rounding_of(limit.coordinates));
+    if (system_.largest_residual() <= (has_surplus_ ? kSilentCorrection : rounding) &&
+        std::abs(place - crossing) <= std::max(kChangePointBracket, around->uncertainty(0))) {
+      return leads_on(limit) ? std::nullopt : std::optional(limit);
+    }
+  }
+  return std::nullopt;
+}
+
+// Whether the drives move in any motion that is possible at a point where two branches cross: by
+// more than points between regular ones leave.
+template <class Frames>
+bool PathTracker<Frames>::leads_on(const ArcPoint& crossing) {
+  const int columns = static_cast<int>(unknown_.size()) + 1;
+  qr_.factor(crossing.matrix, system_.row_count(), columns);
+  qr_.limit_rank(std::max(columns - 2, 0));
+  const std::vector<double>& null = qr_.null_vectors();
+  for (std::size_t end = at(columns); end <= null.size(); end += at(columns)) {
+    if (std::abs(null[end - 1]) > kFlatClosure) {
+      return true;
+    }
+  }
+  return false;
+}
+
+template <class Frames>
+void PathTracker<Frames>::stop_at_limit(const ArcPoint& limit, double uncertainty, PathPoint& now) {
   const std::vector<double> rates = now.rates;
   land(limit, now);
   now.rates = rates;
   now.is_singular = true;
   // The drives turn back with the square of the arc.
   const double left = limit.tangent.back();
-  note_special(SpecialKind::limit, limit, left * left + now.closure_error + kEpsilon);
+  note_special(SpecialKind::limit, limit, uncertainty + left * left + now.closure_error + kEpsilon);
 }
 
 template bool PathTracker<PlanarFrames>::arrive(const Destination&, PathPoint&);
 template double PathTracker<PlanarFrames>::find_limit(const ArcPoint&, double, ArcPoint&);
 template double PathTracker<SpatialFrames>::find_limit(const ArcPoint&, double, ArcPoint&);
-template void PathTracker<PlanarFrames>::stop_at_limit(const ArcPoint&, PathPoint&);
-template void PathTracker<SpatialFrames>::stop_at_limit(const ArcPoint&, PathPoint&);
+template std::optional<ArcPoint> PathTracker<PlanarFrames>::find_limit_at_crossing(const ArcPoint&,
+                                                                                   double,
+                                                                                   ArcPoint);
+template std::optional<ArcPoint> PathTracker<SpatialFrames>::find_limit_at_crossing(const ArcPoint&,
+                                                                                    double,
+                                                                                    ArcPoint);
+template void PathTracker<PlanarFrames>::stop_at_limit(const ArcPoint&, double, PathPoint&);
+template void PathTracker<SpatialFrames>::stop_at_limit(const ArcPoint&, double, PathPoint&);
 template void PathTracker<PlanarFrames>::turn_resumption(const DriveLine&);
 template bool PathTracker<SpatialFrames>::arrive(const Destination&, PathPoint&);
 template void PathTracker<SpatialFrames>::turn_resumption(const DriveLine&);

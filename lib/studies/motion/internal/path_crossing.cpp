@@ -63,7 +63,9 @@ std::optional<Crossing> PathTracker<Frames>::find_crossing_in(const ArcPoint& fr
                                                               Vicinity at,
                                                               const Parts& parts) {
   std::optional<Surroundings> around = surround(from, at, parts);
-  if (!around) {
+  // Where the drives turn back, of this branch or of one across a gap, all that they lead is
+  // singular at once.
+  if (!around || !around->runs_on()) {
     return std::nullopt;
   }
   Crossing crossing;

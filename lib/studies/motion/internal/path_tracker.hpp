@@ -101,7 +101,9 @@ class PathTracker {
   bool arrive(const Destination& to, PathPoint& now);
   bool arrive_beside(const Destination& to, const Crossing& crossing, PathPoint& now);
   double find_limit(const ArcPoint& from, double length, ArcPoint& there);
-  void stop_at_limit(const ArcPoint& limit, PathPoint& now);
+  std::optional<ArcPoint> find_limit_at_crossing(const ArcPoint& from, double length, ArcPoint to);
+  bool leads_on(const ArcPoint& crossing);
+  void stop_at_limit(const ArcPoint& limit, double uncertainty, PathPoint& now);
   bool crosses_at_most(const ArcPoint& from,
                        double length,
                        const ArcPoint& to,
