@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
 
 #include "core/tolerance.hpp"
 
@@ -54,28 +53,21 @@ double StretchCubic::error(double stretch) const {
 }
 
 std::optional<double> StretchCubic::doubtful_part(double error) const {
-  if (low < 0.0) {
-    return StretchCubic{-low, -high, -low_slope, -high_slope}.doubtful_part(error);
-  }
-  if (high < 0.0) {
-    return falls_once(error) ? std::nullopt : std::optional(0.5);
-  }
-  if (is_clear_of_zero(error)) {
+  if (is_told_by_ends(error)) {
     return std::nullopt;
   }
+  if ((low < 0.0) != (high < 0.0)) {
+    return 0.5;
+  }
+  const double sense = low < 0.0 ? -1.0 : 1.0;
   const auto part_of = [](int k) { return static_cast<double>(k) / kCubicParts; };
   int lowest = 0;
   for (int k = 1; k <= kCubicParts; ++k) {
-    lowest = at(part_of(k)) < at(part_of(lowest)) ? k : lowest;
+    lowest = sense * at(part_of(k)) < sense * at(part_of(lowest)) ? k : lowest;
   }
-  // Where an end is lowest the rate may be zero right beside it, and turns back there once; but it
-  // is lower within the next part where it falls from the one end, or rises to the other.
-  const bool falls = lowest == 0 && low_slope < 0.0;
-  const bool rises = lowest == kCubicParts && high_slope > 0.0;
-  const bool is_inside = falls || rises || (lowest > 0 && lowest < kCubicParts);
-  const double aside = falls ? 0.5 : rises ? -0.5 : 0.0;
-  const double part = (lowest + aside) / kCubicParts;
-  return is_inside && at(part) <= error ? std::optional(part) : std::nullopt;
+  // From an end it falls within the next part, or may.
+  const double aside = lowest == 0 ? 0.5 : lowest == kCubicParts ? -0.5 : 0.0;
+  return (lowest + aside) / kCubicParts;
 }
 
 // Cut where its slope is zero or begins to be clear: between cuts it rises or falls clearly, and is
@@ -150,32 +142,6 @@ bool StretchCubic::is_clear_of_zero(double error) const {
   return (low < 0.0) == (high < 0.0) &&
          std::min(std::abs(low), std::abs(high)) >
              kMostBySlope * (std::abs(low_slope) + std::abs(high_slope)) + error;
-}
-
-// Whether it falls from a positive to a negative end with one zero, known to `error`: wherever it
-// may stay or rise, it is farther from zero than that, and always on the same side.
-bool StretchCubic::falls_once(double error) const {
-  const double curve = 2.0 * (low_slope + high_slope) - 4.0 * slope_at(0.5);  // of the slope
-  const double start = high_slope - low_slope - curve;
-  std::array<double, 3> doubtful = {};
-  std::size_t count = 0;
-  const auto add = [&](double t) {
-    if (t > 0.0 && t < 1.0 && slope_at(t) > -kFlatSlope * error) {
-      doubtful[count++] = at(t);
-    }
-  };
-  if (curve != 0.0) {
-    const double middle = -start / (2.0 * curve);
-    const double half_width_squared = middle * middle - low_slope / curve;
-    add(middle);
-    if (half_width_squared > 0.0) {
-      add(middle - std::sqrt(half_width_squared));
-      add(middle + std::sqrt(half_width_squared));
-    }
-  }
-  const std::span<const double> all(doubtful.data(), count);
-  return std::ranges::all_of(all, [&](double value) { return value > error; }) ||
-         std::ranges::all_of(all, [&](double value) { return value < -error; });
 }
 
 }  // namespace kinestat

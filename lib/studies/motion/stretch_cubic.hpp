@@ -22,8 +22,7 @@ struct StretchCubic {
   /// sizes of the mechanism].
   double error(double stretch) const;
 
-  /// Where to look whether it is zero oftener than its ends show, which are not; none where their
-  /// signs tell all.
+  /// Where to look whether it is zero oftener than its ends show; none where their signs tell all.
   std::optional<double> doubtful_part(double error) const;
 
   /// Whether the signs of its ends tell how often it is zero: once or never, wherever it is within
@@ -38,7 +37,6 @@ struct StretchCubic {
   double zero() const;
 
  private:
-  bool falls_once(double error) const;
   bool is_clear_of_zero(double error) const;
 };
 
