@@ -95,6 +95,10 @@ class LossyCase {
       return no_efficiency(fmt::format(
           "which gears drive could not be found, with more than {} meshes", kMostSearchedMeshes));
     }
+    if (direction.search == LossSearch::no_share) {
+      return no_efficiency(
+          "a loss of teeth that depends on speed or force has no value there from 0 to below 1");
+    }
     if (direction.action.magnitudes.empty()) {
       return self_locking("losses take more than the inputs give");
     }
@@ -221,6 +225,10 @@ Efficiency absolute_of(const Mechanism& mechanism, const SolvedCase& solved) {
                                        .slips = &slips});
   if (!result.value) {
     return result;
+  }
+  if (std::ranges::any_of(mechanism.lossy_meshes,
+                          [](const LossyMesh& mesh) { return mesh.law.has_value(); })) {
+    return no_efficiency("losses that depend on speed or force are those of the carrier model");
   }
   const std::optional<double> value =
       find_absolute_efficiency(mechanism, solved.which, power, solved.graph);

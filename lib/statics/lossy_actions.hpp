@@ -19,6 +19,7 @@ enum class LossSearch {
   found,     ///< senses that agree with the actions they cause, which were accepted
   rejected,  ///< all senses that agree with their actions were rejected; one of them is given
   none,      ///< no senses agree with their actions, or friction locks
+  no_share,  ///< a loss that depends on speed or force has no value there, or none from 0 to 1
   undecided  ///< there are too many meshes to try all senses, and the likely ones failed
 };
 

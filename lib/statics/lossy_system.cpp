@@ -34,6 +34,10 @@ std::vector<FrictionLaw> all_laws(const LossyStatics& given) {
   return laws;
 }
 
+bool is_answer(LossSearch search) {
+  return search == LossSearch::found || search == LossSearch::rejected;
+}
+
 // How many laws of each sort there are.
 struct LawCounts {
   std::size_t frictions = 0;
@@ -297,7 +301,66 @@ LossySystem::LossySystem(const Mechanism& mechanism,
       laws_(all_laws(given)),
       system_(
           std::make_unique<FrictionSystem>(mechanism, basis, given.primaries, given.loads, laws_)) {
+  for (const MeshLossLaw& mesh : given.meshes) {
+    shares_.push_back({.lossy = mesh.lossy, .radius = mesh.radius, .planets = mesh.planets});
+  }
   system_->find_open(frictionless.check.undetermined);
+}
+
+bool LossySystem::has_shares_by_law() const {
+  return std::ranges::any_of(shares_,
+                             [](const MeshShare& one) { return one.lossy->law.has_value(); });
+}
+
+// The shares of meshes under these actions; answers by how much one of them moves. Empty where one
+// has no value.
+std::optional<double> LossySystem::take_shares(const VecX& actions) {
+  double moved = 0.0;
+  for (std::size_t m = 0; m < shares_.size(); ++m) {
+    const MeshShare& one = shares_[m];
+    if (!one.lossy->law) {
+      continue;
+    }
+    FrictionLaw& head = laws_[friction_count_ + 2 * m];
+    FrictionLaw& tail = laws_[friction_count_ + 2 * m + 1];
+    const double torque = std::abs(system_->pressing_of(friction_count_ + 2 * m, 0, actions).x());
+    const std::optional<double> share =
+        share_at(*one.lossy, one.radius * head.speed, torque / (one.radius * one.planets));
+    if (!share) {
+      return std::nullopt;
+    }
+    double& weight = head.parts.front().weight;
+    moved = std::max(moved, std::abs(*share - weight));
+    weight = *share;
+    tail.parts.front().weight = *share;
+  }
+  return moved;
+}
+
+// Shares that depend on force begin with that without losses.
+template <class Search>
+LossSearch LossySystem::settle(std::optional<Search>& search,
+                               const std::function<bool(const VecX&)>& is_accepted) {
+  constexpr int kMostRounds = 60;
+  const LawCounts counts = {.frictions = friction_count_, .meshes = mesh_count_};
+  if (has_shares_by_law() && !take_shares(system_->frictionless())) {
+    return LossSearch::no_share;
+  }
+  for (int round = 0; round < kMostRounds; ++round) {
+    search.emplace(*system_, counts, is_accepted);
+    const LossSearch outcome = search->run();
+    if (!has_shares_by_law() || !search->best()) {
+      return outcome;
+    }
+    const std::optional<double> moved = take_shares(system_->actions_with(*search->best()));
+    if (!moved) {
+      return LossSearch::no_share;
+    }
+    if (*moved <= kCancellation) {
+      return outcome;
+    }
+  }
+  return LossSearch::undecided;
 }
 
 LossySystem::LossySystem(LossySystem&&) noexcept = default;
@@ -328,17 +391,17 @@ bool LossySystem::is_determined() const {
 }
 
 std::optional<LossyMagnitudes> LossySystem::solve(
-    const std::function<bool(const VecX&)>& is_accepted) const {
-  SenseSearch search(*system_, {.frictions = friction_count_, .meshes = mesh_count_}, is_accepted);
-  LossyMagnitudes result{.search = search.run(),
+    const std::function<bool(const VecX&)>& is_accepted) {
+  std::optional<SenseSearch> search;
+  LossyMagnitudes result{.search = settle(search, is_accepted),
                          .actions = {},
                          .frictions = std::vector<double>(friction_count_, 0.0),
                          .losses = std::vector<double>(mesh_count_, 0.0),
                          .head_is_driven = std::vector<bool>(mesh_count_, true)};
-  if (!search.best()) {
+  if (!is_answer(result.search) || !search->best()) {
     return std::nullopt;
   }
-  const ChosenFrictions& best = *search.best();
+  const ChosenFrictions& best = *search->best();
   result.actions = system_->actions_with(best);
   for (std::size_t i = 0; i < best.laws.size(); ++i) {
     const double magnitude = best.magnitudes[static_cast<Eigen::Index>(i)];
@@ -346,23 +409,23 @@ std::optional<LossyMagnitudes> LossySystem::solve(
       result.frictions[best.laws[i]] = magnitude;
       continue;
     }
-    const auto [mesh, head_is_driven] = search.mesh_of(best.laws[i]);
+    const auto [mesh, head_is_driven] = search->mesh_of(best.laws[i]);
     result.losses[mesh] = magnitude;
     result.head_is_driven[mesh] = head_is_driven;
   }
   return result;
 }
 
-LossyActions LossySystem::solve_whole(const std::function<bool(const VecX&)>& is_accepted) const {
-  SenseSearch search(*system_, {.frictions = friction_count_, .meshes = mesh_count_}, is_accepted);
-  LossyActions result{.search = search.run(), .solution = {}, .other = {}};
-  if (!search.best()) {
+LossyActions LossySystem::solve_whole(const std::function<bool(const VecX&)>& is_accepted) {
+  std::optional<SenseSearch> search;
+  LossyActions result{.search = settle(search, is_accepted), .solution = {}, .other = {}};
+  if (result.search == LossSearch::no_share || !search || !search->best()) {
     result.solution.status = SolveStatus::locked_by_friction;
     return result;
   }
-  result.solution = system_->solution_with(*search.best());
-  if (search.other()) {
-    result.other = system_->solution_with(*search.other());
+  result.solution = system_->solution_with(*search->best());
+  if (search->other()) {
+    result.other = system_->solution_with(*search->other());
   }
   return result;
 }

@@ -48,16 +48,31 @@ class LossySystem {
   /// Whether all frictions and losses depend on actions that equilibrium determines.
   bool is_determined() const;
 
-  /// See solve_with_losses. Empty where the search finds no senses that agree with their actions.
-  std::optional<LossyMagnitudes> solve(const std::function<bool(const VecX&)>& is_accepted) const;
+  /// See solve_with_losses; losses that depend on the force of their teeth are followed until that
+  /// stands still. Empty where the search finds no senses that agree with their actions.
+  std::optional<LossyMagnitudes> solve(const std::function<bool(const VecX&)>& is_accepted);
 
   /// Likewise, with all that a report says.
-  LossyActions solve_whole(const std::function<bool(const VecX&)>& is_accepted) const;
+  LossyActions solve_whole(const std::function<bool(const VecX&)>& is_accepted);
 
  private:
+  /// What tells the share of a mesh.
+  struct MeshShare {
+    const LossyMesh* lossy = nullptr;
+    double radius = 0.0;
+    int planets = 1;
+  };
+
+  bool has_shares_by_law() const;
+  std::optional<double> take_shares(const VecX& actions);
+  template <class Search>
+  LossSearch settle(std::optional<Search>& search,
+                    const std::function<bool(const VecX&)>& is_accepted);
+
   std::size_t friction_count_ = 0;
   std::size_t mesh_count_ = 0;
   std::vector<FrictionLaw> laws_;  ///< those of couplings, then two of each mesh
+  std::vector<MeshShare> shares_;  ///< of each mesh
   std::unique_ptr<FrictionSystem> system_;
 };
 

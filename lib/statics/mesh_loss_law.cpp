@@ -29,8 +29,15 @@ class LawMaker {
     if (!turns(coupling.head, carrier) || !turns(coupling.tail, carrier)) {
       return std::nullopt;
     }
-    return MeshLossLaw{.head_driven = law_where_driven(mesh, carrier, coupling.head, 1.0),
-                       .tail_driven = law_where_driven(mesh, carrier, coupling.tail, -1.0)};
+    const Twist head = twist_of(coupling.head) - twist_of(carrier);
+    const Vec3& pitch_point =
+        mechanism_.geometry.points[static_cast<std::size_t>(mesh.coupling.value)];
+    return MeshLossLaw{
+        .head_driven = law_where_driven(mesh, carrier, coupling.head, 1.0),
+        .tail_driven = law_where_driven(mesh, carrier, coupling.tail, -1.0),
+        .lossy = &mesh,
+        .radius = velocity_at<double>(head, pitch_point).norm() / head.angular.norm(),
+        .planets = mechanism_.planet_counts[static_cast<std::size_t>(coupling.first_action)]};
   }
 
  private:
@@ -83,7 +90,7 @@ MeshLossLaws find_mesh_loss_laws(const Mechanism& mechanism, const KinematicSolu
   for (const LossyMesh& lossy : mechanism.lossy_meshes) {
     const auto mesh = std::ranges::find(meshes, lossy.coupling, &Mesh::coupling);
     KINESTAT_EXPECTS(mesh != meshes.end());
-    const bool loses = lossy.share > 0.0;
+    const bool loses = lossy.law || lossy.share > 0.0;
     if (!mesh->carrier) {
       if (loses) {
         result.without_carrier.push_back(lossy.coupling);

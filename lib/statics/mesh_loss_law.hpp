@@ -17,6 +17,10 @@ namespace kinestat {
 struct MeshLossLaw {
   FrictionLaw head_driven;
   FrictionLaw tail_driven;
+  const LossyMesh* lossy = nullptr;  ///< in the mechanism; its share may depend on speed and force
+  double radius = 0.0;  ///< of the head's pitch circle: the speed of the pitch point in the carrier
+                        ///< by that of the head [m]
+  int planets = 1;      ///< that share the force
 };
 
 /// Of all lossy meshes in a case with some motion. A mesh that does not roll in its carrier, as in

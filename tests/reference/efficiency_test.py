@@ -294,6 +294,33 @@ class ClosedForms(unittest.TestCase):
         self.assertAlmostEqual(power["efficiency"]["absolute"], 0.98, delta=1e-12)
         self.assertAlmostEqual(power["efficiency"]["carrier_backward"], 0.98, delta=1e-12)
 
+    # The wheel of radius 2 turns with 1 rad/s: its pitch point moves with 2 m/s. Where it drives, its
+    # torque is that of the teeth; where it is driven, the teeth bring 1/(1 - s) times as much, and
+    # the share s of what they lose follows from that.
+    def test_losses_that_depend_on_speed_and_force(self) -> None:
+        def share(force: float) -> float:
+            return 0.02 + 0.03 * math.exp(-2 / 4) + 0.01 * (force / 50) ** 0.4
+
+        losses = "0.02 + 0.03*exp(-speed/(4 m/s)) + 0.01*(force/(50 N))^0.4"
+        driven = 0.0
+        for _ in range(100):
+            driven = share(100 / 2 / (1 - driven))
+
+        for loss in (losses, f"{{eta: 1 - ({losses})}}"):
+            power = powers_of(PAIR.format(bearing="", more=f"losses: {{gear_external: {loss}}}"))
+            shares = power["run"]["efficiency"]
+            self.assertAlmostEqual(shares["carrier"], 1 - share(50), delta=1e-12)
+            self.assertAlmostEqual(shares["carrier_backward"], 1 - driven, delta=1e-12)
+            self.assertIsNone(shares["absolute"])
+            self.assertIn("depend on speed", shares["reasons"]["absolute"])
+
+    def test_losses_without_a_value(self) -> None:
+        for loss in ("0.02/(speed - 2 m/s)*(1 m/s)", "force/(40 N)", "0.01 - speed/(100 m/s)"):
+            power = powers_of(PAIR.format(bearing="", more=f"losses: {{gear_external: {loss}}}"))
+            shares = power["run"]["efficiency"]
+            self.assertIsNone(shares["carrier"], loss)
+            self.assertIn("no value", shares["reasons"]["carrier"])
+
     # A ring held by brake B: the open clutch C between sun and ring takes D(ω) from the sun's torque
     # and gives it to the brake, so that (T - D)/T of the power passes the teeth, which take 0.7 % of
     # it. In direct drive B drags the ring, and its bearing too; the planets are at rest.

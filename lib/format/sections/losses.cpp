@@ -64,8 +64,12 @@ const Mapping<LossDescription>& losses_section() {
                       "by the power through each coupling (Cazangi 2008, 4.4.4), for comparison"}}),
                 "absolute")
             .usual("carrier");
-        m.key("gear_external", "Loss of every mesh of two external gears; default 0.")
-            .may(&LossDescription::gear_external, loss(), "0.02");
+        m.key(
+             "gear_external",
+             "Loss of every mesh of two external gears; default 0. Any loss may depend on 'speed', "
+             "that of the pitch point in the carrier, and on 'force', that of the teeth along it.")
+            .may(&LossDescription::gear_external, loss(), "0.02")
+            .example("0.008 + 0.01*exp(-speed/(4 m/s))");
         m.key("gear_internal", "Loss of every mesh with a ring; default 0.")
             .may(&LossDescription::gear_internal, loss(), "0.01");
         m.key("meshes",

@@ -137,6 +137,11 @@ void FrictionSystem::find_open(std::vector<int> undetermined) {
   }
 }
 
+Vec3 FrictionSystem::pressing_of(std::size_t law, std::size_t part, const VecX& actions) const {
+  const PressingPart& pressing = laws_[law].parts[part];
+  return pressing.part * coupling_wrench(pressing.of.value_or(laws_[law].coupling), actions);
+}
+
 FrictionFunction FrictionSystem::function_of(std::size_t i,
                                              const std::vector<std::size_t>& chosen) const {
   FrictionFunction function{.constant = laws_[i].constant, .forces = {}};

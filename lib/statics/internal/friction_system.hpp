@@ -49,6 +49,9 @@ class FrictionSystem {
   /// Of one part of a law: its pressing force as a function of the frictions of the chosen laws.
   FrictionFunction function_of(std::size_t i, const std::vector<std::size_t>& chosen) const;
 
+  /// What presses in a part of a law, under these actions.
+  Vec3 pressing_of(std::size_t law, std::size_t part, const VecX& actions) const;
+
   /// ψ with these frictions.
   VecX actions_with(const ChosenFrictions& frictions) const;
 

@@ -1,6 +1,7 @@
 #include "mechanism/gears/internal/losses.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -26,7 +27,29 @@ constexpr NumberRule kToothFactor = {.kind = QuantityKind::dimensionless,
                                      .range = kNotNegative,
                                      .allowed = "a number that is not negative"};
 
+bool is_law(const LossValue& loss) {
+  const auto names = loss.value.expression.names();
+  return std::ranges::any_of(names, [](const std::string& name) {
+    return name == kSpeedOfTeeth || name == kForceOfTeeth;
+  });
+}
+
+// The law of a loss, checked where teeth roll at 1 m/s under 1 N.
+std::optional<NumberLaw<double>> law_of(const LossValue& loss, Evaluator& evaluator) {
+  const std::array samples = {
+      LawVariable<double>{
+          .name = kSpeedOfTeeth,
+          .value = {.value = 1.0, .dimension = dimension_of(QuantityKind::velocity)}},
+      LawVariable<double>{.name = kForceOfTeeth,
+                          .value = {.value = 1.0, .dimension = dimension_of(QuantityKind::force)}}};
+  return evaluator.law(loss.value, QuantityKind::dimensionless, samples);
+}
+
 void check_value(const LossValue& loss, const std::string& what, const SectionContext& context) {
+  if (is_law(loss)) {
+    (void)law_of(loss, context.evaluator);
+    return;
+  }
   switch (loss.form) {
     case LossForm::fraction:
       context.number(loss.value, kLoss, what);
@@ -131,9 +154,11 @@ class LossBinder {
       const CouplingDescription& coupling = description_.couplings[e];
       const LossValue* loss = joins_wheels(coupling.type) ? loss_of(coupling) : nullptr;
       if (loss != nullptr) {
-        result.push_back({.coupling = CouplingId{static_cast<int>(e)},
-                          .share = share_of(*loss, coupling.name.text),
-                          .where = loss->value.where});
+        result.push_back(is_law(*loss)
+                             ? by_law(CouplingId{static_cast<int>(e)}, *loss, coupling.name.text)
+                             : LossyMesh{.coupling = CouplingId{static_cast<int>(e)},
+                                         .share = share_of(*loss, coupling.name.text),
+                                         .where = loss->value.where});
       }
     }
     return result;
@@ -149,6 +174,26 @@ class LossBinder {
     const std::optional<LossValue>& usual =
         coupling.internal ? losses_.gear_internal : losses_.gear_external;
     return usual ? &*usual : nullptr;
+  }
+
+  LossyMesh by_law(CouplingId coupling, const LossValue& loss, const std::string& mesh) {
+    LossyMesh result{.coupling = coupling, .form = loss.form, .where = loss.value.where};
+    result.law = law_of(loss, evaluator_);
+    if (loss.form == LossForm::teeth) {
+      const std::optional<double> term = tooth_term(mesh);
+      if (!term) {
+        refuse_without_teeth(loss, mesh);
+      }
+      result.tooth_term = term.value_or(0.0);
+    }
+    return result;
+  }
+
+  void refuse_without_teeth(const LossValue& loss, const std::string& mesh) {
+    found_.error("E0303",
+                 loss.value.where,
+                 fmt::format("mesh '{}' has no teeth to find its loss from", mesh),
+                 "write the loss itself, or describe the mesh in 'gears'");
   }
 
   double share_of(const LossValue& loss, const std::string& mesh) {
@@ -168,10 +213,7 @@ class LossBinder {
   double share_by_teeth(const LossValue& loss, double k, const std::string& mesh) {
     const std::optional<double> term = tooth_term(mesh);
     if (!term) {
-      found_.error("E0303",
-                   loss.value.where,
-                   fmt::format("mesh '{}' has no teeth to find its loss from", mesh),
-                   "write the loss itself, or describe the mesh in 'gears'");
+      refuse_without_teeth(loss, mesh);
       return 0.0;
     }
     const double share = k * *term;

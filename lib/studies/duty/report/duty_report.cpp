@@ -128,37 +128,48 @@ class DutyText {
   }
 
   Table gears() const {
-    Table table({"Gear",
-                 "in mesh",
-                 "planets",
-                 "revolutions",
-                 "largest " + in(QuantityKind::moment),
-                 "equivalent " + in(QuantityKind::moment)});
+    Table table(wear_head({"Gear", "in mesh"}, QuantityKind::moment, v_.plan.gear_exponent));
     for (const GearDuty& one : v_.duty.gears) {
-      table.add({v_.mechanism.topology.body(one.gear).name,
-                 name_of(one.mesh),
-                 std::to_string(one.planets),
-                 format_short(one.wear.revolutions),
-                 number(QuantityKind::moment, one.wear.largest),
-                 optional_number(QuantityKind::moment, one.wear.equivalent)});
+      table.add(wear_row({v_.mechanism.topology.body(one.gear).name, name_of(one.mesh)},
+                         one.planets,
+                         one.wear,
+                         QuantityKind::moment));
     }
     return table;
   }
 
   Table bearings() const {
-    Table table({"Bearing",
-                 "planets",
-                 "revolutions",
-                 "largest " + in(QuantityKind::force),
-                 "equivalent " + in(QuantityKind::force)});
+    Table table(wear_head({"Bearing"}, QuantityKind::force, v_.plan.bearing_exponent));
     for (const BearingDuty& one : v_.duty.bearings) {
-      table.add({name_of(one.bearing),
-                 std::to_string(one.planets),
-                 format_short(one.wear.revolutions),
-                 number(QuantityKind::force, one.wear.largest),
-                 optional_number(QuantityKind::force, one.wear.equivalent)});
+      table.add(wear_row({name_of(one.bearing)}, one.planets, one.wear, QuantityKind::force));
     }
     return table;
+  }
+
+  // Equivalent loads need an exponent.
+  std::vector<std::string> wear_head(std::vector<std::string> names,
+                                     QuantityKind load,
+                                     const std::optional<double>& exponent) const {
+    names.insert(names.end(), {"planets", "revolutions", "largest " + in(load)});
+    if (exponent) {
+      names.push_back("equivalent " + in(load));
+    }
+    return names;
+  }
+
+  std::vector<std::string> wear_row(std::vector<std::string> names,
+                                    int planets,
+                                    const DutyWear& wear,
+                                    QuantityKind load) const {
+    names.insert(
+        names.end(),
+        {std::to_string(planets), format_short(wear.revolutions), number(load, wear.largest)});
+    const bool has_exponent = load == QuantityKind::moment ? v_.plan.gear_exponent.has_value()
+                                                           : v_.plan.bearing_exponent.has_value();
+    if (has_exponent) {
+      names.push_back(optional_number(load, wear.equivalent));
+    }
+    return names;
   }
 
   Table elements() const {

@@ -17,7 +17,9 @@ namespace {
 bool is_plain(const SweepTask& task, const CaseAnalysis& one) {
   const bool has_motion = !one.motion || one.motion->status == SolveStatus::solved;
   const bool has_action = !one.action || one.action->status == SolveStatus::solved;
-  const bool is_linear = !one.action || task.mechanism.frictions.empty();
+  const bool has_laws = std::ranges::any_of(
+      task.mechanism.lossy_meshes, [](const LossyMesh& mesh) { return mesh.law.has_value(); });
+  const bool is_linear = !one.action || (task.mechanism.frictions.empty() && !has_laws);
   return has_motion && has_action && is_linear && one.which.loads.empty() &&
          task.mechanism.contacts.empty();
 }
