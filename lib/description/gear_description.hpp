@@ -41,9 +41,10 @@ struct MeshDescription {
   Name first;
   Name second;
   std::optional<Name> carrier;
-  std::optional<Value> at;      ///< position along the axis
-  std::optional<Value> module;  ///< this and the angles: default those of the section
-  std::optional<Value> pressure_angle;
+  std::optional<Value> at;              ///< position along the axis
+  std::optional<Value> module;          ///< this and the angles: default those of the section
+  std::optional<Value> pressure_angle;  ///< in the transverse plane
+  std::optional<Value> normal_pressure_angle;  ///< in the plane across the teeth, instead
   std::optional<Value> helix_angle;
 };
 
@@ -52,7 +53,8 @@ inline constexpr std::string_view kUsualPressureAngle = "20 deg";
 
 struct GearsDescription {
   std::optional<Value> module;
-  std::optional<Value> pressure_angle;
+  std::optional<Value> pressure_angle;         ///< in the transverse plane
+  std::optional<Value> normal_pressure_angle;  ///< in the plane across the teeth, instead
   std::optional<Value> helix_angle;
   Flank flank = Flank::loaded;
   std::vector<GearAxisDescription> axes;

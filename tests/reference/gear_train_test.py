@@ -267,6 +267,47 @@ class Flanks(ReferenceTest):
         self.near(actions["S.Rz"] + actions["R.Rz"], 0.0, "sun and ring")
 
 
+class NormalAngle(ReferenceTest):
+    """20 degrees across teeth at a helix of 30: tan(at) = tan(20 deg)/cos(30 deg)."""
+
+    HELIX = "  helix_angle: 30 deg\n"
+    NORMAL = "  normal_pressure_angle: 20 deg\n"
+
+    def loads(self, gears: str, tail: str = "") -> dict[str, float]:
+        text = planetary(24, 18, 60, "", gears, "spatial")
+        if tail:
+            text = text.replace("sp: {members: [sun, planet], ", f"sp: {{members: [sun, planet], {tail}, ")
+        return analyze(text)["cases"]["ring held"]["statics"]["actions"]
+
+    def test_axial_and_radial_force_of_the_sun(self) -> None:
+        """Of the tangential force 1/24: tan(helix) and tan(20 deg)/cos(helix) of it; the teeth bear
+        1/(cos(20 deg) cos(helix))."""
+        actions = self.loads(self.HELIX + self.NORMAL)
+        helix, normal = math.radians(30), math.radians(20)
+        self.near(abs(actions["S.Rz"]), math.tan(helix) / 24, "axial")
+        self.near(abs(actions["S.Ry"]), math.tan(normal) / math.cos(helix) / 24, "radial")
+        self.near(abs(actions["sp.Rc"]), 1 / (math.cos(normal) * math.cos(helix)) / 24, "teeth")
+
+    def test_is_the_transverse_angle_in_another_plane(self) -> None:
+        transverse = math.degrees(math.atan(math.tan(math.radians(20)) / math.cos(math.radians(30))))
+        by_normal = self.loads(self.HELIX + self.NORMAL)
+        by_transverse = self.loads(self.HELIX + f"  pressure_angle: {transverse!r} deg\n")
+        for name, value in by_transverse.items():
+            self.near(by_normal[name], value, name, 1 / 24)
+
+    def test_of_one_mesh(self) -> None:
+        """Its own angle, of whichever plane, counts instead of that of the section."""
+        actions = self.loads(self.HELIX + self.NORMAL, "pressure_angle: 25 deg")
+        self.near(abs(actions["S.Ry"]), math.tan(math.radians(25)) / 24, "of the mesh")
+        self.near(abs(actions["R.Ry"]), math.tan(math.radians(20)) / math.cos(math.radians(30)) / 24,
+                  "of the section")
+
+    def test_is_that_of_spur_gears_without_a_helix(self) -> None:
+        text = planetary(24, 18, 60, "", self.NORMAL)
+        actions = analyze(text)["cases"]["ring held"]["statics"]["actions"]
+        self.near(abs(actions["S.Ry"]), math.tan(math.radians(20)) / 24, "radial")
+
+
 class PlanetLoads(ReferenceTest):
     """Three planets share what one has in their place."""
 

@@ -76,6 +76,14 @@ const Mapping<GearMember>& gear_member() {
   return mapping;
 }
 
+FormRule one_pressure_angle() {
+  return {.kind = FormRule::Kind::excludes,
+          .key = "normal_pressure_angle",
+          .others = {"pressure_angle"},
+          .message = "{0} cannot have both 'pressure_angle' and 'normal_pressure_angle'",
+          .hint = "keep one: tan(pressure_angle) = tan(normal_pressure_angle)/cos(helix_angle)"};
+}
+
 const Mapping<MeshDescription>& mesh() {
   static const Mapping<MeshDescription> mapping(
       "mesh",
@@ -94,8 +102,12 @@ const Mapping<MeshDescription>& mesh() {
             .may(&MeshDescription::at, length(), "10 mm");
         m.key("module", "Module of this mesh; default that of 'gears'.")
             .may(&MeshDescription::module, size(), "2.5 mm");
-        m.key("pressure_angle", "Pressure angle of this mesh; default that of 'gears'.")
+        m.key("pressure_angle",
+              "Pressure angle of this mesh in the transverse plane; default what 'gears' has.")
             .may(&MeshDescription::pressure_angle, acute_angle(), "25 deg");
+        m.key("normal_pressure_angle", "The same in the plane across the teeth, instead.")
+            .may(&MeshDescription::normal_pressure_angle, acute_angle(), "20 deg");
+        m.rule(one_pressure_angle());
         m.key("helix_angle",
               "Helix angle of this mesh, positive if its tail is right-handed; default that of "
               "'gears'.")
@@ -112,6 +124,12 @@ void declare_teeth(Mapping<GearsDescription>& m) {
   m.key("pressure_angle", "Pressure angle of the teeth in the transverse plane.")
       .may(&GearsDescription::pressure_angle, acute_angle(), "20 deg")
       .usual(kUsualPressureAngle);
+  m.key("normal_pressure_angle",
+        "Pressure angle in the plane across the teeth, instead, as catalogues and cutters of "
+        "helical "
+        "gears have it: tan(pressure_angle) = tan(normal_pressure_angle)/cos(helix_angle).")
+      .may(&GearsDescription::normal_pressure_angle, acute_angle(), "20 deg");
+  m.rule(one_pressure_angle());
   m.key("helix_angle",
         "Helix angle of the teeth; positive if the first gear of the first mesh is right-handed. "
         "Hands alternate along the train.")

@@ -20,13 +20,14 @@ bool moves_more(const MechanismDescription& description, const Dependence& depen
     return depends.of(one.count) || depends.of(one.centre_distance);
   };
   const auto of_mesh = [&](const MeshDescription& one) {
-    return depends.of(one.pressure_angle) || depends.of(one.helix_angle) || depends.of(one.at);
+    return depends.of(one.pressure_angle) || depends.of(one.normal_pressure_angle) ||
+           depends.of(one.helix_angle) || depends.of(one.at);
   };
   const auto of_axis = [&](const GearAxisDescription& one) {
     return depends.of(one.centre_distance);
   };
-  return depends.of(gears.pressure_angle) || depends.of(gears.helix_angle) ||
-         std::ranges::any_of(gears.axes, of_axis) ||
+  return depends.of(gears.pressure_angle) || depends.of(gears.normal_pressure_angle) ||
+         depends.of(gears.helix_angle) || std::ranges::any_of(gears.axes, of_axis) ||
          std::ranges::any_of(gears.members, of_member) ||
          std::ranges::any_of(gears.meshes, of_mesh);
 }

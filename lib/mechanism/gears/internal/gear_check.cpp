@@ -36,7 +36,7 @@ class GearCheck {
       : context_(context), gears_(gears), is_used_(gears.members.size(), false) {}
 
   void run() {
-    check_tooth_form(gears_.module, gears_.pressure_angle, gears_.helix_angle, "'gears'");
+    check_tooth_form(gears_, "'gears'");
     for (const GearAxisDescription& axis : gears_.axes) {
       check_axis(axis);
     }
@@ -51,13 +51,15 @@ class GearCheck {
   }
 
  private:
-  void check_tooth_form(const std::optional<Value>& module,
-                        const std::optional<Value>& pressure_angle,
-                        const std::optional<Value>& helix_angle,
-                        std::string_view what) {
-    context_.number(module, kAboveZeroLength, fmt::format("'module' of {}", what));
-    context_.number(pressure_angle, kPressureAngle, fmt::format("'pressure_angle' of {}", what));
-    context_.number(helix_angle, kHelixAngle, fmt::format("'helix_angle' of {}", what));
+  // Of the section, or of a mesh.
+  template <class Description>
+  void check_tooth_form(const Description& of, std::string_view what) {
+    context_.number(of.module, kAboveZeroLength, fmt::format("'module' of {}", what));
+    context_.number(of.pressure_angle, kPressureAngle, fmt::format("'pressure_angle' of {}", what));
+    context_.number(of.normal_pressure_angle,
+                    kPressureAngle,
+                    fmt::format("'normal_pressure_angle' of {}", what));
+    context_.number(of.helix_angle, kHelixAngle, fmt::format("'helix_angle' of {}", what));
   }
 
   void check_axis(const GearAxisDescription& axis) {
@@ -96,7 +98,7 @@ class GearCheck {
 
   void check_mesh(const MeshDescription& mesh) {
     const std::string what = fmt::format("mesh '{}'", mesh.name.text);
-    check_tooth_form(mesh.module, mesh.pressure_angle, mesh.helix_angle, what);
+    check_tooth_form(mesh, what);
     context_.number(mesh.at, kAnyLength, fmt::format("'at' of {}", what));
     if (mesh.at && context_.description.space == Space::planar) {
       context_.found.error("E0314",
