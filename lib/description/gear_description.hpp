@@ -22,6 +22,7 @@ struct GearMember {
   Value teeth;
   bool internal = false;                 ///< a ring
   std::optional<Value> count;            ///< how many equal planets there are
+  std::optional<Value> load_sharing;     ///< load of the most loaded of them over the mean
   std::optional<Value> centre_distance;  ///< from the axis of its carrier, or the main axis
   PlanetSide side = PlanetSide::left;
 };

@@ -324,6 +324,34 @@ class PlanetLoads(ReferenceTest):
         # 1 N·m of the sun on a pitch radius of 24 m.
         force = 1 / 24 / math.cos(math.radians(20)) / 3
         self.near(abs(shared["planets"]["sp.Rc"]["each"]), force, "sp.Rc")
+        self.assertNotIn("most_loaded", shared["planets"]["sp.Rc"])
+
+    def test_of_planets_that_do_not_share_evenly(self) -> None:
+        """The most loaded bears 1.2/3; what all have together, and torques, stay."""
+        text = planetary(24, 18, 60).replace("teeth: 18}", "teeth: 18, count: 3, load_sharing: 1.2}")
+        evenly = analyze(planetary(24, 18, 60))["cases"]["ring held"]["statics"]
+        uneven = analyze(text)["cases"]["ring held"]["statics"]
+        self.assertEqual(uneven["actions"], evenly["actions"])
+        force = 1 / 24 / math.cos(math.radians(20))
+        self.near(abs(uneven["planets"]["sp.Rc"]["each"]), force / 3, "each")
+        self.near(abs(uneven["planets"]["sp.Rc"]["most_loaded"]), force * 1.2 / 3, "most loaded")
+        # The bearing of the planet has both tangential forces.
+        self.near(abs(uneven["planets"]["P.Rx"]["most_loaded"]), 2 / 24 * 1.2 / 3, "P.Rx")
+
+    def test_raises_the_most_loaded_of_a_shift_table(self) -> None:
+        shift = "shift: {input: s, output: c, elements: B, input_action: 1, names: {low: [B]}}\n"
+        text = planetary(24, 18, 60).replace(
+            "gears:\n", "  B: {type: brake, bodies: [housing, ring]}\ngears:\n").replace(
+            "r: {coupling: R}, ", "")
+        text = text[:text.index("cases:")] + shift
+        for sharing in (1.0, 1.2):
+            shared = text.replace("teeth: 18}", f"teeth: 18, count: 3, load_sharing: {sharing}}}")
+            state = program.run("shift", "-", text=shared)["shift"]["states"]["low"]
+            self.assertEqual(state["worst_bearing"]["coupling"], "P")
+            self.near(state["worst_bearing"]["force"], 2 / 24 * sharing / 3, "bearing")
+            self.near(state["worst_mesh"]["force"],
+                      1 / 24 / math.cos(math.radians(20)) * sharing / 3, "mesh")
+            self.near(abs(state["elements"]["B"]["torque"]), 60 / 24, "brake")
 
 
 class Exactly:

@@ -57,6 +57,13 @@ const Mapping<GearMember>& gear_member() {
             .may(&GearMember::count, planet_count(), "3")
             .usual("1");
         m.key(
+             "load_sharing",
+             "Load of the most loaded of these planets over the mean of all: of three planets with "
+             "1.15 it bears 1.15/3. It raises the loads reported of its meshes and its bearing, no "
+             "torque. The planets of a set have one.")
+            .may(&GearMember::load_sharing, at_least_one(), "1.15")
+            .usual("1");
+        m.key(
              "centre_distance",
              "Distance of a planet from the axis of its carrier, or of a shaft from the main axis; "
              "default the mean of what its meshes with gears on that axis ask for. A gear that "
@@ -67,6 +74,11 @@ const Mapping<GearMember>& gear_member() {
               "stands, if it meshes with another planet.")
             .may(&GearMember::side, side_of_axis(), "right")
             .usual("left");
+        m.rule({.kind = FormRule::Kind::together,
+                .key = "load_sharing",
+                .others = {"count"},
+                .message = "'load_sharing' of {0} needs the key 'count'",
+                .hint = "add how many planets share the load, 'count: 3'"});
         m.rule({.kind = FormRule::Kind::unless_true,
                 .key = "internal",
                 .others = {"count", "centre_distance", "side"},

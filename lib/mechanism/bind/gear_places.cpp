@@ -17,7 +17,7 @@ namespace {
 bool moves_more(const MechanismDescription& description, const Dependence& depends) {
   const GearsDescription& gears = *description.gears;
   const auto of_member = [&](const GearMember& one) {
-    return depends.of(one.count) || depends.of(one.centre_distance);
+    return depends.of(one.count) || depends.of(one.load_sharing) || depends.of(one.centre_distance);
   };
   const auto of_mesh = [&](const MeshDescription& one) {
     return depends.of(one.pressure_angle) || depends.of(one.normal_pressure_angle) ||

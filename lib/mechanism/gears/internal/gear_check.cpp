@@ -20,6 +20,10 @@ constexpr NumberRule kPlanetCount = {.kind = QuantityKind::dimensionless,
                                      .range = kPlanets,
                                      .allowed = "a whole number from 1 to 64"};
 
+constexpr NumberRule kLoadSharing = {.kind = QuantityKind::dimensionless,
+                                     .range = kAtLeastOne,
+                                     .allowed = "a number of at least 1, for example 1.15"};
+
 constexpr NumberRule kPressureAngle = {
     .kind = QuantityKind::angle,
     .range = kAcuteAngle,
@@ -92,7 +96,21 @@ class GearCheck {
     const std::string what = fmt::format("gear member '{}'", member.name.text);
     context_.names.bodies.check(member.body, what + " is fixed to", context_.found);
     teeth_.push_back(context_.number(member.teeth, kToothCount, "'teeth' of " + what));
-    context_.number(member.count, kPlanetCount, "'count' of " + what);
+    const auto count = context_.number(member.count, kPlanetCount, "'count' of " + what);
+    const auto sharing =
+        context_.number(member.load_sharing, kLoadSharing, "'load_sharing' of " + what);
+    if (count && sharing && *sharing > *count) {
+      context_.found.error(
+          "E0314",
+          member.load_sharing->where,
+          fmt::format("'load_sharing' of {} is {:.6g}, and of {:.0f} planets one cannot bear more "
+                      "than {:.0f} times the mean",
+                      what,
+                      *sharing,
+                      *count,
+                      *count),
+          "write the load of the most loaded planet over the mean of all, for example 1.15");
+    }
     context_.number(member.centre_distance, kAboveZeroLength, "'centre_distance' of " + what);
   }
 

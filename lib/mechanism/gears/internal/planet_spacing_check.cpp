@@ -52,21 +52,42 @@ class PlanetSpacingCheck {
     for (const int p : set.planets) {
       for (const int m : train_.axes[static_cast<std::size_t>(p)].members) {
         if (member(m).count && number_of(*member(m).count) != set.count) {
-          context_.found.error(
-              "E0314",
-              member(m).count->where,
-              fmt::format("planets '{}' and '{}' belong to one set, but their counts are {} and {}",
-                          set.counted->name.text,
-                          member(m).name.text,
-                          set.count,
-                          number_of(*member(m).count)),
-              "planets of one body or in mesh with each other stand round the main axis together: "
-              "write the same 'count', or only one");
+          refuse_unlike(*set.counted, member(m), &GearMember::count);
+          return false;
+        }
+        if (member(m).load_sharing && sharing_of(*member(m).load_sharing) != set.load_sharing) {
+          refuse_unlike(*set.shared, member(m), &GearMember::load_sharing);
           return false;
         }
       }
     }
     return true;
+  }
+
+  void refuse_unlike(const GearMember& first,
+                     const GearMember& second,
+                     std::optional<Value> GearMember::*key) {
+    const bool is_count = key == &GearMember::count;
+    const auto text_of = [&](const GearMember& one) {
+      return is_count ? fmt::format("{}", number_of(*(one.*key)))
+                      : fmt::format("{:.6g}", sharing_of(*(one.*key)));
+    };
+    context_.found.error(
+        "E0314",
+        (second.*key)->where,
+        fmt::format("planets '{}' and '{}' belong to one set, but their {} are {} and {}",
+                    first.name.text,
+                    second.name.text,
+                    is_count ? "counts" : "load_sharing",
+                    text_of(first),
+                    text_of(second)),
+        fmt::format("planets of one body or in mesh with each other stand round the main axis "
+                    "together: write the same '{}', or only one",
+                    is_count ? "count" : "load_sharing"));
+  }
+
+  double sharing_of(const Value& value) const {
+    return context_.evaluator.number(value, QuantityKind::dimensionless).value_or(1.0);
   }
 
   int number_of(const Value& count) const {
