@@ -111,26 +111,12 @@ bool GearPlaces::find(const Slots& slots, std::vector<Quantity>& scratch) {
     }
     numbers_.module[one.index] = *module;
   }
-  if (!fits()) {
+  if (!rings_fit(frame_.layout.train, numbers_)) {
     return false;
   }
   auto layout = find_layout<double>(std::move(frame_.layout.train), numbers_);
   KINESTAT_EXPECTS(layout.has_value());  // distances follow from teeth, or stay
   frame_.layout = *std::move(layout);
-  return true;
-}
-
-// A ring has more teeth than the gear inside it.
-bool GearPlaces::fits() const {
-  const GearTrain& train = frame_.layout.train;
-  for (std::size_t m = 0; m < train.first.size(); ++m) {
-    const double first = numbers_.teeth[static_cast<std::size_t>(train.first[m])];
-    const double second = numbers_.teeth[static_cast<std::size_t>(train.second[m])];
-    const bool is_internal = first < 0.0 || second < 0.0;
-    if (is_internal && !(first + second < 0.0)) {
-      return false;
-    }
-  }
   return true;
 }
 
