@@ -138,8 +138,7 @@ void declare_teeth(Mapping<GearsDescription>& m) {
       .usual(kUsualPressureAngle);
   m.key("normal_pressure_angle",
         "Pressure angle in the plane across the teeth, instead, as catalogues and cutters of "
-        "helical "
-        "gears have it: tan(pressure_angle) = tan(normal_pressure_angle)/cos(helix_angle).")
+        "helical gears have it: tan(pressure_angle) = tan(normal_pressure_angle)/cos(helix_angle).")
       .may(&GearsDescription::normal_pressure_angle, acute_angle(), "20 deg");
   m.rule(one_pressure_angle());
   m.key("helix_angle",
