@@ -8,6 +8,7 @@
 #include "cases/action_findings.hpp"
 #include "cases/case_status.hpp"
 #include "cases/known_side.hpp"
+#include "cases/limit_findings.hpp"
 #include "core/text.hpp"
 
 namespace kinestat {
@@ -208,6 +209,9 @@ CaseFindings find_case_findings(const JudgedFile& file,
     add_action_value_findings(file, one, found);
   }
   add_power_findings(file, one, found);
+  if (const ShiftState* state = find_state(file, one)) {
+    add_limit_findings(file, one, *state, found);
+  }
   return found;
 }
 

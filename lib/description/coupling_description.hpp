@@ -84,6 +84,7 @@ struct CouplingDescription {
   std::optional<AxisDescription> tangent;         ///< of a gear
   std::optional<AxisDescription> line_of_action;  ///< of a gear, instead of tangent and angle
   std::optional<Value> pressure_angle;            ///< of a gear
+  std::optional<Value> normal_pressure_angle;     ///< of a mesh of `gears`, instead
   std::optional<Value> helix_angle;               ///< of a gear
   bool internal = false;                          ///< of a gear: one of the two is a ring
   bool contact = false;  ///< of a gear: the contact of the teeth instead of a rolling pair

@@ -22,6 +22,7 @@ struct GearMember {
   Value teeth;
   bool internal = false;                 ///< a ring
   std::optional<Value> count;            ///< how many equal planets there are
+  std::optional<Value> load_sharing;     ///< load of the most loaded of them over the mean
   std::optional<Value> centre_distance;  ///< from the axis of its carrier, or the main axis
   PlanetSide side = PlanetSide::left;
 };
@@ -41,9 +42,10 @@ struct MeshDescription {
   Name first;
   Name second;
   std::optional<Name> carrier;
-  std::optional<Value> at;      ///< position along the axis
-  std::optional<Value> module;  ///< this and the angles: default those of the section
-  std::optional<Value> pressure_angle;
+  std::optional<Value> at;              ///< position along the axis
+  std::optional<Value> module;          ///< this and the angles: default those of the section
+  std::optional<Value> pressure_angle;  ///< in the transverse plane
+  std::optional<Value> normal_pressure_angle;  ///< in the plane across the teeth, instead
   std::optional<Value> helix_angle;
 };
 
@@ -52,7 +54,8 @@ inline constexpr std::string_view kUsualPressureAngle = "20 deg";
 
 struct GearsDescription {
   std::optional<Value> module;
-  std::optional<Value> pressure_angle;
+  std::optional<Value> pressure_angle;         ///< in the transverse plane
+  std::optional<Value> normal_pressure_angle;  ///< in the plane across the teeth, instead
   std::optional<Value> helix_angle;
   Flank flank = Flank::loaded;
   std::vector<GearAxisDescription> axes;

@@ -105,8 +105,11 @@ class GearExpansion {
     coupling.head = {.text = second.body.text, .where = mesh.second.where};
     coupling.axis =
         AxisDescription{.keyword = 'z', .sign = 1.0, .components = {}, .where = mesh.name.where};
-    coupling.pressure_angle = mesh.pressure_angle ? mesh.pressure_angle : gears_.pressure_angle;
-    if (!coupling.pressure_angle) {
+    const bool has_own_angle = mesh.pressure_angle || mesh.normal_pressure_angle;
+    coupling.pressure_angle = has_own_angle ? mesh.pressure_angle : gears_.pressure_angle;
+    coupling.normal_pressure_angle =
+        has_own_angle ? mesh.normal_pressure_angle : gears_.normal_pressure_angle;
+    if (!coupling.pressure_angle && !coupling.normal_pressure_angle) {
       coupling.pressure_angle = usual_pressure_angle(mesh.name.where);
     }
     coupling.helix_angle = mesh.helix_angle ? mesh.helix_angle : gears_.helix_angle;

@@ -8,7 +8,7 @@
 
 namespace kinestat {
 
-/// A magnitude for every input, or for the actuator `target` alone.
+/// A magnitude for all that the key is about, or for what `target` names alone.
 struct InputValue {
   std::optional<Name> target;
   Value value;
@@ -27,6 +27,14 @@ enum class ShiftCombinations { all, named };
 /// The sign of the ratios of forward gears.
 enum class ForwardRatios { positive, negative };
 
+/// The largest sizes that gears may have.
+struct ShiftLimitsDescription {
+  std::vector<InputValue> torque;        ///< of elements
+  std::vector<InputValue> slip;          ///< of open elements
+  std::vector<InputValue> speed;         ///< of bodies, seen from the ground
+  std::vector<InputValue> planet_speed;  ///< of planets, seen from their carriers
+};
+
 struct ShiftDescription {
   std::vector<Name> inputs;    ///< actuators
   std::vector<Name> outputs;   ///< actuators
@@ -35,6 +43,7 @@ struct ShiftDescription {
   std::vector<InputValue> input_action;
   std::vector<GearLabel> names;
   ShiftCombinations combinations = ShiftCombinations::all;
+  std::optional<ShiftLimitsDescription> limits;
   std::optional<ForwardRatios> forward;  ///< default: the sign that most gears have
   SourceRange where;
 };

@@ -23,8 +23,12 @@ void add_new(std::span<const std::string> names, std::vector<std::string>& list)
 
 Condition::Condition(std::string text,
                      std::vector<ConditionPart> parts,
-                     std::vector<ConditionValue> values)
-    : text_(std::move(text)), parts_(std::move(parts)), values_(std::move(values)) {
+                     std::vector<ConditionValue> values,
+                     std::vector<ConditionQuestion> questions)
+    : text_(std::move(text)),
+      parts_(std::move(parts)),
+      values_(std::move(values)),
+      questions_(std::move(questions)) {
   for (const ConditionValue& value : values_) {
     add_new(value.expression.names(), names_);
   }

@@ -16,12 +16,13 @@ namespace kinestat {
 
 enum class Comparison { equal, unequal, less, at_most, greater, at_least };
 
-/// What a part of a condition does: compares two values, negates a part, or joins two by `and`
-/// (both) or by `or` (either).
-enum class ConditionKind { comparison, negation, both, either };
+/// What a part of a condition does: compares two values, asks a question, negates a part, or joins
+/// two by `and` (both) or by `or` (either).
+enum class ConditionKind { comparison, question, negation, both, either };
 
-/// One part of a condition. Operands of a comparison are indices of Condition::values(), those of
-/// the others are indices of parts that stand before it; -1 where there is none.
+/// One part of a condition. Operands of a comparison are indices of Condition::values(), that of a
+/// question is one of Condition::questions(), those of the others are indices of parts that stand
+/// before it; -1 where there is none.
 struct ConditionPart {
   ConditionKind kind = ConditionKind::comparison;
   Comparison comparison = Comparison::equal;  ///< of a comparison
@@ -37,11 +38,22 @@ struct ConditionValue {
   int offset = 0;  ///< [bytes] where it begins in the text of the condition
 };
 
+/// What is asked of something that is no number: assembles(planet).
+struct ConditionQuestion {
+  std::string word;
+  std::string of;
+  int offset = 0;  ///< [bytes] where its text begins
+  int length = 0;  ///< [bytes]
+};
+
 /// Parts in one vector, the root last. A default one has no parts and always holds.
 class Condition {
  public:
   Condition() = default;
-  Condition(std::string text, std::vector<ConditionPart> parts, std::vector<ConditionValue> values);
+  Condition(std::string text,
+            std::vector<ConditionPart> parts,
+            std::vector<ConditionValue> values,
+            std::vector<ConditionQuestion> questions = {});
 
   /// As typed.
   const std::string& text() const { return text_; }
@@ -50,26 +62,31 @@ class Condition {
 
   std::span<const ConditionValue> values() const { return values_; }
 
-  /// The names it refers to, each once, in the order of first use.
+  std::span<const ConditionQuestion> questions() const { return questions_; }
+
+  /// The names that values refer to, each once, in the order of first use.
   std::span<const std::string> names() const { return names_; }
 
  private:
   std::string text_;
   std::vector<ConditionPart> parts_;
   std::vector<ConditionValue> values_;
+  std::vector<ConditionQuestion> questions_;
   std::vector<std::string> names_;
 };
 
-/// Reads comparisons of expressions by == != < <= > >=, joined by `not`, `and`, `or` (in the order
-/// of their binding) and parentheses. Comparisons are not chained. Errors: E0308 for the form,
-/// those of parse_expression in its values, E0210 above 4096 bytes or 64 levels of nesting.
+/// Reads comparisons of expressions by == != < <= > >= and questions, joined by `not`, `and`, `or`
+/// (in the order of their binding) and parentheses. Comparisons are not chained. Errors: E0308 for
+/// the form, those of parse_expression in its values, E0210 above 4096 bytes or 64 levels of
+/// nesting.
 std::variant<Condition, ExpressionError> parse_condition(std::string_view text);
 
 /// Whether a condition holds. `and` and `or` stop as soon as the answer is known, so that
 /// b != 0 and a/b > 2 has one for b = 0. Values are compared exactly if `Number` is Exact and both
 /// have exact values (and their difference does not hang on the digits of pi); otherwise those
-/// within kSameValue of each other are equal, hence neither < nor >. `Number` is double or Exact.
-/// Errors: those of evaluate, and E0309 for values of different dimensions.
+/// within kSameValue of each other are equal, hence neither < nor >. Questions, which numbers do
+/// not answer, are taken to hold. `Number` is double or Exact. Errors: those of evaluate, and E0309
+/// for values of different dimensions.
 template <class Number = double>
 std::variant<bool, ExpressionError> evaluate_condition(
     const Condition& condition,

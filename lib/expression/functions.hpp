@@ -55,6 +55,15 @@ std::span<const std::string> function_names();
 /// True for and, or, not.
 bool is_condition_word(std::string_view word);
 
+/// What conditions of a sweep ask of planets, as assembles(planet).
+inline constexpr std::string_view kAssembles = "assembles";
+inline constexpr std::string_view kClears = "clears";
+
+/// True for one of them.
+constexpr bool is_condition_question(std::string_view word) {
+  return word == kAssembles || word == kClears;
+}
+
 /// Names that parameters may not have: units, functions, constants and the words of conditions.
 std::span<const std::string> reserved_names();
 

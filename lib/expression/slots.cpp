@@ -86,13 +86,18 @@ std::optional<Quantity> SlotExpression::evaluate(const Slots& slots,
   return scratch.back();
 }
 
-SlotCondition::SlotCondition(Condition condition, const SlotOf& slot_of)
+SlotCondition::SlotCondition(Condition condition, const SlotOf& slot_of, const AnswerOf& answer_of)
     : condition_(std::move(condition)) {
   for (const ConditionValue& value : condition_.values()) {
     values_.emplace_back(value.expression, slot_of);
   }
   for (const std::string& name : condition_.names()) {
     slots_.push_back(slot_of(name));
+  }
+  for (const ConditionQuestion& question : condition_.questions()) {
+    answers_.push_back(answer_of(question));
+    const std::vector<int>& slots = answers_.back().slots;
+    slots_.insert(slots_.end(), slots.begin(), slots.end());
   }
 }
 
@@ -113,6 +118,9 @@ std::optional<bool> SlotCondition::part_holds(int index,
       return std::nullopt;
     }
     return kinestat::holds(part.comparison, order_of(left->value, right->value));
+  }
+  if (part.kind == ConditionKind::question) {
+    return answers_[static_cast<std::size_t>(part.left)].holds(slots, scratch);
   }
   const std::optional<bool> left = part_holds(part.left, slots, scratch);
   if (!left || part.kind == ConditionKind::negation) {

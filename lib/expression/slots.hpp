@@ -42,11 +42,20 @@ class SlotExpression {
   std::vector<int> slots_;  ///< of each name of the expression
 };
 
+/// What answers a question of a condition.
+struct SlotAnswer {
+  std::vector<int> slots;  ///< the places that it reads
+  /// Empty where there is no answer.
+  std::function<std::optional<bool>(const Slots&, std::vector<Quantity>& scratch)> holds;
+};
+
+using AnswerOf = std::function<SlotAnswer(const ConditionQuestion&)>;
+
 /// A condition with the places of its names.
 class SlotCondition {
  public:
-  /// Every name must have a place.
-  SlotCondition(Condition condition, const SlotOf& slot_of);
+  /// Every name must have a place, and every question an answer.
+  SlotCondition(Condition condition, const SlotOf& slot_of, const AnswerOf& answer_of = {});
 
   /// The places that it reads.
   std::span<const int> slots() const { return slots_; }
@@ -61,6 +70,7 @@ class SlotCondition {
 
   Condition condition_;
   std::vector<SlotExpression> values_;
+  std::vector<SlotAnswer> answers_;
   std::vector<int> slots_;
 };
 

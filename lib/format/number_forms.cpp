@@ -295,6 +295,15 @@ Form<Value> input_load() {
                      kNotZero);
 }
 
+Form<Value> torque_limit() {
+  return number_form("torque_limit", "A torque above zero (default N*m).", {"200 N*m"}, kAboveZero);
+}
+
+Form<Value> speed_limit() {
+  return number_form(
+      "speed_limit", "An angular velocity above zero (default rad/s).", {"6000 rpm"}, kAboveZero);
+}
+
 Form<Value> any_number() {
   return number_form("value",
                      "A number with or without a unit, or an expression of other parameters.",

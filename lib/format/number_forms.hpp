@@ -67,6 +67,8 @@ Form<Value> drawn_position();
 Form<Value> increment();
 Form<Value> input_speed();
 Form<Value> input_load();
+Form<Value> torque_limit();
+Form<Value> speed_limit();
 Form<Value> any_number();
 Form<Value> action();
 

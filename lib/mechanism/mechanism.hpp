@@ -31,9 +31,10 @@ struct Mechanism {
   OrderChoice kinematic_order = OrderChoice::minimal;
   OrderChoice static_order = OrderChoice::minimal;
   IndeterminateChoice indeterminate = IndeterminateChoice::report;
-  double closure_error = 0.0;       ///< of moved positions, as share of the size; 0: as drawn
-  std::vector<double> compliances;  ///< of each action [m/N or rad/(N·m)]; 0: rigid
-  std::vector<int> planet_counts;   ///< of each action: how many equal planets share it
+  double closure_error = 0.0;        ///< of moved positions, as share of the size; 0: as drawn
+  std::vector<double> compliances;   ///< of each action [m/N or rad/(N·m)]; 0: rigid
+  std::vector<int> planet_counts;    ///< of each action: how many equal planets share it
+  std::vector<double> load_sharing;  ///< likewise: what the most loaded bears over the mean
   std::vector<Case> cases;
 };
 

@@ -72,6 +72,12 @@ class ShiftBinder {
     for (const GearLabel& label : shift_.names) {
       add_label(label);
     }
+    if (shift_.limits) {
+      add_limits(LimitKind::torque, shift_.limits->torque);
+      add_limits(LimitKind::slip, shift_.limits->slip);
+      add_limits(LimitKind::speed, shift_.limits->speed);
+      add_limits(LimitKind::planet_speed, shift_.limits->planet_speed);
+    }
     for (int a = 0; a < static_cast<int>(topology_.actuators.size()); ++a) {
       if (!has_part(a)) {
         plan_.others.push_back(a);
@@ -111,12 +117,31 @@ class ShiftBinder {
   void add_label(const GearLabel& label) {
     ShiftLabel result{.text = label.label.text, .engaged = {}, .where = label.label.where};
     for (const Name& element : label.elements) {
-      const auto at = std::ranges::find(shift_.elements, element.text, &Name::text);
-      KINESTAT_EXPECTS(at != shift_.elements.end());
-      result.engaged.push_back(static_cast<int>(at - shift_.elements.begin()));
+      result.engaged.push_back(index_of(shift_.elements, element.text, &Name::text));
     }
     std::ranges::sort(result.engaged);
     plan_.labels.push_back(std::move(result));
+  }
+
+  void add_limits(LimitKind kind, const std::vector<InputValue>& limits) {
+    const bool is_of_elements = kind == LimitKind::torque || kind == LimitKind::slip;
+    for (const InputValue& one : limits) {
+      ShiftLimit limit{.kind = kind, .where = one.value.where};
+      if (one.target) {
+        limit.index = is_of_elements
+                          ? index_of(shift_.elements, one.target->text, &Name::text)
+                          : index_of(topology_.bodies, one.target->text, &BodyTopology::name);
+      }
+      limit.most = evaluator_.number(one.value, quantity_of(kind)).value_or(limit.most);
+      plan_.limits.push_back(limit);
+    }
+  }
+
+  template <class List, class Projection>
+  static int index_of(const List& list, std::string_view name, Projection projection) {
+    const auto at = std::ranges::find(list, name, projection);
+    KINESTAT_EXPECTS(at != list.end());
+    return static_cast<int>(at - list.begin());
   }
 
   const MechanismDescription& description_;

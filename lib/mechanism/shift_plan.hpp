@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/source.hpp"
@@ -31,12 +32,43 @@ struct ShiftLabel {
   SourceRange where;
 };
 
+/// What a limit bounds: the torque or slip of elements, the speed of bodies seen from the ground,
+/// or that of planets seen from their carriers.
+enum class LimitKind { torque, slip, speed, planet_speed };
+
+/// As the file has them.
+constexpr std::string_view word_of(LimitKind kind) {
+  switch (kind) {
+    case LimitKind::torque:
+      return "torque";
+    case LimitKind::slip:
+      return "slip";
+    case LimitKind::speed:
+      return "speed";
+    case LimitKind::planet_speed:
+      return "planet_speed";
+  }
+  return "";
+}
+
+constexpr QuantityKind quantity_of(LimitKind kind) {
+  return kind == LimitKind::torque ? QuantityKind::moment : QuantityKind::angular_velocity;
+}
+
+struct ShiftLimit {
+  LimitKind kind = LimitKind::torque;
+  int index = -1;     ///< into ShiftPlan::elements or Topology::bodies; -1: it holds for all
+  double most = 0.0;  ///< size [N·m or rad/s]
+  SourceRange where;
+};
+
 struct ShiftPlan {
   std::vector<ShiftInput> inputs;
   std::vector<int> outputs;  ///< actuators
   std::vector<ShiftElement> elements;
   std::vector<int> others;  ///< actuators without a part in it: they bear nothing
   std::vector<ShiftLabel> labels;
+  std::vector<ShiftLimit> limits;
   ShiftCombinations combinations = ShiftCombinations::all;
   std::optional<double> forward;  ///< the sign of the ratios of forward gears, where it is given
   bool asks_actions = false;      ///< an action of an input is given

@@ -70,6 +70,7 @@ void emit_planets(const StaticView& v, const Each<PlanetShare>& each) {
     if (v.mechanism.planet_counts[i] > 1) {
       each(topology.action_name(a),
            {.count = v.mechanism.planet_counts[i],
+            .sharing = v.mechanism.load_sharing[i],
             .all = v.action.magnitudes[i],
             .kind = kind_of(topology.actions[i])},
            status_of(v, is_completed(v.action, a)));

@@ -267,6 +267,47 @@ class Flanks(ReferenceTest):
         self.near(actions["S.Rz"] + actions["R.Rz"], 0.0, "sun and ring")
 
 
+class NormalAngle(ReferenceTest):
+    """20 degrees across teeth at a helix of 30: tan(at) = tan(20 deg)/cos(30 deg)."""
+
+    HELIX = "  helix_angle: 30 deg\n"
+    NORMAL = "  normal_pressure_angle: 20 deg\n"
+
+    def loads(self, gears: str, tail: str = "") -> dict[str, float]:
+        text = planetary(24, 18, 60, "", gears, "spatial")
+        if tail:
+            text = text.replace("sp: {members: [sun, planet], ", f"sp: {{members: [sun, planet], {tail}, ")
+        return analyze(text)["cases"]["ring held"]["statics"]["actions"]
+
+    def test_axial_and_radial_force_of_the_sun(self) -> None:
+        """Of the tangential force 1/24: tan(helix) and tan(20 deg)/cos(helix) of it; the teeth bear
+        1/(cos(20 deg) cos(helix))."""
+        actions = self.loads(self.HELIX + self.NORMAL)
+        helix, normal = math.radians(30), math.radians(20)
+        self.near(abs(actions["S.Rz"]), math.tan(helix) / 24, "axial")
+        self.near(abs(actions["S.Ry"]), math.tan(normal) / math.cos(helix) / 24, "radial")
+        self.near(abs(actions["sp.Rc"]), 1 / (math.cos(normal) * math.cos(helix)) / 24, "teeth")
+
+    def test_is_the_transverse_angle_in_another_plane(self) -> None:
+        transverse = math.degrees(math.atan(math.tan(math.radians(20)) / math.cos(math.radians(30))))
+        by_normal = self.loads(self.HELIX + self.NORMAL)
+        by_transverse = self.loads(self.HELIX + f"  pressure_angle: {transverse!r} deg\n")
+        for name, value in by_transverse.items():
+            self.near(by_normal[name], value, name, 1 / 24)
+
+    def test_of_one_mesh(self) -> None:
+        """Its own angle, of whichever plane, counts instead of that of the section."""
+        actions = self.loads(self.HELIX + self.NORMAL, "pressure_angle: 25 deg")
+        self.near(abs(actions["S.Ry"]), math.tan(math.radians(25)) / 24, "of the mesh")
+        self.near(abs(actions["R.Ry"]), math.tan(math.radians(20)) / math.cos(math.radians(30)) / 24,
+                  "of the section")
+
+    def test_is_that_of_spur_gears_without_a_helix(self) -> None:
+        text = planetary(24, 18, 60, "", self.NORMAL)
+        actions = analyze(text)["cases"]["ring held"]["statics"]["actions"]
+        self.near(abs(actions["S.Ry"]), math.tan(math.radians(20)) / 24, "radial")
+
+
 class PlanetLoads(ReferenceTest):
     """Three planets share what one has in their place."""
 
@@ -283,6 +324,34 @@ class PlanetLoads(ReferenceTest):
         # 1 N·m of the sun on a pitch radius of 24 m.
         force = 1 / 24 / math.cos(math.radians(20)) / 3
         self.near(abs(shared["planets"]["sp.Rc"]["each"]), force, "sp.Rc")
+        self.assertNotIn("most_loaded", shared["planets"]["sp.Rc"])
+
+    def test_of_planets_that_do_not_share_evenly(self) -> None:
+        """The most loaded bears 1.2/3; what all have together, and torques, stay."""
+        text = planetary(24, 18, 60).replace("teeth: 18}", "teeth: 18, count: 3, load_sharing: 1.2}")
+        evenly = analyze(planetary(24, 18, 60))["cases"]["ring held"]["statics"]
+        uneven = analyze(text)["cases"]["ring held"]["statics"]
+        self.assertEqual(uneven["actions"], evenly["actions"])
+        force = 1 / 24 / math.cos(math.radians(20))
+        self.near(abs(uneven["planets"]["sp.Rc"]["each"]), force / 3, "each")
+        self.near(abs(uneven["planets"]["sp.Rc"]["most_loaded"]), force * 1.2 / 3, "most loaded")
+        # The bearing of the planet has both tangential forces.
+        self.near(abs(uneven["planets"]["P.Rx"]["most_loaded"]), 2 / 24 * 1.2 / 3, "P.Rx")
+
+    def test_raises_the_most_loaded_of_a_shift_table(self) -> None:
+        shift = "shift: {input: s, output: c, elements: B, input_action: 1, names: {low: [B]}}\n"
+        text = planetary(24, 18, 60).replace(
+            "gears:\n", "  B: {type: brake, bodies: [housing, ring]}\ngears:\n").replace(
+            "r: {coupling: R}, ", "")
+        text = text[:text.index("cases:")] + shift
+        for sharing in (1.0, 1.2):
+            shared = text.replace("teeth: 18}", f"teeth: 18, count: 3, load_sharing: {sharing}}}")
+            state = program.run("shift", "-", text=shared)["shift"]["states"]["low"]
+            self.assertEqual(state["worst_bearing"]["coupling"], "P")
+            self.near(state["worst_bearing"]["force"], 2 / 24 * sharing / 3, "bearing")
+            self.near(state["worst_mesh"]["force"],
+                      1 / 24 / math.cos(math.radians(20)) * sharing / 3, "mesh")
+            self.near(abs(state["elements"]["B"]["torque"]), 60 / 24, "brake")
 
 
 class Exactly:

@@ -97,6 +97,21 @@ class ShiftTest(ReferenceTest):
         return [self.check_state(train, state, torque, speed)
                 for state in shift["states"].values()]
 
+    def check_changes(self, train: Train, shift: dict, speed: float) -> None:
+        """What the engaging elements slip before, by Willis."""
+        for change in shift["changes"]:
+            states = [shift["states"][change[key]] for key in ("from", "to")]
+            exact = [train.state(tuple(state["engaged"]), Fraction(1)) for state in states]
+            self.assertEqual(change["elements"], len(change["opens"]) + len(change["engages"]))
+            for key, before, elements in (("slip", 0, change["engages"]),
+                                          ("slip_back", 1, change["opens"])):
+                total = sum(abs(exact[before].slips[element]) for element in elements)
+                self.near(change[key] / speed, float(total), f"{key} of {change}")
+            if all(one.ratio > 0 for one in exact):
+                self.near(change["step"], float(exact[0].ratio / exact[1].ratio), "step")
+            else:
+                self.assertIsNone(change["step"])
+
 
 class Ravigneaux(ShiftTest):
     @classmethod
@@ -136,9 +151,41 @@ class Ravigneaux(ShiftTest):
     def test_changes_of_one_element(self) -> None:
         """Every two gears but M2 = C1+B1 and MR = C2+B2 share one element."""
         pairs = {(c["from"], c["to"]): (c["opens"], c["engages"]) for c in self.shift["changes"]}
-        self.assertEqual(pairs, {("M1", "M2"): ("B2", "B1"), ("M1", "M3"): ("B2", "C2"),
-                                 ("M1", "MR"): ("C1", "C2"), ("M2", "M3"): ("B1", "C2"),
-                                 ("M3", "MR"): ("C1", "B2")})
+        self.assertEqual(pairs, {("M1", "M2"): (["B2"], ["B1"]), ("M1", "M3"): (["B2"], ["C2"]),
+                                 ("M1", "MR"): (["C1"], ["C2"]), ("M2", "M3"): (["B1"], ["C2"]),
+                                 ("M3", "MR"): (["C1"], ["B2"])})
+
+    def test_slips_that_changes_take_up(self) -> None:
+        self.check_changes(ravigneaux(), self.shift, 1.0)
+        self.near(self.shift["changes"][0]["step"],
+                  float(Fraction(595, 209) / Fraction(21080, 13167)), "M1 - M2")
+        self.assertEqual(self.shift["changes"][0]["elements"], 2)
+
+    def test_limits(self) -> None:
+        """Of all elements and of one body, planets on their carrier by the teeth in mesh with suns."""
+        path = MECHANISMS / "transmissions" / "ravigneaux_input_shaft.yaml"
+        text = path.read_text(encoding="utf-8").replace(
+            "\nshift:\n", "\nshift:\n  limits: {torque: {C1: 70 N*m, B2: 400 N*m}, slip: 2 rad/s, "
+            "speed: {carrier: 1.01 rad/s}, planet_speed: {planet5: 1.5 rad/s}}\n")
+        shift = program.run("shift", "-", text=text)["shift"]
+        train = ravigneaux()
+        for name in ("M1", "M2", "M3", "MR"):
+            state = shift["states"][name]
+            exact = train.state(tuple(state["engaged"]), Fraction(100))
+            limits = state["limits"]
+            for element, most in (("C1", 70), ("B2", 400)):
+                self.near(limits[f"torque.{element}"]["use"],
+                          abs(float(exact.torques[element])) / most, f"{name} {element}", 1.0)
+            for element, slip in exact.slips.items():
+                self.near(limits[f"slip.{element}"]["use"], abs(float(slip)) / 2, f"{name} {element}", 1.0)
+            # B2 holds the carrier and C1 joins sun 1 to the input, which turns at 1.
+            carrier = exact.slips["B2"]
+            sun1 = 1 + exact.slips["C1"]
+            self.near(limits["speed.carrier"]["use"], abs(float(carrier)) / 1.01, name, 1.0)
+            planet = abs(float((sun1 - carrier) * Fraction(19, 15)))
+            self.near(limits["planet_speed.planet5"]["speed"], planet, name, 1.0)
+            self.near(limits["planet_speed.planet5"]["use"], planet / 1.5, name, 1.0)
+            self.near(state["limit_use"], max(one["use"] for one in limits.values()), name, 1.0)
 
     def test_gears_are_cases(self) -> None:
         for name in ("M1", "M2", "M3", "MR"):
@@ -184,6 +231,9 @@ class Library(ShiftTest):
         pairs = {frozenset((c["from"], c["to"])) for c in changes}
         for low, high in zip("1234567", "2345678"):
             self.assertIn(frozenset((low, high)), pairs)
+
+    def test_8hp70_slips_that_changes_take_up(self) -> None:
+        self.check_changes(zf_8hp70(), self.shift_of("zf_8hp70"), self.SPEED)
 
     def test_6hp26_has_seven_gears(self) -> None:
         shift = self.shift_of("lepelletier_6hp26", "--one-more", "--one-fewer")

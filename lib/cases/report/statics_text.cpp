@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -190,16 +191,28 @@ TextBlocks planets_blocks(const Mechanism& mechanism,
                           const StaticSolution& action,
                           const InUnits& in) {
   const Topology& topology = mechanism.topology;
-  Table table({"Planets", "number", "each", "unit"});
+  const bool is_uneven =
+      std::ranges::any_of(mechanism.load_sharing, [](double sharing) { return sharing > 1.0; });
+  std::vector<std::string> heads = {"Planets", "number", "each", "unit"};
+  if (is_uneven) {
+    heads.insert(heads.end() - 1, "most loaded");
+  }
+  Table table(std::move(heads));
   for (std::size_t a = 0; has_planets(mechanism) && a < topology.actions.size(); ++a) {
     const int count = mechanism.planet_counts[a];
     const bool turns = topology.actions[a].is_couple;
     const std::optional<double>& all = action.magnitudes[a];
+    const auto cell = [&](double share) {
+      return cell_of(all ? std::optional(in.action(*all * share / count, turns)) : std::nullopt);
+    };
     if (count > 1) {
-      table.add({topology.action_name(static_cast<int>(a)),
-                 fmt::format("{}", count),
-                 cell_of(all ? std::optional(in.action(*all / count, turns)) : std::nullopt),
-                 in.units().text(action_kind(turns))});
+      std::vector<std::string> row = {
+          topology.action_name(static_cast<int>(a)), fmt::format("{}", count), cell(1.0)};
+      if (is_uneven) {
+        row.push_back(cell(mechanism.load_sharing[a]));
+      }
+      row.push_back(in.units().text(action_kind(turns)));
+      table.add(std::move(row));
     }
   }
   return has_planets(mechanism) ? TextBlocks(std::move(table)) : TextBlocks();

@@ -237,6 +237,16 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "A gear engages as many elements as the net degree of freedom has more than there are "
      "inputs, and 'shift' names fewer: so no combination holds all that must be held. An element "
      "is missing, or a body of the train is held by nothing."},
+    {"W0712",
+     done,
+     "a gear exceeds a limit",
+     "A torque or a speed of a gear is larger than 'limits' of 'shift' allows. With losses of "
+     "meshes "
+     "the larger of the torques without and with them counts. Nothing else changes: the shift "
+     "table "
+     "has what each gear takes of its limits, and a sweep drops such states with 'limit_use <= 1' "
+     "in "
+     "'keep'."},
     {"W0801",
      done,
      "positions leave too few digits",

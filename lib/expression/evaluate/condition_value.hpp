@@ -61,6 +61,9 @@ auto ConditionCheck<Number>::answer(int index) const -> Answer {
   if (part.kind == ConditionKind::comparison) {
     return compare_values(part);
   }
+  if (part.kind == ConditionKind::question) {
+    return true;
+  }
   Answer left = answer(part.left);
   if (std::holds_alternative<ExpressionError>(left)) {
     return left;

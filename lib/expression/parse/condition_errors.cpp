@@ -128,6 +128,17 @@ int ConditionParser::fail_leftover() {
               fmt::format("write and {}, or or {}", text, text));
 }
 
+// The part that ends here, unless something follows that only values have.
+int ConditionParser::fail_if_value(std::size_t first, int part) {
+  const bool goes_on = token().kind != TokenKind::end && !is_symbol(at_, ")") &&
+                       !is_word(at_, "and") && !is_word(at_, "or");
+  return goes_on ? fail(first,
+                        at_,
+                        fmt::format("'{}' is a condition, not a value", text_between(first, at_)),
+                        "join conditions with and, or, not")
+                 : part;
+}
+
 // A value that cannot be read because its connective is in capitals.
 void ConditionParser::hint_at_capitals(std::size_t first) {
   for (std::size_t i = first; i < at_; ++i) {

@@ -41,7 +41,8 @@ std::variant<Condition, ExpressionError> ConditionParser::parse() {
   if (error_) {
     return *error_;
   }
-  return Condition(std::string(text_), std::move(parts_), std::move(values_));
+  return Condition(
+      std::string(text_), std::move(parts_), std::move(values_), std::move(questions_));
 }
 
 int ConditionParser::parse_either() {
@@ -73,7 +74,9 @@ int ConditionParser::parse_negated() {
   for (; is_word(at_, "not"); ++at_) {
     is_negative = !is_negative;
   }
-  const int operand = opens_condition() ? parse_group() : parse_comparison();
+  const int operand = opens_condition() ? parse_group()
+                      : asks(at_)       ? parse_question()
+                                        : parse_comparison();
   return operand >= 0 && is_negative
              ? add({.kind = ConditionKind::negation, .left = operand}, first)
              : operand;
@@ -99,13 +102,34 @@ int ConditionParser::parse_group() {
     return fail_leftover();
   }
   ++at_;
-  const bool goes_on = token().kind != TokenKind::end && !is_symbol(at_, ")") &&
-                       !is_word(at_, "and") && !is_word(at_, "or");
-  return goes_on ? fail(first,
-                        at_,
-                        fmt::format("'{}' is a condition, not a value", text_between(first, at_)),
-                        "join conditions with and, or, not")
-                 : inside;
+  return fail_if_value(first, inside);
+}
+
+// assembles(planet)
+int ConditionParser::parse_question() {
+  const std::size_t first = at_;
+  std::size_t end = at_ + 2;
+  while (tokens_[end].kind != TokenKind::end && !is_symbol(end, ")")) {
+    ++end;
+  }
+  if (tokens_[end].kind == TokenKind::end) {
+    return fail(first + 1, first + 2, "'(' is not closed", "write the missing ')'");
+  }
+  const std::string_view word = text_of(tokens_[first]);
+  if (end == at_ + 2) {
+    return fail(first,
+                end + 1,
+                fmt::format("'{}' lacks the name of a planet", word),
+                fmt::format("write {}(planet), a gear member with a 'count'", word));
+  }
+  at_ = end + 1;
+  questions_.push_back({.word = std::string(word),
+                        .of = std::string(text_between(first + 2, end)),
+                        .offset = tokens_[first].offset,
+                        .length = static_cast<int>(text_between(first, at_).size())});
+  const int part = add(
+      {.kind = ConditionKind::question, .left = static_cast<int>(questions_.size()) - 1}, first);
+  return fail_if_value(first, part);
 }
 
 int ConditionParser::parse_comparison() {
@@ -219,7 +243,13 @@ std::size_t ConditionParser::end_of_value() const {
   return end;
 }
 
-// Whether a parenthesis is here, and in it a comparison or a connective.
+// Whether a question begins here.
+bool ConditionParser::asks(std::size_t at) const {
+  return tokens_[at].kind == TokenKind::name && is_condition_question(text_of(tokens_[at])) &&
+         is_symbol(at + 1, "(");
+}
+
+// Whether a parenthesis is here, and in it a comparison, a question or a connective.
 bool ConditionParser::opens_condition() const {
   if (!is_symbol(at_, "(")) {
     return false;
@@ -227,7 +257,7 @@ bool ConditionParser::opens_condition() const {
   int depth = 1;
   for (std::size_t i = at_ + 1; depth > 0 && tokens_[i].kind != TokenKind::end; ++i) {
     depth += is_symbol(i, "(") ? 1 : is_symbol(i, ")") ? -1 : 0;
-    if (!is_symbol(i, ")") && ends_value(i)) {
+    if ((!is_symbol(i, ")") && ends_value(i)) || asks(i)) {
       return true;
     }
   }

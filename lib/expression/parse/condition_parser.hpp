@@ -19,7 +19,8 @@ namespace kinestat {
 ///
 ///   either     = both {"or" both}
 ///   both       = negated {"and" negated}
-///   negated    = {"not"} ("(" either ")" | comparison)
+///   negated    = {"not"} ("(" either ")" | question | comparison)
+///   question   = ("assembles" | "clears") "(" name ")"
 ///   comparison = value ("==" | "!=" | "<" | "<=" | ">" | ">=") value
 ///
 /// A parenthesis belongs to a value unless a comparison or a connective stands in it.
@@ -35,6 +36,7 @@ class ConditionParser {
   int parse_both();
   int parse_negated();
   int parse_group();
+  int parse_question();
   int parse_comparison();
   int parse_value();
   std::optional<Comparison> parse_operator();
@@ -51,6 +53,7 @@ class ConditionParser {
   std::size_t end_of_operator() const;
   std::size_t end_of_value() const;
   bool opens_condition() const;
+  bool asks(std::size_t at) const;
   int add(ConditionPart part, std::size_t first_token);
 
   int fail(std::size_t first, std::size_t end, std::string message, std::string hint = {});
@@ -59,6 +62,7 @@ class ConditionParser {
   int fail_uncompared(std::size_t first);
   int fail_chain(std::size_t first, std::size_t middle);
   int fail_leftover();
+  int fail_if_value(std::size_t first, int part);
   void hint_at_capitals(std::size_t first);
 
   std::string_view text_;
@@ -67,6 +71,7 @@ class ConditionParser {
   int depth_ = 0;
   std::vector<ConditionPart> parts_;
   std::vector<ConditionValue> values_;
+  std::vector<ConditionQuestion> questions_;
   std::optional<ExpressionError> error_;
 };
 

@@ -57,6 +57,13 @@ const Mapping<GearMember>& gear_member() {
             .may(&GearMember::count, planet_count(), "3")
             .usual("1");
         m.key(
+             "load_sharing",
+             "Load of the most loaded of these planets over the mean of all: of three planets with "
+             "1.15 it bears 1.15/3. It raises the loads reported of its meshes and its bearing, no "
+             "torque. The planets of a set have one.")
+            .may(&GearMember::load_sharing, at_least_one(), "1.15")
+            .usual("1");
+        m.key(
              "centre_distance",
              "Distance of a planet from the axis of its carrier, or of a shaft from the main axis; "
              "default the mean of what its meshes with gears on that axis ask for. A gear that "
@@ -67,6 +74,11 @@ const Mapping<GearMember>& gear_member() {
               "stands, if it meshes with another planet.")
             .may(&GearMember::side, side_of_axis(), "right")
             .usual("left");
+        m.rule({.kind = FormRule::Kind::together,
+                .key = "load_sharing",
+                .others = {"count"},
+                .message = "'load_sharing' of {0} needs the key 'count'",
+                .hint = "add how many planets share the load, 'count: 3'"});
         m.rule({.kind = FormRule::Kind::unless_true,
                 .key = "internal",
                 .others = {"count", "centre_distance", "side"},
@@ -74,6 +86,14 @@ const Mapping<GearMember>& gear_member() {
                 .hint = "remove '{1}', or 'internal: true' if it is a planet"});
       });
   return mapping;
+}
+
+FormRule one_pressure_angle() {
+  return {.kind = FormRule::Kind::excludes,
+          .key = "normal_pressure_angle",
+          .others = {"pressure_angle"},
+          .message = "{0} cannot have both 'pressure_angle' and 'normal_pressure_angle'",
+          .hint = "keep one: tan(pressure_angle) = tan(normal_pressure_angle)/cos(helix_angle)"};
 }
 
 const Mapping<MeshDescription>& mesh() {
@@ -94,8 +114,12 @@ const Mapping<MeshDescription>& mesh() {
             .may(&MeshDescription::at, length(), "10 mm");
         m.key("module", "Module of this mesh; default that of 'gears'.")
             .may(&MeshDescription::module, size(), "2.5 mm");
-        m.key("pressure_angle", "Pressure angle of this mesh; default that of 'gears'.")
+        m.key("pressure_angle",
+              "Pressure angle of this mesh in the transverse plane; default what 'gears' has.")
             .may(&MeshDescription::pressure_angle, acute_angle(), "25 deg");
+        m.key("normal_pressure_angle", "The same in the plane across the teeth, instead.")
+            .may(&MeshDescription::normal_pressure_angle, acute_angle(), "20 deg");
+        m.rule(one_pressure_angle());
         m.key("helix_angle",
               "Helix angle of this mesh, positive if its tail is right-handed; default that of "
               "'gears'.")
@@ -112,6 +136,11 @@ void declare_teeth(Mapping<GearsDescription>& m) {
   m.key("pressure_angle", "Pressure angle of the teeth in the transverse plane.")
       .may(&GearsDescription::pressure_angle, acute_angle(), "20 deg")
       .usual(kUsualPressureAngle);
+  m.key("normal_pressure_angle",
+        "Pressure angle in the plane across the teeth, instead, as catalogues and cutters of "
+        "helical gears have it: tan(pressure_angle) = tan(normal_pressure_angle)/cos(helix_angle).")
+      .may(&GearsDescription::normal_pressure_angle, acute_angle(), "20 deg");
+  m.rule(one_pressure_angle());
   m.key("helix_angle",
         "Helix angle of the teeth; positive if the first gear of the first mesh is right-handed. "
         "Hands alternate along the train.")

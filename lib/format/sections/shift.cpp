@@ -9,6 +9,43 @@ namespace kinestat {
 
 namespace {
 
+const Mapping<ShiftLimitsDescription>& limits_mapping() {
+  static const Mapping<ShiftLimitsDescription> mapping(
+      "shift_limits",
+      "The largest sizes that the gears may have; one that is exceeded is warned of.",
+      "{torque: {C1: 200 N*m, B1: 350 N*m}, slip: 4000 rpm, planet_speed: 6000 rpm}",
+      [](auto& m) {
+        m.key(
+             "torque",
+             "Of engaged elements, for all or by name; default unit N*m. With losses of meshes the "
+             "larger of both torques counts.")
+            .may(&ShiftLimitsDescription::torque,
+                 values_for("elements to values", torque_limit()),
+                 "{C1: 200 N*m, B1: 350 N*m}")
+            .example("200 N*m");
+        m.key("slip", "Speed of open elements, for all or by name; default unit rad/s.")
+            .may(&ShiftLimitsDescription::slip,
+                 values_for("elements to values", speed_limit()),
+                 "{C1: 4000 rpm}")
+            .example("4000 rpm");
+        m.key("speed",
+              "Of bodies as seen from the ground, by name, or for all that are no planets; default "
+              "unit rad/s.")
+            .may(&ShiftLimitsDescription::speed,
+                 values_for("bodies to values", speed_limit()),
+                 "{ring: 6000 rpm}")
+            .example("6000 rpm");
+        m.key("planet_speed",
+              "Of planets as seen from their carrier, which is what their bearings turn with, for "
+              "all or by name; default unit rad/s.")
+            .may(&ShiftLimitsDescription::planet_speed,
+                 values_for("planets to values", speed_limit()),
+                 "{planet: 8000 rpm}")
+            .example("8000 rpm");
+      });
+  return mapping;
+}
+
 Form<std::vector<GearLabel>> gear_labels() {
   return values_by_name(&GearLabel::label,
                         &GearLabel::elements,
@@ -45,6 +82,10 @@ const Mapping<ShiftDescription>& shift_section() {
               "Labels of gears: which elements are engaged. Combinations without a label are named "
               "by their elements, C1+B2.")
             .may(&ShiftDescription::names, gear_labels(), "{M1: [C1, B2]}");
+        m.key("limits", "Torques and speeds that the gears may not exceed.")
+            .may(&ShiftDescription::limits,
+                 limits_mapping().form(),
+                 "{torque: {C1: 200 N*m}, slip: 4000 rpm}");
         m.key("forward",
               "The sign of the ratios of forward gears; default that which most gears have. It "
               "tells which gears follow each other by steps.")

@@ -127,8 +127,9 @@ Form<Requirement> requirement(std::string_view key,
 
 void declare_report(Mapping<SweepDescription>& m) {
   m.key("report",
-        "The quantities that a row holds: ratio, torque_ratio, step, efficiency, recirculation, an "
-        "actuator, lossy.ACTUATOR (its action with losses of meshes), or COUPLING.FREEDOM and "
+        "The quantities that a row holds: ratio, torque_ratio, step, efficiency, recirculation, "
+        "limit_use, an actuator, lossy.ACTUATOR (its action with losses of meshes), or "
+        "COUPLING.FREEDOM and "
         "COUPLING.ACTION; of a whole motion COLUMN.least, .greatest, .range, .mean or .peak, and "
         "dead_points.")
       .may(&SweepDescription::report, one_or_more(quantity()), "[ratio, efficiency, h.Rc]")
@@ -136,7 +137,8 @@ void declare_report(Mapping<SweepDescription>& m) {
       .offer("torque_ratio", "input torque by output torque")
       .offer("efficiency", "output power by input power")
       .offer("step", "ratio of the next lower gear by this one")
-      .offer("recirculation", "largest power from shaft to shaft by the input power");
+      .offer("recirculation", "largest power from shaft to shaft by the input power")
+      .offer("limit_use", "largest of a gear's torques and speeds by their limits");
 }
 
 }  // namespace

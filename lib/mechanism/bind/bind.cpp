@@ -201,6 +201,7 @@ std::optional<Mechanism> bind_for(Purpose purpose,
     } else if (bind_graph(description, found, result)) {
       result.cases = bind_cases(description, result.topology, evaluator, found);
       result.planet_counts = bind_planet_counts(description, result.topology, evaluator);
+      result.load_sharing = bind_load_sharing(description, result.topology, evaluator);
       result.compliances = bind_compliances(description, result.topology, evaluator);
       bind_contacts(description, evaluator, found, result);
       check_reported_quantities(description, result.topology, found);

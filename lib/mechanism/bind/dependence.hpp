@@ -50,7 +50,8 @@ class Dependence {
   bool of_shape(const CouplingDescription& coupling) const {
     return of(coupling.axis) || of(coupling.normal) || of(coupling.line) || of(coupling.slot) ||
            of(coupling.pitch) || of(coupling.lead) || of(coupling.tangent) ||
-           of(coupling.line_of_action) || of(coupling.pressure_angle) || of(coupling.helix_angle) ||
+           of(coupling.line_of_action) || of(coupling.pressure_angle) ||
+           of(coupling.normal_pressure_angle) || of(coupling.helix_angle) ||
            std::ranges::any_of(coupling.axes, [&](const AxisDescription& one) { return of(one); });
   }
 

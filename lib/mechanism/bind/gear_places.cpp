@@ -17,16 +17,17 @@ namespace {
 bool moves_more(const MechanismDescription& description, const Dependence& depends) {
   const GearsDescription& gears = *description.gears;
   const auto of_member = [&](const GearMember& one) {
-    return depends.of(one.count) || depends.of(one.centre_distance);
+    return depends.of(one.count) || depends.of(one.load_sharing) || depends.of(one.centre_distance);
   };
   const auto of_mesh = [&](const MeshDescription& one) {
-    return depends.of(one.pressure_angle) || depends.of(one.helix_angle) || depends.of(one.at);
+    return depends.of(one.pressure_angle) || depends.of(one.normal_pressure_angle) ||
+           depends.of(one.helix_angle) || depends.of(one.at);
   };
   const auto of_axis = [&](const GearAxisDescription& one) {
     return depends.of(one.centre_distance);
   };
-  return depends.of(gears.pressure_angle) || depends.of(gears.helix_angle) ||
-         std::ranges::any_of(gears.axes, of_axis) ||
+  return depends.of(gears.pressure_angle) || depends.of(gears.normal_pressure_angle) ||
+         depends.of(gears.helix_angle) || std::ranges::any_of(gears.axes, of_axis) ||
          std::ranges::any_of(gears.members, of_member) ||
          std::ranges::any_of(gears.meshes, of_mesh);
 }
@@ -110,26 +111,12 @@ bool GearPlaces::find(const Slots& slots, std::vector<Quantity>& scratch) {
     }
     numbers_.module[one.index] = *module;
   }
-  if (!fits()) {
+  if (!rings_fit(frame_.layout.train, numbers_)) {
     return false;
   }
   auto layout = find_layout<double>(std::move(frame_.layout.train), numbers_);
   KINESTAT_EXPECTS(layout.has_value());  // distances follow from teeth, or stay
   frame_.layout = *std::move(layout);
-  return true;
-}
-
-// A ring has more teeth than the gear inside it.
-bool GearPlaces::fits() const {
-  const GearTrain& train = frame_.layout.train;
-  for (std::size_t m = 0; m < train.first.size(); ++m) {
-    const double first = numbers_.teeth[static_cast<std::size_t>(train.first[m])];
-    const double second = numbers_.teeth[static_cast<std::size_t>(train.second[m])];
-    const bool is_internal = first < 0.0 || second < 0.0;
-    if (is_internal && !(first + second < 0.0)) {
-      return false;
-    }
-  }
   return true;
 }
 

@@ -40,7 +40,6 @@ class GearPlaces {
       : description_(&description), frame_(std::move(frame)), numbers_(std::move(numbers)) {}
 
   void add_moving(const ParameterTable& table, const std::vector<bool>& varies);
-  bool fits() const;
 
   const MechanismDescription* description_;
   GearFrame frame_;

@@ -83,7 +83,7 @@ std::span<const std::string> motion_report_words() {
 
 std::span<const std::string> sweep_report_words() {
   static const std::vector<std::string> kWords = {
-      "ratio", "torque_ratio", "step", "efficiency", "recirculation"};
+      "ratio", "torque_ratio", "step", "efficiency", "recirculation", "limit_use"};
   return kWords;
 }
 

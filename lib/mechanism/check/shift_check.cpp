@@ -48,6 +48,7 @@ class ShiftCheck {
     check_elements();
     check_values(shift_.input_motion, kMotion, "'input_motion'");
     check_values(shift_.input_action, kAction, "'input_action'");
+    check_limits();
     for (const GearLabel& gear : shift_.names) {
       check_label(gear);
     }
@@ -184,6 +185,41 @@ class ShiftCheck {
     return context_.number(value, may_rest ? any : rule, what);
   }
 
+  void check_limits() {
+    if (!shift_.limits) {
+      return;
+    }
+    const ShiftLimitsDescription& limits = *shift_.limits;
+    check_limits(limits.torque, QuantityKind::moment, "'torque' of 'limits'", true);
+    check_limits(limits.slip, QuantityKind::angular_velocity, "'slip' of 'limits'", true);
+    check_limits(limits.speed, QuantityKind::angular_velocity, "'speed' of 'limits'", false);
+    check_limits(
+        limits.planet_speed, QuantityKind::angular_velocity, "'planet_speed' of 'limits'", false);
+    if (!limits.torque.empty() && shift_.input_action.empty()) {
+      context_.found.error("E0303",
+                           limits.torque.front().value.where,
+                           "'torque' of 'limits' needs the key 'input_action' of 'shift'",
+                           "add the torque of the input, 'input_action: 100 N*m', or remove the "
+                           "limit: without it no torque is known");
+    }
+  }
+
+  void check_limits(const std::vector<InputValue>& limits,
+                    QuantityKind kind,
+                    const std::string& what,
+                    bool is_of_elements) {
+    const NumberRule rule = {
+        .kind = kind, .range = kAboveZero, .allowed = "a value above zero: it is a size"};
+    for (const InputValue& one : limits) {
+      context_.number(one.value, rule, what);
+      if (one.target && !is_of_elements) {
+        context_.names.bodies.check(*one.target, what + " names", context_.found);
+      } else if (one.target && !holds(shift_.elements, one.target->text)) {
+        refuse_element(*one.target, what, "names");
+      }
+    }
+  }
+
   // Where an input itself is misspelt, an actuator here may well be the one that is meant.
   void check_target(const Name& target, const std::string& what) {
     const NameTable& actuators = context_.names.actuators;
@@ -208,7 +244,7 @@ class ShiftCheck {
     const std::string what = fmt::format("gear '{}'", gear.label.text);
     for (const Name& element : gear.elements) {
       if (!holds(shift_.elements, element.text)) {
-        refuse_element(element, what);
+        refuse_element(element, what, "engages");
       }
     }
     context_.repeats(gear.elements, what);
@@ -263,13 +299,13 @@ class ShiftCheck {
     }
   }
 
-  void refuse_element(const Name& element, const std::string& what) {
+  void refuse_element(const Name& element, const std::string& what, std::string_view does) {
     const std::vector<std::string> elements = texts_of(shift_.elements);
     const std::string guess = did_you_mean(element.text, elements);
     context_.found.error(
         "E0313",
         element.where,
-        fmt::format("{} engages '{}', which is not in 'elements'", what, element.text),
+        fmt::format("{} {} '{}', which is not in 'elements'", what, does, element.text),
         fmt::format("elements are {}{}{}", plain_list(elements), guess.empty() ? "" : "; ", guess));
   }
 

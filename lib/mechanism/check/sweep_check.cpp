@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "description/gear_expansion.hpp"
 #include "math/draws/sobol_sequence.hpp"
 #include "mechanism/check/report_name_check.hpp"
 #include "mechanism/check/section_checks.hpp"
+#include "mechanism/gears/planet_question.hpp"
 
 namespace kinestat {
 
@@ -38,6 +40,7 @@ class SweepCheck {
       if (check_names(requirement)) {
         check_dimensions(requirement);
       }
+      check_questions(requirement);
     }
     for (const Requirement& condition : sweep_.keep) {
       check_row_names(condition);
@@ -180,6 +183,22 @@ class SweepCheck {
     return is_good;
   }
 
+  // Where the train is wrong, that has been said.
+  void check_questions(const Requirement& requirement) {
+    for (const ConditionQuestion& question : requirement.condition.questions()) {
+      if (context_.description.gears && !has_all_meshes(context_.description)) {
+        continue;
+      }
+      const auto asked = PlanetQuestion::make(question.word, question.of, context_.description);
+      if (const auto* fault = std::get_if<PlanetQuestion::Fault>(&asked)) {
+        context_.found.error("E0313",
+                             place_of(requirement, question.offset, question.length),
+                             fault->message,
+                             fault->hint);
+      }
+    }
+  }
+
   bool check_name(const Requirement& requirement, const ConditionValue& value, const Node& node) {
     const std::string text(value.expression.text_of(node));
     const std::vector<Node> nodes = {{.kind = NodeKind::name, .length = node.length, .name = 0}};
@@ -191,6 +210,13 @@ class SweepCheck {
   // Names of a condition of rows are parameters, which thereby are used, and what rows hold; what
   // they hold where 'report' is left out is known once the mechanism is bound.
   void check_row_names(const Requirement& requirement) {
+    for (const ConditionQuestion& question : requirement.condition.questions()) {
+      context_.found.error(
+          "E0308",
+          place_of(requirement, question.offset, question.length),
+          fmt::format("'{}({})' cannot stand in 'keep'", question.word, question.of),
+          "write it under 'require': it is known before a state is analysed");
+    }
     for (const ConditionValue& value : requirement.condition.values()) {
       for (const Node& node : value.expression.nodes()) {
         const std::string name(value.expression.text_of(node));

@@ -152,6 +152,18 @@ class LayoutFinder {
 
 }  // namespace
 
+bool rings_fit(const GearTrain& train, const GearNumbers& numbers) {
+  for (std::size_t m = 0; m < train.first.size(); ++m) {
+    const double first = numbers.teeth[static_cast<std::size_t>(train.first[m])];
+    const double second = numbers.teeth[static_cast<std::size_t>(train.second[m])];
+    const bool is_internal = first < 0.0 || second < 0.0;
+    if (is_internal && !(first + second < 0.0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 template <class Scalar>
 Vec3Of<Scalar> GearLayoutOf<Scalar>::axis_of(std::string_view tail, std::string_view head) const {
   const int axis = train.axis_between(tail, head);

@@ -44,6 +44,9 @@ struct GearNumbersOf {
 
 using GearNumbers = GearNumbersOf<double>;
 
+/// Whether every ring has more teeth than the gear inside it.
+bool rings_fit(const GearTrain& train, const GearNumbers& numbers);
+
 /// Each planet stands at the distance that is given, or at the mean of what its meshes with gears
 /// on the main axis ask for; a planet beside another by the triangle of their two distances and
 /// that of their mesh. Where the triangle does not close, the two stand in line with the main axis,

@@ -131,6 +131,15 @@ const Record<PlanetShare>& planet_record() {
               const auto one = v.all ? std::optional(*v.all / v.count) : std::nullopt;
               return std::pair(one, v.kind);
             });
+        keys.by_context("most_loaded",
+                        ByContext::action,
+                        "Likewise of the most loaded one, of planets with 'load_sharing'.",
+                        [](const PlanetShare& v) {
+                          const auto most =
+                              v.all ? std::optional(*v.all * v.sharing / v.count) : std::nullopt;
+                          return std::pair(most, v.kind);
+                        })
+            .only_if([](const PlanetShare& v) { return v.sharing > 1.0; });
       });
   return record;
 }

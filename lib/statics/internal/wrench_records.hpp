@@ -33,6 +33,7 @@ const Record<FrictionView>& friction_record();
 /// An action that equal planets share.
 struct PlanetShare {
   int count = 0;
+  double sharing = 1.0;       ///< load of the most loaded over the mean
   std::optional<double> all;  ///< of all of them together, in SI
   QuantityKind kind = QuantityKind::force;
 };

@@ -24,18 +24,17 @@ class GearReader {
       add_ratios(o);
     }
     for (std::size_t e = 0; e < plan_.elements.size(); ++e) {
-      add_element(e);
+      values_.torques.push_back(torque_of(gear_, e));
+      values_.lossy_torques.push_back(lossy_torque_of(gear_, e));
+      values_.slips.push_back(slip_of(gear_, e));
     }
+    values_.limits = find_limit_uses(gear_);
     values_.bearing = most_loaded(is_bearing);
     values_.mesh = most_loaded(has_teeth);
     return std::move(values_);
   }
 
  private:
-  const ActuatorTopology& actuator(int index) const {
-    return topology_.actuators[static_cast<std::size_t>(index)];
-  }
-
   bool is_solved() const {
     return gear_.motion != nullptr && gear_.motion->status == SolveStatus::solved;
   }
@@ -44,7 +43,7 @@ class GearReader {
 
   // Where a gear leaves freedoms beside it, its case has no velocities; the state has the ratio.
   void add_ratios(std::size_t o) {
-    const ShiftState& state = gear_.state.state;
+    const ShiftState& state = gear_.state;
     Case which = gear_.which;
     which.outputs = {plan_.outputs[o]};
     const StaticSolution* action = has_actions() ? gear_.action : nullptr;
@@ -60,23 +59,20 @@ class GearReader {
     values_.ratios.push_back(std::move(ratios));
   }
 
-  void add_element(std::size_t e) {
-    const ActuatorTopology& element = actuator(plan_.elements[e].actuator);
-    const auto action = static_cast<std::size_t>(element.action);
-    const auto freedom = static_cast<std::size_t>(element.freedom);
-    values_.torques.push_back(has_actions() ? gear_.action->magnitudes[action] : std::nullopt);
-    values_.lossy_torques.push_back(gear_.lossy_actions != nullptr ? (*gear_.lossy_actions)[action]
-                                                                   : std::nullopt);
-    values_.slips.push_back(is_solved() ? std::optional(gear_.motion->rates[freedom])
-                                        : gear_.state.state.slips[e]);
+  // What one of several equal planets, the most loaded one, has of what a coupling bears.
+  double planet_share(const CouplingTopology& coupling) const {
+    const std::vector<int>& counts = gear_.mechanism.planet_counts;
+    if (counts.empty() || coupling.action_count == 0) {
+      return 1.0;
+    }
+    const auto action = static_cast<std::size_t>(coupling.first_action);
+    return gear_.mechanism.load_sharing[action] / counts[action];
   }
 
-  // How many equal planets share what a coupling bears.
-  int planets_of(const CouplingTopology& coupling) const {
+  bool is_of_planets(const CouplingTopology& coupling) const {
     const std::vector<int>& counts = gear_.mechanism.planet_counts;
-    return counts.empty() || coupling.action_count == 0
-               ? 1
-               : std::max(1, counts[static_cast<std::size_t>(coupling.first_action)]);
+    return !counts.empty() && coupling.action_count > 0 &&
+           counts[static_cast<std::size_t>(coupling.first_action)] > 1;
   }
 
   // The forces of one planet count where several share a load. Then bearings that no planet shares
@@ -88,13 +84,12 @@ class GearReader {
     }
     for (std::size_t e = 0; e < topology_.couplings.size(); ++e) {
       const CouplingTopology& coupling = topology_.couplings[e];
-      const int planets = planets_of(coupling);
       const bool may_cancel =
-          planets == 1 && is_bearing(coupling.type) && has_planets(gear_.mechanism);
+          !is_of_planets(coupling) && is_bearing(coupling.type) && has_planets(gear_.mechanism);
       if (!counts(coupling.type) || may_cancel || !gear_.action->wrenches[e]) {
         continue;
       }
-      const double force = gear_.action->wrenches[e]->force.norm() / planets;
+      const double force = gear_.action->wrenches[e]->force.norm() * planet_share(coupling);
       // Of equal ones the first: rounding decides nothing.
       if (force > (most ? most->force * (1.0 + kSameValue) : 0.0)) {
         most = {.name = coupling.name, .force = force};

@@ -6,20 +6,10 @@
 #include <vector>
 
 #include "power/ratio.hpp"
-#include "studies/shift/shift_solution.hpp"
+#include "studies/shift/gear_limits.hpp"
+#include "studies/shift/solved_gear.hpp"
 
 namespace kinestat {
-
-/// A gear and what its case gave.
-struct SolvedGear {
-  const Mechanism& mechanism;
-  const ShiftPlan& plan;
-  const NamedShiftState& state;
-  const Case& which;
-  const KinematicSolution* motion = nullptr;  ///< null where the case has none
-  const StaticSolution* action = nullptr;     ///< likewise, without losses of meshes
-  const std::vector<std::optional<double>>* lossy_actions = nullptr;  ///< with them; null: none
-};
 
 /// A coupling and the force that it bears [N].
 struct LoadedCoupling {
@@ -35,6 +25,7 @@ struct GearValues {
   std::vector<std::optional<double>> slips;          ///< of each element, head minus tail [rad/s]
   std::optional<LoadedCoupling> bearing;             ///< the one with the largest force
   std::optional<LoadedCoupling> mesh;                ///< likewise
+  std::vector<LimitUse> limits;                      ///< what it takes of those of the plan
 };
 
 GearValues find_gear_values(const SolvedGear& gear);

@@ -129,7 +129,8 @@ class ShiftSolver {
           share_of(common_rate(one.state.inputs), one.state.outputs.front());
       gears.push_back({.state = static_cast<int>(s),
                        .ratio = ratio == 0.0 ? std::nullopt : ratio,
-                       .engaged = one.engaged});
+                       .engaged = one.engaged,
+                       .slips = one.state.slips});
     }
     const double forward = plan_.forward.value_or(find_forward_sign(gears));
     sort_gears(gears, forward);

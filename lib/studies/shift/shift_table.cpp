@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "core/tolerance.hpp"
 
@@ -51,18 +52,42 @@ void add_equal_ratios(std::span<const TableGear> gears, ShiftTable& table) {
   }
 }
 
-std::optional<GearChange> change_between(const TableGear& from, const TableGear& to) {
-  std::vector<int> opens;
-  std::vector<int> engages;
-  std::ranges::set_difference(from.engaged, to.engaged, std::back_inserter(opens));
-  std::ranges::set_difference(to.engaged, from.engaged, std::back_inserter(engages));
-  if (opens.size() > 1 || engages.size() > 1) {
-    return std::nullopt;
+std::optional<double> slip_sum(const TableGear& before, const std::vector<int>& engages) {
+  double sum = 0.0;
+  for (const int element : engages) {
+    const auto e = static_cast<std::size_t>(element);
+    if (e >= before.slips.size() || !before.slips[e]) {
+      return std::nullopt;
+    }
+    sum += std::abs(*before.slips[e]);
   }
-  return GearChange{.from = from.state,
-                    .to = to.state,
-                    .opens = opens.empty() ? -1 : opens.front(),
-                    .engages = engages.empty() ? -1 : engages.front()};
+  return sum;
+}
+
+GearChange change_between(const TableGear& from, const TableGear& to) {
+  GearChange change;
+  change.from = from.state;
+  change.to = to.state;
+  std::ranges::set_difference(from.engaged, to.engaged, std::back_inserter(change.opens));
+  std::ranges::set_difference(to.engaged, from.engaged, std::back_inserter(change.engages));
+  change.slip = slip_sum(from, change.engages);
+  change.slip_back = slip_sum(to, change.opens);
+  return change;
+}
+
+// Whether the second is the next forward gear after the first, or of its ratio.
+bool is_next(std::span<const TableGear> gears,
+             double forward,
+             std::size_t first,
+             std::size_t second) {
+  if (group_of(gears[first], forward) != 0 || group_of(gears[second], forward) != 0) {
+    return false;
+  }
+  std::size_t next = first + 1;
+  while (next < gears.size() && is_same(gears[first], gears[next])) {
+    ++next;
+  }
+  return second >= next && (second == next || is_same(gears[next], gears[second]));
 }
 
 }  // namespace
@@ -92,8 +117,13 @@ ShiftTable make_shift_table(std::span<const TableGear> gears, double forward) {
   for (std::size_t i = 0; i < gears.size(); ++i) {
     table.steps.push_back(step_of(gears, forward, i));
     for (std::size_t j = i + 1; j < gears.size(); ++j) {
-      if (const auto change = change_between(gears[i], gears[j])) {
-        table.changes.push_back(*change);
+      GearChange change = change_between(gears[i], gears[j]);
+      const bool is_of_one = change.opens.size() <= 1 && change.engages.size() <= 1;
+      if (is_of_one || is_next(gears, forward, i, j)) {
+        if (group_of(gears[i], forward) == 0 && group_of(gears[j], forward) == 0) {
+          change.step = *gears[i].ratio / *gears[j].ratio;
+        }
+        table.changes.push_back(std::move(change));
       }
     }
   }

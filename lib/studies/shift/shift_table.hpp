@@ -13,14 +13,23 @@ struct TableGear {
   std::optional<double> ratio;  ///< ω_in/ω_out of the inputs, if they turn alike, and
                                 ///< the first output
   std::vector<int> engaged;     ///< ascending
+  std::vector<std::optional<double>> slips = {};  ///< of each element [rad/s]
 };
 
-/// A change of gear in which one element opens and one engages, or one does either.
+/// A change of gear: one in which one element opens and one engages, or one does either, or that
+/// from a forward gear to the next.
 struct GearChange {
-  int from = 0;  ///< states; the change back exchanges them
+  int from = 0;  ///< states; the change back exchanges them, and what opens and what engages
   int to = 0;
-  int opens = -1;  ///< element; -1: none
-  int engages = -1;
+  std::vector<int> opens;      ///< elements, ascending
+  std::vector<int> engages;    ///< likewise
+  std::optional<double> step;  ///< ratio of `from` / ratio of `to`, of two forward gears
+  /// Sum of the sizes of what those that engage slip before, which they take up [rad/s]; empty
+  /// where one of them may slip as it likes.
+  std::optional<double> slip;
+  std::optional<double> slip_back;  ///< likewise of the change back
+
+  int elements() const { return static_cast<int>(opens.size() + engages.size()); }
 };
 
 /// Lists of states are indices into ShiftSolution::states.

@@ -5,6 +5,7 @@
 
 #include "core/contract.hpp"
 #include "expression/exact.hpp"
+#include "mechanism/gears/planet_question.hpp"
 
 namespace kinestat {
 
@@ -85,8 +86,13 @@ void SweepPlan::add_requirements(const MechanismDescription& description) {
   const std::vector<Parameter> parameters = parameters_of(description);
   const ParameterTable table(parameters);
   for (const Requirement& one : description.sweep->require) {
-    SlotCondition condition(one.condition,
-                            [&](const std::string& name) { return table.index_of(name); });
+    const auto slot_of = [&](const std::string& name) { return table.index_of(name); };
+    const auto answer_of = [&](const ConditionQuestion& question) {
+      auto asked = PlanetQuestion::make(question.word, question.of, description);
+      KINESTAT_EXPECTS(std::holds_alternative<PlanetQuestion>(asked));  // or its check complained
+      return std::get<PlanetQuestion>(asked).with_slots(slot_of);
+    };
+    SlotCondition condition(one.condition, slot_of, answer_of);
     const int depth = depth_of(condition.slots());
     requirements_.push_back(
         {.text = one.condition.text(), .condition = std::move(condition), .depth = depth});

@@ -6,6 +6,7 @@
 
 #include "expression/exact.hpp"
 #include "expression/parameters.hpp"
+#include "expression/slots.hpp"
 
 namespace kinestat {
 namespace {
@@ -115,6 +116,42 @@ TEST(Condition, NamesComeOnceInTheOrderOfFirstUse) {
             (std::vector<std::string>{"b", "a", "c"}));
 }
 
+TEST(Condition, AsksQuestionsOfWhatIsNoNumber) {
+  const auto parsed = parse_condition("not (assembles(outer planet) or N1 < 2) and clears( p )");
+
+  const auto& condition = std::get<Condition>(parsed);
+  ASSERT_EQ(condition.questions().size(), 2U);
+  EXPECT_EQ(condition.questions()[0].word, "assembles");
+  EXPECT_EQ(condition.questions()[0].of, "outer planet");
+  EXPECT_EQ(condition.questions()[0].offset, 5);
+  EXPECT_EQ(condition.questions()[0].length, 23);
+  EXPECT_EQ(condition.questions()[1].of, "p");
+  EXPECT_EQ(condition.names().size(), 1U);  // what is asked about is no parameter
+}
+
+TEST(Condition, AnswersQuestionsWhenTheirTurnComes) {
+  const auto parsed = parse_condition("(a > 1 and not assembles(p)) or clears(p)");
+  int asked = 0;
+  const auto answer_of = [&](const ConditionQuestion& question) {
+    const bool is_of_assembly = question.word == "assembles";
+    return SlotAnswer{.slots = {is_of_assembly ? 3 : 4},
+                      .holds = [&asked, is_of_assembly](const Slots&, std::vector<Quantity>&) {
+                        ++asked;
+                        return is_of_assembly ? std::optional(false) : std::nullopt;
+                      }};
+  };
+  const SlotCondition condition(
+      std::get<Condition>(parsed), [](const std::string&) { return 0; }, answer_of);
+  std::vector<Quantity> scratch;
+
+  EXPECT_EQ((std::vector<int>(condition.slots().begin(), condition.slots().end())),
+            (std::vector<int>{0, 3, 4}));
+  EXPECT_EQ(condition.holds({.values = {{2.0, {}}}, .has_value = {true}}, scratch), true);
+  EXPECT_EQ(asked, 1);  // what the other says does not matter
+  EXPECT_EQ(condition.holds({.values = {{0.0, {}}}, .has_value = {true}}, scratch), std::nullopt);
+  EXPECT_EQ(asked, 2);
+}
+
 TEST(Condition, DefaultHolds) {
   EXPECT_EQ(std::get<bool>(evaluate_condition({}, no_names)), true);
 }
@@ -205,6 +242,11 @@ INSTANTIATE_TEST_SUITE_P(
         ConditionFault{"begins_with_or", "or 1 < 2", 0, 2, "E0308", "missing before 'or'", ""},
         ConditionFault{"lonely_not", "not", 0, 3, "E0308", "condition is missing after 'not'", ""},
         ConditionFault{"not_in_the_middle", "1 < 2 not 1 < 2", 6, 3, "E0308", "'and' or 'or'", ""},
+        ConditionFault{
+            "question_of_nothing", "clears()", 0, 8, "E0308", "lacks the name", "clears("},
+        ConditionFault{"open_question", "clears(p", 6, 1, "E0308", "'(' is not closed", "')'"},
+        ConditionFault{
+            "compared_question", "clears(p) == 1", 0, 9, "E0308", "a condition, not a", "join"},
         ConditionFault{"open_group", "(1 < 2", 0, 1, "E0308", "'(' is not closed", "')'"},
         ConditionFault{"closing_only", "1 < 2)", 5, 1, "E0308", "closes nothing", "remove"},
         ConditionFault{

@@ -64,6 +64,12 @@ TEST(GearCheck, WantsWholeCountsAndDistancesAboveZero) {
                   "33:65 E0305 'centre_distance' of gear member 'planet' cannot be 0"}));
 }
 
+TEST(GearCheck, WantsALoadThatPlanetsCanShare) {
+  EXPECT_EQ(complaints_about(train("teeth: 9", "teeth: 9, count: 3, load_sharing: 3.5")),
+            (Complaints{"33:68 E0314 'load_sharing' of gear member 'planet' is 3.5, and of 3 "
+                        "planets one cannot bear more than 3 times the mean"}));
+}
+
 TEST(GearCheck, WantsAToothFormThatCanBe) {
   EXPECT_EQ(
       complaints_about("gears:\n"

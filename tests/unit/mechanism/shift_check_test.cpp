@@ -19,6 +19,28 @@ TEST(ShiftCheck, AcceptsClutchesAndBrakes) {
             Complaints{});
 }
 
+TEST(ShiftCheck, WantsLimitsOfWhatThereIs) {
+  EXPECT_EQ(complaints_about(kShift +
+                             "  input_action: 1\n"
+                             "  limits: {torque: {C1: 2 N*m, in: 3}, slip: 2 N, speed: {sn: 1}}\n"),
+            (Complaints{"35:32 E0313 'torque' of 'limits' names 'in', which is not in 'elements'",
+                        "35:46 E0309 a force stands where an angular velocity is expected",
+                        "35:60 E0312 'speed' of 'limits' names body 'sn', which is not declared"}));
+}
+
+TEST(ShiftCheck, WantsLimitsAboveZero) {
+  EXPECT_EQ(complaints_about(kShift + "  input_action: 1\n"
+                                      "  limits: {torque: T - T, planet_speed: -1 rpm}\n"),
+            (Complaints{"35:20 E0305 'torque' of 'limits' cannot be T - T = 0 N*m",
+                        "35:41 E0305 'planet_speed' of 'limits' cannot be -1 rpm"}));
+}
+
+TEST(ShiftCheck, WantsATorqueOfTheInputForLimitsOfTorques) {
+  EXPECT_EQ(complaints_about(kShift + "  limits: {torque: 5}\n"),
+            (Complaints{"34:20 E0303 'torque' of 'limits' needs the key 'input_action' of "
+                        "'shift'"}));
+}
+
 TEST(ShiftCheck, RefusesElementsThatDoNotShift) {
   EXPECT_EQ(complaints_about("shift: {input: in, output: out, elements: [C1, lift]}\n"),
             (Complaints{"30:48 E0305 'lift' is neither a clutch nor a brake"}));

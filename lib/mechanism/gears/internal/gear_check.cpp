@@ -20,6 +20,10 @@ constexpr NumberRule kPlanetCount = {.kind = QuantityKind::dimensionless,
                                      .range = kPlanets,
                                      .allowed = "a whole number from 1 to 64"};
 
+constexpr NumberRule kLoadSharing = {.kind = QuantityKind::dimensionless,
+                                     .range = kAtLeastOne,
+                                     .allowed = "a number of at least 1, for example 1.15"};
+
 constexpr NumberRule kPressureAngle = {
     .kind = QuantityKind::angle,
     .range = kAcuteAngle,
@@ -36,7 +40,7 @@ class GearCheck {
       : context_(context), gears_(gears), is_used_(gears.members.size(), false) {}
 
   void run() {
-    check_tooth_form(gears_.module, gears_.pressure_angle, gears_.helix_angle, "'gears'");
+    check_tooth_form(gears_, "'gears'");
     for (const GearAxisDescription& axis : gears_.axes) {
       check_axis(axis);
     }
@@ -51,13 +55,15 @@ class GearCheck {
   }
 
  private:
-  void check_tooth_form(const std::optional<Value>& module,
-                        const std::optional<Value>& pressure_angle,
-                        const std::optional<Value>& helix_angle,
-                        std::string_view what) {
-    context_.number(module, kAboveZeroLength, fmt::format("'module' of {}", what));
-    context_.number(pressure_angle, kPressureAngle, fmt::format("'pressure_angle' of {}", what));
-    context_.number(helix_angle, kHelixAngle, fmt::format("'helix_angle' of {}", what));
+  // Of the section, or of a mesh.
+  template <class Description>
+  void check_tooth_form(const Description& of, std::string_view what) {
+    context_.number(of.module, kAboveZeroLength, fmt::format("'module' of {}", what));
+    context_.number(of.pressure_angle, kPressureAngle, fmt::format("'pressure_angle' of {}", what));
+    context_.number(of.normal_pressure_angle,
+                    kPressureAngle,
+                    fmt::format("'normal_pressure_angle' of {}", what));
+    context_.number(of.helix_angle, kHelixAngle, fmt::format("'helix_angle' of {}", what));
   }
 
   void check_axis(const GearAxisDescription& axis) {
@@ -90,13 +96,27 @@ class GearCheck {
     const std::string what = fmt::format("gear member '{}'", member.name.text);
     context_.names.bodies.check(member.body, what + " is fixed to", context_.found);
     teeth_.push_back(context_.number(member.teeth, kToothCount, "'teeth' of " + what));
-    context_.number(member.count, kPlanetCount, "'count' of " + what);
+    const auto count = context_.number(member.count, kPlanetCount, "'count' of " + what);
+    const auto sharing =
+        context_.number(member.load_sharing, kLoadSharing, "'load_sharing' of " + what);
+    if (count && sharing && *sharing > *count) {
+      context_.found.error(
+          "E0314",
+          member.load_sharing->where,
+          fmt::format("'load_sharing' of {} is {:.6g}, and of {:.0f} planets one cannot bear more "
+                      "than {:.0f} times the mean",
+                      what,
+                      *sharing,
+                      *count,
+                      *count),
+          "write the load of the most loaded planet over the mean of all, for example 1.15");
+    }
     context_.number(member.centre_distance, kAboveZeroLength, "'centre_distance' of " + what);
   }
 
   void check_mesh(const MeshDescription& mesh) {
     const std::string what = fmt::format("mesh '{}'", mesh.name.text);
-    check_tooth_form(mesh.module, mesh.pressure_angle, mesh.helix_angle, what);
+    check_tooth_form(mesh, what);
     context_.number(mesh.at, kAnyLength, fmt::format("'at' of {}", what));
     if (mesh.at && context_.description.space == Space::planar) {
       context_.found.error("E0314",

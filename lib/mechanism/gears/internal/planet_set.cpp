@@ -9,32 +9,45 @@ namespace kinestat {
 
 namespace {
 
-const GearMember* find_counted(const GearsDescription& gears, const GearAxis& planet) {
+const GearMember* find_member_with(std::optional<Value> GearMember::*key,
+                                   const GearsDescription& gears,
+                                   const GearAxis& planet) {
   for (const int m : planet.members) {
     const GearMember& member = gears.members[static_cast<std::size_t>(m)];
-    if (member.count) {
+    if (member.*key) {
       return &member;
     }
   }
   return nullptr;
 }
 
-// Of each body of the topology.
-std::vector<int> counts_of_bodies(const MechanismDescription& description,
-                                  const Topology& topology,
-                                  Evaluator& evaluator) {
-  std::vector<int> counts(topology.bodies.size(), 1);
+// Of each action what its planets have, 1 of all others.
+template <class T>
+std::vector<T> of_actions(T PlanetSet::*what,
+                          const MechanismDescription& description,
+                          const Topology& topology,
+                          Evaluator& evaluator) {
+  std::vector<T> result(topology.actions.size(), T{1});
+  if (!description.gears || !has_all_meshes(description)) {
+    return result;
+  }
+  std::vector<T> of_body(topology.bodies.size(), T{1});
   const GearTrain train = find_gear_train(description);
   for (const PlanetSet& set : bind_planet_sets(*description.gears, train, evaluator)) {
     for (const int p : set.planets) {
       for (const std::string& body : train.axes[static_cast<std::size_t>(p)].bodies) {
-        for (std::size_t b = 0; b < counts.size(); ++b) {
-          counts[b] = topology.bodies[b].name == body ? set.count : counts[b];
+        for (std::size_t b = 0; b < of_body.size(); ++b) {
+          of_body[b] = topology.bodies[b].name == body ? set.*what : of_body[b];
         }
       }
     }
   }
-  return counts;
+  for (std::size_t a = 0; a < result.size(); ++a) {
+    const CouplingTopology& coupling = topology.coupling(topology.actions[a].coupling);
+    result[a] = std::max(of_body[static_cast<std::size_t>(coupling.tail.value)],
+                         of_body[static_cast<std::size_t>(coupling.head.value)]);
+  }
+  return result;
 }
 
 }  // namespace
@@ -50,7 +63,10 @@ std::vector<PlanetSet> bind_planet_sets(const GearsDescription& gears,
     PlanetSet& set = sets.back();
     set.planets.push_back(static_cast<int>(p));
     if (set.counted == nullptr) {
-      set.counted = find_counted(gears, train.axes[p]);
+      set.counted = find_member_with(&GearMember::count, gears, train.axes[p]);
+    }
+    if (set.shared == nullptr) {
+      set.shared = find_member_with(&GearMember::load_sharing, gears, train.axes[p]);
     }
   }
   for (PlanetSet& set : sets) {
@@ -58,6 +74,10 @@ std::vector<PlanetSet> bind_planet_sets(const GearsDescription& gears,
                            ? std::nullopt
                            : evaluator.number(*set.counted->count, QuantityKind::dimensionless);
     set.count = static_cast<int>(std::lround(count.value_or(1.0)));
+    if (set.shared != nullptr) {
+      set.load_sharing =
+          evaluator.number(*set.shared->load_sharing, QuantityKind::dimensionless).value_or(1.0);
+    }
   }
   return sets;
 }
@@ -65,18 +85,13 @@ std::vector<PlanetSet> bind_planet_sets(const GearsDescription& gears,
 std::vector<int> bind_planet_counts(const MechanismDescription& description,
                                     const Topology& topology,
                                     Evaluator& evaluator) {
-  std::vector<int> result(topology.actions.size(), 1);
-  if (!description.gears || !has_all_meshes(description)) {
-    return result;
-  }
-  const std::vector<int> counts = counts_of_bodies(description, topology, evaluator);
-  for (std::size_t a = 0; a < result.size(); ++a) {
-    const CouplingTopology& coupling = topology.coupling(topology.actions[a].coupling);
-    const int tail = counts[static_cast<std::size_t>(coupling.tail.value)];
-    const int head = counts[static_cast<std::size_t>(coupling.head.value)];
-    result[a] = std::max(tail, head);
-  }
-  return result;
+  return of_actions(&PlanetSet::count, description, topology, evaluator);
+}
+
+std::vector<double> bind_load_sharing(const MechanismDescription& description,
+                                      const Topology& topology,
+                                      Evaluator& evaluator) {
+  return of_actions(&PlanetSet::load_sharing, description, topology, evaluator);
 }
 
 }  // namespace kinestat

@@ -13,7 +13,9 @@ namespace kinestat {
 struct PlanetSet {
   std::vector<int> planets;             ///< of the train, ascending
   const GearMember* counted = nullptr;  ///< its first member that has a count, or null
+  const GearMember* shared = nullptr;   ///< likewise of load sharing
   int count = 1;
+  double load_sharing = 1.0;  ///< load of the most loaded of them over the mean
 };
 
 /// The sets of a train, whose counts must have been checked. Pointers lead into the section.
@@ -26,5 +28,10 @@ std::vector<PlanetSet> bind_planet_sets(const GearsDescription& gears,
 std::vector<int> bind_planet_counts(const MechanismDescription& description,
                                     const Topology& topology,
                                     Evaluator& evaluator);
+
+/// Likewise, the load of the most loaded of these planets over the mean.
+std::vector<double> bind_load_sharing(const MechanismDescription& description,
+                                      const Topology& topology,
+                                      Evaluator& evaluator);
 
 }  // namespace kinestat

@@ -61,14 +61,14 @@ class ToothBinder {
   }
 
   std::optional<Vec3Of<Scalar>> bind(const MeshTeethOf<Scalar>& teeth) {
-    const std::optional<Scalar> alpha = angle(coupling_.pressure_angle, "pressure angle");
     const std::optional<Scalar> beta = angle(coupling_.helix_angle, "helix angle");
-    if (!alpha || !beta || !check_helix_in_space()) {
+    const std::optional<Scalar> normal = beta ? normal_pressure_angle(*beta) : std::nullopt;
+    if (!normal || !check_helix_in_space()) {
       return std::nullopt;
     }
     return force_of_teeth(Vec3Of<Scalar>::UnitZ(),
                           teeth.tangent,
-                          Scalar(teeth.flank) * *alpha,
+                          Scalar(teeth.flank) * *normal,
                           Scalar(teeth.hand) * *beta);
   }
 
@@ -108,6 +108,14 @@ class ToothBinder {
     return angle;
   }
 
+  std::optional<Scalar> normal_pressure_angle(const Scalar& beta) {
+    if (coupling_.normal_pressure_angle) {
+      return angle(coupling_.normal_pressure_angle, "pressure angle");
+    }
+    const std::optional<Scalar> alpha = angle(coupling_.pressure_angle, "pressure angle");
+    return alpha ? std::optional(normal_angle<Scalar>(*alpha, beta)) : std::nullopt;
+  }
+
   bool check_helix_in_space() {
     if (!coupling_.helix_angle || space_ == Space::spatial) {
       return true;
@@ -122,9 +130,9 @@ class ToothBinder {
 
   std::optional<Vec3Of<Scalar>> from_tangent(const AxisOf<Scalar>& axis) {
     const auto tangent = directions_.bind(*coupling_.tangent, DirectionRole::in_plane);
-    const std::optional<Scalar> alpha = angle(coupling_.pressure_angle, "pressure angle");
     const std::optional<Scalar> beta = angle(coupling_.helix_angle, "helix angle");
-    if (!tangent || !alpha || !beta || !check_helix_in_space() ||
+    const std::optional<Scalar> normal = beta ? normal_pressure_angle(*beta) : std::nullopt;
+    if (!tangent || !normal || !check_helix_in_space() ||
         !directions_.check_perpendicular(
             *tangent,
             axis,
@@ -133,15 +141,14 @@ class ToothBinder {
             "the tangent touches both pitch circles at the pitch point")) {
       return std::nullopt;
     }
-    return force_of_teeth(axis.direction, tangent->direction, *alpha, *beta);
+    return force_of_teeth(axis.direction, tangent->direction, *normal, *beta);
   }
 
   static Vec3Of<Scalar> force_of_teeth(const Vec3Of<Scalar>& a,
                                        const Vec3Of<Scalar>& t,
-                                       const Scalar& alpha,
+                                       const Scalar& normal,
                                        const Scalar& beta) {
     using std::cos, std::sin;
-    const Scalar normal = normal_angle<Scalar>(alpha, beta);
     return Vec3Of<Scalar>(cos(normal) * cos(beta) * t + sin(normal) * a.cross(t) +
                           cos(normal) * sin(beta) * a);
   }

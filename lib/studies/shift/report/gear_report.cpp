@@ -2,18 +2,10 @@
 
 #include <algorithm>
 
+#include "cases/gear_answer.hpp"
 #include "core/contract.hpp"
 
 namespace kinestat {
-
-namespace {
-
-template <class T>
-const T* pointer_to(const std::optional<T>& value) {
-  return value ? &*value : nullptr;
-}
-
-}  // namespace
 
 const CaseAnalysis* find_gear_case(const Analysis& analysis, const NamedShiftState& state) {
   if (state.state.kind != ShiftClass::gear) {
@@ -47,15 +39,7 @@ std::vector<RatiosInUnits> in_file_units(const Analysis& analysis,
 GearValues gear_values(const Analysis& analysis, std::size_t state) {
   const NamedShiftState& gear = analysis.shift->solution.states[state];
   const CaseAnalysis& one = *find_gear_case(analysis, gear);
-  const bool has_losses = one.efficiency && one.efficiency->state;
-  return find_gear_values(
-      {.mechanism = analysis.mechanism,
-       .plan = analysis.shift->plan,
-       .state = gear,
-       .which = one.which,
-       .motion = pointer_to(one.motion),
-       .action = pointer_to(one.action),
-       .lossy_actions = has_losses ? &one.efficiency->state->actions : nullptr});
+  return find_gear_values(solved_gear(analysis.mechanism, analysis.shift->plan, gear.state, one));
 }
 
 std::vector<RatiosInUnits> gear_ratios(const Analysis& analysis,

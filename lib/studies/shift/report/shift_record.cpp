@@ -4,19 +4,11 @@
 #include <cstdint>
 
 #include "studies/shift/report/gear_report.hpp"
+#include "studies/shift/report/shift_parts.hpp"
 
 namespace kinestat {
 
 namespace {
-
-const std::string& name_of_actuator(const Analysis& analysis, int actuator) {
-  return analysis.mechanism.topology.actuators[static_cast<std::size_t>(actuator)].name;
-}
-
-const std::string& name_of_element(const Analysis& analysis, int element) {
-  const auto e = static_cast<std::size_t>(element);
-  return name_of_actuator(analysis, analysis.shift->plan.elements[e].actuator);
-}
 
 struct StateView {
   const Analysis& analysis;
@@ -29,6 +21,10 @@ struct StateView {
 
 bool is_gear(const StateView& v) {
   return v.gear.has_value();
+}
+
+bool has_limits(const StateView& v) {
+  return is_gear(v) && !v.gear->limits.empty();
 }
 
 // What it leaves free, and why it has no ratio.
@@ -177,6 +173,12 @@ auto read_loaded(std::optional<LoadedCoupling> GearValues::*member) {
   return [member](const StateView& v) { return *v.gear.*member; };
 }
 
+void emit_limits(const StateView& v, const Each<LimitUse>& each) {
+  for (const LimitUse& use : v.gear->limits) {
+    each(name_of(use.part, v.analysis.shift->plan, v.analysis.mechanism.topology), use);
+  }
+}
+
 void emit_elements(const StateView& v, const Each<ElementView>& each) {
   const auto count = static_cast<int>(v.analysis.shift->plan.elements.size());
   for (int e = 0; e < count; ++e) {
@@ -262,6 +264,20 @@ void add_gear(Record<StateView>& keys) {
   keys.part("worst_bearing", worst_bearing_record(), read_loaded(&GearValues::bearing))
       .only_if(is_gear);
   keys.part("worst_mesh", worst_mesh_record(), read_loaded(&GearValues::mesh)).only_if(is_gear);
+  keys.number("limit_use",
+              Bare::ratio,
+              "The largest of its torques and speeds over their limits, of a file that gives "
+              "'limits': above 1 one of them is exceeded; null where one is not known.",
+              [](const StateView& v) {
+                const LimitUse* largest = find_largest_use(v.gear->limits);
+                return largest != nullptr ? largest->use() : std::nullopt;
+              })
+      .only_if(has_limits);
+  keys.map("limits",
+           limit_record(),
+           "Each limit by kind and name: torque.C1, slip.C1, speed.ring, planet_speed.planet.",
+           emit_limits)
+      .only_if(has_limits);
 }
 
 const Record<StateView>& state_record() {
@@ -323,34 +339,6 @@ void emit_states(const Analysis& v, const Each<StateView>& each) {
   }
 }
 
-struct ChangeView {
-  const Analysis& analysis;
-  const GearChange& change;
-
-  const std::string& state(int index) const {
-    return analysis.shift->solution.states[static_cast<std::size_t>(index)].name;
-  }
-
-  std::optional<std::string> element(int index) const {
-    return index < 0 ? std::nullopt : std::optional(name_of_element(analysis, index));
-  }
-};
-
-const Record<ChangeView>& change_record() {
-  using View = ChangeView;
-  static const Record<View> record("Two gears.", [](Record<View>& keys) {
-    keys.text("from", "One gear.", [](const View& v) { return v.state(v.change.from); });
-    keys.text("to", "The other.", [](const View& v) { return v.state(v.change.to); });
-    keys.text("opens", "The element that opens on the way.", [](const View& v) {
-      return v.element(v.change.opens);
-    });
-    keys.text("engages", "The element that engages on the way.", [](const View& v) {
-      return v.element(v.change.engages);
-    });
-  });
-  return record;
-}
-
 void write_equal_ratios(const Analysis& v, Archive& to) {
   to.begin_list();
   for (const std::vector<int>& group : v.shift->solution.table.equal_ratios) {
@@ -375,13 +363,25 @@ void add_table(Record<Analysis>& keys) {
       .not_in_tables();
   keys.list("changes",
             change_record(),
-            "Pairs of gears between which one element opens and one engages, or one does either.",
+            "Pairs of gears between which one element opens and one engages, or one does either, "
+            "and forward gears that follow each other.",
             [](const Analysis& v, const Each<ChangeView>& each) {
               for (const GearChange& change : v.shift->solution.table.changes) {
                 each({.analysis = v, .change = change});
               }
             })
       .not_in_tables();
+  keys.map("changes_by_name",
+           change_number_record(),
+           "The same by the names of both gears.",
+           [](const Analysis& v, const Each<ChangeView>& each) {
+             for (const GearChange& change : v.shift->solution.table.changes) {
+               const ChangeView view{.analysis = v, .change = change};
+               each(view.name(), view);
+             }
+           })
+      .in_tables_as("change")
+      .only_in_tables();
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ class ShiftTables {
     blocks += remarks_text();
     blocks += others_blocks();
     blocks += elements_blocks();
-    return blocks += changes_text();
+    return blocks += changes_blocks();
   }
 
  private:
@@ -282,6 +282,7 @@ class ShiftTables {
       }
     }
     blocks += loads_blocks();
+    blocks += limits_blocks();
     return blocks +=
            values_blocks("Slip", QuantityKind::angular_velocity, &GearValues::slips, false);
   }
@@ -306,6 +307,36 @@ class ShiftTables {
     add("bearing", &GearValues::bearing);
     add("mesh", &GearValues::mesh);
     return has_any ? TextBlocks(std::move(columns)) : TextBlocks();
+  }
+
+  // What each gear takes most of.
+  TextBlocks limits_blocks() const {
+    if (plan_.limits.empty()) {
+      return {};
+    }
+    std::vector<TextColumn> columns = {names("Limits", 0, gears_.size())};
+    TextColumn use{.head = "largest use", .cells = {}};
+    TextColumn of{.head = "of", .cells = {}};
+    TextColumn size{.head = "value", .cells = {}};
+    TextColumn most{.head = "limit", .cells = {}};
+    for (const ShownGear& gear : gears_) {
+      const LimitUse* largest = find_largest_use(gear.values.limits);
+      use.cells.push_back(number_or_dash(largest != nullptr ? largest->use() : std::nullopt));
+      of.cells.push_back(largest != nullptr ? kinestat::name_of(largest->part, plan_, topology_)
+                                            : "-");
+      size.cells.push_back(largest != nullptr ? with_unit(*largest, *largest->size) : "-");
+      most.cells.push_back(largest != nullptr ? with_unit(*largest, largest->part.limit.most)
+                                              : "-");
+    }
+    for (TextColumn* column : {&use, &of, &size, &most}) {
+      columns.push_back(std::move(*column));
+    }
+    return TextBlocks(std::move(columns));
+  }
+
+  std::string with_unit(const LimitUse& one, double si) const {
+    const QuantityKind kind = quantity_of(one.part.limit.kind);
+    return fmt::format("{} {}", format_short(in_.of(kind, si)), in_.units().text(kind));
   }
 
   TextBlocks values_blocks(const char* what,
@@ -338,18 +369,46 @@ class ShiftTables {
     return TextBlocks(std::move(columns));
   }
 
-  std::string changes_text() const {
-    std::string text;
-    for (const GearChange& change : solution_.table.changes) {
-      const std::string opens = change.opens < 0 ? "nothing" : element_name(change.opens);
-      const std::string engages = change.engages < 0 ? "nothing" : element_name(change.engages);
-      text += fmt::format("  {} - {}: {} opens, {} engages\n",
-                          name_of(change.from),
-                          name_of(change.to),
-                          opens,
-                          engages);
+  std::string elements_text(const std::vector<int>& elements) const {
+    std::vector<std::string> names;
+    for (const int element : elements) {
+      names.push_back(element_name(element));
     }
-    return text.empty() ? "" : "  Changes of one element\n" + text + "\n";
+    return names.empty() ? "-" : fmt::format("{}", fmt::join(names, ", "));
+  }
+
+  // What a change asks of the elements, there and back.
+  TextBlocks changes_blocks() const {
+    if (solution_.table.changes.empty()) {
+      return {};
+    }
+    const std::string unit = in_.units().text(QuantityKind::angular_velocity);
+    TextColumn change{.head = "Change", .cells = {}};
+    TextColumn opens{.head = "opens", .cells = {}};
+    TextColumn engages{.head = "engages", .cells = {}};
+    TextColumn elements{.head = "elements", .cells = {}};
+    TextColumn step{.head = "step", .cells = {}};
+    TextColumn slip{.head = fmt::format("slip taken up [{}]", unit), .cells = {}};
+    TextColumn slip_back{.head = "and back", .cells = {}};
+    const auto in_unit = [&](const std::optional<double>& sum) {
+      return number_or_dash(sum ? std::optional(in_.angular(*sum)) : std::nullopt);
+    };
+    for (const GearChange& one : solution_.table.changes) {
+      change.cells.push_back(fmt::format("{} - {}", name_of(one.from), name_of(one.to)));
+      opens.cells.push_back(elements_text(one.opens));
+      engages.cells.push_back(elements_text(one.engages));
+      elements.cells.push_back(fmt::format("{}", one.elements()));
+      step.cells.push_back(one.step ? format_short(*one.step) : "");
+      slip.cells.push_back(in_unit(one.slip));
+      slip_back.cells.push_back(in_unit(one.slip_back));
+    }
+    return TextBlocks(std::vector<TextColumn>{std::move(change),
+                                              std::move(opens),
+                                              std::move(engages),
+                                              std::move(elements),
+                                              std::move(step),
+                                              std::move(slip),
+                                              std::move(slip_back)});
   }
 
   const Analysis& analysis_;

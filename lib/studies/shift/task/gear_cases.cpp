@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "network/bases.hpp"
+#include "studies/shift/gear_limits.hpp"
 
 namespace kinestat {
 
@@ -44,6 +45,28 @@ void warn_of_missing_elements(const ShiftAnalysis& shift, Diagnostics& found) {
                   shift.plan.elements.size()),
       "add clutches or brakes to 'elements', or a coupling that holds what is still free: "
       "'kinestat mobility' lists the freedoms");
+}
+
+// Geometry tells what a planet is.
+void refuse_limits_of_no_planet(const ShiftPlan& plan,
+                                const Mechanism& mechanism,
+                                Diagnostics& found) {
+  const std::vector<LimitedPart> parts = find_limited_parts(mechanism, plan);
+  for (const ShiftLimit& limit : plan.limits) {
+    const bool has_part = std::ranges::any_of(
+        parts, [&](const LimitedPart& part) { return part.limit.where == limit.where; });
+    if (!has_part) {
+      found.error(
+          "E0305",
+          limit.where,
+          limit.index < 0
+              ? std::string("'planet_speed' of 'limits' holds for planets, and there are none")
+              : fmt::format("'planet_speed' of 'limits' names '{}', which is no planet",
+                            mechanism.topology.body(BodyId{limit.index}).name),
+          "a planet is a gear that nothing but its teeth and a moving carrier holds; limit "
+          "another body with 'speed'");
+    }
+  }
 }
 
 }  // namespace
@@ -84,6 +107,11 @@ std::optional<ShiftAnalysis> add_gears(MechanismDescription& description,
                                        Diagnostics& found) {
   std::optional<ShiftPlan> plan = bind_shift(description, mechanism.topology);
   if (!plan) {
+    return std::nullopt;
+  }
+  const int errors_before = found.error_count();
+  refuse_limits_of_no_planet(*plan, mechanism, found);
+  if (found.error_count() > errors_before) {
     return std::nullopt;
   }
   const CoordinateBasis basis = motion_basis(mechanism.geometry, mechanism.kinematic_order);

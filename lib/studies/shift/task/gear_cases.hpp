@@ -22,7 +22,7 @@ void add_gear_cases(const std::vector<GearCase>& gears,
 
 /// Finds all states of a mechanism that has been bound, and adds every gear to the cases of the
 /// description and of the mechanism. Empty if there is no section `shift`, or with an error if it
-/// has more combinations than a table can have.
+/// has more combinations than a table can have, or a limit of a planet that is none.
 std::optional<ShiftAnalysis> add_gears(MechanismDescription& description,
                                        Mechanism& mechanism,
                                        const ShiftOptions& options,

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/gear_answer.hpp"
 #include "cases/report/ratio_in_units.hpp"
 #include "core/contract.hpp"
 #include "kinematics/bounded_motion.hpp"
@@ -12,6 +13,7 @@
 #include "mechanism/motion_figure.hpp"
 #include "report/in_units.hpp"
 #include "statics/coupling_wrenches.hpp"
+#include "studies/shift/gear_limits.hpp"
 
 namespace kinestat {
 
@@ -78,6 +80,9 @@ class ColumnSearch {
     if (name.text == "step") {
       return step_of(name);
     }
+    if (name.text == "limit_use") {
+      return limit_use_of_gears(name);
+    }
     if (name.text == "efficiency" || name.text == "recirculation") {
       return SweepColumn{.kind = name.text == "efficiency" ? efficiency : recirculation,
                          .index = -1,
@@ -117,6 +122,19 @@ class ColumnSearch {
       return std::nullopt;
     }
     return SweepColumn{.kind = step, .index = -1, .name = name.text, .unit = {}};
+  }
+
+  std::optional<SweepColumn> limit_use_of_gears(const Name& name) {
+    if (!description_.shift || !description_.shift->limits) {
+      found_.error(
+          "E0305",
+          name.where,
+          "'limit_use' is the largest of a gear's torques and speeds over their limits, and "
+          "the file has no 'limits' in a section 'shift'",
+          "remove 'limit_use', or give limits, 'limits: {torque: 200 N*m}' in 'shift'");
+      return std::nullopt;
+    }
+    return SweepColumn{.kind = limit_use, .index = -1, .name = name.text, .unit = {}};
   }
 
   SweepColumn rate_of(int freedom) const {
@@ -218,7 +236,7 @@ bool needs_statics(SweepColumnKind kind) {
 }
 
 bool needs_power(SweepColumnKind kind) {
-  return kind == efficiency || kind == recirculation || kind == lossy_action;
+  return kind == efficiency || kind == recirculation || kind == limit_use || kind == lossy_action;
 }
 
 bool asks(std::span<const SweepColumn> columns, SweepColumnKind kind) {
@@ -273,6 +291,7 @@ std::optional<double> value_of(const SweepColumn& column,
       return one.ratios ? ratio_in(ratios_in_units(one, mechanism, units), column.kind).value
                         : std::nullopt;
     case step:
+    case limit_use:
     case motion:
       return std::nullopt;
     case efficiency:
@@ -296,6 +315,15 @@ std::optional<double> value_of(const SweepColumn& column,
     }
   }
   return std::nullopt;
+}
+
+std::optional<double> limit_use_of(const Mechanism& mechanism,
+                                   const ShiftPlan& plan,
+                                   const ShiftState& state,
+                                   const CaseAnalysis& one) {
+  const std::vector<LimitUse> uses = find_limit_uses(solved_gear(mechanism, plan, state, one));
+  const LimitUse* largest = find_largest_use(uses);
+  return largest != nullptr ? largest->use() : std::nullopt;
 }
 
 }  // namespace kinestat

@@ -18,6 +18,7 @@ enum class SweepColumnKind {
   step,
   efficiency,
   recirculation,
+  limit_use,  ///< of a gear: the largest of its torques and speeds over their limits
   rate,
   action,
   lossy_action,  ///< as meshes with their losses by the carrier model leave it
@@ -49,8 +50,8 @@ using FindOfMotion = std::function<std::optional<SweepColumn>(const Name&)>;
 
 /// The quantities that `report` of the sweep names; if it names none, ratio and torque ratio where
 /// cases have them in one unit, and all rates and actions. A ratio that is named, but whose unit
-/// differs from case to case, is E0305, and so is a step without gears. Empty iff an error was
-/// added.
+/// differs from case to case, is E0305, and so are a step without gears and a use without limits.
+/// Empty iff an error was added.
 std::optional<std::vector<SweepColumn>> find_sweep_columns(const MechanismDescription& description,
                                                            const Mechanism& mechanism,
                                                            std::span<const Case> cases,
@@ -68,10 +69,16 @@ std::vector<SweepColumn> columns_in(const std::vector<SweepColumn>& columns,
                                     const Topology& state);
 
 /// Its value in its unit; empty where the case has none. A step and a figure of the motion are not
-/// of one case in one position.
+/// of one case in one position, and limits are those of a gear: see limit_use_of.
 std::optional<double> value_of(const SweepColumn& column,
                                const CaseAnalysis& one,
                                const Mechanism& mechanism,
                                const FileUnits& units);
+
+/// Of a gear in a state, with the limits of this plan.
+std::optional<double> limit_use_of(const Mechanism& mechanism,
+                                   const ShiftPlan& plan,
+                                   const ShiftState& state,
+                                   const CaseAnalysis& one);
 
 }  // namespace kinestat

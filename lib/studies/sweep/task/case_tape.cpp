@@ -8,6 +8,7 @@
 #include "network/bases.hpp"
 #include "statics/one_sided_action.hpp"
 #include "studies/sweep/network_tape.hpp"
+#include "studies/sweep/task/internal/limit_tape.hpp"
 #include "studies/sweep/task/state_solver.hpp"
 #include "studies/sweep/task/sweep_task.hpp"
 
@@ -55,6 +56,11 @@ class CaseRecorder {
                     .action = *action,
                     .equilibrium = actions.system(),
                     .shares = numbers_.shares})) {
+      return false;
+    }
+    if (motion && !add_limit_use({.motion = *motion,
+                                  .action = action ? &*action : nullptr,
+                                  .lossy_action = lossy_action_ ? &*lossy_action_ : nullptr})) {
       return false;
     }
     if (motion) {
@@ -266,10 +272,26 @@ class CaseRecorder {
       return false;
     }
     taped_.power = std::move(power->power);
-    if (power->action) {
-      add_columns(NetworkSide::action, *power->action, SweepColumnKind::lossy_action);
+    lossy_action_ = std::move(power->action);
+    if (lossy_action_) {
+      add_columns(NetworkSide::action, *lossy_action_, SweepColumnKind::lossy_action);
     }
     return true;
+  }
+
+  // Of a gear.
+  bool add_limit_use(const TapedGear& gear) {
+    if (!task_.gears[place_] || !asks(task_.columns, SweepColumnKind::limit_use)) {
+      return true;
+    }
+    const auto use =
+        numbers_.keeps_axes ? record_limit_use(task_, gear, notes_.recorder) : std::nullopt;
+    for (std::size_t q = 0; use && q < task_.columns.size(); ++q) {
+      if (task_.columns[q].kind == SweepColumnKind::limit_use) {
+        taped_.columns.push_back({.column = q, .cell = notes_.add_output(*use)});
+      }
+    }
+    return use.has_value();
   }
 
   bool turns(NetworkSide side, int index) const {
@@ -363,6 +385,7 @@ class CaseRecorder {
   const SweptNumbers& numbers_;
   SweepNotes& notes_;
   CaseTape taped_;
+  std::optional<TapedSide> lossy_action_;  // where meshes lose any
 };
 
 void find_cells(const LaneTape& tape, LossTape& losses) {

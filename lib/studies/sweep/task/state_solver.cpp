@@ -241,6 +241,7 @@ void StateSolver::solve_position(const Mechanism& mechanism, std::span<SweepRow>
       one = solve_again(mechanism, i, cases[i]);
       fill_row(columns, mechanism, one, task_.description.units, rows[i]);
     }
+    fill_limit_use(mechanism, i, one, rows[i]);
     rows[i].status = row_status(one, task_, mechanism, task_.is_usually_solved[i]);
     ratios[i] = gear_ratio(task_, i, one);
   }
@@ -258,17 +259,32 @@ CaseAnalysis StateSolver::solve_again(const Mechanism& mechanism,
 }
 
 void StateSolver::decide_gears(const Mechanism& mechanism, std::vector<Case>& cases) {
-  const std::optional<ShiftPlan> plan = bind_shift(binder_.description(), mechanism.topology);
-  KINESTAT_EXPECTS(plan.has_value());
-  states_ = find_states(task_.gears, mechanism, *plan);
+  plan_ = bind_shift(binder_.description(), mechanism.topology);
+  KINESTAT_EXPECTS(plan_.has_value());
+  states_ = find_states(task_.gears, mechanism, *plan_);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (!states_[i] || states_[i]->kind != ShiftClass::gear) {
       continue;
     }
-    if (std::optional<Case> anew =
-            described_anew(*task_.gears[i], *states_[i], *plan, binder_.description(), mechanism)) {
+    if (std::optional<Case> anew = described_anew(
+            *task_.gears[i], *states_[i], *plan_, binder_.description(), mechanism)) {
       anew->asks_actions = anew->asks_actions && task_.has_statics;
       cases[i] = *std::move(anew);
+    }
+  }
+}
+
+// With the limits of the state, which may follow from its parameters.
+void StateSolver::fill_limit_use(const Mechanism& mechanism,
+                                 std::size_t row,
+                                 const CaseAnalysis& one,
+                                 SweepRow& filled) const {
+  if (!states_[row]) {
+    return;
+  }
+  for (std::size_t q = 0; q < filled.values.size(); ++q) {
+    if (task_.columns[q].kind == SweepColumnKind::limit_use) {
+      filled.values[q] = limit_use_of(mechanism, *plan_, *states_[row], one).value_or(kNoValue);
     }
   }
 }

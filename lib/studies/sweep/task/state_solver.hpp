@@ -70,6 +70,10 @@ class StateSolver {
   void analyse(std::uint64_t state, bool is_undefined, std::span<SweepRow> rows);
   void solve_position(const Mechanism& mechanism, std::span<SweepRow> rows);
   CaseAnalysis solve_again(const Mechanism& mechanism, std::size_t row, const Case& which);
+  void fill_limit_use(const Mechanism& mechanism,
+                      std::size_t row,
+                      const CaseAnalysis& one,
+                      SweepRow& filled) const;
   void decide_gears(const Mechanism& mechanism, std::vector<Case>& cases);
   void check_some(std::size_t count);
   void check_answer(std::uint64_t state, std::span<const SweepRow> answered);
@@ -85,6 +89,7 @@ class StateSolver {
   std::vector<std::uint64_t> places_;              ///< of each lane, axis by axis
   std::vector<SweepRow> rows_;                     ///< of each lane, case by case
   std::vector<SolvedState> solved_;                ///< of each lane
+  std::optional<ShiftPlan> plan_;                  ///< with the parameters of the last state
   std::vector<std::optional<ShiftState>> states_;  ///< of each row that is of a combination
   std::uint64_t unchecked_ = 0;  ///< how many follow before one is analysed both ways
 };

@@ -1,0 +1,15 @@
+// The answer of a case that is a gear, as the shift table sees it.
+#pragma once
+
+#include "cases/analysis.hpp"
+#include "studies/shift/solved_gear.hpp"
+
+namespace kinestat {
+
+/// Refers to all of them.
+SolvedGear solved_gear(const Mechanism& mechanism,
+                       const ShiftPlan& plan,
+                       const ShiftState& state,
+                       const CaseAnalysis& one);
+
+}  // namespace kinestat
