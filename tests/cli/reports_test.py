@@ -129,6 +129,10 @@ def mobility_value(value: Any, path: str) -> str:
 
 
 def shift_value(shift: Any, row: dict[str, str]) -> Any:
+    if row["quantity"].startswith("change/"):
+        change = next(one for one in shift["changes"]
+                      if f"{one['from']} - {one['to']}" == row["element"])
+        return change[row["quantity"].removeprefix("change/")]
     if not row["case"]:
         return shift[row["quantity"]]
     state = shift["states"][row["case"]]
@@ -139,6 +143,8 @@ def shift_value(shift: Any, row: dict[str, str]) -> Any:
 
 def shift_values(shift: Any) -> list[Any]:
     found = [shift[key] for key in ("possibilities", "net_freedom", "engaged", "span")]
+    for change in shift["changes"]:
+        found += numbers(change)
     for state in shift["states"].values():
         found += state["engaged"]
         for key, value in state.items():

@@ -49,7 +49,7 @@ const Mapping<DutyDescription>& duty_section() {
         m.key("file",
               "A table of points beside this file, as CSV: columns 'case', 'duration [s]' or "
               "'time [s]', and actuators with units, 'engine [rpm]', 'engine [N*m]'.")
-            .may(&DutyDescription::file, name_of("a file"), "cycle.csv");
+            .may(&DutyDescription::file, free_name(), "cycle.csv");
         m.key("case", "The case or gear of points that name none.")
             .may(&DutyDescription::case_label, label(), "M1");
         m.key("repetitions", "How often all points follow each other.")

@@ -147,7 +147,7 @@ std::optional<NumberLaw<Scalar>> EvaluatorOf<Scalar>::law(
         std::ranges::find(variables, name, &LawVariable<Scalar>::name) != variables.end();
     const BasicQuantity<Scalar>* parameter = table_.find(name);
     if (is_variable && parameter != nullptr) {
-      found_.error("E0305",
+      found_.error("E0307",
                    value.where,
                    fmt::format("'{}' is what this number depends on, and a parameter too", name),
                    "give the parameter another name");
