@@ -1,4 +1,7 @@
 // The section `duty`.
+#include <string>
+#include <utility>
+
 #include "format/alternatives.hpp"
 #include "format/collections.hpp"
 #include "format/number_forms.hpp"
@@ -9,6 +12,13 @@
 namespace kinestat {
 
 namespace {
+
+Form<Name> path() {
+  return converted<Name>(
+      called(text(), "the table of points"),
+      [](std::string one) { return Name{.text = std::move(one), .where = {}}; },
+      [](const Name& one) { return one.text; });
+}
 
 const Mapping<DutyPointDescription>& point_mapping() {
   static const Mapping<DutyPointDescription> mapping(
@@ -49,7 +59,7 @@ const Mapping<DutyDescription>& duty_section() {
         m.key("file",
               "A table of points beside this file, as CSV: columns 'case', 'duration [s]' or "
               "'time [s]', and actuators with units, 'engine [rpm]', 'engine [N*m]'.")
-            .may(&DutyDescription::file, free_name(), "cycle.csv");
+            .may(&DutyDescription::file, path(), "cycle.csv");
         m.key("case", "The case or gear of points that name none.")
             .may(&DutyDescription::case_label, label(), "M1");
         m.key("repetitions", "How often all points follow each other.")
