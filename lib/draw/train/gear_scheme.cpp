@@ -343,11 +343,11 @@ class SchemeWriter {
       return;
     }
     constexpr int kPlaces = 32;  // from the middle outwards
-    constexpr double kBeside = 10.0;
+    constexpr double kBeside[] = {-10.0, 10.0, -32.0, 32.0};  // the far ones beyond plates
     std::vector<PixelPoint> places;
     for (int i = 0; i < kPlaces; ++i) {
       const double share = 0.5 + (i % 2 == 0 ? 0.5 : -0.5) * (i + 0.5) / kPlaces;
-      for (const double side : {-kBeside, kBeside}) {
+      for (const double side : kBeside) {
         PixelPoint place = shaft.from + share * (shaft.to - shaft.from);
         place.y += side;
         places.push_back(place);
