@@ -45,6 +45,8 @@ PicturePlace place_of(const PictureKind& kind) {
       return PicturePlace::sweep;
     case PictureNeed::synthesis:
       return PicturePlace::synthesis;
+    case PictureNeed::maps:
+      return PicturePlace::duty;
     case PictureNeed::analysis:
     case PictureNeed::benchmark:
       break;

@@ -15,6 +15,7 @@ enum class PicturePlace {
   graphs,      ///< more of that, for those who follow the method
   motion,      ///< finite motion
   shift,       ///< the gears of a transmission
+  duty,        ///< the points of a duty
   one_case,    ///< at the head of a case
   velocities,  ///< the tables of a case
   actions,

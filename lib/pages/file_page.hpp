@@ -11,6 +11,7 @@
 #include "core/source.hpp"
 #include "draw/linkage/drawn_motion.hpp"
 #include "report/text_blocks.hpp"
+#include "studies/duty/efficiency_map.hpp"
 #include "studies/mobility/report/mobility_report.hpp"
 #include "studies/motion/report/motion_table.hpp"
 #include "studies/sweep/report/sweep_table.hpp"
@@ -38,6 +39,12 @@ struct PageSensitivity {
   TextBlocks blocks;
 };
 
+/// What a duty asks of the mechanism, in tables and maps.
+struct PageDuty {
+  TextBlocks blocks;
+  std::vector<EfficiencyMap> maps;
+};
+
 /// Passes that failed, or for which the file gives no reason, are empty; what was wrong is among
 /// the findings.
 struct FilePage {
@@ -48,6 +55,7 @@ struct FilePage {
   std::optional<MobilityAnalysis> mobility;
   std::optional<PageMotion> motion;          ///< drawn only where there is an analysis
   std::vector<PageSensitivity> sensitivity;  ///< of cases, where the file has parameters
+  std::optional<PageDuty> duty;              ///< only beside an analysis
   std::optional<SweepTable> sweep;           ///< without rows where they are too many
   std::optional<SynthesisAnalysis> synthesis;
   std::vector<PageData> data;

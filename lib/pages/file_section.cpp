@@ -43,6 +43,7 @@ class FileSection {
     if (page_.analysis) {
       add_case_part(section_);
     }
+    add_duty();
     add_sensitivity();
     add_sweep();
     add_synthesis();
@@ -124,6 +125,17 @@ class FileSection {
     section_.open_part("shift", "Shift table");
     section_.add_pictures(pictures_at(PicturePlace::shift, section_.source()));
     add_blocks(shift_blocks(*page_.analysis), "Shift table", html_);
+    html_.close();
+  }
+
+  void add_duty() {
+    if (!page_.duty) {
+      section_.add_lack("duty", "Duty", page_.description && page_.description->duty);
+      return;
+    }
+    section_.open_part("duty", "Duty");
+    section_.add_pair(
+        page_.duty->blocks, "Duty", pictures_at(PicturePlace::duty, section_.source()));
     html_.close();
   }
 

@@ -36,6 +36,7 @@ PictureSource SectionWriter::source(std::optional<std::size_t> which) const {
   return {.analysis = page_.analysis ? &*page_.analysis : nullptr,
           .motion = page_.motion ? &page_.motion->table : nullptr,
           .synthesis = page_.synthesis ? &*page_.synthesis : nullptr,
+          .maps = page_.duty ? &page_.duty->maps : nullptr,
           .which = which,
           .name = page_title(page_)};
 }

@@ -18,6 +18,8 @@
 #include "run/sensitivity.hpp"
 #include "run/sweep.hpp"
 #include "run/synthesis.hpp"
+#include "studies/duty/report/duty_report.hpp"
+#include "studies/duty/task/find_duty.hpp"
 #include "studies/motion/picture/drawn_motion_maker.hpp"
 #include "studies/motion/task/find_motion.hpp"
 #include "studies/synthesis/task/find_synthesis.hpp"
@@ -76,6 +78,7 @@ class PageBuilder {
                              page_.motion ? &page_.motion->table : nullptr,
                              kForms,
                              page_.found));
+        sum_duty(analysis);
         differentiate(analysis);
         page_.analysis = std::move(certified->analysis);
       }
@@ -115,6 +118,26 @@ class PageBuilder {
               kForms,
               page_.found));
     }
+  }
+
+  void sum_duty(const Analysis& analysis) {
+    if (!analysis.description.duty) {
+      return;
+    }
+    Diagnostics found;
+    const std::optional<FoundDuty> duty = find_duty(path_, "", judged_file(analysis), found);
+    add_new(found, page_.found);
+    if (!duty) {
+      return;
+    }
+    const DutyReportView view{.file = path_,
+                              .description = analysis.description,
+                              .mechanism = analysis.mechanism,
+                              .plan = duty->plan,
+                              .duty = duty->solution,
+                              .found = &found};
+    page_.duty = {.blocks = duty_blocks(view), .maps = map_duty(analysis.mechanism, duty->plan)};
+    add_data("duty", make_duty_report(view, kForms));
   }
 
   // Cases without an answer, or a file without parameters, have no derivatives to show.

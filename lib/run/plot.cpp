@@ -21,6 +21,7 @@
 #include "run/motion.hpp"
 #include "run/sweep.hpp"
 #include "run/synthesis.hpp"
+#include "studies/duty/task/find_duty.hpp"
 #include "studies/motion/task/find_motion.hpp"
 #include "studies/synthesis/task/find_synthesis.hpp"
 
@@ -53,6 +54,7 @@ struct PictureSolutions {
   std::optional<SynthesisAnalysis> synthesis;
   std::optional<std::vector<BenchmarkedCase>> benchmark;
   std::optional<SweepTable> sweep;
+  std::optional<std::vector<EfficiencyMap>> maps;
 
   PictureSource source() const {
     return {.analysis = analysis ? &*analysis : nullptr,
@@ -60,7 +62,8 @@ struct PictureSolutions {
             .moving = moving ? &*moving : nullptr,
             .synthesis = synthesis ? &*synthesis : nullptr,
             .benchmark = benchmark ? &*benchmark : nullptr,
-            .sweep = sweep ? &*sweep : nullptr};
+            .sweep = sweep ? &*sweep : nullptr,
+            .maps = maps ? &*maps : nullptr};
   }
 };
 
@@ -144,6 +147,8 @@ class PictureJob {
         return find_moving(found);
       case PictureNeed::sweep:
         return find_sweep(found);
+      case PictureNeed::maps:
+        return find_maps(found);
     }
     return false;
   }
@@ -211,6 +216,54 @@ class PictureJob {
     }
     solutions_.sweep = find_sweep_table(source_, *description_, found);
     return solutions_.sweep.has_value();
+  }
+
+  // Of the duty or, without one, of the gears.
+  bool find_maps(Diagnostics& found) {
+    if (const std::string why_not = why_no_maps(); !why_not.empty()) {
+      found.error("E0303",
+                  {},
+                  why_not,
+                  "add duty: {points: [{case: …, input_motion: …, input_action: …, duration: …}]}; "
+                  "'kinestat help duty' says more");
+      return false;
+    }
+    if (!find(PictureNeed::analysis)) {
+      return false;
+    }
+    const Analysis& analysis = *solutions_.analysis;
+    if (!analysis.description.duty) {
+      solutions_.maps = map_cases(analysis.mechanism, gears_of(analysis));
+    } else if (const auto duty = find_duty(path_, "", judged_file(analysis), found)) {
+      solutions_.maps = map_duty(analysis.mechanism, duty->plan);
+    }
+    return solutions_.maps.has_value();
+  }
+
+  std::string why_no_maps() const {
+    if (description_->duty) {
+      return "";
+    }
+    if (!description_->shift) {
+      return "the file has no section 'duty' or 'shift'";
+    }
+    return description_->shift->input_action.empty()
+               ? "the file has no section 'duty', and its 'shift' no 'input_action'"
+               : "";
+  }
+
+  // Their cases stand behind those of the file.
+  static std::vector<std::size_t> gears_of(const Analysis& analysis) {
+    std::vector<std::size_t> gears;
+    const auto count = std::ranges::count(
+        analysis.shift->solution.states, ShiftClass::gear, [](const NamedShiftState& one) {
+          return one.state.kind;
+        });
+    const std::size_t end = analysis.mechanism.cases.size();
+    for (std::size_t i = end - static_cast<std::size_t>(count); i < end; ++i) {
+      gears.push_back(i);
+    }
+    return gears;
   }
 
   bool find_benchmark(Diagnostics& found) {
@@ -287,6 +340,11 @@ class PictureJob {
     if (kind.need == PictureNeed::sweep && !description_->sweep) {
       return "the file has no section 'sweep'";
     }
+    if (kind.need == PictureNeed::maps) {
+      if (std::string why_not = why_no_maps(); !why_not.empty()) {
+        return why_not;
+      }
+    }
     const bool is_of_time = kind.need == PictureNeed::benchmark;
     if (is_of_time && description_->cases.empty()) {
       return "the file has no cases";
@@ -329,7 +387,7 @@ class PictureJob {
   Diagnostics found_;
   std::optional<MechanismDescription> description_;
   PictureSolutions solutions_;
-  std::array<std::optional<bool>, 6> is_found_;  ///< by PictureNeed
+  std::array<std::optional<bool>, 7> is_found_;  ///< by PictureNeed
 };
 
 // Forms that a picture has, beside svg.

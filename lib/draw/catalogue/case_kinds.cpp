@@ -1,9 +1,12 @@
 #include <array>
 
+#include <fmt/format.h>
+
 #include "cases/picture/case_maps.hpp"
 #include "cases/picture/lever_diagram.hpp"
 #include "draw/catalogue/catalogue_parts.hpp"
 #include "draw/gnuplot.hpp"
+#include "studies/duty/picture/efficiency_picture.hpp"
 #include "studies/shift/picture/ratio_ladder.hpp"
 
 namespace kinestat {
@@ -75,6 +78,31 @@ std::string why_no_levers(const PictureSource& source) {
   return why_no_velocities(source);
 }
 
+// Those of the case that is asked for, or all.
+std::vector<EfficiencyMap> maps_of(const PictureSource& source) {
+  std::vector<EfficiencyMap> maps = *source.maps;
+  if (source.which) {
+    std::erase_if(maps, [&](const EfficiencyMap& map) { return map.which != *source.which; });
+  }
+  return maps;
+}
+
+std::string why_no_maps(const PictureSource& source) {
+  if (!maps_of(source).empty()) {
+    return "";
+  }
+  constexpr std::string_view kLack =
+      "one input with a speed and a torque or force that are known and not zero";
+  return source.which ? fmt::format("case '{}' is not in the duty, or has not {}",
+                                    source.analysis->cases[*source.which].which.label,
+                                    kLack)
+                      : fmt::format("no case of a duty and no gear has {}", kLack);
+}
+
+Picture draw_maps(const PictureSource& source) {
+  return draw_efficiency_maps(*source.analysis, maps_of(source));
+}
+
 Picture draw_speeds(const PictureSource& source) {
   return draw_bar_map(speed_map(chosen(source)));
 }
@@ -139,6 +167,11 @@ constexpr auto kCaseKinds = std::to_array<PictureKind>({
      .sentence = "the ratios of the gears and the steps between them",
      .why_not = why_no_ratios,
      .draw = draw_ladder},
+    {.name = "efficiency-map",
+     .sentence = "efficiency over speed and torque of the input, with the points of a duty",
+     .need = PictureNeed::maps,
+     .why_not = why_no_maps,
+     .draw = draw_maps},
 });
 
 }  // namespace

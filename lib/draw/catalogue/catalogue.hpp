@@ -10,6 +10,7 @@
 #include "cases/analysis.hpp"
 #include "draw/picture.hpp"
 #include "studies/benchmark/report/benchmark_report.hpp"
+#include "studies/duty/efficiency_map.hpp"
 #include "studies/motion/picture/animation.hpp"
 #include "studies/motion/report/motion_table.hpp"
 #include "studies/sweep/report/sweep_table.hpp"
@@ -25,6 +26,7 @@ struct PictureSource {
   const SynthesisAnalysis* synthesis = nullptr;
   const std::vector<BenchmarkedCase>* benchmark = nullptr;
   const SweepTable* sweep = nullptr;
+  const std::vector<EfficiencyMap>* maps = nullptr;  ///< only beside `analysis`
   /// Index into Analysis::cases: the case that a picture of one case shows; empty: the first that
   /// has what it needs. Pictures of all cases show that one alone.
   std::optional<std::size_t> which = {};
@@ -32,7 +34,7 @@ struct PictureSource {
 };
 
 /// What must be found for a picture.
-enum class PictureNeed { analysis, motion, moving, synthesis, benchmark, sweep };
+enum class PictureNeed { analysis, motion, moving, synthesis, benchmark, sweep, maps };
 
 /// Whether a picture is of the file, or of one of its cases.
 enum class PictureScope { file, one_case };

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "draw/shades.hpp"
+
 namespace kinestat {
 namespace {
 
@@ -66,6 +68,38 @@ TEST(Palette, TellsSeriesApartByInkAndDash) {
 TEST(Palette, GivesNeighboursDifferentDashes) {
   for (int series = 0; series < 5; ++series) {
     EXPECT_NE(series_dash(series), series_dash(series + 1));
+  }
+}
+
+// CIE lightness of "#rrggbb" over a paper, as programs blend: channel by channel.
+double lightness(std::string_view colour, std::string_view paper, double opacity) {
+  std::string mixed = "#";
+  for (const std::size_t at : {1U, 3U, 5U}) {
+    const auto channel = [at](std::string_view of) {
+      return std::stoi(std::string(of.substr(at, 2)), nullptr, 16);
+    };
+    const double value = opacity * channel(colour) + (1.0 - opacity) * channel(paper);
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    const auto whole = static_cast<std::size_t>(std::lround(value));
+    mixed += kDigits[whole / 16];
+    mixed += kDigits[whole % 16];
+  }
+  return 116.0 * std::cbrt(luminance(mixed)) - 16.0;
+}
+
+// By lightness alone, which every eye sees: five units of it are told apart at once.
+TEST(Palette, ShadesAreAsFarApartAsEyesAsk) {
+  constexpr int kSteps = 8;
+  for (const auto& value : {light_value, dark_value}) {
+    double before = lightness(value(Ink::blue), value(Ink::paper), 0.0);
+    double sense = 0.0;
+    for (int step = 0; step < kSteps; ++step) {
+      const double one =
+          lightness(value(Ink::blue), value(Ink::paper), shade_opacity(step, kSteps));
+      sense = step == 0 ? std::copysign(1.0, one - before) : sense;
+      EXPECT_GT(sense * (one - before), step == 0 ? 2.0 : 5.0) << step;
+      before = one;
+    }
   }
 }
 
