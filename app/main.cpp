@@ -36,7 +36,7 @@ int finish(Outcome outcome) {
   return static_cast<int>(outcome.status);
 }
 
-constexpr const char* kVersionFlag = "--version";
+constexpr const char* kVersionFlags = "-V,--version";
 
 // The program with some of its commands, and what its words ask for.
 class CommandLine {
@@ -44,7 +44,7 @@ class CommandLine {
   explicit CommandLine(std::span<const Command> some) {
     app_.formatter(std::make_shared<kinestat::app::HelpFormat>());
     app_.set_version_flag(
-        kVersionFlag, "kinestat " + std::string(kinestat::kVersion), "the version");
+        kVersionFlags, "kinestat " + std::string(kinestat::kVersion), "the version");
     app_.set_help_flag("-h,--help", "this help");
     app_.require_subcommand(0, 1);
     app_.footer(
@@ -95,7 +95,7 @@ class CommandLine {
 // messages, do so for all.
 Outcome parse_and_run(const std::vector<std::string>& words) {
   const std::span<const Command> all = kinestat::app::commands();
-  if (words.size() == 1 && words.front() == kVersionFlag) {
+  if (words.size() == 1 && (words.front() == "-V" || words.front() == "--version")) {
     return CommandLine({}).run(words);
   }
   const auto named = std::ranges::find_if(all, [&words](const Command& one) {

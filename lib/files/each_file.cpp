@@ -1,9 +1,33 @@
 #include "files/each_file.hpp"
 
+#include <array>
 #include <exception>
 #include <new>
 
+#include "core/utf8.hpp"
+#include "report/csv.hpp"
+
 namespace kinestat {
+
+namespace {
+
+// A line end within quotes ends no row.
+std::string with_file_column(const std::string& table, const std::string& path) {
+  std::string cell = csv_line(std::array{printable(path)});
+  cell.back() = ',';
+  std::string text = "file,";
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    text += table[i];
+    is_quoted ^= table[i] == '"';
+    if (table[i] == '\n' && !is_quoted && i + 1 < table.size()) {
+      text += cell;
+    }
+  }
+  return text;
+}
+
+}  // namespace
 
 ReportForms stream_forms(StreamFormat format, std::size_t file_count) {
   const bool is_json = format == StreamFormat::json;
@@ -13,7 +37,11 @@ ReportForms stream_forms(StreamFormat format, std::size_t file_count) {
           .text = format == StreamFormat::table};
 }
 
-void add_to_stream(const FileReport& report, const AnalyseOptions& options, Outcome& outcome) {
+void add_to_stream(const FileReport& report,
+                   const std::string& path,
+                   const std::vector<std::string>& paths,
+                   const AnalyseOptions& options,
+                   Outcome& outcome) {
   if (options.is_quiet) {
     return;
   }
@@ -26,11 +54,12 @@ void add_to_stream(const FileReport& report, const AnalyseOptions& options, Outc
       break;
     case StreamFormat::csv:
       for (const NamedTable& table : report.csv) {
-        const std::size_t header = table.text.find('\n') + 1;
+        const std::string text = paths.size() > 1 ? with_file_column(table.text, path) : table.text;
+        const std::size_t header = text.find('\n') + 1;
         if (outcome.out.empty()) {
-          outcome.out = table.text;
-        } else if (outcome.out.starts_with(std::string_view(table.text).substr(0, header))) {
-          outcome.out += table.text.substr(header);
+          outcome.out = text;
+        } else if (outcome.out.starts_with(std::string_view(text).substr(0, header))) {
+          outcome.out += text.substr(header);
         }
       }
       break;
@@ -70,7 +99,7 @@ Outcome report_on_each_file(const std::vector<std::string>& paths,
   return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
     ReportedFile file{.path = path, .forms = forms};
     if (const std::optional<FileReport> report = answer(file)) {
-      add_to_stream(*report, options, outcome);
+      add_to_stream(*report, path, paths, options, outcome);
     }
     add_diagnostics(file.source, file.found, options.strictness, outcome);
   });

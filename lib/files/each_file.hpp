@@ -40,7 +40,12 @@ Outcome report_on_each_file(const std::vector<std::string>& paths,
 ReportForms stream_forms(StreamFormat format, std::size_t file_count);
 
 /// Appends the form that standard output wants; of several CSV tables only the first has a header,
-/// and those with other columns than the first, such as the steps of a motion, are left out.
-void add_to_stream(const FileReport& report, const AnalyseOptions& options, Outcome& outcome);
+/// and those with other columns than the first, such as the steps of a motion, are left out. Where
+/// `paths`, those of the command line, are several, the first column of a table is `file`.
+void add_to_stream(const FileReport& report,
+                   const std::string& path,
+                   const std::vector<std::string>& paths,
+                   const AnalyseOptions& options,
+                   Outcome& outcome);
 
 }  // namespace kinestat

@@ -30,6 +30,7 @@ ReportForms forms_of(const AnalyseOptions& options, std::size_t file_count) {
 }
 
 void analyse_file(const std::string& path,
+                  const std::vector<std::string>& paths,
                   const AnalyseOptions& options,
                   const ReportForms& forms,
                   Outcome& outcome) {
@@ -41,7 +42,7 @@ void analyse_file(const std::string& path,
     const std::optional<FileReport> report =
         analyse_description(path, *std::move(description), options.accuracy, forms, found);
     if (report) {
-      add_to_stream(*report, options, outcome);
+      add_to_stream(*report, path, paths, options, outcome);
       if (!options.output.folder.empty()) {
         write_report(*report, report_stem(path), options.output, found);
       }
@@ -105,7 +106,7 @@ std::optional<CertifiedAnalysis> analyse_mechanism(const std::string& path,
 Outcome analyse_files(const std::vector<std::string>& paths, const AnalyseOptions& options) {
   const ReportForms forms = forms_of(options, paths.size());
   return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
-    analyse_file(path, options, forms, outcome);
+    analyse_file(path, paths, options, forms, outcome);
   });
 }
 

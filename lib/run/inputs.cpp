@@ -283,7 +283,7 @@ Outcome inputs_files(const std::vector<std::string>& paths,
     if (const std::optional<Loaded> loaded = load(path, options.load, source, found)) {
       InputsJob job(path, *loaded, choice, found);
       if (const auto report = job.run(forms)) {
-        add_to_stream(*report, options, outcome);
+        add_to_stream(*report, path, paths, options, outcome);
       }
       if (job.has_refused()) {
         outcome.status = worst(outcome.status, ExitStatus::check_failed);

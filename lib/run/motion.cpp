@@ -68,7 +68,7 @@ Outcome motion_of_files(const std::vector<std::string>& paths,
     Diagnostics found;
     if (const auto analysis = analyse_motion(path, choice, options, source, found)) {
       const FileReport report = make_motion_report(*analysis, forms, found);
-      add_to_stream(report, options, outcome);
+      add_to_stream(report, path, paths, options, outcome);
       if (!options.output.folder.empty()) {
         write_motion(report, path, options.output, found);
       }

@@ -40,6 +40,31 @@ std::pair<std::string, double> unit_of(const ReportedValue& value, const FileUni
           units.factor(value.kind) / units.factor(*value.per)};
 }
 
+// A pulley where cables have friction, or would with other numbers: their derivatives are not
+// known.
+const CableStation* cable_with_friction(const MechanismDescription& description) {
+  for (const CableDescription& cable : description.cables) {
+    for (const CableStation& station : cable.over) {
+      if (station.eta || (station.friction && station.slip)) {
+        return &station;
+      }
+    }
+  }
+  return nullptr;
+}
+
+void warn_of_cables(const Analysis& analysis, Diagnostics& found) {
+  const CableStation* cable = cable_with_friction(analysis.description);
+  const bool has_actions = std::ranges::any_of(
+      analysis.cases, [](const CaseAnalysis& one) { return one.action.has_value(); });
+  if (cable != nullptr && has_actions) {
+    found.warning("W0302",
+                  cable->where,
+                  "derivatives of actions are not analysed yet where cables have friction",
+                  "compare two analyses with --set");
+  }
+}
+
 class SensitivityJob {
  public:
   SensitivityJob(const Analysis& analysis, const SensitivityChoice& choice, Diagnostics& found)
@@ -69,7 +94,6 @@ class SensitivityJob {
         cases.push_back({.label = one.which.label, .values = differentiate(c, bases, derivatives)});
       }
     }
-    warn_of_cables();
     check_answered();
     if (found_.error_count() > errors_before) {
       return std::nullopt;
@@ -133,8 +157,8 @@ class SensitivityJob {
                                               const MechanismDerivatives& common) {
     const CaseAnalysis& one = analysis_.cases[case_index];
     const bool has_rates = one.motion && one.motion->status == SolveStatus::solved;
-    const bool has_actions =
-        one.action && !one.action->magnitudes.empty() && cable_with_friction() == nullptr;
+    const bool has_actions = one.action && !one.action->magnitudes.empty() &&
+                             cable_with_friction(analysis_.description) == nullptr;
     Mechanism mechanism = analysis_.mechanism;
     MechanismDerivatives derivatives = common;
     load_coast_flanks(one.coast_flanks, mechanism.geometry);
@@ -162,31 +186,6 @@ class SensitivityJob {
       known_names_ = reported_value_names(values);
     }
     return result;
-  }
-
-  // A pulley where cables have friction, or would with other numbers: their derivatives are not
-  // known.
-  const CableStation* cable_with_friction() const {
-    for (const CableDescription& cable : analysis_.description.cables) {
-      for (const CableStation& station : cable.over) {
-        if (station.eta || (station.friction && station.slip)) {
-          return &station;
-        }
-      }
-    }
-    return nullptr;
-  }
-
-  void warn_of_cables() {
-    const CableStation* cable = cable_with_friction();
-    const bool has_actions = std::ranges::any_of(
-        analysis_.cases, [](const CaseAnalysis& one) { return one.action.has_value(); });
-    if (cable != nullptr && has_actions) {
-      found_.warning("W0302",
-                     cable->where,
-                     "derivatives of actions are not analysed yet where cables have friction",
-                     "compare two analyses with --set");
-    }
   }
 
   static bool is_of_mesh_losses(const std::string& name) {
@@ -268,6 +267,7 @@ Outcome sensitivity_files(const std::vector<std::string>& paths,
     const Analysis analysis = solve_cases(file.path, *std::move(loaded));
     add_findings(analysis, file.found);
     const std::optional<FoundSensitivity> answer = find_sensitivity(analysis, choice, file.found);
+    warn_of_cables(analysis, file.found);
     if (!answer) {
       return std::nullopt;
     }

@@ -5,6 +5,8 @@
 #include <new>
 #include <thread>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -116,6 +118,49 @@ void store(const SweepTask& task,
   }
 }
 
+// Where the parameters are declared that criteria of the command line name: they are used, though
+// the file cannot tell. What the rows hold is a quantity first.
+std::vector<SourceRange> ranking_parameters(const MechanismDescription& description,
+                                            const std::optional<BestChoice>& best) {
+  std::vector<SourceRange> places;
+  if (!best || !description.sweep) {
+    return places;
+  }
+  const std::vector<Name>& report = description.sweep->report;
+  for (const Criterion& one : best->criteria) {
+    const auto parsed = parse_expression(one.by);
+    const auto* const formula = std::get_if<Expression>(&parsed);
+    for (const auto& parameter : description.parameters) {
+      const std::string& name = parameter.name.text;
+      if (formula != nullptr &&
+          std::ranges::find(formula->names(), name) != formula->names().end() &&
+          std::ranges::find(report, name, &Name::text) == report.end()) {
+        places.push_back(parameter.name.where);
+      }
+    }
+  }
+  return places;
+}
+
+// Without saying of those that they are never used.
+std::optional<Loaded> bind_ranked(MechanismDescription description,
+                                  const std::optional<BestChoice>& best,
+                                  Diagnostics& found) {
+  const std::vector<SourceRange> used = ranking_parameters(description, best);
+  Diagnostics of_file;
+  std::optional<Loaded> loaded = bind_swept(std::move(description), of_file);
+  for (const Diagnostic& one : of_file.items()) {
+    const bool is_used = one.code == "W0301" && std::ranges::find(used, one.where) != used.end();
+    if (!is_used) {
+      Diagnostic& kept = one.severity == Severity::error
+                             ? found.error(one.code, one.where, one.message, one.hint)
+                             : found.warning(one.code, one.where, one.message, one.hint);
+      kept.notes = one.notes;
+    }
+  }
+  return loaded;
+}
+
 // On one core, for a second or so.
 void tell_forecast(const SweepTask& task,
                    const SweepOptions& options,
@@ -141,7 +186,7 @@ void sweep_into(const std::string& path,
   std::optional<MechanismDescription> description =
       load_description(path, options.load, source, found);
   std::optional<Loaded> loaded =
-      description ? bind_swept(*std::move(description), found) : std::nullopt;
+      description ? bind_ranked(*std::move(description), options.best, found) : std::nullopt;
   if (loaded) {
     std::optional<SweepTask> task = make_sweep_task(source, *std::move(loaded), options, found);
     if (task) {

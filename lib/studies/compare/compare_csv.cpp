@@ -24,10 +24,17 @@ namespace kinestat {
 
 namespace {
 
-// Those of a motion tell the step too.
+// Those of a motion tell the step too, those of several files the file.
 std::vector<std::string> known_columns(const CsvRow& header) {
-  const bool is_motion = std::ranges::find(header.cells, "step") != header.cells.end();
-  return CsvReader(is_motion ? kMotionCsvHeader : kCsvHeader).next()->cells;
+  const auto has = [&](const char* column) {
+    return std::ranges::find(header.cells, column) != header.cells.end();
+  };
+  std::vector<std::string> known =
+      CsvReader(has("step") ? kMotionCsvHeader : kCsvHeader).next()->cells;
+  if (has("file")) {
+    known.insert(known.begin(), "file");
+  }
+  return known;
 }
 
 // Which cell of a row is which column; empty iff an error was added.
@@ -143,7 +150,7 @@ class TableReader {
 
   // The quantity is a path already.
   std::string place_of(const CsvRow& row) const {
-    std::string place;
+    std::string place = columns_.contains("file") ? place_below("", cell(row, "file")) : "";
     for (const char* column : {"mechanism", "case", "pass", "element"}) {
       place = place_below(place, cell(row, column));
     }

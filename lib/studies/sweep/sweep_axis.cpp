@@ -8,6 +8,7 @@
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
+#include "expression/whole_range.hpp"
 
 namespace kinestat {
 
@@ -21,51 +22,9 @@ BasicQuantity<Exact> evaluated(const Value& value, const BasicParameterTable<Exa
   return std::get<BasicQuantity<Exact>>(result);
 }
 
-// The value counted in a unit, where that is a fraction.
-std::optional<Rational> exact_count(const Exact& value, const UnitScale& unit) {
-  const bool is_fraction =
-      value.exact && (value.exact->factor == 0 || value.exact->pi_power == unit.pi_power);
-  if (!is_fraction) {
-    return std::nullopt;
-  }
-  return value.exact->factor * Rational(unit.denominator) / Rational(unit.numerator);
-}
-
 double count_of(const Exact& value, const UnitScale& unit) {
   const std::optional<Rational> exact = exact_count(value, unit);
   return exact ? to_double(*exact) : unit.from_si(value.value);
-}
-
-std::optional<double> small_whole(const Rational& value) {
-  const double number = to_double(value);
-  return is_whole(value) && std::abs(number) <= kLargestWhole ? std::optional(number)
-                                                              : std::nullopt;
-}
-
-// A range over whole numbers of a common share of the unit.
-struct WholeRange {
-  double from = 0.0;
-  double step = 0.0;
-  double denominator = 1.0;
-  double last = 0.0;  ///< index
-};
-
-std::optional<WholeRange> whole_range(const std::optional<Rational>& from,
-                                      const std::optional<Rational>& to,
-                                      const std::optional<Rational>& step) {
-  if (!from || !to || !step) {
-    return std::nullopt;
-  }
-  const Rational a = denominator(*from);
-  const Rational b = denominator(*step);
-  const Rational common = a * b / common_divisor(a, b);
-  const auto first = small_whole(*from * common);
-  const auto each = small_whole(*step * common);
-  const auto share = small_whole(common);
-  const auto last = small_whole(rounded_down((*to - *from) / *step));
-  const bool fits =
-      first && each && share && last && std::abs(*first) + *last * std::abs(*each) <= kLargestWhole;
-  return fits ? std::optional(WholeRange{*first, *each, *share, *last}) : std::nullopt;
 }
 
 }  // namespace

@@ -347,7 +347,10 @@ class Findings {
 
 }  // namespace
 
-bool check_report(const MotionPlan& plan, const Mechanism& mechanism, Diagnostics& found) {
+bool check_report(const MotionPlan& plan,
+                  const Mechanism& mechanism,
+                  Diagnostics& found,
+                  CasePlace place) {
   const MotionReport& report = plan.report;
   const bool needs_ends = report.ratio || report.transmission_angle || report.mechanical_advantage;
   const bool needs_motion = report.velocity || report.acceleration || report.power || needs_ends;
@@ -356,13 +359,18 @@ bool check_report(const MotionPlan& plan, const Mechanism& mechanism, Diagnostic
     if (!needs_motion && !needs_action) {
       return true;
     }
-    found.error("E0303",
-                plan.where,
-                "'motion' asks for more than positions and lacks the key 'case'",
-                mechanism.cases.empty()
-                    ? "add a case that gives the speed of the drive, and name it: case: LABEL"
-                    : fmt::format("name the case whose speeds and loads apply: case: {}",
-                                  printable(mechanism.cases.front().label)));
+    const std::string label =
+        mechanism.cases.empty() ? "LABEL" : printable(mechanism.cases.front().label);
+    found.error(
+        "E0303",
+        plan.where,
+        "'motion' asks for more than positions and lacks the key 'case'",
+        fmt::format(
+            "{}: case: {}{}",
+            mechanism.cases.empty() ? "add a case that gives the speed of the drive, and name it"
+                                    : "name the case whose speeds and loads apply",
+            label,
+            place == CasePlace::sweep ? fmt::format(", or cases: [{}] under 'sweep'", label) : ""));
     return false;
   }
   const Case& which = mechanism.cases[static_cast<std::size_t>(plan.which)];

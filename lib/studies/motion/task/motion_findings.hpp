@@ -6,9 +6,15 @@
 
 namespace kinestat {
 
+/// Where a case may be named: in 'motion', or in 'sweep' too.
+enum class CasePlace { motion, sweep };
+
 /// Whether what the plan asks for can be answered: quantities that need a case, or its input and
 /// output. False iff an error was added.
-bool check_report(const MotionPlan& plan, const Mechanism& mechanism, Diagnostics& found);
+bool check_report(const MotionPlan& plan,
+                  const Mechanism& mechanism,
+                  Diagnostics& found,
+                  CasePlace place = CasePlace::motion);
 
 /// Couplings that cannot be moved: E0507. False iff there are any.
 bool check_movable(const FoundMotion& motion, const Mechanism& mechanism, Diagnostics& found);

@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "cases/case_status.hpp"
+#include "core/tolerance.hpp"
 #include "couplings/kinds.hpp"
 #include "studies/motion/motion.hpp"
+#include "studies/motion/task/drive_counts.hpp"
 #include "studies/motion/task/motion_columns.hpp"
 #include "studies/motion/task/motion_events.hpp"
 #include "studies/motion/task/position_findings.hpp"
@@ -58,7 +60,8 @@ class TableMaker {
         solution_(motion.solution),
         plan_(motion.plan),
         scope_(scope),
-        found_(found) {}
+        found_(found),
+        counts_(drive_counts(description, topology_, plan_)) {}
 
   MotionTable run() {
     table_.end = end_of(solution_.status);
@@ -85,6 +88,17 @@ class TableMaker {
     return result == 0.0 ? 0.0 : result;
   }
 
+  // The number that would be typed there, 30 deg and not 29.999999999999996; what the step is where
+  // the motion ends before it.
+  double drive_at(std::size_t d, int p) const {
+    const std::optional<WholeRange>& count = counts_[d];
+    const double share =
+        p == plan_.steps ? 1.0 : static_cast<double>(p) / static_cast<double>(plan_.steps);
+    return count && solution_.shares[static_cast<std::size_t>(p)] == share
+               ? count->at(p)
+               : in_unit(kind_of(plan_.drives[d]), solution_.drive_value(d, p));
+  }
+
   void add_drives() {
     const int last = solution_.position_count() - 1;
     for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
@@ -92,16 +106,15 @@ class TableMaker {
       const MotionKind kind = kind_of(drive);
       const ActuatorTopology& actuator =
           topology_.actuators[static_cast<std::size_t>(drive.actuator)];
-      table_.drives.push_back(
-          {.name = actuator.name,
-           .freedom = topology_.freedom_name(drive.freedom),
-           .unit = unit_text(units_, kind),
-           .from = in_unit(kind, drive.from),
-           .to = in_unit(kind, drive.to),
-           .reached = !solution_.lost_at.empty()
-                          ? std::optional(in_unit(kind, solution_.lost_at[d]))
-                      : last < 0 ? std::nullopt
-                                 : std::optional(in_unit(kind, solution_.drive_value(d, last)))});
+      table_.drives.push_back({.name = actuator.name,
+                               .freedom = topology_.freedom_name(drive.freedom),
+                               .unit = unit_text(units_, kind),
+                               .from = in_unit(kind, drive.from),
+                               .to = in_unit(kind, drive.to),
+                               .reached = !solution_.lost_at.empty()
+                                              ? std::optional(in_unit(kind, solution_.lost_at[d]))
+                                          : last < 0 ? std::nullopt
+                                                     : std::optional(drive_at(d, last))});
       table_.columns.push_back(
           {.element = actuator.name, .quantity = "drive", .unit = unit_text(units_, kind)});
     }
@@ -121,6 +134,10 @@ class TableMaker {
     }
     for (const MotionReading& reading : readings_) {
       table_.columns.push_back(reading.column);
+      const auto drive =
+          std::ranges::find(table_.drives, reading.column.element, &DriveTravel::freedom);
+      const bool is_driven = drive != table_.drives.end() && reading.column.quantity == "position";
+      driven_.push_back(is_driven ? static_cast<int>(drive - table_.drives.begin()) : -1);
     }
     for (int p = 0; p < solution_.position_count(); ++p) {
       const Configuration configuration = solution_.configuration_at(p);
@@ -190,12 +207,13 @@ class TableMaker {
     row.lacks_accelerations =
         detail_.acceleration && has_motion(position) && position.state.twist_rates.empty();
     for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
-      row.values.emplace_back(in_unit(kind_of(plan_.drives[d]), solution_.drive_value(d, p)));
+      row.values.emplace_back(drive_at(d, p));
     }
-    for (const MotionReading& reading : readings_) {
+    for (std::size_t r = 0; r < readings_.size(); ++r) {
+      const MotionReading& reading = readings_[r];
       const std::optional<double> value = reading.value(position);
       row.values.push_back(value && std::isfinite(*value)
-                               ? std::optional(in_unit(reading.kind, *value))
+                               ? std::optional(value_in_unit(r, p, *value))
                                : std::nullopt);
       const bool is_left_out = !value && has_motion(position);
       row.drops_velocities |= is_left_out && is_rate(reading.kind);
@@ -204,6 +222,15 @@ class TableMaker {
     }
     table_.rows.push_back(std::move(row));
     sliding_.push_back(sliding_at(position));
+  }
+
+  // A driven freedom stands where its drive does.
+  double value_in_unit(std::size_t reading, int p, double value) const {
+    const auto d = static_cast<std::size_t>(std::max(driven_[reading], 0));
+    const double drive = solution_.drive_value(d, p);
+    const bool is_drive =
+        driven_[reading] >= 0 && std::abs(value - drive) <= kSameValue * std::abs(drive);
+    return is_drive ? drive_at(d, p) : in_unit(readings_[reading].kind, value);
   }
 
   // The motion against which each friction works; empty where none is known.
@@ -447,8 +474,10 @@ class TableMaker {
   const MotionPlan& plan_;
   const MotionScope& scope_;
   PositionFindings& found_;
+  std::vector<std::optional<WholeRange>> counts_;  // of each drive
   MotionDetail detail_;
   std::vector<MotionReading> readings_;
+  std::vector<int> driven_;                 // of each reading the drive whose position it is, or -1
   std::vector<std::vector<Vec3>> sliding_;  // of each row
   std::vector<CaseFindings> said_;          // likewise
   MotionTable table_;

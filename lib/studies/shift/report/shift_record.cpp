@@ -169,8 +169,28 @@ const Record<LoadedCoupling>& worst_mesh_record() {
   return record;
 }
 
-auto read_loaded(std::optional<LoadedCoupling> GearValues::*member) {
-  return [member](const StateView& v) { return *v.gear.*member; };
+// Tables have the coupling as the element of its force.
+void add_worst(Record<StateView>& keys,
+               const std::string& key,
+               const Record<LoadedCoupling>& record,
+               std::optional<LoadedCoupling> GearValues::*member) {
+  keys.part(key, record, [member](const StateView& v) { return *v.gear.*member; })
+      .not_in_tables()
+      .only_if(is_gear);
+  keys.custom(key,
+              map_shape(number_shape(QuantityKind::force, true)),
+              "Its force by its name.",
+              [member](const StateView& v, Archive& to) {
+                const std::optional<LoadedCoupling>& worst = *v.gear.*member;
+                to.begin_map();
+                to.element(worst ? worst->name : "", {});
+                to.quantity(worst ? std::optional(worst->force) : std::nullopt,
+                            QuantityKind::force);
+                to.end_map();
+              })
+      .in_tables_as(key + "/force")
+      .only_in_tables()
+      .only_if(is_gear);
 }
 
 void emit_limits(const StateView& v, const Each<LimitUse>& each) {
@@ -261,9 +281,8 @@ void add_gear(Record<StateView>& keys) {
   keys.map("elements", element_record(), "Every shift element of the gear by name.", emit_elements)
       .in_tables_as("")
       .only_if(is_gear);
-  keys.part("worst_bearing", worst_bearing_record(), read_loaded(&GearValues::bearing))
-      .only_if(is_gear);
-  keys.part("worst_mesh", worst_mesh_record(), read_loaded(&GearValues::mesh)).only_if(is_gear);
+  add_worst(keys, "worst_bearing", worst_bearing_record(), &GearValues::bearing);
+  add_worst(keys, "worst_mesh", worst_mesh_record(), &GearValues::mesh);
   keys.number("limit_use",
               Bare::ratio,
               "The largest of its torques and speeds over their limits, of a file that gives "

@@ -77,6 +77,12 @@ std::string brief_name(const MotionColumn& column) {
   return quantity == "action" ? column.element : is_of_whole ? quantity : std::string();
 }
 
+template <class Candidates>
+auto find_column(const Candidates& all, const std::string& column) {
+  return std::ranges::find_if(
+      all, [&](const auto& one) { return one.dotted == column || one.brief == column; });
+}
+
 }  // namespace
 
 MotionColumnSearch::MotionColumnSearch(const MechanismDescription& description,
@@ -98,28 +104,31 @@ MotionColumnSearch::MotionColumnSearch(const MechanismDescription& description,
   asked_.scope = {.columns = std::vector<std::string>(), .dead_points = false};
   asked_.cases = std::move(cases);
   for (const int which : asked_.cases) {
-    add_candidates(which);
+    candidates_.push_back(candidates_of(which));
   }
 }
 
-void MotionColumnSearch::add_candidates(int which) {
-  candidates_.emplace_back();
+std::vector<MotionColumnSearch::Candidate> MotionColumnSearch::candidates_of(int which) const {
+  std::vector<Candidate> all;
   MotionReport positions;
   for (int f = 0; f < mechanism_.topology.freedom_count(); ++f) {
     positions.positions.push_back(f);
   }
-  add_candidates(which, positions);
+  add_candidates(which, positions, all);
   for (const std::string& word : motion_report_words()) {
-    add_candidates(which, report_of(word));
+    add_candidates(which, report_of(word), all);
   }
-  candidates_.back().push_back({.name = std::string(kClosureErrorColumn),
-                                .dotted = std::string(kClosureErrorColumn),
-                                .brief = {},
-                                .unit = {},
-                                .needs = {}});
+  all.push_back({.name = std::string(kClosureErrorColumn),
+                 .dotted = std::string(kClosureErrorColumn),
+                 .brief = {},
+                 .unit = {},
+                 .needs = {}});
+  return all;
 }
 
-void MotionColumnSearch::add_candidates(int which, const MotionReport& needs) {
+void MotionColumnSearch::add_candidates(int which,
+                                        const MotionReport& needs,
+                                        std::vector<Candidate>& all) const {
   MotionPlan plan = plan_;
   plan.which = which;
   plan.report = needs;
@@ -129,7 +138,6 @@ void MotionColumnSearch::add_candidates(int which, const MotionReport& needs) {
   }
   MotionPosition first;
   first.freedoms = positions_;
-  std::vector<Candidate>& all = candidates_.back();
   for (const MotionReading& one : motion_readings(description_, mechanism_, plan, first)) {
     std::string name = one.column.name();
     if (std::ranges::find(all, name, &Candidate::name) == all.end()) {
@@ -149,9 +157,7 @@ std::optional<SweepColumn> MotionColumnSearch::find(const Name& name) {
   }
   const Candidate* column = nullptr;
   for (const std::vector<Candidate>& of_case : candidates_) {
-    const auto at = std::ranges::find_if(of_case, [&](const Candidate& one) {
-      return one.dotted == asked.column || one.brief == asked.column;
-    });
+    const auto at = find_column(of_case, asked.column);
     if (at == of_case.end()) {
       continue;
     }
@@ -223,23 +229,48 @@ void MotionColumnSearch::refuse_column(const Name& name, const std::string& colu
 
 // Where a case does not say what a word of the report needs, that is the matter.
 bool MotionColumnSearch::lacks_case(const std::string& column) {
-  return std::ranges::any_of(motion_report_words(), [&](const std::string& word) {
-    const bool is_of_word = column == word || column.ends_with("." + word);
-    return is_of_word && !can_report(report_of(word), found_);
-  });
+  return needs_case_of_its_own(column) ||
+         std::ranges::any_of(motion_report_words(), [&](const std::string& word) {
+           const bool is_of_word = column == word || column.ends_with("." + word);
+           return is_of_word && !can_report(report_of(word));
+         });
 }
 
-bool MotionColumnSearch::can_report(const MotionReport& report, Diagnostics& found) const {
-  return std::ranges::all_of(asked_.cases, [&](int which) {
+// A motion with one of the cases has the column, and this one is without any.
+bool MotionColumnSearch::needs_case_of_its_own(const std::string& column) {
+  if (std::ranges::find(asked_.cases, -1) == asked_.cases.end()) {
+    return false;
+  }
+  for (std::size_t c = 0; c < mechanism_.cases.size(); ++c) {
+    const std::vector<Candidate> all = candidates_of(static_cast<int>(c));
+    const auto at = find_column(all, column);
+    if (at != all.end()) {
+      return !can_report(at->needs);
+    }
+  }
+  return false;
+}
+
+bool MotionColumnSearch::can_report(const MotionReport& report) {
+  Diagnostics found;
+  const bool can = std::ranges::all_of(asked_.cases, [&](int which) {
     MotionPlan plan = plan_;
     plan.which = which;
     plan.report = report;
-    return check_report(plan, mechanism_, found);
+    return check_report(plan, mechanism_, found, CasePlace::sweep);
   });
+  // Once for all columns.
+  for (const Diagnostic& one : found.items()) {
+    if (std::ranges::find(found_.items(), one.message, &Diagnostic::message) ==
+        found_.items().end()) {
+      found_.error(one.code, one.where, one.message, one.hint);
+    }
+  }
+  return can;
 }
 
 std::optional<SweptMotion> MotionColumnSearch::take() {
-  return can_report(asked_.report, found_) ? std::optional(std::move(asked_)) : std::nullopt;
+  return can_report(asked_.report) ? std::optional(std::move(asked_)) : std::nullopt;
 }
 
 SweepColumn MotionColumnSearch::add(const Name& name, SweptFigure figure, std::string unit) {

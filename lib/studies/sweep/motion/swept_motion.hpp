@@ -55,11 +55,12 @@ class MotionColumnSearch {
     MotionReport needs;
   };
 
-  void add_candidates(int which);
-  void add_candidates(int which, const MotionReport& needs);
+  std::vector<Candidate> candidates_of(int which) const;
+  void add_candidates(int which, const MotionReport& needs, std::vector<Candidate>& all) const;
   void refuse_column(const Name& name, const std::string& column);
   bool lacks_case(const std::string& column);
-  bool can_report(const MotionReport& report, Diagnostics& found) const;
+  bool needs_case_of_its_own(const std::string& column);
+  bool can_report(const MotionReport& report);
   std::optional<SweepColumn> find_dead_points(const Name& name, const MotionFigureName& asked);
   SweepColumn add(const Name& name, SweptFigure figure, std::string unit);
 

@@ -95,10 +95,30 @@ class TaskText {
     } else if (!task_.dyads && !task_.curves) {
       text += "any point is a circle point\n";
     }
+    text += offer_text();
     return text;
   }
 
  private:
+  // Three and four positions leave circle points to choose from; a family that holds otherwise does
+  // not.
+  std::string offer_text() const {
+    int count = 0;
+    for (const PositionJets& position : task_.positions) {
+      count += position.order();
+    }
+    const bool is_family = task_.special != Degeneracy::none ||
+                           (task_.curves && task_.curves->status != BurmesterStatus::solved);
+    const bool are_chosen =
+        std::ranges::find(analysis_.description.synthesis->vary,
+                          FreeNumber::circle_points,
+                          &SynthesisRange::which) != analysis_.description.synthesis->vary.end();
+    return count < 3 || count > 4 || is_family || are_chosen
+               ? ""
+               : "to select linkages, say where their circle points may lie:\n"
+                 "  vary: {circle_points: {from: [x, y], to: [x, y]}}\n";
+  }
+
   // What tells this task from the others of the file; its number is that of files and other forms.
   std::string choice_text() const {
     std::vector<double> angles;

@@ -1,0 +1,66 @@
+#include "studies/motion/task/drive_counts.hpp"
+
+#include <variant>
+
+#include "expression/evaluate.hpp"
+#include "expression/parameters.hpp"
+
+namespace kinestat {
+
+namespace {
+
+class DriveCounter {
+ public:
+  DriveCounter(const MechanismDescription& description, const MotionPlan& plan)
+      : description_(description),
+        steps_(plan.steps),
+        table_(evaluate_parameters<Exact>(parameters_of(description)).table) {}
+
+  std::optional<WholeRange> count(const DriveRange& typed, const PlannedDrive& drive, bool turns) {
+    const QuantityKind kind = turns ? QuantityKind::angle : QuantityKind::length;
+    const auto from = count(typed.from, kind, drive.from);
+    const auto to = count(typed.to, kind, drive.to);
+    if (!from || !to || *from == *to) {
+      return std::nullopt;
+    }
+    return whole_range(from, to, (*to - *from) / Rational(steps_));
+  }
+
+ private:
+  // An end that is left out is where the mechanism is drawn.
+  std::optional<Rational> count(const std::optional<Value>& typed,
+                                QuantityKind kind,
+                                double planned) {
+    if (!typed) {
+      return Rational(0);
+    }
+    const auto value =
+        evaluate_as<Exact>(kind, typed->expression, description_.units, table_.lookup(), {});
+    const auto* const exact = std::get_if<Exact>(&value);
+    return exact != nullptr && exact->value == planned
+               ? exact_count(*exact, description_.units.scale(kind))
+               : std::nullopt;
+  }
+
+  const MechanismDescription& description_;
+  int steps_ = 0;
+  BasicParameterTable<Exact> table_;
+};
+
+}  // namespace
+
+std::vector<std::optional<WholeRange>> drive_counts(const MechanismDescription& description,
+                                                    const Topology& topology,
+                                                    const MotionPlan& plan) {
+  const std::vector<DriveRange>& typed = description.motion->drives;
+  DriveCounter counter(description, plan);
+  std::vector<std::optional<WholeRange>> counts;
+  for (std::size_t d = 0; d < plan.drives.size(); ++d) {
+    const PlannedDrive& drive = plan.drives[d];
+    const bool turns = topology.freedoms[static_cast<std::size_t>(drive.freedom)].is_rotation;
+    counts.push_back(d < typed.size() ? counter.count(typed[d], drive, turns) : std::nullopt);
+  }
+  return counts;
+}
+
+}  // namespace kinestat
