@@ -119,22 +119,20 @@ void store(const SweepTask& task,
 }
 
 // Where the parameters are declared that criteria of the command line name: they are used, though
-// the file cannot tell. What the rows hold is a quantity first.
+// the file cannot tell. A name alone is that of a quantity.
 std::vector<SourceRange> ranking_parameters(const MechanismDescription& description,
                                             const std::optional<BestChoice>& best) {
   std::vector<SourceRange> places;
-  if (!best || !description.sweep) {
+  if (!best) {
     return places;
   }
-  const std::vector<Name>& report = description.sweep->report;
   for (const Criterion& one : best->criteria) {
     const auto parsed = parse_expression(one.by);
     const auto* const formula = std::get_if<Expression>(&parsed);
     for (const auto& parameter : description.parameters) {
       const std::string& name = parameter.name.text;
-      if (formula != nullptr &&
-          std::ranges::find(formula->names(), name) != formula->names().end() &&
-          std::ranges::find(report, name, &Name::text) == report.end()) {
+      if (formula != nullptr && name != one.by &&
+          std::ranges::find(formula->names(), name) != formula->names().end()) {
         places.push_back(parameter.name.where);
       }
     }
