@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "core/contract.hpp"
@@ -61,8 +62,14 @@ class Selector {
            const CandidateMaker& make,
            std::size_t keep,
            const ForEach& for_each,
-           const ShortfallFinder& lacking)
-      : ranges_(ranges), make_(make), keep_(keep), for_each_(for_each), lacking_(lacking) {}
+           const ShortfallFinder& lacking,
+           ChoiceHalves halves)
+      : ranges_(ranges),
+        make_(make),
+        keep_(keep),
+        for_each_(for_each),
+        lacking_(lacking),
+        exchange_(halves == ChoiceHalves::alike ? ranges.size() / 2 : 0) {}
 
   Selection run() {
     try_samples();
@@ -73,6 +80,9 @@ class Selector {
       peaks[i] = selected(places[i]);
       improve(peaks[i]);
     });
+    if (exchange_ > 0) {
+      sort(peaks);  // of two orders of the dyads the better one is kept
+    }
     for (SelectedLinkage& one : peaks) {
       keep_if_new(std::move(one));
     }
@@ -159,7 +169,8 @@ class Selector {
     std::ranges::stable_sort(peaks, [&](std::size_t a, std::size_t b) {
       return samples_[a].margin > samples_[b].margin;
     });
-    peaks.resize(std::min(peaks.size(), kPeaks * keep_));
+    const std::size_t orders = exchange_ > 0 ? 2 : 1;  // of the dyads
+    peaks.resize(std::min(peaks.size(), orders * kPeaks * keep_));
     return peaks;
   }
 
@@ -192,7 +203,8 @@ class Selector {
   // what they are free for, very different ones too.
   void keep_if_new(SelectedLinkage one) {
     const bool is_known = std::ranges::any_of(selection_.best, [&](const SelectedLinkage& other) {
-      return is_near(one, other) || is_same(one.candidate, other.candidate);
+      return is_near(one, other, 0) || (exchange_ > 0 && is_near(one, other, exchange_)) ||
+             is_same(one.candidate, other.candidate);
     });
     if (!is_known) {
       selection_.best.push_back(std::move(one));
@@ -205,9 +217,11 @@ class Selector {
            std::abs(one.longest - other.longest) < kSameLinkage * one.longest;
   }
 
-  bool is_near(const SelectedLinkage& one, const SelectedLinkage& other) const {
+  // With the numbers of the other so many places further on.
+  bool is_near(const SelectedLinkage& one, const SelectedLinkage& other, std::size_t places) const {
     for (std::size_t i = 0; i < ranges_.size(); ++i) {
-      if (std::abs(one.choice[i] - other.choice[i]) > std::abs(step(i))) {
+      const double number = other.choice[(i + places) % ranges_.size()];
+      if (std::abs(one.choice[i] - number) > std::abs(step(i))) {
         return false;
       }
     }
@@ -284,6 +298,7 @@ class Selector {
   std::size_t keep_;
   const ForEach& for_each_;
   const ShortfallFinder& lacking_;
+  std::size_t exchange_ = 0;     // numbers of one dyad, where those of the other are alike
   std::vector<Sample> samples_;  // the last range runs fastest
   Selection selection_;
 };
@@ -305,9 +320,10 @@ Selection select_linkages(std::span<const SelectionRange> ranges,
                           const CandidateMaker& make,
                           int keep,
                           const ForEach& for_each,
-                          const ShortfallFinder& lacking) {
+                          const ShortfallFinder& lacking,
+                          ChoiceHalves halves) {
   KINESTAT_EXPECTS(keep > 0);
-  return Selector(ranges, make, static_cast<std::size_t>(keep), for_each, lacking).run();
+  return Selector(ranges, make, static_cast<std::size_t>(keep), for_each, lacking, halves).run();
 }
 
 }  // namespace kinestat

@@ -48,15 +48,20 @@ struct Selection {
   std::array<int, kMissingCount> missing{};  ///< the others by their Missing
 };
 
+/// Whether the second half of the numbers stands for the same as the first.
+enum class ChoiceHalves { differ, alike };
+
 /// Every combination of the ranges; of those that no neighbour surpasses the `keep` best are
 /// improved between their neighbours, step by step along each number, as long as the margin of the
 /// transmission angle grows. Where none is usable, the nearest has the mildest defect, and of those
 /// that miss a limit it misses it least. The same result in every run, whatever `for_each` does at
-/// once. Without `lacking` a choice without a linkage misses dyads.
+/// once. Without `lacking` a choice without a linkage misses dyads. Where `halves` are alike, one
+/// for each dyad, their exchange makes no other linkage, and the best have it once.
 Selection select_linkages(std::span<const SelectionRange> ranges,
                           const CandidateMaker& make,
                           int keep,
                           const ForEach& for_each = one_after_another,
-                          const ShortfallFinder& lacking = {});
+                          const ShortfallFinder& lacking = {},
+                          ChoiceHalves halves = ChoiceHalves::differ);
 
 }  // namespace kinestat

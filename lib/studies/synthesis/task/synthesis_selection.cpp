@@ -101,7 +101,8 @@ void select_circle_points(const SynthesisValues& values,
     analysis.tasks.push_back(solve_task(positions, limits));
     return;
   }
-  const Selection selection = select_linkages(ranges, make, kKept, for_each);
+  const Selection selection =
+      select_linkages(ranges, make, kKept, for_each, {}, ChoiceHalves::alike);
   add_counts(selection, analysis);
   for (const SelectedLinkage& one : shown_of(selection)) {
     SynthesisTask task;
