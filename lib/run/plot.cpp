@@ -19,6 +19,7 @@
 #include "run/analyse.hpp"
 #include "run/benchmark.hpp"
 #include "run/motion.hpp"
+#include "run/picture_suffix.hpp"
 #include "run/sweep.hpp"
 #include "run/synthesis.hpp"
 #include "studies/duty/task/find_duty.hpp"
@@ -397,49 +398,6 @@ std::string other_forms(const PictureKind& kind) {
                                    : "it has no other form than svg";
 }
 
-// Pictures of dots and pages, which are made of the SVG by a program that has fonts.
-struct ForeignForm {
-  std::string_view suffix;
-  std::string_view by;  ///< what makes it of an SVG; empty: several programs do
-};
-
-constexpr ForeignForm kForeignForms[] = {{"png", "rsvg-convert"},
-                                         {"pdf", "rsvg-convert -f pdf"},
-                                         {"ps", "rsvg-convert -f ps"},
-                                         {"eps", "rsvg-convert -f eps"},
-                                         {"jpg", {}},
-                                         {"jpeg", {}},
-                                         {"gif", {}},
-                                         {"webp", {}},
-                                         {"tif", {}},
-                                         {"tiff", {}},
-                                         {"bmp", {}}};
-
-// Complains about a file whose name promises what is not written.
-bool check_suffix(const PlotChoice& choice, Outcome& outcome) {
-  const std::size_t dot = choice.path.rfind('.');
-  if (dot == std::string::npos) {
-    return true;
-  }
-  std::string suffix = choice.path.substr(dot + 1);
-  std::ranges::transform(suffix, suffix.begin(), [](char letter) {
-    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  });
-  const auto* const foreign = std::ranges::find(kForeignForms, suffix, &ForeignForm::suffix);
-  if (foreign == std::end(kForeignForms)) {
-    return true;
-  }
-  const std::string path = printable(choice.path);
-  const std::string svg = printable(choice.path.substr(0, dot)) + ".svg";
-  add_message("E0101",
-              fmt::format("-o {}: pictures are not written as {}", path, suffix),
-              foreign->by.empty()
-                  ? fmt::format("write -o {}, which other programs turn into {}", svg, suffix)
-                  : fmt::format("write -o {}, then: {} -o {} {}", svg, foreign->by, path, svg),
-              outcome);
-  return false;
-}
-
 // Complains about a picture or a form that there is not.
 bool check_choice(const PlotChoice& choice, Outcome& outcome) {
   if (choice.picture == kListPictures) {
@@ -492,7 +450,7 @@ Outcome plot_file(const std::string& path,
                   const Clock& clock) {
   Outcome outcome;
   outcome.form = options.diagnostics;
-  if (!check_choice(choice, outcome) || !check_suffix(choice, outcome)) {
+  if (!check_choice(choice, outcome) || !check_picture_suffix(choice.path, outcome)) {
     return outcome;
   }
   const Outcome done =

@@ -20,6 +20,7 @@ COMMANDS = {
                    "spatial/four_legged_table", "transmissions/ravigneaux_with_losses"),
     ("graph", "--matrices"): ("planar/four_bar",),
     ("shift",): ("transmissions/lepelletier_6hp26",),
+    ("duty",): ("transmissions/muncie_m20",),
     ("motion",): ("planar/slider_crank",),
     ("mobility",): ("spatial/bennett", "cables/surgical_instrument"),
     ("inputs",): ("planar/four_bar", "cables/finger_rehabilitation"),

@@ -138,6 +138,11 @@ def shift_value(shift: Any, row: dict[str, str]) -> Any:
     state = shift["states"][row["case"]]
     if row["quantity"] == "engaged":
         return int(row["element"] in state["engaged"])
+    if row["quantity"].startswith("worst_"):
+        worst = state[row["quantity"].removesuffix("/force")]
+        return worst and worst["force"]
+    if row["quantity"].startswith("limits/"):
+        return state["limits"][row["element"]][row["quantity"].removeprefix("limits/")]
     return at(state["elements"][row["element"]] if row["element"] else state, row["quantity"])
 
 

@@ -128,7 +128,8 @@ constexpr auto kDrawingKinds = std::to_array<PictureKind>({
      .why_not = why_no_nothing,
      .draw = draw_mechanism},
     {.name = "gear-scheme",
-     .sentence = "a gear train along its axis, or all its axes developed, with its clutches and brakes",
+     .sentence =
+         "a gear train along its axis, or all its axes developed, with its clutches and brakes",
      .scope = PictureScope::one_case,
      .why_not = why_no_gears,
      .draw = draw_scheme},

@@ -342,7 +342,7 @@ class SchemeWriter {
       write(name, middle, 4.0, style);
       return;
     }
-    constexpr int kPlaces = 32;  // from the middle outwards
+    constexpr int kPlaces = 32;                               // from the middle outwards
     constexpr double kBeside[] = {-10.0, 10.0, -32.0, 32.0};  // the far ones beyond plates
     std::vector<PixelPoint> places;
     for (int i = 0; i < kPlaces; ++i) {

@@ -107,7 +107,8 @@ TEST(GearSection, ReportsEveryUnknownKeyAtItsPlace) {
                         "3:38 E0302 mesh 'h' has no key 'carier'",
                         "1:1 E0302 'gears' has no key 'modul'"}));
   EXPECT_EQ(reading.found.items()[2].hint,
-            "did you mean 'module'? known keys are module, pressure_angle, helix_angle, flank, "
+            "did you mean 'module'? known keys are module, pressure_angle, "
+            "normal_pressure_angle, helix_angle, flank, "
             "axes, members, meshes");
 }
 

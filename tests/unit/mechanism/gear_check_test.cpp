@@ -66,7 +66,7 @@ TEST(GearCheck, WantsWholeCountsAndDistancesAboveZero) {
 
 TEST(GearCheck, WantsALoadThatPlanetsCanShare) {
   EXPECT_EQ(complaints_about(train("teeth: 9", "teeth: 9, count: 3, load_sharing: 3.5")),
-            (Complaints{"33:68 E0314 'load_sharing' of gear member 'planet' is 3.5, and of 3 "
+            (Complaints{"33:60 E0314 'load_sharing' of gear member 'planet' is 3.5, and of 3 "
                         "planets one cannot bear more than 3 times the mean"}));
 }
 

@@ -25,7 +25,7 @@ TEST(ShiftCheck, WantsLimitsOfWhatThereIs) {
                              "  limits: {torque: {C1: 2 N*m, in: 3}, slip: 2 N, speed: {sn: 1}}\n"),
             (Complaints{"35:32 E0313 'torque' of 'limits' names 'in', which is not in 'elements'",
                         "35:46 E0309 a force stands where an angular velocity is expected",
-                        "35:60 E0312 'speed' of 'limits' names body 'sn', which is not declared"}));
+                        "35:59 E0312 'speed' of 'limits' names body 'sn', which is not declared"}));
 }
 
 TEST(ShiftCheck, WantsLimitsAboveZero) {

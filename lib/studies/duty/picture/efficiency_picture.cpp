@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -30,8 +31,9 @@ constexpr double kGutter = 62.0;  // of numbers and words on the left
 constexpr double kGapBelow = 66.0;
 constexpr double kHead = 20.0;
 constexpr double kGap = 22.0;
-constexpr double kDot = 7.0;       // radius of the longest point
-constexpr double kLeastDot = 1.5;  // of any
+constexpr double kDot = 7.0;           // radius of the longest point
+constexpr double kLeastDot = 1.5;      // of any
+constexpr double kMostCovered = 0.06;  // of a panel by its points
 constexpr double kHatch = 5.0;
 constexpr std::size_t kMostLevels = 7;
 constexpr std::size_t kLeastLevels = 4;
@@ -94,6 +96,14 @@ class MapDrawing {
     }
     if (has_shades_) {
       levels_ = efficiency_levels(low, high);
+    }
+    for (const std::vector<MapPoint>& points : points_) {
+      double covered = 0.0;
+      for (const MapPoint& point : points) {
+        const double radius = radius_of(point.duration);
+        covered += std::numbers::pi * radius * radius / (kWidth * kHeight);
+      }
+      size_ = std::min(size_, std::sqrt(kMostCovered / std::max(covered, kMostCovered)));
     }
   }
 
@@ -276,8 +286,13 @@ class MapDrawing {
   // Areas are as durations.
   void draw_dot(PixelPoint at, double duration) {
     svg_.circle(at,
-                std::max(kDot * std::sqrt(duration / longest_), kLeastDot),
-                {.stroke = Ink::paper, .fill = Ink::vermilion, .width = 1.0});
+                size_ * radius_of(duration),
+                {.stroke = Ink::paper, .fill = Ink::vermilion, .width = size_});
+  }
+
+  // Where points do not cover much of a panel.
+  double radius_of(double duration) const {
+    return std::max(kDot * std::sqrt(duration / longest_), kLeastDot);
   }
 
   void draw_legend(double top) {
@@ -336,6 +351,7 @@ class MapDrawing {
   std::vector<std::vector<MapPoint>> points_;
   std::vector<double> levels_;
   double longest_ = 0.0;
+  double size_ = 1.0;  // of points, smaller where they are many
   bool has_blank_ = false;
   bool has_shades_ = false;
   std::string description_;
