@@ -331,7 +331,7 @@ class PageTest(PageCase):
         self.assertIn(first, findings)
 
     def test_words_of_findings_are_broken_into_lines_and_quotations_are_not(self) -> None:
-        for name in ("gears/self_locking_planetary.yaml", "cables/finger_rehabilitation.yaml"):
+        for name in ("gears/self_locking_planetary.yaml", "spatial/bennett.yaml"):
             with self.subTest(name):
                 self.open(self.page(name), width=400)
                 finding = self.ask(

@@ -65,10 +65,10 @@ class CheckZeros(unittest.TestCase):
         self.assert_allowed("lib/run/a.cpp", '// snap(x)\nconst char* a = "snap(x)";')
 
     def test_a_listed_decision_is_allowed(self) -> None:
-        self.assert_allowed("lib/statics/lossy_actions.cpp", "bool b = p < -kSmall * largest;")
+        self.assert_allowed("lib/statics/lossy_system.cpp", "bool b = p < -kSmall * largest;")
 
     def test_a_row_that_allows_nothing_is_found(self) -> None:
-        status, lines = check({"lib/statics/lossy_actions.cpp": "int none = 0;"})
+        status, lines = check({"lib/statics/lossy_system.cpp": "int none = 0;"})
         self.assertEqual(status, 1)
         self.assertIn("nothing to allow", lines[0])
 
