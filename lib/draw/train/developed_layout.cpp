@@ -265,7 +265,7 @@ class DevelopedBuilder {
       return std::ranges::any_of(train_.planets,
                                  [axis](const SchemePlanet& one) { return one.axis == axis; });
     };
-    std::ranges::stable_partition(axes, has_planet);
+    std::stable_partition(axes.begin(), axes.end(), has_planet);
     return axes;
   }
 
