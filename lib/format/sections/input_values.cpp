@@ -1,6 +1,7 @@
 #include "format/sections/input_values.hpp"
 
 #include "format/alternatives.hpp"
+#include "format/collections.hpp"
 #include "format/value_forms.hpp"
 
 namespace kinestat {
