@@ -5,19 +5,9 @@
 #include <vector>
 
 #include "core/diagnostic.hpp"
-#include "mechanism/mechanism.hpp"
+#include "mechanism/duty/duty_point.hpp"
 
 namespace kinestat {
-
-/// One case for a while, with its known magnitudes there [SI], in the order of the case's.
-struct DutyPoint {
-  std::size_t which = 0;  ///< index into Mechanism::cases
-  std::vector<double> motions;
-  std::vector<double> actions;
-  double duration = 0.0;   ///< [s]
-  SourceRange where = {};  ///< empty for a line of a table
-  int line = 0;            ///< of a table, from 1; 0 for a point of the file
-};
 
 struct DutyPlan {
   std::vector<DutyPoint> points;

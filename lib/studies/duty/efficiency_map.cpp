@@ -10,20 +10,6 @@ namespace kinestat {
 
 namespace {
 
-std::vector<double> magnitudes_of(const std::vector<Primary>& primaries) {
-  std::vector<double> values;
-  for (const Primary& primary : primaries) {
-    values.push_back(primary.value);
-  }
-  return values;
-}
-
-std::optional<std::size_t> find_known(const std::vector<Primary>& primaries, int index) {
-  const auto at = std::ranges::find(primaries, index, &Primary::index);
-  return at == primaries.end() ? std::nullopt
-                               : std::optional(static_cast<std::size_t>(at - primaries.begin()));
-}
-
 // Where the speed and the load of the input are among what a case knows.
 struct MapAxes {
   int input = 0;
@@ -32,14 +18,15 @@ struct MapAxes {
 };
 
 // Empty for a case that has not one input with both.
-std::optional<MapAxes> axes_of(const Mechanism& mechanism, const Case& which) {
-  if (which.inputs.size() != 1) {
+std::optional<MapAxes> axes_of(const Mechanism& mechanism, std::size_t which) {
+  const std::vector<int>& inputs = mechanism.cases[which].inputs;
+  if (inputs.size() != 1) {
     return std::nullopt;
   }
-  const int input = which.inputs.front();
-  const ActuatorTopology& actuator = mechanism.topology.actuators[static_cast<std::size_t>(input)];
-  const auto speed = find_known(which.motions, actuator.freedom);
-  const auto load = find_known(which.actions, actuator.action);
+  const int input = inputs.front();
+  const auto actuator = static_cast<std::size_t>(input);
+  const auto speed = find_known(mechanism, which, actuator, DutySide::motion);
+  const auto load = find_known(mechanism, which, actuator, DutySide::action);
   return speed && load ? std::optional(MapAxes{.input = input, .speed = *speed, .load = *load})
                        : std::nullopt;
 }
@@ -60,9 +47,7 @@ class MapMaker {
   explicit MapMaker(const Mechanism& mechanism) : mechanism_(mechanism) {}
 
   // Empty for a case of which there is no map.
-  std::optional<MapAxes> axes(std::size_t which) const {
-    return axes_of(mechanism_, mechanism_.cases[which]);
-  }
+  std::optional<MapAxes> axes(std::size_t which) const { return axes_of(mechanism_, which); }
 
   // The map of a case that has axes, wide enough for the point.
   EfficiencyMap& map_with(std::size_t which, const MapPoint& point) {
@@ -96,12 +81,9 @@ class MapMaker {
 
  private:
   void add_cells(const EfficiencyMap& map, DutyPlan& plan) const {
-    const Case& which = mechanism_.cases[map.which];
     const MapAxes axis = *axes(map.which);
-    DutyPoint point{.which = map.which,
-                    .motions = magnitudes_of(which.motions),
-                    .actions = magnitudes_of(which.actions),
-                    .duration = 1.0};
+    DutyPoint point = point_of(mechanism_, map.which);
+    point.duration = 1.0;
     for (std::size_t row = 0; row < kMapRows; ++row) {
       point.actions[axis.load] = middle(map.loads, row, kMapRows);
       for (std::size_t column = 0; column < kMapColumns; ++column) {

@@ -10,9 +10,6 @@
 
 namespace kinestat {
 
-/// Whether a magnitude is a speed or a load of an input.
-enum class DutySide { motion, action };
-
 /// "motion" or "action".
 std::string_view word_of(DutySide side);
 
@@ -31,17 +28,7 @@ std::string why_no_point(const Case& which);
 inline constexpr std::string_view kBothSidesHint =
     "powers need both: 'motion' and 'action' of a case, 'input_action' of 'shift'";
 
-/// The point of a case with the magnitudes that the case has.
-DutyPoint point_of(const Mechanism& mechanism, std::size_t which);
-
-/// Index into the motions or actions of the case of a point; empty if the case does not know that
-/// magnitude of the actuator.
-std::optional<std::size_t> find_known(const Mechanism& mechanism,
-                                      std::size_t which,
-                                      std::size_t actuator,
-                                      DutySide side);
-
-/// Sets that magnitude.
+/// Sets a magnitude that find_known finds.
 void set_known(std::size_t known, DutySide side, double value, DutyPoint& point);
 
 }  // namespace kinestat
