@@ -7,30 +7,36 @@
 #include <new>
 #include <span>
 #include <string_view>
+#include <unistd.h>
 #include <utility>
 
 #include "command.hpp"
 #include "core/version.hpp"
 #include "help_format.hpp"
+#include "options/file_options.hpp"
+#include "terminal/terminal.hpp"
 #include "words.hpp"
 
 namespace {
 
 using kinestat::ExitStatus;
 using kinestat::Outcome;
+using kinestat::app::ColorChoice;
 using kinestat::app::Command;
 using kinestat::app::Job;
+using kinestat::app::kColorChoices;
+using kinestat::app::layout_of;
 
 bool write(std::FILE* stream, std::string_view text) {
   const bool is_written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
   return std::fflush(stream) == 0 && is_written;
 }
 
-int finish(Outcome outcome) {
-  if (!write(stdout, outcome.out)) {
+int finish(Outcome outcome, ColorChoice color) {
+  if (!write(stdout, standard_output(outcome, layout_of(STDOUT_FILENO, color)))) {
     kinestat::add_message("E0152", "standard output cannot be written", "", outcome);
   }
-  if (!write(stderr, standard_error(outcome))) {
+  if (!write(stderr, standard_error(outcome, layout_of(STDERR_FILENO, color)))) {
     outcome.status = kinestat::worst(outcome.status, ExitStatus::environment);
   }
   return static_cast<int>(outcome.status);
@@ -41,7 +47,7 @@ constexpr const char* kVersionFlags = "-V,--version";
 // The program with some of its commands, and what its words ask for.
 class CommandLine {
  public:
-  explicit CommandLine(std::span<const Command> some) {
+  CommandLine(std::span<const Command> some, ColorChoice& color) {
     app_.formatter(std::make_shared<kinestat::app::HelpFormat>());
     app_.set_version_flag(
         kVersionFlags, "kinestat " + std::string(kinestat::kVersion), "the version");
@@ -53,8 +59,15 @@ class CommandLine {
         "  kinestat analyze crank.yaml\n"
         "  kinestat help signs\n");
     for (const Command& command : some) {
-      command.add_options(
-          *app_.add_subcommand(std::string(command.name), std::string(command.summary)), job_);
+      CLI::App& declared =
+          *app_.add_subcommand(std::string(command.name), std::string(command.summary));
+      command.add_options(declared, job_);
+      kinestat::app::add_choice<ColorChoice>(declared,
+                                             "--color",
+                                             {kColorChoices.begin(), kColorChoices.end()},
+                                             color,
+                                             "colors of texts for people; auto: on a\n"
+                                             "terminal, unless NO_COLOR is set");
     }
   }
 
@@ -93,21 +106,21 @@ class CommandLine {
 // To declare the options of all commands takes longer than to read a small file. So first those of
 // the command that is named are, and none for the version; only commands that look at others, and
 // messages, do so for all.
-Outcome parse_and_run(const std::vector<std::string>& words) {
+Outcome parse_and_run(const std::vector<std::string>& words, ColorChoice& color) {
   const std::span<const Command> all = kinestat::app::commands();
   if (words.size() == 1 && (words.front() == "-V" || words.front() == "--version")) {
-    return CommandLine({}).run(words);
+    return CommandLine({}, color).run(words);
   }
   const auto named = std::ranges::find_if(all, [&words](const Command& one) {
     return !words.empty() && words.front() == one.name && !one.looks_at_others;
   });
   if (named != all.end()) {
-    CommandLine line({named, 1});
+    CommandLine line({named, 1}, color);
     if (const Job job = line.job_of(words)) {
       return job();
     }
   }
-  return CommandLine(all).run(words);
+  return CommandLine(all, color).run(words);
 }
 
 }  // namespace
@@ -116,16 +129,18 @@ int main(int argc, char** argv) {
   // A write beyond the file size limit is then an error of that write, with its clean-up.
   std::signal(SIGXFSZ, SIG_IGN);
   const std::vector<std::string> words = kinestat::app::plain_words(argc, argv);
+  ColorChoice color = ColorChoice::automatic;
   Outcome failure;
   failure.form = kinestat::app::diagnostics_form(words);
   Outcome out_of_memory = failure;  // Made while there is some.
   kinestat::add_message("E0154", "out of memory", "", out_of_memory);
   try {
-    return finish(parse_and_run(words));
+    Outcome outcome = parse_and_run(words, color);
+    return finish(std::move(outcome), color);
   } catch (const std::bad_alloc&) {
-    return finish(std::move(out_of_memory));
+    return finish(std::move(out_of_memory), color);
   } catch (const std::exception& bug) {
     kinestat::add_bug("", bug.what(), failure);
-    return finish(std::move(failure));
+    return finish(std::move(failure), color);
   }
 }

@@ -58,7 +58,7 @@ Outcome run_streaming(const std::function<Outcome(const SweepHooks&)>& job,
   };
   Outcome outcome = job({.write = write, .progress = progress, .stop = &signals.flag()});
   if (signals.flag().load()) {
-    std::fputs(standard_error(outcome).c_str(), stderr);
+    std::fputs(standard_error(outcome, {}).c_str(), stderr);
     signals.raise_again();
   }
   return outcome;

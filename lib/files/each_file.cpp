@@ -47,7 +47,7 @@ void add_to_stream(const FileReport& report,
   }
   switch (options.format) {
     case StreamFormat::table:
-      outcome.out += report.text;
+      outcome.report += report.text;
       break;
     case StreamFormat::json:
       outcome.out += report.json_line.empty() ? report.json : report.json_line;

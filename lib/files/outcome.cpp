@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "core/codes.hpp"
-#include "report/diagnostic_json.hpp"
-#include "report/diagnostic_text.hpp"
+#include "report/diagnostics/diagnostic_json.hpp"
+#include "report/diagnostics/diagnostic_text.hpp"
 
 namespace kinestat {
 
@@ -24,10 +24,14 @@ ExitStatus status_of(const Diagnostics& found, Strictness strictness) {
   return status;
 }
 
-std::string standard_error(const Outcome& outcome) {
-  return outcome.form == DiagnosticsForm::sarif
-             ? outcome.err + sarif_log(outcome.results, outcome.status)
-             : outcome.err;
+std::string standard_output(const Outcome& outcome, const TextLayout& layout) {
+  return outcome.out + outcome.report.text(layout);
+}
+
+std::string standard_error(const Outcome& outcome, const TextLayout& layout) {
+  const std::string text = layout.is_coloured ? outcome.err.coloured() : outcome.err.plain();
+  return outcome.form == DiagnosticsForm::sarif ? text + sarif_log(outcome.results, outcome.status)
+                                                : text;
 }
 
 void add_new(const Diagnostics& more, Diagnostics& found) {
@@ -68,7 +72,7 @@ void add_diagnostics(const SourceFile& source,
   outcome.status = worst(outcome.status, status);
 }
 
-void tell(std::string_view text, Outcome& outcome) {
+void tell(const StyledText& text, Outcome& outcome) {
   if (outcome.form == DiagnosticsForm::text) {
     outcome.err += text;
   }

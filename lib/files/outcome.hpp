@@ -9,7 +9,9 @@
 #include "core/diagnostic.hpp"
 #include "core/exit_status.hpp"
 #include "core/source.hpp"
-#include "report/diagnostic_sarif.hpp"
+#include "report/diagnostics/diagnostic_sarif.hpp"
+#include "report/styled_text.hpp"
+#include "report/text_blocks.hpp"
 
 namespace kinestat {
 
@@ -30,15 +32,19 @@ inline constexpr std::array<std::pair<std::string_view, DiagnosticsForm>, 3> kDi
 
 /// The library prints nothing itself.
 struct Outcome {
-  std::string out;  ///< for standard output
-  std::string err;  ///< for standard error, before the log
+  std::string out;         ///< for standard output
+  TextBlocks report = {};  ///< likewise, behind it: laid out for what shows it
+  StyledText err = {};     ///< for standard error, before the log
   ExitStatus status = ExitStatus::done;
   DiagnosticsForm form = DiagnosticsForm::text;  ///< of messages
   SarifResults results = {};                     ///< of the log, in that form
 };
 
+/// What belongs on standard output, laid out.
+std::string standard_output(const Outcome& outcome, const TextLayout& layout);
+
 /// What belongs on standard error, with the log.
-std::string standard_error(const Outcome& outcome);
+std::string standard_error(const Outcome& outcome, const TextLayout& layout);
 
 /// The exit status that the diagnostics ask for: that of the worst code; with `strict`, warnings
 /// count as a failed check.
@@ -57,7 +63,7 @@ void add_diagnostics(const SourceFile& source,
 
 /// Appends what people like to know beside the answer, such as counts; forms for machines have it
 /// not.
-void tell(std::string_view text, Outcome& outcome);
+void tell(const StyledText& text, Outcome& outcome);
 
 /// Appends one error of the program itself, such as a wrong command line.
 void add_message(std::string_view code, std::string message, std::string hint, Outcome& outcome);

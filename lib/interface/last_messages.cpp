@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "math/numbers/big_float.hpp"
-#include "report/diagnostic_text.hpp"
+#include "report/diagnostics/diagnostic_text.hpp"
 
 namespace kinestat {
 
@@ -53,7 +53,7 @@ int kinestat_message_at(size_t index, kinestat_message* message) {
 const char* kinestat_message_text(void) {
   kinestat::CallMessages& last = kinestat::last_messages();
   try {
-    last.text = kinestat::diagnostics_text(last.source, last.found);
+    last.text = kinestat::diagnostics_text(last.source, last.found).plain();
   } catch (const std::bad_alloc&) {
     return "";
   }

@@ -106,7 +106,7 @@ class CasePart {
     html_.open("section", {{"class", "panel"}, {"id", id}, {"aria-labelledby", id + "-title"}});
     html_.element(
         section_.level(1), case_title(one), {{"id", id + "-title"}, {"class", "case-title"}});
-    add_blocks(TextBlocks(blocks.known + blocks.ratio), "Case", html_);
+    add_blocks(TextBlocks(blocks.known + blocks.results), "Case", html_);
     add_case_pictures(pictures_at(PicturePlace::one_case, section_.source(index)));
     const auto add_pass = [&](const char* title, const TextBlocks& pass, PicturePlace place) {
       if (!pass.is_empty()) {

@@ -2,7 +2,7 @@
 #include <string_view>
 
 #include "pages/page_parts.hpp"
-#include "report/diagnostic_text.hpp"
+#include "report/diagnostics/diagnostic_text.hpp"
 
 namespace kinestat {
 
@@ -34,7 +34,7 @@ void add_findings(const SourceFile& source, const Diagnostics& found, Html& html
   html.open("ul", {{"class", "findings"}});
   for (const DiagnosticText& one : diagnostic_texts(source, found)) {
     html.open("li", {{"class", one.severity == Severity::error ? "error" : "warning"}});
-    add_finding(one.text, html);
+    add_finding(one.text.plain(), html);
     html.close();
   }
   html.close();

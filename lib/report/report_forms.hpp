@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "report/text_blocks.hpp"
+
 namespace kinestat {
 
 /// One CSV table under the name of its pass.
@@ -25,7 +27,7 @@ struct FileReport {
   std::string json;
   std::string json_line;
   std::vector<NamedTable> csv;
-  std::string text;
+  TextBlocks text;
 };
 
 /// What every JSON report of this program begins with; a file that begins otherwise is foreign.

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "report/text_layout.hpp"
+
 namespace kinestat {
 
 /// The first column is aligned left, the others right; widths count characters, not bytes.
@@ -19,8 +21,9 @@ class Table {
 
   const std::vector<std::vector<std::string>>& rows() const { return rows_; }
 
-  /// Every line begins with `indent`; no line ends with spaces.
-  std::string text(const std::string& indent) const;
+  /// Every line begins with `indent`; no line ends with spaces. Where it is wider than the layout,
+  /// its columns follow in several parts, an empty line between them, each with the first column.
+  std::string text(const std::string& indent, const TextLayout& layout = {}) const;
 
  private:
   std::vector<std::string> head_;

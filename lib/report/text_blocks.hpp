@@ -9,6 +9,7 @@
 
 #include "report/column_table.hpp"
 #include "report/table.hpp"
+#include "report/text_layout.hpp"
 
 namespace kinestat {
 
@@ -19,7 +20,8 @@ struct TextBlock {
   std::string indent;  ///< before every line of the table, as text
 };
 
-/// Blocks in reading order. What stands on a terminal and on a page is made of the same ones.
+/// Blocks in reading order. What stands on a terminal and on a page is made of the same ones. Lines
+/// that are not indented are headings.
 class TextBlocks {
  public:
   TextBlocks() = default;
@@ -44,8 +46,9 @@ class TextBlocks {
 
   bool is_empty() const { return blocks_.empty(); }
 
-  /// All of it as plain text.
-  std::string text() const;
+  /// All of it as text. Lines longer than the layout is wide go on below, indented further; tables
+  /// too wide are parted after a column.
+  std::string text(const TextLayout& layout = {}) const;
 
  private:
   std::vector<TextBlock> blocks_;

@@ -107,7 +107,8 @@ void graph_file(const std::string& path,
           loaded->mechanism,
           matrices == Matrices::all ? all_matrices(*loaded, which) : std::vector<LabelledMatrix>{},
           stream_forms(options.format, count));
-      outcome.out += report.json + report.json_line + report.text;
+      outcome.out += report.json + report.json_line;
+      outcome.report += report.text;
       for (const NamedTable& table : report.csv) {
         outcome.out += table.text;
       }

@@ -180,7 +180,7 @@ void sweep_into(const std::string& path,
                 Outcome& outcome) {
   SourceFile source;
   Diagnostics found;
-  std::string messages;
+  StyledText messages;
   std::optional<MechanismDescription> description =
       load_description(path, options.load, source, found);
   std::optional<Loaded> loaded =

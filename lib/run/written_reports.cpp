@@ -10,7 +10,7 @@
 #include "core/contract.hpp"
 #include "core/page_text.hpp"
 #include "record/record_table.hpp"
-#include "report/diagnostic_json.hpp"
+#include "report/diagnostics/diagnostic_json.hpp"
 #include "report/file/report_record.hpp"
 #include "studies/compare/compare_text.hpp"
 #include "studies/sweep/report/sweep_record.hpp"

@@ -47,11 +47,11 @@ std::string answers() {
   for (const StreamFormat format : {StreamFormat::table, StreamFormat::json, StreamFormat::csv}) {
     AnalyseOptions options;
     options.format = format;
-    text += analyse_files(good, options).out;
-    text += graph_files(good, Matrices::all, "", options).out;
+    text += standard_output(analyse_files(good, options), {});
+    text += standard_output(graph_files(good, Matrices::all, "", options), {});
   }
-  return text + check_files({path("tests/cli/number_too_large/file.yaml")}, {}).err +
-         check_files({path("tests/cli/angle_plus_length/file.yaml")}, {}).err;
+  return text + check_files({path("tests/cli/number_too_large/file.yaml")}, {}).err.plain() +
+         check_files({path("tests/cli/angle_plus_length/file.yaml")}, {}).err.plain();
 }
 
 TEST(Answers, AreTheSameUnderAGlobalLocaleWithDecimalComma) {

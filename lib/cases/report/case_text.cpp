@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "cases/report/ratio_in_units.hpp"
 #include "core/utf8.hpp"
 #include "kinematics/bounded_motion.hpp"
 #include "mechanism/label_kind.hpp"
@@ -39,21 +38,6 @@ std::string known_text(const Topology& topology, const Case& which, const InUnit
   }
   return fmt::format("  known: {}\n",
                      parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", ")));
-}
-
-std::string ratio_text(const CaseAnalysis& one,
-                       const Mechanism& mechanism,
-                       const FileUnits& units) {
-  const auto [ratio, torque] = ratios_in_units(one, mechanism, units);
-  const auto shown = [](const RatioInUnits& r) {
-    return format_short(*r.value) + (r.unit.empty() ? "" : " " + r.unit);
-  };
-  std::string text = ratio.value ? fmt::format("  ratio {}", shown(ratio))
-                                 : fmt::format("  no ratio: {}", one.ratios->reason);
-  if (torque.value) {
-    text += fmt::format(", {} ratio {}", torque.unit.empty() ? "torque" : "action", shown(torque));
-  }
-  return text + "\n";
 }
 
 TextBlocks freedoms_blocks(const Topology& topology,
@@ -109,9 +93,7 @@ CaseBlocks case_blocks(const Analysis& analysis, const CaseAnalysis& one) {
   const InUnits in(analysis.description.units);
   CaseBlocks blocks;
   blocks.known = known_text(mechanism.topology, one.which, in);
-  if (one.ratios) {
-    blocks.ratio = ratio_text(one, mechanism, analysis.description.units);
-  }
+  blocks.results = results_text(mechanism, one, in);
   if (one.motion) {
     blocks.motion = motion_blocks(mechanism, *one.motion, in);
   }
@@ -125,10 +107,17 @@ CaseBlocks case_blocks(const Analysis& analysis, const CaseAnalysis& one) {
   return blocks;
 }
 
-std::string case_text(const Analysis& analysis, const CaseAnalysis& one) {
-  const CaseBlocks blocks = case_blocks(analysis, one);
-  return fmt::format("Case {}\n{}{}\n", printable(one.which.label), blocks.known, blocks.ratio) +
-         blocks.motion.text() + blocks.action.text() + blocks.power.text() + blocks.affine;
+TextBlocks case_text(const Analysis& analysis, const CaseAnalysis& one) {
+  CaseBlocks blocks = case_blocks(analysis, one);
+  TextBlocks all(fmt::format("Case {}\n", printable(one.which.label)));
+  all += blocks.known;
+  all += blocks.results;
+  all += "\n";
+  all += std::move(blocks.motion);
+  all += std::move(blocks.action);
+  all += std::move(blocks.power);
+  all += blocks.affine;
+  return all;
 }
 
 }  // namespace kinestat

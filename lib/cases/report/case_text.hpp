@@ -11,8 +11,8 @@ namespace kinestat {
 
 /// The parts of the report of a case; those of passes that it did not ask for are empty.
 struct CaseBlocks {
-  std::string known;  ///< a line: the magnitudes that the case gives
-  std::string ratio;  ///< a line: ratio and torque ratio, or why there is none
+  std::string known;    ///< a line: the magnitudes that the case gives
+  std::string results;  ///< lines: what results_text has
   TextBlocks motion;
   TextBlocks action;
   TextBlocks power;
@@ -21,16 +21,39 @@ struct CaseBlocks {
 
 CaseBlocks case_blocks(const Analysis& analysis, const CaseAnalysis& one);
 
-/// All of it as text, below a line with the name of the case.
-std::string case_text(const Analysis& analysis, const CaseAnalysis& one);
+/// All of it, below a line with the name of the case.
+TextBlocks case_text(const Analysis& analysis, const CaseAnalysis& one);
 
 /// Its actions and powers: actuators, the wrench of every coupling, the loads, and the power
 /// balance; where equilibrium leaves actions open, every action by itself instead. The case must
 /// have an action solution.
 TextBlocks statics_blocks(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in);
 
-/// Its power flow: what the teeth roll, which power circulates, the input, the efficiency and the
-/// balance; the case must have a power flow.
+/// The largest of the forces or moments of a case, and the couplings that bear it.
+struct LargestAction {
+  bool is_couple = false;
+  double size = 0.0;  ///< [N or N*m]
+  std::vector<std::string> couplings = {};
+};
+
+struct LargestActions {
+  LargestAction force;
+  LargestAction moment;  ///< about the point of each coupling, as in the table of couplings
+};
+
+/// Of the couplings whose wrench equilibrium determines; zero where there is none.
+LargestActions largest_actions(const Mechanism& mechanism, const CaseAnalysis& one);
+
+/// What people ask first: ratio and torque ratio, or why there is none; efficiencies; the power of
+/// the inputs and the balance of all powers; the largest force and moment, and in which couplings.
+std::string results_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in);
+
+/// Cells of a table with a line a case, "-" where there is no number: the ratio with its unit; the
+/// efficiency with the losses of meshes where there are any, by the model that the file chooses.
+std::string ratio_cell(const CaseAnalysis& one, const Mechanism& mechanism, const InUnits& in);
+std::string efficiency_cell(const CaseAnalysis& one, const Mechanism& mechanism);
+
+/// Its power flow: what the teeth roll, and which power circulates; the case must have one.
 TextBlocks power_blocks(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in);
 
 /// Its efficiencies with lossy meshes: a line for each model, and a word on what tells them apart

@@ -41,8 +41,7 @@ FileReport make_report(const Analysis& analysis,
     }
   }
   if (forms.text) {
-    report.text = analysis_text(analysis);
-    report.text += motion == nullptr ? "" : motion_summary(*motion).text();
+    report.text = analysis_text(analysis, motion);
   }
   return report;
 }
@@ -55,7 +54,7 @@ FileReport make_head_report(const std::string& file,
   const ReportView view{.file = file, .description = description, .found = &found};
   add_json(report_record, view, description.units, forms, report);
   if (forms.text) {
-    report.text = title_text(file, description);
+    report.text += title_text(file, description);
   }
   return report;
 }
@@ -75,8 +74,8 @@ FileReport make_motion_report(const MotionAnalysis& analysis,
          .text = motion_csv(name_in_tables(analysis.file, analysis.description), analysis.motion)});
   }
   if (forms.text) {
-    report.text = title_text(analysis.file, analysis.description) + "\n" +
-                  motion_blocks(analysis.motion).text();
+    report.text += title_text(analysis.file, analysis.description) + "\n";
+    report.text += motion_blocks(analysis.motion);
   }
   return report;
 }
@@ -91,8 +90,8 @@ FileReport make_shift_report(const Analysis& analysis,
                         .found = &found};
   add_forms(report_record, view, forms, report);
   if (forms.text) {
-    report.text =
-        title_text(analysis.file, analysis.description) + "\n" + shift_blocks(analysis).text();
+    report.text += title_text(analysis.file, analysis.description) + "\n";
+    report.text += shift_blocks(analysis);
   }
   return report;
 }

@@ -44,8 +44,9 @@ FileReport make_shift_report(const Analysis& analysis,
                              const ReportForms& forms,
                              const Diagnostics& found);
 
-/// The report as tables for people: title, counts, and for every case the known and the solved
-/// magnitudes, six significant digits, with units. Columns that are zero throughout are left out.
-std::string analysis_text(const Analysis& analysis);
+/// The report as tables for people: title, what people ask first of all cases and gears, the
+/// extremes of a motion if there is one, for every case the known and the solved magnitudes, six
+/// significant digits, with units, and counts. Columns that are zero throughout are left out.
+TextBlocks analysis_text(const Analysis& analysis, const MotionTable* motion);
 
 }  // namespace kinestat

@@ -88,7 +88,7 @@ std::string sums_text(const Mechanism& mechanism) {
   return text + "\n";
 }
 
-std::string matrix_text(const LabelledMatrix& matrix) {
+TextBlocks matrix_blocks(const LabelledMatrix& matrix) {
   std::vector<std::string> head = {matrix.symbol};
   head.insert(head.end(), matrix.columns.begin(), matrix.columns.end());
   Table table(std::move(head));
@@ -100,24 +100,24 @@ std::string matrix_text(const LabelledMatrix& matrix) {
     }
     table.add(std::move(row));
   }
-  return fmt::format("{} ({} x {}): {}\n{}\n",
-                     matrix.symbol,
-                     matrix.value.rows(),
-                     matrix.value.cols(),
-                     matrix.meaning,
-                     table.text("  "));
+  TextBlocks blocks(fmt::format("{} ({} x {}): {}\n",
+                                matrix.symbol,
+                                matrix.value.rows(),
+                                matrix.value.cols(),
+                                matrix.meaning));
+  return blocks += TextBlocks(std::move(table));
 }
 
-std::string graph_text(const MechanismDescription& description, const Mechanism& mechanism) {
+TextBlocks graph_blocks(const MechanismDescription& description, const Mechanism& mechanism) {
   const Topology& topology = mechanism.topology;
   const int chords = mechanism.graph.circuit_count();
-  std::string text = fmt::format("{}\n  {} bodies, {} couplings: {} in the tree, {} chord{}\n\n",
-                                 description.name,
-                                 topology.body_count(),
-                                 topology.coupling_count(),
-                                 mechanism.graph.cutset_count(),
-                                 chords,
-                                 chords == 1 ? "" : "s");
+  TextBlocks blocks(fmt::format("{}\n  {} bodies, {} couplings: {} in the tree, {} chord{}\n\n",
+                                description.name,
+                                topology.body_count(),
+                                topology.coupling_count(),
+                                mechanism.graph.cutset_count(),
+                                chords,
+                                chords == 1 ? "" : "s"));
   Table table({"Coupling", "type", "tail", "head", "part"});
   for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
     const CouplingTopology& coupling = topology.couplings[e];
@@ -127,7 +127,9 @@ std::string graph_text(const MechanismDescription& description, const Mechanism&
                topology.body(coupling.head).name,
                part_of(mechanism.graph, e)});
   }
-  return text + table.text("  ") + "\n" + sums_text(mechanism);
+  blocks += TextBlocks(std::move(table));
+  blocks += sums_text(mechanism);
+  return blocks;
 }
 
 }  // namespace
@@ -146,9 +148,9 @@ FileReport make_graph_report(const std::string& file,
         {.pass = "graph", .text = matrices.empty() ? edge_csv(mechanism) : matrix_csv(matrices)});
   }
   if (forms.text) {
-    report.text = graph_text(description, mechanism);
+    report.text = graph_blocks(description, mechanism);
     for (const LabelledMatrix& matrix : matrices) {
-      report.text += matrix_text(matrix);
+      report.text += matrix_blocks(matrix);
     }
   }
   return report;

@@ -1,4 +1,4 @@
-#include "report/diagnostic_text.hpp"
+#include "report/diagnostics/diagnostic_text.hpp"
 
 #include <algorithm>
 #include <string>
@@ -12,7 +12,7 @@ namespace {
 std::string text_at(const std::string& file, SourceRange where, const std::string& hint = {}) {
   Diagnostics found;
   found.error("E0312", where, "wrong", hint);
-  return diagnostics_text({.path = "m.yaml", .text = file}, found);
+  return diagnostics_text({.path = "m.yaml", .text = file}, found).plain();
 }
 
 TEST(DiagnosticText, ShowsThePlaceTheLineTheCaretAndTheHint) {
@@ -89,7 +89,7 @@ TEST(DiagnosticText, PutsNotesBeforeTheHint) {
   found.error("E0307", {.line = 2, .column = 1, .length = 1}, "twice", "rename one")
       .notes.push_back({{.line = 1, .column = 1, .length = 1}, "first declared here"});
 
-  EXPECT_EQ(diagnostics_text({.path = "m.yaml", .text = "a: 1\na: 2\n"}, found),
+  EXPECT_EQ(diagnostics_text({.path = "m.yaml", .text = "a: 1\na: 2\n"}, found).plain(),
             "m.yaml:2:1: error[E0307]: twice\n"
             "    2 | a: 2\n"
             "      | ^\n"
@@ -103,7 +103,7 @@ TEST(DiagnosticText, NamesStandardInput) {
   Diagnostics found;
   found.warning("W0301", {}, "unused");
 
-  EXPECT_EQ(diagnostics_text({.path = "-", .text = ""}, found),
+  EXPECT_EQ(diagnostics_text({.path = "-", .text = ""}, found).plain(),
             "<stdin>: warning[W0301]: unused\n");
 }
 
@@ -113,7 +113,7 @@ TEST(DiagnosticText, ShowsTwentyErrorsAndCountsTheOthers) {
     found.error("E0312", {}, "wrong");
   }
 
-  const std::string text = diagnostics_text({.path = "m.yaml", .text = ""}, found);
+  const std::string text = diagnostics_text({.path = "m.yaml", .text = ""}, found).plain();
 
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 21);
   EXPECT_TRUE(text.ends_with("m.yaml: 3 more errors\n")) << text;
@@ -126,9 +126,20 @@ TEST(DiagnosticText, CountsWarningsApartFromErrors) {
   }
   found.error("E0312", {}, "wrong");
 
-  const std::string text = diagnostics_text({.path = "m.yaml", .text = ""}, found);
+  const std::string text = diagnostics_text({.path = "m.yaml", .text = ""}, found).plain();
 
   EXPECT_TRUE(text.ends_with("m.yaml: error[E0312]: wrong\n")) << text;
+}
+
+TEST(DiagnosticText, ColorsTheSeverityTheCaretsAndTheHint) {
+  Diagnostics found;
+  found.error("E0312", {.line = 1, .column = 4, .length = 2}, "no such body", "write ab");
+
+  EXPECT_EQ(diagnostics_text({.path = "m.yaml", .text = "a: xy\n"}, found).coloured(),
+            "\x1b[1mm.yaml:1:4:\x1b[0m \x1b[1;31merror[E0312]:\x1b[0m no such body\n"
+            "    1 | a: xy\n"
+            "      | \x1b[1;31m   ^^\x1b[0m\n"
+            "  \x1b[36mhint:\x1b[0m write ab\n");
 }
 
 }  // namespace

@@ -58,5 +58,36 @@ TEST(Table, RefusesARowOfAnotherWidth) {
   EXPECT_THROW(table.add({"c"}), ContractViolation);
 }
 
+TEST(Table, PartsItsColumnsWhereTheyAreWiderThanTheLayout) {
+  Table table({"Body", "x [mm]", "y [mm]", "z [mm]"});
+  table.add({"rod", "1", "2", "3"});
+
+  EXPECT_EQ(table.text("  ", {.width = 22}),
+            "  Body  x [mm]  y [mm]\n"
+            "  rod        1       2\n"
+            "\n"
+            "  Body  z [mm]\n"
+            "  rod        3\n");
+}
+
+TEST(Table, KeepsOneColumnAPartWhereNoneFits) {
+  Table table({"Body", "x [mm]", "y [mm]"});
+  table.add({"rod", "1", "2"});
+
+  EXPECT_EQ(table.text("", {.width = 4}),
+            "Body  x [mm]\n"
+            "rod        1\n"
+            "\n"
+            "Body  y [mm]\n"
+            "rod        2\n");
+}
+
+TEST(Table, MarksItsHeadWhereThereAreColors) {
+  Table table({"Body", "x"});
+  table.add({"rod", "1"});
+
+  EXPECT_EQ(table.text("", {.is_coloured = true}), "\x1b[1mBody  x\x1b[0m\nrod   1\n");
+}
+
 }  // namespace
 }  // namespace kinestat

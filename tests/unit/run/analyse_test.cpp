@@ -21,7 +21,7 @@ TEST(AnalyseFiles, RefuseOneNameTwiceBeforeTheyWrite) {
   const Outcome outcome = analyse_files({first.path(), second.path()}, options);
 
   EXPECT_EQ(outcome.status, ExitStatus::usage);
-  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(outcome.report.is_empty());
   EXPECT_FALSE(std::filesystem::exists(reports.folder() + "/four_bar.report.json"));
 }
 
@@ -39,7 +39,7 @@ TEST(AnalyseFiles, WriteATableForEveryPassThatRan) {
 
   const Outcome outcome = analyse_files({file.path()}, options);
 
-  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outcome.err.plain(), "");
   EXPECT_TRUE(std::filesystem::exists(file.folder() + "/four_bar.report.json"));
   EXPECT_TRUE(std::filesystem::exists(file.folder() + "/four_bar.kinematics.csv"));
   EXPECT_FALSE(std::filesystem::exists(file.folder() + "/four_bar.statics.csv"));
@@ -50,7 +50,7 @@ TEST(AnalyseFiles, PrintNothingWhenQuiet) {
   AnalyseOptions options;
   options.is_quiet = true;
 
-  EXPECT_EQ(analyse_files({file.path()}, options).out, "");
+  EXPECT_TRUE(analyse_files({file.path()}, options).report.is_empty());
 }
 
 TEST(AnalyseFiles, GoOnAfterAFileThatFails) {
@@ -59,7 +59,7 @@ TEST(AnalyseFiles, GoOnAfterAFileThatFails) {
   const Outcome outcome = analyse_files({file.folder() + "/none.yaml", file.path()}, {});
 
   EXPECT_EQ(outcome.status, ExitStatus::environment);
-  EXPECT_NE(outcome.out.find("Case one"), std::string::npos);
+  EXPECT_NE(outcome.report.text().find("Case one"), std::string::npos);
 }
 
 TEST(AnalyseFiles, StopAfterAFileThatFailsWhenAsked) {
@@ -67,7 +67,8 @@ TEST(AnalyseFiles, StopAfterAFileThatFailsWhenAsked) {
   AnalyseOptions options;
   options.fail_fast = true;
 
-  EXPECT_EQ(analyse_files({file.folder() + "/none.yaml", file.path()}, options).out, "");
+  EXPECT_TRUE(
+      analyse_files({file.folder() + "/none.yaml", file.path()}, options).report.is_empty());
 }
 
 TEST(CheckFiles, SayOkForAFileThatIsGood) {

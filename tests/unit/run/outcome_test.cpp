@@ -34,7 +34,7 @@ TEST(AddDiagnostics, KeepsAWorseStatusOfAnEarlierFile) {
   add_diagnostics({.path = "m.yaml", .text = ""}, found, Strictness::normal, outcome);
 
   EXPECT_EQ(outcome.status, ExitStatus::no_answer);
-  EXPECT_EQ(outcome.err, "m.yaml: error[E0901]: missed\n");
+  EXPECT_EQ(outcome.err.plain(), "m.yaml: error[E0901]: missed\n");
 }
 
 TEST(AddBug, NamesTheFileAndIsTheWorstStatus) {
@@ -44,8 +44,8 @@ TEST(AddBug, NamesTheFileAndIsTheWorstStatus) {
   add_bug("m.yaml", "a < b", outcome);
 
   EXPECT_EQ(static_cast<int>(outcome.status), 70);
-  EXPECT_TRUE(outcome.err.starts_with("m.yaml: error[E0155]: internal error: a < b\n"))
-      << outcome.err;
+  EXPECT_TRUE(outcome.err.plain().starts_with("m.yaml: error[E0155]: internal error: a < b\n"))
+      << outcome.err.plain();
 }
 
 TEST(AddDiagnostics, WritesALineOfJsonForAFileWithoutMessages) {
@@ -55,7 +55,7 @@ TEST(AddDiagnostics, WritesALineOfJsonForAFileWithoutMessages) {
   add_diagnostics({.path = "m.yaml", .text = ""}, {}, Strictness::normal, outcome);
 
   EXPECT_EQ(
-      outcome.err,
+      outcome.err.plain(),
       "{\"kinestat\":{\"diagnostics\":1},\"file\":\"m.yaml\",\"status\":0,\"diagnostics\":[]}\n");
 }
 
@@ -64,7 +64,8 @@ TEST(AddMessage, IsOfTheProgramAndNotOfAFile) {
 
   add_message("E0101", "a command is missing", "give one", outcome);
 
-  EXPECT_EQ(outcome.err, "kinestat: error[E0101]: a command is missing\n  hint: give one\n");
+  EXPECT_EQ(outcome.err.plain(),
+            "kinestat: error[E0101]: a command is missing\n  hint: give one\n");
   EXPECT_EQ(outcome.status, ExitStatus::usage);
 }
 

@@ -52,13 +52,13 @@ std::string error_cell(const ExtremeResult& result) {
   return *result.error == 0.0 ? "0" : fmt::format("{:.0e}", *result.error);
 }
 
-std::string side_text(const BenchmarkedCase& one, const Side& side) {
+TextBlocks side_blocks(const BenchmarkedCase& one, const Side& side) {
   const TradeOff& result = one.*side.result;
   const std::string title = fmt::format("Case {}, {}s", one.label, side.key);
   if (result.reason != NoProblem::none) {
     return result.reason == NoProblem::not_asked
-               ? std::string()
-               : fmt::format("{}: left out, {}\n\n", title, sentence_of(result.reason));
+               ? TextBlocks()
+               : TextBlocks(fmt::format("{}: left out, {}\n\n", title, sentence_of(result.reason)));
   }
   std::vector<std::string> head = {"Method", "time [D]", "front"};
   for (const Extreme& extreme : kExtremes) {
@@ -74,12 +74,12 @@ std::string side_text(const BenchmarkedCase& one, const Side& side) {
     }
     table.add(std::move(row));
   }
-  return fmt::format("{}: {} unknowns; D = dense LU in double ({}), {:.3g} µs here\n",
-                     title,
-                     result.unknowns,
-                     side.unit_words,
-                     1e6 * result.unit_seconds) +
-         table.text("  ") + "\n";
+  TextBlocks blocks(fmt::format("{}: {} unknowns; D = dense LU in double ({}), {:.3g} µs here\n",
+                                title,
+                                result.unknowns,
+                                side.unit_words,
+                                1e6 * result.unit_seconds));
+  return blocks += TextBlocks(std::move(table));
 }
 
 bool is_not_asked(const BenchmarkedCase& one) {
@@ -92,29 +92,30 @@ bool is_measured(const BenchmarkedCase& one) {
       kSides, [&](const Side& side) { return (one.*side.result).reason == NoProblem::none; });
 }
 
-std::string case_text(const BenchmarkedCase& one) {
+TextBlocks case_blocks(const BenchmarkedCase& one) {
   if (is_not_asked(one)) {
-    return fmt::format("Case {}: left out, neither motions nor actions are known\n\n", one.label);
+    return TextBlocks(
+        fmt::format("Case {}: left out, neither motions nor actions are known\n\n", one.label));
   }
-  std::string text;
+  TextBlocks blocks;
   for (const Side& side : kSides) {
-    text += side_text(one, side);
+    blocks += side_blocks(one, side);
   }
-  return text;
+  return blocks;
 }
 
-std::string text_of(const std::vector<BenchmarkedCase>& cases) {
+TextBlocks blocks_of(const std::vector<BenchmarkedCase>& cases) {
   if (cases.empty()) {
-    return "The file has no cases, so there is nothing to solve.\n";
+    return TextBlocks("The file has no cases, so there is nothing to solve.\n");
   }
-  std::string text;
+  TextBlocks blocks;
   for (const BenchmarkedCase& one : cases) {
-    text += case_text(one);
+    blocks += case_blocks(one);
   }
   if (std::ranges::none_of(cases, is_measured)) {
-    return text + "Nothing was measured.\n";
+    return blocks += "Nothing was measured.\n";
   }
-  return text +
+  return blocks +=
          "Errors are the largest against the exact solution of the same doubles, as a share of "
          "the\n"
          "largest unknown. front *: no other method is both faster and more accurate over all\n"
@@ -133,7 +134,8 @@ FileReport make_benchmark_report(const std::string& file,
       .file = file, .description = description, .cases = cases, .found = &found};
   add_forms(benchmark_report_record, view, forms, report);
   if (forms.text) {
-    report.text = (description.name.empty() ? file : description.name) + "\n\n" + text_of(cases);
+    report.text += (description.name.empty() ? file : description.name) + "\n\n";
+    report.text += blocks_of(cases);
   }
   return report;
 }

@@ -205,7 +205,8 @@ FileReport make_duty_report(const DutyReportView& view, const ReportForms& forms
   FileReport report;
   add_forms(duty_report_record, view, forms, report);
   if (forms.text) {
-    report.text = title_text(view.file, view.description) + "\n" + duty_blocks(view).text();
+    report.text += title_text(view.file, view.description) + "\n";
+    report.text += duty_blocks(view);
   }
   return report;
 }

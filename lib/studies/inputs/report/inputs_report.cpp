@@ -40,8 +40,8 @@ std::string count_text(std::uint64_t count, bool is_complete) {
   return fmt::format("{}{} set{}", is_complete ? "" : "at least ", count, count == 1 ? "" : "s");
 }
 
-std::string group_text(const InputGroup& group, const InputSide& side, bool is_alone) {
-  std::string text;
+TextBlocks group_blocks(const InputGroup& group, const InputSide& side, bool is_alone) {
+  TextBlocks text;
   if (!is_alone) {
     text += fmt::format("  {} of {}, whatever the others are: {}\n",
                         group.needed,
@@ -56,28 +56,28 @@ std::string group_text(const InputGroup& group, const InputSide& side, bool is_a
     table.add({fmt::format("{}", fmt::join(names_of(set.magnitudes, side), ", ")),
                format_short(set.conditioning)});
   }
-  text += table.text("  ");
+  text += TextBlocks(std::move(table), "  ");
   if (group.count > group.best.size()) {
     text += fmt::format("  … and {} more\n", group.count - group.best.size());
   }
   return text;
 }
 
-std::string side_text(const InputSide& side) {
+TextBlocks side_blocks(const InputSide& side) {
   const InputSets& sets = side.sets;
-  std::string text = fmt::format("{}: {} of {} determine{} the others; {}\n",
-                                 side.key == "motion" ? "Motions" : "Actions",
-                                 sets.needed,
-                                 side.names.size(),
-                                 sets.needed == 1 ? "s" : "",
-                                 count_text(sets.count(), sets.is_complete()));
+  TextBlocks text(fmt::format("{}: {} of {} determine{} the others; {}\n",
+                              side.key == "motion" ? "Motions" : "Actions",
+                              sets.needed,
+                              side.names.size(),
+                              sets.needed == 1 ? "s" : "",
+                              count_text(sets.count(), sets.is_complete())));
   if (!sets.always_zero.empty()) {
     text += fmt::format("  always 0: {}\n", plain_list(names_of(sets.always_zero, side)));
   }
   for (const InputGroup& group : sets.groups) {
-    text += group_text(group, side, sets.groups.size() == 1);
+    text += group_blocks(group, side, sets.groups.size() == 1);
   }
-  return text + "\n";
+  return text += "\n";
 }
 
 std::string choice_text(const ChoiceVerdict& choice) {
@@ -143,9 +143,9 @@ FileReport make_inputs_report(const std::string& file,
       .file = file, .description = description, .inputs = inputs, .found = &found};
   add_forms(inputs_report_record, view, forms, report);
   if (forms.text) {
-    report.text = (description.name.empty() ? file : description.name) + "\n\n";
+    report.text += (description.name.empty() ? file : description.name) + "\n\n";
     for (const InputSide& side : inputs.sides) {
-      report.text += side_text(side);
+      report.text += side_blocks(side);
     }
     if (inputs.cables) {
       report.text += cables_text(inputs, description.units);

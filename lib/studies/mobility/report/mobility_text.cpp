@@ -259,12 +259,13 @@ MobilityBlocks mobility_blocks(const MobilityAnalysis& analysis) {
   return MobilityText(analysis).run();
 }
 
-std::string mobility_text(const MobilityAnalysis& analysis) {
+TextBlocks mobility_text(const MobilityAnalysis& analysis) {
   const MobilityText text(analysis);
-  MobilityBlocks blocks = text.run();
-  blocks.counts += blocks.reshetov;
-  blocks.counts += blocks.motions;
-  return text.head() + text.remarks() + blocks.counts.text();
+  const MobilityBlocks blocks = text.run();
+  TextBlocks all(text.head() + text.remarks());
+  all += blocks.counts;
+  all += blocks.reshetov;
+  return all += blocks.motions;
 }
 
 }  // namespace kinestat

@@ -9,7 +9,7 @@
 namespace kinestat {
 
 /// Title, size, and the sentences of mobility_remarks, then all of mobility_blocks.
-std::string mobility_text(const MobilityAnalysis& analysis);
+TextBlocks mobility_text(const MobilityAnalysis& analysis);
 
 /// The tables of the mobility, in reading order.
 struct MobilityBlocks {

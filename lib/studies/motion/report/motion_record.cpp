@@ -80,6 +80,66 @@ Shape rows_shape() {
   return list_shape(list_shape(std::move(cell)));
 }
 
+struct FiguresView {
+  const MotionColumn& column;
+  const ColumnFigures& figures;
+};
+
+const Record<FiguresView>& figures_record() {
+  using View = FiguresView;
+  using Extreme = std::optional<ColumnExtreme> ColumnFigures::*;
+  static const Record<View> record("One column.", [](Record<View>& keys) {
+    const auto value = [](Extreme extreme) {
+      return [extreme](const View& v) {
+        return v.figures.*extreme ? std::optional((v.figures.*extreme)->value) : std::nullopt;
+      };
+    };
+    const auto place = [](Extreme extreme) {
+      return [extreme](const View& v) {
+        return v.figures.*extreme ? std::optional((v.figures.*extreme)->drive) : std::nullopt;
+      };
+    };
+    keys.text("unit",
+              "That of the file; empty for a bare number.",
+              [](const View& v) { return v.column.unit; })
+        .not_compared();
+    keys.number("least",
+                ByContext::column,
+                "The least value, also between the steps; null where no position has one.",
+                value(&ColumnFigures::least));
+    keys.number("least_at",
+                ByContext::drive,
+                "Where that is: position of the first drive.",
+                place(&ColumnFigures::least))
+        .not_compared();
+    keys.number("greatest",
+                ByContext::column,
+                "The greatest value, likewise.",
+                value(&ColumnFigures::greatest));
+    keys.number("greatest_at",
+                ByContext::drive,
+                "Where that is: position of the first drive.",
+                place(&ColumnFigures::greatest))
+        .not_compared();
+    keys.number(
+        "mean",
+        ByContext::column,
+        "The mean over the way of the drives, by trapezoids; null where a step has no value "
+        "or the motion does not reach its end.",
+        [](const View& v) { return v.figures.mean; });
+  });
+  return record;
+}
+
+// But the drives, whose ranges the file gives, and the closure error.
+void emit_figures(const MotionTable& v, const Each<FiguresView>& each) {
+  for (std::size_t c = v.drives.size(); c < v.figures.size(); ++c) {
+    if (v.columns[c].quantity != kClosureErrorColumn) {
+      each(v.columns[c].name(), {.column = v.columns[c], .figures = v.figures[c]});
+    }
+  }
+}
+
 const Record<MotionEvent>& event_record() {
   using View = MotionEvent;
   static const Record<View> record("One event.", [](Record<View>& keys) {
@@ -213,6 +273,10 @@ void add_rows(Record<MotionTable>& keys) {
               rows_shape(),
               "One a position: one cell a column; null where there is no value.",
               write_rows);
+  keys.map("figures",
+           figures_record(),
+           "What each column comes to: extremes and mean, by its name as in 'columns'.",
+           emit_figures);
   keys.list("events",
             event_record(),
             "What happens on the way, in its order.",

@@ -100,6 +100,20 @@ struct CouplingGap {
   double angle = 0.0;     ///< in the file's unit of angle
 };
 
+/// Where a column is least or greatest.
+struct ColumnExtreme {
+  double value = 0.0;  ///< in the unit of the column
+  double drive = 0.0;  ///< position of the first drive, in its unit
+};
+
+/// What one column comes to.
+struct ColumnFigures {
+  std::optional<ColumnExtreme> least;  ///< empty where no position has a value
+  std::optional<ColumnExtreme> greatest;
+  std::optional<double> mean;  ///< over the way of the drives; empty where some step has no value,
+                               ///< or the motion does not reach its end
+};
+
 struct MotionTable {
   MotionEnd end = MotionEnd::complete;
   std::string label;  ///< of the case that gives speeds and loads; may be empty
@@ -108,7 +122,9 @@ struct MotionTable {
   std::vector<MotionColumn> columns;  ///< first the position of each drive
   std::vector<MotionRow> rows;
   std::vector<MotionEvent> events;
-  bool may_lack_dead_points = false;  ///< more would have had to be looked at than is feasible
+  std::vector<ColumnFigures> figures;  ///< parallel to the columns
+  bool looks_between_steps = false;    ///< extremes are more than those of steps and dead points
+  bool may_lack_dead_points = false;   ///< more would have had to be looked at than is feasible
   std::vector<FrictionTurn> friction_turns;  ///< where actions are reported
   double worst_closure =
       0.0;             ///< largest closure error of any row, relative to the mechanism's size

@@ -1,6 +1,7 @@
 #include "studies/motion/report/motion_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -10,7 +11,6 @@
 #include "core/utf8.hpp"
 #include "report/column_table.hpp"
 #include "report/number_format.hpp"
-#include "studies/motion/report/motion_extremes.hpp"
 
 namespace kinestat {
 
@@ -42,8 +42,8 @@ class MotionWriter {
   explicit MotionWriter(const MotionTable& motion) : motion_(motion) {}
 
   TextBlocks summary() const {
-    TextBlocks text("Motion" + case_text() + "\n" + drives_text() + closure_text() +
-                    assembly_text() + events_text() + "\n");
+    TextBlocks text("Motion" + case_text() + "\n" + drives_text() + assembly_text() +
+                    events_text() + closure_text() + "\n");
     return text += extremes();
   }
 
@@ -56,32 +56,38 @@ class MotionWriter {
 
   // Of every quantity but the positions of the drives, which the file gives.
   TextBlocks extremes() const {
-    if (motion_.rows.empty()) {
-      return {};
-    }
-    const std::vector<const MotionValues*> all = all_values(motion_);
-    const bool has_dead_points = all.size() > motion_.rows.size();
-    std::vector<TextColumn> table = {
-        {has_dead_points ? "Extremes at steps and dead points" : "Extremes at steps", {}},
-        {"least", {}},
-        {"at " + motion_.drives.front().name, {}},
-        {"greatest", {}},
-        {"at " + motion_.drives.front().name, {}}};
+    const std::string at = "at " + motion_.drives.front().name;
+    std::vector<TextColumn> table = {{std::string(extremes_title()), {}},
+                                     {"least", {}},
+                                     {at, {}},
+                                     {"greatest", {}},
+                                     {at, {}},
+                                     {"range", {}},
+                                     {"mean", {}}};
     for (std::size_t c = motion_.drives.size(); c < column_count(); ++c) {
-      const auto [least, greatest] = find_extremes(all, c);
-      if (least == nullptr || is_same(*(*least)[c], *(*greatest)[c])) {
+      const auto& [least, greatest, mean] = motion_.figures[c];
+      if (!least || is_same(least->value, greatest->value)) {
         continue;
       }
-      table[0].cells.push_back(with_unit(motion_.columns[c].name(), motion_.columns[c].unit));
-      table[1].cells.push_back(shown((*least)[c]));
-      table[2].cells.push_back(shown((*least)[0]));
-      table[3].cells.push_back(shown((*greatest)[c]));
-      table[4].cells.push_back(shown((*greatest)[0]));
+      const std::array cells = {with_unit(motion_.columns[c].name(), motion_.columns[c].unit),
+                                format_short(least->value),
+                                format_short(least->drive),
+                                format_short(greatest->value),
+                                format_short(greatest->drive),
+                                format_short(greatest->value - least->value),
+                                shown(mean)};
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        table[i].cells.push_back(cells[i]);
+      }
     }
     return table[0].cells.empty() ? TextBlocks() : TextBlocks(std::move(table));
   }
 
  private:
+  std::string_view extremes_title() const {
+    return motion_.looks_between_steps ? "Extremes" : "Extremes at steps and dead points";
+  }
+
   std::string case_text() const {
     return motion_.label.empty()
                ? ""

@@ -6,11 +6,12 @@
 
 #include "cases/case_status.hpp"
 #include "core/tolerance.hpp"
-#include "couplings/kinds.hpp"
 #include "studies/motion/motion.hpp"
 #include "studies/motion/task/drive_counts.hpp"
+#include "studies/motion/task/friction_turns.hpp"
 #include "studies/motion/task/motion_columns.hpp"
 #include "studies/motion/task/motion_events.hpp"
+#include "studies/motion/task/motion_figures.hpp"
 #include "studies/motion/task/position_findings.hpp"
 
 namespace kinestat {
@@ -73,6 +74,7 @@ class TableMaker {
     add_drives();
     add_rows();
     add_events();
+    add_column_figures();
     add_assembly();
     return std::move(table_);
   }
@@ -148,7 +150,7 @@ class TableMaker {
       add_row(p, position);
       table_.rows.back().status = status_of(p, position, positions.moved());
     }
-    find_friction_turns();
+    find_friction_turns(mechanism_, sliding_, table_);
     tell_findings();
     table_.columns.push_back(
         {.element = "", .quantity = std::string(kClosureErrorColumn), .unit = ""});
@@ -221,7 +223,7 @@ class TableMaker {
           is_left_out && !row.lacks_accelerations && is_rate_of_rate(reading.kind);
     }
     table_.rows.push_back(std::move(row));
-    sliding_.push_back(sliding_at(position));
+    sliding_.push_back(sliding_at(mechanism_, position));
   }
 
   // A driven freedom stands where its drive does.
@@ -231,97 +233,6 @@ class TableMaker {
     const bool is_drive =
         driven_[reading] >= 0 && std::abs(value - drive) <= kSameValue * std::abs(drive);
     return is_drive ? drive_at(d, p) : in_unit(readings_[reading].kind, value);
-  }
-
-  // The motion against which each friction works; empty where none is known.
-  std::vector<Vec3> sliding_at(const MotionPosition& position) const {
-    std::vector<Vec3> rates;
-    if (!position.solved || !position.solved->motion || position.solved->motion->rates.empty()) {
-      return rates;
-    }
-    for (const CouplingFriction& friction : mechanism_.frictions) {
-      rates.push_back(sliding_of(friction.coupling, *position.solved));
-    }
-    return rates;
-  }
-
-  // The rate of the one freedom of a bearing, guide or thread; the velocity along the freedoms that
-  // slide of a contact, whose turns have no friction. Zero where the friction has no direction.
-  Vec3 sliding_of(CouplingId id, const CaseAnalysis& one) const {
-    Vec3 result = Vec3::Zero();
-    if (one.action && std::ranges::find(one.action->at_rest, id) != one.action->at_rest.end()) {
-      return result;
-    }
-    const CouplingTopology& coupling = topology_.coupling(id);
-    const bool has_axis = kinestat::kind_of(coupling.type).friction != FrictionKind::sliding;
-    Eigen::Index count = 0;
-    for (int i = 0; i < coupling.freedom_count && count < result.size(); ++i) {
-      const auto f = static_cast<std::size_t>(coupling.first_freedom + i);
-      if (has_axis || !topology_.freedoms[f].is_rotation) {
-        result[count++] = one.motion->rates[f];
-      }
-    }
-    return result;
-  }
-
-  // Between the nearest rows in which a coupling slides one way and the other; rows between them
-  // are at its dead point, wherever the steps fall. So are the first and the last row where it
-  // rests in that one alone.
-  void find_friction_turns() {
-    for (std::size_t f = 0; f < mechanism_.frictions.size(); ++f) {
-      FrictionTurn turn{.coupling = topology_.coupling(mechanism_.frictions[f].coupling).name};
-      std::optional<std::size_t> before;
-      for (std::size_t r = 0; r < sliding_.size(); ++r) {
-        if (sliding_[r].empty()) {
-          before.reset();
-          continue;
-        }
-        if (!slides(r, f)) {
-          continue;
-        }
-        if (r == 1 && rests(0, f)) {
-          add_turn(0, 0, turn);
-        } else if (before && sliding_[*before][f].dot(sliding_[r][f]) < 0.0) {
-          add_turn(*before, r, turn);
-        }
-        before = r;
-      }
-      const std::size_t last = sliding_.size() - 1;
-      if (before && *before + 1 == last && rests(last, f)) {
-        add_turn(last, last, turn);
-      }
-      if (turn.count > 0) {
-        table_.friction_turns.push_back(std::move(turn));
-      }
-    }
-  }
-
-  bool slides(std::size_t row, std::size_t friction) const {
-    return !sliding_[row].empty() && !sliding_[row][friction].isZero(0.0);
-  }
-
-  // Whether that leaves a row without an answer.
-  bool rests(std::size_t row, std::size_t friction) const {
-    return !sliding_[row].empty() && sliding_[row][friction].isZero(0.0) &&
-           table_.rows[row].status == word_of(SolveStatus::at_rest);
-  }
-
-  void add_turn(std::size_t before, std::size_t after, FrictionTurn& turn) {
-    if (turn.count++ == 0) {
-      turn.before = before;
-      turn.after = after;
-    }
-    const bool is_at_end = before == after;
-    mark_dead_points(is_at_end ? before : before + 1, is_at_end ? after + 1 : after);
-  }
-
-  // What nothing but the turn of a friction leaves open.
-  void mark_dead_points(std::size_t first, std::size_t last) {
-    for (std::size_t r = first; r < last; ++r) {
-      if (table_.rows[r].status == word_of(SolveStatus::at_rest)) {
-        table_.rows[r].status = kDeadPointEvent;
-      }
-    }
   }
 
   std::string status_of(int p, const MotionPosition& position, const Mechanism& moved) const {
@@ -437,6 +348,41 @@ class TableMaker {
     for (Placed& one : placed) {
       table_.events.push_back(std::move(one.event));
     }
+  }
+
+  void add_column_figures() {
+    if (!scope_.between_steps || readings_.empty()) {
+      add_figures(solution_.shares, {}, table_);
+      return;
+    }
+    MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
+    WayBetween way(motion_.network, solution_.drives);
+    const std::size_t first = table_.drives.size();
+    add_figures(
+        solution_.shares,
+        [&](std::size_t column, std::size_t row, double share) -> std::optional<double> {
+          if (column - first >= readings_.size() || share <= solution_.shares[row]) {
+            return std::nullopt;
+          }
+          const auto there = way.follow(
+              solution_.configuration_at(static_cast<int>(row)), solution_.shares[row], share);
+          return there ? read(column - first, positions.at(*there)) : std::nullopt;
+        },
+        table_);
+  }
+
+  // In the unit of the file. The components of a vector are read from the first on.
+  std::optional<double> read(std::size_t reading, const MotionPosition& position) const {
+    std::size_t first = reading;
+    while (first > 0 && readings_[first - 1].column.element == readings_[reading].column.element) {
+      --first;
+    }
+    std::optional<double> value;
+    for (std::size_t r = first; r <= reading; ++r) {
+      value = readings_[r].value(position);
+    }
+    return value && std::isfinite(*value) ? std::optional(in_unit(readings_[reading].kind, *value))
+                                          : std::nullopt;
   }
 
   std::vector<CouplingGap> gaps(const std::vector<CouplingMiss>& misses) const {

@@ -13,8 +13,9 @@ namespace kinestat {
 
 /// What of a motion is worked out, where not all of it is asked for.
 struct MotionScope {
-  std::optional<std::vector<std::string>> columns;  ///< these by their names; empty: all
+  std::optional<std::vector<std::string>> columns = {};  ///< these by their names; empty: all
   bool dead_points = true;
+  bool between_steps = true;  ///< extremes are looked for there too
 };
 
 /// The table of what was found. What there is to say of its rows is added to `found`.

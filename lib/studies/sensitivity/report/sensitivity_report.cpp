@@ -58,13 +58,14 @@ std::string_view note_of(const SensitivityValue& value) {
   return "";
 }
 
-std::string text_of(const MechanismDescription& description,
-                    const std::string& file,
-                    const std::vector<CaseSensitivity>& cases,
-                    const Parameters& parameters) {
-  std::string text = (description.name.empty() ? file : description.name) + "\n\n";
+TextBlocks text_of(const MechanismDescription& description,
+                   const std::string& file,
+                   const std::vector<CaseSensitivity>& cases,
+                   const Parameters& parameters) {
+  TextBlocks text((description.name.empty() ? file : description.name) + "\n\n");
   for (const CaseSensitivity& one : cases) {
-    text += fmt::format("Case {}\n", one.label) + sensitivity_blocks(one, parameters).text();
+    text += fmt::format("Case {}\n", one.label);
+    text += sensitivity_blocks(one, parameters);
   }
   return text;
 }

@@ -6,9 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/tolerance.hpp"
-#include "math/numbers/settled.hpp"
-#include "studies/motion/report/motion_extremes.hpp"
 #include "studies/motion/task/find_motion.hpp"
 #include "studies/sweep/report/sweep_status.hpp"
 
@@ -28,7 +25,7 @@ bool decides_nothing(std::string_view code) {
 // The value of a figure over all positions.
 class FigureReader {
  public:
-  explicit FigureReader(const MotionTable& motion) : motion_(motion), all_(all_values(motion)) {}
+  explicit FigureReader(const MotionTable& motion) : motion_(motion) {}
 
   // Empty where the table has no such column.
   std::optional<std::size_t> column_of(const SweptFigure& asked) const {
@@ -46,9 +43,9 @@ class FigureReader {
   }
 
   double value(MotionFigure figure, std::size_t column) const {
-    const MotionExtremes extremes = find_extremes(all_, column);
-    const double least = *(*extremes.least)[column];
-    const double greatest = *(*extremes.greatest)[column];
+    const ColumnFigures& figures = motion_.figures[column];
+    const double least = figures.least->value;
+    const double greatest = figures.greatest->value;
     switch (figure) {
       case MotionFigure::least:
         return least;
@@ -57,7 +54,7 @@ class FigureReader {
       case MotionFigure::range:
         return greatest - least;
       case MotionFigure::mean:
-        return mean(column);
+        return figures.mean.value_or(kNone);
       case MotionFigure::peak:
         return std::max(std::abs(least), std::abs(greatest));
       case MotionFigure::dead_points:
@@ -67,22 +64,7 @@ class FigureReader {
   }
 
  private:
-  // Over the way of the drives: the trapezoids between the steps.
-  double mean(std::size_t column) const {
-    const auto at = [&](std::size_t row) { return *motion_.rows[row].values[column]; };
-    const std::size_t last = motion_.rows.size() - 1;
-    double sum = 0.0;
-    double size = 0.0;
-    for (std::size_t row = 0; row <= last; ++row) {
-      const double term = row == 0 || row == last ? at(row) / 2.0 : at(row);
-      sum += term;
-      size += std::abs(term);
-    }
-    return settled(sum, kCancellation * size) / static_cast<double>(last);
-  }
-
   const MotionTable& motion_;
-  std::vector<const MotionValues*> all_;
 };
 
 // The first position that has no value in that column.

@@ -101,7 +101,8 @@ MotionColumnSearch::MotionColumnSearch(const MechanismDescription& description,
       make_motion_network(mechanism, bind_drawn_couplings(description, mechanism), driven);
   positions_ = freedom_positions(network, mechanism, drawn_configuration(network));
   watched_ = watched_freedoms(mechanism, network);
-  asked_.scope = {.columns = std::vector<std::string>(), .dead_points = false};
+  asked_.scope = {
+      .columns = std::vector<std::string>(), .dead_points = false, .between_steps = false};
   asked_.cases = std::move(cases);
   for (const int which : asked_.cases) {
     candidates_.push_back(candidates_of(which));

@@ -189,8 +189,9 @@ class TaskText {
 
 }  // namespace
 
-std::string synthesis_text(const SynthesisAnalysis& analysis) {
-  return title_text(analysis.file, analysis.description) + synthesis_blocks(analysis).text();
+TextBlocks synthesis_text(const SynthesisAnalysis& analysis) {
+  TextBlocks text(title_text(analysis.file, analysis.description));
+  return text += synthesis_blocks(analysis);
 }
 
 TextBlocks synthesis_blocks(const SynthesisAnalysis& analysis) {

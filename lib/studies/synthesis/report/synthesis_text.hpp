@@ -8,7 +8,7 @@
 
 namespace kinestat {
 
-std::string synthesis_text(const SynthesisAnalysis& analysis);
+TextBlocks synthesis_text(const SynthesisAnalysis& analysis);
 
 /// The same without its title.
 TextBlocks synthesis_blocks(const SynthesisAnalysis& analysis);

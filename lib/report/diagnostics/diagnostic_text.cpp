@@ -1,4 +1,4 @@
-#include "report/diagnostic_text.hpp"
+#include "report/diagnostics/diagnostic_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -66,17 +66,21 @@ bool is_reordered(std::string_view line) {
       kMarks, [line](std::string_view mark) { return line.find(mark) != line.npos; });
 }
 
-std::string excerpt(const SourceFile& source, const SourceRange& where) {
+LineStyle style_of(Severity severity) {
+  return severity == Severity::error ? LineStyle::error : LineStyle::warning;
+}
+
+StyledText excerpt(const SourceFile& source, const SourceRange& where, LineStyle style) {
   const std::string_view line = line_of(source.text, where.line);
   const bool can_be_shown = !line.empty() && line.size() <= kLongestLine &&
                             !find_bad_character(line) && !is_reordered(line);
-  if (where.line == 0 || !can_be_shown) {
-    return {};
+  StyledText text;
+  if (where.line != 0 && can_be_shown) {
+    text += fmt::format("{:5} | {}\n      | ", where.line, line);
+    text.add(marks_below(line, where.column, std::clamp(where.length, 1, 100)), style);
+    text += "\n";
   }
-  return fmt::format("{:5} | {}\n      | {}\n",
-                     where.line,
-                     line,
-                     marks_below(line, where.column, std::clamp(where.length, 1, 100)));
+  return text;
 }
 
 std::string place(const SourceFile& source, const SourceRange& where) {
@@ -86,19 +90,24 @@ std::string place(const SourceFile& source, const SourceRange& where) {
   return where.line == 0 ? path : fmt::format("{}:{}:{}", path, where.line, where.column);
 }
 
-std::string text_of(const SourceFile& source, const Diagnostic& one) {
-  std::string text = fmt::format("{}: {}[{}]: {}\n",
-                                 place(source, one.where),
-                                 one.severity == Severity::error ? "error" : "warning",
-                                 one.code,
-                                 one.message);
-  text += excerpt(source, one.where);
+StyledText text_of(const SourceFile& source, const Diagnostic& one) {
+  const LineStyle style = style_of(one.severity);
+  StyledText text;
+  text.add(place(source, one.where) + ":", LineStyle::heading);
+  text += " ";
+  text.add(fmt::format("{}[{}]:", one.severity == Severity::error ? "error" : "warning", one.code),
+           style);
+  text += fmt::format(" {}\n", one.message);
+  text += excerpt(source, one.where, style);
   for (const Note& note : one.notes) {
-    text += fmt::format("{}: note: {}\n", place(source, note.where), note.message);
-    text += excerpt(source, note.where);
+    text.add(place(source, note.where) + ": note:", LineStyle::heading);
+    text += fmt::format(" {}\n", note.message);
+    text += excerpt(source, note.where, LineStyle::hint);
   }
   if (!one.hint.empty()) {
-    text += fmt::format("  hint: {}\n", one.hint);
+    text += "  ";
+    text.add("hint:", LineStyle::hint);
+    text += fmt::format(" {}\n", one.hint);
   }
   return text;
 }
@@ -136,8 +145,8 @@ std::vector<DiagnosticText> diagnostic_texts(const SourceFile& source, const Dia
   return texts;
 }
 
-std::string diagnostics_text(const SourceFile& source, const Diagnostics& found) {
-  std::string text;
+StyledText diagnostics_text(const SourceFile& source, const Diagnostics& found) {
+  StyledText text;
   for (const DiagnosticText& one : diagnostic_texts(source, found)) {
     text += one.text;
   }

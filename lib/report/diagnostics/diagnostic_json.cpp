@@ -1,8 +1,8 @@
-#include "report/diagnostic_json.hpp"
+#include "report/diagnostics/diagnostic_json.hpp"
 
 #include "core/codes.hpp"
 #include "core/utf8.hpp"
-#include "report/diagnostic_text.hpp"
+#include "report/diagnostics/diagnostic_text.hpp"
 #include "report/json_archive.hpp"
 
 namespace kinestat {

@@ -1,4 +1,4 @@
-#include "report/diagnostic_sarif.hpp"
+#include "report/diagnostics/diagnostic_sarif.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "core/codes.hpp"
 #include "core/utf8.hpp"
 #include "core/version.hpp"
-#include "report/diagnostic_text.hpp"
+#include "report/diagnostics/diagnostic_text.hpp"
 #include "report/json_values.hpp"
 
 namespace kinestat {

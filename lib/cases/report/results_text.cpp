@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cases/report/case_text.hpp"
+#include "cases/report/ratio_in_units.hpp"
+#include "core/tolerance.hpp"
+#include "mechanism/label_kind.hpp"
+#include "report/number_format.hpp"
+#include "statics/coupling_wrenches.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::string shown_ratio(const RatioInUnits& ratio) {
+  return format_short(*ratio.value) + (ratio.unit.empty() ? "" : " " + ratio.unit);
+}
+
+std::string ratio_text(const CaseAnalysis& one,
+                       const Mechanism& mechanism,
+                       const FileUnits& units) {
+  const auto [ratio, torque] = ratios_in_units(one, mechanism, units);
+  std::string text = ratio.value ? fmt::format("  ratio {}", shown_ratio(ratio))
+                                 : fmt::format("  no ratio: {}", one.ratios->reason);
+  if (torque.value) {
+    text += fmt::format(
+        ", {} ratio {}", torque.unit.empty() ? "torque" : "action", shown_ratio(torque));
+  }
+  return text + "\n";
+}
+
+std::string efficiency_text(const PowerFlow& flow, bool has_lossy_meshes) {
+  if (flow.is_self_locking) {
+    return "; self-locking: friction takes more than the inputs give";
+  }
+  if (flow.efficiency) {
+    return fmt::format("; efficiency {}{}",
+                       format_short(*flow.efficiency),
+                       has_lossy_meshes ? " without mesh losses" : "");
+  }
+  return flow.no_efficiency.empty() ? "" : "; no efficiency: " + flow.no_efficiency;
+}
+
+std::string balance_text(const CaseAnalysis& one, const InUnits& in) {
+  const PowerFlow& flow = *one.power;
+  const std::string_view all =
+      flow.loads.empty() ? "the powers of all couplings" : "the powers of all couplings and loads";
+  return fmt::format(
+      "  input power {} {}{}; {}\n",
+      format_short(in.power(flow.input)),
+      in.units().text(QuantityKind::power),
+      efficiency_text(flow, one.efficiency.has_value()),
+      flow.is_balanced
+          ? fmt::format("{} sum to zero", all)
+          : fmt::format("{} sum to {:.3g} of the largest", all, flow.balance_residual));
+}
+
+std::string share_text(const Efficiency& one) {
+  if (one.is_self_locking) {
+    return "self-locking";
+  }
+  return one.value ? format_short(*one.value) : "none (" + one.reason + ")";
+}
+
+// All three have none, for one reason.
+bool has_one_reason(const TransmissionEfficiency& efficiency) {
+  const Efficiency& first = efficiency.carrier;
+  return !first.is_self_locking && !first.reason.empty() &&
+         first.reason == efficiency.carrier_backward.reason &&
+         first.reason == efficiency.absolute.reason;
+}
+
+bool nothing_rolls(const LossyState& state) {
+  return std::ranges::none_of(state.meshes, &MeshLossPower::rolls);
+}
+
+void count(double size, const std::string& coupling, LargestAction& largest) {
+  const double same = kSameValue * std::max(size, largest.size);
+  if (size > largest.size + same) {
+    largest.size = size;
+    largest.couplings.clear();
+  }
+  if (size > 0.0 && size >= largest.size - same) {
+    largest.couplings.push_back(coupling);
+  }
+}
+
+// "largest force 538.516 N in a, b, c"
+std::string largest_text(const char* what, const LargestAction& largest, const InUnits& in) {
+  constexpr std::size_t kMost = 3;
+  const auto shown = static_cast<std::ptrdiff_t>(std::min(largest.couplings.size(), kMost));
+  const auto first = largest.couplings.begin();
+  const bool is_couple = largest.is_couple;
+  std::string text = fmt::format("largest {} {} {} in {}",
+                                 what,
+                                 format_short(in.action(largest.size, is_couple)),
+                                 in.units().text(action_kind(is_couple)),
+                                 fmt::join(first, first + shown, ", "));
+  return largest.couplings.size() > kMost
+             ? text + fmt::format(" and {} more", largest.couplings.size() - kMost)
+             : text;
+}
+
+std::string largest_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
+  const LargestActions largest = largest_actions(mechanism, one);
+  std::vector<std::string> parts;
+  if (largest.force.size > 0.0) {
+    parts.push_back(largest_text("force", largest.force, in));
+  }
+  if (largest.moment.size > 0.0) {
+    parts.push_back(largest_text("moment", largest.moment, in));
+  }
+  return parts.empty() ? "" : fmt::format("  {}\n", fmt::join(parts, "; "));
+}
+
+}  // namespace
+
+std::string losses_text(const Mechanism& mechanism, const CaseAnalysis& one) {
+  if (!one.efficiency) {
+    return {};
+  }
+  const TransmissionEfficiency& efficiency = *one.efficiency;
+  if (has_one_reason(efficiency)) {
+    return fmt::format("  no efficiency with mesh losses: {}\n", efficiency.carrier.reason);
+  }
+  const std::string carrier = fmt::format(
+      "  efficiency with mesh losses, of what rolls in each carrier: {}; backwards {}\n",
+      share_text(efficiency.carrier),
+      share_text(efficiency.carrier_backward));
+  const std::string absolute =
+      fmt::format("  efficiency with mesh losses, of all power seen from the ground: {}\n",
+                  share_text(efficiency.absolute));
+  const std::string_view block =
+      efficiency.state && nothing_rolls(*efficiency.state)
+          ? "  no lossy mesh rolls, as in a train that turns as a block: its teeth lose nothing;\n"
+            "  the figure seen from the ground takes a share of power that only rides along with "
+            "them\n"
+          : "";
+  return (mechanism.loss_model == LossModel::carrier ? carrier + absolute : absolute + carrier) +
+         std::string(block);
+}
+
+LargestActions largest_actions(const Mechanism& mechanism, const CaseAnalysis& one) {
+  LargestActions largest;
+  largest.moment.is_couple = true;
+  const bool has_wrenches = one.action && !one.action->wrenches.empty();
+  for (std::size_t e = 0; has_wrenches && e < mechanism.topology.couplings.size(); ++e) {
+    const std::string& name = mechanism.topology.couplings[e].name;
+    if (const auto wrench = bounded_wrench(*one.action, CouplingId{static_cast<int>(e)})) {
+      count(wrench->force.zeroed().norm(), name, largest.force);
+      count(moment_at(*wrench, mechanism.geometry.points[e]).zeroed().norm(), name, largest.moment);
+    }
+  }
+  return largest;
+}
+
+std::string ratio_cell(const CaseAnalysis& one, const Mechanism& mechanism, const InUnits& in) {
+  const std::optional<RatioInUnits> ratio =
+      one.ratios ? std::optional(ratios_in_units(one, mechanism, in.units()).ratio) : std::nullopt;
+  return ratio && ratio->value ? shown_ratio(*ratio) : "-";
+}
+
+std::string efficiency_cell(const CaseAnalysis& one, const Mechanism& mechanism) {
+  const Efficiency* const lossy = !one.efficiency ? nullptr
+                                  : mechanism.loss_model == LossModel::carrier
+                                      ? &one.efficiency->carrier
+                                      : &one.efficiency->absolute;
+  const std::optional<double> value = lossy != nullptr ? lossy->value
+                                      : one.power      ? one.power->efficiency
+                                                       : std::nullopt;
+  return value ? format_short(*value) : "-";
+}
+
+std::string results_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
+  std::string text;
+  if (one.ratios) {
+    text += ratio_text(one, mechanism, in.units());
+  }
+  if (one.power) {
+    text += losses_text(mechanism, one) + balance_text(one, in);
+  }
+  return text + largest_text(mechanism, one, in);
+}
+
+}  // namespace kinestat

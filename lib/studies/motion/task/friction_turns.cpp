@@ -1,0 +1,119 @@
+#include "studies/motion/task/friction_turns.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "couplings/kinds.hpp"
+
+namespace kinestat {
+
+namespace {
+
+Vec3 sliding_of(const Topology& topology, CouplingId id, const CaseAnalysis& one) {
+  Vec3 result = Vec3::Zero();
+  if (one.action && std::ranges::find(one.action->at_rest, id) != one.action->at_rest.end()) {
+    return result;
+  }
+  const CouplingTopology& coupling = topology.coupling(id);
+  const bool has_axis = kind_of(coupling.type).friction != FrictionKind::sliding;
+  Eigen::Index count = 0;
+  for (int i = 0; i < coupling.freedom_count && count < result.size(); ++i) {
+    const auto f = static_cast<std::size_t>(coupling.first_freedom + i);
+    if (has_axis || !topology.freedoms[f].is_rotation) {
+      result[count++] = one.motion->rates[f];
+    }
+  }
+  return result;
+}
+
+class TurnFinder {
+ public:
+  TurnFinder(const std::vector<std::vector<Vec3>>& sliding, MotionTable& table)
+      : sliding_(sliding), table_(table) {}
+
+  FrictionTurn find(std::size_t f, const std::string& coupling) {
+    FrictionTurn turn{.coupling = coupling};
+    std::optional<std::size_t> before;
+    for (std::size_t r = 0; r < sliding_.size(); ++r) {
+      if (sliding_[r].empty()) {
+        before.reset();
+        continue;
+      }
+      if (!slides(r, f)) {
+        continue;
+      }
+      if (r == 1 && rests(0, f)) {
+        add(0, 0, turn);
+      } else if (before && sliding_[*before][f].dot(sliding_[r][f]) < 0.0) {
+        add(*before, r, turn);
+      }
+      before = r;
+    }
+    const std::size_t last = sliding_.size() - 1;
+    if (before && *before + 1 == last && rests(last, f)) {
+      add(last, last, turn);
+    }
+    return turn;
+  }
+
+ private:
+  bool slides(std::size_t row, std::size_t friction) const {
+    return !sliding_[row].empty() && !sliding_[row][friction].isZero(0.0);
+  }
+
+  bool is_left_open(std::size_t row) const {
+    return table_.rows[row].status == word_of(SolveStatus::at_rest);
+  }
+
+  // Whether that leaves a row without an answer.
+  bool rests(std::size_t row, std::size_t friction) const {
+    return !sliding_[row].empty() && sliding_[row][friction].isZero(0.0) && is_left_open(row);
+  }
+
+  // What nothing but the turn of a friction leaves open is at its dead point.
+  void add(std::size_t before, std::size_t after, FrictionTurn& turn) {
+    if (turn.count++ == 0) {
+      turn.before = before;
+      turn.after = after;
+    }
+    const bool is_at_end = before == after;
+    const std::size_t end = is_at_end ? after + 1 : after;
+    for (std::size_t r = is_at_end ? before : before + 1; r < end; ++r) {
+      if (is_left_open(r)) {
+        table_.rows[r].status = kDeadPointEvent;
+      }
+    }
+  }
+
+  const std::vector<std::vector<Vec3>>& sliding_;
+  MotionTable& table_;
+};
+
+}  // namespace
+
+std::vector<Vec3> sliding_at(const Mechanism& mechanism, const MotionPosition& position) {
+  std::vector<Vec3> rates;
+  if (!position.solved || !position.solved->motion || position.solved->motion->rates.empty()) {
+    return rates;
+  }
+  for (const CouplingFriction& friction : mechanism.frictions) {
+    rates.push_back(sliding_of(mechanism.topology, friction.coupling, *position.solved));
+  }
+  return rates;
+}
+
+void find_friction_turns(const Mechanism& mechanism,
+                         const std::vector<std::vector<Vec3>>& sliding,
+                         MotionTable& table) {
+  TurnFinder finder(sliding, table);
+  for (std::size_t f = 0; f < mechanism.frictions.size(); ++f) {
+    const CouplingId id = mechanism.frictions[f].coupling;
+    FrictionTurn turn = finder.find(f, mechanism.topology.coupling(id).name);
+    if (turn.count > 0) {
+      table.friction_turns.push_back(std::move(turn));
+    }
+  }
+}
+
+}  // namespace kinestat

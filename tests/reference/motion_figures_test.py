@@ -1,0 +1,189 @@
+#!/usr/bin/env python3
+"""Holds the extremes and means of a motion, wherever its steps fall, against closed forms.
+
+Usage: motion_figures_test.py PROGRAM MECHANISMS [unittest arguments]
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from typing import Callable
+
+import motion_case
+from motion_case import Motion, MotionTest, dyad, run
+
+# A value at its extreme moves with the square of the position.
+VALUE = 1e-10
+PLACE = 1e-4
+
+CRANK, ROD, OFFSET, PRESS = 40.0, 125.0, 15.0, 500.0
+
+SLIDER_CRANK = """\
+kinestat: 1
+space: planar
+units: {length: mm, angle: deg}
+ground: frame
+bodies: [crank, rod, slider]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, rod], at: [40, 0]}
+  c: {type: revolute, bodies: [rod, slider], at: ["40 + sqrt(125^2 - 15^2)", 15]}
+  d: {type: prismatic, bodies: [frame, slider], axis: x}
+actuators: {motor: {coupling: a}, press: {coupling: d}}
+cases:
+  run: {motion: {motor: 2 rad/s}, action: {press: 500 N}, input: motor, output: press}
+motion: {drive: motor, to: 360, case: run, report: [position, velocity, motor]}
+"""
+
+FOUR_BAR = """\
+kinestat: 1
+space: planar
+units: {length: mm, angle: deg}
+ground: frame
+bodies: [crank, coupler, rocker]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, coupler], at: [30, 40]}
+  c: {type: revolute, bodies: [coupler, rocker], at: [150, 100]}
+  d: {type: revolute, bodies: [frame, rocker], at: [160, 0]}
+actuators: {motor: {coupling: a}, load: {coupling: d}}
+cases: {run: {motion: {motor: 1 rad/s}, action: {load: -5 N*m}, input: motor, output: load}}
+motion:
+  drive: motor
+  to: 360
+  case: run
+  trace: [{body: coupler, at: [90, 110]}]
+  report: [transmission_angle]
+"""
+
+
+def greatest_of(function: Callable[[float], float], near: float) -> float:
+    """Of a smooth function of an angle [deg] by golden sections, within 15 deg of a place."""
+    low, high = near - 15.0, near + 15.0
+    share = (math.sqrt(5.0) - 1.0) / 2.0
+    for _ in range(60):
+        width = share * (high - low)
+        if function(low + width) > function(high - width):
+            low = high - width
+        else:
+            high = low + width
+    return max(function(low), function(high))
+
+
+def extremes_of(function: Callable[[float], float]) -> tuple[float, float]:
+    """Over a turn: a look at every degree, then by golden sections."""
+    values = [function(float(degree)) for degree in range(361)]
+    least = values.index(min(values))
+    most = values.index(max(values))
+    return (min(-greatest_of(lambda x: -function(x), least), values[0]),
+            max(greatest_of(function, most), values[0]))
+
+
+class FiguresTest(MotionTest):
+    def figures(self, motion: Motion, name: str) -> dict:
+        return motion.report["figures"][name]
+
+    def holds(self, motion: Motion, name: str, function: Callable[[float], float]) -> None:
+        """The extremes of the column are those of the function, and so are their places."""
+        found = self.figures(motion, name)
+        least, greatest = extremes_of(function)
+        size = max(abs(least), abs(greatest))
+        self.assertLess(abs(found["least"] - least), VALUE * size, name)
+        self.assertLess(abs(found["greatest"] - greatest), VALUE * size, name)
+        for figure in ("least", "greatest"):
+            there = function(found[f"{figure}_at"])
+            self.assertLess(abs(there - found[figure]), PLACE * PLACE * size, name)
+
+
+class SliderCrank(FiguresTest):
+    """x = r cos t + sqrt(l² - (e - r sin t)²); virtual power: motor t' + press x' = 0."""
+
+    @staticmethod
+    def place(degrees: float) -> float:
+        t = math.radians(degrees)
+        drawn = CRANK + math.sqrt(ROD ** 2 - OFFSET ** 2)
+        return (CRANK * math.cos(t)
+                + math.sqrt(ROD ** 2 - (OFFSET - CRANK * math.sin(t)) ** 2) - drawn)
+
+    @staticmethod
+    def slope(degrees: float) -> float:
+        t = math.radians(degrees)
+        rise = OFFSET - CRANK * math.sin(t)
+        return (-CRANK * math.sin(t)
+                + rise * CRANK * math.cos(t) / math.sqrt(ROD ** 2 - rise ** 2))
+
+    def test_stroke_speed_and_torque_do_not_hang_on_the_steps(self) -> None:
+        for steps in (12, 36, 71, 100):
+            motion = run(SLIDER_CRANK, "--steps", str(steps))
+            with self.subTest(steps=steps):
+                self.holds(motion, "d.vx/position", self.place)
+                self.holds(motion, "d.vx/velocity", lambda t: 2.0 * self.slope(t))
+                self.holds(motion, "motor/action", lambda t: -PRESS * self.slope(t) / 1000.0)
+
+    def test_stroke_is_that_of_the_dead_centres(self) -> None:
+        stroke = (math.sqrt((ROD + CRANK) ** 2 - OFFSET ** 2)
+                  - math.sqrt((ROD - CRANK) ** 2 - OFFSET ** 2))
+        found = self.figures(run(SLIDER_CRANK, "--steps", "50"), "d.vx/position")
+        self.assertLess(abs(found["greatest"] - found["least"] - stroke), VALUE * stroke)
+
+    def test_mean_is_that_over_the_way_of_the_drive(self) -> None:
+        count = 20_000
+        mean = sum(self.place(360.0 * i / count) for i in range(count)) / count
+        found = self.figures(run(SLIDER_CRANK, "--steps", "72"), "d.vx/position")
+        self.assertLess(abs(found["mean"] - mean), 1e-9 * CRANK)
+
+    def test_what_ends_at_its_extreme_has_it_there(self) -> None:
+        found = self.figures(run(SLIDER_CRANK, "--to", "30 deg", "--drive", "motor", "--report",
+                                 "position", "--steps", "7"), "d.vx/position")
+        self.assertLess(abs(found["least"] - self.place(30.0)), VALUE * CRANK)
+        self.assertEqual(found["least_at"], 30.0)
+
+
+class FourBar(FiguresTest):
+    LINKS = complex(30, 40), complex(150, 100), complex(160, 0)
+
+    def joint(self, degrees: float) -> tuple[complex, complex]:
+        b, c, d = self.LINKS
+        at = b * cmath.exp(1j * math.radians(degrees))
+        return at, dyad(at, d, abs(c - b), abs(c - d), (b, d, c))
+
+    def angle(self, degrees: float) -> float:
+        at, c = self.joint(degrees)
+        between = abs(cmath.phase((c - at) / (c - self.LINKS[2])))
+        return math.degrees(min(between, math.pi - between))
+
+    def traced(self, degrees: float) -> complex:
+        at, c = self.joint(degrees)
+        b, c0, _ = self.LINKS
+        return at + (complex(90, 110) - b) * (c - at) / (c0 - b)
+
+    def test_least_transmission_angle_lies_where_crank_and_frame_are_in_line(self) -> None:
+        b, c, d = self.LINKS
+        coupler, rocker = abs(c - b), abs(c - d)
+        least = min(
+            math.degrees(math.acos(abs(coupler ** 2 + rocker ** 2 - (abs(d) + sign * abs(b)) ** 2)
+                                   / (2.0 * coupler * rocker)))
+            for sign in (-1, 1))
+        for steps in (24, 50, 97):
+            found = self.figures(run(FOUR_BAR, "--steps", str(steps)), "load/transmission_angle")
+            with self.subTest(steps=steps):
+                self.assertLess(abs(found["least"] - least), VALUE * least)
+
+    def test_a_traced_point_goes_as_far_as_its_curve(self) -> None:
+        motion = run(FOUR_BAR, "--steps", "30")
+        self.holds(motion, "coupler.1/at/x", lambda t: self.traced(t).real)
+        self.holds(motion, "coupler.1/at/y", lambda t: self.traced(t).imag)
+
+
+class Limited(MotionTest):
+    def test_a_motion_that_ends_before_has_no_mean(self) -> None:
+        text = FOUR_BAR.replace("[160, 0]", "[230, 0]")
+        motion = run(text, "--report", "position", "--steps", "40", status=5)
+        figures = motion.report["figures"]["d.wz/position"]
+        self.assertIsNone(figures["mean"])
+        self.assertIsNotNone(figures["least"])
+
+
+if __name__ == "__main__":
+    motion_case.main()
