@@ -13,14 +13,34 @@ namespace kinestat {
 
 namespace {
 
+// What the inputs or the outputs of a case give.
+std::vector<double> powers_of(const std::vector<int>& actuators,
+                              const std::vector<std::size_t>& loads,
+                              const CasePowers& powers) {
+  std::vector<double> result;
+  for (const int i : actuators) {
+    result.push_back(powers.actuators[static_cast<std::size_t>(i)]);
+  }
+  for (const std::size_t i : loads) {
+    result.push_back(powers.loads[i]);
+  }
+  return result;
+}
+
 // Zero where rounding of its own terms does not tell it from zero; the terms are what they are.
-double sum_of(const std::vector<int>& chosen, const std::vector<double>& powers) {
+double sum_of(const std::vector<double>& powers) {
   BoundedNumber sum;
-  for (const int i : chosen) {
-    const double power = powers[static_cast<std::size_t>(i)];
+  for (const double power : powers) {
     sum = sum + BoundedNumber{.value = power, .bound = kSolvedRounding * std::abs(power)};
   }
   return sum.zeroed();
+}
+
+template <class Index>
+bool holds(const std::vector<Index>& first, const std::vector<Index>& second, std::size_t i) {
+  const auto index = static_cast<Index>(i);
+  return std::ranges::find(first, index) != first.end() ||
+         std::ranges::find(second, index) != second.end();
 }
 
 // Whether all power comes from the inputs and goes to the outputs and into losses.
@@ -28,9 +48,7 @@ bool is_between_inputs_and_outputs(const Case& which, const CasePowers& powers) 
   double largest = 0.0;
   double beside = 0.0;
   for (std::size_t i = 0; i < powers.actuators.size(); ++i) {
-    const int actuator = static_cast<int>(i);
-    const bool is_named = std::ranges::find(which.inputs, actuator) != which.inputs.end() ||
-                          std::ranges::find(which.outputs, actuator) != which.outputs.end();
+    const bool is_named = holds(which.inputs, which.outputs, i);
     const bool slips = powers.slips != nullptr && (*powers.slips)[i];
     if (!is_named && slips && powers.actuators[i] <= 0.0) {
       continue;
@@ -38,17 +56,17 @@ bool is_between_inputs_and_outputs(const Case& which, const CasePowers& powers) 
     double& size = is_named ? largest : beside;
     size = std::max(size, std::abs(powers.actuators[i]));
   }
-  for (const double load : powers.loads) {
-    beside = std::max(beside, std::abs(load));
+  for (std::size_t i = 0; i < powers.loads.size(); ++i) {
+    double& size = holds(which.input_loads, which.output_loads, i) ? largest : beside;
+    size = std::max(size, std::abs(powers.loads[i]));
   }
   return beside <= kPowerBalance * largest;
 }
 
 // Whether one of them has a power of that sign, +1 or -1.
-bool has_power(const std::vector<int>& chosen, double sign, const CasePowers& powers) {
-  return std::ranges::any_of(chosen, [&](int i) {
-    return sign * powers.actuators[static_cast<std::size_t>(i)] > kPowerBalance * powers.largest;
-  });
+bool has_power(const std::vector<double>& chosen, double sign, const CasePowers& powers) {
+  return std::ranges::any_of(
+      chosen, [&](double power) { return sign * power > kPowerBalance * powers.largest; });
 }
 
 }  // namespace
@@ -64,14 +82,16 @@ std::vector<bool> find_slipping(const Topology& topology) {
 }
 
 Efficiency find_efficiency(const Case& which, const CasePowers& powers) {
-  if (which.inputs.empty() || which.outputs.empty()) {
+  if (!which.names_both_ends()) {
     return {};
   }
   if (!is_between_inputs_and_outputs(which, powers)) {
-    return no_efficiency("loads or other actuators exchange power too");
+    return no_efficiency("other loads or actuators exchange power too");
   }
-  const double in = sum_of(which.inputs, powers.actuators);
-  const double out = sum_of(which.outputs, powers.actuators);
+  const std::vector<double> inputs = powers_of(which.inputs, which.input_loads, powers);
+  const std::vector<double> outputs = powers_of(which.outputs, which.output_loads, powers);
+  const double in = sum_of(inputs);
+  const double out = sum_of(outputs);
   if (in == 0.0) {
     return no_efficiency("the inputs give no power");
   }
@@ -79,7 +99,7 @@ Efficiency find_efficiency(const Case& which, const CasePowers& powers) {
     return no_efficiency(out > 0.0 ? "the inputs take power, the outputs drive"
                                    : "the inputs take power");
   }
-  if (has_power(which.inputs, -1.0, powers)) {
+  if (has_power(inputs, -1.0, powers)) {
     return no_efficiency("one of the inputs takes power");
   }
   if (out > kPowerBalance * in) {
@@ -87,7 +107,7 @@ Efficiency find_efficiency(const Case& which, const CasePowers& powers) {
             .reason = "friction takes more than the inputs give",
             .is_self_locking = true};
   }
-  if (has_power(which.outputs, 1.0, powers)) {
+  if (has_power(outputs, 1.0, powers)) {
     return no_efficiency("one of the outputs gives power");
   }
   if (out >= 0.0) {

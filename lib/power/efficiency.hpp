@@ -10,11 +10,11 @@
 
 namespace kinestat {
 
-/// Power of the outputs over that of the inputs, each summed. Empty where the case does not name
-/// both, where an input takes power or none gives any, where an output gives some (self-locking if
-/// all of them together do), and where loads or other actuators exchange power, but for what a
-/// clutch or brake takes, which slips: that is lost. The reason says so, but for a case that does
-/// not name both. Never below 0; where it is 0 there is a reason too.
+/// Power of the outputs over that of the inputs, actuators and loads, each summed. Empty where the
+/// case does not name both, where an input takes power or none gives any, where an output gives
+/// some (self-locking if all of them together do), and where other loads or actuators exchange
+/// power, but for what a clutch or brake takes, which slips: that is lost. The reason says so, but
+/// for a case that does not name both. Never below 0; where it is 0 there is a reason too.
 struct Efficiency {
   std::optional<double> value;
   std::string reason;

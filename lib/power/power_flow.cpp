@@ -16,13 +16,16 @@ namespace kinestat {
 namespace {
 
 double input_power(const Case& which, const PowerFlow& flow) {
-  if (which.inputs.size() == 1) {
+  if (which.inputs.size() == 1 && which.input_loads.empty()) {
     return flow.actuators[static_cast<std::size_t>(which.inputs.front())];
   }
-  if (!which.inputs.empty()) {
+  if (!which.inputs.empty() || !which.input_loads.empty()) {
     BoundedNumber total;
     for (const int i : which.inputs) {
       total = total + rounded_as_typed({.value = flow.actuators[static_cast<std::size_t>(i)]});
+    }
+    for (const std::size_t i : which.input_loads) {
+      total = total + rounded_as_typed({.value = flow.loads[i]});
     }
     return total.zeroed();
   }

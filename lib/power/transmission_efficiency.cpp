@@ -20,10 +20,6 @@ Efficiency self_locking(std::string reason) {
   return {.value = std::nullopt, .reason = std::move(reason), .is_self_locking = true};
 }
 
-bool names_both(const Case& which) {
-  return !which.inputs.empty() && !which.outputs.empty();
-}
-
 // The same motion, driven from the other end.
 Case reversed(Case which) {
   for (Primary& primary : which.actions) {
@@ -33,6 +29,7 @@ Case reversed(Case which) {
     load.acts.wrench = -1.0 * load.acts.wrench;
   }
   std::swap(which.inputs, which.outputs);
+  std::swap(which.input_loads, which.output_loads);
   return which;
 }
 
@@ -88,7 +85,7 @@ class LossyCase {
   }
 
   Efficiency efficiency_of(const Case& which, const Direction& direction) const {
-    if (!names_both(which)) {
+    if (!which.names_both_ends()) {
       return no_efficiency("the case does not name input and output");
     }
     if (direction.search == LossSearch::undecided) {
@@ -151,7 +148,7 @@ class LossyCase {
 
   // Whether power leaves by the outputs, of those that the case names.
   bool passes_on(const Case& which, const VecX& actions) const {
-    if (!names_both(which)) {
+    if (!which.names_both_ends()) {
       return true;
     }
     double out = 0.0;
@@ -162,6 +159,13 @@ class LossyCase {
           actions[actuator.action] * motion_.rates[static_cast<std::size_t>(actuator.freedom)];
       largest = std::max(largest, std::abs(power));
       out += std::ranges::count(which.outputs, static_cast<int>(i)) > 0 ? power : 0.0;
+    }
+    for (std::size_t i = 0; i < which.loads.size(); ++i) {
+      const BodyWrench& acts = which.loads[i].acts;
+      const double gives =
+          power(acts.wrench, motion_.bodies[static_cast<std::size_t>(acts.body.value)]);
+      largest = std::max(largest, std::abs(gives));
+      out += std::ranges::count(which.output_loads, i) > 0 ? gives : 0.0;
     }
     return out < -kPowerBalance * largest;
   }
@@ -213,7 +217,7 @@ LossyState state_of(const Mechanism& mechanism,
 }
 
 Efficiency absolute_of(const Mechanism& mechanism, const SolvedCase& solved) {
-  if (!names_both(solved.which)) {
+  if (!solved.which.names_both_ends()) {
     return no_efficiency("the case does not name input and output");
   }
   const PowerFlow& power = solved.power;
@@ -229,6 +233,9 @@ Efficiency absolute_of(const Mechanism& mechanism, const SolvedCase& solved) {
   if (std::ranges::any_of(mechanism.lossy_meshes,
                           [](const LossyMesh& mesh) { return mesh.law.has_value(); })) {
     return no_efficiency("losses that depend on speed or force are those of the carrier model");
+  }
+  if (!solved.which.input_loads.empty() || !solved.which.output_loads.empty()) {
+    return no_efficiency("of loads as input or output the carrier model has it");
   }
   const std::optional<double> value =
       find_absolute_efficiency(mechanism, solved.which, power, solved.graph);

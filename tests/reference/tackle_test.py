@@ -6,6 +6,7 @@ Usage: tackle_test.py PROGRAM [unittest arguments]
 
 from __future__ import annotations
 
+import re
 import sys
 import unittest
 from fractions import Fraction
@@ -68,6 +69,40 @@ class Tackles(ReferenceTest):
                     tension = up["statics"]["actions"][f"rope_{k}.F"]
                     self.near(tension, float(eta ** (k - 1)), f"tension {k}")
         self.assertEqual(eta * (1 - eta ** 4) / (1 - eta), Fraction("3.52438125"))
+
+    @staticmethod
+    def with_mass(bodies: re.Match) -> str:
+        masses = {"block": "{mass: 60, centre_of_mass: [300, 0]}"}
+        return "bodies: {%s}" % ", ".join(
+            f"{name}: {masses.get(name, '{}')}" for name in bodies[1].split(", "))
+
+    def test_goods_are_an_output_that_rises_and_an_input_that_sinks(self) -> None:
+        eta = Fraction(9, 10)
+        goods = {"force": ("loads: {goods: {body: block, at: [300, 0], force: [0, -600 N]}}", "goods"),
+                 "weight": ("gravity: [0, -10 m/s^2]", "gravity.block")}
+        for kind, (section, name) in goods.items():
+            for falls in (1, 2, 4):
+                text = tackle(falls, 0.9).split("actuators:")[0]
+                if kind == "weight":
+                    text = re.sub(r"bodies: \[(.*)\]", self.with_mass, text, count=1)
+                text += (f"{section}\nactuators: {{hand: {{coupling: H}}}}\ncases:\n"
+                         f"  up: {{motion: {{hand: -12}}, input: hand, output: {name}}}\n"
+                         f"  down: {{motion: {{hand: 12}}, input: {name}, output: hand}}\n")
+                with self.subTest(kind=kind, falls=falls):
+                    cases = program.run("analyze", "-", text=text)["cases"]
+                    advantage = eta * (1 - eta ** falls) / (1 - eta)
+                    behind = sum(1 / eta ** k for k in range(1, falls + 1))
+                    up, down = cases["up"]["power"], cases["down"]["power"]
+                    self.near(up["efficiency"]["friction"], float(advantage / falls), "up")
+                    self.near(down["efficiency"]["friction"], float(falls / behind), "down")
+                    self.near(up["input"], 12e-3 * 600 / float(advantage), "input")
+                    self.near(down["input"], 600 * 12e-3 / falls, "what sinks gives")
+
+    def test_a_load_that_does_not_act_is_no_output(self) -> None:
+        text = tackle(2, 0.9).replace("output: load}", "output: gravity.block}", 1)
+        done = program.call("analyze", "-", text=text)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("'gravity.block' does not act in case 'up'", done.stderr)
 
     def test_over_a_pulley_whose_journal_rubs_too(self) -> None:
         """(T - W) r = mu r_j (T + W) + (1 - eta) T r"""

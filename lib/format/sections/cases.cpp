@@ -20,7 +20,7 @@ Form<std::vector<Assignment>> assignments(const Form<Value>& value) {
 }
 
 Form<std::vector<Name>> ends() {
-  return one_or_more(name_of("an actuator"), 1);
+  return one_or_more(name_of("an actuator or a load"), 1);
 }
 
 const Mapping<CaseDescription>& one_case() {
@@ -45,10 +45,13 @@ const Mapping<CaseDescription>& one_case() {
               "Loads of this case alone; one of the same name at the top level is replaced.")
             .may(&CaseDescription::loads, loads());
         m.key("input",
-              "The actuator, or several, where power goes in; with the output it defines ratio and "
-              "efficiency.")
+              "Where power goes in: an actuator or several, or a load (gravity.BODY for a weight) "
+              "that "
+              "drives; with the output it defines ratio and efficiency.")
             .may(&CaseDescription::inputs, ends(), "drive");
-        m.key("output", "The actuator, or several, where power comes out; needs 'input'.")
+        m.key("output",
+              "Where power comes out: an actuator or several, or a load, as the goods of a hoist; "
+              "needs 'input'.")
             .may(&CaseDescription::outputs, ends(), "load");
         m.rule({.kind = FormRule::Kind::any_of,
                 .others = {"motion", "action", "loads"},

@@ -149,6 +149,7 @@ void bind_sections(const SectionContext& context, Mechanism& result) {
   std::vector<std::vector<Load>> loads = bind_loads(context);
   if (context.found.error_count() == errors_before && !result.cases.empty()) {
     add_loads(std::move(loads), result.cases);
+    bind_load_ends(context, result.cases);
     check_order_of_loads(context.description, result.cases, context.found);
   }
 }

@@ -17,17 +17,24 @@ struct Primary {
   SourceRange where;
 };
 
-/// Inputs and outputs are indices of actuators; empty where the file does not say.
+/// Inputs and outputs are actuators and loads, by their indices; empty where the file does not say.
 struct Case {
   std::string label;
   bool asks_motions = false;  ///< velocities are to be solved, even if none is known
   bool asks_actions = false;  ///< actions are to be solved: the key is there, or loads act
   std::vector<Primary> motions;
   std::vector<Primary> actions;
-  std::vector<Load> loads;  ///< on moving bodies: those of the file, then the weights
-  std::vector<int> inputs;
-  std::vector<int> outputs;
+  std::vector<Load> loads;   ///< on moving bodies: those of the file, then the weights
+  std::vector<int> inputs;   ///< actuators
+  std::vector<int> outputs;  ///< likewise
+  std::vector<std::size_t> input_loads = {};  ///< of `loads`: what drives as a weight that sinks
+  std::vector<std::size_t> output_loads = {};
   SourceRange where;
+
+  /// Whether the file says where power goes in and where it comes out.
+  bool names_both_ends() const {
+    return !(inputs.empty() && input_loads.empty()) && !(outputs.empty() && output_loads.empty());
+  }
 };
 
 }  // namespace kinestat

@@ -209,17 +209,17 @@ class CaseBinder {
         result.push_back(*at);
         continue;
       }
-      const bool is_load = loads_.find(name.text).has_value();
-      found_.error(
-          "E0313",
-          name.where,
-          fmt::format(
-              "'{}' is {}", name.text, is_load ? "a load, not an actuator" : "not an actuator"),
-          actuators_.names().empty()
-              ? "declare it under 'actuators:'"
-              : guess_before(name.text,
-                             actuators_.names(),
-                             "actuators are " + plain_list(actuators_.names())));
+      if (loads_.find(name.text) || name.text.starts_with(kWeightPrefix)) {
+        continue;  // bind_load_ends
+      }
+      found_.error("E0313",
+                   name.where,
+                   fmt::format("'{}' is neither an actuator nor a load", name.text),
+                   actuators_.names().empty()
+                       ? "declare it under 'actuators:'"
+                       : guess_before(name.text,
+                                      actuators_.names(),
+                                      "actuators are " + plain_list(actuators_.names())));
     }
     return result;
   }

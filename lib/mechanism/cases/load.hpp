@@ -18,6 +18,9 @@ struct BodyWrench {
   Wrench wrench;
 };
 
+/// Before the body, in the name of its weight.
+inline constexpr std::string_view kWeightPrefix = "gravity.";
+
 /// A load of a case: one that the file names, or the weight of a body, named gravity.BODY.
 struct Load {
   std::string name;

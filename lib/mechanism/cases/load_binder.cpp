@@ -7,6 +7,7 @@
 
 #include "core/contract.hpp"
 #include "core/text.hpp"
+#include "core/utf8.hpp"
 #include "mechanism/cases/load_moment.hpp"
 
 namespace kinestat {
@@ -101,6 +102,42 @@ std::vector<std::vector<Load>> bind_loads(const SectionContext& context) {
     cases.push_back(std::move(loads));
   }
   return cases;
+}
+
+bool names_load(const Name& name, const CaseDescription& one, const SectionContext& context) {
+  const auto has = [&](const std::vector<LoadDescription>& loads) {
+    return std::ranges::any_of(
+        loads, [&](const LoadDescription& load) { return load.name.text == name.text; });
+  };
+  const bool is_weight = name.text.starts_with(kWeightPrefix) &&
+                         context.names.bodies.contains(name.text.substr(kWeightPrefix.size()));
+  return has(context.description.loads) || has(one.loads) || is_weight;
+}
+
+void bind_load_ends(const SectionContext& context, std::vector<Case>& cases) {
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const CaseDescription& description = context.description.cases[c];
+    const auto bind_end = [&](const std::vector<Name>& names, std::vector<std::size_t>& ends) {
+      for (const Name& name : names) {
+        if (context.names.actuators.contains(name.text) ||
+            !names_load(name, description, context)) {
+          continue;
+        }
+        const auto at = std::ranges::find(cases[c].loads, name.text, &Load::name);
+        if (at != cases[c].loads.end()) {
+          ends.push_back(static_cast<std::size_t>(at - cases[c].loads.begin()));
+          continue;
+        }
+        context.found.error(
+            "E0313",
+            name.where,
+            fmt::format("'{}' does not act in case '{}'", name.text, printable(cases[c].label)),
+            "loads on the ground do nothing, and bodies without a mass have no weight");
+      }
+    };
+    bind_end(description.inputs, cases[c].input_loads);
+    bind_end(description.outputs, cases[c].output_loads);
+  }
 }
 
 void add_loads(std::vector<std::vector<Load>> loads, std::vector<Case>& cases) {

@@ -18,6 +18,14 @@ std::vector<std::vector<Load>> bind_loads(const SectionContext& context);
 /// Gives the cases their loads; one on which any acts asks for its actions.
 void add_loads(std::vector<std::vector<Load>> loads, std::vector<Case>& cases);
 
+/// Whether a name is that of a load of the file, of a load of the case, or of the weight of a body,
+/// be there one or not.
+bool names_load(const Name& name, const CaseDescription& one, const SectionContext& context);
+
+/// Finds the loads that cases name as input or output among those that act in them, the weights
+/// included; complains of those that do not.
+void bind_load_ends(const SectionContext& context, std::vector<Case>& cases);
+
 /// One load gravity.BODY for every body with a mass, at its centre of mass: mass · gravity, about
 /// the origin of the evaluator. None without gravity, though masses and centres are evaluated.
 /// Bodies without a mass are massless. A mass without a centre is an error, gravity without any

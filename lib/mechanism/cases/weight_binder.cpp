@@ -76,7 +76,7 @@ std::vector<Load> bind_weights(const SectionContext& context) {
     if (mass && centre && acceleration) {
       const Vec3 force = *mass * *acceleration;
       const Vec3 moment = moment_of_load(*centre, force, Vec3::Zero());
-      weights.push_back({.name = "gravity." + body.name.text,
+      weights.push_back({.name = std::string(kWeightPrefix) + body.name.text,
                          .acts = {.body = BodyId{context.names.bodies.find(body.name.text)},
                                   .wrench = {.moment = moment, .force = force}},
                          .point = *centre,

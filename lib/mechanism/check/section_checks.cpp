@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "mechanism/cases/load_binder.hpp"
 #include "mechanism/check/report_name_check.hpp"
 #include "mechanism/gears/internal/losses.hpp"
 #include "mechanism/motion_figure.hpp"
@@ -47,6 +50,33 @@ void check_sections(const SectionContext& context) {
   check_synthesis(context);
 }
 
+namespace {
+
+void check_end(const Name& name,
+               std::string_view role,
+               const CaseDescription& one,
+               const SectionContext& context) {
+  const DeclaredNames& names = context.names;
+  if (!names.actuators.contains(name.text) && names_load(name, one, context)) {
+    return;
+  }
+  const auto body =
+      std::ranges::find_if(context.description.bodies, [&](const BodyDescription& other) {
+        return other.name.text == name.text && other.mass.has_value();
+      });
+  if (body != context.description.bodies.end() && !names.actuators.contains(name.text)) {
+    context.found.error(
+        "E0313",
+        name.where,
+        fmt::format("{} '{}', which is a body", role, name.text),
+        fmt::format("name its weight, {}{}, or an actuator", kWeightPrefix, name.text));
+    return;
+  }
+  names.check_actuator(name, role, context.found);
+}
+
+}  // namespace
+
 void check_case_names(const SectionContext& context) {
   const DeclaredNames& names = context.names;
   Diagnostics& found = context.found;
@@ -54,10 +84,10 @@ void check_case_names(const SectionContext& context) {
     check_knowns(one.motions, context);
     check_knowns(one.actions, context);
     for (const Name& input : one.inputs) {
-      names.check_actuator(input, "'input' names", found);
+      check_end(input, "'input' names", one, context);
     }
     for (const Name& output : one.outputs) {
-      names.check_actuator(output, "'output' names", found);
+      check_end(output, "'output' names", one, context);
     }
   }
   for (const Name& branch : context.description.tree.value_or(std::vector<Name>{})) {

@@ -36,9 +36,9 @@ TEST(Efficiency, HasNoValueWithoutNames) {
 
 TEST(Efficiency, HasNoValueWhereOthersExchangePower) {
   EXPECT_EQ(efficiency_of(drive(), {100.0, 0.0, -97.0, 1.0}).reason,
-            "loads or other actuators exchange power too");
+            "other loads or actuators exchange power too");
   EXPECT_EQ(efficiency_of(drive(), {100.0, 0.0, -97.0, 0.0}, {-1.0}).reason,
-            "loads or other actuators exchange power too");
+            "other loads or actuators exchange power too");
 }
 
 TEST(Efficiency, HasNoValueWhereOneInputTakesPower) {

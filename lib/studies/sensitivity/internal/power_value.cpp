@@ -104,18 +104,22 @@ class PowerFormula {
     return sum;
   }
 
-  Dual sum_of(const std::vector<int>& actuators) const {
+  Dual sum_of(const std::vector<int>& actuators, const std::vector<std::size_t>& loads) const {
     Dual sum(0.0);
     for (const int i : actuators) {
       sum = sum + of_actuator(static_cast<std::size_t>(i));
+    }
+    for (const std::size_t i : loads) {
+      sum = sum + of_load(i);
     }
     return sum;
   }
 
   // Of the inputs, else of all actuators and loads that drive.
   Dual input() const {
-    if (!values_.which().inputs.empty()) {
-      return sum_of(values_.which().inputs);
+    const Case& which = values_.which();
+    if (!which.inputs.empty() || !which.input_loads.empty()) {
+      return sum_of(which.inputs, which.input_loads);
     }
     Dual sum(0.0);
     for (std::size_t i = 0; i < topology_.actuators.size(); ++i) {
@@ -140,7 +144,10 @@ class PowerFormula {
       size = std::max(size, std::abs(of_actuator(i).value));
     }
     for (std::size_t i = 0; i < which.loads.size(); ++i) {
-      beside = std::max(beside, std::abs(of_load(i).value));
+      const bool is_named = std::ranges::count(which.input_loads, i) > 0 ||
+                            std::ranges::count(which.output_loads, i) > 0;
+      double& size = is_named ? largest : beside;
+      size = std::max(size, std::abs(of_load(i).value));
     }
     return beside <= kPowerBalance * largest;
   }
@@ -148,12 +155,12 @@ class PowerFormula {
   // What friction leaves of the power, if it leaves any.
   Found efficiency() const {
     const Case& which = values_.which();
-    if (values_.friction_count() == 0 || which.inputs.empty() || which.outputs.empty() ||
+    if (values_.friction_count() == 0 || !which.names_both_ends() ||
         !is_between_inputs_and_outputs()) {
       return std::nullopt;
     }
-    const Dual in = sum_of(which.inputs);
-    const Dual out = sum_of(which.outputs);
+    const Dual in = sum_of(which.inputs, which.input_loads);
+    const Dual out = sum_of(which.outputs, which.output_loads);
     return in.value > 0.0 && out.value <= 0.0
                ? quotient(-out, QuantityKind::power, in, QuantityKind::power)
                : std::nullopt;

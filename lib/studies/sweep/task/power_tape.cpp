@@ -76,7 +76,7 @@ class PowerRecorder {
   bool add_losses(LossyTape& result) {
     const Case& which = solved_.which;
     LossTape losses;
-    const bool names_both = !which.inputs.empty() && !which.outputs.empty();
+    const bool names_both = which.names_both_ends();
     const bool is_known = solved_.efficiency && solved_.efficiency->state &&
                           (!names_both || solved_.efficiency->carrier.value);
     if (!is_known || !find_teeth() || (names_both && !add_absolute(losses))) {

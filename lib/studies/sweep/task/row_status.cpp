@@ -67,8 +67,8 @@ std::string_view row_status(const CaseAnalysis& one,
                mechanism,
                task.description.units)
           .has_value();
-  if (asks_efficiency && one.power && !one.which.inputs.empty() && !one.which.outputs.empty() &&
-      !has_efficiency && !is_lossless) {
+  if (asks_efficiency && one.power && one.which.names_both_ends() && !has_efficiency &&
+      !is_lossless) {
     return kNoEfficiency;
   }
   return "solved";

@@ -385,7 +385,7 @@ bool TapeSolver::fill_efficiency(std::size_t i, std::size_t lane, SweepRow& row)
   const LossTape& losses = *tapes_.cases[i].power->losses;
   double largest = read_powers(losses.actuators, lane);
   const Efficiency found = efficiency_of(i, largest);
-  const bool names_both = !task_.cases[i].inputs.empty() && !task_.cases[i].outputs.empty();
+  const bool names_both = task_.cases[i].names_both_ends();
   const bool is_clear = !names_both || (found.value ? *found.value > kPowerBalance
                                                     : has_clearly_no_efficiency(i, found, largest));
   if (!is_clear ||
