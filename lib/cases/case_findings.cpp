@@ -39,9 +39,34 @@ bool is_open_gear(const JudgedFile& file, const CaseAnalysis& one) {
          one.action->status == SolveStatus::underdetermined;
 }
 
+// What a case leaves open without any other body feeling it.
+void add_idle_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  std::vector<std::string> names;
+  for (const IdleFreedom& idle : one.motion->idle) {
+    for (const BodyId body : idle.bodies) {
+      const std::string name = fmt::format("'{}'", file.mechanism.topology.body(body).name);
+      if (std::ranges::find(names, name) == names.end()) {
+        names.push_back(name);
+      }
+    }
+  }
+  if (!names.empty()) {
+    found.warning(
+        "W0506",
+        one.which.where,
+        fmt::format("case '{}' does not tell how fast {} turns or shifts by itself, which "
+                    "no other body feels",
+                    one.which.label,
+                    plain_list(names)),
+        "'kinestat mobility' lists these freedoms; give the case the rate of one, or hold "
+        "it by a coupling");
+  }
+}
+
 void add_motion_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const KinematicSolution& motion = *one.motion;
   const KnownSide side = motion_side(file, one.which);
+  add_idle_findings(file, one, found);
   if (motion.status == SolveStatus::dependent && motion.check.dependences.empty()) {
     found.error("E0502",
                 one.which.where,

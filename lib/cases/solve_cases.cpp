@@ -6,6 +6,7 @@
 
 #include "cases/case_passes.hpp"
 #include "cases/exact_input_cases.hpp"
+#include "cases/idle_freedoms.hpp"
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "kinematics/velocity.hpp"
@@ -212,16 +213,33 @@ LoadedFlanks solve_on_loaded_flanks(const Mechanism& drawn,
   return result;
 }
 
+// The case gets what is assumed of freedoms that no body feels.
+KinematicSolution solve_motion_of(const Mechanism& mechanism,
+                                  const CoordinateBasis& basis,
+                                  const AccuracyRequest& accuracy,
+                                  Case& which) {
+  KinematicSolution motion = solve_velocity(mechanism, basis, which.motions, accuracy);
+  if (motion.status != SolveStatus::underdetermined) {
+    return motion;
+  }
+  std::vector<IdleFreedom> idle = hold_idle_freedoms(mechanism, basis, motion, which);
+  if (!idle.empty()) {
+    motion = solve_velocity(mechanism, basis, which.motions, accuracy);
+    motion.idle = std::move(idle);
+  }
+  return motion;
+}
+
 CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRequest& request) {
-  const Case& which = request.which;
   CaseAnalysis result;
-  result.which = which;
+  result.which = request.which;
+  const Case& which = result.which;
   if (which.asks_motions && request.motion != nullptr) {
     result.motion = *request.motion;
   } else if (which.asks_motions) {
-    result.motion = solve_velocity(drawn, bases.motion, which.motions, request.accuracy);
+    result.motion = solve_motion_of(drawn, bases.motion, request.accuracy, result.which);
   }
-  if (result.motion && request.exact_input != nullptr) {
+  if (result.motion && request.exact_input != nullptr && result.motion->idle.empty()) {
     request.certainty->has_exact_input_motion =
         request.exact_input->improve(request.index, *result.motion);
   }

@@ -51,7 +51,8 @@ void emit_rates(const KinematicView& v, const EachNumber& each) {
   const Topology& topology = v.mechanism.topology;
   for (std::size_t f = 0; f < topology.freedoms.size(); ++f) {
     each(topology.freedom_name(static_cast<int>(f)),
-         is_solved(v) ? std::optional(v.motion.rates[f]) : std::nullopt,
+         is_solved(v) && v.motion.knows_rate(static_cast<int>(f)) ? std::optional(v.motion.rates[f])
+                                                                  : std::nullopt,
          kind_of(topology.freedoms[f]));
   }
 }
@@ -59,6 +60,9 @@ void emit_rates(const KinematicView& v, const EachNumber& each) {
 void emit_bodies(const KinematicView& v, const Each<BodyView>& each) {
   const Topology& topology = v.mechanism.topology;
   for (std::size_t b = 0; is_solved(v) && b < topology.bodies.size(); ++b) {
+    if (!v.motion.knows_body(BodyId{static_cast<int>(b)})) {
+      continue;
+    }
     each(topology.bodies[b].name,
          {.twist = bounded_body(v.motion, BodyId{static_cast<int>(b)}),
           .geometry = v.mechanism.geometry,
@@ -92,7 +96,9 @@ const Record<KinematicView>& kinematic_record() {
             .in_tables_as("rate");
         keys.map("bodies",
                  body_record(),
-                 "Motion of every body relative to the ground; empty unless solved.",
+                 "Motion of every body relative to the ground; empty unless solved, and without "
+                 "bodies "
+                 "that can turn or shift unfelt by others.",
                  emit_bodies)
             .in_tables_as("");
         keys.part("evidence",

@@ -12,6 +12,12 @@
 
 namespace kinestat {
 
+/// A motion of bodies that no other body feels, which a case leaves open.
+struct IdleFreedom {
+  std::vector<BodyId> bodies;
+  std::vector<int> freedoms;  ///< that it moves: indices into Topology::freedoms
+};
+
 /// Lists are parallel to those of the Topology; empty unless the status is solved. Twists are
 /// written about the origin of the Geometry.
 struct KinematicSolution {
@@ -26,6 +32,13 @@ struct KinematicSolution {
   std::vector<Twist> body_bounds;  ///< how far each component of them may be off, rounding of the
                                    ///< drawing included; 0 of typed numbers that are exact
   std::vector<Twist> couplings;    ///< of each coupling: head relative to tail
+  std::vector<IdleFreedom> idle = {};  ///< at rest by assumption: what they move is not determined
+
+  /// Whether the rate of a freedom is that of no idle one.
+  bool knows_rate(int freedom) const;
+
+  /// Whether no idle freedom moves the body.
+  bool knows_body(BodyId body) const;
 };
 
 }  // namespace kinestat

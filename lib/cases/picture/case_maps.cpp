@@ -105,9 +105,10 @@ std::string unit_text(const Analysis& analysis, QuantityKind kind) {
   return analysis.description.units.text(kind);
 }
 
-// Of all bodies but the ground.
-BoundedTwist body(const CaseAnalysis& one, std::size_t i) {
-  return bounded_body(*one.motion, BodyId{static_cast<int>(i) + 1});
+// Of all bodies but the ground; empty where the case does not determine it.
+std::optional<BoundedTwist> body(const CaseAnalysis& one, std::size_t i) {
+  const BodyId id{static_cast<int>(i) + 1};
+  return one.motion->knows_body(id) ? std::optional(bounded_body(*one.motion, id)) : std::nullopt;
 }
 
 // All but the ground, which rests.
@@ -137,7 +138,9 @@ BarMap speed_map(const Analysis& analysis) {
                .unit = unit_text(analysis, QuantityKind::angular_velocity),
                .value =
                    [](const CaseAnalysis& one, std::size_t i, const InUnits& in) {
-                     return std::optional<Vec3>(in.angular(body(one, i).angular.zeroed()));
+                     const std::optional<BoundedTwist> twist = body(one, i);
+                     return twist ? std::optional<Vec3>(in.angular(twist->angular.zeroed()))
+                                  : std::nullopt;
                    }},
               moving_bodies(analysis));
   builder.add({.words = "velocity",
@@ -145,8 +148,10 @@ BarMap speed_map(const Analysis& analysis) {
                .unit = unit_text(analysis, QuantityKind::velocity),
                .value =
                    [&geometry](const CaseAnalysis& one, std::size_t i, const InUnits& in) {
+                     const std::optional<BoundedTwist> twist = body(one, i);
                      const Vec3 at = geometry.references[i + 1];
-                     return std::optional<Vec3>(in.linear(velocity_at(body(one, i), at).zeroed()));
+                     return twist ? std::optional<Vec3>(in.linear(velocity_at(*twist, at).zeroed()))
+                                  : std::nullopt;
                    }},
               moving_bodies(analysis));
   return builder.finish(

@@ -18,7 +18,9 @@ const Record<CaseView>& primary_record() {
                    "Names of the known motions, coupling.freedom.",
                    [](const CaseView& v, const EachName& each) {
                      for (const Primary& primary : v.one.which.motions) {
-                       each(v.analysis.mechanism.topology.freedom_name(primary.index));
+                       if (!primary.is_assumed) {
+                         each(v.analysis.mechanism.topology.freedom_name(primary.index));
+                       }
                      }
                    });
         keys.names("action",

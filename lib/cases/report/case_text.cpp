@@ -20,6 +20,9 @@ std::string known_text(const Topology& topology, const Case& which, const InUnit
   std::vector<std::string> parts;
   const auto unit = [&](QuantityKind kind) { return in.units().text(kind); };
   for (const Primary& primary : which.motions) {
+    if (primary.is_assumed) {
+      continue;
+    }
     const bool turns = topology.freedoms[static_cast<std::size_t>(primary.index)].is_rotation;
     parts.push_back(fmt::format("{} = {} {}",
                                 topology.freedom_name(primary.index),
@@ -47,7 +50,9 @@ TextBlocks freedoms_blocks(const Topology& topology,
   for (std::size_t f = 0; f < topology.freedoms.size(); ++f) {
     const bool turns = topology.freedoms[f].is_rotation;
     table.add({topology.freedom_name(static_cast<int>(f)),
-               format_short(in.rate(motion.rates[f], turns)),
+               motion.knows_rate(static_cast<int>(f))
+                   ? format_short(in.rate(motion.rates[f], turns))
+                   : "-",
                in.units().text(rate_kind(turns))});
   }
   return TextBlocks(std::move(table));
@@ -57,16 +62,22 @@ TextBlocks bodies_blocks(const Mechanism& mechanism,
                          const KinematicSolution& motion,
                          const InUnits& in) {
   TextColumn names{.head = "Body", .cells = {}};
-  VectorColumns angular{
-      .symbol = "w", .unit = in.units().text(QuantityKind::angular_velocity), .rows = {}};
-  VectorColumns linear{.symbol = "V", .unit = in.units().text(QuantityKind::velocity), .rows = {}};
+  VectorColumns angular{.symbol = "w",
+                        .unit = in.units().text(QuantityKind::angular_velocity),
+                        .rows = {},
+                        .missing = "-"};
+  VectorColumns linear{
+      .symbol = "V", .unit = in.units().text(QuantityKind::velocity), .rows = {}, .missing = "-"};
   VectorColumns at{.symbol = "at ", .unit = in.units().text(QuantityKind::length), .rows = {}};
   for (std::size_t b = 1; b < mechanism.topology.bodies.size(); ++b) {
     const Vec3& reference = mechanism.geometry.references[b];
+    const bool is_known = motion.knows_body(BodyId{static_cast<int>(b)});
     names.cells.push_back(mechanism.topology.bodies[b].name);
     const BoundedTwist twist = bounded_body(motion, BodyId{static_cast<int>(b)});
-    angular.rows.emplace_back(in.angular(twist.angular.zeroed()));
-    linear.rows.emplace_back(in.linear(velocity_at(twist, reference).zeroed()));
+    angular.rows.push_back(is_known ? std::optional(in.angular(twist.angular.zeroed()))
+                                    : std::nullopt);
+    linear.rows.push_back(
+        is_known ? std::optional(in.linear(velocity_at(twist, reference).zeroed())) : std::nullopt);
     at.rows.emplace_back(in.length(mechanism.geometry.origin.in_world(reference)));
   }
   std::vector<TextColumn> columns = {std::move(names)};

@@ -116,9 +116,10 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "the force."},
     {"W0506",
      done,
-     "positions that the drives leave open",
+     "motions that no other body feels",
      "A body can turn or shift without any other body feeling it, as a rod between two balls about "
-     "its own line. In each step it moves by as little as it must, so that how far it has turned "
+     "its own line. A case that does not give such a rate has none in its report, and all others. "
+     "In each step of a motion it moves by as little as it must, so that how far it has turned "
      "depends on the number of steps, and is not what its velocities add up to. All other "
      "positions are determined. A case may give its rate: velocities meet that."},
     {"W0507",

@@ -15,6 +15,7 @@ struct Primary {
   double value = 0.0;
   std::string given;  ///< how the file names it: an actuator, or coupling.freedom
   SourceRange where;
+  bool is_assumed = false;  ///< not of the file: the rate of a freedom that no other body feels
 };
 
 /// Inputs and outputs are actuators and loads, by their indices; empty where the file does not say.

@@ -143,7 +143,7 @@ std::string StateMotion::find_figures(const MechanismDescription& description,
     return unsolved->status;
   }
   const std::string_view warning = code_of(found, Severity::warning);
-  return std::string(!warning.empty() ? warning : gap != nullptr ? kGapInMotion : kSolved);
+  return std::string(!warning.empty() ? warning : gap != nullptr ? kNoNumber : kSolved);
 }
 
 void StateMotion::show(std::string_view status, SweepRow& row) {

@@ -299,7 +299,7 @@ std::optional<double> value_of(const SweepColumn& column,
     case recirculation:
       return one.power_graph ? one.power_graph->recirculation : std::nullopt;
     case rate:
-      return one.motion && i < one.motion->rates.size()
+      return one.motion && i < one.motion->rates.size() && one.motion->knows_rate(column.index)
                  ? std::optional(in.rate(bounded_rate(*one.motion, column.index).zeroed(),
                                          mechanism.topology.freedoms[i].is_rotation))
                  : std::nullopt;

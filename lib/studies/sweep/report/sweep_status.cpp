@@ -22,8 +22,7 @@ class StatusList {
     for (const std::string_view word : kCaseStatuses) {
       add(word);
     }
-    for (const std::string_view word :
-         {kLocked, kSingular, kNoRatio, kNoEfficiency, kGapInMotion}) {
+    for (const std::string_view word : {kLocked, kSingular, kNoRatio, kNoEfficiency, kNoNumber}) {
       add(word);
     }
     add_from(MotionEnd::limited);  // what is complete is solved

@@ -19,8 +19,9 @@ inline constexpr std::string_view kNoRatio = "no_ratio";
 /// Of a solved case whose efficiency is asked for, and has none for a reason.
 inline constexpr std::string_view kNoEfficiency = "no_efficiency";
 
-/// A position of a motion has no value of a quantity, and nothing else is to blame.
-inline constexpr std::string_view kGapInMotion = "no_value";
+/// A position of a motion has no value of a quantity, and nothing else is to blame; or a rate is
+/// asked for that no other body feels and nobody gives.
+inline constexpr std::string_view kNoNumber = "no_value";
 
 /// All words, "solved" first, the codes of messages last. They do not depend on the sweep, so that
 /// pieces of it agree on their numbers without having seen each other.

@@ -71,7 +71,11 @@ std::string_view row_status(const CaseAnalysis& one,
       !is_lossless) {
     return kNoEfficiency;
   }
-  return "solved";
+  const bool has_idle_rate = std::ranges::any_of(task.columns, [&one](const SweepColumn& column) {
+    return column.kind == SweepColumnKind::rate && one.motion &&
+           !one.motion->knows_rate(column.index);
+  });
+  return has_idle_rate ? kNoNumber : "solved";
 }
 
 }  // namespace kinestat

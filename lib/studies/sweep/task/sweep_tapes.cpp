@@ -20,7 +20,8 @@ bool is_plain(const SweepTask& task, const CaseAnalysis& one) {
   const bool has_laws = std::ranges::any_of(
       task.mechanism.lossy_meshes, [](const LossyMesh& mesh) { return mesh.law.has_value(); });
   const bool is_linear = !one.action || (task.mechanism.frictions.empty() && !has_laws);
-  return has_motion && has_action && is_linear && one.which.loads.empty() &&
+  const bool has_idle = one.motion && !one.motion->idle.empty();  // whose rates have no value
+  return has_motion && has_action && is_linear && !has_idle && one.which.loads.empty() &&
          task.mechanism.contacts.empty();
 }
 

@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""Holds cases that leave the spin of a rod between two balls open against closed forms.
+
+Usage: idle_freedom_test.py PROGRAM [unittest arguments]
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import sys
+import unittest
+
+import program
+from reference_test_case import ReferenceTest
+
+# The crank turns about z through the origin, the lever about x through (150, 0, 50).
+TEXT = """\
+kinestat: 1
+units: {length: mm, angle: deg}
+parameters: {r: 40}
+ground: frame
+bodies: [crank, rod, lever]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0, 0], axis: z}
+  b: {type: spherical, bodies: [crank, rod], at: [r, 0, 0]}
+  c: {type: spherical, bodies: [rod, lever], at: [120, 60, 50]}
+  d: {type: revolute, bodies: [frame, lever], at: [150, 0, 50], axis: x}
+actuators: {motor: {coupling: a}, load: {coupling: d}}
+cases:
+  go: {motion: {motor: 1 rad/s}, action: {load: -1 N*m}, input: motor, output: load}
+"""
+
+SPIN = TEXT.replace("{motor: 1 rad/s}", "{motor: 1 rad/s, b.wx: 0.3 rad/s}")
+
+
+def lever_speed(r: float) -> float:
+    """The rod keeps its length: (v_c - v_b) . (c - b) = 0, v_b = (0, r, 0), v_c = (0, 0, 60 w)."""
+    rod = (120 - r, 60, 50)
+    return r * rod[1] / (60 * rod[2])
+
+
+class SpinOfARod(ReferenceTest):
+    def test_what_is_determined_is_solved_and_the_rest_has_no_number(self) -> None:
+        done = program.call("analyze", "-", text=TEXT)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("warning[W0506]: case 'go' does not tell how fast 'rod'", done.stderr)
+        case = program.report(done)["cases"]["go"]
+        freedoms = case["kinematics"]["freedoms"]
+        self.near(freedoms["d.wx"], lever_speed(40), "lever")
+        self.near(case["ratio"], 1 / lever_speed(40), "ratio")
+        for name in ("b.wx", "b.wy", "b.wz", "c.wx", "c.wy", "c.wz"):
+            self.assertIsNone(freedoms[name], name)
+        self.assertNotIn("rod", case["kinematics"]["bodies"])
+        self.assertEqual(case["primary"]["motion"], ["a.wz"])
+        self.near(case["statics"]["actions"]["motor"], lever_speed(40), "virtual power")
+
+    def test_every_accuracy_says_the_same(self) -> None:
+        for accuracy in ("fast", "high", "exact"):
+            case = program.run("analyze", "--accuracy", accuracy, "-", text=TEXT)["cases"]["go"]
+            self.near(case["kinematics"]["freedoms"]["d.wx"], lever_speed(40), accuracy)
+            self.assertIsNone(case["kinematics"]["freedoms"]["b.wx"], accuracy)
+
+    def test_a_spin_that_is_given_is_solved_as_before(self) -> None:
+        done = program.call("analyze", "-", text=SPIN)
+        self.assertNotIn("W0506", done.stderr)
+        freedoms = program.report(done)["cases"]["go"]["kinematics"]["freedoms"]
+        self.near(freedoms["d.wx"], lever_speed(40), "lever")
+        self.near(freedoms["b.wx"], 0.3, "given")
+        self.assertIsNotNone(freedoms["c.wy"])
+
+    def test_a_sweep_has_no_number_either(self) -> None:
+        text = TEXT + "sweep: {vary: {r: {from: 30, to: 50, step: 10}}, report: [d.wx, b.wx]}\n"
+        rows = list(csv.DictReader(io.StringIO(program.plain("sweep", "-q", "-", text=text).stdout)))
+        self.assertEqual([row["r"] for row in rows], ["30", "40", "50"])
+        for row in rows:
+            self.near(float(row["d.wx [rad/s]"]), lever_speed(float(row["r"])), "lever")
+            self.assertEqual((row["b.wx [rad/s]"], row["status"]), ("", "no_value"))
+
+    def test_the_derivative_is_that_of_the_lever(self) -> None:
+        """w = r 60 / 3000: linear in r."""
+        values = program.run("sensitivity", "-", text=TEXT)["cases"]["go"]["sensitivity"]
+        self.near(values["d.wx"]["by"]["r"]["derivative"], 60 / 3000, "derivative")
+
+    def test_what_more_bodies_feel_is_still_an_error(self) -> None:
+        text = TEXT.replace("motion: {motor: 1 rad/s}", "motion: {}")
+        done = program.call("analyze", "-", text=text)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("E0501", done.stderr)
+
+    def test_a_rod_that_rubs_in_its_ball_is_not_assumed_to_rest(self) -> None:
+        text = TEXT.replace("bodies: [crank, rod], at: [r, 0, 0]",
+                            "bodies: [crank, rod], at: [r, 0, 0], friction: 0.1")
+        done = program.call("analyze", "-", text=text)
+        self.assertNotEqual(done.returncode, 0)
+
+
+if __name__ == "__main__":
+    program.use(sys.argv[1])
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])
